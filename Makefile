@@ -1,0 +1,98 @@
+# stickslip: build, test, verify.  "make help" lists the targets; objects live in build/.
+CC       ?= cc
+CFLAGS   ?= -O2 -g
+PREFIX   ?= /usr/local
+BINDIR   ?= $(PREFIX)/bin
+LIBDIR   ?= $(PREFIX)/lib
+INCDIR   ?= $(PREFIX)/include
+MANDIR   ?= $(PREFIX)/share/man
+PYTHON   ?= /usr/bin/python3
+B        ?= build
+DATADIR  ?= $(PREFIX)/share/stickslip
+
+WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
+SO    = libstickslip.so.0
+# FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
+ARB  := $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
+LIBS  = $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
+ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
+
+CLI   = $(sort $(wildcard src/cli/*.c))
+SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
+TEST  = $(sort $(wildcard tests/*.c))
+OBJ   = $(SRC:%.c=$(B)/%.o)
+TOBJ  = $(TEST:%.c=$(B)/%.o)
+PKGS  = gcc make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema
+OLD   = libflint-arb-dev
+
+.PHONY: deps all check verify lint asan cover format install uninstall clean help
+all: $(B)/stickslip $(B)/$(SO) ## build the program and the library (default)
+
+deps: ## install what is missing (Debian, Ubuntu), else say what to install
+	@sh tools/deps.sh $(PKGS) -- $(OLD)
+
+$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(B)/libstickslip.a
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
+
+$(B)/libstickslip.a: $(OBJ)
+	@rm -f $@
+	ar rcs $@ $^
+
+$(B)/$(SO): $(OBJ)
+	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
+
+$(B)/check: $(TOBJ) $(B)/libstickslip.a
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $$(pkg-config --libs check) $(LIBS)
+
+$(B)/tests/%.o: tests/%.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(ALL) -Isrc -MMD -c -o $@ $<
+
+$(B)/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(ALL) -MMD -c -o $@ $<
+
+-include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(B)/src/main.d
+
+verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
+	$(B)/stickslip verify
+
+check: $(B)/stickslip $(B)/check ## run the tests
+	STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check
+
+lint: ## formatting, include arrows, static analysis
+	sh tools/lint.sh
+
+asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer
+	$(MAKE) B=$(B)/asan CFLAGS="-O1 -g" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check
+
+cover: ## line coverage of src/
+	$(MAKE) B=$(B)/cover CFLAGS="-O0 -g" EXTRA=--coverage check
+	gcovr -r . $(B)/cover --filter src/ --sort-uncovered | tail -40
+
+format: ## rewrite the sources in the project's format
+	clang-format -i $$(git ls-files '*.c' '*.h')
+
+install: all ## install program, library, headers, man page and data (PREFIX, DESTDIR)
+	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(DATADIR))
+	install $(B)/stickslip $(DESTDIR)$(BINDIR)/
+	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
+	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
+	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
+	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
+	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(ARB)|' tools/stickslip.pc.in \
+	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
+	cp -R verify/. $(DESTDIR)$(DATADIR)/
+
+uninstall: ## remove what install put there
+	rm -f $(DESTDIR)$(BINDIR)/stickslip $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
+	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1
+	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(DATADIR)
+
+clean: ## remove build/
+	rm -rf $(B)
+
+help: ## this list
+	@sed -n 's/^\([a-z]*\):.*## /\1\t/p' Makefile | expand -t 10

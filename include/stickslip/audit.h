@@ -1,0 +1,98 @@
+/* The audit: claims as data, evidence from independent routes, one table from evidence to verdict.
+
+   A claim file holds records "claim ID" with these attributes:
+
+     equation, section, title, quote   where the claim stands and what it says
+     own         the equation number whose text is read as printed; by default that of the claim
+     kind        one of the kinds below
+     value       (matrix) the name, with its argument, held against the model's quantity of that name
+     statement   (identity, inequality, threshold) the record of the equation files that is judged
+     bound       (threshold) the record whose right-hand sides are the bounds
+     points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
+                 "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
+     perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
+     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
+     oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
+     number, from, formula             (number) the printed number, where its value comes from
+     fault       the fault class a refutation of this claim has
+     depends-on  ids
+     restricted  "V = 1: supported; ...": verdicts on record of the claims that are made when this one is refuted on its
+                 domain but holds under a restriction (id: the next free letter)
+     record      the verdict on record; record-scene: the only scene it speaks of
+
+   Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, report. */
+#ifndef STICKSLIP_AUDIT_H
+#define STICKSLIP_AUDIT_H
+
+#include "stickslip/model.h"
+#include "stickslip/result.h"
+#include "stickslip/scene.h"
+
+struct claim {
+  const char *id;
+  const struct record *record;
+  const struct record_file *file;
+  const struct record *control; /* attributes that stand before the record's own; NULL outside controls */
+};
+
+struct claims {
+  struct record_file **files;
+  size_t n_files, cap_files;
+  struct claim *claim;
+  size_t n, cap;
+};
+
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim or control. */
+bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
+bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
+void claims_clear(struct claims *c);
+
+/* An attribute of the claim, or NULL. */
+const char *claim_get(const struct claim *c, const char *key);
+/* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
+bool claim_selected(const char *id, const char *item);
+
+struct audit_options {
+  const char *const *only;
+  int n_only;
+  void (*progress)(void *arg, size_t done, size_t total, const char *id); /* or NULL */
+  void *arg;
+};
+
+/* Judges the selected claims, then the controls that stand beside them.  false with d set when the claim files or the
+   equation files are at fault. */
+bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
+               const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
+               struct diag *d);
+
+/* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
+   evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the
+   tape when asked for. */
+bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
+                   const char *id, const char *at, bool tape, struct diag *d);
+
+/* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
+
+enum jacobian_method { METHOD_ANALYTIC, METHOD_IMPLICIT, METHOD_SALTATION, METHOD_FD, N_METHODS };
+extern const char *const method_name[N_METHODS];
+
+struct jacobian_request {
+  enum jacobian_method method;
+  enum layer layer; /* of the paper's chain, METHOD_ANALYTIC */
+  bool at_printed;  /* at the scene's printed numbers, else on an orbit */
+  slong orbit;      /* from 0, by increasing z10 */
+  slong digits;
+};
+
+/* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them (differences: a
+   ball of the estimated error).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at printed numbers its states are those at
+   the printed times.  The other methods start at the printed state and locate the events.  det is exactly 0 wherever the
+   method proves or confirms it (all that precedes t_a is a map to one number). false with d set on failure. */
+bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,
+                    const struct jacobian_request *q, struct diag *d);
+
+/* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be checked
+   without judging: syntax, names, shapes, attributes. */
+bool audit_check_file(const char *path, const char *data, struct diag *d);
+
+#endif

@@ -1,0 +1,17 @@
+/* Reports: pure functions of the result record. */
+#ifndef STICKSLIP_REPORT_H
+#define STICKSLIP_REPORT_H
+
+#include "stickslip/result.h"
+#include "stickslip/text.h"
+
+/* The contract's audit.json: no time stamps, timings or machine-dependent residuals. */
+void report_json(struct text *out, const struct audit_result *r);
+/* What audit.json holds, for people: what needs attention first. */
+void report_markdown(struct text *out, const struct audit_result *r);
+/* The facts of one run on one machine: seconds, residuals of routes in double. */
+void report_run(struct text *out, const struct audit_result *r, double seconds);
+/* One line: "paper: 40 claims: 20 supported, ..., as recorded". */
+void report_line(struct text *out, const struct audit_result *r);
+
+#endif

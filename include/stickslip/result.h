@@ -1,0 +1,88 @@
+/* The result record of an audit: what the writers of reports read, and all they read. */
+#ifndef STICKSLIP_RESULT_H
+#define STICKSLIP_RESULT_H
+
+#include <stdbool.h>
+
+#include "stickslip/arena.h"
+
+/* The verdicts, in the order of the summary. */
+#define VERDICTS(X)                                                                                                    \
+  X(PROVED, proved)                                                                                                    \
+  X(CONDITIONAL, conditional)                                                                                          \
+  X(SUPPORTED, supported)                                                                                              \
+  X(REFUTED, refuted)                                                                                                  \
+  X(UNKNOWN, unknown)                                                                                                  \
+  X(SKIPPED, skipped)                                                                                                  \
+  X(DEFINITION, definition)
+
+enum verdict {
+#define VERDICT_ENUM(upper, lower) VERDICT_##upper,
+  VERDICTS(VERDICT_ENUM)
+#undef VERDICT_ENUM
+      N_VERDICTS
+};
+extern const char *const verdict_name[N_VERDICTS];
+/* The verdict of that name; N_VERDICTS when there is none. */
+enum verdict verdict_parse(const char *name);
+
+/* What one route found.  Strings may be NULL; bits and trials are -1 when they do not apply. */
+struct evidence {
+  const char *route, *layer;
+  const char *result; /* agrees, differs, undecided, states */
+  const char *residual;
+  long bits, trials;
+  const char *worst, *note;
+  double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
+};
+
+/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number. */
+struct finding {
+  const char *id, *equation, *section, *title, *quote, *printed;
+  enum verdict verdict;
+  const char *condition, *fault;
+  const char *correction; /* NULL without one */
+  enum verdict correction_verdict;
+  const char *effect;
+  const char **depends_on;
+  int n_depends_on;
+  struct evidence *evidence;
+  int n_evidence;
+  const char *reproduce;
+  enum verdict recorded; /* N_VERDICTS: nothing recorded */
+};
+
+struct skipped_work {
+  const char *what, *why;
+};
+
+/* A control: wrong on purpose, and noticed when its check does not pass. */
+struct control_result {
+  const char *id, *claim;
+  enum verdict verdict;
+  bool noticed;
+};
+
+struct audit_result {
+  struct arena arena; /* owns every string */
+  const char *scene, *title;
+  struct finding *findings;
+  size_t n_findings, cap_findings;
+  struct skipped_work *skipped;
+  size_t n_skipped, cap_skipped;
+  struct control_result *controls;
+  size_t n_controls, cap_controls;
+  const char *const *independence;
+  int n_independence;
+};
+
+void audit_result_init(struct audit_result *r);
+void audit_result_clear(struct audit_result *r);
+/* A formatted string in the result's arena. */
+const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* How many findings have each verdict; the sum is n_findings (checked). */
+void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
+/* Findings whose verdict differs from what is recorded, and controls that went unnoticed. */
+long audit_result_unexpected(const struct audit_result *r);
+
+#endif

@@ -1,0 +1,71 @@
+/* Strings that grow, files read whole, files written beside and renamed. */
+#ifndef STICKSLIP_TEXT_H
+#define STICKSLIP_TEXT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define SS_PRINTF(a, b) __attribute__((format(printf, a, b)))
+#else
+#define SS_PRINTF(a, b)
+#endif
+
+/* data is always NUL-terminated once anything has been added, and NULL before. */
+struct text {
+  char *data;
+  size_t len, cap;
+};
+
+void text_init(struct text *t);
+void text_clear(struct text *t);
+void text_reset(struct text *t); /* empties, keeps the memory */
+void text_add(struct text *t, const char *s);
+void text_add_n(struct text *t, const char *s, size_t len);
+void text_add_char(struct text *t, char c);
+void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
+const char *text_str(const struct text *t); /* "" when nothing was added */
+/* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
+size_t text_valid_prefix(const char *s, size_t len);
+
+/* A place in a source: byte offsets, end exclusive. */
+struct span {
+  size_t begin, end;
+};
+
+/* A file held in memory, with the name its diagnostics use.  text[len] is NUL. */
+struct source {
+  char *name;
+  char *text;
+  size_t len;
+};
+
+/* The first error of a run, as the user will read it: at most 999 bytes of UTF-8, no trailing newline. */
+struct diag {
+  bool set;
+  char message[1000];
+};
+
+void diag_init(struct diag *d);
+/* Records an error; later ones are ignored, since the first is the cause.  d may be NULL. */
+void diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
+/* The same with "name:line:column: error: " before it and the source line with a caret below.
+   Lines and columns count from 1; a column is one UTF-8 character.  A long line is clipped around the caret. */
+void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) SS_PRINTF(4, 5);
+
+/* Reads a regular file of at most max bytes; refuses directories, devices, NUL bytes and text that is not UTF-8.
+   A byte-order mark is dropped.  false with d set on failure. */
+bool source_read(struct source *s, const char *path, size_t max, struct diag *d);
+/* The same from memory; copies both. */
+void source_from_string(struct source *s, const char *name, const char *text);
+void source_clear(struct source *s);
+
+/* Writes path with len bytes of data through a temporary file in the same folder and a rename, so that a reader sees
+   the old file or the new one and a failure leaves the old one.  What stands there already must be a regular file.
+   false with d set on failure. */
+bool file_write(const char *path, const char *data, size_t len, struct diag *d);
+/* Makes a folder and its parents; existing ones are fine. */
+bool folder_make(const char *path, struct diag *d);
+
+#endif

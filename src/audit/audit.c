@@ -1,0 +1,322 @@
+/* The run: each selected claim is judged with its own text as printed and everything it uses corrected; a refuted one is
+   judged again as corrected and under restrictions; then every control beside the selected claims must be noticed. */
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit_impl.h"
+
+static const struct {
+  const char *name;
+  kind_fn judge;
+  bool tried_at_points; /* can be restricted, and corrected by an erratum */
+} kinds[] = {{"definition", judge_definition, false}, {"matrix", judge_points, true},
+             {"identity", judge_points, true},        {"threshold", judge_threshold, false},
+             {"inequality", judge_inequality, false}, {"index-range", judge_index_range, false},
+             {"number", judge_number, false},         {"closure", judge_closure, false},
+             {"criterion", judge_criterion, false},   {"report", judge_report, false}};
+
+static int kind_index(const char *name) {
+  for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
+    if (strcmp(kinds[i].name, name) == 0) return (int)i;
+  return -1;
+}
+
+/* --- The result record --- */
+
+void audit_result_init(struct audit_result *r) {
+  *r = (struct audit_result){.n_findings = 0};
+  arena_init(&r->arena);
+}
+
+void audit_result_clear(struct audit_result *r) {
+  free(r->findings);
+  free(r->skipped);
+  free(r->controls);
+  arena_clear(&r->arena);
+}
+
+const char *result_str(struct audit_result *r, const char *fmt, ...) {
+  va_list ap, again;
+  va_start(ap, fmt);
+  va_copy(again, ap);
+  int n = vsnprintf(NULL, 0, fmt, ap);
+  va_end(ap);
+  char *s = arena_alloc(&r->arena, (size_t)(n > 0 ? n : 0) + 1);
+  vsnprintf(s, (size_t)n + 1, fmt, again);
+  va_end(again);
+  return s;
+}
+
+void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
+  long total = 0;
+  for (int i = 0; i < N_VERDICTS; i++) count[i] = 0;
+  for (size_t i = 0; i < r->n_findings; i++) count[r->findings[i].verdict]++;
+  for (int i = 0; i < N_VERDICTS; i++) total += count[i];
+  if (total != (long)r->n_findings) abort();
+}
+
+long audit_result_unexpected(const struct audit_result *r) {
+  long n = 0;
+  for (size_t i = 0; i < r->n_findings; i++)
+    n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
+  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  return n;
+}
+
+/* --- Corrections --- */
+
+/* Whether an erratum is about the claim: it replaces its statement or, failing that, defines something anew under the
+   claim's equation number. */
+static bool is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
+  const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
+  if (r->rank != RANK_ERRATA) return false;
+  if (by_statement) return statement && strcmp(r->id, statement) == 0;
+  return strcmp(r->record->kind_name, "define") == 0 && equation && strcmp(r->equation, equation) == 0;
+}
+
+bool erratum_text(struct text *out, const struct model *m, const struct claim *c) {
+  const char *sep = "";
+  bool found = false;
+  for (int pass = 0; pass < 2 && !found; pass++)
+    for (size_t i = 0; i < m->n_records; i++) {
+      const struct statement_record *r = &m->records[i];
+      if (!is_about(r, c, pass == 0)) continue;
+      for (int k = 0; k < r->n_stmts; k++) {
+        text_add(out, sep);
+        stmt_print(out, r->stmts[k]);
+        sep = "; ";
+      }
+      found = true;
+    }
+  return found;
+}
+
+bool judge_correction(struct finding *f, struct judge *j, const struct claim *c, kind_fn kind) {
+  struct text t;
+  text_init(&t);
+  bool ok = true;
+  if (erratum_text(&t, j->model, c)) {
+    struct finding again = *f;
+    again.evidence = NULL;
+    again.n_evidence = 0;
+    ok = kind(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
+    f->correction = result_str(j->out, "%s", text_str(&t));
+    f->correction_verdict = again.verdict;
+    for (int i = 0; ok && i < again.n_evidence; i++) {
+      struct evidence *e = finding_add(f, j->out);
+      *e = again.evidence[i];
+    }
+  }
+  text_clear(&t);
+  return ok;
+}
+
+/* --- One claim --- */
+
+/* Whether a record of the paper's files is what the claim is about: its statement; or, for a value, every definition under
+   the claim's equation number, since a formula is printed together with its parts. */
+static bool is_subject(const struct statement_record *r, const struct claim *c) {
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
+             *equation = claim_get(c, "equation");
+  if (r->rank > RANK_USER) return false;
+  if (statement) return strcmp(r->id, statement) == 0;
+  return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
+}
+
+/* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
+static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
+  const char *quote = claim_get(c, "quote");
+  struct text tex, parsed;
+  text_init(&tex);
+  text_init(&parsed);
+  for (size_t i = 0; i < j->model->n_records; i++) {
+    const struct statement_record *r = &j->model->records[i];
+    if (!is_subject(r, c)) continue;
+    if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
+    for (int k = 0; k < r->n_stmts; k++) {
+      text_add(&parsed, parsed.len ? ", \\quad " : "");
+      stmt_latex(&parsed, r->stmts[k]);
+    }
+  }
+  if (quote)
+    f->quote = result_str(j->out, "%s", quote);
+  else if (tex.len)
+    f->quote = result_str(j->out, "%s", text_str(&tex));
+  if (parsed.len) f->printed = result_str(j->out, "%s", text_str(&parsed));
+  text_clear(&parsed);
+  text_clear(&tex);
+}
+
+static void split_ids(struct finding *f, struct audit_result *out, const char *list) {
+  for (const char *p = list; p && *p;) {
+    while (*p == ' ' || *p == ',') p++;
+    size_t n = strcspn(p, ", ");
+    if (n == 0) break;
+    const char **ids = arena_alloc(&out->arena, (size_t)(f->n_depends_on + 1) * sizeof *ids);
+    for (int i = 0; i < f->n_depends_on; i++) ids[i] = f->depends_on[i];
+    ids[f->n_depends_on++] = arena_strndup(&out->arena, p, n);
+    f->depends_on = ids;
+    p += n;
+  }
+}
+
+static const char *copy(struct audit_result *out, const char *s) {
+  return s ? result_str(out, "%s", s) : NULL;
+}
+
+static bool describe(struct finding *f, struct judge *j, const struct claim *c) {
+  struct audit_result *out = j->out;
+  *f = (struct finding){.id = copy(out, c->id),
+                        .equation = copy(out, claim_get(c, "equation")),
+                        .section = copy(out, claim_get(c, "section")),
+                        .title = copy(out, claim_get(c, "title")),
+                        .verdict = VERDICT_UNKNOWN,
+                        .recorded = N_VERDICTS};
+  if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
+  quote_and_formula(f, j, c);
+  split_ids(f, out, claim_get(c, "depends-on"));
+  f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->name, c->id);
+  const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
+  if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
+  if (record && (!only || strcmp(only, j->scene->name) == 0)) f->recorded = verdict_parse(record);
+  return true;
+}
+
+static bool known_fault(const char *s) {
+  static const char *const faults[] = {"notation", "formula", "number", "argument"};
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+    if (strcmp(faults[i], s) == 0) return true;
+  return false;
+}
+
+/* A sentence that cannot be read (an undefined symbol, a wrong shape) is refuted by the diagnostic itself. */
+static bool notation_fault(struct finding *f, struct judge *j) {
+  if (j->claim_at_fault) return false;
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "diagnostic";
+  e->layer = "own text printed, the rest corrected";
+  e->result = "differs";
+  e->trials = 1;
+  e->note = result_str(j->out, "%s", j->d->message);
+  f->verdict = VERDICT_REFUTED;
+  f->fault = "notation";
+  diag_init(j->d);
+  return true;
+}
+
+static bool judge_claim(struct judge *j, const struct claim *c) {
+  int k = kind_index(claim_get(c, "kind"));
+  if (k < 0) return claim_error(j, c, "kind", "unknown kind of claim");
+  struct finding f;
+  if (!describe(&f, j, c)) return false;
+  const char *own = claim_get(c, "own");
+  if (!own) own = claim_get(c, "equation");
+  struct view view = {j->model, LAYER_CORRECTED, own ? own : c->id, NULL};
+  if (!kinds[k].judge(&f, j, c, view) && !notation_fault(&f, j)) return false;
+  if (f.verdict == VERDICT_REFUTED) {
+    const char *fault = claim_get(c, "fault");
+    if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
+    if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
+    if (!f.correction && kinds[k].tried_at_points && !judge_correction(&f, j, c, kinds[k].judge)) return false;
+  }
+  struct audit_result *out = j->out;
+  out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
+  out->findings[out->n_findings++] = f;
+  bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
+  if (f.verdict != VERDICT_REFUTED || !kinds[k].tried_at_points || !readable) return true;
+  return judge_restrictions(j, c, view, &f);
+}
+
+/* --- Controls --- */
+
+static const struct claim *find_claim(const struct claims *claims, const char *id) {
+  for (size_t i = 0; id && i < claims->n; i++)
+    if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
+  return NULL;
+}
+
+/* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
+   those of the control's own record. */
+static bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
+  struct claim c = *claim;
+  c.control = control->record;
+  int k = kind_index(claim_get(&c, "kind"));
+  struct finding f;
+  if (k < 0 || !describe(&f, j, &c)) return false;
+  struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
+  if (!kinds[k].judge(&f, j, &c, view)) {
+    diag_set(j->d, "control %s cannot be judged", control->id);
+    return false;
+  }
+  if (f.verdict == VERDICT_SKIPPED) return true;
+  struct audit_result *out = j->out;
+  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
+  out->controls[out->n_controls++] =
+      (struct control_result){copy(out, control->id), copy(out, claim->id), f.verdict, f.verdict == VERDICT_REFUTED};
+  return true;
+}
+
+/* --- The run --- */
+
+static bool selected(const struct audit_options *opt, const char *id) {
+  if (opt->n_only == 0) return true;
+  for (int i = 0; i < opt->n_only; i++)
+    if (claim_selected(id, opt->only[i])) return true;
+  return false;
+}
+
+static void leave_out(struct audit_result *out, const char *what, const char *why) {
+  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
+  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
+}
+
+static bool check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
+  for (int i = 0; i < opt->n_only; i++) {
+    bool any = false;
+    for (size_t k = 0; k < claims->n; k++) any = any || claim_selected(claims->claim[k].id, opt->only[i]);
+    if (!any) {
+      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
+      return false;
+    }
+  }
+  return true;
+}
+
+static bool run_controls(struct judge *j, const struct claims *claims, const struct claims *controls,
+                         const struct audit_options *opt) {
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *control = &controls->claim[i];
+    const char *of = record_get(control->record, "claim");
+    const struct claim *claim = find_claim(claims, of);
+    if (!claim) return claim_error(j, control, "claim", "a control names the claim that it damages");
+    if (!selected(opt, claim->id)) continue;
+    if (!judge_control(j, control, claim)) return false;
+  }
+  return true;
+}
+
+bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
+               const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
+               struct diag *d) {
+  if (!check_selection(claims, opt, d)) return false;
+  struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
+  out->scene = copy(out, scene->name);
+  out->title = copy(out, scene->title);
+  out->independence = route_independence;
+  out->n_independence = n_route_independence;
+  bool ok = true;
+  size_t left_out = 0;
+  for (size_t i = 0; ok && i < claims->n; i++) {
+    if (!selected(opt, claims->claim[i].id)) {
+      left_out++;
+      continue;
+    }
+    if (opt->progress) opt->progress(opt->arg, i, claims->n, claims->claim[i].id);
+    ok = judge_claim(&j, &claims->claim[i]);
+  }
+  ok = ok && run_controls(&j, claims, controls, opt);
+  if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  orbit_cache_free(j.cache);
+  return ok;
+}

@@ -1,0 +1,277 @@
+/* What the parts of the audit share: points, their values, the model's quantities by the paper's names, comparisons. */
+#ifndef STICKSLIP_AUDIT_IMPL_H
+#define STICKSLIP_AUDIT_IMPL_H
+
+#include <stdint.h>
+
+#include "stickslip/audit.h"
+#include "stickslip/dynamics.h"
+#include "stickslip/tape.h"
+
+/* Precision of the first trial in balls, and where raising it stops; bits. */
+enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };
+
+/* --- Points: exact data at which a sentence is tried --- */
+
+enum point_kind {
+  POINT_PARAMS, /* parameters and a time */
+  POINT_FLOW,   /* a motion of one phase from an exact state over an exact time */
+  POINT_ARC,    /* one pass through the word from an exact state, with its events */
+  POINT_ORBIT,  /* a periodic orbit */
+  POINT_PRINTED /* the printed state carried over the printed times, events or not */
+};
+
+/* Exact quantities of a point. */
+enum {
+  Q_CHI,
+  Q_ETA,
+  Q_V,
+  Q_E1,
+  Q_E2,
+  Q_US1,
+  Q_US2,
+  Q_X,
+  Q_Y,
+  Q_LAMBDA,
+  Q_T,
+  Q_S,  /* arcs: how far into its phase the time t lies, as a fraction */
+  Q_Z1, /* start of an arc or a flow: z_1, z_2, z_1', z_2' */
+  Q_Z2,
+  Q_DZ1,
+  Q_DZ2,
+  Q_TA, /* POINT_PRINTED */
+  Q_TB,
+  Q_TC,
+  Q_TD,
+  N_Q
+};
+
+struct point {
+  enum point_kind kind;
+  enum phase phase; /* of the time t: POINT_FLOW, and arcs */
+  bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
+  bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
+  fmpq q[N_Q];
+  slong orbit; /* POINT_ORBIT: index in the list of its parameters */
+};
+
+void point_init(struct point *p);
+void point_clear(struct point *p);
+/* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
+void point_print(struct text *out, const struct point *p);
+
+/* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
+struct restriction {
+  const char *text; /* "V = 1" */
+  int quantity;
+  const char *value;
+};
+extern const struct restriction restrictions[];
+extern const int n_restrictions;
+
+/* Orbits found so far, by parameters and precision. */
+struct orbit_cache;
+struct orbit_cache *orbit_cache_new(void);
+void orbit_cache_free(struct orbit_cache *c);
+/* The orbits at five exact parameters, enclosed at prec bits. */
+const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
+
+/* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
+bool point_settle(struct point *p, struct orbit_cache *c);
+
+/* A stream of random points of one kind, seeded from an id. */
+struct sampler {
+  uint64_t state;
+  enum point_kind kind;
+  enum phase phase;
+  bool admissible, finite;
+  const struct restriction *restriction;
+};
+void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
+                  const struct restriction *restriction);
+void sampler_next(struct point *p, struct sampler *s);
+
+/* --- Values of the paper's symbols at a point, in one number type --- */
+
+/* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
+   differences; the return Jacobian by saltation matrices. */
+enum variant { VARIANT_CLOSED, VARIANT_EXPONENTIAL, VARIANT_FD, VARIANT_SALTATION };
+
+struct values {
+  struct num_ctx ctx;
+  const struct point *point;
+  enum variant variant;
+  struct num_vec q;         /* N_Q */
+  struct num_vec params;    /* N_PARAMS */
+  struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
+  struct dyn_arc perturbed; /* finite perturbations */
+  struct num_vec t;         /* the time t */
+  struct num_vec zt, azt;   /* Z(t) and its derivative */
+  struct num_vec local;     /* four local Jacobians, 16 each; made when first asked for */
+  bool have_local;
+  struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
+  struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
+  bool have_tangent;
+};
+
+/* Status flags; anything but SS_OK means that the point is not accepted in this type. */
+int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
+                struct orbit_cache *cache);
+void values_clear(struct values *v);
+/* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
+int values_bind(void *z, bool *known, struct values *v, const char *name);
+
+/* --- The model's quantities under the paper's names --- */
+
+struct oracle;
+/* The oracle of a name such as J_a, H(t), N, K_1; NULL when the model has no such quantity. */
+const struct oracle *oracle_find(const char *name);
+int oracle_rows(const struct oracle *o);
+int oracle_cols(const struct oracle *o);
+int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v);
+
+/* --- Two sides at points --- */
+
+/* A sentence ready to be tried: paper's expressions on one or both sides, the model's quantity perhaps on the other. */
+struct sentence {
+  struct elaboration el;
+  struct tape tape;
+  slong n; /* entries of a side */
+  int cols;
+  enum relop *ops;             /* of each entry */
+  const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
+};
+
+/* value = oracle of the same name. */
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section, struct diag *d);
+/* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
+bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
+                          int n_overrides, struct diag *d);
+/* What a matrix or identity claim says: by its statement or its value. */
+bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
+                         int n_overrides, struct diag *d);
+void sentence_clear(struct sentence *s);
+/* Both sides (s->n each, in the context of lhs and rhs). */
+int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
+                    struct orbit_cache *cache);
+
+enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
+
+struct trial {
+  enum outcome outcome;
+  int status; /* of a rejected point */
+  long bits;
+  double log_diff; /* log2 of the largest difference over max(1, scale); -inf for none */
+  slong entry;     /* where */
+  char lhs[64], rhs[64];
+  char unbound[64];
+};
+
+/* Both sides in balls, from 128 bits, doubled while undecided up to 1024.  Differs when the balls of an equality are
+   disjoint, or those of an inequality are ordered the other way; agrees when every inequality is proved, and the sides of
+   every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
+struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
+                                struct orbit_cache *cache);
+/* In a rounded type: agrees below tol max(1, scale), differs above sqrt(tol) max(1, scale). */
+struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enum variant variant, struct num_ctx ctx,
+                                  double log_tol, struct orbit_cache *cache);
+
+/* --- A claim being judged --- */
+
+struct judge {
+  struct audit_result *out;
+  const struct model *model;
+  const struct claims *claims;
+  const struct scene *scene;
+  struct orbit_cache *cache;
+  struct diag *d;
+  bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
+};
+
+/* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
+typedef bool (*kind_fn)(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+
+/* The entries of an expression at a point, enclosed at prec bits; count of them in *n (at most 16 are returned). */
+int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
+                  const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
+
+/* The first kind of point that a claim names. */
+struct point_spec {
+  enum point_kind kind;
+  enum phase phase;
+  bool admissible;
+  long n;
+};
+/* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
+int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);
+
+bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+
+/* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
+bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
+
+/* --- Evidence and verdicts --- */
+
+struct evidence *finding_add(struct finding *f, struct audit_result *out);
+
+/* What one route says of a claim, as the table reads it. */
+enum says { SAYS_NOTHING, SAYS_AGREES, SAYS_DIFFERS, SAYS_UNDECIDED };
+struct route_word {
+  const char *route;
+  enum says says;
+  bool decisive; /* its difference is a certificate */
+  long trials;
+};
+/* The one table from evidence to verdict. */
+enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
+/* How many of the routes are pairwise independent enough to support a verdict. */
+int independent_routes(const struct route_word *w, int n);
+/* The table of what the routes share, as sentences. */
+extern const char *const route_independence[];
+extern const int n_route_independence;
+
+/* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
+const char *order_of_magnitude(struct audit_result *r, double log2x);
+
+/* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
+bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
+/* Judges the sentence again with everything corrected and fills f->correction. */
+bool judge_correction(struct finding *f, struct judge *j, const struct claim *c, kind_fn kind);
+
+/* The point at the scene's own parameters that is like p in everything else; false when it has no orbit. */
+bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache);
+
+/* The printed state and times of the scene as a point; false when some are not printed. */
+bool printed_point(struct point *out, const struct scene *s);
+/* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
+bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
+
+/* The orbits at the scene's parameters. */
+const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache);
+
+/* The two ways in which a decimal may have been printed. */
+enum reading { READ_ROUNDED, READ_TRUNCATED, N_READINGS };
+extern const char *const reading_name[N_READINGS];
+/* Does x print as p?  TRUE under some reading (*how), FALSE under none. */
+truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
+/* A ball over every value that prints as p. */
+void printed_ball(arb_t x, const struct printed_number *p);
+/* A control's attribute "decimal" in place of a printed number: *p then points at own, whose values the caller clears. */
+bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
+
+/* Marks the claim as skipped, with the reason. */
+void finding_skip(struct finding *f, struct judge *j, const char *why);
+/* x to n digits, or as a ball when it is not known that well. */
+const char *ball_text(struct judge *j, const arb_t x, slong n);
+
+bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
+
+#endif

@@ -1,0 +1,76 @@
+/* Blocks of doubling size in a chain; an allocation never moves, and all of them die together.
+   Exhausted memory is not a state any caller could go on from: the program says so and ends with status 5. */
+#include "stickslip/arena.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { FIRST_BLOCK = 4096, LARGEST_BLOCK = 1 << 20, EXIT_INTERNAL = 5 };
+
+struct arena_block {
+  struct arena_block *next;
+  size_t used, size;
+  _Alignas(max_align_t) unsigned char bytes[];
+};
+
+static void *or_die(void *p) {
+  if (p) return p;
+  fputs("stickslip: out of memory\n", stderr);
+  exit(EXIT_INTERNAL);
+}
+
+void *ss_malloc(size_t size) {
+  return or_die(malloc(size ? size : 1));
+}
+
+void *ss_realloc(void *p, size_t size) {
+  return or_die(realloc(p, size ? size : 1));
+}
+
+void *ss_grow(void *p, size_t len, size_t *cap, size_t size) {
+  if (len < *cap) return p;
+  size_t wanted = *cap ? *cap * 2 : 8;
+  if (wanted > SIZE_MAX / size) or_die(NULL);
+  *cap = wanted;
+  return ss_realloc(p, wanted * size);
+}
+
+void arena_init(struct arena *a) {
+  a->head = NULL;
+}
+
+void arena_clear(struct arena *a) {
+  while (a->head) {
+    struct arena_block *next = a->head->next;
+    free(a->head);
+    a->head = next;
+  }
+}
+
+void *arena_alloc(struct arena *a, size_t size) {
+  const size_t align = _Alignof(max_align_t);
+  if (size > SIZE_MAX / 2) or_die(NULL);
+  size = (size + align - 1) / align * align;
+  struct arena_block *b = a->head;
+  if (!b || b->size - b->used < size) {
+    size_t want = b ? b->size * 2 : FIRST_BLOCK;
+    if (want > LARGEST_BLOCK) want = LARGEST_BLOCK;
+    if (want < size) want = size;
+    b = ss_malloc(sizeof *b + want);
+    b->next = a->head;
+    b->used = 0;
+    b->size = want;
+    a->head = b;
+  }
+  void *p = b->bytes + b->used;
+  b->used += size;
+  return memset(p, 0, size);
+}
+
+char *arena_strndup(struct arena *a, const char *s, size_t len) {
+  char *p = arena_alloc(a, len + 1);
+  memcpy(p, s, len);
+  return p;
+}

@@ -1,0 +1,95 @@
+/* A writer with a stack of open containers; broken nesting is a broken invariant. */
+#include "stickslip/json.h"
+
+#include <stdlib.h>
+
+void json_init(struct json *j, struct text *out) {
+  *j = (struct json){.out = out};
+}
+
+static void add_escaped(struct text *out, const char *s) {
+  text_add_char(out, '"');
+  for (; *s; s++) {
+    unsigned char c = (unsigned char)*s;
+    if (c == '"' || c == '\\')
+      text_printf(out, "\\%c", c);
+    else if (c == '\n')
+      text_add(out, "\\n");
+    else if (c == '\t')
+      text_add(out, "\\t");
+    else if (c < 0x20 || c == 0x7F)
+      text_printf(out, "\\u%04x", c);
+    else
+      text_add_char(out, *s);
+  }
+  text_add_char(out, '"');
+}
+
+static void new_line(struct json *j) {
+  text_add_char(j->out, '\n');
+  for (int i = 0; i < j->depth; i++) text_add(j->out, "  ");
+}
+
+static void begin_member(struct json *j, const char *key) {
+  if (j->depth > 0) {
+    if (j->started[j->depth - 1]) text_add_char(j->out, ',');
+    j->started[j->depth - 1] = true;
+    new_line(j);
+  }
+  if (key) {
+    add_escaped(j->out, key);
+    text_add(j->out, ": ");
+  }
+}
+
+static void open_container(struct json *j, const char *key, char bracket) {
+  begin_member(j, key);
+  if (j->depth == JSON_DEPTH) abort();
+  text_add_char(j->out, bracket);
+  j->started[j->depth++] = false;
+}
+
+static void close_container(struct json *j, char bracket) {
+  if (j->depth == 0) abort();
+  j->depth--;
+  if (j->started[j->depth]) new_line(j);
+  text_add_char(j->out, bracket);
+  if (j->depth == 0) text_add_char(j->out, '\n');
+}
+
+void json_object(struct json *j, const char *key) {
+  open_container(j, key, '{');
+}
+void json_array(struct json *j, const char *key) {
+  open_container(j, key, '[');
+}
+void json_end_object(struct json *j) {
+  close_container(j, '}');
+}
+void json_end_array(struct json *j) {
+  close_container(j, ']');
+}
+
+void json_string(struct json *j, const char *key, const char *value) {
+  if (!value) {
+    json_null(j, key);
+    return;
+  }
+  begin_member(j, key);
+  add_escaped(j->out, value);
+}
+
+void json_long(struct json *j, const char *key, long value) {
+  begin_member(j, key);
+  text_printf(j->out, "%ld", value);
+}
+
+void json_bool(struct json *j, const char *key, bool value) {
+  begin_member(j, key);
+  text_add(j->out, value ? "true" : "false");
+}
+
+void json_null(struct json *j, const char *key) {
+  begin_member(j, key);
+  text_add(j->out, "null");
+}

@@ -1,0 +1,182 @@
+/* Line by line: a line in the first column with two words and nothing else is a head; an indented line, or any line of
+   record 0, begins a field; lines indented deeper than the field's own go on with it.  Only attributes are joined into
+   text here: a formula stays a span, so that its diagnostics point into the file. */
+#include "stickslip/record.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/arena.h"
+
+enum { MAX_FIELDS = 100000 };
+
+struct line {
+  size_t begin, end; /* without leading blanks, comments' lines excluded, without trailing blanks */
+  size_t indent;
+};
+
+static bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r';
+}
+static bool is_lower(char c) {
+  return c >= 'a' && c <= 'z';
+}
+static bool is_word(char c) {
+  return is_lower(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' ||
+         c == '\'';
+}
+
+/* The next line that is neither blank nor a comment; false at the end. */
+static bool next_line(const struct source *s, size_t *pos, struct line *l) {
+  while (*pos < s->len) {
+    size_t begin = *pos, end = begin;
+    while (end < s->len && s->text[end] != '\n') end++;
+    *pos = end + 1;
+    size_t from = begin, to = end;
+    while (from < to && is_blank(s->text[from])) from++;
+    while (to > from && is_blank(s->text[to - 1])) to--;
+    if (from == to || s->text[from] == '#') continue;
+    *l = (struct line){from, to, from - begin};
+    return true;
+  }
+  return false;
+}
+
+static char *copy(const struct source *s, struct span w) {
+  char *p = ss_malloc(w.end - w.begin + 1);
+  memcpy(p, s->text + w.begin, w.end - w.begin);
+  p[w.end - w.begin] = '\0';
+  return p;
+}
+
+/* "kind id" and nothing else (a comment may follow). */
+static bool head(const struct source *s, const struct line *l, struct span *kind, struct span *id) {
+  const char *t = s->text;
+  size_t i = l->begin, k = i;
+  while (i < l->end && is_word(t[i])) i++;
+  *kind = (struct span){k, i};
+  k = i;
+  while (i < l->end && is_blank(t[i])) i++;
+  if (i == k || !is_lower(t[kind->begin])) return false;
+  k = i;
+  while (i < l->end && is_word(t[i])) i++;
+  *id = (struct span){k, i};
+  if (i == k) return false;
+  while (i < l->end && is_blank(t[i])) i++;
+  return i == l->end || t[i] == '#';
+}
+
+static struct record *add_record(struct record_file *f, struct span kind, struct span id) {
+  f->records = ss_grow(f->records, f->n_records, &f->cap_records, sizeof *f->records);
+  struct record *r = &f->records[f->n_records++];
+  *r = (struct record){.kind = kind, .id = id};
+  r->kind_name = copy(&f->src, kind);
+  r->id_name = copy(&f->src, id);
+  return r;
+}
+
+static struct field *add_field(struct record_file *f, struct record *r, const struct line *l) {
+  r->fields = ss_grow(r->fields, r->n_fields, &r->cap_fields, sizeof *r->fields);
+  struct field *fd = &r->fields[r->n_fields++];
+  *fd = (struct field){.value = {l->begin, l->end}};
+  const char *t = f->src.text;
+  size_t i = l->begin;
+  while (i < l->end && (is_lower(t[i]) || (i > l->begin && (t[i] == '_' || t[i] == '-')))) i++;
+  if (i > l->begin && i < l->end && t[i] == ':' && !(i + 1 < l->end && t[i + 1] == '=')) {
+    fd->attribute = true;
+    fd->key = (struct span){l->begin, i};
+    i++;
+    while (i < l->end && is_blank(t[i])) i++;
+    fd->value.begin = i;
+  }
+  return fd;
+}
+
+/* Joins the value's lines with single spaces, leaving comment lines out. */
+static char *join(const struct source *s, struct span v) {
+  struct text out;
+  text_init(&out);
+  size_t pos = v.begin;
+  while (pos < v.end) {
+    size_t end = pos;
+    while (end < v.end && s->text[end] != '\n') end++;
+    size_t from = pos, to = end;
+    while (from < to && is_blank(s->text[from])) from++;
+    while (to > from && is_blank(s->text[to - 1])) to--;
+    if (from < to && (pos == v.begin || s->text[from] != '#')) {
+      if (out.len) text_add_char(&out, ' ');
+      text_add_n(&out, s->text + from, to - from);
+    }
+    pos = end + 1;
+  }
+  text_add(&out, "");
+  return out.data;
+}
+
+bool record_file_parse(struct record_file *f, struct source src, struct diag *d) {
+  *f = (struct record_file){.src = src};
+  struct record *r = add_record(f, (struct span){0, 0}, (struct span){0, 0});
+  struct field *open = NULL;
+  size_t open_indent = 0, pos = 0, n_fields = 0;
+  struct line l;
+  while (next_line(&f->src, &pos, &l)) {
+    if (open && l.indent > open_indent) {
+      open->value.end = l.end;
+      continue;
+    }
+    struct span kind, id;
+    if (l.indent == 0 && head(&f->src, &l, &kind, &id)) {
+      r = add_record(f, kind, id);
+      open = NULL;
+      continue;
+    }
+    if (l.indent == 0 && f->n_records > 1) {
+      diag_at(d, &f->src, l.begin,
+              "a line in the first column must be a head \"kind id\"; indent the fields of record %s", r->id_name);
+      return false;
+    }
+    if (++n_fields > MAX_FIELDS) {
+      diag_at(d, &f->src, l.begin, "more than %d fields in one file", MAX_FIELDS);
+      return false;
+    }
+    open = add_field(f, r, &l);
+    open_indent = l.indent;
+  }
+  for (size_t i = 0; i < f->n_records; i++)
+    for (size_t k = 0; k < f->records[i].n_fields; k++) {
+      struct field *fd = &f->records[i].fields[k];
+      if (!fd->attribute) continue;
+      fd->text = join(&f->src, fd->value);
+      fd->key_name = copy(&f->src, fd->key);
+    }
+  return true;
+}
+
+void record_file_clear(struct record_file *f) {
+  for (size_t i = 0; i < f->n_records; i++) {
+    struct record *r = &f->records[i];
+    for (size_t k = 0; k < r->n_fields; k++) {
+      free(r->fields[k].text);
+      free(r->fields[k].key_name);
+    }
+    free(r->fields);
+    free(r->kind_name);
+    free(r->id_name);
+  }
+  free(f->records);
+  source_clear(&f->src);
+  *f = (struct record_file){.n_records = 0};
+}
+
+const struct field *record_field(const struct record *r, const char *key) {
+  for (size_t k = 0; k < r->n_fields; k++) {
+    const struct field *f = &r->fields[k];
+    if (f->attribute && strcmp(f->key_name, key) == 0) return f;
+  }
+  return NULL;
+}
+
+const char *record_get(const struct record *r, const char *key) {
+  const struct field *f = record_field(r, key);
+  return f ? f->text : NULL;
+}

@@ -1,0 +1,178 @@
+/* Strings, sources and diagnostics.  A diagnostic is formatted when it is found, so that it outlives its source. */
+#include "stickslip/text.h"
+
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/arena.h"
+
+void text_init(struct text *t) {
+  *t = (struct text){NULL, 0, 0};
+}
+
+void text_clear(struct text *t) {
+  free(t->data);
+  text_init(t);
+}
+
+void text_reset(struct text *t) {
+  t->len = 0;
+  if (t->data) t->data[0] = '\0';
+}
+
+static void reserve(struct text *t, size_t extra) {
+  size_t need = t->len + extra + 1;
+  if (need <= t->cap) return;
+  size_t cap = t->cap ? t->cap : 64;
+  while (cap < need) cap *= 2;
+  t->data = ss_realloc(t->data, cap);
+  t->cap = cap;
+}
+
+void text_add_n(struct text *t, const char *s, size_t len) {
+  reserve(t, len);
+  if (len) memcpy(t->data + t->len, s, len);
+  t->len += len;
+  t->data[t->len] = '\0';
+}
+
+void text_add(struct text *t, const char *s) {
+  text_add_n(t, s, strlen(s));
+}
+
+void text_add_char(struct text *t, char c) {
+  text_add_n(t, &c, 1);
+}
+
+void text_printf(struct text *t, const char *fmt, ...) {
+  va_list ap, again;
+  va_start(ap, fmt);
+  va_copy(again, ap);
+  int n = vsnprintf(NULL, 0, fmt, ap);
+  va_end(ap);
+  if (n > 0) {
+    reserve(t, (size_t)n);
+    vsnprintf(t->data + t->len, (size_t)n + 1, fmt, again);
+    t->len += (size_t)n;
+  }
+  va_end(again);
+}
+
+/* Well-formed by table 3-7 of the Unicode standard. */
+size_t text_valid_prefix(const char *text, size_t len) {
+  const unsigned char *s = (const unsigned char *)text;
+  size_t i = 0;
+  while (i < len) {
+    unsigned char c = s[i];
+    size_t n = c < 0x80                   ? 0
+               : (c >= 0xC2 && c <= 0xDF) ? 1
+               : (c >= 0xE0 && c <= 0xEF) ? 2
+               : (c >= 0xF0 && c <= 0xF4) ? 3
+                                          : 4;
+    if (n == 4 || len - i <= n) return i;
+    for (size_t k = 1; k <= n; k++)
+      if ((s[i + k] & 0xC0U) != 0x80U) return i;
+    if ((c == 0xE0 && s[i + 1] < 0xA0) || (c == 0xED && s[i + 1] >= 0xA0) || (c == 0xF0 && s[i + 1] < 0x90) ||
+        (c == 0xF4 && s[i + 1] >= 0x90))
+      return i;
+    i += n + 1;
+  }
+  return len;
+}
+
+const char *text_str(const struct text *t) {
+  return t->data ? t->data : "";
+}
+
+void diag_init(struct diag *d) {
+  *d = (struct diag){false, ""};
+}
+
+/* Cuts a message that had to be truncated at a character boundary, so that it stays UTF-8. */
+static void cut_at_character(char *s, size_t size) {
+  size_t n = strlen(s);
+  if (n + 1 < size) return;
+  while (n > 0 && ((unsigned char)s[n - 1] & 0xC0U) == 0x80U) n--;
+  if (n > 0 && ((unsigned char)s[n - 1] & 0x80U)) n--;
+  s[n] = '\0';
+}
+
+/* A message is UTF-8 whatever it quotes: a byte that is no part of a character becomes "?". */
+static void make_valid(char *s) {
+  size_t n = strlen(s);
+  for (size_t i = text_valid_prefix(s, n); i < n; i += text_valid_prefix(s + i, n - i)) s[i] = '?';
+}
+
+void diag_set(struct diag *d, const char *fmt, ...) {
+  if (!d || d->set) return;
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(d->message, sizeof d->message, fmt, ap);
+  va_end(ap);
+  cut_at_character(d->message, sizeof d->message);
+  make_valid(d->message);
+  d->set = true;
+}
+
+static bool starts_character(char c) {
+  return ((unsigned char)c & 0xC0U) != 0x80U;
+}
+
+static size_t count_characters(const char *s, size_t len) {
+  size_t n = 0;
+  for (size_t i = 0; i < len; i++) n += starts_character(s[i]);
+  return n;
+}
+
+/* Appends the source line around offset, at most `width` bytes of it, and a caret below the place. */
+static void add_excerpt(struct text *out, const char *line, size_t len, size_t at) {
+  const size_t width = 100;
+  size_t from = 0;
+  if (len > width && at > width / 2) from = at - width / 2;
+  while (from > 0 && !starts_character(line[from])) from--;
+  size_t to = len - from > width ? from + width : len;
+  while (to > from && to < len && !starts_character(line[to])) to--;
+  text_add(out, "\n  ");
+  for (size_t i = from; i < to; i++) text_add_char(out, (unsigned char)line[i] < ' ' ? ' ' : line[i]);
+  text_add(out, "\n  ");
+  for (size_t i = count_characters(line + from, at - from); i > 0; i--) text_add_char(out, ' ');
+  text_add_char(out, '^');
+}
+
+void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
+  if (!d || d->set) return;
+  if (offset > s->len) offset = s->len;
+  size_t line = 1, begin = 0;
+  for (size_t i = 0; i < offset; i++)
+    if (s->text[i] == '\n') {
+      line++;
+      begin = i + 1;
+    }
+  size_t end = begin;
+  while (end < s->len && s->text[end] != '\n') end++;
+
+  const size_t longest_name = 200;
+  char what[512];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(what, sizeof what, fmt, ap);
+  va_end(ap);
+  cut_at_character(what, sizeof what);
+
+  struct text out, name;
+  text_init(&out);
+  text_init(&name);
+  text_add(&name, s->name);
+  if (name.len > longest_name) {
+    name.data[longest_name] = '\0';
+    cut_at_character(name.data, longest_name + 1);
+  }
+  text_printf(&out, "%s:%zu:%zu: error: %s", text_str(&name), line,
+              count_characters(s->text + begin, offset - begin) + 1, what);
+  add_excerpt(&out, s->text + begin, end - begin, offset - begin);
+  diag_set(d, "%s", text_str(&out));
+  text_clear(&name);
+  text_clear(&out);
+}

@@ -1,0 +1,53 @@
+/* stickslip list, check and explain: the claims and the files they come from. */
+#include "cli.h"
+
+int run_list(const struct options *o, const char *data) {
+  if (o->n_operands) return usage("list takes no operand, not %.200s", o->operand[0]);
+  struct diag d;
+  struct claims c = {.n = 0};
+  diag_init(&d);
+  bool ok = load_claims(&c, data, "claims", "claim", &d);
+  for (size_t i = 0; ok && i < c.n; i++) {
+    const char *record = claim_get(&c.claim[i], "record"), *title = claim_get(&c.claim[i], "title");
+    printf("%-18s %-12s %-11s %s\n", c.claim[i].id, claim_get(&c.claim[i], "kind"), record ? record : "-",
+           title ? title : "");
+  }
+  claims_clear(&c);
+  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+}
+
+int run_check(const struct options *o, const char *data) {
+  if (o->n_operands == 0) return usage("check takes at least one %s", "FILE");
+  int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < o->n_operands; i++) {
+    struct diag d;
+    diag_init(&d);
+    if (audit_check_file(o->operand[i], data, &d))
+      printf("%s: ok\n", o->operand[i]);
+    else
+      status = bad_input(&d);
+  }
+  return status;
+}
+
+int run_explain(const struct options *o, const char *data) {
+  if (o->n_operands != 1) return usage("explain takes one %s", "claim id");
+  struct diag d;
+  struct model m;
+  struct scene s;
+  struct claims c = {.n = 0};
+  struct text out;
+  diag_init(&d);
+  model_init(&m);
+  text_init(&out);
+  bool ok = scene_load(&s, "paper", data, &d) && load_model(&m, data, o, &d) &&
+            load_claims(&c, data, "claims", "claim", &d) &&
+            audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d);
+  int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
+  if (ok) fputs(text_str(&out), stdout);
+  text_clear(&out);
+  claims_clear(&c);
+  model_clear(&m);
+  scene_clear(&s);
+  return status;
+}

@@ -1,0 +1,58 @@
+/* What the commands share: options, messages, where the data is. */
+#ifndef STICKSLIP_CLI_H
+#define STICKSLIP_CLI_H
+
+#include "stickslip/audit.h"
+
+/* Exit statuses of the contract. */
+enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4 };
+
+enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
+
+/* Commands as bits, for the table of options. */
+enum {
+  FOR_VERIFY = 1,
+  FOR_ORBIT = 2,
+  FOR_JACOBIAN = 4,
+  FOR_LIST = 8,
+  FOR_CHECK = 16,
+  FOR_EXPLAIN = 32,
+  FOR_SIMULATE = 64
+};
+
+struct options {
+  const char *operand[MAX_OPERANDS];
+  int n_operands;
+  const char *only[MAX_ONLY];
+  int n_only;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
+  bool strict, quiet, json, tape, csv, help;
+};
+
+/* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
+int usage(const char *fmt, const char *what);
+/* Prints the diagnostic and returns EXIT_INPUT. */
+int bad_input(const struct diag *d);
+
+/* The words after the command.  Splits lists in place: they live in argv.  An exit status. */
+int parse_options(struct options *o, unsigned command, int argc, char **argv);
+int parse_digits(slong *digits, const struct options *o);
+
+/* The data folder into data. */
+bool find_data(struct text *data, struct diag *d);
+/* folder/name into out. */
+void join_path(struct text *out, const char *folder, const char *name);
+/* The paper, the user's overlay, the errata and the controls' damages, by rank. */
+bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
+bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
+
+/* One function a command; each returns its exit status. */
+int run_verify(const struct options *o, const char *data);
+int run_orbit(const struct options *o, const char *data);
+int run_jacobian(const struct options *o, const char *data);
+int run_list(const struct options *o, const char *data);
+int run_check(const struct options *o, const char *data);
+int run_simulate(const struct options *o, const char *data);
+int run_explain(const struct options *o, const char *data);
+
+#endif

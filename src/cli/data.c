@@ -1,0 +1,66 @@
+/* Where the data is, and loading it. */
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "cli.h"
+
+static bool is_folder(const char *path) {
+  struct stat st;
+  return stat(path, &st) == 0 && S_ISDIR(st.st_mode);
+}
+
+/* $STICKSLIP_DATA, or verify/ above the build folder that the program stands in, or the installed folder: beside the
+   program's own, else where it was to be installed. */
+bool find_data(struct text *data, struct diag *d) {
+  static const char *const beside[] = {"../verify", "../../verify", "../share/stickslip"};
+  const char *env = getenv("STICKSLIP_DATA");
+  char exe[4096];
+  ssize_t n = readlink("/proc/self/exe", exe, sizeof exe - 1);
+  text_reset(data);
+  if (env) {
+    text_add(data, env);
+    return true;
+  }
+  for (size_t i = 0; n > 0 && i < sizeof beside / sizeof *beside; i++) {
+    exe[n] = '\0';
+    char *slash = strrchr(exe, '/');
+    text_reset(data);
+    text_printf(data, "%.*s/%s", slash ? (int)(slash - exe) : 0, exe, beside[i]);
+    if (is_folder(text_str(data))) return true;
+  }
+  text_reset(data);
+  text_add(data, STICKSLIP_DATADIR);
+  if (is_folder(text_str(data))) return true;
+  diag_set(d, "error: the data folder verify/ was not found; set STICKSLIP_DATA to it");
+  return false;
+}
+
+void join_path(struct text *out, const char *folder, const char *name) {
+  text_reset(out);
+  text_printf(out, "%s/%s", folder, name);
+}
+
+bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
+  struct text path;
+  text_init(&path);
+  join_path(&path, data, "paper");
+  bool ok = model_add_folder(m, o->paper ? o->paper : text_str(&path), RANK_PAPER, d);
+  ok = ok && (!o->overlay || model_add_file(m, o->overlay, RANK_USER, d));
+  join_path(&path, data, "errata.eq");
+  ok = ok && model_add_file(m, text_str(&path), RANK_ERRATA, d);
+  join_path(&path, data, "controls");
+  ok = ok && model_add_folder(m, text_str(&path), RANK_CONTROL, d);
+  text_clear(&path);
+  return ok;
+}
+
+bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
+  struct text path;
+  text_init(&path);
+  join_path(&path, data, folder);
+  bool ok = claims_load(c, text_str(&path), kind, d);
+  text_clear(&path);
+  return ok;
+}

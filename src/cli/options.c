@@ -1,0 +1,90 @@
+/* The words of a command line, by one table of options. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+
+int usage(const char *fmt, const char *what) {
+  fputs("stickslip: ", stderr);
+  fprintf(stderr, fmt, what);
+  fputs("; see stickslip --help\n", stderr);
+  return EXIT_USAGE;
+}
+
+int bad_input(const struct diag *d) {
+  fprintf(stderr, "%s%s\n", strncmp(d->message, "error:", 6) == 0 ? "stickslip: " : "", d->message);
+  return EXIT_INPUT;
+}
+
+/* Splits the list in place; it lives in argv. */
+static bool add_only(struct options *o, char *list) {
+  for (char *p = strtok(list, ","); p; p = strtok(NULL, ",")) {
+    if (o->n_only == MAX_ONLY) return false;
+    o->only[o->n_only++] = p;
+  }
+  return o->n_only > 0;
+}
+
+int parse_options(struct options *o, unsigned command, int argc, char **argv) {
+  struct {
+    const char *name;
+    unsigned commands;
+    const char **value;
+    bool *flag;
+  } table[] = {{"--only", FOR_VERIFY, NULL, NULL},
+               {"--paper", FOR_VERIFY, &o->paper, NULL},
+               {"--overlay", FOR_VERIFY, &o->overlay, NULL},
+               {"--out", FOR_VERIFY, &o->out, NULL},
+               {"--strict", FOR_VERIFY, NULL, &o->strict},
+               {"--quiet", FOR_VERIFY, NULL, &o->quiet},
+               {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
+               {"--json", FOR_ORBIT | FOR_JACOBIAN, NULL, &o->json},
+               {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
+               {"--periods", FOR_SIMULATE, &o->periods, NULL},
+               {"--samples", FOR_SIMULATE, &o->samples, NULL},
+               {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--tape", FOR_EXPLAIN, NULL, &o->tape},
+               {"--method", FOR_JACOBIAN, &o->method, NULL},
+               {"--layer", FOR_JACOBIAN, &o->layer, NULL},
+               {"--help", ~0U, NULL, &o->help}};
+  *o = (struct options){.n_operands = 0};
+  for (int i = 0; i < argc; i++) {
+    char *arg = argv[i];
+    if (arg[0] != '-' || arg[1] == '\0') {
+      if (o->n_operands == MAX_OPERANDS) return usage("too many operands, at %.200s", arg);
+      o->operand[o->n_operands++] = arg;
+      continue;
+    }
+    char *equals = strchr(arg, '=');
+    size_t len = equals ? (size_t)(equals - arg) : strlen(arg);
+    size_t k = 0, n = sizeof table / sizeof *table;
+    while (k < n && !(strlen(table[k].name) == len && strncmp(table[k].name, arg, len) == 0)) k++;
+    if (k == n) return usage("unknown option %.200s", arg);
+    if (!(table[k].commands & command)) return usage("the option %.200s does not belong to this command", arg);
+    if (table[k].flag) {
+      if (equals) return usage("the option %.200s takes no value", table[k].name);
+      *table[k].flag = true;
+      continue;
+    }
+    char *value = equals ? equals + 1 : i + 1 < argc ? argv[++i] : NULL;
+    if (!value || !*value) return usage("the option %s needs a value", table[k].name);
+    if (table[k].value)
+      *table[k].value = value;
+    else if (!add_only(o, value))
+      return usage("--only takes 1 to 256 claim ids, not %.200s", value);
+  }
+  return EXIT_AS_RECORDED;
+}
+
+int parse_digits(slong *digits, const struct options *o) {
+  *digits = DEFAULT_DIGITS;
+  if (!o->digits) return EXIT_AS_RECORDED;
+  char *end;
+  errno = 0;
+  long n = strtol(o->digits, &end, 10);
+  if (errno || *end || end == o->digits || n < 1 || n > MAX_DIGITS)
+    return usage("--digits takes a whole number from 1 to 100000, not %.200s", o->digits);
+  *digits = n;
+  return EXIT_AS_RECORDED;
+}

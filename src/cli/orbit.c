@@ -1,0 +1,174 @@
+/* stickslip orbit: every number to the digits asked for, as a table or as JSON. */
+#include <stddef.h>
+
+#include "cli.h"
+#include "stickslip/dynamics.h"
+#include "stickslip/json.h"
+
+enum { N_SHOWN = 12 };
+
+/* The numbers of an orbit in the order of the contract. */
+static const struct {
+  const char *name;
+  size_t offset;
+} shown[N_SHOWN] = {{"z10", offsetof(struct dyn_orbit, z10)},
+                    {"z20", offsetof(struct dyn_orbit, z20)},
+                    {"t_a", offsetof(struct dyn_orbit, t)},
+                    {"t_b", offsetof(struct dyn_orbit, t) + sizeof(arb_t)},
+                    {"t_c", offsetof(struct dyn_orbit, t) + 2 * sizeof(arb_t)},
+                    {"t_d", offsetof(struct dyn_orbit, t) + 3 * sizeof(arb_t)},
+                    {"e1", offsetof(struct dyn_orbit, e1)},
+                    {"e2", offsetof(struct dyn_orbit, e2)},
+                    {"period", offsetof(struct dyn_orbit, period)},
+                    {"trace", offsetof(struct dyn_orbit, trace)},
+                    {"u_r1_min", offsetof(struct dyn_orbit, u_r1_min)},
+                    {"u_r2_min", offsetof(struct dyn_orbit, u_r2_min)}};
+
+static arb_srcptr number_of(const struct dyn_orbit *o, int i) {
+  return (arb_srcptr)(const void *)((const char *)o + shown[i].offset);
+}
+
+static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, slong digits) {
+  for (int i = 0; i < N_SHOWN; i++) {
+    text_reset(&out[i]);
+    if (num_print(&out[i], number_of(o, i), digits) != SS_OK) return false;
+  }
+  return true;
+}
+
+static bool all_printable(const struct dyn_orbits *list, slong digits) {
+  struct text t[N_SHOWN];
+  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
+  bool ok = true;
+  for (slong i = 0; i < list->n; i++) ok = ok && print_numbers(t, &list->orbit[i], digits);
+  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
+  return ok;
+}
+
+/* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */
+static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
+  if (!s->given[key]) return TRUTH_TRUE;
+  arb_t u;
+  arb_init(u);
+  arb_set_fmpq(u, &s->value[key], 1024);
+  truth t = arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  arb_clear(u);
+  return t;
+}
+
+/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
+static truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
+  u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
+  u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
+  return truth_and(o->admissible, truth_and(u[0], u[1]));
+}
+
+static void json_truth(struct json *j, const char *key, truth t) {
+  if (t == TRUTH_UNKNOWN)
+    json_null(j, key);
+  else
+    json_bool(j, key, t == TRUTH_TRUE);
+}
+
+static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct scene *s, slong digits) {
+  struct text t[N_SHOWN];
+  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
+  print_numbers(t, o, digits);
+  truth u[2], admissible = orbit_admissible(u, s, o);
+  json_object(j, NULL);
+  for (int i = 0; i < 10; i++) json_string(j, shown[i].name, text_str(&t[i]));
+  json_array(j, "eigenvalues");
+  json_string(j, NULL, "0");
+  json_string(j, NULL, text_str(&t[9]));
+  json_end_array(j);
+  json_truth(j, "stable", o->stable);
+  json_truth(j, "admissible", admissible);
+  json_array(j, "violations");
+  for (int i = 0; i < N_CONDITIONS; i++)
+    if (o->holds[i] == TRUTH_FALSE) json_string(j, NULL, dyn_condition_id[i]);
+  for (int i = 0; i < 2; i++)
+    if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
+  json_end_array(j);
+  json_string(j, "u_r1_min", text_str(&t[10]));
+  json_string(j, "u_r2_min", text_str(&t[11]));
+  json_bool(j, "certified", false);
+  json_null(j, "radius");
+  json_end_object(j);
+  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
+}
+
+static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  json_bool(&j, "complete", list->complete);
+  json_array(&j, "orbits");
+  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], s, digits);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
+  static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
+  struct text t[N_SHOWN];
+  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
+  text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found\n", s->name, (long)list->n, list->n == 1 ? "" : "s");
+  for (slong i = 0; i < list->n; i++) {
+    const struct dyn_orbit *o = &list->orbit[i];
+    print_numbers(t, o, digits);
+    truth u[2], admissible = orbit_admissible(u, s, o);
+    text_printf(out, "orbit %ld: %s, %s\n", (long)i + 1, fate[o->stable], adm[admissible]);
+    for (int k = 0; k < N_SHOWN; k++) text_printf(out, "  %-8s %s\n", shown[k].name, text_str(&t[k]));
+    for (int k = 0; k < N_CONDITIONS; k++)
+      if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
+    for (int k = 0; k < 2; k++)
+      if (u[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + k]);
+  }
+  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
+}
+
+int run_orbit(const struct options *o, const char *data) {
+  enum { ATTEMPTS = 4 };
+  slong digits;
+  int status = parse_digits(&digits, o);
+  if (status) return status;
+  if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");
+  struct diag d;
+  struct scene s;
+  diag_init(&d);
+  if (!scene_load(&s, o->operand[0], data, &d)) {
+    scene_clear(&s);
+    return bad_input(&d);
+  }
+  struct dyn_orbits list;
+  slong prec = (slong)((double)digits * 3.33) + 64;
+  int found = dyn_orbits_find(&list, s.value, prec, &dyn_limits_default);
+  bool good = all_printable(&list, digits);
+  for (int i = 1; !good && i < ATTEMPTS; i++) {
+    dyn_orbits_clear(&list);
+    prec *= 2;
+    found = dyn_orbits_find(&list, s.value, prec, &dyn_limits_default);
+    good = all_printable(&list, digits);
+  }
+  if (found != SS_OK)
+    fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
+  if (good) {
+    struct text out;
+    text_init(&out);
+    if (o->json)
+      orbits_json(&out, &list, &s, digits);
+    else
+      orbits_text(&out, &list, &s, digits);
+    fputs(text_str(&out), stdout);
+    text_clear(&out);
+  } else {
+    diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits", s.path, (long)digits);
+    status = bad_input(&d);
+  }
+  dyn_orbits_clear(&list);
+  scene_clear(&s);
+  return status;
+}

@@ -1,0 +1,132 @@
+/* stickslip verify: load, audit, write, say. */
+#include <time.h>
+#include <unistd.h>
+
+#include "cli.h"
+#include "stickslip/report.h"
+
+static void show_progress(void *arg, size_t done, size_t total, const char *id) {
+  (void)arg;
+  fprintf(stderr, "\r\033[K[%zu/%zu] %s", done + 1, total, id);
+}
+
+static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
+  struct text path, body;
+  text_init(&path);
+  text_init(&body);
+  bool ok = folder_make(folder, d);
+  report_json(&body, r);
+  join_path(&path, folder, "audit.json");
+  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
+  text_reset(&body);
+  report_markdown(&body, r);
+  join_path(&path, folder, "audit.md");
+  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
+  text_reset(&body);
+  report_run(&body, r, seconds);
+  join_path(&path, folder, "run.json");
+  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
+  text_clear(&body);
+  text_clear(&path);
+  return ok;
+}
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+static void print_surprises(const struct audit_result *r) {
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
+      printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
+  }
+  for (size_t i = 0; i < r->n_controls; i++)
+    if (!r->controls[i].noticed)
+      printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);
+}
+
+static void print_result(const struct audit_result *r, bool quiet) {
+  struct text line;
+  text_init(&line);
+  report_line(&line, r);
+  if (!quiet)
+    for (size_t i = 0; i < r->n_findings; i++)
+      if (r->findings[i].verdict == VERDICT_REFUTED || r->findings[i].verdict == VERDICT_UNKNOWN)
+        printf("%-8s %-16s %s\n", verdict_name[r->findings[i].verdict], r->findings[i].id, r->findings[i].title);
+  print_surprises(r);
+  puts(text_str(&line));
+  text_clear(&line);
+}
+
+static int verify_scene(const struct model *m, const struct claims *claims, const struct claims *controls,
+                        const char *spec, const char *data, const struct options *o, bool many, struct diag *d) {
+  struct scene s;
+  struct audit_result r;
+  struct text folder;
+  audit_result_init(&r);
+  text_init(&folder);
+  double start = now();
+  bool terminal = isatty(STDERR_FILENO) && !o->quiet;
+  struct audit_options opt = {o->only, o->n_only, terminal ? show_progress : NULL, NULL};
+  int status = EXIT_AS_RECORDED;
+  bool ok = scene_load(&s, spec, data, d);
+  ok = ok && audit_run(&r, m, claims, controls, &s, &opt, d);
+  if (terminal) fputs("\r\033[K", stderr);
+  if (ok && o->out && many)
+    text_printf(&folder, "%s/%s", o->out, s.name);
+  else if (ok && o->out)
+    text_add(&folder, o->out);
+  else if (ok)
+    text_printf(&folder, "reports/%s", s.name);
+  ok = ok && write_reports(text_str(&folder), &r, now() - start, d);
+  if (!ok) status = bad_input(d);
+  if (ok) {
+    print_result(&r, o->quiet);
+    long count[N_VERDICTS];
+    audit_result_count(&r, count);
+    if (audit_result_unexpected(&r))
+      status = EXIT_DIFFERS;
+    else if (o->strict && (count[VERDICT_REFUTED] || count[VERDICT_CONDITIONAL] || count[VERDICT_UNKNOWN]))
+      status = EXIT_STRICT;
+  }
+  scene_clear(&s);
+  text_clear(&folder);
+  audit_result_clear(&r);
+  return status;
+}
+
+/* A worse status wins: bad input, then a difference from the record, then what --strict says. */
+static int worse(int a, int b) {
+  static const int order[] = {EXIT_INPUT, EXIT_DIFFERS, EXIT_STRICT, EXIT_AS_RECORDED};
+  for (size_t i = 0; i < sizeof order / sizeof *order; i++)
+    if (a == order[i] || b == order[i]) return order[i];
+  return a;
+}
+
+int run_verify(const struct options *o, const char *data) {
+  slong digits;
+  int status = parse_digits(&digits, o);
+  if (status) return status;
+  struct diag d;
+  struct model m;
+  struct claims claims = {.n = 0}, controls = {.n = 0};
+  diag_init(&d);
+  model_init(&m);
+  bool ok = load_model(&m, data, o, &d) && load_claims(&claims, data, "claims", "claim", &d) &&
+            load_claims(&controls, data, "controls", "control", &d);
+  if (!ok) status = bad_input(&d);
+  static const char *const standard[] = {"paper"};
+  const char *const *scene = o->n_operands ? o->operand : standard;
+  int n = o->n_operands ? o->n_operands : 1;
+  for (int i = 0; ok && i < n; i++) {
+    diag_init(&d);
+    status = worse(status, verify_scene(&m, &claims, &controls, scene[i], data, o, n > 1, &d));
+  }
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&m);
+  return status;
+}

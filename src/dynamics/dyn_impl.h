@@ -1,0 +1,203 @@
+/* What the files of this module share.
+
+   wave    a motion seen through one switching function: constant, drift and two oscillations
+   carrier the one-dimensional return map in double precision, with the modes of phase H worked out once
+   search  the zeros of the return map's defect, in double precision
+   calc    formulas over any number type, written as nested calls
+   flow    the closed form of each phase, as four 2x2 blocks */
+#ifndef STICKSLIP_DYN_IMPL_H
+#define STICKSLIP_DYN_IMPL_H
+
+#include <stdbool.h>
+
+#include "stickslip/dynamics.h"
+
+#define PI 3.14159265358979323846 /* POSIX alone does not promise M_PI */
+
+/* --- wave.c: f(t) = start + drift t + sum over i of cs[i] (cos(om[i] t) - 1) + sn[i] sin(om[i] t). --- */
+
+struct wave {
+  double start, drift, om[2], cs[2], sn[2];
+};
+/* How a wave changes with a parameter: its derivative, and bounds of that and of the second derivative. */
+struct wave_shift {
+  struct wave rate;
+  double most, bend;
+};
+struct wave_root {
+  double t, rate; /* the first positive root and f' there */
+  double safe;    /* the parameter can move about this far before the first root can jump: no maximum that stays below
+                     zero before the root comes up to it, and the one right after the root does not sink to it */
+  bool grazing;
+  long steps;
+};
+/* value[0..2] = f, f', f'' at t. */
+void wave_at(double value[3], const struct wave *w, double t);
+/* Its first positive root, as dyn_first_event_d words it.  shift may be NULL when safe is not wanted.  When there is
+   no root, safe and steps are still set. */
+int wave_first_root(struct wave_root *root, const struct wave *w, const struct wave_shift *shift,
+                    const struct dyn_limits *lim);
+/* x - sin x without cancellation. */
+double x_minus_sin(double x);
+
+/* --- carrier.c: phases Gamma, H and C of the word in double precision, started by t_b alone. --- */
+
+struct carrier {
+  double chi, eta, V, e1, e2;
+  double a;          /* (1 - chi) V, the speed of w while both stick */
+  double rho;        /* hypot(a, e1) */
+  double fall;       /* t*: the first time at which m1 would reach the belt's speed in phase Gamma */
+  double rise;       /* a record of chi r that falls into a later period begins this long after its start */
+  double om[2], omc; /* frequencies of phases H and C */
+  double x, y;       /* the slow mode is (x, y), the fast one (y, -x), in (sqrt(eta) z_1, z_2) */
+  double root_eta;
+};
+/* One pass from t_b: the defect is r at the end minus the r at the stick phase that leads to this t_b. */
+struct pass {
+  int status; /* SS_OK, or that of the search for t_c */
+  double tb, tc;
+  double r, r_end;        /* at the stick phase; at the end */
+  double defect, slope;   /* slope: d defect / d t_b */
+  double wc, rc, qc, dqc; /* state at the end of phase H, and d q_c / d t_b */
+  double pb;              /* z_1' - V at t_b: d r / d t_b */
+  double safe;            /* t_c does not jump while t_b moves by less than about this */
+  bool grazing;
+  long steps;
+};
+/* SS_DOMAIN outside the domain of dynamics.h. */
+int carrier_init(struct carrier *k, const double params[N_PARAMS]);
+/* How far chi r / chi has risen t after the start of phase Gamma. */
+double carrier_rise(const struct carrier *k, double t);
+/* The first time at which it has risen by g > 0. */
+double carrier_time(const struct carrier *k, double g);
+/* The largest |r| that phase C can end with. */
+double carrier_reach(const struct carrier *k);
+/* z_1' - V along phase H from velocities v1, v2, w and pull = chi eta r; start is its first value. */
+struct wave carrier_wave(const struct carrier *k, double v1, double v2, double w, double pull, double start);
+void carrier_pass(struct pass *s, const struct carrier *k, double tb, const struct dyn_limits *lim);
+/* The last phase and the next stick phase: t_d and t_a. */
+void carrier_times(double *ta, double *td, const struct carrier *k, const struct pass *s);
+
+/* --- search.c: zeros of the defect. --- */
+
+struct zero {
+  double tb, tc;
+  double low, high; /* of t_b: the zero lies between them */
+  bool up;          /* phase C ends at +radius */
+  bool fold;        /* too close to an extremum of the defect to be told: none, one or two zeros near tb */
+  bool grazing;
+};
+struct search {
+  struct carrier k;
+  struct dyn_limits lim;
+  struct zero *zeros;
+  size_t n, cap;
+  long evaluations, steps;
+  long allowed; /* steps after which the interval at hand is left */
+  bool cut;     /* an interval was left before it was done with */
+};
+int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim);
+void search_clear(struct search *s);
+
+/* --- calc.c: every operation gives a new element and gathers its status; elements live until the calc is released to
+   a mark or cleared.  Operands may have another precision (mpfr) than the calc. --- */
+
+typedef const void *val;
+
+struct calc {
+  struct num_ctx ctx;
+  int status;
+  slong used, cap;
+  struct num_vec *pool; /* of CALC_CHUNK elements each */
+};
+void calc_init(struct calc *c, struct num_ctx ctx);
+void calc_clear(struct calc *c);
+slong calc_mark(const struct calc *c);
+void calc_release(struct calc *c, slong mark);
+void *calc_new(struct calc *c);
+val calc_d(struct calc *c, double x);
+val calc_q(struct calc *c, const fmpq *x);
+val calc_two_to(struct calc *c, slong n);
+val calc_neg(struct calc *c, val x);
+val calc_abs(struct calc *c, val x);
+val calc_sqrt(struct calc *c, val x);
+val calc_add(struct calc *c, val x, val y);
+val calc_sub(struct calc *c, val x, val y);
+val calc_mul(struct calc *c, val x, val y);
+val calc_div(struct calc *c, val x, val y);
+val calc_atan2(struct calc *c, val y, val x);
+val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
+void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
+bool calc_lt(const struct calc *c, val x, val y); /* surely */
+
+/* --- flow.c --- */
+
+/* z(t) = c z + s z', z'(t) = n z + c z' (2x2, row-major). */
+struct blocks {
+  val c[4], s[4], n[4];
+};
+/* Phase H: matrix functions of K = [1, -chi; -chi eta, chi eta] are
+   f(K) = [above f1 + below f2, chi (f1 - f2); chi eta (f1 - f2), below f1 + above f2] / gap,
+   f1 and f2 at the squares of the frequencies om[0] < om[1]. */
+struct spectrum {
+  val om[2], above, below, couple, back; /* the last four divided by the gap; couple = chi, back = chi eta */
+};
+struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
+void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2);
+struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t);
+void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const val in[N_STATE]);
+val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+/* Pointers to the elements of a vector from the given index on. */
+void flow_vals(val *out, const struct num_vec *v, slong from, slong n);
+
+/* --- balls.c: the return map's equations in balls (the calc is one of num_arb). --- */
+
+struct ball_params {
+  val p[N_PARAMS];
+  val a, zero, one, two, stiff, omega; /* a = (1 - chi) V, stiff = chi eta, omega its root */
+  struct spectrum spectrum;
+};
+/* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
+struct ball_modes {
+  val a[2][2], b[2][2];
+};
+/* Everything about a pair (t_b, t_c); names as in struct pass. */
+struct ball_pass {
+  val tb, tc, pb, wb, rise, r;
+  val wc, rc, pc, qc, r_end, defect;
+  val pc_tb, defect_tb, defect_tc; /* derivatives; that of pc by t_c is -wc */
+  struct ball_modes modes;
+};
+void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
+/* The same from elements, which must outlive m. */
+void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
+void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless
+   it is a root.  At most max_steps. */
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
+                  val end, bool root_at_end, long max_steps);
+
+/* --- orbit.c: what is known about an orbit once its (t_b, t_c) are; m may hold balls for e1 and e2. --- */
+
+void dyn_orbit_init(struct dyn_orbit *o);
+void dyn_orbit_clear(struct dyn_orbit *o);
+/* The fewest relative bits of any of its numbers that is not zero. */
+slong dyn_orbit_accuracy(const struct dyn_orbit *o);
+/* Every number; up: q > 0 in phase C. */
+int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* The conditions.  Returns whether t_b and t_c are proved to be first roots, and up the direction of phase C. */
+truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
+                      long max_steps);
+
+/* --- event.c --- */
+
+/* Newton's iteration in the calc from start, until a step shows that half of the bits are settled. */
+val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start);
+
+/* --- arc.c --- */
+
+/* The arc whose events lie near the four given times, which are elements of the arc's own type. */
+int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near);
+
+#endif

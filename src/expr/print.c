@@ -1,0 +1,242 @@
+/* Trees as text that parses back to the same tree.
+   A node's text is what stands before, between and after its operands, so writing is one walk with a list of open
+   nodes on the heap, shared with the LaTeX writer.  Parentheses that a tree does not hold (scalars have none) are put
+   in where an operand binds less tightly than the grammar asks of its place. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "expr_impl.h"
+
+struct open_node {
+  const struct expr *e;
+  int next; /* the operand that comes next */
+};
+
+void expr_write(struct text *out, const struct expr *e, expr_between *between) {
+  struct open_node *open = NULL;
+  size_t n = 0, cap = 0;
+  open = ss_grow(open, n, &cap, sizeof *open);
+  open[n++] = (struct open_node){e, 0};
+  while (n > 0) {
+    struct open_node *o = &open[n - 1];
+    const struct expr *node = o->e;
+    int i = o->next++;
+    between(out, node, i, n > 1 ? open[n - 2].e : NULL);
+    if (i == node->n_args) {
+      n--;
+      continue;
+    }
+    open = ss_grow(open, n, &cap, sizeof *open);
+    open[n++] = (struct open_node){node->args[i], 0};
+  }
+  free(open);
+}
+
+enum level expr_operand_level(enum expr_kind k, int i) {
+  switch (k) {
+  case EXPR_ADD:
+  case EXPR_SUB:
+    return i == 0 ? LEVEL_SUM : LEVEL_QUOTIENT;
+  case EXPR_NEG:
+    return LEVEL_QUOTIENT;
+  case EXPR_MUL:
+  case EXPR_DIV:
+    return i == 0 ? LEVEL_PRODUCT : LEVEL_POWER;
+  case EXPR_POW:
+  case EXPR_INDEX:
+    return LEVEL_POSTFIX;
+  default:
+    return LEVEL_SUM;
+  }
+}
+
+bool expr_leads_with_power(const struct expr *e) {
+  while (e->kind == EXPR_MUL || e->kind == EXPR_DIV) e = e->args[0];
+  return e->kind == EXPR_POW;
+}
+
+static enum level level(const struct expr *e) {
+  switch (e->kind) {
+  case EXPR_ADD:
+  case EXPR_SUB:
+  case EXPR_NEG:
+    return LEVEL_SUM;
+  case EXPR_DIV:
+    return LEVEL_QUOTIENT;
+  case EXPR_MUL:
+    return LEVEL_PRODUCT;
+  case EXPR_POW:
+    return LEVEL_POWER;
+  case EXPR_INDEX:
+    return LEVEL_POSTFIX;
+  default:
+    return LEVEL_PRIMARY;
+  }
+}
+
+static bool needs_parentheses(const struct expr *e, int i) {
+  const struct expr *arg = e->args[i];
+  return level(arg) < expr_operand_level(e->kind, i) || (e->kind == EXPR_NEG && expr_leads_with_power(arg)) ||
+         (e->kind == EXPR_INDEX && arg->kind == EXPR_NUM);
+}
+
+static const char *function_name(enum expr_kind k) {
+  switch (k) {
+#define NAME(kind, name)                                                                                               \
+  case kind:                                                                                                           \
+    return name;
+    EXPR_FUNCTIONS(NAME)
+#undef NAME
+  default:
+    return "";
+  }
+}
+
+static void print_indices(struct text *out, const struct expr *e) {
+  for (int k = 0; k < e->n_index; k++) {
+    text_printf(out, "%c%d", k == 0 ? '[' : ',', e->index[2 * k]);
+    if (e->index_range[k]) text_printf(out, ":%d", e->index[2 * k + 1]);
+  }
+  text_add(out, "]");
+}
+
+static const char *infix(enum expr_kind k) {
+  switch (k) {
+  case EXPR_ADD:
+    return " + ";
+  case EXPR_SUB:
+    return " - ";
+  case EXPR_MUL:
+    return "*";
+  default:
+    return "/";
+  }
+}
+
+static void print_symbols(struct text *out, const struct expr *e, int i) {
+  bool first = i == 0, last = i == e->n_args;
+  switch (e->kind) {
+  case EXPR_NUM:
+  case EXPR_SYM:
+    text_add(out, e->name);
+    break;
+  case EXPR_CALL:
+    if (first) text_add(out, e->name);
+    for (int k = 0; first && k < e->order; k++) text_add(out, "'");
+    text_add(out, first ? "(" : ")");
+    break;
+  case EXPR_NEG:
+    text_add(out, first ? "-" : "");
+    break;
+  case EXPR_ADD:
+  case EXPR_SUB:
+  case EXPR_MUL:
+  case EXPR_DIV:
+    text_add(out, i == 1 ? infix(e->kind) : "");
+    break;
+  case EXPR_POW:
+    if (last) text_printf(out, e->exponent < 0 ? "^(%d)" : "^%d", e->exponent);
+    break;
+  case EXPR_PAREN:
+    text_add(out, first ? "(" : ")");
+    break;
+  case EXPR_MATRIX:
+    text_add(out, first ? "[" : last ? "]" : i % e->cols == 0 ? "; " : ", ");
+    break;
+  case EXPR_INDEX:
+    if (last) print_indices(out, e);
+    break;
+  default:
+    if (first) text_add(out, function_name(e->kind));
+    text_add(out, first ? "(" : ")");
+    break;
+  }
+}
+
+static void print_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {
+  (void)parent;
+  if (i > 0 && needs_parentheses(e, i - 1)) text_add(out, ")");
+  print_symbols(out, e, i);
+  if (i < e->n_args && needs_parentheses(e, i)) text_add(out, "(");
+}
+
+void expr_print(struct text *out, const struct expr *e) {
+  expr_write(out, e, print_between);
+}
+
+static void print_relation(struct text *out, const struct stmt *s) {
+  static const char *const symbol[] = {
+      [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " <= ", [REL_GT] = " > ", [REL_GE] = " >= "};
+  for (int i = 0; i < s->n_sides; i++) {
+    if (i > 0) text_add(out, symbol[s->ops[i - 1]]);
+    expr_print(out, s->sides[i]);
+  }
+  if (!s->range_var) return;
+  text_printf(out, " for %s in ", s->range_var);
+  if (s->range_signs) {
+    text_add(out, "{+1, -1}");
+    return;
+  }
+  text_add(out, s->lo_closed ? "[" : "(");
+  expr_print(out, s->range_lo);
+  text_add(out, ", ");
+  expr_print(out, s->range_hi);
+  text_add(out, s->hi_closed ? "]" : ")");
+}
+
+void stmt_print(struct text *out, const struct stmt *s) {
+  switch (s->kind) {
+  case STMT_DEFINE:
+    text_add(out, s->name);
+    if (s->param) text_printf(out, "(%s)", s->param);
+    text_add(out, " := ");
+    expr_print(out, s->sides[0]);
+    break;
+  case STMT_RELATION:
+    print_relation(out, s);
+    break;
+  case STMT_ROOT:
+    text_printf(out, "root %s: ", s->name);
+    expr_print(out, s->sides[0]);
+    text_add(out, s->largest ? ", largest positive" : ", smallest positive");
+    break;
+  case STMT_TRAJECTORY:
+    for (int i = 0; i < s->n_names; i++)
+      text_printf(out, "%s%s(%s)", i == 0 ? "trajectory " : ", ", s->names[i], s->params[i]);
+    break;
+  }
+}
+
+static bool same_text(const char *a, const char *b) {
+  return a == b || (a && b && !strcmp(a, b));
+}
+
+static bool same_node(const struct expr *a, const struct expr *b) {
+  return a->kind == b->kind && same_text(a->name, b->name) && a->order == b->order && a->exponent == b->exponent &&
+         a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index &&
+         !memcmp(a->index, b->index, sizeof a->index) &&
+         !memcmp(a->index_range, b->index_range, sizeof a->index_range) && a->n_args == b->n_args;
+}
+
+/* Pairs still to be compared are on the heap.  Shared nodes are passed over when both sides share them. */
+bool expr_same(const struct expr *a, const struct expr *b) {
+  const struct expr **todo = NULL;
+  size_t n = 0, cap = 0;
+  bool same = true;
+  for (;;) {
+    if (a != b) {
+      if (!(same = same_node(a, b))) break;
+      for (int i = 0; i < a->n_args; i++) {
+        todo = ss_grow(todo, n, &cap, sizeof *todo);
+        todo[n++] = a->args[i];
+        todo = ss_grow(todo, n, &cap, sizeof *todo);
+        todo[n++] = b->args[i];
+      }
+    }
+    if (n == 0) break;
+    b = todo[--n];
+    a = todo[--n];
+  }
+  free(todo);
+  return same;
+}

@@ -1,0 +1,106 @@
+/* The command line: a table of commands, each in a file of src/cli.  Results go to stdout, errors and progress to stderr. */
+#include <errno.h>
+#include <string.h>
+
+#include "cli/cli.h"
+#include "stickslip/dynamics.h"
+
+#define VERSION "0.1.0"
+
+static const char help[] =
+    "stickslip " VERSION ": audits a paper on periodic stick-slip orbits of two masses on a moving belt\n"
+    "\n"
+    "usage:\n"
+    "  stickslip verify [SCENE...] [--only ID[,ID...]] [--paper DIR] [--overlay FILE] [--digits N] [--out DIR]\n"
+    "                   [--strict] [--quiet]\n"
+    "      judge the paper's claims and write audit.json, audit.md and run.json to reports/SCENE/ or DIR\n"
+    "  stickslip orbit SCENE [--digits N] [--json]\n"
+    "      every periodic orbit D-Gamma-H-C at the scene's parameters, by increasing z10\n"
+    "  stickslip jacobian SCENE [--at orbit:K|printed] [--method analytic|implicit|saltation|fd] [--layer "
+    "printed|corrected]\n"
+    "                   [--digits N] [--json]\n"
+    "      the 2x2 Jacobian of one period: the paper's chain, implicit differentiation at the events, saltation "
+    "matrices,\n"
+    "      or central differences in multiprecision\n"
+    "  stickslip simulate SCENE [--at orbit:K|printed] [--periods N] [--samples N] [--csv]\n"
+    "      the two masses under Coulomb's law (1)-(2), integrated by GSL: events and phase word, or rows\n"
+    "      t,x1,x2,v1,v2,mode1,mode2,u1,u2 at N samples a period and at every event\n"
+    "  stickslip explain ID [--at NAME=VALUE,...] [--tape]\n"
+    "      one claim: the paper's text, the formula as read, verdict and evidence, both sides at a point of your "
+    "choice\n"
+    "  stickslip list\n"
+    "      every claim with its kind, the verdict on record and its title\n"
+    "  stickslip check FILE...\n"
+    "      read equation (.eq), claim (.claim) and scene (.scene) files and report what is wrong with them\n"
+    "  stickslip --help | --version\n"
+    "\n"
+    "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
+    "--only eq-27 selects eq-27 and its suffixed claims.  --paper reads the equation files of another folder, "
+    "--overlay\n"
+    "puts a file's definitions over them; both count as the printed text.  --digits: significant digits, rounded to\n"
+    "nearest, 1 to 100000 (default 15); verify uses it for nothing that a verdict depends on.  Layer: printed is the\n"
+    "paper's text, corrected (default) has verify/errata.eq over it.  Methods other than analytic use the suite's own\n"
+    "model.  At printed, analytic takes the states at the printed times, the others locate the events.\n"
+    "\n"
+    "exit status: 0 verdicts as recorded; 1 a verdict differs from its record, or a control went unnoticed; 2 usage;\n"
+    "3 bad input, or output that cannot be written; 4 with --strict: discrepancies or unknowns remain; 5 internal "
+    "error.\n";
+
+static void print_help(void) {
+  fputs(help, stdout);
+  fputs("\nviolations in orbit --json name the conditions that an orbit breaks:\n ", stdout);
+  for (int i = 0; i < N_CONDITIONS; i++) printf(" %s", dyn_condition_id[i]);
+  fputs("\n  u_r1 u_r2 (a static friction given by the scene is not above its bound)\n", stdout);
+}
+
+static const struct command {
+  const char *name;
+  unsigned bit;
+  int (*run)(const struct options *o, const char *data);
+} commands[] = {{"verify", FOR_VERIFY, run_verify},       {"orbit", FOR_ORBIT, run_orbit},
+                {"jacobian", FOR_JACOBIAN, run_jacobian}, {"simulate", FOR_SIMULATE, run_simulate},
+                {"explain", FOR_EXPLAIN, run_explain},    {"list", FOR_LIST, run_list},
+                {"check", FOR_CHECK, run_check}};
+
+static int run_command(const struct command *c, int argc, char **argv) {
+  struct options o;
+  int status = parse_options(&o, c->bit, argc, argv);
+  if (status) return status;
+  if (o.help) {
+    print_help();
+    return EXIT_AS_RECORDED;
+  }
+  struct text data;
+  struct diag d;
+  text_init(&data);
+  diag_init(&d);
+  status = find_data(&data, &d) ? c->run(&o, text_str(&data)) : bad_input(&d);
+  text_clear(&data);
+  return status;
+}
+
+/* What was printed must have reached its reader. */
+static int finish(int status) {
+  if (fflush(stdout) != 0 || ferror(stdout)) {
+    fprintf(stderr, "stickslip: error: standard output cannot be written: %s\n", strerror(errno));
+    if (status == EXIT_AS_RECORDED) status = EXIT_INPUT;
+  }
+  flint_cleanup();
+  mpfr_free_cache();
+  return status;
+}
+
+int main(int argc, char **argv) {
+  if (argc < 2) return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, explain, list or check");
+  if (strcmp(argv[1], "--help") == 0) {
+    print_help();
+    return finish(EXIT_AS_RECORDED);
+  }
+  if (strcmp(argv[1], "--version") == 0) {
+    puts("stickslip " VERSION);
+    return finish(EXIT_AS_RECORDED);
+  }
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)
+    if (strcmp(commands[i].name, argv[1]) == 0) return finish(run_command(&commands[i], argc - 2, argv + 2));
+  return usage("unknown command %.200s", argv[1]);
+}

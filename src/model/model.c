@@ -1,0 +1,294 @@
+/* Equation files in memory: definitions and statement records with their rank, and who sees which of them.
+   Nothing is replaced when an overlay is loaded; a view decides at each look-up, so that one model serves the printed
+   text, the corrected text, and every mixture that a claim needs. */
+#include "stickslip/model.h"
+
+#include <dirent.h>
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const layer_name[N_LAYERS] = {"printed", "corrected"};
+
+enum { MAX_EQ_FILE = 4 << 20 };
+
+void model_init(struct model *m) {
+  *m = (struct model){.n_files = 0};
+  arena_init(&m->arena);
+}
+
+void model_clear(struct model *m) {
+  for (size_t i = 0; i < m->n_files; i++) {
+    record_file_clear(m->files[i]);
+    free(m->files[i]);
+  }
+  free(m->files);
+  free(m->defs);
+  free(m->records);
+  free(m->symbols);
+  arena_clear(&m->arena);
+}
+
+bool model_is_symbol(const struct model *m, const char *name) {
+  for (size_t i = 0; i < m->n_symbols; i++)
+    if (strcmp(m->symbols[i], name) == 0) return true;
+  return false;
+}
+
+static const char *or_empty(const char *s) {
+  return s ? s : "";
+}
+
+/* A definition of the same name, section, rank and record kind twice is a mistake of the file. */
+static bool add_definition(struct model *m, struct definition def, struct diag *d) {
+  for (size_t i = 0; i < m->n_defs; i++) {
+    const struct definition *o = &m->defs[i];
+    if (o->rank == def.rank && def.rank != RANK_CONTROL && strcmp(o->name, def.name) == 0 &&
+        strcmp(o->section, def.section) == 0) {
+      diag_at(d, def.src, def.stmt->span.begin, "%s is defined twice in section %s", def.name,
+              *def.section ? def.section : "(none)");
+      return false;
+    }
+  }
+  m->defs = ss_grow(m->defs, m->n_defs, &m->cap_defs, sizeof *m->defs);
+  m->defs[m->n_defs++] = def;
+  return true;
+}
+
+/* Registers what a statement defines: a definition, a root, or the unknown functions of a trajectory. */
+static bool register_names(struct model *m, struct definition def, const struct stmt *s, struct diag *d) {
+  if (s->kind == STMT_TRAJECTORY) {
+    for (int i = 0; i < s->n_names; i++) {
+      def.name = s->names[i];
+      if (!add_definition(m, def, d)) return false;
+    }
+    return true;
+  }
+  def.name = s->name;
+  return add_definition(m, def, d);
+}
+
+/* "name = expr" in a define record is a definition, though it reads as a relation elsewhere. */
+static const struct stmt *as_definition(struct model *m, const struct stmt *s) {
+  if (s->kind != STMT_RELATION || s->n_sides != 2 || s->ops[0] != REL_EQ || s->sides[0]->kind != EXPR_SYM ||
+      s->range_var)
+    return s;
+  struct stmt *def = arena_alloc(&m->arena, sizeof *def);
+  *def = *s;
+  def->kind = STMT_DEFINE;
+  def->name = s->sides[0]->name;
+  def->name_span = s->sides[0]->span;
+  const struct expr **side = arena_alloc(&m->arena, sizeof *side);
+  side[0] = s->sides[1];
+  def->sides = side;
+  def->n_sides = 1;
+  return def;
+}
+
+/* A misspelt attribute would go unnoticed, and with it a section or an equation number. */
+static bool check_attributes(const struct record_file *f, const struct record *r, const char *const *known, size_t n,
+                             struct diag *d) {
+  for (size_t k = 0; k < r->n_fields; k++) {
+    const struct field *fd = &r->fields[k];
+    bool ok = !fd->attribute;
+    for (size_t i = 0; i < n; i++) ok = ok || strcmp(fd->key_name, known[i]) == 0;
+    if (ok) continue;
+    struct text names;
+    text_init(&names);
+    for (size_t i = 0; i < n; i++) text_printf(&names, " %s", known[i]);
+    diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; one of%s", fd->key_name, text_str(&names));
+    text_clear(&names);
+    return false;
+  }
+  return true;
+}
+
+static bool load_symbol(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
+                        struct diag *d) {
+  static const char *const known[] = {"means", "note"};
+  if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
+  for (size_t k = 0; k < r->n_fields; k++)
+    if (!r->fields[k].attribute) {
+      diag_at(d, &f->src, r->fields[k].value.begin, "a symbol has attributes only (means: ...)");
+      return false;
+    }
+  if (model_is_symbol(m, r->id_name)) {
+    if (rank != RANK_PAPER) return true;
+    diag_at(d, &f->src, r->id.begin, "symbol %s is declared twice", r->id_name);
+    return false;
+  }
+  m->symbols = ss_grow(m->symbols, m->n_symbols, &m->cap_symbols, sizeof *m->symbols);
+  m->symbols[m->n_symbols++] = r->id_name;
+  return true;
+}
+
+static bool load_statements(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
+                            struct diag *d) {
+  static const char *const known[] = {"section", "equation", "tex", "note", "when", "replaces"};
+  if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
+  bool defines = strcmp(r->kind_name, "define") == 0;
+  const char *section = record_get(r, "section");
+  const char *replaces = record_get(r, "replaces");
+  struct statement_record sr = {.id = replaces ? replaces : r->id_name,
+                                .section = or_empty(section ? section : record_get(&f->records[0], "section")),
+                                .equation = or_empty(record_get(r, "equation")),
+                                .tex = or_empty(record_get(r, "tex")),
+                                .record = r,
+                                .src = &f->src,
+                                .rank = rank,
+                                .stmts = arena_alloc(&m->arena, r->n_fields * sizeof(struct stmt *))};
+  for (size_t k = 0; k < r->n_fields; k++) {
+    if (r->fields[k].attribute) continue;
+    const struct stmt *s = stmt_parse(&m->arena, &f->src, r->fields[k].value, d);
+    if (!s) return false;
+    if (defines) s = as_definition(m, s);
+    if (defines && s->kind == STMT_RELATION) {
+      diag_at(d, &f->src, s->span.begin,
+              "a define record holds definitions, name = expression or name(t) := expression");
+      return false;
+    }
+    if (!defines && (s->kind == STMT_DEFINE || s->kind == STMT_ROOT)) {
+      diag_at(d, &f->src, s->span.begin, "a definition belongs in a define record");
+      return false;
+    }
+    struct definition def = {
+        .section = sr.section, .equation = sr.equation, .stmt = s, .src = &f->src, .record = r, .rank = rank};
+    if (s->kind != STMT_RELATION && !register_names(m, def, s, d)) return false;
+    sr.stmts[sr.n_stmts++] = s;
+  }
+  for (size_t i = 0; i < m->n_records; i++)
+    if (m->records[i].rank == rank && rank != RANK_CONTROL && strcmp(m->records[i].id, sr.id) == 0) {
+      diag_at(d, &f->src, r->id.begin, "record %s is given twice", sr.id);
+      return false;
+    }
+  m->records = ss_grow(m->records, m->n_records, &m->cap_records, sizeof *m->records);
+  m->records[m->n_records++] = sr;
+  return true;
+}
+
+static bool load_records(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
+  static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
+  static const char *const attributes[] = {"section", "title", "note"};
+  const struct record *top = &f->records[0];
+  if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d)) return false;
+  for (size_t k = 0; k < top->n_fields; k++)
+    if (!top->fields[k].attribute) {
+      diag_at(d, &f->src, top->fields[k].value.begin,
+              "a formula outside a record; begin one with \"define ID\" or \"equation ID\"");
+      return false;
+    }
+  for (size_t i = 1; i < f->n_records; i++) {
+    const struct record *r = &f->records[i];
+    bool ok = false, known = false;
+    if (strcmp(r->kind_name, "symbol") == 0) {
+      known = true;
+      ok = load_symbol(m, f, r, rank, d);
+    }
+    for (size_t k = 0; k < sizeof kinds / sizeof *kinds; k++)
+      if (strcmp(r->kind_name, kinds[k]) == 0) {
+        known = true;
+        ok = load_statements(m, f, r, rank, d);
+      }
+    if (!known)
+      diag_at(d, &f->src, r->kind.begin,
+              "unknown record kind \"%s\"; one of symbol define equation inequality relation", r->kind_name);
+    if (!ok) return false;
+  }
+  return true;
+}
+
+bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
+  struct source src;
+  if (!source_read(&src, path, MAX_EQ_FILE, d)) return false;
+  struct record_file *f = ss_malloc(sizeof *f);
+  m->files = ss_grow(m->files, m->n_files, &m->cap_files, sizeof *m->files);
+  m->files[m->n_files++] = f;
+  return record_file_parse(f, src, d) && load_records(m, f, rank, d);
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {
+  DIR *dir = opendir(path);
+  if (!dir) {
+    diag_set(d, "%s: error: %s", path, strerror(errno));
+    return false;
+  }
+  char **names = NULL;
+  size_t n = 0, cap = 0;
+  for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
+    size_t len = strlen(e->d_name);
+    if (len < 4 || e->d_name[0] == '.' || strcmp(e->d_name + len - 3, ".eq") != 0) continue;
+    names = ss_grow(names, n, &cap, sizeof *names);
+    names[n++] = arena_strndup(&m->arena, e->d_name, len);
+  }
+  closedir(dir);
+  if (n) qsort(names, n, sizeof *names, by_name);
+  bool ok = n > 0;
+  if (!ok) diag_set(d, "%s: error: no .eq file in this folder", path);
+  for (size_t i = 0; ok && i < n; i++) {
+    struct text t;
+    text_init(&t);
+    text_printf(&t, "%s/%s", path, names[i]);
+    ok = model_add_file(m, t.data, rank, d);
+    text_clear(&t);
+  }
+  free(names);
+  return ok;
+}
+
+/* Whether the view sees something of this rank, equation and record. */
+static bool sees(const struct view *v, enum rank rank, const char *equation, const char *id) {
+  if (rank == RANK_ERRATA)
+    return v->layer == LAYER_CORRECTED && !(v->own && *equation && strcmp(v->own, equation) == 0);
+  if (rank == RANK_CONTROL) return v->control && strcmp(v->control, id) == 0;
+  return true;
+}
+
+bool view_sees(const struct view *v, const struct definition *def) {
+  return sees(v, def->rank, def->equation, def->record->id_name);
+}
+
+static bool hides(const struct definition *def, const struct definition *earlier) {
+  return !earlier || def->rank >= earlier->rank;
+}
+
+const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d) {
+  const struct model *m = v->model;
+  const struct definition *here = NULL, *anywhere = NULL, *elsewhere = NULL;
+  bool ambiguous = false;
+  for (size_t i = 0; i < m->n_defs; i++) {
+    const struct definition *def = &m->defs[i];
+    if (strcmp(def->name, name) != 0 || !view_sees(v, def)) continue;
+    if (*def->section == '\0') {
+      if (hides(def, anywhere)) anywhere = def;
+    } else if (strcmp(def->section, section) == 0) {
+      if (hides(def, here)) here = def;
+    } else {
+      if (elsewhere && strcmp(elsewhere->section, def->section) != 0) ambiguous = true;
+      if (hides(def, elsewhere)) elsewhere = def;
+    }
+  }
+  /* an overlay replaces whatever it meets, unless both name a section */
+  if (here) return anywhere && anywhere->rank > here->rank ? anywhere : here;
+  if (anywhere && (!elsewhere || elsewhere->rank <= anywhere->rank)) return anywhere;
+  if (ambiguous) {
+    diag_set(d, "%s is defined in several sections; the use in section %s does not say which", name,
+             *section ? section : "(none)");
+    return NULL;
+  }
+  return elsewhere;
+}
+
+const struct statement_record *view_record(const struct view *v, const char *id) {
+  const struct model *m = v->model;
+  const struct statement_record *best = NULL;
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    if (strcmp(r->id, id) == 0 && sees(v, r->rank, r->equation, r->record->id_name) && (!best || r->rank > best->rank))
+      best = r;
+  }
+  return best;
+}

@@ -1,0 +1,197 @@
+/* Arb's balls behind the method table.
+
+   A result encloses the value of the operation at every point of its operands.  Where the operation is undefined at
+   all points the answer is SS_DOMAIN, where at some points (a divisor that contains zero) SS_UNABLE: then it cannot be
+   told whether there is a value to enclose.  No ball without finite bounds is handed on with SS_OK. */
+#include "stickslip/num.h"
+
+static int held(arb_ptr z) {
+  if (arb_is_finite(z)) return SS_OK;
+  arb_indeterminate(z);
+  return SS_UNABLE;
+}
+
+static int failed(arb_ptr z, int status) {
+  arb_indeterminate(z);
+  return status;
+}
+
+static void b_init(void *x, slong prec) {
+  (void)prec;
+  arb_init(x);
+}
+
+static void b_clear(void *x) {
+  arb_clear(x);
+}
+
+static void b_set(void *z, const void *x) {
+  arb_set(z, x);
+}
+
+static void b_swap(void *x, void *y) {
+  arb_swap(x, y);
+}
+
+static int b_set_q(void *z, const fmpq_t q, slong prec) {
+  arb_set_fmpq(z, q, prec);
+  return held(z);
+}
+
+static int b_set_d(void *z, double x, slong prec) {
+  (void)prec;
+  arb_set_d(z, x);
+  return held(z);
+}
+
+static int b_set_arb(void *z, const arb_t x, slong prec) {
+  (void)prec;
+  arb_set(z, x);
+  return held(z);
+}
+
+static void b_get_arb(arb_t z, const void *x) {
+  arb_set(z, x);
+}
+
+static double b_get_d(const void *x) {
+  return arf_get_d(arb_midref((arb_srcptr)x), ARF_RND_NEAR);
+}
+
+static int b_neg(void *z, const void *x, slong prec) {
+  (void)prec;
+  arb_neg(z, x);
+  return held(z);
+}
+
+/* Arb's own absolute value of a ball around zero keeps the negative part; here it is cut at zero. */
+static int b_abs(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  if (arb_is_exact(x) || !arb_contains_zero(x)) {
+    arb_abs(z, x);
+    return SS_OK;
+  }
+  arf_t zero, top;
+  arf_init(zero);
+  arf_init(top);
+  arb_get_abs_ubound_arf(top, x, prec);
+  arb_set_interval_arf(z, zero, top, prec);
+  arf_clear(zero);
+  arf_clear(top);
+  return held(z);
+}
+
+static int b_sqrt(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  if (arb_is_negative(x)) return failed(z, SS_DOMAIN);
+  if (arb_contains_negative(x)) return failed(z, SS_UNABLE);
+  arb_sqrt(z, x, prec);
+  return held(z);
+}
+
+static int b_sin(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arb_sin(z, x, prec);
+  return held(z);
+}
+
+static int b_cos(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arb_cos(z, x, prec);
+  return held(z);
+}
+
+/* Zero is the only pole that is a floating-point number, so the only one that a ball can be equal to. */
+static int b_cot(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  if (arb_is_zero(x)) return failed(z, SS_DOMAIN);
+  arb_cot(z, x, prec);
+  return held(z);
+}
+
+static int b_add(void *z, const void *x, const void *y, slong prec) {
+  arb_add(z, x, y, prec);
+  return held(z);
+}
+
+static int b_sub(void *z, const void *x, const void *y, slong prec) {
+  arb_sub(z, x, y, prec);
+  return held(z);
+}
+
+static int b_mul(void *z, const void *x, const void *y, slong prec) {
+  arb_mul(z, x, y, prec);
+  return held(z);
+}
+
+static int b_div(void *z, const void *x, const void *y, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  if (arb_is_zero(y)) return failed(z, SS_DOMAIN);
+  if (arb_contains_zero(y)) return failed(z, SS_UNABLE);
+  arb_div(z, x, y, prec);
+  return held(z);
+}
+
+/* Balls across the cut give an enclosure of [-pi, pi]; balls around the origin hold a point without an angle. */
+static int b_atan2(void *z, const void *y, const void *x, slong prec) {
+  if (!arb_is_finite(x) || !arb_is_finite(y)) return failed(z, SS_UNABLE);
+  if (arb_is_zero(x) && arb_is_zero(y)) return failed(z, SS_DOMAIN);
+  if (arb_contains_zero(x) && arb_contains_zero(y)) return failed(z, SS_UNABLE);
+  arb_atan2(z, y, x, prec);
+  return held(z);
+}
+
+static int b_sin_cos(void *s, void *c, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(s, SS_UNABLE) | failed(c, SS_UNABLE);
+  arb_sin_cos(s, c, x, prec);
+  return held(s) | held(c);
+}
+
+static int b_pow_si(void *z, const void *x, slong n, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  if (n < 0 && arb_is_zero(x)) return failed(z, SS_DOMAIN);
+  if (n < 0 && arb_contains_zero(x)) return failed(z, SS_UNABLE);
+  fmpz_t e;
+  fmpz_init_set_si(e, n);
+  arb_pow_fmpz(z, x, e, prec);
+  fmpz_clear(e);
+  return held(z);
+}
+
+static int b_pi(void *z, slong prec) {
+  arb_const_pi(z, prec);
+  return SS_OK;
+}
+
+static truth b_is_zero(const void *x) {
+  if (arb_is_zero(x)) return TRUTH_TRUE;
+  return arb_contains_zero(x) ? TRUTH_UNKNOWN : TRUTH_FALSE;
+}
+
+static truth b_lt(const void *x, const void *y) {
+  if (arb_lt(x, y)) return TRUTH_TRUE;
+  return arb_ge(x, y) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+const struct num_type num_arb = {
+    .name = "arb",
+    .size = sizeof(arb_struct),
+    .rigorous = true,
+    .init = b_init,
+    .clear = b_clear,
+    .set = b_set,
+    .swap = b_swap,
+    .set_q = b_set_q,
+    .set_d = b_set_d,
+    .set_arb = b_set_arb,
+    .get_arb = b_get_arb,
+    .get_d = b_get_d,
+#define NUM_UNARY(op)  .op = b_##op,
+#define NUM_BINARY(op) .op = b_##op,
+#include "stickslip/ops.def"
+    .sin_cos = b_sin_cos,
+    .pow_si = b_pow_si,
+    .pi = b_pi,
+    .is_zero = b_is_zero,
+    .lt = b_lt,
+};

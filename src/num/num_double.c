@@ -1,0 +1,197 @@
+/* IEEE binary64 behind the method table.
+
+   The basic operations and the square root are correctly rounded by the hardware, the others are the C library's.
+   C's infinities and NaNs are turned into status flags at once, in one place (held), so that no algorithm above ever
+   sees an infinity.  Zeros have no sign here: what C does with -0 (atan2) is undone. */
+#include "stickslip/num.h"
+
+#include <math.h>
+
+static double value(const void *x) {
+  return *(const double *)x;
+}
+
+/* Stores a result; a value that cannot be held, or that came from a NaN, is SS_UNABLE. */
+static int held(void *z, double v) {
+  bool ok = isfinite(v);
+  *(double *)z = ok ? v : NAN;
+  return ok ? SS_OK : SS_UNABLE;
+}
+
+static int undefined(void *z) {
+  *(double *)z = NAN;
+  return SS_DOMAIN;
+}
+
+static void d_init(void *x, slong prec) {
+  (void)prec;
+  *(double *)x = 0;
+}
+
+static void d_clear(void *x) {
+  (void)x;
+}
+
+static void d_set(void *z, const void *x) {
+  *(double *)z = value(x);
+}
+
+static void d_swap(void *x, void *y) {
+  double t = value(x);
+  d_set(x, y);
+  *(double *)y = t;
+}
+
+/* The quotient is truncated to more bits than a double has, with its last bit set when anything was lost ("rounding
+   to odd").  The second rounding, to 53 bits or to fewer for a subnormal number, is then that of the exact value. */
+static int d_set_q(void *z, const fmpq_t q, slong prec) {
+  mpfr_t t;
+  (void)prec;
+  mpfr_init2(t, 64);
+  if (fmpq_get_mpfr(t, q, MPFR_RNDZ) != 0) {
+    mpfr_t odd;
+    mpfr_init2(odd, 65);
+    mpfr_set(odd, t, MPFR_RNDN);
+    if (mpfr_sgn(t) > 0)
+      mpfr_nextabove(odd);
+    else
+      mpfr_nextbelow(odd);
+    mpfr_swap(t, odd);
+    mpfr_clear(odd);
+  }
+  double v = mpfr_get_d(t, MPFR_RNDN);
+  mpfr_clear(t);
+  return held(z, v);
+}
+
+static int d_set_d(void *z, double x, slong prec) {
+  (void)prec;
+  return held(z, x);
+}
+
+static int d_set_arb(void *z, const arb_t x, slong prec) {
+  (void)prec;
+  return held(z, arb_is_finite(x) ? arf_get_d(arb_midref(x), ARF_RND_NEAR) : (double)NAN);
+}
+
+static void d_get_arb(arb_t z, const void *x) {
+  if (isfinite(value(x)))
+    arb_set_d(z, value(x));
+  else
+    arb_indeterminate(z);
+}
+
+static double d_get_d(const void *x) {
+  return value(x);
+}
+
+static int d_neg(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, -value(x));
+}
+
+static int d_abs(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, fabs(value(x)));
+}
+
+static int d_sqrt(void *z, const void *x, slong prec) {
+  (void)prec;
+  return value(x) < 0 ? undefined(z) : held(z, sqrt(value(x)));
+}
+
+static int d_sin(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, sin(value(x)));
+}
+
+static int d_cos(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, cos(value(x)));
+}
+
+static int d_cot(void *z, const void *x, slong prec) {
+  (void)prec;
+  return value(x) == 0 ? undefined(z) : held(z, 1 / tan(value(x)));
+}
+
+static int d_add(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  return held(z, value(x) + value(y));
+}
+
+static int d_sub(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  return held(z, value(x) - value(y));
+}
+
+static int d_mul(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  return held(z, value(x) * value(y));
+}
+
+static int d_div(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  if (isnan(value(x)) || value(y) != 0) return held(z, value(x) / value(y));
+  return undefined(z);
+}
+
+static int d_atan2(void *z, const void *y, const void *x, slong prec) {
+  (void)prec;
+  if (value(x) == 0 && value(y) == 0) return undefined(z);
+  return held(z, atan2(value(y) + 0.0, value(x))); /* -0 + 0 is +0, and the angle of a negative number is +pi */
+}
+
+static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
+  double t = value(x);
+  (void)prec;
+  return held(s, sin(t)) | held(c, cos(t));
+}
+
+/* The sign comes from n itself: beyond 2^53 (double)n loses the parity, and some hundred ulps of the size. */
+static int d_pow_si(void *z, const void *x, slong n, slong prec) {
+  double t = value(x);
+  (void)prec;
+  if (t == 0 && n < 0) return undefined(z);
+  if (isnan(t)) return held(z, t); /* C has NaN^0 = 1 */
+  double v = pow(fabs(t), (double)n);
+  return held(z, t < 0 && n % 2 != 0 ? -v : v);
+}
+
+static int d_pi(void *z, slong prec) {
+  (void)prec;
+  return held(z, 0x1.921fb54442d18p+1);
+}
+
+static truth d_is_zero(const void *x) {
+  if (isnan(value(x))) return TRUTH_UNKNOWN;
+  return value(x) == 0 ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+static truth d_lt(const void *x, const void *y) {
+  if (isnan(value(x)) || isnan(value(y))) return TRUTH_UNKNOWN;
+  return value(x) < value(y) ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+const struct num_type num_double = {
+    .name = "double",
+    .size = sizeof(double),
+    .rigorous = false,
+    .init = d_init,
+    .clear = d_clear,
+    .set = d_set,
+    .swap = d_swap,
+    .set_q = d_set_q,
+    .set_d = d_set_d,
+    .set_arb = d_set_arb,
+    .get_arb = d_get_arb,
+    .get_d = d_get_d,
+#define NUM_UNARY(op)  .op = d_##op,
+#define NUM_BINARY(op) .op = d_##op,
+#include "stickslip/ops.def"
+    .sin_cos = d_sin_cos,
+    .pow_si = d_pow_si,
+    .pi = d_pi,
+    .is_zero = d_is_zero,
+    .lt = d_lt,
+};

@@ -1,0 +1,208 @@
+/* MPFR numbers behind the method table.
+
+   Every result is correctly rounded to nearest at the precision of the element that receives it, which init fixed;
+   the precision argument is the context's, and says the same.  The exponent range is MPFR's own, so overflow is rare
+   but still turned into a status flag in one place (held).  Zeros have no sign: what MPFR does with -0 is undone. */
+#include "stickslip/num.h"
+
+/* Reducing an argument modulo pi costs as many bits as its exponent has units: beyond this many it is refused. */
+#define ARGUMENT_BITS 100000
+
+static int held(mpfr_ptr z) {
+  if (mpfr_number_p(z)) return SS_OK;
+  mpfr_set_nan(z);
+  return SS_UNABLE;
+}
+
+static int failed(mpfr_ptr z, int status) {
+  mpfr_set_nan(z);
+  return status;
+}
+
+static void m_init(void *x, slong prec) {
+  mpfr_init2(x, prec);
+  mpfr_set_zero(x, 1);
+}
+
+static void m_clear(void *x) {
+  mpfr_clear(x);
+}
+
+static void m_set(void *z, const void *x) {
+  mpfr_set(z, x, MPFR_RNDN);
+}
+
+static void m_swap(void *x, void *y) {
+  mpfr_swap(x, y);
+}
+
+static int m_set_q(void *z, const fmpq_t q, slong prec) {
+  (void)prec;
+  fmpq_get_mpfr(z, q, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_set_d(void *z, double x, slong prec) {
+  (void)prec;
+  mpfr_set_d(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_set_arb(void *z, const arb_t x, slong prec) {
+  (void)prec;
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arf_get_mpfr(z, arb_midref(x), MPFR_RNDN);
+  return held(z);
+}
+
+static void m_get_arb(arb_t z, const void *x) {
+  if (!mpfr_number_p((mpfr_srcptr)x)) {
+    arb_indeterminate(z);
+    return;
+  }
+  arf_set_mpfr(arb_midref(z), x);
+  mag_zero(arb_radref(z));
+}
+
+static double m_get_d(const void *x) {
+  return mpfr_get_d(x, MPFR_RNDN);
+}
+
+static int m_neg(void *z, const void *x, slong prec) {
+  (void)prec;
+  mpfr_neg(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_abs(void *z, const void *x, slong prec) {
+  (void)prec;
+  mpfr_abs(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_sqrt(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (!mpfr_nan_p((mpfr_srcptr)x) && mpfr_sgn((mpfr_srcptr)x) < 0) return failed(z, SS_DOMAIN);
+  mpfr_sqrt(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static bool too_far_out(mpfr_srcptr x) {
+  return mpfr_regular_p(x) && mpfr_get_exp(x) > ARGUMENT_BITS;
+}
+
+static int m_sin(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (too_far_out(x)) return failed(z, SS_UNABLE);
+  mpfr_sin(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_cos(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (too_far_out(x)) return failed(z, SS_UNABLE);
+  mpfr_cos(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_cot(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (mpfr_zero_p((mpfr_srcptr)x)) return failed(z, SS_DOMAIN);
+  if (too_far_out(x)) return failed(z, SS_UNABLE);
+  mpfr_cot(z, x, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_add(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  mpfr_add(z, x, y, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_sub(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  mpfr_sub(z, x, y, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_mul(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  mpfr_mul(z, x, y, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_div(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  if (mpfr_zero_p((mpfr_srcptr)y)) return failed(z, mpfr_nan_p((mpfr_srcptr)x) ? SS_UNABLE : SS_DOMAIN);
+  mpfr_div(z, x, y, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_atan2(void *z, const void *y, const void *x, slong prec) {
+  (void)prec;
+  if (!mpfr_zero_p((mpfr_srcptr)y))
+    mpfr_atan2(z, y, x, MPFR_RNDN);
+  else if (mpfr_zero_p((mpfr_srcptr)x))
+    return failed(z, SS_DOMAIN);
+  else if (mpfr_nan_p((mpfr_srcptr)x))
+    mpfr_set_nan(z);
+  else if (mpfr_sgn((mpfr_srcptr)x) > 0)
+    mpfr_set_zero(z, 1);
+  else
+    mpfr_const_pi(z, MPFR_RNDN); /* also when y is -0 */
+  return held(z);
+}
+
+static int m_sin_cos(void *s, void *c, const void *x, slong prec) {
+  (void)prec;
+  if (too_far_out(x)) return failed(s, SS_UNABLE) | failed(c, SS_UNABLE);
+  mpfr_sin_cos(s, c, x, MPFR_RNDN);
+  return held(s) | held(c);
+}
+
+static int m_pow_si(void *z, const void *x, slong n, slong prec) {
+  (void)prec;
+  if (mpfr_nan_p((mpfr_srcptr)x)) return failed(z, SS_UNABLE); /* MPFR has NaN^0 = 1 */
+  if (mpfr_zero_p((mpfr_srcptr)x) && n < 0) return failed(z, SS_DOMAIN);
+  mpfr_pow_si(z, x, n, MPFR_RNDN);
+  return held(z);
+}
+
+static int m_pi(void *z, slong prec) {
+  (void)prec;
+  mpfr_const_pi(z, MPFR_RNDN);
+  return held(z);
+}
+
+static truth m_is_zero(const void *x) {
+  if (mpfr_nan_p((mpfr_srcptr)x)) return TRUTH_UNKNOWN;
+  return mpfr_zero_p((mpfr_srcptr)x) ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+static truth m_lt(const void *x, const void *y) {
+  if (mpfr_unordered_p(x, y)) return TRUTH_UNKNOWN;
+  return mpfr_less_p(x, y) ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+const struct num_type num_mpfr = {
+    .name = "mpfr",
+    .size = sizeof(mpfr_t),
+    .rigorous = false,
+    .init = m_init,
+    .clear = m_clear,
+    .set = m_set,
+    .swap = m_swap,
+    .set_q = m_set_q,
+    .set_d = m_set_d,
+    .set_arb = m_set_arb,
+    .get_arb = m_get_arb,
+    .get_d = m_get_d,
+#define NUM_UNARY(op)  .op = m_##op,
+#define NUM_BINARY(op) .op = m_##op,
+#include "stickslip/ops.def"
+    .sin_cos = m_sin_cos,
+    .pow_si = m_pow_si,
+    .pi = m_pi,
+    .is_zero = m_is_zero,
+    .lt = m_lt,
+};

@@ -1,0 +1,209 @@
+/* Contexts, arrays of elements, and dense matrices by elimination.
+
+   One loop over the method table serves every number type.  Results are formed in fresh elements and swapped into the
+   output at the end, so an output may be an input and gives the same bits as a separate one.  A pivot must be told
+   from zero: exact zeros alone show that a matrix is singular, a column of balls around zero shows nothing. */
+#include "stickslip/arena.h"
+#include "stickslip/num.h"
+
+#include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+struct num_ctx num_ctx_double(void) {
+  return (struct num_ctx){&num_double, 53};
+}
+
+struct num_ctx num_ctx_mpfr(slong prec) {
+  return (struct num_ctx){&num_mpfr, prec};
+}
+
+struct num_ctx num_ctx_arb(slong prec) {
+  return (struct num_ctx){&num_arb, prec};
+}
+
+void num_vec_init(struct num_vec *v, slong len, struct num_ctx ctx) {
+  if (len < 0 || (size_t)len > SIZE_MAX / ctx.type->size) abort();
+  *v = (struct num_vec){ctx, len, ss_malloc((size_t)len * ctx.type->size)};
+  for (slong i = 0; i < len; i++) ctx.type->init(num_vec_at(v, i), ctx.prec);
+}
+
+void num_vec_clear(struct num_vec *v) {
+  for (slong i = 0; i < v->len; i++) v->ctx.type->clear(num_vec_at(v, i));
+  free(v->data);
+  v->data = NULL;
+  v->len = 0;
+}
+
+void *num_vec_at(const struct num_vec *v, slong i) {
+  if (i < 0 || i >= v->len) abort();
+  return v->data + (size_t)i * v->ctx.type->size;
+}
+
+void num_vec_set(struct num_vec *z, const struct num_vec *x) {
+  if (z->len != x->len || z->ctx.type != x->ctx.type) abort();
+  for (slong i = 0; i < z->len; i++) z->ctx.type->set(num_vec_at(z, i), num_vec_at(x, i));
+}
+
+static void vec_swap(struct num_vec *x, struct num_vec *y) {
+  for (slong i = 0; i < x->len; i++) x->ctx.type->swap(num_vec_at(x, i), num_vec_at(y, i));
+}
+
+static void vec_set_nan(struct num_vec *v) {
+  for (slong i = 0; i < v->len; i++) v->ctx.type->set_d(num_vec_at(v, i), (double)NAN, v->ctx.prec);
+}
+
+static void check_shape(const struct num_vec *x, slong rows, slong cols) {
+  if (rows < 0 || cols < 0 || x->len != rows * cols) abort();
+}
+
+int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec *y, slong m, slong n, slong p) {
+  const struct num_type *f = z->ctx.type;
+  slong prec = z->ctx.prec;
+  int status = SS_OK;
+  struct num_vec sum, term;
+  check_shape(z, m, p);
+  check_shape(x, m, n);
+  check_shape(y, n, p);
+  num_vec_init(&sum, m * p, z->ctx);
+  num_vec_init(&term, 1, z->ctx);
+  void *t = num_vec_at(&term, 0);
+  for (slong i = 0; i < m; i++)
+    for (slong j = 0; j < p; j++)
+      for (slong k = 0; k < n; k++) {
+        void *s = num_vec_at(&sum, i * p + j);
+        status |= f->mul(t, num_vec_at(x, i * n + k), num_vec_at(y, k * p + j), prec);
+        status |= f->add(s, s, t, prec);
+      }
+  vec_swap(z, &sum);
+  num_vec_clear(&sum);
+  num_vec_clear(&term);
+  return status;
+}
+
+static void swap_rows(struct num_vec *a, slong i, slong j, slong cols) {
+  for (slong k = 0; k < cols; k++) a->ctx.type->swap(num_vec_at(a, i * cols + k), num_vec_at(a, j * cols + k));
+}
+
+/* The row at or below the diagonal with the largest entry of column k that is surely not zero; -1 when there is none,
+   with SS_DOMAIN when all of them are zero and SS_UNABLE when that cannot be told. */
+static slong find_pivot(const struct num_vec *a, slong k, slong n, int *status) {
+  const struct num_type *f = a->ctx.type;
+  slong best = -1;
+  double best_size = -1;
+  bool all_zero = true;
+  for (slong i = k; i < n; i++) {
+    const void *x = num_vec_at(a, i * n + k);
+    truth zero = f->is_zero(x);
+    all_zero = all_zero && zero == TRUTH_TRUE;
+    if (zero == TRUTH_FALSE && fabs(f->get_d(x)) > best_size) {
+      best = i;
+      best_size = fabs(f->get_d(x));
+    }
+  }
+  if (best < 0) *status |= all_zero ? SS_DOMAIN : SS_UNABLE;
+  return best;
+}
+
+/* Subtracts from row i of c the multiple u of row k, from column `from` on.  t is scratch. */
+static int subtract_row(struct num_vec *c, slong i, slong k, const void *u, slong from, slong cols, void *t) {
+  const struct num_type *f = c->ctx.type;
+  slong prec = c->ctx.prec;
+  int status = SS_OK;
+  for (slong j = from; j < cols; j++) {
+    void *z = num_vec_at(c, i * cols + j);
+    status |= f->mul(t, u, num_vec_at(c, k * cols + j), prec);
+    status |= f->sub(z, z, t, prec);
+  }
+  return status;
+}
+
+/* Brings column k below the diagonal of a to zero, in b alike (NULL: no right-hand sides). */
+static int eliminate(struct num_vec *a, struct num_vec *b, slong k, slong n, slong p, struct num_vec *scratch) {
+  const struct num_type *f = a->ctx.type;
+  void *u = num_vec_at(scratch, 0), *t = num_vec_at(scratch, 1);
+  int status = SS_OK;
+  for (slong i = k + 1; i < n; i++) {
+    status |= f->div(u, num_vec_at(a, i * n + k), num_vec_at(a, k * n + k), a->ctx.prec);
+    status |= subtract_row(a, i, k, u, k + 1, n, t);
+    if (b != NULL) status |= subtract_row(b, i, k, u, 0, p, t);
+  }
+  return status;
+}
+
+/* x = u^-1 x for the upper triangle u. */
+static int back_substitute(struct num_vec *x, const struct num_vec *u, slong n, slong p, void *t) {
+  const struct num_type *f = x->ctx.type;
+  slong prec = x->ctx.prec;
+  int status = SS_OK;
+  for (slong j = 0; j < p; j++)
+    for (slong i = n - 1; i >= 0; i--) {
+      void *z = num_vec_at(x, i * p + j);
+      for (slong k = i + 1; k < n; k++) {
+        status |= f->mul(t, num_vec_at(u, i * n + k), num_vec_at(x, k * p + j), prec);
+        status |= f->sub(z, z, t, prec);
+      }
+      status |= f->div(z, z, num_vec_at(u, i * n + i), prec);
+    }
+  return status;
+}
+
+int num_mat_solve(struct num_vec *x, const struct num_vec *a, const struct num_vec *b, slong n, slong p) {
+  struct num_vec u, y, scratch;
+  int status = SS_OK;
+  check_shape(x, n, p);
+  check_shape(a, n, n);
+  check_shape(b, n, p);
+  num_vec_init(&u, n * n, x->ctx);
+  num_vec_init(&y, n * p, x->ctx);
+  num_vec_init(&scratch, 2, x->ctx);
+  num_vec_set(&u, a);
+  num_vec_set(&y, b);
+  for (slong k = 0; k < n; k++) {
+    slong pivot = find_pivot(&u, k, n, &status);
+    if (pivot < 0) break;
+    swap_rows(&u, k, pivot, n);
+    swap_rows(&y, k, pivot, p);
+    status |= eliminate(&u, &y, k, n, p, &scratch);
+  }
+  if (status == SS_OK) status = back_substitute(&y, &u, n, p, num_vec_at(&scratch, 1));
+  if (status != SS_OK) vec_set_nan(&y);
+  vec_swap(x, &y);
+  num_vec_clear(&u);
+  num_vec_clear(&y);
+  num_vec_clear(&scratch);
+  return status;
+}
+
+/* The last pivot divides nothing, so it may hold zero: the determinant of a singular matrix is enclosed whenever the
+   columns before the last have pivots. */
+int num_mat_det(void *z, const struct num_vec *a, slong n) {
+  const struct num_type *f = a->ctx.type;
+  slong prec = a->ctx.prec;
+  struct num_vec u, scratch, det;
+  int status = SS_OK;
+  check_shape(a, n, n);
+  num_vec_init(&u, n * n, a->ctx);
+  num_vec_init(&scratch, 2, a->ctx);
+  num_vec_init(&det, 1, a->ctx);
+  void *d = num_vec_at(&det, 0);
+  num_vec_set(&u, a);
+  status |= f->set_d(d, 1, prec);
+  for (slong k = 0; k < n && status == SS_OK; k++) {
+    slong pivot = k < n - 1 ? find_pivot(&u, k, n, &status) : k;
+    if (pivot < 0) break;
+    if (pivot != k) {
+      swap_rows(&u, k, pivot, n);
+      status |= f->neg(d, d, prec);
+    }
+    status |= f->mul(d, d, num_vec_at(&u, k * n + k), prec);
+    status |= eliminate(&u, NULL, k, n, 0, &scratch);
+  }
+  if (status == SS_DOMAIN) status = f->set_d(d, 0, prec);
+  if (status != SS_OK) f->set_d(d, (double)NAN, prec);
+  f->swap(z, d);
+  num_vec_clear(&u);
+  num_vec_clear(&scratch);
+  num_vec_clear(&det);
+  return status;
+}

@@ -1,0 +1,145 @@
+/* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
+#include <string.h>
+
+#include "stickslip/report.h"
+
+static const char *or_dash(const char *s) {
+  return s && *s ? s : "-";
+}
+
+/* Text inside a table cell: a bar would end the cell. */
+static void add_cell(struct text *out, const char *s) {
+  for (s = or_dash(s); *s; s++) {
+    if (*s == '|')
+      text_add(out, "\\|");
+    else
+      text_add_char(out, *s);
+  }
+}
+
+static long unexpected(const struct finding *f) {
+  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
+}
+
+static void add_counts(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS];
+  audit_result_count(r, count);
+  text_add(out, "| verdict | claims |\n| --- | ---: |\n");
+  for (int i = 0; i < N_VERDICTS; i++)
+    if (count[i]) text_printf(out, "| %s | %ld |\n", verdict_name[i], count[i]);
+  text_printf(out, "| total | %zu |\n\n", r->n_findings);
+}
+
+static void add_finding(struct text *out, const struct finding *f) {
+  text_printf(out, "### %s: %s\n\n", f->id, f->title);
+  if (f->quote) text_printf(out, "- paper: %s\n", f->quote);
+  if (f->printed) text_printf(out, "- as read: $%s$\n", f->printed);
+  text_printf(out, "- verdict: **%s**%s%s%s%s\n", verdict_name[f->verdict], f->fault ? ", fault: " : "",
+              f->fault ? f->fault : "", f->condition ? ", condition: " : "", f->condition ? f->condition : "");
+  if (f->correction) text_printf(out, "- correction: `%s` (%s)\n", f->correction, verdict_name[f->correction_verdict]);
+  if (f->effect) text_printf(out, "- effect: %s\n", f->effect);
+  for (int i = 0; i < f->n_depends_on; i++)
+    text_printf(out, "%s%s%s", i ? ", " : "- depends on: ", f->depends_on[i], i + 1 == f->n_depends_on ? "\n" : "");
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    text_printf(out, "- %s (%s): %s", e->route, or_dash(e->layer), e->result);
+    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
+    if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
+    if (e->residual) text_printf(out, ", residual %s", e->residual);
+    if (e->note) text_printf(out, "; %s", e->note);
+    if (e->worst) text_printf(out, " [%s]", e->worst);
+    text_add_char(out, '\n');
+  }
+  text_printf(out, "- recheck: `%s`\n\n", f->reproduce);
+}
+
+static void add_section(struct text *out, const struct audit_result *r, const char *heading,
+                        bool (*wanted)(const struct finding *)) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    if (!wanted(&r->findings[i])) continue;
+    if (!any) text_printf(out, "## %s\n\n", heading);
+    any = true;
+    add_finding(out, &r->findings[i]);
+  }
+}
+
+static bool is_unexpected(const struct finding *f) {
+  return unexpected(f) != 0;
+}
+static bool is_refuted(const struct finding *f) {
+  return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
+}
+static bool is_unknown(const struct finding *f) {
+  return f->verdict == VERDICT_UNKNOWN;
+}
+static bool is_rest(const struct finding *f) {
+  return !is_refuted(f) && !is_unknown(f);
+}
+
+static void add_overview(struct text *out, const struct audit_result *r) {
+  text_add(
+      out,
+      "## Every claim\n\n| claim | what it says | verdict | fault | as recorded |\n| --- | --- | --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    text_printf(out, "| %s | ", f->id);
+    add_cell(out, f->title);
+    text_printf(out, " | %s | %s | %s |\n", verdict_name[f->verdict], or_dash(f->fault),
+                f->recorded == N_VERDICTS ? "-"
+                : unexpected(f)           ? "NO"
+                                          : "yes");
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_controls(struct text *out, const struct audit_result *r) {
+  if (r->n_controls == 0) return;
+  size_t noticed = 0;
+  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
+  text_printf(
+      out,
+      "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict |\n| --- | --- | --- |\n",
+      noticed, r->n_controls);
+  for (size_t i = 0; i < r->n_controls; i++)
+    text_printf(out, "| %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
+                verdict_name[r->controls[i].verdict]);
+  text_add_char(out, '\n');
+}
+
+void report_markdown(struct text *out, const struct audit_result *r) {
+  text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
+  add_counts(out, r);
+  add_section(out, r, "Not as recorded", is_unexpected);
+  add_section(out, r, "Refuted", is_refuted);
+  add_section(out, r, "Undecided", is_unknown);
+  add_overview(out, r);
+  add_controls(out, r);
+  text_add(out, "## What the routes share\n\n");
+  for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
+  text_add_char(out, '\n');
+  if (r->n_skipped) text_add(out, "## Left out\n\n");
+  for (size_t i = 0; i < r->n_skipped; i++) text_printf(out, "- %s: %s\n", r->skipped[i].what, r->skipped[i].why);
+  if (r->n_skipped) text_add_char(out, '\n');
+  add_section(out, r, "The other claims", is_rest);
+}
+
+void report_line(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS];
+  audit_result_count(r, count);
+  size_t noticed = 0;
+  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
+  text_printf(out, "%s: %zu claims:", r->scene, r->n_findings);
+  const char *sep = " ";
+  for (int i = 0; i < N_VERDICTS; i++)
+    if (count[i]) {
+      text_printf(out, "%s%ld %s", sep, count[i], verdict_name[i]);
+      sep = ", ";
+    }
+  text_printf(out, "; %zu of %zu controls noticed; ", noticed, r->n_controls);
+  long bad = audit_result_unexpected(r);
+  if (bad)
+    text_printf(out, "%ld NOT as recorded", bad);
+  else
+    text_add(out, "as recorded");
+}

@@ -1,0 +1,381 @@
+/* A tape is a post-order walk of the shared scalars: every operand stands before its use, once.
+   Its evaluation keeps the status flags of each instruction, so that an output is blamed only for what it depends on. */
+#include "stickslip/tape.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Building --- */
+
+/* Scalars already on the tape, by address (open addressing). */
+struct place {
+  const struct expr *e;
+  slong at;
+};
+
+struct builder {
+  struct tape *t;
+  const struct tape_root *roots;
+  size_t n_roots;
+  struct place *places;
+  size_t n_places, cap_places;
+  size_t cap_code, cap_consts, cap_inputs, cap_links;
+  struct diag *d;
+};
+
+static size_t hash_address(const void *p) {
+  size_t h = (size_t)p >> 4;
+  return h * 0x9E3779B97F4A7C15U;
+}
+
+static struct place *find_place(const struct builder *b, const struct expr *e) {
+  size_t i = hash_address(e) & (b->cap_places - 1);
+  while (b->places[i].e && b->places[i].e != e) i = (i + 1) & (b->cap_places - 1);
+  return &b->places[i];
+}
+
+static slong place_of(const struct builder *b, const struct expr *e) {
+  const struct place *p = find_place(b, e);
+  return p->e ? p->at : -1;
+}
+
+static void grow_places(struct builder *b) {
+  struct place *old = b->places;
+  size_t n = b->cap_places;
+  b->cap_places *= 2;
+  b->places = ss_malloc(b->cap_places * sizeof *b->places);
+  memset(b->places, 0, b->cap_places * sizeof *b->places);
+  for (size_t i = 0; i < n; i++)
+    if (old[i].e) *find_place(b, old[i].e) = old[i];
+  free(old);
+}
+
+static void put_place(struct builder *b, const struct expr *e, slong at) {
+  if (2 * b->n_places >= b->cap_places) grow_places(b);
+  *find_place(b, e) = (struct place){e, at};
+  b->n_places++;
+}
+
+static slong emit(struct builder *b, struct tape_instr in) {
+  struct tape *t = b->t;
+  t->code = ss_grow(t->code, (size_t)t->n, &b->cap_code, sizeof *t->code);
+  t->code[t->n] = in;
+  return t->n++;
+}
+
+static bool add_const(slong *index, struct builder *b, const char *decimal) {
+  struct tape *t = b->t;
+  t->consts = ss_grow(t->consts, (size_t)t->n_consts, &b->cap_consts, sizeof *t->consts);
+  fmpq *q = &t->consts[t->n_consts];
+  fmpq_init(q);
+  *index = t->n_consts++;
+  if (num_parse_decimal(q, decimal, strlen(decimal)) == SS_OK) return true;
+  diag_set(b->d, "the number %.40s%s is too large to hold", decimal, strlen(decimal) > 40 ? "..." : "");
+  return false;
+}
+
+static slong add_input(struct builder *b, const char *name) {
+  struct tape *t = b->t;
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strcmp(t->inputs[i], name) == 0) return i;
+  t->inputs = ss_grow(t->inputs, (size_t)t->n_inputs, &b->cap_inputs, sizeof *t->inputs);
+  size_t len = strlen(name) + 1;
+  t->inputs[t->n_inputs] = memcpy(ss_malloc(len), name, len);
+  return t->n_inputs++;
+}
+
+static slong add_link(struct builder *b, slong at) {
+  struct tape *t = b->t;
+  t->links = ss_grow(t->links, (size_t)t->n_links, &b->cap_links, sizeof *t->links);
+  t->links[t->n_links] = at;
+  return t->n_links++;
+}
+
+static const struct tape_root *root_of(const struct builder *b, const char *name) {
+  for (size_t i = 0; i < b->n_roots; i++)
+    if (strcmp(b->roots[i].name, name) == 0) return &b->roots[i];
+  return NULL;
+}
+
+static enum tape_op op_of(enum expr_kind k) {
+  switch (k) {
+  case EXPR_NEG:
+    return TAPE_neg;
+  case EXPR_ADD:
+    return TAPE_add;
+  case EXPR_SUB:
+    return TAPE_sub;
+  case EXPR_MUL:
+    return TAPE_mul;
+  case EXPR_DIV:
+    return TAPE_div;
+  case EXPR_SIN:
+    return TAPE_sin;
+  case EXPR_COS:
+    return TAPE_cos;
+  case EXPR_COT:
+    return TAPE_cot;
+  case EXPR_SQRT:
+    return TAPE_sqrt;
+  default:
+    abort();
+  }
+}
+
+/* The operands of a scalar: those of a root are its coefficients; a call of a trajectory is an input. */
+static int operands(const struct expr *const **args, const struct builder *b, const struct expr *e) {
+  *args = (const struct expr *const *)e->args;
+  if (e->kind == EXPR_CALL) return 0;
+  if (e->kind != EXPR_SYM) return e->n_args;
+  const struct tape_root *r = root_of(b, e->name);
+  *args = r ? (const struct expr *const *)r->coeff : NULL;
+  return r ? r->n_coeff : 0;
+}
+
+/* Emits the instruction of a scalar whose operands are all placed. */
+static bool place(struct builder *b, const struct expr *e) {
+  struct tape_instr in = {.op = TAPE_CONST, .a = -1, .b = -1, .k = 0};
+  const struct expr *const *args;
+  int n = operands(&args, b, e);
+  if (e->kind == EXPR_NUM) {
+    if (!add_const(&in.k, b, e->name)) return false;
+  } else if (e->kind == EXPR_SYM && n > 0) {
+    in.op = TAPE_ROOT;
+    in.a = b->t->n_links;
+    in.b = n;
+    in.k = root_of(b, e->name)->largest ? -1 : 1;
+    for (int i = 0; i < n; i++) add_link(b, place_of(b, args[i]));
+  } else if (e->kind == EXPR_SYM) {
+    in.op = TAPE_INPUT;
+    in.k = add_input(b, e->name);
+  } else if (e->kind == EXPR_CALL) {
+    struct text name;
+    text_init(&name);
+    expr_print(&name, e);
+    in.op = TAPE_INPUT;
+    in.k = add_input(b, text_str(&name));
+    text_clear(&name);
+  } else {
+    in.op = e->kind == EXPR_POW ? TAPE_POW : op_of(e->kind);
+    in.a = place_of(b, args[0]);
+    if (n > 1) in.b = place_of(b, args[1]);
+    in.k = e->exponent;
+  }
+  put_place(b, e, emit(b, in));
+  return true;
+}
+
+/* Post-order with a stack of our own: scalars can be deeper than the machine's. */
+static bool walk(struct builder *b, const struct expr *root) {
+  const struct expr **stack = NULL;
+  size_t n = 0, cap = 0;
+  bool ok = true;
+  stack = ss_grow(stack, n, &cap, sizeof *stack);
+  stack[n++] = root;
+  while (ok && n > 0) {
+    const struct expr *e = stack[n - 1];
+    if (place_of(b, e) >= 0) {
+      n--;
+      continue;
+    }
+    const struct expr *const *args;
+    int count = operands(&args, b, e);
+    size_t before = n;
+    for (int i = count - 1; i >= 0; i--)
+      if (place_of(b, args[i]) < 0) {
+        stack = ss_grow(stack, n, &cap, sizeof *stack);
+        stack[n++] = args[i];
+      }
+    if (n == before) {
+      ok = place(b, e);
+      n--;
+    }
+  }
+  free(stack);
+  return ok;
+}
+
+bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, const struct tape_root *roots,
+                size_t n_roots, struct diag *d) {
+  *t = (struct tape){.n = 0};
+  struct builder b = {.t = t, .roots = roots, .n_roots = n_roots, .cap_places = 64, .d = d};
+  b.places = ss_malloc(b.cap_places * sizeof *b.places);
+  memset(b.places, 0, b.cap_places * sizeof *b.places);
+  bool ok = true;
+  for (slong i = 0; ok && i < n; i++) ok = walk(&b, outputs[i]);
+  if (ok) {
+    t->outputs = ss_malloc((size_t)n * sizeof *t->outputs);
+    t->n_outputs = n;
+    for (slong i = 0; i < n; i++) t->outputs[i] = place_of(&b, outputs[i]);
+    tape_check(t);
+  }
+  free(b.places);
+  return ok;
+}
+
+void tape_clear(struct tape *t) {
+  for (slong i = 0; i < t->n_consts; i++) fmpq_clear(&t->consts[i]);
+  for (slong i = 0; i < t->n_inputs; i++) free(t->inputs[i]);
+  free(t->consts);
+  free(t->inputs);
+  free(t->links);
+  free(t->outputs);
+  free(t->code);
+  *t = (struct tape){.n = 0};
+}
+
+/* --- Looking at it --- */
+
+static int arity(enum tape_op op) {
+  switch (op) {
+#define NUM_UNARY(name)                                                                                                \
+  case TAPE_##name:                                                                                                    \
+    return 1;
+#define NUM_BINARY(name)                                                                                               \
+  case TAPE_##name:                                                                                                    \
+    return 2;
+#include "stickslip/ops.def"
+  case TAPE_POW:
+    return 1;
+  case TAPE_CONST:
+  case TAPE_INPUT:
+  case TAPE_ROOT:
+    return 0;
+  }
+  abort();
+}
+
+static const char *op_name(enum tape_op op) {
+  switch (op) {
+#define NUM_UNARY(name)                                                                                                \
+  case TAPE_##name:                                                                                                    \
+    return #name;
+#define NUM_BINARY(name)                                                                                               \
+  case TAPE_##name:                                                                                                    \
+    return #name;
+#include "stickslip/ops.def"
+  case TAPE_POW:
+    return "pow";
+  case TAPE_CONST:
+    return "const";
+  case TAPE_INPUT:
+    return "input";
+  case TAPE_ROOT:
+    return "root";
+  }
+  abort();
+}
+
+static void insist(bool ok) {
+  if (!ok) abort();
+}
+
+void tape_check(const struct tape *t) {
+  for (slong i = 0; i < t->n; i++) {
+    const struct tape_instr *in = &t->code[i];
+    int n = arity(in->op);
+    insist(n < 1 || (in->a >= 0 && in->a < i));
+    insist(n < 2 || (in->b >= 0 && in->b < i));
+    if (in->op == TAPE_CONST) insist(in->k >= 0 && in->k < t->n_consts);
+    if (in->op == TAPE_INPUT) insist(in->k >= 0 && in->k < t->n_inputs);
+    if (in->op != TAPE_ROOT) continue;
+    insist(in->a >= 0 && in->b >= 2 && in->a <= t->n_links - in->b);
+    for (slong k = in->a; k < in->a + in->b; k++) insist(t->links[k] >= 0 && t->links[k] < i);
+  }
+  for (slong i = 0; i < t->n_outputs; i++) insist(t->outputs[i] >= 0 && t->outputs[i] < t->n);
+}
+
+static void dump_instr(struct text *out, const struct tape *t, slong i) {
+  const struct tape_instr *in = &t->code[i];
+  text_printf(out, "%%%ld = %s", (long)i, op_name(in->op));
+  if (in->op == TAPE_CONST) {
+    text_add_char(out, ' ');
+    num_print_q(out, &t->consts[in->k]);
+  } else if (in->op == TAPE_INPUT) {
+    text_printf(out, " %s", t->inputs[in->k]);
+  } else if (in->op == TAPE_ROOT) {
+    text_add(out, in->k < 0 ? " largest" : " smallest");
+    for (slong k = in->a; k < in->a + in->b; k++) text_printf(out, " %%%ld", (long)t->links[k]);
+  } else {
+    text_printf(out, " %%%ld", (long)in->a);
+    if (arity(in->op) == 2) text_printf(out, " %%%ld", (long)in->b);
+    if (in->op == TAPE_POW) text_printf(out, " %ld", (long)in->k);
+  }
+  text_add_char(out, '\n');
+}
+
+void tape_dump(struct text *out, const struct tape *t) {
+  for (slong i = 0; i < t->n; i++) dump_instr(out, t, i);
+  for (slong i = 0; i < t->n_outputs; i++) text_printf(out, "out %%%ld\n", (long)t->outputs[i]);
+}
+
+/* --- Running it --- */
+
+static int run_root(void *z, const struct tape *t, const struct tape_instr *in, const struct num_vec *reg) {
+  struct num_vec coeff;
+  num_vec_init(&coeff, in->b, reg->ctx);
+  for (slong k = 0; k < in->b; k++) reg->ctx.type->set(num_vec_at(&coeff, k), num_vec_at(reg, t->links[in->a + k]));
+  int status = num_poly_root(z, &coeff, in->k);
+  num_vec_clear(&coeff);
+  return status;
+}
+
+/* The flags of the operands: an instruction with a failed operand is not run. */
+static int inherited(const struct tape *t, const struct tape_instr *in, const int *flags) {
+  int n = arity(in->op), s = SS_OK;
+  if (n > 0) s |= flags[in->a];
+  if (n > 1) s |= flags[in->b];
+  if (in->op == TAPE_ROOT)
+    for (slong k = in->a; k < in->a + in->b; k++) s |= flags[t->links[k]];
+  return s;
+}
+
+static int run(const struct tape *t, slong i, struct num_vec *reg, const struct num_vec *in) {
+  const struct tape_instr *op = &t->code[i];
+  const struct num_type *type = reg->ctx.type;
+  slong prec = reg->ctx.prec;
+  void *z = num_vec_at(reg, i);
+  switch (op->op) {
+  case TAPE_CONST:
+    return type->set_q(z, &t->consts[op->k], prec);
+  case TAPE_INPUT:
+    type->set(z, num_vec_at(in, op->k));
+    return SS_OK;
+  case TAPE_POW:
+    return type->pow_si(z, num_vec_at(reg, op->a), op->k, prec);
+  case TAPE_ROOT:
+    return run_root(z, t, op, reg);
+#define NUM_UNARY(name)                                                                                                \
+  case TAPE_##name:                                                                                                    \
+    return type->name(z, num_vec_at(reg, op->a), prec);
+#define NUM_BINARY(name)                                                                                               \
+  case TAPE_##name:                                                                                                    \
+    return type->name(z, num_vec_at(reg, op->a), num_vec_at(reg, op->b), prec);
+#include "stickslip/ops.def"
+  }
+  abort();
+}
+
+int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in) {
+  struct num_vec reg;
+  num_vec_init(&reg, t->n, out->ctx);
+  int *flags = ss_malloc((size_t)t->n * sizeof *flags);
+  for (slong i = 0; i < t->n; i++) {
+    flags[i] = inherited(t, &t->code[i], flags);
+    if (flags[i] == SS_OK) flags[i] = run(t, i, &reg, in);
+  }
+  int all = SS_OK;
+  for (slong i = 0; i < t->n_outputs; i++) {
+    int f = flags[t->outputs[i]];
+    all |= f;
+    if (status) status[i] = f;
+    if (f == SS_OK)
+      out->ctx.type->set(num_vec_at(out, i), num_vec_at(&reg, t->outputs[i]));
+    else
+      out->ctx.type->set_d(num_vec_at(out, i), NAN, out->ctx.prec);
+  }
+  free(flags);
+  num_vec_clear(&reg);
+  return all;
+}

@@ -1,0 +1,927 @@
+/* Strings, diagnostics, files, records, JSON, truth and memory.  Expected texts are written out by hand from the
+   contracts; UTF-8 is judged by a decoder of the test's own, which encodes again what it decoded (RFC 3629). */
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include "scratch.h"
+#include "stickslip/arena.h"
+#include "stickslip/json.h"
+#include "stickslip/record.h"
+#include "stickslip/status.h"
+#include "suites.h"
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint64_t rng;
+static uint64_t rnd(void) {
+  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+
+/* ---- UTF-8, the test's own */
+
+static size_t encode(unsigned char out[4], uint32_t c) {
+  if (c < 0x80) {
+    out[0] = (unsigned char)c;
+    return 1;
+  }
+  size_t n = c < 0x800 ? 2 : c < 0x10000 ? 3 : 4;
+  for (size_t i = n; i-- > 1; c >>= 6) out[i] = (unsigned char)(0x80 | (c & 0x3F));
+  out[0] = (unsigned char)((0xF00U >> n & 0xFFU) | c);
+  return n;
+}
+
+/* The length of the character at s: the one whose encoding stands there; 0 when there is none. */
+static size_t character(const unsigned char *s, size_t len) {
+  uint32_t c = s[0];
+  size_t ones = 0;
+  while (ones < 8 && (s[0] & 0x80U >> ones)) ones++;
+  size_t n = ones == 0 ? 1 : ones;
+  if (ones == 1 || n > 4 || n > len) return 0;
+  if (n > 1) c &= 0x7FU >> n;
+  for (size_t i = 1; i < n; i++) c = c << 6 | (s[i] & 0x3FU);
+  unsigned char again[4];
+  bool surrogate = c >= 0xD800 && c <= 0xDFFF;
+  return c <= 0x10FFFF && !surrogate && encode(again, c) == n && memcmp(again, s, n) == 0 ? n : 0;
+}
+
+static size_t valid_prefix(const char *text, size_t len) {
+  const unsigned char *s = (const unsigned char *)text;
+  size_t i = 0, n;
+  while (i < len && (n = character(s + i, len - i)) > 0) i += n;
+  return i;
+}
+
+static size_t count_characters(const char *s, size_t len) {
+  const unsigned char *u = (const unsigned char *)s;
+  size_t n = 0;
+  for (size_t i = 0; i < len; n++) i += character(u + i, len - i);
+  return n;
+}
+
+/* One character of each length. */
+static const char *const unit[] = {"a", "\xC3\xA9", "\xE2\x82\xAC", "\xF0\x9D\x9C\x94"};
+
+static void check_prefix(const unsigned char *s, size_t len) {
+  size_t mine = valid_prefix((const char *)s, len), its = text_valid_prefix((const char *)s, len);
+  if (mine != its) ck_abort_msg("%02x %02x %02x %02x: %zu, expected %zu", s[0], s[1], s[2], s[3], its, mine);
+}
+
+/* Every string of two bytes, every one of three that begins one of three, and those of four at the edges. */
+START_TEST(prefix_of_short_strings) {
+  static const unsigned char edge[] = {0x00, 0x7F, 0x80, 0xBF, 0xC0, 0xFF};
+  for (unsigned a = 0; a < 256; a++)
+    for (unsigned b = 0; b < 256; b++) {
+      check_prefix((unsigned char[4]){(unsigned char)a, (unsigned char)b}, 2);
+      for (unsigned c = 0; c < 256 && a >> 4 == 0xE; c++)
+        check_prefix((unsigned char[4]){(unsigned char)a, (unsigned char)b, (unsigned char)c}, 3);
+      for (size_t c = 0; c < sizeof edge; c++)
+        for (size_t e = 0; e < sizeof edge && a >= 0xF0; e++)
+          check_prefix((unsigned char[4]){(unsigned char)a, (unsigned char)b, edge[c], edge[e]}, 4);
+    }
+}
+END_TEST
+
+START_TEST(prefix_of_all_characters) {
+  struct text t;
+  text_init(&t);
+  for (uint32_t c = 1; c <= 0x10FFFF; c++) {
+    unsigned char s[4];
+    if (c < 0xD800 || c > 0xDFFF) text_add_n(&t, (const char *)s, encode(s, c));
+  }
+  ck_assert_uint_eq(text_valid_prefix(t.data, t.len), t.len);
+  ck_assert_uint_eq(text_valid_prefix(t.data, t.len - 1), t.len - 4);
+  text_clear(&t);
+}
+END_TEST
+
+/* ---- text */
+
+START_TEST(text_grows) {
+  struct text t;
+  text_init(&t);
+  ck_assert_str_eq(text_str(&t), "");
+  ck_assert_ptr_null(t.data);
+  char *copy = calloc(200000, 1);
+  size_t n = 0;
+  rng = 1;
+  for (int i = 0; i < 2000; i++) {
+    char piece[64];
+    size_t len = rnd() % sizeof piece;
+    for (size_t k = 0; k < len; k++) piece[k] = (char)('a' + rnd() % 26);
+    switch (i % 3) {
+    case 0:
+      text_add_n(&t, piece, len);
+      break;
+    case 1:
+      text_printf(&t, "%.*s", (int)len, piece);
+      break;
+    default:
+      for (size_t k = 0; k < len; k++) text_add_char(&t, piece[k]);
+      break;
+    }
+    memcpy(copy + n, piece, len);
+    n += len;
+    ck_assert_uint_eq(t.len, n);
+  }
+  ck_assert_str_eq(t.data, copy);
+  free(copy);
+  size_t cap = t.cap;
+  text_reset(&t);
+  ck_assert(t.len == 0 && t.cap == cap);
+  ck_assert_str_eq(text_str(&t), "");
+  text_printf(&t, "%5000d|", 7);
+  ck_assert_uint_eq(t.len, 5001);
+  ck_assert_str_eq(t.data + 4998, " 7|");
+  text_clear(&t);
+  text_add(&t, "");
+  ck_assert(t.data && t.len == 0);
+  text_clear(&t);
+  ck_assert_ptr_null(t.data);
+}
+END_TEST
+
+/* ---- diagnostics */
+
+START_TEST(diag_places) {
+  static const struct {
+    const char *text;
+    size_t offset;
+    const char *message;
+  } c[] = {
+      {"ab\ncd\n", 0, "f.eq:1:1: error: no\n  ab\n  ^"},
+      {"ab\ncd\n", 4, "f.eq:2:2: error: no\n  cd\n   ^"},
+      {"ab\ncd\n", 2, "f.eq:1:3: error: no\n  ab\n    ^"},
+      {"ab\ncd\n", 6, "f.eq:3:1: error: no\n  \n  ^"},
+      {"ab\ncd\n", 99, "f.eq:3:1: error: no\n  \n  ^"},
+      {"", 0, "f.eq:1:1: error: no\n  \n  ^"},
+      {"\n\n\nx", 3, "f.eq:4:1: error: no\n  x\n  ^"},
+      {"\xCE\xB1\xCE\xB2 = \xF0\x9D\x9C\x94 + c", 13,
+       "f.eq:1:9: error: no\n  \xCE\xB1\xCE\xB2 = \xF0\x9D\x9C\x94 + c\n"
+       "          ^"},
+      {"\ta\t= b", 3, "f.eq:1:4: error: no\n   a = b\n     ^"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct source s;
+    struct diag d;
+    source_from_string(&s, "f.eq", c[i].text);
+    diag_init(&d);
+    diag_at(&d, &s, c[i].offset, "n%c", 'o');
+    ck_assert(d.set);
+    ck_assert_str_eq(d.message, c[i].message);
+    source_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(diag_keeps_the_first) {
+  struct source s;
+  struct diag d;
+  source_from_string(&s, "f", "x");
+  diag_init(&d);
+  ck_assert(!d.set);
+  ck_assert_str_eq(d.message, "");
+  diag_set(&d, "%s %d", "first", 1);
+  diag_set(&d, "second");
+  diag_at(&d, &s, 0, "third");
+  ck_assert_str_eq(d.message, "first 1");
+  diag_set(NULL, "nobody listens");
+  diag_at(NULL, &s, 0, "nobody listens");
+  source_clear(&s);
+}
+END_TEST
+
+/* The lines of a message. */
+static size_t split(char *line[4], char *message) {
+  size_t n = 0;
+  for (char *p = strtok(message, "\n"); p && n < 4; p = strtok(NULL, "\n")) line[n++] = p;
+  return n;
+}
+
+/* A line of 5000 characters with an X among them: the excerpt is short, and the caret stands below the X. */
+START_TEST(diag_clips_long_lines) {
+  static const size_t place[] = {0, 1, 30, 49, 50, 51, 2500, 4949, 4950, 4998, 4999};
+  const char *u = unit[_i];
+  for (size_t k = 0; k < sizeof place / sizeof *place; k++) {
+    struct text t, head;
+    text_init(&t);
+    text_init(&head);
+    text_add(&t, "first\n");
+    for (size_t i = 0; i < 5000; i++) text_add(&t, i == place[k] ? "X" : u);
+    text_add(&t, "\nlast");
+    text_printf(&head, "f:2:%zu: error: here", place[k] + 1);
+    struct source s;
+    struct diag d;
+    source_from_string(&s, "f", t.data);
+    diag_init(&d);
+    diag_at(&d, &s, 6 + place[k] * strlen(u), "here");
+    char *line[4];
+    ck_assert_uint_eq(valid_prefix(d.message, strlen(d.message)), strlen(d.message));
+    ck_assert_uint_eq(split(line, d.message), 3);
+    ck_assert_str_eq(line[0], head.data);
+    ck_assert(strlen(line[1]) <= 102 && strlen(line[1]) > 45 && strstr(t.data, line[1] + 2));
+    const char *x = strchr(line[1], 'X');
+    ck_assert_ptr_nonnull(x);
+    size_t caret = strlen(line[2]) - 1;
+    ck_assert_uint_eq(caret, count_characters(line[1], (size_t)(x - line[1])));
+    ck_assert(line[2][caret] == '^' && strspn(line[2], " ") == caret);
+    source_clear(&s);
+    text_clear(&t);
+    text_clear(&head);
+  }
+}
+END_TEST
+
+/* s ASCII characters and then 2000 of the unit: some of them end where a message must. */
+static void long_text(struct text *t, int shift, const char *u) {
+  text_init(t);
+  for (int i = 0; i < shift; i++) text_add(t, "s");
+  for (int i = 0; i < 2000; i++) text_add(t, u);
+}
+
+START_TEST(diag_cuts_at_characters) {
+  for (int shift = 0; shift < 4; shift++) {
+    struct text t;
+    long_text(&t, shift, unit[_i]);
+    struct diag d;
+    diag_init(&d);
+    diag_set(&d, "%s", t.data);
+    size_t n = strlen(d.message);
+    ck_assert(n >= 995 && n < 1000);
+    ck_assert_uint_eq(valid_prefix(d.message, n), n);
+    ck_assert(strncmp(d.message, t.data, n) == 0);
+
+    struct source s;
+    source_from_string(&s, t.data, t.data);
+    diag_init(&d);
+    diag_at(&d, &s, (size_t)shift, "%s", t.data);
+    n = strlen(d.message);
+    ck_assert(n > 600 && n < 1000);
+    ck_assert_uint_eq(valid_prefix(d.message, n), n);
+    char *line[4];
+    ck_assert_uint_eq(split(line, d.message), 3);
+    ck_assert_str_eq(line[2] + strspn(line[2], " "), "^");
+    source_clear(&s);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* What is quoted may be anything; the message is UTF-8 all the same. */
+START_TEST(diag_is_utf8) {
+  static const struct {
+    const char *given, *shown;
+  } c[] = {{"a\xFFz", "a?z"}, {"\xC3", "?"}, {"\xE2\x82", "??"}, {"\xC0\x80|", "??|"}, {"\xED\xA0\x80", "???"}};
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct diag d;
+    diag_init(&d);
+    diag_set(&d, "%s", c[i].given);
+    ck_assert_str_eq(d.message, c[i].shown);
+    struct source s;
+    struct text all;
+    source_from_string(&s, c[i].given, c[i].given);
+    text_init(&all);
+    text_printf(&all, "%s:1:1: error: in\n  %s\n  ^", c[i].shown, c[i].shown);
+    diag_init(&d);
+    diag_at(&d, &s, 0, "in");
+    ck_assert_str_eq(d.message, all.data);
+    text_clear(&all);
+    source_clear(&s);
+  }
+}
+END_TEST
+
+/* ---- reading files */
+
+static void refused(const char *path, size_t max, const char *why) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(!source_read(&s, path, max, &d), "%s", path);
+  ck_assert(!s.name && !s.text && s.len == 0);
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s:%s", path, why);
+  ck_assert_str_eq(d.message, t.data);
+  text_clear(&t);
+}
+
+START_TEST(read_what_was_written) {
+  static const struct {
+    const char *bytes;
+    size_t len, skip;
+  } c[] = {
+      {"", 0, 0},
+      {"x", 1, 0},
+      {"\xEF\xBB\xBF", 3, 3},
+      {"\xEF\xBB\xBFx = 1\r\n", 10, 3},
+      {"\xEF\xBB\xBF\xEF\xBB\xBFx", 7, 3}, /* only one mark is a mark */
+      {"x\xEF\xBB\xBF", 4, 0},
+      {"\x7F\xC2\x80\xDF\xBF\xE0\xA0\x80\xED\x9F\xBF\xEE\x80\x80\xF0\x90\x80\x80\xF4\x8F\xBF\xBF", 22, 0},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    const char *path = scratch_put_n("read", c[i].bytes, c[i].len);
+    struct source s;
+    struct diag d;
+    diag_init(&d);
+    ck_assert_msg(source_read(&s, path, c[i].len, &d), "%s", d.message);
+    ck_assert_str_eq(s.name, path);
+    ck_assert_uint_eq(s.len, c[i].len - c[i].skip);
+    ck_assert_mem_eq(s.text, c[i].bytes + c[i].skip, s.len + 1);
+    source_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(read_large_files) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < 100000; i++) text_printf(&t, "%d\n", i);
+  const char *path = scratch_put("large", t.data);
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert(source_read(&s, path, t.len, &d));
+  ck_assert_uint_eq(s.len, t.len);
+  ck_assert_str_eq(s.text, t.data);
+  source_clear(&s);
+  text_clear(&t);
+  refused(path, s.len, " error: larger than 0 bytes");
+  refused(path, 588889, " error: larger than 588889 bytes"); /* the digits and newlines of 0 .. 99999 are 588890 */
+  refused("/dev/zero", 10, " error: a device or pipe, not a regular file");
+}
+END_TEST
+
+START_TEST(read_refuses) {
+  static const struct {
+    const char *bytes, *why;
+    size_t len;
+  } c[] = {
+      {"ab\0c", " error: not a text file (a NUL byte at offset 2)", 4},
+      {"\0", " error: not a text file (a NUL byte at offset 0)", 1},
+      {"a\nb\xC0\x80", "2:2: error: not UTF-8 text (byte 0xc0)\n  b??\n   ^", 5},
+      {"\xC1\xBF", "1:1: error: not UTF-8 text (byte 0xc1)\n  ??\n  ^", 2},
+      {"\x80", "1:1: error: not UTF-8 text (byte 0x80)\n  ?\n  ^", 1},
+      {"\xC3(", "1:1: error: not UTF-8 text (byte 0xc3)\n  ?(\n  ^", 2},
+      {"\xE0\x9F\xBF", "1:1: error: not UTF-8 text (byte 0xe0)\n  ???\n  ^", 3},
+      {"\xED\xA0\x80", "1:1: error: not UTF-8 text (byte 0xed)\n  ???\n  ^", 3},
+      {"\xF0\x8F\xBF\xBF", "1:1: error: not UTF-8 text (byte 0xf0)\n  ????\n  ^", 4},
+      {"\xF4\x90\x80\x80", "1:1: error: not UTF-8 text (byte 0xf4)\n  ????\n  ^", 4},
+      {"\xC3\xA9\xF5\x80", "1:2: error: not UTF-8 text (byte 0xf5)\n  \xC3\xA9??\n   ^", 4},
+      {"ok \xE2\x82", "1:4: error: not UTF-8 text (byte 0xe2)\n  ok ??\n     ^", 5},
+      {"\xFE\xFF", "1:1: error: not UTF-8 text (byte 0xfe)\n  ??\n  ^", 2},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) refused(scratch_put_n("bad", c[i].bytes, c[i].len), 100, c[i].why);
+  refused(scratch_path(""), 100, " error: a folder, not a regular file");
+  refused(scratch_path("absent"), 100, " error: No such file or directory");
+  /* a pipe nobody writes to: opening it must not wait */
+  ck_assert(mkfifo(scratch_path("pipe"), 0600) == 0);
+  refused(scratch_path("pipe"), 100, " error: a device or pipe, not a regular file");
+}
+END_TEST
+
+/* ---- writing files */
+
+static const char *content(const char *path) {
+  static char buffer[100];
+  FILE *f = fopen(path, "rb");
+  size_t n = f ? fread(buffer, 1, sizeof buffer - 1, f) : 0;
+  buffer[n] = '\0';
+  if (f) fclose(f);
+  return buffer;
+}
+
+static void written(const char *path, const char *bytes, size_t len) {
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(file_write(path, bytes, len, &d) && !d.set, "%s", d.message);
+}
+
+/* A reader that has the old file open keeps it whole: the new one took its name, not its place. */
+START_TEST(write_replaces) {
+  const char *path = scratch_path("out");
+  written(path, "old", 3);
+  ck_assert_str_eq(content(path), "old");
+  FILE *reader = fopen(path, "rb");
+  ck_assert_ptr_nonnull(reader);
+  written(path, "new and longer", 14);
+  char old[10] = "";
+  ck_assert(fread(old, 1, sizeof old, reader) == 3 && strcmp(old, "old") == 0);
+  fclose(reader);
+  ck_assert_str_eq(content(path), "new and longer");
+  written(path, "a\0b", 3);
+  struct stat st;
+  ck_assert(stat(path, &st) == 0 && st.st_size == 3);
+  ck_assert_uint_eq(st.st_mode & 0777, 0644);
+  written(path, "", 0);
+  ck_assert(stat(path, &st) == 0 && st.st_size == 0);
+  ck_assert_str_eq(scratch_list(scratch_path("")), "out");
+}
+END_TEST
+
+static void not_written(const char *path, const char *why) {
+  struct diag d;
+  diag_init(&d);
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s: error: cannot be written: %s", path, why);
+  ck_assert_msg(!file_write(path, "new", 3, &d), "%s", path);
+  ck_assert_str_eq(d.message, t.data);
+  text_clear(&t);
+}
+
+START_TEST(write_refuses) {
+  const char *top = scratch_path("");
+  ck_assert(mkdir(scratch_path("folder"), 0755) == 0 && mkfifo(scratch_path("pipe"), 0600) == 0);
+  scratch_put("folder/inside", "kept");
+  not_written(scratch_path("folder"), strerror(EISDIR));
+  not_written(scratch_path("absent/out"), strerror(ENOENT));
+  not_written(scratch_path("folder/inside/out"), strerror(ENOTDIR));
+  /* renaming over a pipe or a device would put a file in its place */
+  not_written(scratch_path("pipe"), strerror(EINVAL));
+  struct stat st;
+  ck_assert(lstat(scratch_path("pipe"), &st) == 0 && S_ISFIFO(st.st_mode));
+  ck_assert_str_eq(content(scratch_path("folder/inside")), "kept");
+  ck_assert_str_eq(scratch_list(top), "folder pipe");
+  ck_assert_str_eq(scratch_list(scratch_path("folder")), "inside");
+}
+END_TEST
+
+/* The disk is full in the middle: a limit on the size of files stands for it. */
+START_TEST(write_breaks_off) {
+  const char *path = scratch_put("out", "old");
+  struct rlimit before, small;
+  ck_assert(getrlimit(RLIMIT_FSIZE, &before) == 0);
+  small = before;
+  small.rlim_cur = 1000;
+  char *data = calloc(5000, 1);
+  struct diag d;
+  diag_init(&d);
+  void (*handler)(int) = signal(SIGXFSZ, SIG_IGN);
+  bool limited = setrlimit(RLIMIT_FSIZE, &small) == 0;
+  bool ok = file_write(path, data, 5000, &d);
+  setrlimit(RLIMIT_FSIZE, &before);
+  signal(SIGXFSZ, handler);
+  free(data);
+  ck_assert(limited && !ok);
+  ck_assert_ptr_nonnull(strstr(d.message, strerror(EFBIG)));
+  ck_assert_str_eq(content(path), "old");
+  ck_assert_str_eq(scratch_list(scratch_path("")), "out");
+}
+END_TEST
+
+/* Root may write anywhere, so it becomes nobody for the length of the call. */
+START_TEST(write_in_a_read_only_folder) {
+  const uid_t nobody = 65534, me = geteuid();
+  ck_assert(mkdir(scratch_path("locked"), 0755) == 0);
+  const char *path = scratch_put("locked/out", "old"), *folder = scratch_path("locked");
+  ck_assert(chmod(folder, 0555) == 0);
+  struct diag d, made;
+  diag_init(&d);
+  diag_init(&made);
+  bool plain = me != 0 || seteuid(nobody) == 0;
+  bool ok = plain && file_write(path, "new", 3, &d);
+  bool folder_ok = plain && folder_make(scratch_path("locked/a/b"), &made);
+  bool back = me != 0 || seteuid(0) == 0;
+  ck_assert(plain && back && !ok && !folder_ok);
+  ck_assert_ptr_nonnull(strstr(d.message, strerror(EACCES)));
+  ck_assert_ptr_nonnull(strstr(made.message, strerror(EACCES)));
+  ck_assert_str_eq(content(path), "old");
+  ck_assert_str_eq(scratch_list(folder), "out");
+}
+END_TEST
+
+START_TEST(folders) {
+  static const char *const fine[] = {"a", "a/b/c/d", "a/b", "a//x/", "a/./y", "a/../z", ""};
+  struct stat st;
+  struct diag d;
+  diag_init(&d);
+  for (size_t i = 0; i < sizeof fine / sizeof *fine; i++) {
+    const char *path = scratch_path(fine[i]);
+    ck_assert_msg(folder_make(path, &d), "%s", d.message);
+    ck_assert_msg(stat(path, &st) == 0 && S_ISDIR(st.st_mode), "%s", path);
+  }
+  ck_assert(folder_make(".", &d) && folder_make("/", &d));
+  ck_assert_str_eq(scratch_list(scratch_path("a")), "b x y");
+  scratch_put("a/file", "kept");
+  static const char *const wrong[] = {"a/file", "a/file/", "a/file/b", "a/file/b/c"};
+  for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
+    const char *path = scratch_path(wrong[i]);
+    struct text t;
+    text_init(&t);
+    text_printf(&t, "%s: error: cannot make the folder: %s", path, strerror(ENOTDIR));
+    diag_init(&d);
+    ck_assert_msg(!folder_make(path, &d), "%s", path);
+    ck_assert_str_eq(d.message, t.data);
+    text_clear(&t);
+  }
+  ck_assert_str_eq(content(scratch_path("a/file")), "kept");
+  diag_init(&d);
+  ck_assert(!folder_make("", &d) && d.set);
+}
+END_TEST
+
+/* ---- records */
+
+/* kind id{key="text" <formula> ...} for each record but an empty record 0 */
+static void spell(struct text *out, const struct record_file *f) {
+  for (size_t i = 0; i < f->n_records; i++) {
+    const struct record *r = &f->records[i];
+    if (i == 0 && r->n_fields == 0) continue;
+    text_printf(out, "%s%s %s{", out->len ? " " : "", r->kind_name, r->id_name);
+    for (size_t k = 0; k < r->n_fields; k++) {
+      const struct field *fd = &r->fields[k];
+      if (k) text_add(out, " ");
+      if (fd->attribute)
+        text_printf(out, "%s=\"%s\"", fd->key_name, fd->text);
+      else
+        text_printf(out, "<%.*s>", (int)(fd->value.end - fd->value.begin), f->src.text + fd->value.begin);
+    }
+    text_add(out, "}");
+  }
+}
+
+static bool parse(struct record_file *f, const char *text, struct diag *d) {
+  struct source s;
+  source_from_string(&s, "f", text);
+  diag_init(d);
+  return record_file_parse(f, s, d);
+}
+
+START_TEST(records) {
+  static const struct {
+    const char *text, *spelt;
+  } c[] = {
+      {"", ""},
+      {"\n \t\n# only a comment\n   # another", ""},
+      {"title: a scene\nchi = 0.8\n", " {title=\"a scene\" <chi = 0.8>}"},
+      {"define J_a\n  equation: 27\n  J_a = 1/(1 - chi)\n", "define J_a{equation=\"27\" <J_a = 1/(1 - chi)>}"},
+      {"define a", "define a{}"},
+      {"define a   # a remark\n", "define a{}"},
+      {"claim eq-27b.x'\n", "claim eq-27b.x'{}"},
+      {"a b\n  x: 1\nc d\n  y: 2", "a b{x=\"1\"} c d{y=\"2\"}"},
+      {"top: 1\na b\n  x: 1\n", " {top=\"1\"} a b{x=\"1\"}"},
+      /* what is not a head: three words, one word, a capital first, in record 0 */
+      {"a b c\none\nKind id\n", " {<a b c> <one> <Kind id>}"},
+      {"  a b\n", " {<a b>}"}, /* an indented line is no head */
+      /* attributes and formulas */
+      {"a b\n  x := 1\n  y(t):=2\n  root w: w^2\n  f : 3\n  X: 4\n",
+       "a b{<x := 1> <y(t):=2> <root w: w^2> <f : 3> <X: 4>}"},
+      {"a b\n  depends-on: c\n  u_s: d\n  e:\n  -: f\n", "a b{depends-on=\"c\" u_s=\"d\" e=\"\" <-: f>}"},
+      {"a b\n  x:=1\n  x:1\n  x::\n", "a b{<x:=1> x=\"1\" x=\":\"}"},
+      {"a b\n  x: one # two\n  y: # three\n", "a b{x=\"one # two\" y=\"# three\"}"},
+      {"a b\n  x = 1 # two\n", "a b{<x = 1 # two>}"}, /* the formula's reader knows comments */
+      /* continuation: deeper than the field, over blank and comment lines */
+      {"a b\n  x: one\n    two\n   three\n  y: four", "a b{x=\"one two three\" y=\"four\"}"},
+      {"a b\n  x: one  \n\n    # no\n      two\t\n", "a b{x=\"one two\"}"},
+      {"a b\n    x: one\n  y: two\n      three\n", "a b{x=\"one\" y=\"two three\"}"},
+      {"a b\n  x:\n    one\n", "a b{x=\"one\"}"},
+      {"a b\n  x = [1,\n    2]\n  y\n", "a b{<x = [1,\n    2]> <y>}"},
+      {"t: one\n  two\nchi = 1\n + 2\n", " {t=\"one two\" <chi = 1\n + 2>}"},
+      {"a b\n  x: one\n# no\nc d\n    y: two\n", "a b{x=\"one\"} c d{y=\"two\"}"},
+      /* line ends */
+      {"a b\r\n  x: one\r\n    two\r\n  y = 1\r\n\r\nc d\r\n", "a b{x=\"one two\" <y = 1>} c d{}"},
+      {"a b\n\tx: one\n\t\ttwo\n\ty = 1", "a b{x=\"one two\" <y = 1>}"},
+      {"a b\n  x: \xC3\xA9\xE2\x82\xAC\n", "a b{x=\"\xC3\xA9\xE2\x82\xAC\"}"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct record_file f;
+    struct diag d;
+    struct text t;
+    text_init(&t);
+    ck_assert_msg(parse(&f, c[i].text, &d), "%s", d.message);
+    ck_assert(f.n_records >= 1 && f.records[0].kind.begin == f.records[0].kind.end);
+    spell(&t, &f);
+    ck_assert_msg(strcmp(text_str(&t), c[i].spelt) == 0, "%s\nread as\n%s\nexpected\n%s", c[i].text, text_str(&t),
+                  c[i].spelt);
+    text_clear(&t);
+    record_file_clear(&f);
+  }
+}
+END_TEST
+
+START_TEST(record_spans) {
+  struct record_file f;
+  struct diag d;
+  ck_assert(parse(&f, "t: 1\ndefine J_a # no\n  note:  a\n    b \n  J = 1\n  note: c\n", &d));
+  const struct record *r = &f.records[1];
+  ck_assert(r->kind.begin == 5 && r->kind.end == 11 && r->id.begin == 12 && r->id.end == 15);
+  ck_assert(r->fields[0].key.begin == 23 && r->fields[0].key.end == 27);
+  ck_assert(r->fields[0].value.begin == 30 && r->fields[0].value.end == 37);
+  ck_assert(r->fields[1].value.begin == 41 && r->fields[1].value.end == 46);
+  ck_assert_str_eq(record_get(r, "note"), "a b"); /* the first of that name */
+  ck_assert_ptr_eq(record_field(r, "note"), &r->fields[0]);
+  ck_assert_ptr_null(record_get(r, "J"));
+  ck_assert_ptr_null(record_field(r, "no"));
+  record_file_clear(&f);
+}
+END_TEST
+
+START_TEST(record_errors) {
+  static const char *const text[] = {
+      "define a\nx = 1\n",
+      "define a\n  x = 1\nnote: 2\n",
+  };
+  static const char *const message[] = {
+      "f:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record a\n  x = 1\n  "
+      "^",
+      "f:3:1: error: a line in the first column must be a head \"kind id\"; indent the fields of record a\n"
+      "  note: 2\n  ^",
+  };
+  for (size_t i = 0; i < sizeof text / sizeof *text; i++) {
+    struct record_file f;
+    struct diag d;
+    ck_assert(!parse(&f, text[i], &d));
+    ck_assert_str_eq(d.message, message[i]);
+    record_file_clear(&f);
+  }
+}
+END_TEST
+
+START_TEST(record_limit) {
+  for (int extra = 0; extra < 2; extra++) {
+    struct text t;
+    text_init(&t);
+    for (int i = 0; i < 50000; i++) text_add(&t, "x\n");
+    text_add(&t, "a b\n");
+    for (int i = 0; i < 50000 + extra; i++) text_add(&t, " y: z\n");
+    struct record_file f;
+    struct diag d;
+    bool ok = parse(&f, t.data, &d);
+    if (extra) {
+      ck_assert(!ok);
+      ck_assert_str_eq(d.message, "f:100002:2: error: more than 100000 fields in one file\n   y: z\n   ^");
+    } else {
+      ck_assert_msg(ok, "%s", d.message);
+      ck_assert_uint_eq(f.records[0].n_fields, 50000);
+      ck_assert_uint_eq(f.records[1].n_fields, 50000);
+      ck_assert_str_eq(f.records[1].fields[49999].text, "z");
+    }
+    text_clear(&t);
+    record_file_clear(&f);
+  }
+}
+END_TEST
+
+/* ---- JSON */
+
+START_TEST(json_nesting) {
+  struct text t;
+  struct json j;
+  text_init(&t);
+  json_init(&j, &t);
+  json_object(&j, NULL);
+  json_string(&j, "s", "x");
+  json_array(&j, "empty");
+  json_end_array(&j);
+  json_object(&j, "none");
+  json_end_object(&j);
+  json_array(&j, "list");
+  json_long(&j, NULL, -12);
+  json_bool(&j, NULL, true);
+  json_object(&j, NULL);
+  json_bool(&j, "no", false);
+  json_null(&j, "nil");
+  json_end_object(&j);
+  json_string(&j, NULL, NULL);
+  json_end_array(&j);
+  json_string(&j, "last", "");
+  json_end_object(&j);
+  ck_assert_str_eq(t.data, "{\n"
+                           "  \"s\": \"x\",\n"
+                           "  \"empty\": [],\n"
+                           "  \"none\": {},\n"
+                           "  \"list\": [\n"
+                           "    -12,\n"
+                           "    true,\n"
+                           "    {\n"
+                           "      \"no\": false,\n"
+                           "      \"nil\": null\n"
+                           "    },\n"
+                           "    null\n"
+                           "  ],\n"
+                           "  \"last\": \"\"\n"
+                           "}\n");
+  text_clear(&t);
+}
+END_TEST
+
+/* A JSON string read by the rules of RFC 8259, section 7; false where they are broken. */
+static bool read_json_string(struct text *out, const char **p) {
+  static const char names[] = "\"\\/bfnrt", values[] = "\"\\/\b\f\n\r\t";
+  if (*(*p)++ != '"') return false;
+  for (; **p != '"'; (*p)++) {
+    unsigned char c = (unsigned char)**p;
+    if (c < 0x20) return false;
+    if (c != '\\') {
+      text_add_char(out, (char)c);
+      continue;
+    }
+    const char *name = strchr(names, *++*p);
+    unsigned code;
+    if (**p == 'u' && sscanf(*p + 1, "%4x", &code) == 1 && code < 0x80) {
+      text_add_char(out, (char)code);
+      *p += 4;
+    } else if (**p && name) {
+      text_add_char(out, values[name - names]);
+    } else {
+      return false;
+    }
+  }
+  (*p)++;
+  return true;
+}
+
+START_TEST(json_strings) {
+  struct text given, t, key, value;
+  text_init(&given);
+  text_init(&t);
+  text_init(&key);
+  text_init(&value);
+  for (int c = 1; c < 0x80; c++) text_add_char(&given, (char)c);
+  for (size_t i = 0; i < 4; i++) text_add(&given, unit[i]);
+  struct json j;
+  json_init(&j, &t);
+  json_object(&j, NULL);
+  json_string(&j, given.data, given.data);
+  json_end_object(&j);
+  const char *p = strchr(t.data, '"');
+  ck_assert(read_json_string(&key, &p));
+  ck_assert(strncmp(p, ": ", 2) == 0);
+  p += 2;
+  ck_assert(read_json_string(&value, &p));
+  ck_assert_str_eq(p, "\n}\n");
+  ck_assert_str_eq(key.data, given.data);
+  ck_assert_str_eq(value.data, given.data);
+  text_clear(&given);
+  text_clear(&t);
+  text_clear(&key);
+  text_clear(&value);
+}
+END_TEST
+
+static void open_arrays(int n) {
+  struct text t;
+  struct json j;
+  text_init(&t);
+  json_init(&j, &t);
+  for (int i = 0; i < n; i++) json_array(&j, NULL);
+  for (int i = 0; i < n; i++) json_end_array(&j);
+  text_clear(&t);
+}
+static void deepest(void) {
+  open_arrays(JSON_DEPTH);
+}
+static void too_deep(void) {
+  open_arrays(JSON_DEPTH + 1);
+}
+static void close_nothing(void) {
+  struct text t;
+  struct json j;
+  text_init(&t);
+  json_init(&j, &t);
+  json_end_object(&j);
+}
+
+START_TEST(json_broken_nesting_aborts) {
+  ck_assert_int_eq(child_end(deepest), 0);
+  ck_assert_int_eq(child_end(too_deep), -SIGABRT);
+  ck_assert_int_eq(child_end(close_nothing), -SIGABRT);
+}
+END_TEST
+
+/* ---- truth */
+
+/* Kleene's logic is the order FALSE < UNKNOWN < TRUE: and is the minimum, or the maximum, not turns it round. */
+START_TEST(kleene) {
+  static const truth order[] = {TRUTH_FALSE, TRUTH_UNKNOWN, TRUTH_TRUE};
+  for (int i = 0; i < 3; i++) {
+    ck_assert_int_eq(truth_not(order[i]), order[2 - i]);
+    for (int k = 0; k < 3; k++) {
+      ck_assert_int_eq(truth_and(order[i], order[k]), order[i < k ? i : k]);
+      ck_assert_int_eq(truth_or(order[i], order[k]), order[i > k ? i : k]);
+    }
+  }
+}
+END_TEST
+
+/* ---- memory */
+
+/* Pieces of many sizes: aligned, zero, and none overlaps another. */
+START_TEST(arena_pieces) {
+  enum { N = 3000 };
+  static unsigned char *piece[N];
+  static size_t size[N];
+  struct arena a;
+  arena_init(&a);
+  rng = 2;
+  for (int i = 0; i < N; i++) {
+    size[i] = i % 500 == 499 ? 3000000 : rnd() % (i % 10 ? 50 : 9000);
+    piece[i] = arena_alloc(&a, size[i]);
+    ck_assert_uint_eq((uintptr_t)piece[i] % _Alignof(max_align_t), 0);
+    size_t nonzero = 0;
+    for (size_t k = 0; k < size[i]; k++) nonzero += piece[i][k] != 0;
+    ck_assert_uint_eq(nonzero, 0);
+    memset(piece[i], i % 255 + 1, size[i]);
+  }
+  for (int i = 0; i < N; i++) {
+    size_t changed = 0;
+    for (size_t k = 0; k < size[i]; k++) changed += piece[i][k] != i % 255 + 1;
+    ck_assert_msg(changed == 0, "piece %d of %zu bytes was written over", i, size[i]);
+  }
+  char *s = arena_strndup(&a, "abcdef", 3);
+  ck_assert_str_eq(s, "abc");
+  ck_assert_str_eq(arena_strndup(&a, "", 0), "");
+  arena_clear(&a);
+  ck_assert_ptr_null(a.head);
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(grown_arrays) {
+  int *v = NULL;
+  size_t cap = 0, moves = 0;
+  for (int i = 0; i < 10000; i++) {
+    size_t before = cap;
+    v = ss_grow(v, (size_t)i, &cap, sizeof *v);
+    moves += cap != before;
+    ck_assert(cap > (size_t)i);
+    v[i] = i;
+  }
+  for (int i = 0; i < 10000; i++) ck_assert_int_eq(v[i], i);
+  ck_assert_uint_le(moves, 14); /* doubling: 2^14 > 10000 */
+  free(v);
+  void *none = ss_malloc(0);
+  ck_assert_ptr_nonnull(none);
+  free(ss_realloc(none, 0));
+}
+END_TEST
+
+static void exhaust_arena(void) {
+  struct arena a;
+  arena_init(&a);
+  arena_alloc(&a, SIZE_MAX);
+}
+static void exhaust_array(void) {
+  size_t cap = 0;
+  free(ss_grow(NULL, 0, &cap, SIZE_MAX / 4));
+}
+
+START_TEST(exhausted_memory_ends_with_5) {
+  ck_assert_int_eq(child_end(exhaust_arena), 5);
+  ck_assert_int_eq(child_end(exhaust_array), 5);
+}
+END_TEST
+
+Suite *base_suite(void) {
+  Suite *s = suite_create("base");
+  TCase *tc = tcase_create("text");
+  tcase_add_test(tc, prefix_of_short_strings);
+  tcase_add_test(tc, prefix_of_all_characters);
+  tcase_add_test(tc, text_grows);
+  tcase_add_test(tc, diag_places);
+  tcase_add_test(tc, diag_keeps_the_first);
+  tcase_add_loop_test(tc, diag_clips_long_lines, 0, 4);
+  tcase_add_loop_test(tc, diag_cuts_at_characters, 0, 4);
+  tcase_add_test(tc, diag_is_utf8);
+  suite_add_tcase(s, tc);
+
+  tc = tcase_create("file");
+  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
+  tcase_add_test(tc, read_what_was_written);
+  tcase_add_test(tc, read_large_files);
+  tcase_add_test(tc, read_refuses);
+  tcase_add_test(tc, write_replaces);
+  tcase_add_test(tc, write_refuses);
+  tcase_add_test(tc, write_breaks_off);
+  tcase_add_test(tc, write_in_a_read_only_folder);
+  tcase_add_test(tc, folders);
+  suite_add_tcase(s, tc);
+
+  tc = tcase_create("record");
+  tcase_add_test(tc, records);
+  tcase_add_test(tc, record_spans);
+  tcase_add_test(tc, record_errors);
+  tcase_add_test(tc, record_limit);
+  suite_add_tcase(s, tc);
+
+  tc = tcase_create("json, truth, memory");
+  tcase_add_test(tc, json_nesting);
+  tcase_add_test(tc, json_strings);
+  tcase_add_test(tc, json_broken_nesting_aborts);
+  tcase_add_test(tc, kleene);
+  tcase_add_test(tc, arena_pieces);
+  tcase_add_test(tc, grown_arrays);
+  tcase_add_test(tc, exhausted_memory_ends_with_5);
+  suite_add_tcase(s, tc);
+  return s;
+}

@@ -1,0 +1,881 @@
+/* The laws of the simulation under Coulomb's law.
+
+   Two routes are held against each other event by event, and both against things that share nothing with either: the
+   law spelled out from (2), a Runge-Kutta integration with tiny steps written here, motions worked out by hand (given
+   where they stand), conserved energy, scaling, and the paper's orbit with its multiplier, whose digits come from
+   tests/oracle/orbits.tsv (mpmath, matrix exponentials).  Random operands are dyadic; a failing trial prints them. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "laws_num.h"
+#include "stickslip/coulomb.h"
+#include "suites.h"
+
+enum { N_ROUTES = 3 };
+static const char *const route_name[N_ROUTES] = {"ode", "double", "mpfr"};
+
+static struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
+  struct num_vec v;
+  num_vec_init(&v, n, ctx);
+  for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
+  return v;
+}
+
+/* The motion from x by one of the routes, mpfr at 160 bits. */
+static int simulate(struct coulomb_result *r, int route, const double p[N_COULOMB], const double x[N_STATE],
+                    const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
+  if (route == 0) return coulomb_simulate_ode(r, p, x, plan, sink);
+  struct num_ctx ctx = route == 1 ? num_ctx_double() : num_ctx_mpfr(160);
+  struct num_vec params = vec_of(p, N_COULOMB, ctx), start = vec_of(x, N_STATE, ctx);
+  int status = coulomb_simulate_exact(r, NULL, &params, &start, plan, sink);
+  num_vec_clear(&params);
+  num_vec_clear(&start);
+  return status;
+}
+
+struct told {
+  int status;
+  struct coulomb_result r;
+  struct coulomb_log log;
+  struct text word;
+};
+
+static struct told tell(int route, const double p[N_COULOMB], const double x[N_STATE],
+                        const struct coulomb_plan *plan) {
+  struct told t;
+  coulomb_log_init(&t.log);
+  text_init(&t.word);
+  struct coulomb_sink sink = coulomb_log_sink(&t.log);
+  t.status = simulate(&t.r, route, p, x, plan, &sink);
+  coulomb_log_word(&t.word, &t.log);
+  return t;
+}
+
+static struct told tell_for(int route, const double p[N_COULOMB], const double x[N_STATE], double duration) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.duration = duration;
+  return tell(route, p, x, &plan);
+}
+
+static void told_clear(struct told *t) {
+  coulomb_log_clear(&t->log);
+  text_clear(&t->word);
+}
+
+static const char *show(const double p[N_COULOMB], const double x[N_STATE]) {
+  static char text[400];
+  snprintf(text, sizeof text, "params %.17g %.17g %.17g %.17g %.17g %.17g %.17g start %.17g %.17g %.17g %.17g", p[0],
+           p[1], p[2], p[3], p[4], p[5], p[6], x[0], x[1], x[2], x[3]);
+  return text;
+}
+
+static double dyadic(struct rng *r, slong low, slong high) {
+  return (double)rng_between(r, low, high) / 64;
+}
+
+/* Any start, mostly with masses faster than the belt, slower, or both. */
+static void random_motion(double p[N_COULOMB], double x[N_STATE], struct rng *r) {
+  p[COULOMB_CHI] = dyadic(r, 3, 61);
+  p[COULOMB_ETA] = dyadic(r, 8, 256);
+  p[COULOMB_V] = dyadic(r, 16, 128);
+  for (int i = 0; i < 2; i++) {
+    p[COULOMB_US1 + i] = dyadic(r, 0, 200);
+    p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + dyadic(r, 1, 200);
+    x[Z_1 + i] = dyadic(r, -640, 640);
+    x[DZ_1 + i] = dyadic(r, -200, 200);
+  }
+}
+
+static void check_same_events(const struct told *a, const struct told *b, double within, const char *operands) {
+  ck_assert_msg(a->status == b->status && a->log.n == b->log.n, "%s: status %d %d, %zu and %zu events", operands,
+                a->status, b->status, a->log.n, b->log.n);
+  for (size_t i = 0; i < a->log.n; i++) {
+    const struct coulomb_event *e = &a->log.event[i], *f = &b->log.event[i];
+    ck_assert_msg(e->mass == f->mass && e->from == f->from && e->to == f->to, "%s: event %zu", operands, i);
+    double gap = fabs(e->at.t - f->at.t);
+    for (int k = 0; k < 2; k++)
+      gap = fmax(
+          gap, fmax(fabs(e->at.x[k] - f->at.x[k]), fmax(fabs(e->at.v[k] - f->at.v[k]), fabs(e->at.u[k] - f->at.u[k]))));
+    ck_assert_msg(gap <= within, "%s: event %zu differs by %g", operands, i, gap);
+  }
+}
+
+/* --- The law. --- */
+
+START_TEST(law_away_from_its_limits_is_equation_2) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_COULOMB], x[N_STATE];
+  random_motion(p, x, &r);
+  for (int i = 0; i < 2; i++)
+    if (rng_between(&r, 0, 1)) x[DZ_1 + i] = p[COULOMB_V];
+  enum coulomb_mode mode[2];
+  coulomb_law_d(mode, p, x);
+  double force[2] = {x[0] - p[COULOMB_CHI] * x[1], p[COULOMB_CHI] * (x[1] - x[0])};
+  for (int i = 0; i < 2; i++) {
+    double lag = p[COULOMB_V] - x[DZ_1 + i], most = p[COULOMB_UR1 + i];
+    if (fabs(force[i]) == most) continue;
+    bool sticks = lag == 0 && fabs(force[i]) < most;
+    double eps = lag != 0 ? copysign(1, lag) : copysign(1, force[i]); /* u_i = eps u_si */
+    enum coulomb_mode expected = sticks ? MODE_STICK : eps > 0 ? MODE_BELOW : MODE_ABOVE;
+    ck_assert_msg(mode[i] == expected, "%s: mass %d is %s", show(p, x), i + 1, coulomb_mode_name[mode[i]]);
+  }
+}
+END_TEST
+
+/* chi = 1/2, eta = 1, V = 1, u_s = (1, 1), u_r = (2, 3).  From f_1, f_2: x_2 = 2 f_1 + 4 f_2, x_1 = 2 f_1 + 2 f_2. */
+static const double half[N_COULOMB] = {0.5, 1, 1, 1, 1, 2, 3};
+static void from_forces(double x[N_STATE], double f1, double f2, double v1, double v2) {
+  x[Z_1] = 2 * f1 + 2 * f2;
+  x[Z_2] = 2 * f1 + 4 * f2;
+  x[DZ_1] = v1;
+  x[DZ_2] = v2;
+}
+
+START_TEST(law_at_its_limits) {
+  static const struct {
+    double f1, f2, v1, v2;
+    char letter;
+    const char *why;
+  } cases[] = {
+      {2, 0, 1, 1, 'G', "f_1' = V (1 - chi) > 0 at the upper limit"},
+      {-2, 0, 1, 1, 'D', "and away from the lower one"},
+      {0, 3, 1, 1, 'D', "f_2 is constant while both stick"},
+      {0, -3, 1, 1, 'D', "at either limit"},
+      {2, 3, 1, 1, 'H', "m1 breaks loose and falls behind, so f_2 rises at once"},
+      {2, -3, 1, 1, 'G', "and turns away from the lower limit"},
+      {-3, -3, 1, 1, 'h', "m1 is beyond its limit and gets ahead, so f_2 falls"},
+      {-3, 3, 1, 1, 'g', "and turns away from the upper limit"},
+      {0, 3, 0.5, 1, 'H', "f_2' = chi (V - x_1') > 0"},
+      {0, 3, 1.5, 1, 'g', "f_2' < 0"},
+      {0, -3, 1.5, 1, 'h', "f_2' < 0 at the lower limit"},
+      {2, 0, 1, 1.5, 'X', "f_1' = V - chi x_2' > 0 and m2 ahead"},
+      {2, 0, 1, 2.5, 'c', "f_1' < 0"},
+      {-2, 0, 1, 2.5, 'h', "f_1' < 0 at the lower limit"},
+      {2, 0, 1, 2, 'X', "f_1' = 0, f_1'' = chi eta (u_s2 + f_2) > 0"},
+      {2, -2, 1, 2, 'c', "f_1' = 0, f_1'' < 0"},
+      {-2, -2, 1, 2, 'h', "f_1' = 0, f_1'' < 0 at the lower limit"},
+      {2, -1, 1, 2, 'X', "f_1' = f_1'' = 0, f_1''' > 0"},
+      {-2, -1, 1, 2, 'c', "f_1' = f_1'' = 0, f_1''' > 0 at the lower limit"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    double x[N_STATE];
+    enum coulomb_mode mode[2];
+    from_forces(x, cases[i].f1, cases[i].f2, cases[i].v1, cases[i].v2);
+    coulomb_law_d(mode, half, x);
+    ck_assert_msg(coulomb_letter(mode) == cases[i].letter, "case %zu is %c, not %c: %s", i, coulomb_letter(mode),
+                  cases[i].letter, cases[i].why);
+    for (int route = 0; route < N_ROUTES; route++) {
+      struct told t = tell_for(route, half, x, 1.0 / 1024);
+      ck_assert_msg(t.status == SS_OK && t.log.n == 0 && coulomb_letter(t.r.at.mode) == cases[i].letter,
+                    "case %zu: %s goes on with %c", i, route_name[route], coulomb_letter(t.r.at.mode));
+      for (int m = 0; m < 2; m++) { /* the modes chosen can be kept up for a while */
+        double lag = half[COULOMB_V] - t.r.at.v[m];
+        bool kept = t.r.at.mode[m] == MODE_STICK   ? fabs(t.r.at.u[m]) <= half[COULOMB_UR1 + m] * (1 + 1e-15)
+                    : t.r.at.mode[m] == MODE_BELOW ? lag > 0
+                                                   : lag < 0;
+        ck_assert_msg(kept, "case %zu: %s, mass %d does not keep its mode", i, route_name[route], m + 1);
+      }
+      told_clear(&t);
+    }
+  }
+}
+END_TEST
+
+START_TEST(letters_are_distinct) {
+  char seen[N_MODES * N_MODES + 1] = "";
+  for (int i = 0; i < N_MODES * N_MODES; i++) {
+    enum coulomb_mode mode[2] = {(enum coulomb_mode)(i / N_MODES), (enum coulomb_mode)(i % N_MODES)};
+    ck_assert(!strchr(seen, coulomb_letter(mode)));
+    seen[i] = coulomb_letter(mode);
+  }
+  ck_assert_str_eq(seen, "DCcGHXgxh");
+}
+END_TEST
+
+/* --- Motions worked out by hand. --- */
+
+START_TEST(sliding_without_events_keeps_its_energy) {
+  /* Both masses slip around the equilibrium d under u_s, slower than the belt for ever: no event, and the energy of
+     z = x - d in the potential (z_1^2 - 2 chi z_1 z_2 + chi z_2^2)/2 with masses 1 and 1/eta is constant. */
+  static const double p[N_COULOMB] = {0.625, 2.5, 1, 1.5, 0, 2, 0.5};
+  double d1 = p[COULOMB_US1] / (1 - p[COULOMB_CHI]), x[N_STATE] = {d1 + 0.25, d1 - 0.125, 0.125, -0.25};
+  for (int route = 0; route < N_ROUTES; route++) {
+    double energy[2];
+    for (int k = 0; k < 2; k++) {
+      struct told t = tell_for(route, p, x, k == 0 ? 0 : 300);
+      double z1 = t.r.at.x[0] - d1, z2 = t.r.at.x[1] - d1, v1 = t.r.at.v[0], v2 = t.r.at.v[1];
+      energy[k] = v1 * v1 + v2 * v2 / 2.5 + z1 * z1 - 2 * 0.625 * z1 * z2 + 0.625 * z2 * z2;
+      ck_assert_uint_eq(t.log.n, 0);
+      ck_assert_double_eq(t.r.at.t, k == 0 ? 0 : 300);
+      told_clear(&t);
+    }
+    double drift = fabs(energy[1] - energy[0]), allowed = route == 0 ? 1e-11 : 1e-14;
+    ck_assert_msg(drift < allowed * energy[0], "%s: energy changes by %g", route_name[route], drift / energy[0]);
+  }
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = 1;
+  struct coulomb_result r;
+  for (int route = 1; route < N_ROUTES; route++) {
+    ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_UNABLE);
+    ck_assert_int_eq(r.end, COULOMB_QUIET);
+  }
+  plan.max_steps = 1000;
+  ck_assert_int_eq(simulate(&r, 0, p, x, &plan, NULL), SS_UNABLE);
+  ck_assert_int_eq(r.end, COULOMB_STEPS);
+  ck_assert_int_eq(r.steps, 1000);
+}
+END_TEST
+
+START_TEST(both_masses_break_loose_at_once) {
+  /* f_2 rests at its limit while both stick, f_1 reaches 2 from 0 at speed V (1 - chi) = 1/2, at t = 4; then m1 falls
+     behind and takes m2 with it.  At the lower limit m2 stays. */
+  for (int lower = 0; lower < 2; lower++)
+    for (int route = 0; route < N_ROUTES; route++) {
+      double x[N_STATE];
+      from_forces(x, 0, lower ? -3 : 3, 1, 1);
+      struct told t = tell_for(route, half, x, 4.25);
+      ck_assert_uint_eq(t.log.n, lower ? 1u : 2u);
+      ck_assert_str_eq(text_str(&t.word), lower ? "G" : "H");
+      for (size_t i = 0; i < t.log.n; i++) {
+        const struct coulomb_event *e = &t.log.event[i];
+        ck_assert_double_eq_tol(e->at.t, 4, 1e-11);
+        ck_assert(e->mass == (int)i && e->from == MODE_STICK && e->to == MODE_BELOW && e->simultaneous == !lower);
+        ck_assert(e->at.u[0] == 1 && fabs(e->at.u[1] - (lower ? -3 : 1)) < 1e-11);
+      }
+      told_clear(&t);
+    }
+}
+END_TEST
+
+START_TEST(one_mass_sticks_as_the_other_breaks_loose) {
+  /* chi = 1/4, eta = 4: while m1 sticks m2 swings with frequency 1, x_2' - V = -4 cos t + 3 sin t, which is zero at
+     t = atan(4/3), cos t = 3/5; there f_1 = f_1(0) + 3/4 t - (-4 sin t + 3 (1 - cos t))/4 = f_1(0) + 3/4 t + 1/2, which
+     is u_r1.  The stick phase in between has no length. */
+  double t1 = atan2(4, 3);
+  double p[N_COULOMB] = {0.25, 4, 1, 0.5, 1, 1 + 0.75 * t1, 8}, f1 = 0.5, f2 = 1 - 0.75;
+  double x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, -3};
+  for (int route = 0; route < 2; route++) {
+    struct told t = tell_for(route, p, x, t1 + 0.01);
+    ck_assert_str_eq(text_str(&t.word), "G");
+    ck_assert_uint_eq(t.log.n, 2);
+    ck_assert(t.log.event[0].simultaneous && t.log.event[1].simultaneous && t.r.returns == 0);
+    ck_assert_double_eq_tol(t.log.event[0].at.t, t1, 1e-11);
+    told_clear(&t);
+  }
+}
+END_TEST
+
+/* chi = 3/8, V = 1: while m2 sticks, x_1' - V = x_1'(0) - V + C (cos t - 1) + S sin t with C = x_1'(0) - 3/8 and
+   S = x_1''(0).  At rest with S = 1/2 the highest value is hypot(3, 4)/8 - 5/8 = 0, at t = atan2(4, -3). */
+static const double grazing[N_COULOMB] = {0.375, 1, 1, 1.5, 1, 2, 100};
+static void grazing_start(double x[N_STATE], double s) {
+  x[Z_1] = (1.5 - s + 1.5) / 0.625; /* f_1 = u_s1 - S, f_2 = 3/2: (4, 8) for S = 1/2 */
+  x[Z_2] = x[Z_1] + 4;
+  x[DZ_1] = 0;
+  x[DZ_2] = 1;
+}
+
+START_TEST(a_speed_that_touches_the_belt_sticks) {
+  for (int route = 0; route < N_ROUTES; route++) {
+    double x[N_STATE];
+    grazing_start(x, 0.5);
+    struct told t = tell_for(route, grazing, x, 2.25);
+    ck_assert_msg(t.log.n == 1 && t.log.event[0].to == MODE_STICK, "%s: %s", route_name[route], text_str(&t.word));
+    ck_assert(t.log.event[0].grazing && t.r.touches > 0);
+    ck_assert_double_eq_tol(t.log.event[0].at.t, atan2(4, -3), 1e-6);
+    ck_assert_double_eq_tol(t.log.event[0].at.u[0], 1.5, 1e-6); /* f_1 = u_s1: no acceleration */
+    told_clear(&t);
+    grazing_start(x, 0.5 - 1e-9); /* a miss by 8e-10, and the same on every swing */
+    t = tell_for(route, grazing, x, 6.5);
+    ck_assert_uint_eq(t.log.n, 0);
+    told_clear(&t);
+    grazing_start(x, 0.5 + 1e-9); /* a crossing before the crest */
+    t = tell_for(route, grazing, x, 2.25);
+    ck_assert(t.log.n == 1 && t.log.event[0].at.t < atan2(4, -3) - 1e-5);
+    told_clear(&t);
+  }
+}
+END_TEST
+
+/* A decimal, in mpfr. */
+static void set_text(void *z, const char *decimal, slong prec) {
+  fmpq_t q;
+  fmpq_init(q);
+  bool minus = decimal[0] == '-';
+  ck_assert_int_eq(num_parse_decimal(q, decimal + minus, strlen(decimal + minus)), SS_OK);
+  if (minus) fmpq_neg(q, q);
+  num_mpfr.set_q(z, q, prec);
+  fmpq_clear(q);
+}
+
+START_TEST(mpfr_decides_what_double_precision_cannot) {
+  /* The grazing start with S = 1/2 + 1e-40 or 1/2 - 1e-40: a crossing, at a distance of about sqrt(2 * 0.8e-40 / 0.625)
+     from the crest, or a miss.  In double precision both are the same motion. */
+  struct num_ctx ctx = num_ctx_mpfr(400);
+  for (int miss = 0; miss < 2; miss++) {
+    double xd[N_STATE];
+    grazing_start(xd, 0.5);
+    struct num_vec p = vec_of(grazing, N_COULOMB, ctx), x = vec_of(xd, N_STATE, ctx);
+    mpfr_ptr x1 = num_vec_at(&x, Z_1), x2 = num_vec_at(&x, Z_2);
+    set_text(x1, miss ? "1e-40" : "-1e-40", 400);
+    mpfr_add_d(x1, x1, 2.5, MPFR_RNDN); /* f_1 + f_2 */
+    mpfr_div_d(x1, x1, 0.625, MPFR_RNDN);
+    mpfr_add_d(x2, x1, 4, MPFR_RNDN);
+    struct coulomb_plan plan = coulomb_plan_default;
+    struct coulomb_log log;
+    struct coulomb_result r;
+    coulomb_log_init(&log);
+    struct coulomb_sink sink = coulomb_log_sink(&log);
+    plan.duration = miss ? 6.5 : 2.25;
+    ck_assert_int_eq(coulomb_simulate_exact(&r, NULL, &p, &x, &plan, &sink), SS_OK);
+    ck_assert_uint_eq(log.n, miss ? 0u : 1u);
+    if (!miss) ck_assert(log.event[0].mass == 0 && log.event[0].to == MODE_STICK && log.event[0].grazing);
+    ck_assert(r.touches > 0);
+    coulomb_log_clear(&log);
+    num_vec_clear(&p);
+    num_vec_clear(&x);
+  }
+}
+END_TEST
+
+START_TEST(a_force_that_touches_its_limit_goes_on_sticking) {
+  /* chi = 1/4, eta = 4, m2 ahead of the belt: x_2' - V = 3.25 cos(t - phi) = 1.95 cos t + 2.6 sin t passes 3, where
+     f_1' = 3/4 - (x_2' - V)/4 turns negative, at cos t = 11.2/13, sin t = 6.6/13; there f_1 = f_1(0) + 3/4 t - 0.3375.
+     It falls by 0.028 until x_2' - V is 3 again, at phi + acos(12/13) = 1.322, rises beyond its old height, and breaks
+     m1 loose before m2 comes back to V at phi + pi/2. */
+  double crest = atan2(6.6, 11.2), top = 0.5 + 0.75 * crest - 0.3375;
+  for (int k = -1; k <= 1; k++) {
+    struct told t[N_ROUTES];
+    double p[N_COULOMB] = {0.25, 4, 1, 0.125, 1, top + 1e-8 * k, 50};
+    double f1 = 0.5, f2 = -1 - 0.65, x[N_STATE] = {(f1 + f2) / 0.75, (f1 + 4 * f2) / 0.75, 1, 1 + 1.95};
+    for (int route = 0; route < N_ROUTES; route++) {
+      t[route] = tell_for(route, p, x, 2.25);
+      if (route == 2 && k == 0) continue; /* top is rounded, and mpfr sees to which side */
+      ck_assert(t[route].log.n > 0);
+      const struct coulomb_event *e = &t[route].log.event[0];
+      bool at_crest = e->at.t < crest && e->at.t > crest - 1e-3, later = e->at.t > 1.322 && e->at.t < 2.2;
+      ck_assert_msg(e->mass == 0 && e->to == MODE_BELOW && (k < 0 ? at_crest : later), "%s %d: %c at %g",
+                    route_name[route], k, coulomb_letter(e->at.mode), e->at.t);
+      ck_assert(k != 0 || t[route].r.touches > 0);
+    }
+    if (k >= 0) check_same_events(&t[0], &t[1], 1e-8, show(p, x));
+    for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
+  }
+}
+END_TEST
+
+START_TEST(a_mass_may_leave_the_belt_slowly) {
+  /* Static and sliding friction differ by 2^-32, so that m2 leaves V with almost no acceleration while m1 rushes by. */
+  double x[N_STATE], p[N_COULOMB] = {0.5, 0x1p-10, 0x1p-9, 0, 0.25, 0.0625, 0.25 + 0x1p-32};
+  from_forces(x, 0.125, 0, 35, p[COULOMB_V]);
+  struct told t[N_ROUTES];
+  for (int route = 0; route < N_ROUTES; route++) {
+    t[route] = tell_for(route, p, x, 10);
+    ck_assert_int_eq(t[route].r.end, COULOMB_DONE);
+    ck_assert(t[route].log.n > 0 && t[route].log.event[0].mass == 1 && t[route].log.event[0].to == MODE_ABOVE);
+  }
+  check_same_events(&t[1], &t[2], 1e-9, "double");
+  check_same_events(&t[0], &t[2], 1e-8, "ode");
+  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
+}
+END_TEST
+
+START_TEST(a_mass_crosses_to_the_other_slip_mode) {
+  /* m1 is drawn up so hard (f_1 < -u_r1) that it passes the belt without sticking.  m2 sticks, and x_1'(0) = chi V, so
+     x_1' = 1/2 + S sin t with S = u_s1 - f_1(0) = 16: V is reached at t = asin(1/32), where f_1 = 1 - S cos t. */
+  double x[N_STATE], t1 = asin(1.0 / 32);
+  from_forces(x, -15, 2, 0.5, 1);
+  for (int route = 0; route < N_ROUTES; route++) {
+    struct told t = tell_for(route, half, x, 0.0625);
+    ck_assert_msg(t.log.n == 1, "%s: %s", route_name[route], text_str(&t.word));
+    const struct coulomb_event *e = &t.log.event[0];
+    ck_assert(e->mass == 0 && e->from == MODE_BELOW && e->to == MODE_ABOVE && e->at.u[0] == -1);
+    ck_assert_double_eq_tol(e->at.t, t1, 1e-11);
+    ck_assert_double_eq_tol(e->at.x[0] - 0.5 * e->at.x[1], 1 - 16 * cos(t1), 1e-11);
+    ck_assert(t.r.at.v[0] > 1);
+    told_clear(&t);
+  }
+}
+END_TEST
+
+/* --- Against Runge-Kutta with tiny steps and the law spelled out. --- */
+
+struct plain {
+  const double *p;
+  int side[2]; /* of the sliding force: +1, -1, or 0 when sticking */
+  double x[N_STATE];
+};
+
+static void plain_rate(double d[N_STATE], const struct plain *s, const double x[N_STATE]) {
+  double chi = s->p[COULOMB_CHI];
+  d[0] = x[2];
+  d[1] = x[3];
+  d[2] = s->side[0] ? -x[0] + chi * x[1] + s->side[0] * s->p[COULOMB_US1] : 0;
+  d[3] = s->side[1] ? s->p[COULOMB_ETA] * (-chi * (x[1] - x[0]) + s->side[1] * s->p[COULOMB_US2]) : 0;
+}
+
+static void plain_step(double out[N_STATE], const struct plain *s, double h) {
+  double k[4][N_STATE], y[N_STATE];
+  for (int j = 0; j < 4; j++) {
+    double part = j == 0 ? 0 : j == 3 ? h : h / 2;
+    for (int i = 0; i < N_STATE; i++) y[i] = s->x[i] + (j ? part * k[j - 1][i] : 0);
+    plain_rate(k[j], s, y);
+  }
+  for (int i = 0; i < N_STATE; i++) out[i] = s->x[i] + h / 6 * (k[0][i] + 2 * k[1][i] + 2 * k[2][i] + k[3][i]);
+}
+
+static double plain_force(const double p[N_COULOMB], int i, const double x[N_STATE]) {
+  return i == 0 ? x[0] - p[COULOMB_CHI] * x[1] : p[COULOMB_CHI] * (x[1] - x[0]);
+}
+
+static bool plain_holds(const struct plain *s, int i, const double x[N_STATE]) {
+  if (s->side[i]) return s->side[i] * (s->p[COULOMB_V] - x[2 + i]) >= 0;
+  return fabs(plain_force(s->p, i, x)) <= s->p[COULOMB_UR1 + i];
+}
+
+/* Runs for n steps of length h; *events counts. */
+static void plain_run(struct plain *s, double h, long n, size_t *events) {
+  *events = 0;
+  for (double left = h * (double)n; left > 1e-13;) {
+    double y[N_STATE], span = fmin(h, left);
+    plain_step(y, s, span);
+    int due = !plain_holds(s, 0, y) ? 0 : !plain_holds(s, 1, y) ? 1 : -1;
+    if (due >= 0) {
+      double low = 0, high = span;
+      for (int k = 0; k < 50; k++) {
+        double mid = 0.5 * (low + high);
+        plain_step(y, s, mid);
+        bool holds[2] = {plain_holds(s, 0, y), plain_holds(s, 1, y)};
+        if (holds[0] && holds[1])
+          low = mid;
+        else {
+          high = mid;
+          due = holds[0] ? 1 : 0;
+        }
+      }
+      span = high;
+      plain_step(y, s, span);
+      double force = plain_force(s->p, due, y), most = s->p[COULOMB_UR1 + due];
+      s->side[due] = s->side[due] && fabs(force) < most ? 0 : force > 0 ? 1 : -1;
+      y[2 + due] = s->p[COULOMB_V];
+      ++*events;
+    }
+    memcpy(s->x, y, sizeof y);
+    left -= span;
+  }
+}
+
+START_TEST(any_motion_is_that_of_tiny_steps) {
+  struct rng r = {(uint64_t)_i + 1000};
+  struct plain s;
+  double p[N_COULOMB], x[N_STATE];
+  size_t events;
+  random_motion(p, x, &r);
+  s.p = p;
+  memcpy(s.x, x, sizeof x);
+  for (int i = 0; i < 2; i++) s.side[i] = x[2 + i] < p[COULOMB_V] ? 1 : -1;
+  if (x[2] == p[COULOMB_V] || x[3] == p[COULOMB_V]) return;
+  plain_run(&s, 1.0 / 256, 256 * 12, &events);
+  for (int route = 0; route < 2; route++) {
+    struct told t = tell_for(route, p, x, 12);
+    ck_assert_msg(t.log.n == events, "%s: %s has %zu events, not %zu", show(p, x), route_name[route], t.log.n, events);
+    for (int i = 0; i < 2; i++) {
+      double gap = fmax(fabs(t.r.at.x[i] - s.x[i]), fabs(t.r.at.v[i] - s.x[2 + i]));
+      ck_assert_msg(gap < 1e-7, "%s: %s is off by %g", show(p, x), route_name[route], gap);
+    }
+    told_clear(&t);
+  }
+}
+END_TEST
+
+/* --- The routes against each other. --- */
+
+START_TEST(routes_agree_event_by_event) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_COULOMB], x[N_STATE];
+  random_motion(p, x, &r);
+  struct told t[N_ROUTES];
+  for (int route = 0; route < N_ROUTES; route++) {
+    t[route] = tell_for(route, p, x, 40);
+    ck_assert_msg(t[route].status == SS_OK && t[route].r.at.t == 40, "%s: %s ends with %s", show(p, x),
+                  route_name[route], coulomb_end_name[t[route].r.end]);
+  }
+  check_same_events(&t[1], &t[2], 1e-10, show(p, x));
+  check_same_events(&t[0], &t[2], 1e-8, show(p, x));
+  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
+}
+END_TEST
+
+START_TEST(scaling_everything_scales_the_motion) {
+  /* x, x', V and u times 8: the same times; in double precision the same bits. */
+  struct rng r = {(uint64_t)_i};
+  double p[N_COULOMB], x[N_STATE], q[N_COULOMB], y[N_STATE];
+  random_motion(p, x, &r);
+  for (int i = 0; i < N_COULOMB; i++) q[i] = i < COULOMB_V ? p[i] : 8 * p[i];
+  for (int i = 0; i < N_STATE; i++) y[i] = 8 * x[i];
+  for (int route = 0; route < 2; route++) {
+    struct told s = tell_for(route, p, x, 20), t = tell_for(route, q, y, 20);
+    ck_assert_uint_eq(s.log.n, t.log.n);
+    for (size_t i = 0; i < s.log.n; i++) {
+      const struct coulomb_row *a = &s.log.event[i].at, *b = &t.log.event[i].at;
+      bool same = a->t == b->t && 8 * a->x[0] == b->x[0] && 8 * a->v[1] == b->v[1] && 8 * a->u[0] == b->u[0];
+      ck_assert_msg(same, "%s: %s, event %zu", show(p, x), route_name[route], i);
+    }
+    told_clear(&s);
+    told_clear(&t);
+  }
+}
+END_TEST
+
+START_TEST(a_motion_can_be_taken_up_again) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_COULOMB], x[N_STATE];
+  random_motion(p, x, &r);
+  for (int route = 0; route < N_ROUTES; route++) {
+    struct told whole = tell_for(route, p, x, 11), part = tell_for(route, p, x, 4.1875);
+    double middle[N_STATE] = {part.r.at.x[0], part.r.at.x[1], part.r.at.v[0], part.r.at.v[1]};
+    struct told rest = tell_for(route, p, middle, 11 - 4.1875);
+    ck_assert_msg(part.log.n + rest.log.n == whole.log.n, "%s: %s", show(p, x), route_name[route]);
+    for (int i = 0; i < 2; i++) {
+      ck_assert(rest.r.at.mode[i] == whole.r.at.mode[i]);
+      ck_assert_double_eq_tol(rest.r.at.x[i], whole.r.at.x[i], 1e-8);
+      ck_assert_double_eq_tol(rest.r.at.v[i], whole.r.at.v[i], 1e-8);
+    }
+    told_clear(&whole);
+    told_clear(&part);
+    told_clear(&rest);
+  }
+}
+END_TEST
+
+/* --- Samples, limits, refusals. --- */
+
+struct tape_recorder {
+  struct coulomb_row row[200];
+  size_t n, most;
+};
+static bool record(void *self, const struct coulomb_row *row) {
+  struct tape_recorder *t = self;
+  if (t->n == t->most) return false;
+  t->row[t->n] = *row;
+  if (row->exact)
+    for (int i = 0; i < 2; i++) {
+      ck_assert_double_eq(row->exact->ctx.type->get_d(num_vec_at(row->exact, 1 + i)), row->x[i]);
+      ck_assert_double_eq(row->exact->ctx.type->get_d(num_vec_at(row->exact, 3 + i)), row->v[i]);
+    }
+  t->row[t->n++].exact = NULL;
+  return true;
+}
+
+START_TEST(samples_of_the_routes_agree) {
+  struct rng r = {(uint64_t)_i};
+  static struct tape_recorder rec[N_ROUTES];
+  double p[N_COULOMB], x[N_STATE];
+  random_motion(p, x, &r);
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.duration = 12.2;
+  plan.sample = 0.1; /* 122 steps of it exceed 12.2 by rounding */
+  for (int route = 0; route < N_ROUTES; route++) {
+    rec[route].n = 0;
+    rec[route].most = 200;
+    struct coulomb_result end;
+    struct coulomb_sink sink = {&rec[route], NULL, record};
+    ck_assert_int_eq(simulate(&end, route, p, x, &plan, &sink), SS_OK);
+    ck_assert_uint_eq(rec[route].n, 123);
+    for (size_t k = 0; k < rec[route].n; k++) {
+      const struct coulomb_row *a = &rec[route].row[k], *b = &rec[0].row[k];
+      ck_assert_double_eq_tol(a->t, 0.1 * (double)k, 1e-13);
+      for (int i = 0; i < 2; i++) {
+        ck_assert_msg(a->mode[i] == b->mode[i], "%s: %s at %g", show(p, x), route_name[route], a->t);
+        double gap = fmax(fabs(a->x[i] - b->x[i]), fmax(fabs(a->v[i] - b->v[i]), fabs(a->u[i] - b->u[i])));
+        ck_assert_msg(gap < 1e-9, "%s: %s at %g is off by %g", show(p, x), route_name[route], a->t, gap);
+        if (a->mode[i] == MODE_STICK)
+          ck_assert(a->v[i] == p[COULOMB_V] && fabs(a->u[i]) <= p[COULOMB_UR1 + i] + 1e-9);
+        else
+          ck_assert_double_eq(a->u[i], a->v[i] < p[COULOMB_V] ? p[COULOMB_US1 + i] : -p[COULOMB_US1 + i]);
+      }
+    }
+    ck_assert_double_eq(rec[route].row[122].t, end.at.t);
+    ck_assert_double_eq(rec[route].row[122].x[0], end.at.x[0]);
+  }
+}
+END_TEST
+
+/* A start near the paper's orbit. */
+static const double paper[N_COULOMB] = {0.8, 1, 1, 3.5 - 2.7844, 2.2 - 0.8587, 3.5, 2.2};
+static void paper_start(double x[N_STATE], double z10, double z20) {
+  struct num_vec p = vec_of(paper, N_COULOMB, num_ctx_double()), s;
+  num_vec_init(&s, N_STATE, num_ctx_double());
+  ck_assert_int_eq(coulomb_start_set(&s, &p, &z10, &z20), SS_OK);
+  memcpy(x, s.data, N_STATE * sizeof *x);
+  num_vec_clear(&p);
+  num_vec_clear(&s);
+}
+
+static bool refuse(void *self, const struct coulomb_event *e) {
+  (void)self;
+  return e->at.mode[0] != MODE_STICK;
+}
+
+START_TEST(every_limit_ends_a_run) {
+  double x[N_STATE];
+  paper_start(x, 0.978, -2.125);
+  for (int route = 0; route < N_ROUTES; route++) {
+    struct coulomb_plan plan = coulomb_plan_default;
+    struct coulomb_result r;
+    static struct tape_recorder rec = {.most = 5};
+    rec.n = 0;
+    plan.returns = 3;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, NULL), SS_OK);
+    ck_assert(r.end == COULOMB_DONE && r.returns == 3 && r.events == 12 && coulomb_letter(r.at.mode) == 'D');
+    plan.max_events = 7;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, NULL), SS_UNABLE);
+    ck_assert(r.end == COULOMB_EVENTS && r.events == 7);
+    plan.max_events = 100;
+    plan.max_steps = 20;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, NULL), SS_UNABLE);
+    ck_assert_int_eq(r.end, COULOMB_STEPS);
+    plan.max_steps = 1000;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, &(struct coulomb_sink){NULL, refuse, NULL}), SS_OK);
+    ck_assert(r.end == COULOMB_STOPPED && r.events == 3 && coulomb_letter(r.at.mode) == 'C');
+    plan.sample = 0.5;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, &(struct coulomb_sink){&rec, NULL, record}), SS_OK);
+    ck_assert(r.end == COULOMB_STOPPED && rec.n == 5);
+    plan.returns = 0;
+    plan.duration = 2.25; /* the sixth sample belongs to the last stretch */
+    rec.most = 4;
+    rec.n = 0;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &plan, &(struct coulomb_sink){&rec, NULL, record}), SS_OK);
+    ck_assert(r.end == COULOMB_STOPPED && rec.n == 4);
+    rec.most = 5;
+  }
+}
+END_TEST
+
+START_TEST(nonsense_is_refused) {
+  static const double bad[][2] = {{COULOMB_CHI, 0},   {COULOMB_CHI, 1},       {COULOMB_ETA, 0},   {COULOMB_V, 0},
+                                  {COULOMB_V, -1},    {COULOMB_US1, -1},      {COULOMB_US2, 2.2}, {COULOMB_UR1, 0.5},
+                                  {COULOMB_ETA, NAN}, {COULOMB_UR2, INFINITY}};
+  double p[N_COULOMB], x[N_STATE];
+  struct coulomb_result r;
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.duration = 1;
+  paper_start(x, 0.978, -2.125);
+  for (int route = 0; route < 2; route++) {
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+      memcpy(p, paper, sizeof p);
+      p[(int)bad[i][0]] = bad[i][1];
+      ck_assert_int_eq(simulate(&r, route, p, x, &plan, NULL), SS_DOMAIN);
+    }
+    struct coulomb_plan endless = coulomb_plan_default, backward = plan;
+    backward.duration = -1;
+    ck_assert_int_eq(simulate(&r, route, paper, x, &endless, NULL), SS_DOMAIN);
+    ck_assert_int_eq(simulate(&r, route, paper, x, &backward, NULL), SS_DOMAIN);
+    double nowhere[N_STATE] = {0, 0, NAN, 1}, far[N_STATE] = {1e308, -1e308, -1e308, 1e308};
+    ck_assert_int_eq(simulate(&r, route, paper, nowhere, &plan, NULL), SS_DOMAIN);
+    ck_assert_int_eq(simulate(&r, route, paper, far, &plan, NULL), SS_UNABLE);
+    ck_assert_int_eq(r.end, COULOMB_FAILED);
+  }
+  plan.tolerance = 1e-15;
+  ck_assert_int_eq(simulate(&r, 0, paper, x, &plan, NULL), SS_DOMAIN);
+}
+END_TEST
+
+START_TEST(parameters_from_the_models) {
+  static const double model[N_PARAMS] = {0.5, 2, 1, 0.75, 1.25}, limits[2] = {1.75, 1.5}, low[2] = {0.5, 2};
+  struct num_ctx ctx = num_ctx_mpfr(64);
+  struct num_vec m = vec_of(model, N_PARAMS, ctx), l = vec_of(limits, 2, ctx), k = vec_of(low, 2, ctx), p;
+  num_vec_init(&p, N_COULOMB, ctx);
+  ck_assert_int_eq(coulomb_params_set(&p, &m, &l), SS_OK);
+  static const double expected[N_COULOMB] = {0.5, 2, 1, 1, 0.25, 1.75, 1.5};
+  for (int i = 0; i < N_COULOMB; i++) ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&p, i)), expected[i]);
+  ck_assert_int_eq(coulomb_params_set(&p, &m, &k), SS_DOMAIN); /* u_s1 = 1/2 - 3/4 < 0 */
+  num_vec_clear(&m);
+  num_vec_clear(&l);
+  num_vec_clear(&k);
+  num_vec_clear(&p);
+}
+END_TEST
+
+START_TEST(csv_row) {
+  struct coulomb_row row = {0.5, {1, -2}, {1, 0.25}, {0.125, -3}, {MODE_STICK, MODE_ABOVE}, NULL};
+  struct text t;
+  text_init(&t);
+  coulomb_csv_row(&t, &row);
+  ck_assert_str_eq(text_str(&t), "0.5,1,-2,1,0.25,stick,above,0.125,-3\n");
+  ck_assert_str_eq(coulomb_csv_header, "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n");
+  text_clear(&t);
+}
+END_TEST
+
+/* --- The paper's orbit: orbit 1 of set paper in tests/oracle/orbits.tsv. --- */
+
+static const char *const orbit_z[2] = {"0.978188144190098574451142940838784644240642700934563377954489",
+                                       "-2.12469463444344577273068157927613498891069934163823719831396"};
+static const char *const orbit_t[4] = {"0.532280741275724036821558978701536823153989128774234316971725",
+                                       "2.00533270228679336080953182635890157559023897974584130104824",
+                                       "1.48988478276059911674981184551588091311647967397465475181375",
+                                       "2.34730065501095188644119110092849215125335509810305300856438"};
+static const char orbit_trace[] = "-1.02322618938757005300417219508376005335648207880453266847150";
+
+struct watch {
+  mpfr_t last, worst, off; /* the last event; the worst of a duration; x_2 - x_1 of the latest return */
+  long n;
+};
+
+static bool watch_event(void *self, const struct coulomb_event *e) {
+  struct watch *w = self;
+  mpfr_t d, expected;
+  mpfr_inits2(300, d, expected, (mpfr_ptr)NULL);
+  mpfr_srcptr t = num_vec_at(e->at.exact, 0);
+  mpfr_sub(d, t, w->last, MPFR_RNDN);
+  mpfr_set(w->last, t, MPFR_RNDN);
+  set_text(expected, orbit_t[w->n++ % 4], 300);
+  mpfr_sub(d, d, expected, MPFR_RNDN);
+  if (mpfr_cmpabs(d, w->worst) > 0) mpfr_abs(w->worst, d, MPFR_RNDN);
+  if (coulomb_letter(e->at.mode) == 'D')
+    mpfr_sub(w->off, num_vec_at(e->at.exact, 2), num_vec_at(e->at.exact, 1), MPFR_RNDN);
+  mpfr_clears(d, expected, (mpfr_ptr)NULL);
+  return true;
+}
+
+/* The motion in mpfr from the orbit, z_2 moved by the given amount, over some returns. */
+static void run_orbit(struct watch *w, const char *moved, long returns) {
+  struct num_ctx ctx = num_ctx_mpfr(300);
+  static const char *const decimals[N_COULOMB] = {"0.8", "1", "1", "0.7156", "1.3413", "3.5", "2.2"};
+  struct num_vec p, z, x;
+  num_vec_init(&p, N_COULOMB, ctx);
+  num_vec_init(&z, 2, ctx);
+  num_vec_init(&x, N_STATE, ctx);
+  for (int i = 0; i < N_COULOMB; i++) set_text(num_vec_at(&p, i), decimals[i], 300);
+  for (int i = 0; i < 2; i++) set_text(num_vec_at(&z, i), orbit_z[i], 300);
+  mpfr_inits2(300, w->last, w->worst, w->off, (mpfr_ptr)NULL);
+  mpfr_set_zero(w->last, 1);
+  mpfr_set_zero(w->worst, 1);
+  w->n = 0;
+  set_text(w->off, moved, 300);
+  num_mpfr.add(num_vec_at(&z, 1), num_vec_at(&z, 1), w->off, 300);
+  ck_assert_int_eq(coulomb_start_set(&x, &p, num_vec_at(&z, 0), num_vec_at(&z, 1)), SS_OK);
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result r;
+  plan.returns = returns;
+  ck_assert_int_eq(coulomb_simulate_exact(&r, &x, &p, &x, &plan, &(struct coulomb_sink){w, watch_event, NULL}), SS_OK);
+  ck_assert_double_eq(num_mpfr.get_d(num_vec_at(&x, Z_2)), r.at.x[1]);
+  num_vec_clear(&p);
+  num_vec_clear(&z);
+  num_vec_clear(&x);
+}
+
+static void watch_clear(struct watch *w) {
+  mpfr_clears(w->last, w->worst, w->off, (mpfr_ptr)NULL);
+}
+
+START_TEST(the_orbit_in_mpfr_to_the_oracles_digits) {
+  /* 60 digits, a tenth of which the multiplier could cost in 200 periods at most. */
+  struct watch w;
+  run_orbit(&w, "0", 200);
+  ck_assert_int_eq(w.n, 800);
+  ck_assert_msg(mpfr_cmp_d(w.worst, 1e-56) < 0, "off by %g", mpfr_get_d(w.worst, MPFR_RNDN));
+  watch_clear(&w);
+}
+END_TEST
+
+START_TEST(a_perturbation_grows_by_the_multiplier) {
+  /* delta = 1e-30 in z_2 - z_1 becomes trace^200 delta (1 + order delta trace^200). */
+  struct watch w, rest;
+  mpfr_t growth;
+  run_orbit(&w, "1e-30", 200);
+  run_orbit(&rest, "0", 200);
+  mpfr_init2(growth, 300);
+  set_text(growth, orbit_trace, 300);
+  mpfr_pow_si(growth, growth, 200, MPFR_RNDN);
+  mpfr_sub(w.off, w.off, rest.off, MPFR_RNDN);
+  mpfr_mul_d(w.off, w.off, 1e30, MPFR_RNDN); /* 1e30 as a double is right to 1e-16 */
+  mpfr_div(w.off, w.off, growth, MPFR_RNDN);
+  mpfr_sub_si(w.off, w.off, 1, MPFR_RNDN);
+  ck_assert_msg(fabs(mpfr_get_d(w.off, MPFR_RNDN)) < 1e-15, "off by %g", mpfr_get_d(w.off, MPFR_RNDN));
+  mpfr_clear(growth);
+  watch_clear(&w);
+  watch_clear(&rest);
+}
+END_TEST
+
+START_TEST(the_orbit_by_every_route) {
+  static const double times[4] = {0.532280741275724, 2.00533270228679, 1.48988478276060, 2.34730065501095};
+  double x[N_STATE];
+  paper_start(x, 0.978188144190099, -2.12469463444345);
+  for (int route = 0; route < N_ROUTES; route++) {
+    struct coulomb_plan plan = coulomb_plan_default;
+    plan.returns = 6;
+    struct told t = tell(route, paper, x, &plan);
+    ck_assert_str_eq(text_str(&t.word), "GHCDGHCDGHCDGHCDGHCDGHCD");
+    for (size_t i = 0; i < t.log.n; i++) {
+      double before = i ? t.log.event[i - 1].at.t : 0;
+      ck_assert_double_eq_tol(t.log.event[i].at.t - before, times[i % 4], 1e-12);
+    }
+    told_clear(&t);
+  }
+}
+END_TEST
+
+START_TEST(the_printed_start_over_200_periods) {
+  /* The orbit is unstable, so the motion leaves it; all routes must see it leave alike, and where it goes must be a
+     motion that repeats. */
+  double x[N_STATE];
+  paper_start(x, 0.8921, -2.1958);
+  struct told t[N_ROUTES];
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = 200;
+  for (int route = 0; route < N_ROUTES; route++) t[route] = tell(route, paper, x, &plan);
+  check_same_events(&t[1], &t[2], 1e-9, "double");
+  check_same_events(&t[0], &t[2], 1e-9, "ode");
+  const char *word = text_str(&t[2].word);
+  size_t whole = 0, n = t[2].log.n;
+  while (strncmp(word + 4 * whole, "GHCD", 4) == 0) whole++;
+  ck_assert(whole > 20 && 4 * whole < n); /* 0.015 off at first, times 1.023 in each period */
+  for (size_t i = n - 400; i + 8 < n; i++) {
+    ck_assert_int_eq(word[i], word[i + 8]);
+    ck_assert_double_eq_tol(t[2].log.event[i].at.x[0], t[2].log.event[i + 8].at.x[0], 1e-10);
+  }
+  for (int route = 0; route < N_ROUTES; route++) told_clear(&t[route]);
+}
+END_TEST
+
+Suite *coulomb_suite(void) {
+  Suite *s = suite_create("coulomb");
+  TCase *law = tcase_create("law"), *hand = tcase_create("by hand"), *routes = tcase_create("routes");
+  TCase *runs = tcase_create("runs"), *orbit = tcase_create("orbit");
+  tcase_add_loop_test(law, law_away_from_its_limits_is_equation_2, 0, 2000);
+  tcase_add_test(law, law_at_its_limits);
+  tcase_add_test(law, letters_are_distinct);
+  tcase_add_test(hand, sliding_without_events_keeps_its_energy);
+  tcase_add_test(hand, both_masses_break_loose_at_once);
+  tcase_add_test(hand, one_mass_sticks_as_the_other_breaks_loose);
+  tcase_add_test(hand, a_speed_that_touches_the_belt_sticks);
+  tcase_add_test(hand, mpfr_decides_what_double_precision_cannot);
+  tcase_add_test(hand, a_force_that_touches_its_limit_goes_on_sticking);
+  tcase_add_test(hand, a_mass_may_leave_the_belt_slowly);
+  tcase_add_test(hand, a_mass_crosses_to_the_other_slip_mode);
+  tcase_add_loop_test(routes, any_motion_is_that_of_tiny_steps, 0, 200);
+  tcase_add_loop_test(routes, routes_agree_event_by_event, 0, 200);
+  tcase_add_loop_test(routes, scaling_everything_scales_the_motion, 0, 50);
+  tcase_add_loop_test(routes, a_motion_can_be_taken_up_again, 0, 50);
+  tcase_add_loop_test(runs, samples_of_the_routes_agree, 0, 20);
+  tcase_add_test(runs, every_limit_ends_a_run);
+  tcase_add_test(runs, nonsense_is_refused);
+  tcase_add_test(runs, parameters_from_the_models);
+  tcase_add_test(runs, csv_row);
+  tcase_add_test(orbit, the_orbit_in_mpfr_to_the_oracles_digits);
+  tcase_add_test(orbit, a_perturbation_grows_by_the_multiplier);
+  tcase_add_test(orbit, the_orbit_by_every_route);
+  tcase_add_test(orbit, the_printed_start_over_200_periods);
+  TCase *all[] = {law, hand, routes, runs, orbit};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    tcase_set_timeout(all[i], 60);
+    suite_add_tcase(s, all[i]);
+  }
+  return s;
+}

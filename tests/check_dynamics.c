@@ -1,0 +1,891 @@
+/* The laws of the suite's own model.
+
+   Closed forms are held against matrix exponentials, events against dense sampling and against motions whose roots are
+   known, derivatives against differences, orbits against the six equations evaluated with matrix exponentials, their
+   conditions against samples along the orbit.  Random operands are dyadic, so that every number type sees the same
+   ones; a failing trial prints them. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "../src/dynamics/dyn_impl.h"
+#include "laws_num.h"
+#include "stickslip/dynamics.h"
+#include "suites.h"
+
+/* A multiple of 1/64 in [low, high]/64. */
+static double dyadic(struct rng *r, slong low, slong high) {
+  return (double)rng_between(r, low, high) / 64;
+}
+
+static void random_params(double p[N_PARAMS], struct rng *r) {
+  p[P_CHI] = dyadic(r, 3, 61);
+  p[P_ETA] = dyadic(r, 8, 256);
+  p[P_V] = dyadic(r, 32, 128);
+  p[P_E1] = dyadic(r, 16, 384);
+  p[P_E2] = dyadic(r, 16, 384);
+}
+
+static const char *show(const double p[N_PARAMS]) {
+  static char text[200];
+  snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", p[0], p[1], p[2], p[3], p[4]);
+  return text;
+}
+
+/* A vector of doubles in a context. */
+static struct num_vec vec_of(const double *x, slong n, struct num_ctx ctx) {
+  struct num_vec v;
+  num_vec_init(&v, n, ctx);
+  for (slong i = 0; i < n; i++) ctx.type->set_d(num_vec_at(&v, i), x[i], ctx.prec);
+  return v;
+}
+
+static double entry_d(const struct num_vec *v, slong i) {
+  return v->ctx.type->get_d(num_vec_at(v, i));
+}
+
+/* The largest |x_i - y_i| between vectors of any types, rounded up. */
+static double distance(const struct num_vec *x, const struct num_vec *y) {
+  arb_t a, b;
+  mag_t worst, gap;
+  arb_init(a);
+  arb_init(b);
+  mag_init(worst);
+  mag_init(gap);
+  for (slong i = 0; i < x->len; i++) {
+    x->ctx.type->get_arb(a, num_vec_at(x, i));
+    y->ctx.type->get_arb(b, num_vec_at(y, i));
+    arb_sub(a, a, b, 4000);
+    arb_get_mag(gap, a);
+    mag_max(worst, worst, gap);
+  }
+  double d = mag_get_d(worst);
+  arb_clear(a);
+  arb_clear(b);
+  mag_clear(worst);
+  mag_clear(gap);
+  return d;
+}
+
+static double largest(const struct num_vec *x) {
+  double m = 0;
+  for (slong i = 0; i < x->len; i++) m = fmax(m, fabs(entry_d(x, i)));
+  return m;
+}
+
+/* --- Propagators and flows. --- */
+
+START_TEST(propagators_of_all_types_agree) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], t;
+  random_params(pd, &r);
+  t = dyadic(&r, -640, 1280);
+  struct num_ctx ctx[4] = {num_ctx_arb(320), num_ctx_double(), num_ctx_mpfr(64), num_ctx_mpfr(200)};
+  double bound[4] = {0, 1e-11, ldexp(1, 4 - 64), ldexp(1, 4 - 200)};
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    struct num_vec m[4];
+    for (int k = 0; k < 4; k++) {
+      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), time = vec_of(&t, 1, ctx[k]);
+      num_vec_init(&m[k], 16, ctx[k]);
+      ck_assert_int_eq(dyn_propagator(&m[k], (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
+      double d = distance(&m[0], &m[k]);
+      if (k > 0) ck_assert_msg(d <= bound[k] * largest(&m[0]), "%s t %g phase %d: %g", show(pd), t, ph, d);
+      num_vec_clear(&p);
+      num_vec_clear(&time);
+    }
+    for (int k = 0; k < 4; k++) num_vec_clear(&m[k]);
+  }
+}
+END_TEST
+
+START_TEST(taylor_keeps_its_promise_for_long_times) {
+  /* 2^(4-prec) of the largest entry although the series is squared about twenty times; Arb is the judge. */
+  double pd[N_PARAMS] = {0.5, 64, 1, 1, 1}, t = 100000;
+  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_mpfr(128)), time = vec_of(&t, 1, num_ctx_mpfr(128)), m, e;
+  struct num_vec pa = vec_of(pd, N_PARAMS, num_ctx_arb(1000)), ta = vec_of(&t, 1, num_ctx_arb(1000));
+  num_vec_init(&m, 16, num_ctx_mpfr(128));
+  num_vec_init(&e, 16, num_ctx_arb(1000));
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
+    ck_assert_int_eq(dyn_propagator(&e, (enum phase)ph, &pa, num_vec_at(&ta, 0)), SS_OK);
+    ck_assert(distance(&m, &e) <= ldexp(1, 4 - 128) * largest(&e));
+  }
+  num_vec_clear(&p);
+  num_vec_clear(&time);
+  num_vec_clear(&pa);
+  num_vec_clear(&ta);
+  num_vec_clear(&m);
+  num_vec_clear(&e);
+}
+END_TEST
+
+static void random_state(double z[N_STATE], struct rng *r) {
+  for (int i = 0; i < N_STATE; i++) z[i] = dyadic(r, -256, 256);
+}
+
+START_TEST(flow_is_the_propagator_applied) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], zd[N_STATE], t;
+  random_params(pd, &r);
+  random_state(zd, &r);
+  t = dyadic(&r, -320, 640);
+  struct num_ctx ctx[3] = {num_ctx_double(), num_ctx_mpfr(150), num_ctx_arb(150)};
+  double bound[3] = {1e-11, ldexp(1, 14 - 150), ldexp(1, 20 - 150)};
+  for (int k = 0; k < 3; k++)
+    for (int ph = 0; ph < N_PHASES; ph++) {
+      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]), time = vec_of(&t, 1, ctx[k]);
+      struct num_vec m, moved;
+      num_vec_init(&m, 16, ctx[k]);
+      num_vec_init(&moved, N_STATE, ctx[k]);
+      ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, num_vec_at(&time, 0)), SS_OK);
+      double size = largest(&m) * largest(&z);
+      ck_assert_int_eq(num_mat_mul(&moved, &m, &z, 4, 4, 1), SS_OK);
+      ck_assert_int_eq(dyn_flow(&z, (enum phase)ph, &p, &z, num_vec_at(&time, 0)), SS_OK);
+      double d = distance(&moved, &z);
+      ck_assert_msg(d <= bound[k] * size, "%s t %g phase %d type %d: %g", show(pd), t, ph, k, d / size);
+      if (k == 2)
+        for (slong i = 0; i < N_STATE; i++) ck_assert(arb_overlaps(num_vec_at(&moved, i), num_vec_at(&z, i)));
+      num_vec_clear(&p);
+      num_vec_clear(&z);
+      num_vec_clear(&time);
+      num_vec_clear(&m);
+      num_vec_clear(&moved);
+    }
+}
+END_TEST
+
+START_TEST(flows_compose) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], zd[N_STATE];
+  random_params(pd, &r);
+  random_state(zd, &r);
+  double times[3] = {dyadic(&r, -128, 320), dyadic(&r, -128, 320), 0};
+  times[2] = times[0] + times[1];
+  struct num_ctx ctx = num_ctx_arb(256);
+  struct num_vec p = vec_of(pd, N_PARAMS, ctx), t = vec_of(times, 3, ctx);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    struct num_vec once = vec_of(zd, N_STATE, ctx), twice = vec_of(zd, N_STATE, ctx);
+    int status = dyn_flow(&once, (enum phase)ph, &p, &once, num_vec_at(&t, 2));
+    status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 0));
+    status |= dyn_flow(&twice, (enum phase)ph, &p, &twice, num_vec_at(&t, 1));
+    ck_assert_int_eq(status, SS_OK);
+    ck_assert_msg(distance(&once, &twice) < 1e-60, "%s phase %d", show(pd), ph);
+    num_vec_clear(&once);
+    num_vec_clear(&twice);
+  }
+  num_vec_clear(&p);
+  num_vec_clear(&t);
+}
+END_TEST
+
+/* eta z_1'^2 + z_2'^2 + eta (z_1^2 - 2 chi z_1 z_2 + chi z_2^2). */
+static double energy(const double p[N_PARAMS], const double z[N_STATE]) {
+  return p[P_ETA] * z[DZ_1] * z[DZ_1] + z[DZ_2] * z[DZ_2] +
+         p[P_ETA] * (z[Z_1] * z[Z_1] - 2 * p[P_CHI] * z[Z_1] * z[Z_2] + p[P_CHI] * z[Z_2] * z[Z_2]);
+}
+
+static void flow_d(double out[N_STATE], enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double t) {
+  struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
+  ck_assert_int_eq(dyn_flow(&z, ph, &pv, &z, &t), SS_OK);
+  for (slong i = 0; i < N_STATE; i++) out[i] = entry_d(&z, i);
+  num_vec_clear(&pv);
+  num_vec_clear(&z);
+}
+
+static double switching_d(enum phase ph, const double p[N_PARAMS], const double in[N_STATE], double *rate) {
+  struct num_vec pv = vec_of(p, N_PARAMS, num_ctx_double()), z = vec_of(in, N_STATE, num_ctx_double());
+  double value;
+  ck_assert_int_eq(dyn_switching(&value, ph, &pv, &z) | dyn_switching_rate(rate, ph, &pv, &z), SS_OK);
+  num_vec_clear(&pv);
+  num_vec_clear(&z);
+  return value;
+}
+
+START_TEST(global_slip_keeps_its_energy) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_PARAMS], z[N_STATE], e;
+  random_params(p, &r);
+  random_state(z, &r);
+  e = energy(p, z);
+  flow_d(z, PHASE_H, p, z, dyadic(&r, -640, 6400));
+  ck_assert_msg(fabs(energy(p, z) - e) < 1e-11 * e, "%s", show(p));
+}
+END_TEST
+
+/* --- First events. --- */
+
+START_TEST(first_event_is_a_root_and_the_first) {
+  /* Against a dense sampling of the motion; the sampling misses what happens within a step, so it decides by signs. */
+  struct rng r = {(uint64_t)_i};
+  double p[N_PARAMS], z[N_STATE], at[N_STATE], t, rate;
+  bool grazing;
+  random_params(p, &r);
+  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
+    random_state(z, &r);
+    int status = dyn_first_event_d(&t, &grazing, (enum phase)ph, p, z, NULL);
+    double start = switching_d((enum phase)ph, p, z, &rate), size = 20 * (fabs(start) + fabs(rate) + 1);
+    if (start == 0) continue;
+    double span = status ? 60 : t;
+    for (int i = 1; i < 500; i++) {
+      flow_d(at, (enum phase)ph, p, z, span * i / 500);
+      double f = switching_d((enum phase)ph, p, at, &rate);
+      ck_assert_msg(f * start > 0, "%s phase %d: sign changes before %g (status %d)", show(p), ph, span, status);
+    }
+    if (status) continue;
+    flow_d(at, (enum phase)ph, p, z, t);
+    double f = switching_d((enum phase)ph, p, at, &rate);
+    ck_assert_msg(fabs(f) < 1e-13 * size * (1 + t), "%s phase %d t %g residual %g", show(p), ph, t, f);
+    ck_assert_msg(grazing || rate * start < 0, "%s phase %d t %g: no crossing", show(p), ph, t);
+  }
+}
+END_TEST
+
+/* Phase C with chi eta = 1, z_1' = 0 and r = 0: z_2' = z_2'(0) cos t. */
+static int cosine_event(double *t, bool *grazing, double amplitude) {
+  const double p[N_PARAMS] = {0.5, 2, 1, 1, 1}, z[N_STATE] = {0.25, 0.25, 0, amplitude};
+  return dyn_first_event_d(t, grazing, PHASE_C, p, z, NULL);
+}
+
+START_TEST(close_roots_grazing_and_none_are_told_apart) {
+  double t;
+  bool grazing;
+  for (int k = 4; k <= 46; k += 3) { /* the crest of -(1 + eps) cos t exceeds V = 1 by eps */
+    double eps = ldexp(1, -k), apart = 2 * asin(sqrt(eps / (2 * (1 + eps))));
+    ck_assert_int_eq(cosine_event(&t, &grazing, -1 - eps), SS_OK);
+    ck_assert_msg(fabs(t - (acos(-1.0) - apart)) < 4e-16 * ldexp(1, k / 2) + 1e-15, "eps 2^-%d: %.17g", k, t);
+    ck_assert(!grazing);
+    ck_assert_int_eq(cosine_event(&t, &grazing, -1 + eps), SS_DOMAIN);
+  }
+  ck_assert_int_eq(cosine_event(&t, &grazing, -1), SS_OK);
+  ck_assert(grazing && fabs(t - acos(-1.0)) < 1e-7);
+}
+END_TEST
+
+START_TEST(a_root_at_the_start_does_not_count) {
+  double t, p[N_PARAMS] = {0.5, 2, 1, 1, 1};
+  bool grazing;
+  /* Phase C: q = -r sin t from q = 0, both signs of r: the first positive root is pi. */
+  for (int sign = -1; sign <= 1; sign += 2) {
+    double z[N_STATE] = {0, sign, 1, 1};
+    ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_C, p, z, NULL), SS_OK);
+    ck_assert(fabs(t - acos(-1.0)) < 1e-15 && !grazing);
+  }
+  /* Phase Gamma from chi r = e2 with both velocities V: r only grows, since e1, V > 0. */
+  double z[N_STATE] = {0, 0, 1, 1};
+  z[Z_1] = (p[P_E1] + p[P_E2]) / (1 - p[P_CHI]); /* w = e1, chi r = e2 */
+  z[Z_2] = z[Z_1] + p[P_E2] / p[P_CHI];
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_GAMMA, p, z, NULL), SS_DOMAIN);
+  /* Phase H from p = 0 with w < 0: p starts upwards and the first root is where it comes down again. */
+  double y[N_STATE] = {-1, -1, 1, 1}, at[N_STATE], rate;
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, y, NULL), SS_OK);
+  flow_d(at, PHASE_H, p, y, t);
+  ck_assert(t > 0.1 && fabs(switching_d(PHASE_H, p, at, &rate)) < 1e-14 && rate < 0);
+  flow_d(at, PHASE_H, p, y, 0.5 * t);
+  ck_assert(switching_d(PHASE_H, p, at, &rate) > 0);
+}
+END_TEST
+
+START_TEST(a_long_wait_ends_at_the_first_root) {
+  /* Far back from a moment at which both modes of z_1' crest together a little above V; z_1' is the sum of two
+     cosines, so nothing but a near coincidence reaches V.  The oracle is a dense sampling of the motion. */
+  const double p[N_PARAMS] = {0.5, 1, 1, 1, 1}, wait = 730;
+  double crest[N_STATE] = {0, 0, 1 + 1.0 / 1024, 0.25}, z[N_STATE], at[N_STATE], t, rate, sampled = 0;
+  bool grazing;
+  flow_d(z, PHASE_H, p, crest, -wait);
+  ck_assert(switching_d(PHASE_H, p, z, &rate) < 0);
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, NULL), SS_OK);
+  for (int i = 1; sampled == 0 && i < 80000; i++) {
+    flow_d(at, PHASE_H, p, z, wait * i / 80000);
+    if (switching_d(PHASE_H, p, at, &rate) > 0) sampled = wait * i / 80000;
+  }
+  if (sampled == 0) sampled = wait;
+  ck_assert_msg(t <= sampled && t > sampled - 0.1 && t > 100, "found %.17g sampled %.17g", t, sampled);
+  struct dyn_limits shorter = {0.5 * t, 100000}, fewer = {1000, 3};
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, &shorter), SS_UNABLE);
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_H, p, z, &fewer), SS_UNABLE);
+}
+END_TEST
+
+START_TEST(stick_phase_ends_at_either_sign) {
+  const double p[N_PARAMS] = {0.5, 2, 1, 1, 1};
+  double z[N_STATE] = {0, 0, 1, 1}, t;
+  bool grazing;
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert(t == 2); /* w = t/2 reaches e1 = 1 */
+  z[Z_1] = 3;
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert(t == -4);
+  z[DZ_1] = 0.5; /* w' = 0 */
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_DOMAIN);
+}
+END_TEST
+
+START_TEST(refined_events_agree_and_are_proved) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], zd[N_STATE], t0;
+  bool grazing;
+  random_params(pd, &r);
+  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
+    random_state(zd, &r);
+    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    struct num_ctx ctx[3] = {num_ctx_arb(400), num_ctx_mpfr(300), num_ctx_double()};
+    double bound[3] = {ldexp(1, 30 - 400), ldexp(1, 2 - 300), 1e-10}; /* double: the root may be flat */
+    struct num_vec t[3];
+    for (int k = 0; k < 3; k++) {
+      struct num_vec p = vec_of(pd, N_PARAMS, ctx[k]), z = vec_of(zd, N_STATE, ctx[k]);
+      num_vec_init(&t[k], 1, ctx[k]);
+      ck_assert_msg(dyn_event(num_vec_at(&t[k], 0), (enum phase)ph, &p, &z, t0) == SS_OK, "%s phase %d type %d t %g",
+                    show(pd), ph, k, t0);
+      ck_assert_msg(distance(&t[k], &t[0]) <= bound[k] * (1 + t0), "%s phase %d type %d", show(pd), ph, k);
+      if (k == 0) { /* the ball holds the root: the switching function at it holds zero */
+        struct num_vec at, f;
+        num_vec_init(&at, N_STATE, ctx[0]);
+        num_vec_init(&f, 1, ctx[0]);
+        int status = dyn_flow(&at, (enum phase)ph, &p, &z, num_vec_at(&t[0], 0));
+        ck_assert_int_eq(status | dyn_switching(num_vec_at(&f, 0), (enum phase)ph, &p, &at), SS_OK);
+        ck_assert(arb_contains_zero(num_vec_at(&f, 0)));
+        num_vec_clear(&at);
+        num_vec_clear(&f);
+      }
+      num_vec_clear(&p);
+      num_vec_clear(&z);
+    }
+    for (int k = 0; k < 3; k++) num_vec_clear(&t[k]);
+  }
+}
+END_TEST
+
+START_TEST(an_event_of_balls_holds_the_events_of_its_points) {
+  /* Phase C from r = 0, z_2' = s: q = s cos t - 1 with z_1' = 0, first zero at acos(1/s) beyond pi for s < -1. */
+  const double pd[N_PARAMS] = {0.5, 2, 1, 1, 1};
+  for (int k = 1; k < 40; k++) {
+    double radius = k * 0.02, zd[N_STATE] = {0.25, 0.25, 0, -2}, t0;
+    bool grazing;
+    ck_assert_int_eq(dyn_first_event_d(&t0, &grazing, PHASE_C, pd, zd, NULL), SS_OK);
+    struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(64)), z = vec_of(zd, N_STATE, num_ctx_arb(64)), t;
+    num_vec_init(&t, 1, num_ctx_arb(64));
+    mag_set_d(arb_radref((arb_ptr)num_vec_at(&z, DZ_2)), radius);
+    if (dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, t0) == SS_OK)
+      for (int side = -1; side <= 1; side++) {
+        arb_t root;
+        arb_init(root);
+        arb_set_d(root, acos(1 / (-2 + side * radius)));
+        mag_set_d(arb_radref(root), 1e-14);
+        ck_assert_msg(arb_overlaps(num_vec_at(&t, 0), root), "radius %g side %d", radius, side);
+        arb_clear(root);
+      }
+    else
+      ck_assert_msg(k > 4, "radius %g is small enough to be proved", radius);
+    num_vec_clear(&p);
+    num_vec_clear(&z);
+    num_vec_clear(&t);
+  }
+}
+END_TEST
+
+START_TEST(a_double_root_is_not_proved) {
+  const double pd[N_PARAMS] = {0.5, 2, 1, 1, 1}, zd[N_STATE] = {0.25, 0.25, 0, -1};
+  struct num_vec p = vec_of(pd, N_PARAMS, num_ctx_arb(128)), z = vec_of(zd, N_STATE, num_ctx_arb(128)), t;
+  num_vec_init(&t, 1, num_ctx_arb(128));
+  ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), PHASE_C, &p, &z, 3.1415), SS_UNABLE);
+  num_vec_clear(&p);
+  num_vec_clear(&z);
+  num_vec_clear(&t);
+}
+END_TEST
+
+/* --- Derivatives. --- */
+
+START_TEST(local_jacobians_match_differences) {
+  struct rng r = {(uint64_t)_i};
+  double pd[N_PARAMS], zd[N_STATE], t0, rate;
+  bool grazing;
+  struct num_ctx ctx = num_ctx_mpfr(192);
+  random_params(pd, &r);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    random_state(zd, &r);
+    if (dyn_first_event_d(&t0, &grazing, (enum phase)ph, pd, zd, NULL) || grazing) continue;
+    flow_d(zd, (enum phase)ph, pd, zd, 0);
+    double at[N_STATE];
+    flow_d(at, (enum phase)ph, pd, zd, t0);
+    switching_d((enum phase)ph, pd, at, &rate);
+    if (fabs(rate) < 0.01) continue; /* differences need an event that stays where it is */
+    struct num_vec p = vec_of(pd, N_PARAMS, ctx), z = vec_of(zd, N_STATE, ctx), t, j, fd, err;
+    num_vec_init(&t, 1, ctx);
+    num_vec_init(&err, 1, ctx);
+    num_vec_init(&j, 16, ctx);
+    num_vec_init(&fd, 16, ctx);
+    ck_assert_int_eq(dyn_event(num_vec_at(&t, 0), (enum phase)ph, &p, &z, t0), SS_OK);
+    ck_assert_int_eq(dyn_local_jacobian(&j, (enum phase)ph, &p, &z, num_vec_at(&t, 0)), SS_OK);
+    ck_assert_int_eq(dyn_local_jacobian_fd(&fd, num_vec_at(&err, 0), (enum phase)ph, &p, &z, t0), SS_OK);
+    double gap = distance(&j, &fd), stated = entry_d(&err, 0);
+    ck_assert_msg(gap <= 4 * stated && stated < 1e-20 * (1 + pow(largest(&j), 3)), "%s phase %d: off %g, stated %g",
+                  show(pd), ph, gap, stated);
+    num_vec_clear(&p);
+    num_vec_clear(&z);
+    num_vec_clear(&t);
+    num_vec_clear(&j);
+    num_vec_clear(&fd);
+    num_vec_clear(&err);
+  }
+}
+END_TEST
+
+/* --- Orbits. --- */
+
+/* A list of orbits with the parameters it belongs to. */
+struct found {
+  fmpq p[N_PARAMS];
+  double pd[N_PARAMS];
+  struct dyn_orbits list;
+  int status;
+};
+
+static void found_init(struct found *f, const char *const text[N_PARAMS], slong prec, const struct dyn_limits *lim) {
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(f->p + i);
+    ck_assert_int_eq(fmpq_set_str(f->p + i, text[i], 10), 0);
+    fmpq_canonicalise(f->p + i);
+    f->pd[i] = fmpq_get_d(f->p + i);
+  }
+  f->status = dyn_orbits_find(&f->list, f->p, prec, lim);
+}
+
+static void found_init_d(struct found *f, const double pd[N_PARAMS], slong prec) {
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(f->p + i);
+    fmpz_set_d(fmpq_numref(f->p + i), ldexp(pd[i], 40));
+    fmpz_one(fmpq_denref(f->p + i));
+    fmpq_div_2exp(f->p + i, f->p + i, 40);
+    f->pd[i] = pd[i];
+  }
+  f->status = dyn_orbits_find(&f->list, f->p, prec, NULL);
+}
+
+static void found_clear(struct found *f) {
+  dyn_orbits_clear(&f->list);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(f->p + i);
+}
+
+static struct num_vec params_arb(const struct found *f, slong prec) {
+  struct num_vec p;
+  num_vec_init(&p, N_PARAMS, num_ctx_arb(prec));
+  for (slong i = 0; i < N_PARAMS; i++) arb_set_fmpq(num_vec_at(&p, i), f->p + i, prec);
+  return p;
+}
+
+/* The four switching conditions and Z(period) = Z_0, by matrix exponentials from the orbit's balls alone. */
+static void check_six_equations(const struct found *f, const struct dyn_orbit *o, slong prec) {
+  struct num_vec p = params_arb(f, prec), z, m, value;
+  num_vec_init(&z, N_STATE, p.ctx);
+  num_vec_init(&m, 16, p.ctx);
+  num_vec_init(&value, 1, p.ctx);
+  arb_set(num_vec_at(&z, Z_1), o->z10);
+  arb_set(num_vec_at(&z, Z_2), o->z20);
+  for (slong i = 0; i < 2; i++) arb_set_fmpq(num_vec_at(&z, DZ_1 + i), f->p + P_V, prec);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, o->t[ph]), SS_OK);
+    ck_assert_int_eq(num_mat_mul(&z, &m, &z, 4, 4, 1), SS_OK);
+    ck_assert_int_eq(dyn_switching(num_vec_at(&value, 0), (enum phase)ph, &p, &z), SS_OK);
+    ck_assert_msg(arb_contains_zero(num_vec_at(&value, 0)), "%s: phase %d does not end", show(f->pd), ph);
+    arb_ptr v = num_vec_at(&value, 0);
+    ck_assert_msg(mag_cmp_2exp_si(arb_radref(v), -prec / 3) < 0, "%s: enclosure is wide", show(f->pd));
+  }
+  arb_t end;
+  arb_init(end);
+  ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
+  arb_set_fmpq(end, f->p + P_V, prec);
+  ck_assert(arb_overlaps(num_vec_at(&z, DZ_1), end) && arb_overlaps(num_vec_at(&z, DZ_2), end));
+  arb_clear(end);
+  num_vec_clear(&z);
+  num_vec_clear(&m);
+  num_vec_clear(&value);
+  num_vec_clear(&p);
+}
+
+/* Trace and determinant of the product of local derivatives; differences of the whole map. */
+static void check_multiplier(const struct found *f, const struct dyn_orbit *o, slong prec) {
+  struct num_vec p = params_arb(f, prec), j;
+  struct dyn_arc arc;
+  arb_t x;
+  arb_init(x);
+  num_vec_init(&j, 4, p.ctx);
+  dyn_arc_init(&arc, p.ctx);
+  ck_assert_int_eq(dyn_arc_run(&arc, &p, o->z10, o->z20, o->guess), SS_OK);
+  ck_assert_int_eq(dyn_return_jacobian(&j, &p, &arc), SS_OK);
+  arb_add(x, num_vec_at(&j, 0), num_vec_at(&j, 3), prec);
+  ck_assert_msg(arb_overlaps(x, o->trace), "%s: trace", show(f->pd));
+  ck_assert(num_mat_det(x, &j, 2) == SS_OK && arb_contains_zero(x));
+  for (slong i = 0; i < 4; i++) ck_assert(arb_overlaps(num_vec_at(&arc.t, i), o->t[i]));
+  dyn_arc_clear(&arc);
+  num_vec_clear(&j);
+  num_vec_clear(&p);
+  arb_clear(x);
+
+  double r = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR), out, slope,
+         t[4];
+  double trace = arf_get_d(arb_midref(o->trace), ARF_RND_NEAR);
+  if (fabs(trace) > 100) return;
+  ck_assert_int_eq(dyn_return_map_d(&out, &slope, t, f->pd, r, NULL), SS_OK);
+  ck_assert_msg(fabs(out - r) < 1e-9 * (1 + fabs(r)), "%s: not a fixed point", show(f->pd));
+  ck_assert_msg(fabs(slope - trace) < 1e-7 * (1 + trace * trace), "%s: slope %g trace %g", show(f->pd), slope, trace);
+  for (int i = 0; i < 4; i++) ck_assert(fabs(t[i] - o->guess[i]) < 1e-7 * (1 + fabs(t[i])));
+}
+
+/* Conditions and force bounds by sampling the orbit.  A condition that holds has no sample against it; one that fails
+   has a sample against it or almost so. */
+static void check_conditions(const struct found *f, const struct dyn_orbit *o) {
+  enum { SAMPLES = 500 };
+  const double *p = f->pd, scale = p[P_V] + p[P_E1] + p[P_E2], dt = 1.0 / SAMPLES;
+  double worst[N_CONDITIONS], low1 = HUGE_VAL, low2 = HUGE_VAL, z[N_STATE], at[N_STATE];
+  for (int i = 0; i < N_CONDITIONS; i++) worst[i] = -HUGE_VAL;
+  z[Z_1] = arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
+  z[Z_2] = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR);
+  z[DZ_1] = z[DZ_2] = p[P_V];
+  worst[COND_TA] = -o->guess[0];
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    for (int i = 0; i <= SAMPLES; i++) {
+      bool open = i > 0 && i < SAMPLES;
+      flow_d(at, (enum phase)ph, p, z, o->guess[ph] * dt * i);
+      double w = at[Z_1] - p[P_CHI] * at[Z_2] - p[P_E1], pull = p[P_CHI] * (at[Z_2] - at[Z_1]) - p[P_E2];
+      double v1 = at[DZ_1] - p[P_V], v2 = at[DZ_2] - p[P_V];
+      if (ph == PHASE_D || ph == PHASE_C) low1 = fmin(low1, w);
+      if (ph == PHASE_D || ph == PHASE_GAMMA) low2 = fmin(low2, pull);
+      if (ph == PHASE_D) worst[COND_D_R] = fmax(worst[COND_D_R], pull);
+      if (ph == PHASE_GAMMA && open) worst[COND_GAMMA_V1] = fmax(worst[COND_GAMMA_V1], v1);
+      if (ph == PHASE_GAMMA && open) worst[COND_GAMMA_R] = fmax(worst[COND_GAMMA_R], pull);
+      if (ph == PHASE_H && i == 1) worst[COND_H_V1] = v1;
+      if (ph == PHASE_H && i > 0) worst[COND_H_V2] = fmax(worst[COND_H_V2], v2);
+      if (ph == PHASE_C && open) worst[COND_C_V2] = fmax(worst[COND_C_V2], v2);
+      if (ph == PHASE_C) worst[COND_C_W] = fmax(worst[COND_C_W], w);
+    }
+    flow_d(z, (enum phase)ph, p, z, o->guess[ph]);
+  }
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    bool fits =
+        o->holds[i] == TRUTH_TRUE ? worst[i] < 1e-9 * scale : o->holds[i] == TRUTH_FALSE && worst[i] > -1e-3 * scale;
+    ck_assert_msg(fits, "%s t_b %g: %s is %d, sampled %g", show(p), o->guess[1], dyn_condition_id[i], o->holds[i],
+                  worst[i]);
+  }
+  double u1 = arf_get_d(arb_midref(o->u_r1_min), ARF_RND_NEAR), u2 = arf_get_d(arb_midref(o->u_r2_min), ARF_RND_NEAR);
+  ck_assert_msg(fabs(-low1 / 2 - u1) < 1e-3 * (1 + fabs(u1)), "%s: u_r1 %g sampled %g", show(p), u1, -low1 / 2);
+  ck_assert_msg(fabs(-low2 / 2 - u2) < 1e-3 * (1 + fabs(u2)), "%s: u_r2 %g sampled %g", show(p), u2, -low2 / 2);
+}
+
+static const char *const paper[N_PARAMS] = {"4/5", "1", "1", "27844/10000", "8587/10000"};
+
+START_TEST(the_papers_parameters_have_two_orbits) {
+  /* Approximate times from an independent script on the equations of motion. */
+  static const double times[2][2] = {{1.3815, 10.9096}, {2.005, 1.490}};
+  struct found f;
+  found_init(&f, paper, 128, NULL);
+  ck_assert_int_eq(f.status, SS_OK);
+  ck_assert_int_eq(f.list.n, 2);
+  ck_assert(!f.list.complete);
+  for (int i = 0; i < 2; i++) {
+    const struct dyn_orbit *o = &f.list.orbit[i];
+    ck_assert(fabs(o->guess[1] - times[i][0]) < 1e-3 && fabs(o->guess[2] - times[i][1]) < 1e-3);
+    ck_assert(!o->grazing && arb_rel_accuracy_bits(o->z10) >= 128 && arb_rel_accuracy_bits(o->trace) >= 128);
+    check_six_equations(&f, o, 168);
+    check_multiplier(&f, o, 168);
+    check_conditions(&f, o);
+  }
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(a_thousand_digits) {
+  struct found f;
+  found_init(&f, paper, 3400, NULL);
+  ck_assert_int_eq(f.list.n, 2);
+  for (int i = 0; i < 2; i++) {
+    ck_assert(arb_rel_accuracy_bits(f.list.orbit[i].z10) >= 3400);
+    check_six_equations(&f, &f.list.orbit[i], 3440);
+  }
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(return_map_differences) {
+  struct found f;
+  found_init(&f, paper, 256, NULL);
+  struct num_ctx ctx = num_ctx_mpfr(256);
+  for (int i = 0; i < f.list.n; i++) {
+    const struct dyn_orbit *o = &f.list.orbit[i];
+    struct num_vec p, z, j, err;
+    arb_t trace, off;
+    num_vec_init(&p, N_PARAMS, ctx);
+    num_vec_init(&z, 2, ctx);
+    num_vec_init(&j, 4, ctx);
+    num_vec_init(&err, 1, ctx);
+    arb_init(trace);
+    arb_init(off);
+    for (slong k = 0; k < N_PARAMS; k++) ctx.type->set_q(num_vec_at(&p, k), f.p + k, ctx.prec);
+    ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
+    ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
+    int status = dyn_return_jacobian_fd(&j, num_vec_at(&err, 0), &p, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+    ck_assert_int_eq(status, SS_OK);
+    ctx.type->add(num_vec_at(&j, 0), num_vec_at(&j, 0), num_vec_at(&j, 3), ctx.prec);
+    ctx.type->get_arb(trace, num_vec_at(&j, 0));
+    arb_sub(off, trace, o->trace, 256);
+    double gap = fabs(arf_get_d(arb_midref(off), ARF_RND_NEAR)), stated = entry_d(&err, 0);
+    ck_assert_msg(gap <= 4 * stated && stated < 1e-45, "off %g, stated %g", gap, stated);
+    arb_clear(trace);
+    arb_clear(off);
+    num_vec_clear(&p);
+    num_vec_clear(&z);
+    num_vec_clear(&j);
+    num_vec_clear(&err);
+  }
+  found_clear(&f);
+}
+END_TEST
+
+/* Fixed points of the return map by a plain scan over r: sign changes that bisection confirms to be zeros. */
+static int count_fixed_points(const double p[N_PARAMS], double low, int n) {
+  double top = p[P_E2] / p[P_CHI], before = 0, at = 0;
+  int zeros = 0;
+  for (int i = 1; i < n; i++) {
+    double r = top - (top - low) * i / n, out, t[4];
+    if (dyn_return_map_d(&out, NULL, t, p, r, NULL)) {
+      before = 0;
+      continue;
+    }
+    double miss = out - r;
+    if (before * miss < 0) {
+      double a = at, b = r, fa = before, fb = miss;
+      for (int k = 0; k < 60; k++) {
+        double m = 0.5 * (a + b), fm;
+        if (dyn_return_map_d(&fm, NULL, t, p, m, NULL)) break;
+        fm -= m;
+        if ((fm < 0) == (fa < 0)) {
+          a = m;
+          fa = fm;
+        } else {
+          b = m;
+          fb = fm;
+        }
+      }
+      if (fabs(fa) + fabs(fb) < 1e-8) zeros++;
+    }
+    before = miss;
+    at = r;
+  }
+  return zeros;
+}
+
+START_TEST(random_orbits_obey_everything) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_PARAMS];
+  struct found f;
+  random_params(p, &r);
+  found_init_d(&f, p, 80);
+  ck_assert_msg(f.status == SS_OK, "%s: status %d", show(p), f.status);
+  double low = p[P_E2] / p[P_CHI];
+  for (slong i = 0; i < f.list.n; i++) {
+    const struct dyn_orbit *o = &f.list.orbit[i];
+    check_six_equations(&f, o, 200);
+    check_multiplier(&f, o, 200);
+    check_conditions(&f, o);
+    low = fmin(low, arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR));
+    bool ordered = i == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) < 0;
+    ck_assert(ordered);
+  }
+  int scanned = count_fixed_points(p, low - 2, 1500);
+  ck_assert_msg(scanned <= f.list.n, "%s: %d by a scan, %ld found", show(p), scanned, (long)f.list.n);
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(coexisting_orbits_are_all_found) {
+  /* Parameters at which a plain scan of the return map shows four. */
+  static const char *const several[N_PARAMS] = {"92/100", "21/10", "1", "439/100", "257/100"};
+  struct found f;
+  found_init(&f, several, 60, NULL);
+  ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -40, 20000));
+  ck_assert_int_eq(f.list.n, 4);
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(jumps_are_not_orbits) {
+  /* The defect changes its sign at grazing events in several periods of these; a scan of the map agrees. */
+  static const char *const jumpy[3][N_PARAMS] = {{"866/1000", "517/1000", "1", "1104/1000", "1524/1000"},
+                                                 {"700/1000", "1656/10000", "1", "1148/10000", "9181/1000"},
+                                                 {"435/1000", "3512/1000", "1", "857/1000", "3688/1000"}};
+  for (int i = 0; i < 3; i++) {
+    struct found f;
+    found_init(&f, jumpy[i], 60, NULL);
+    ck_assert_msg(f.status == SS_OK, "%s: status %d", show(f.pd), f.status);
+    ck_assert_int_eq(f.list.n, count_fixed_points(f.pd, -20, 8000));
+    found_clear(&f);
+  }
+}
+END_TEST
+
+START_TEST(an_orbit_is_followed_to_the_jump_where_it_ends) {
+  /* Between these values of e2 an orbit ends because an earlier maximum of z_1' reaches V.  Down to the resolution of
+     t_b the search must decide on which side it is, and leave nothing undecided. */
+  static const char *const near_jump[N_PARAMS] = {"823453/1000000", "1499339/1000000", "1", "907841/1000000",
+                                                  "33973/100000"};
+  struct found f;
+  fmpq_t with, without;
+  fmpq_init(with);
+  fmpq_init(without);
+  found_init(&f, near_jump, 60, NULL);
+  ck_assert_int_eq(f.list.n, 4);
+  fmpq_set(with, f.p + P_E2);
+  fmpq_set_si(without, 33972, 100000);
+  for (int i = 0; i < 30; i++) {
+    fmpq_add(f.p + P_E2, with, without);
+    fmpq_div_2exp(f.p + P_E2, f.p + P_E2, 1);
+    dyn_orbits_clear(&f.list);
+    ck_assert_int_eq(dyn_orbits_find(&f.list, f.p, 60, NULL), SS_OK);
+    ck_assert_msg(f.list.n == 3 || f.list.n == 4, "step %d: %ld orbits", i, (long)f.list.n);
+    fmpq_set(f.list.n == 4 ? with : without, f.p + P_E2);
+  }
+  fmpq_clear(with);
+  fmpq_clear(without);
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(derivatives_of_the_return_map_are_differences) {
+  struct rng r = {(uint64_t)_i};
+  double p[N_PARAMS], h = 1e-6;
+  struct carrier k;
+  struct pass s[3];
+  random_params(p, &r);
+  ck_assert_int_eq(carrier_init(&k, p), SS_OK);
+  double tb = k.fall * (double)rng_between(&r, 10, 90) / 100;
+  for (int i = 0; i < 3; i++) carrier_pass(&s[i], &k, tb + (i - 1) * h, &dyn_limits_default);
+  if (s[0].status || s[2].status || s[1].safe < 10 * h || fabs(s[1].wc) < 0.1 || fabs(s[1].qc) < 0.01) return;
+  double slope = (s[2].defect - s[0].defect) / (2 * h), dqc = (s[2].qc - s[0].qc) / (2 * h);
+  ck_assert_msg(fabs(slope - s[1].slope) < 1e-5 * (1 + fabs(slope)), "%s t_b %g: %g, %g", show(p), tb, slope,
+                s[1].slope);
+  ck_assert_msg(fabs(dqc - s[1].dqc) < 1e-4 * (1 + fabs(dqc)), "%s t_b %g: %g, %g", show(p), tb, dqc, s[1].dqc);
+}
+END_TEST
+
+START_TEST(two_orbits_merge_and_vanish) {
+  /* Between e2 = 2.72 and 2.75 a pair of orbits meets (the multiplier passes 1 there).  Bisection in e2 brings the pair
+     closer than double precision can separate; both or neither must be found at every step. */
+  static const char *const near_fold[N_PARAMS] = {"66/100", "93/100", "75/100", "647/1000", "272/100"};
+  struct found f;
+  fmpq_t two, none;
+  double gap = 1;
+  fmpq_init(two);
+  fmpq_init(none);
+  found_init(&f, near_fold, 60, NULL);
+  ck_assert_int_eq(f.list.n, 2);
+  fmpq_set(two, f.p + P_E2);
+  fmpq_set_si(none, 275, 100);
+  for (int i = 0; i < 64; i++) {
+    fmpq_add(f.p + P_E2, two, none);
+    fmpq_div_2exp(f.p + P_E2, f.p + P_E2, 1);
+    dyn_orbits_clear(&f.list);
+    ck_assert_int_eq(dyn_orbits_find(&f.list, f.p, 60, NULL), SS_OK);
+    ck_assert_msg(f.list.n == 0 || f.list.n == 2, "step %d: %ld orbits", i, (long)f.list.n);
+    fmpq_set(f.list.n == 2 ? two : none, f.p + P_E2);
+    if (f.list.n == 0) continue;
+    struct dyn_orbit *a = &f.list.orbit[0], *b = &f.list.orbit[1];
+    ck_assert(!arb_overlaps(a->t[1], b->t[1]) && a->stable != b->stable && a->stable != TRUTH_UNKNOWN);
+    gap = fabs(a->guess[1] - b->guess[1]);
+  }
+  ck_assert_msg(gap < 1e-8, "%g", gap);
+  fmpq_clear(two);
+  fmpq_clear(none);
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(scaling_changes_nothing_but_lengths) {
+  /* (z, V, e1, e2) scale together; the times and the multiplier stay. */
+  for (int k = -10; k <= 10; k += 20) {
+    struct found f, g;
+    double p[N_PARAMS] = {0.75, 1.5, 1, 2.5, 1.25}, q[N_PARAMS];
+    for (int i = 0; i < N_PARAMS; i++) q[i] = i < P_V ? p[i] : ldexp(p[i], k);
+    found_init_d(&f, p, 100);
+    found_init_d(&g, q, 100);
+    ck_assert(f.list.n > 0);
+    ck_assert_int_eq(f.list.n, g.list.n);
+    for (slong i = 0; i < f.list.n; i++) {
+      struct dyn_orbit *a = &f.list.orbit[i], *b = &g.list.orbit[i];
+      arb_mul_2exp_si(a->z10, a->z10, k);
+      ck_assert(arb_overlaps(a->z10, b->z10) && arb_overlaps(a->trace, b->trace) && arb_overlaps(a->t[2], b->t[2]));
+      ck_assert(a->admissible == b->admissible && a->stable == b->stable);
+    }
+    found_clear(&f);
+    found_clear(&g);
+  }
+}
+END_TEST
+
+START_TEST(extreme_parameters) {
+  static const char *const chi[2] = {"1/1000", "999/1000"}, *const eta[2] = {"1/10000", "10000"},
+                           *const V[2] = {"1/1000", "1000"};
+  const char *const text[N_PARAMS] = {chi[_i & 1], eta[_i >> 1 & 1], V[_i >> 2 & 1], "1", "1"};
+  const struct dyn_limits lim = {60, 100000};
+  struct found f;
+  found_init(&f, text, 400, &lim);
+  ck_assert_msg(!(f.status & SS_DOMAIN), "%s: status %d", show(f.pd), f.status); /* the budget may be used up */
+  for (slong i = 0; i < f.list.n; i++) {
+    check_six_equations(&f, &f.list.orbit[i], 440);
+    check_conditions(&f, &f.list.orbit[i]);
+  }
+  found_clear(&f);
+}
+END_TEST
+
+START_TEST(outside_the_domain) {
+  static const char *const bad[3][N_PARAMS] = {
+      {"1", "1", "1", "1", "1"}, {"1/2", "0", "1", "1", "1"}, {"1/2", "1", "1", "-1", "1"}};
+  for (int i = 0; i < 3; i++) {
+    struct found f;
+    found_init(&f, bad[i], 60, NULL);
+    ck_assert(f.status == SS_DOMAIN && f.list.n == 0);
+    found_clear(&f);
+  }
+  const double p[N_PARAMS] = {0.5, 1, 1, 1, 1};
+  double out, t[4];
+  ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, p, 2, NULL), SS_DOMAIN); /* r = e2/chi: chi r only rises */
+}
+END_TEST
+
+Suite *dynamics_suite(void) {
+  Suite *s = suite_create("dynamics");
+  TCase *c = tcase_create("flow");
+  tcase_add_loop_test(c, propagators_of_all_types_agree, 0, 40);
+  tcase_add_test(c, taylor_keeps_its_promise_for_long_times);
+  tcase_add_loop_test(c, flow_is_the_propagator_applied, 0, 40);
+  tcase_add_loop_test(c, flows_compose, 0, 40);
+  tcase_add_loop_test(c, global_slip_keeps_its_energy, 0, 100);
+  suite_add_tcase(s, c);
+  c = tcase_create("event");
+  tcase_add_loop_test(c, first_event_is_a_root_and_the_first, 0, 60);
+  tcase_add_test(c, close_roots_grazing_and_none_are_told_apart);
+  tcase_add_test(c, a_root_at_the_start_does_not_count);
+  tcase_add_test(c, a_long_wait_ends_at_the_first_root);
+  tcase_add_test(c, stick_phase_ends_at_either_sign);
+  tcase_add_loop_test(c, refined_events_agree_and_are_proved, 0, 60);
+  tcase_add_test(c, an_event_of_balls_holds_the_events_of_its_points);
+  tcase_add_test(c, a_double_root_is_not_proved);
+  tcase_add_loop_test(c, local_jacobians_match_differences, 0, 30);
+  suite_add_tcase(s, c);
+  c = tcase_create("orbit");
+  tcase_set_timeout(c, 60);
+  tcase_add_test(c, the_papers_parameters_have_two_orbits);
+  tcase_add_test(c, a_thousand_digits);
+  tcase_add_test(c, return_map_differences);
+  tcase_add_loop_test(c, random_orbits_obey_everything, 0, 12);
+  tcase_add_test(c, coexisting_orbits_are_all_found);
+  tcase_add_test(c, jumps_are_not_orbits);
+  tcase_add_test(c, an_orbit_is_followed_to_the_jump_where_it_ends);
+  tcase_add_loop_test(c, derivatives_of_the_return_map_are_differences, 0, 40);
+  tcase_add_test(c, two_orbits_merge_and_vanish);
+  tcase_add_test(c, scaling_changes_nothing_but_lengths);
+  tcase_add_loop_test(c, extreme_parameters, 0, 8);
+  tcase_add_test(c, outside_the_domain);
+  suite_add_tcase(s, c);
+  return s;
+}

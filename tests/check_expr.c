@@ -1,0 +1,1257 @@
+/* Formulas: the grammar fact by fact, every diagnostic with its place, round trips of random trees, LaTeX, the pool and
+   derivatives.  Trees are held against trees that the test builds itself, derivatives against difference quotients of
+   the evaluator below, which shares nothing with the library but the nodes it reads. */
+#include <float.h>
+#include <limits.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/expr.h"
+#include "suites.h"
+
+/* ---- common ground */
+
+static struct arena arena;
+static struct expr_pool pool;
+
+static void setup(void) {
+  arena_init(&arena);
+  expr_pool_init(&pool);
+}
+
+static void teardown(void) {
+  expr_pool_clear(&pool);
+  arena_clear(&arena);
+}
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint64_t rng;
+static uint64_t rnd(void) {
+  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+static int below(int n) {
+  return (int)(rnd() % (uint64_t)n);
+}
+
+static const struct expr *parse_expr(const char *text, struct diag *d) {
+  struct source src;
+  source_from_string(&src, "t", text);
+  const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, d);
+  source_clear(&src);
+  return e;
+}
+
+static const struct stmt *parse_stmt(const char *text, struct diag *d) {
+  struct source src;
+  source_from_string(&src, "t", text);
+  const struct stmt *s = stmt_parse(&arena, &src, (struct span){0, src.len}, d);
+  source_clear(&src);
+  return s;
+}
+
+static const struct expr *tree(const char *text) {
+  struct diag d;
+  diag_init(&d);
+  const struct expr *e = parse_expr(text, &d);
+  ck_assert_msg(e && !d.set, "%s\n%s", text, d.message);
+  return e;
+}
+
+static const struct stmt *statement(const char *text) {
+  struct diag d;
+  diag_init(&d);
+  const struct stmt *s = parse_stmt(text, &d);
+  ck_assert_msg(s && !d.set, "%s\n%s", text, d.message);
+  return s;
+}
+
+static struct expr *make(enum expr_kind k, int n_args) {
+  struct expr *e = arena_alloc(&arena, sizeof *e);
+  e->kind = k;
+  e->n_args = n_args;
+  if (n_args) e->args = arena_alloc(&arena, (size_t)n_args * sizeof *e->args);
+  return e;
+}
+
+static struct expr *leaf(enum expr_kind k, const char *name) {
+  struct expr *e = make(k, 0);
+  e->name = arena_strndup(&arena, name, strlen(name));
+  return e;
+}
+
+static struct expr *one(enum expr_kind k, const struct expr *a) {
+  struct expr *e = make(k, 1);
+  e->args[0] = a;
+  return e;
+}
+
+static struct expr *two(enum expr_kind k, const struct expr *a, const struct expr *b) {
+  struct expr *e = make(k, 2);
+  e->args[0] = a;
+  e->args[1] = b;
+  return e;
+}
+
+static struct expr *power(const struct expr *a, int n) {
+  struct expr *e = one(EXPR_POW, a);
+  e->exponent = n;
+  return e;
+}
+
+/* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
+static void spell(struct text *out, const struct expr *e) {
+  static const char *const names[] = {"num", "sym", "call", "neg",       "+",      "-",    "*",
+                                      "/",   "^",   "sin",  "cos",       "cot",    "sqrt", "paren",
+                                      "inv", "det", "tr",   "transpose", "matrix", "index"};
+  if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
+    text_add(out, e->name);
+    return;
+  }
+  text_printf(out, "(%s", names[e->kind]);
+  if (e->kind == EXPR_CALL) text_printf(out, " %s %d", e->name, e->order);
+  if (e->kind == EXPR_POW) text_printf(out, " %d", e->exponent);
+  if (e->kind == EXPR_MATRIX) text_printf(out, " %dx%d", e->rows, e->cols);
+  for (int k = 0; k < e->n_index; k++)
+    text_printf(out, e->index_range[k] ? " %d:%d" : " %d", e->index[2 * k], e->index[2 * k + 1]);
+  for (int i = 0; i < e->n_args; i++) {
+    text_add(out, " ");
+    spell(out, e->args[i]);
+  }
+  text_add(out, ")");
+}
+
+/* ---- the grammar */
+
+static const struct {
+  const char *text, *tree;
+} grammar[] = {
+    /* sums and products lean left, products bind tighter */
+    {"a - b + c", "(+ (- a b) c)"},
+    {"a + b*c", "(+ a (* b c))"},
+    {"a*b + c", "(+ (* a b) c)"},
+    {"a*b*c", "(* (* a b) c)"},
+    {"a*b/c", "(/ (* a b) c)"},
+    {"a + b/c - d", "(- (+ a (/ b c)) d)"},
+    {"(a/b)*c", "(* (paren (/ a b)) c)"},
+    {"a/(b*c)", "(/ a (paren (* b c)))"},
+    /* a sign begins a sum and takes the whole product */
+    {"-a*b", "(neg (* a b))"},
+    {"-a/b", "(neg (/ a b))"},
+    {"-a + b", "(+ (neg a) b)"},
+    {"a - b^2", "(- a (^ 2 b))"},
+    {"-a*b^2", "(neg (* a (^ 2 b)))"},
+    {"(-a)^2", "(^ 2 (paren (neg a)))"},
+    {"-(a^2)", "(neg (paren (^ 2 a)))"},
+    {"a*(-b)", "(* a (paren (neg b)))"},
+    /* powers */
+    {"a*b^2", "(* a (^ 2 b))"},
+    {"a^(-2)", "(^ -2 a)"},
+    {"a ^ ( - 12 )", "(^ -12 a)"},
+    {"a^9999", "(^ 9999 a)"},
+    {"sin(x)^2", "(^ 2 (sin x))"},
+    {"(a^2)^3", "(^ 3 (paren (^ 2 a)))"},
+    {"H[1,2]^2", "(^ 2 (index 1 2 H))"},
+    /* numbers are kept as written */
+    {"0.80", "0.80"},
+    {"1e-12", "1e-12"},
+    {"2.5E+3 + .5", "(+ 2.5E+3 .5)"},
+    {"00123456789012345678901234567890", "00123456789012345678901234567890"},
+    /* names and primes */
+    {"z'_1b + z''_2", "(+ z'_1b z''_2)"},
+    {"z'_1b'(t)", "(call z'_1b 1 t)"},
+    {"z_1''(t)", "(call z_1 2 t)"},
+    {"H'(t_c)*H(t - t_a)", "(* (call H 1 t_c) (call H 0 (- t t_a)))"},
+    {"u_r1 + x1", "(+ u_r1 x1)"},
+    {"sine + cosh(x) + rooted + inn", "(+ (+ (+ sine (call cosh 0 x)) rooted) inn)"},
+    {"smallest*positive*largest", "(* (* smallest positive) largest)"},
+    /* functions */
+    {"sin(a)*cos(b) + cot(c) - sqrt(d)", "(- (+ (* (sin a) (cos b)) (cot c)) (sqrt d))"},
+    {"inv(A)*det(B) + tr(transpose(C))", "(+ (* (inv A) (det B)) (tr (transpose C)))"},
+    /* matrices and entries */
+    {"[a]", "(matrix 1x1 a)"},
+    {"[a, b; c, -d]", "(matrix 2x2 a b c (neg d))"},
+    {"[a; b; c]", "(matrix 3x1 a b c)"},
+    {"[[a, b], [c, d]]", "(matrix 1x2 (matrix 1x2 a b) (matrix 1x2 c d))"},
+    {"H[1,3]", "(index 1 3 H)"},
+    {"H[1:2,3:4]", "(index 1:2 3:4 H)"},
+    {"H[1:1,2]", "(index 1:1 2 H)"},
+    {"v[2] + v[1:2]", "(+ (index 2 v) (index 1:2 v))"},
+    {"H(t_c)[1:2,1:2][2,9999]", "(index 2 9999 (index 1:2 1:2 (call H 0 t_c)))"},
+    {"[a, b][2]", "(index 2 (matrix 1x2 a b))"},
+    {"1/(1 - chi) * [-1, 1]", NULL}, /* a/b*c */
+    {"(1/(1 - chi))*[-1, 1]", "(* (paren (/ 1 (paren (- 1 chi)))) (matrix 1x2 (neg 1) 1))"},
+    /* blanks and comments */
+    {"a # the first\n\t + # and\r\n b # the second", "(+ a b)"},
+    {"#nothing\na", "a"},
+    {"f\n(x)", "(call f 0 x)"},
+};
+
+START_TEST(test_grammar) {
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof grammar / sizeof *grammar; i++) {
+    if (!grammar[i].tree) {
+      ck_assert_msg(!parse_expr(grammar[i].text, NULL), "%s", grammar[i].text);
+      continue;
+    }
+    text_reset(&t);
+    spell(&t, tree(grammar[i].text));
+    ck_assert_str_eq(text_str(&t), grammar[i].tree);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+START_TEST(test_statements) {
+  const struct stmt *s = statement("  J_a := a + b # sum");
+  ck_assert(s->kind == STMT_DEFINE && !strcmp(s->name, "J_a") && !s->param && s->n_sides == 1);
+  ck_assert_uint_eq(s->name_span.begin, 2);
+  ck_assert_uint_eq(s->name_span.end, 5);
+  ck_assert_uint_eq(s->span.begin, 2);
+  ck_assert_uint_eq(s->span.end, 14);
+  ck_assert(expr_same(s->sides[0], tree("a+b")));
+
+  s = statement("H(t) := [c1(t), 0; 0, 1]");
+  ck_assert(s->kind == STMT_DEFINE && !strcmp(s->name, "H") && !strcmp(s->param, "t"));
+
+  s = statement("H(t) = K");
+  ck_assert(s->kind == STMT_RELATION && s->n_sides == 2 && s->ops[0] == REL_EQ && !s->range_var);
+  ck_assert(s->sides[0]->kind == EXPR_CALL);
+
+  s = statement("e1 - 2*u < x <= y > 1 >= z = 0 for t in (0, t_a]");
+  ck_assert(s->kind == STMT_RELATION && s->n_sides == 6);
+  const enum relop ops[] = {REL_LT, REL_LE, REL_GT, REL_GE, REL_EQ};
+  for (int i = 0; i < 5; i++) ck_assert_int_eq(s->ops[i], ops[i]);
+  ck_assert(expr_same(s->sides[0], tree("e1 - 2*u")) && expr_same(s->sides[5], tree("0")));
+  ck_assert(!strcmp(s->range_var, "t") && !s->range_signs && !s->lo_closed && s->hi_closed);
+  ck_assert(expr_same(s->range_lo, tree("0")) && expr_same(s->range_hi, tree("t_a")));
+
+  s = statement("a < b for t in [t_a, t_a + t_b)");
+  ck_assert(s->lo_closed && !s->hi_closed && expr_same(s->range_hi, tree("t_a+t_b")));
+  s = statement("eps*a = b for eps in { + 1, -1 }");
+  ck_assert(!strcmp(s->range_var, "eps") && s->range_signs && !s->range_lo);
+
+  s = statement("root omega1: w^4 - b*w^2 + c, smallest positive");
+  ck_assert(s->kind == STMT_ROOT && !strcmp(s->name, "omega1") && !s->largest && s->n_sides == 1);
+  ck_assert(expr_same(s->sides[0], tree("w^4 - b*w^2 + c")));
+  ck_assert(statement("root w: w - 1, largest positive")->largest);
+
+  s = statement("trajectory z_1(t), z_2(s)");
+  ck_assert(s->kind == STMT_TRAJECTORY && s->n_names == 2);
+  ck_assert(!strcmp(s->names[0], "z_1") && !strcmp(s->params[0], "t"));
+  ck_assert(!strcmp(s->names[1], "z_2") && !strcmp(s->params[1], "s"));
+}
+END_TEST
+
+/* The span of every node is the text that reads as that node. */
+static void check_spans(const char *text, const struct expr *e) {
+  char part[256];
+  snprintf(part, sizeof part, "%.*s", (int)(e->span.end - e->span.begin), text + e->span.begin);
+  ck_assert_msg(expr_same(e, tree(part)), "%s in %s", part, text);
+  ck_assert_msg(!strchr(" \n", part[0]) && !strchr(" \n", part[strlen(part) - 1]), "\"%s\" in %s", part, text);
+  for (int i = 0; i < e->n_args; i++) check_spans(text, e->args[i]);
+}
+
+START_TEST(test_spans) {
+  static const char *const text = "-a*b + [1, x ; H'(t_c)[1:2,3], (p)] - sin( u )^(-2) / v'_1 + [a] [1]";
+  const struct expr *e = tree(text);
+  check_spans(text, e);
+  ck_assert_uint_eq(e->span.begin, 0);
+  ck_assert_uint_eq(e->span.end, strlen(text));
+  /* only the span is read, to the byte */
+  struct source src;
+  source_from_string(&src, "t", "x = (a + b)*c \xE2\x88\x92");
+  e = expr_parse(&arena, &src, (struct span){4, 11}, NULL);
+  ck_assert(e && e->kind == EXPR_PAREN && e->span.begin == 4 && e->span.end == 11);
+  struct diag d;
+  diag_init(&d);
+  ck_assert(!expr_parse(&arena, &src, (struct span){12, 16}, &d));
+  ck_assert(!strncmp(d.message, "t:1:15: error: byte 0xE2", 24));
+  source_clear(&src);
+}
+END_TEST
+
+/* ---- diagnostics: the first line must begin with t:PLACE: error: and hold PART */
+
+static const struct {
+  bool stmt;
+  const char *text, *place, *part;
+} mistakes[] = {
+    /* doubtful forms */
+    {false, "a/b*c", "1:4", "write (a/b)*c or a/(b*c)"},
+    {false, "a/b/c", "1:4", "write (a/b)/c or a/(b/c)"},
+    {false, "x*a/b*c", "1:6", "write (a/b)*c or a/(b*c)"},
+    {false, "a^2^3", "1:4", "write (a^b)^c"},
+    {false, "1 + -a^2", "1:5", "write a+(-b)"},
+    {false, "-a^2", "1:1", "write -(a^b) or (-a)^b"},
+    {false, "1 - (-a^2*b)", "1:6", "write -(a^b) or (-a)^b"},
+    {false, "-a^2/b", "1:1", "write -(a^b) or (-a)^b"},
+    {false, "a*-b", "1:3", "write a*(-b)"},
+    {false, "a/-b", "1:3", "write a/(-b)"},
+    {false, "a--b", "1:3", "write a-(-b)"},
+    {false, "--b", "1:2", "write a-(-b)"},
+    {false, "+a", "1:1", "leave it out"},
+    {false, "a**2", "1:3", "a power is written a^2"},
+    /* juxtaposition */
+    {false, "2 a", "1:3", "\"*\": it is missing before \"a\""},
+    {false, "a b", "1:3", "\"*\""},
+    {false, "a 2", "1:3", "\"*\""},
+    {false, "(a)(b)", "1:4", "\"*\""},
+    {false, "2(b)", "1:2", "\"*\""},
+    {false, "a^2 b", "1:5", "\"*\""},
+    {false, "a^2(b)", "1:4", "\"*\""},
+    {false, "2[1, 2]", "1:2", "\"*\""},
+    {false, "A^2[1,2]", "1:4", "(A^2)[1,1]"},
+    {false, "[a b]", "1:4", "entries are separated by \",\""},
+    {false, "[a] + (b c)", "1:10", "written with \"*\": it is missing before \"c\""},
+    {false, "(a) [x]", "1:6", "a product with a matrix has \"*\""},
+    {false, "2 sin(x)", "1:3", "\"*\""},
+    /* brackets */
+    {false, "(a + b", "1:7", "expected \")\" to close the \"(\" opened at 1:1, found the end"},
+    {false, "c*(a +\n b]", "2:3", "expected \")\" to close the \"(\" opened at 1:3, found \"]\""},
+    {false, "sin(a", "1:6", "opened at 1:4"},
+    {false, "H(a]", "1:4", "opened at 1:2"},
+    {false, "[a, b", "1:6", "expected \"]\" to close the \"[\" opened at 1:1"},
+    {false, "[a, b)", "1:6", "expected \"]\" to close the \"[\" opened at 1:1, found \")\""},
+    {false, "H[1,2", "1:6", "opened at 1:2"},
+    {false, "a^(-2", "1:6", "opened at 1:3"},
+    {false, "a + b)", "1:6", "closes nothing"},
+    {false, "a]", "1:2", "closes nothing"},
+    {false, "()", "1:2", "nothing stands between the parentheses"},
+    {false, "(x, y)", "1:3", "a row is written [a, b]"},
+    {false, "H()", "1:3", "\"H\" needs an argument"},
+    {false, "H(a, b)", "1:4", "\"H\" takes one argument"},
+    {false, "sin(a, b)", "1:6", "\"sin\" takes one argument"},
+    /* operands */
+    {false, "", "1:1", "the formula is empty"},
+    {false, "  # nothing", "1:1", "the formula is empty"},
+    {false, "a +", "1:4", "found the end"},
+    {false, "a + # sum\n", "1:4", "found the end"},
+    {false, "a + * b", "1:5", "found \"*\""},
+    {false, "{a}", "1:1", "{+1, -1}"},
+    /* characters */
+    {false, "a + \xE2\x88\x92 b", "1:5", "\"\xE2\x88\x92\" (U+2212); a minus sign is \"-\""},
+    {false, "\xCF\x87*\xCE\xB7", "1:1", "(U+03C7); a Greek letter is written by its name"},
+    {false, "a*b \xC3\x97 c", "1:5", "a product is written with \"*\""},
+    {false, "[\n a,\n  \xE2\x82\xAC]", "3:3", "(U+20AC)"},
+    {false, "a \xC3\xB7 b", "1:3", "a quotient is written with \"/\""},
+    {false, "a \xE2\x89\xA4 b", "1:3", "write \"<=\""},
+    {false, "a \xE2\x89\xA5 b", "1:3", "write \">=\""},
+    {false, "a \xE2\x89\xA1 b", "1:3", "write \"=\""},
+    {false, "z\xE2\x80\xB2(t)", "1:2", "a prime is \"'\""},
+    {false, "a\xC2\xB2", "1:2", "write \"^2\""},
+    {false, "a\xC2\xB3", "1:2", "write \"^3\""},
+    {false, "\xE2\x88\x9A(a)", "1:1", "write sqrt(...)"},
+    {false, "a\xC2\xA0+ b", "1:2", "no-break space"},
+    {false, "a @ b", "1:3", "unexpected character \"@\""},
+    {false, "a \x01", "1:3", "control character, 0x01"},
+    {false, "a \xFF", "1:3", "byte 0xFF is not UTF-8"},
+    {false, "a + \xE2\x88", "1:5", "byte 0xE2 is not UTF-8"},
+    {false, "\\chi", "1:1", "not TeX"},
+    {false, "_a", "1:1", "a name begins with a letter"},
+    /* primes */
+    {false, "H' + 1", "1:2", "followed by \"(\""},
+    {false, "H''", "1:2", "followed by \"(\""},
+    {false, "(a)'", "1:4", "transpose(...)"},
+    {false, "[a, b]'", "1:7", "transpose(...)"},
+    {false, "'a", "1:1", "a prime marks a derivative"},
+    {false, "sin'(x)", "1:4", "the built-in function \"sin\" takes no prime"},
+    {false, "sin^2(x)", "1:4", "sin(x)^2"},
+    {false, "sin x", "1:1", "its argument stands in parentheses"},
+    {false, "det*2", "1:1", "\"det\" is a built-in function"},
+    /* matrices */
+    {false, "[]", "1:2", "at least one entry"},
+    {false, "[a, b; c]", "1:9", "row 2 ends after 1 of the 2 entries of row 1"},
+    {false, "[a, b; c; d, e]", "1:9", "row 2 ends after 1 of the 2"},
+    {false, "[a; b; c, d]", "1:11", "row 3 has more than the 1 entries of row 1"},
+    {false, "[a, ]", "1:5", "found \"]\""},
+    {false, "[a; ]", "1:5", "found \"]\""},
+    /* exponents */
+    {false, "a^b", "1:3", "an exponent is an integer"},
+    {false, "a^0.5", "1:3", "a root is sqrt(a)"},
+    {false, "a^2e1", "1:3", "an exponent is an integer"},
+    {false, "a^12345", "1:3", "at most 4 digits"},
+    {false, "a^(-12345)", "1:5", "at most 4 digits"},
+    {false, "a^-2", "1:3", "write a^(-2)"},
+    {false, "a^(2)", "1:4", "without parentheses"},
+    {false, "a^(b)", "1:4", "an exponent is an integer"},
+    {false, "a^", "1:3", "an exponent is an integer"},
+    /* indices */
+    {false, "H[0,1]", "1:3", "from 1 to 9999"},
+    {false, "H[1,10000]", "1:5", "from 1 to 9999"},
+    {false, "H[i,1]", "1:3", "from 1 to 9999"},
+    {false, "H[1.5]", "1:3", "from 1 to 9999"},
+    {false, "H[:,1]", "1:3", "a range such as 1:2"},
+    {false, "H[2:1,1]", "1:5", "goes upwards"},
+    {false, "H[1,2,3]", "1:7", "at most two indices"},
+    {false, "H[]", "1:3", "from 1 to 9999"},
+    /* numbers */
+    {false, "1.2.3", "1:4", "a second decimal point"},
+    {false, "1e", "1:2", "the exponent of the number has no digits"},
+    {false, "1e+", "1:2", "the exponent of the number has no digits"},
+    {false, "2*1e-x", "1:4", "the exponent of the number has no digits"},
+    {false, "12abc", "1:3", "a number runs into a name"},
+    {false, "2eta", "1:2", "a number runs into a name"},
+    {false, "1e5x", "1:4", "a number runs into a name"},
+    {false, "5.", "1:2", "digits are missing after the decimal point"},
+    {false, "a.", "1:2", "a decimal point stands before a digit"},
+    {false, "0,8", "1:2", "decimals have a point"},
+    /* reserved words */
+    {false, "root + 1", "1:1", "\"root\" is a reserved word"},
+    {false, "a*trajectory", "1:3", "\"trajectory\" is a reserved word"},
+    {false, "in", "1:1", "\"in\" is a reserved word"},
+    {false, "a*(b + for)", "1:8", "\"for\" is a reserved word"},
+    {false, "a in b", "1:3", "\"in\" is a reserved word"},
+    {true, "sin := 1", "1:1", "\"sin\" is a reserved word"},
+    {true, "in(t) := 1", "1:1", "\"in\" is a reserved word"},
+    {true, "f(cos) := 1", "1:3", "\"cos\" is a reserved word"},
+    {true, "a < b for det in (0, 1)", "1:11", "\"det\" is a reserved word"},
+    /* what is left over */
+    {false, "a = b", "1:3", "only an expression has"},
+    {false, "a := b", "1:3", "\":=\""},
+    {false, "a ; b", "1:3", "inside [ ] only"},
+    {false, "a : b", "1:3", "unexpected \":\""},
+    {false, "a for t in (0, 1)", "1:3", "there is no relation here"},
+    /* statements */
+    {true, "a + b", "1:6", "this is only an expression"},
+    {true, "a + b := c", "1:7", "only a name or name(argument) can stand before \":=\""},
+    {true, "H'(t) := c", "1:7", "a derivative is not defined"},
+    {true, "H(2) := c", "1:6", "the argument of a definition is a name"},
+    {true, "H(t, s) := c", "1:4", "\"H\" takes one argument"},
+    {true, "a := b = c", "1:8", "a definition has one side"},
+    {true, "a := b for t in (0, 1)", "1:8", "there is no relation here"},
+    {true, "a := ", "1:5", "found the end"},
+    {true, "a == b", "1:4", "the relations are written = < <= > >="},
+    {true, "a => b", "1:4", "the relations are written"},
+    {true, "a != b", "1:3", "the relations are = < <= > >="},
+    {true, "a <", "1:4", "found the end"},
+    {true, "a < b c", "1:7", "\"*\""},
+    {true, "a < b, c", "1:6", "unexpected \",\""},
+    {true, "a < b for t in (0, 1) x", "1:23", "unexpected \"x\""},
+    /* ranges */
+    {true, "a < b for", "1:10", "expected the variable of the range, found the end"},
+    {true, "a < b for t (0, 1)", "1:13", "\"in\" follows the variable"},
+    {true, "a < b for t in 0, 1", "1:16", "a range is written (a, b)"},
+    {true, "a < b for t in (0)", "1:18", "a range is written (a, b)"},
+    {true, "a < b for t in (0, 1", "1:21", "expected \")\" or \"]\" to close the \"(\" opened at 1:16"},
+    {true, "a < b for t in (0, )", "1:20", "found \")\""},
+    {true, "a < b for e in {-1, +1}", "1:17", "the signs are written {+1, -1}"},
+    {true, "a < b for e in {+1, -1", "1:23", "the signs are written {+1, -1}"},
+    /* roots and trajectories */
+    {true, "root", "1:5", "expected the name of the root"},
+    {true, "root sin: x, smallest positive", "1:6", "\"sin\" is a reserved word"},
+    {true, "root w := x, smallest positive", "1:8", "a root is declared as"},
+    {true, "root w: x^2 - 1", "1:16", "a root is declared as"},
+    {true, "root w: x^2 - 1 = 0, smallest positive", "1:17", "leave \"= 0\" out"},
+    {true, "root w: x smallest positive", "1:11", "a \",\" goes before"},
+    {true, "root w: x, positive", "1:12", "a root is declared as"},
+    {true, "root w: x, smallest", "1:20", "a root is declared as"},
+    {true, "root w: x, smallest positive, y", "1:29", "unexpected \",\""},
+    {true, "trajectory z", "1:13", "a trajectory is declared as"},
+    {true, "trajectory z(2)", "1:14", "expected the argument of the trajectory"},
+    {true, "trajectory z(t),", "1:17", "expected the name of a trajectory"},
+    {true, "trajectory z(t) y(t)", "1:17", "unexpected \"y\""},
+};
+
+static void check_mistake(const char *text, bool stmt, const char *place, const char *part) {
+  struct diag d;
+  diag_init(&d);
+  bool parsed = stmt ? parse_stmt(text, &d) != NULL : parse_expr(text, &d) != NULL;
+  ck_assert_msg(!parsed && d.set, "accepted: %s", text);
+  char begin[64];
+  snprintf(begin, sizeof begin, "t:%s: error: ", place);
+  ck_assert_msg(!strncmp(d.message, begin, strlen(begin)), "%s\nis not at %s:\n%s", text, place, d.message);
+  ck_assert_msg(strstr(d.message, part), "%s\nlacks: %s\n%s", text, part, d.message);
+}
+
+START_TEST(test_mistakes) {
+  for (size_t i = 0; i < sizeof mistakes / sizeof *mistakes; i++)
+    check_mistake(mistakes[i].text, mistakes[i].stmt, mistakes[i].place, mistakes[i].part);
+}
+END_TEST
+
+static char *repeat(const char *before, const char *middle, const char *after, size_t n) {
+  size_t a = strlen(before), b = strlen(middle), c = strlen(after);
+  char *s = arena_alloc(&arena, n * (a + c) + b + 1), *to = s;
+  for (size_t i = 0; i < n; i++, to += a) memcpy(to, before, a);
+  memcpy(to, middle, b);
+  to += b;
+  for (size_t i = 0; i < n; i++, to += c) memcpy(to, after, c);
+  return s;
+}
+
+START_TEST(test_limits) {
+  /* 200 levels of nesting, whatever nests */
+  static const char *const nests[][2] = {{"(", ")"},   {"[", "]"},  {"sin(", ")"},
+                                         {"f'(", ")"}, {"(-", ")"}, {"1+(", ")"}};
+  for (size_t i = 0; i < sizeof nests / sizeof *nests; i++) {
+    tree(repeat(nests[i][0], "x", nests[i][1], 200));
+    struct diag d;
+    diag_init(&d);
+    ck_assert(!parse_expr(repeat(nests[i][0], "x", nests[i][1], 201), &d));
+    ck_assert_msg(strstr(d.message, "nested more than 200 levels"), "%s", d.message);
+  }
+  check_mistake(repeat("(", "x", ")", 201), false, "1:202", "nested more than 200 levels");
+  check_mistake(repeat("(", "", "", 300000), false, "1:202", "nested more than 200 levels");
+  /* a sum of n terms has 2 n - 1 nodes */
+  tree(repeat("a+", "a", "", 49999));
+  check_mistake(repeat("a+", "a+a", "", 49999), false, "1:1", "more than 100000 nodes");
+  /* long chains of everything that is a loop; they must come back as they went in */
+  static const char *const chains[][2] = {{"a*", "a"}, {"a+", "a"}, {"a-", "a"}};
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof chains / sizeof *chains; i++) {
+    const struct expr *e = tree(repeat(chains[i][0], chains[i][1], "", 40000));
+    text_reset(&t);
+    expr_print(&t, e);
+    ck_assert(expr_same(e, tree(text_str(&t))));
+    text_reset(&t);
+    expr_latex(&t, e);
+  }
+  const struct expr *e = tree(repeat("", "A", "[1]", 40000));
+  text_reset(&t);
+  expr_print(&t, e);
+  ck_assert(expr_same(e, tree(text_str(&t))));
+  text_clear(&t);
+  /* nothing to fear from long tokens */
+  tree(repeat("a", "", "", 1000000));
+  tree(repeat("7", "", "", 1000000));
+  check_mistake(repeat("'", "a", "", 1000000), false, "1:1", "a prime marks");
+  check_mistake(repeat("", "f", "'", 1000000), false, "1:101", "too many primes");
+  check_mistake(repeat("", "1 ", "a", 1000000), false, "1:3", "aaa...\"");
+  check_mistake(repeat("\n", "(", "", 100000), false, "100001:2", "found the end");
+}
+END_TEST
+
+/* ---- round trips */
+
+static const char *const random_names[] = {"a", "x", "t_c", "z'_1b", "omega1", "K"};
+static const char *const random_numbers[] = {"0", "1", "2", "0.80", "1e-12", "2.50E+3", ".5"};
+
+static struct expr *random_sum(int depth);
+
+static struct expr *random_leaf(void) {
+  return below(3) ? leaf(EXPR_SYM, random_names[below(6)]) : leaf(EXPR_NUM, random_numbers[below(7)]);
+}
+
+static struct expr *random_matrix(int depth) {
+  int rows = 1 + below(3), cols = 1 + below(3);
+  struct expr *e = make(EXPR_MATRIX, rows * cols);
+  e->rows = rows;
+  e->cols = cols;
+  for (int i = 0; i < e->n_args; i++) e->args[i] = random_sum(depth);
+  return e;
+}
+
+static struct expr *random_primary(int depth) {
+  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT,
+                                             EXPR_INV, EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE};
+  if (depth <= 0) return random_leaf();
+  switch (below(6)) {
+  case 0:
+    return one(EXPR_PAREN, random_sum(depth - 1));
+  case 1:
+    return one(functions[below(8)], random_sum(depth - 1));
+  case 2:
+    return random_matrix(depth - 1);
+  case 3: {
+    struct expr *e = one(EXPR_CALL, random_sum(depth - 1));
+    e->name = random_names[below(6)];
+    e->order = below(3);
+    return e;
+  }
+  default:
+    return random_leaf();
+  }
+}
+
+static struct expr *random_power(int depth) {
+  struct expr *e = random_primary(depth);
+  while (e->kind != EXPR_NUM && below(6) == 0) {
+    e = one(EXPR_INDEX, e);
+    e->n_index = 1 + below(2);
+    for (int k = 0; k < e->n_index; k++) {
+      e->index[2 * k] = e->index[2 * k + 1] = 1 + below(below(2) ? 4 : 9999);
+      e->index_range[k] = below(2);
+      if (e->index_range[k]) e->index[2 * k + 1] += below(10000 - e->index[2 * k]);
+    }
+  }
+  return below(5) ? e : power(e, below(20) - 10);
+}
+
+static bool begins_with_power(const struct expr *e) {
+  return e->kind == EXPR_POW || ((e->kind == EXPR_MUL || e->kind == EXPR_DIV) && begins_with_power(e->args[0]));
+}
+
+static struct expr *random_product(int depth) {
+  struct expr *e = random_power(depth);
+  while (below(3) == 0) e = two(EXPR_MUL, e, random_power(depth));
+  return below(5) ? e : two(EXPR_DIV, e, random_power(depth));
+}
+
+/* A tree that the grammar can produce, made by walking the grammar's own rules. */
+static struct expr *random_sum(int depth) {
+  struct expr *e = random_product(depth);
+  if (below(4) == 0 && !begins_with_power(e)) e = one(EXPR_NEG, e);
+  while (below(3) == 0) e = two(below(2) ? EXPR_ADD : EXPR_SUB, e, random_product(depth));
+  return e;
+}
+
+/* Blanks and comments wherever two tokens meet; only two characters of one token must not be parted. */
+static void spread(struct text *out, const char *s) {
+  static const char *const blanks[] = {"", " ", "\n", "\t", " # a + (b\n", "\r\n"};
+  for (; *s; s++) {
+    text_add_char(out, *s);
+    if (strchr("*/(),;[]:", *s) && *s) text_add(out, blanks[below(6)]);
+  }
+}
+
+START_TEST(test_round_trip_trees) {
+  struct text t, wide;
+  text_init(&t);
+  text_init(&wide);
+  for (uint64_t seed = 0; seed < 1500; seed++) {
+    rng = seed;
+    const struct expr *e = random_sum(4);
+    text_reset(&t);
+    expr_print(&t, e);
+    struct diag d;
+    diag_init(&d);
+    const struct expr *back = parse_expr(text_str(&t), &d);
+    ck_assert_msg(back && expr_same(e, back), "seed %lu: %s\n%s", (unsigned long)seed, text_str(&t), d.message);
+    text_reset(&wide);
+    spread(&wide, text_str(&t));
+    back = parse_expr(text_str(&wide), &d);
+    ck_assert_msg(back && expr_same(e, back), "seed %lu: %s\n%s", (unsigned long)seed, text_str(&wide), d.message);
+    arena_clear(&arena);
+  }
+  text_clear(&t);
+  text_clear(&wide);
+}
+END_TEST
+
+/* expr_same must tell trees apart: one changed node is seen, whichever it is. */
+START_TEST(test_same) {
+  static const char *const different[] = {
+      "a",      "b",      "2",        "2.0",      "a(x)",   "b(x)",    "a'(x)",        "-a",
+      "a + b",  "b + a",  "a - b",    "a*b",      "a/b",    "a^2",     "a^(-2)",       "sin(a)",
+      "cos(a)", "(a)",    "inv(a)",   "[a]",      "[a, b]", "[a; b]",  "a[1]",         "a[2]",
+      "a[1:1]", "a[1,1]", "a[1:1,1]", "a[1,1:1]", "a[1:2]", "a + (b)", "transpose(a)", "sin(b)"};
+  const size_t n = sizeof different / sizeof *different;
+  for (size_t i = 0; i < n; i++)
+    for (size_t j = 0; j < n; j++)
+      ck_assert_msg(expr_same(tree(different[i]), tree(different[j])) == (i == j), "%s %s", different[i], different[j]);
+  ck_assert(expr_same(tree(" a + b "), tree("a+b")));
+}
+END_TEST
+
+static const struct expr *random_scalar(int depth) {
+  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT};
+  static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV};
+  if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
+  switch (below(8)) {
+  case 0:
+    return expr_op1(&pool, unary[below(5)], random_scalar(depth - 1));
+  case 1:
+    return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
+  case 2:
+    return expr_pow(&pool, random_scalar(depth - 1), below(9) - 4);
+  case 3:
+    return expr_call(&pool, "f", below(3), random_scalar(depth - 1));
+  default: {
+    const struct expr *a = random_scalar(depth - 1 - below(2));
+    return expr_op2(&pool, binary[below(4)], a, random_scalar(depth - 1 - below(2)));
+  }
+  }
+}
+
+/* The tree without its parentheses, in the pool. */
+static const struct expr *stripped(const struct expr *e) {
+  switch (e->kind) {
+  case EXPR_PAREN:
+    return stripped(e->args[0]);
+  case EXPR_NUM:
+    return expr_num(&pool, e->name);
+  case EXPR_SYM:
+    return expr_sym(&pool, e->name);
+  case EXPR_CALL:
+    return expr_call(&pool, e->name, e->order, stripped(e->args[0]));
+  case EXPR_POW:
+    return expr_pow(&pool, stripped(e->args[0]), e->exponent);
+  default:
+    if (e->n_args == 1) return expr_op1(&pool, e->kind, stripped(e->args[0]));
+    return expr_op2(&pool, e->kind, stripped(e->args[0]), stripped(e->args[1]));
+  }
+}
+
+START_TEST(test_round_trip_scalars) {
+  struct text t;
+  text_init(&t);
+  for (uint64_t seed = 0; seed < 8000; seed++) {
+    rng = seed;
+    const struct expr *e = random_scalar(1 + below(5));
+    text_reset(&t);
+    expr_print(&t, e);
+    struct diag d;
+    diag_init(&d);
+    const struct expr *back = parse_expr(text_str(&t), &d);
+    ck_assert_msg(back && stripped(back) == e, "seed %lu: %s\n%s", (unsigned long)seed, text_str(&t), d.message);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+/* The places where a scalar needs parentheses, and those where it must not get them. */
+START_TEST(test_print_scalars) {
+  const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *c = expr_sym(&pool, "c");
+  const struct expr *neg = expr_op1(&pool, EXPR_NEG, a), *sum = expr_op2(&pool, EXPR_ADD, a, b);
+  const struct expr *mul = expr_op2(&pool, EXPR_MUL, a, b), *quo = expr_op2(&pool, EXPR_DIV, a, b);
+  const struct expr *pow = expr_pow(&pool, a, 2);
+  const struct {
+    const struct expr *e;
+    const char *text;
+  } cases[] = {
+      {expr_op2(&pool, EXPR_DIV, quo, c), "(a/b)/c"},
+      {expr_op2(&pool, EXPR_DIV, c, quo), "c/(a/b)"},
+      {expr_op2(&pool, EXPR_DIV, mul, c), "a*b/c"},
+      {expr_op2(&pool, EXPR_DIV, c, mul), "c/(a*b)"},
+      {expr_op2(&pool, EXPR_MUL, neg, c), "(-a)*c"},
+      {expr_op2(&pool, EXPR_MUL, c, neg), "c*(-a)"},
+      {expr_op2(&pool, EXPR_MUL, quo, c), "(a/b)*c"},
+      {expr_op2(&pool, EXPR_MUL, c, quo), "c*(a/b)"},
+      {expr_op2(&pool, EXPR_MUL, c, mul), "c*(a*b)"},
+      {expr_op2(&pool, EXPR_MUL, mul, c), "a*b*c"},
+      {expr_op2(&pool, EXPR_MUL, sum, pow), "(a + b)*a^2"},
+      {expr_op2(&pool, EXPR_ADD, neg, b), "-a + b"},
+      {expr_op2(&pool, EXPR_ADD, b, neg), "b + (-a)"},
+      {expr_op2(&pool, EXPR_SUB, sum, sum), "a + b - (a + b)"},
+      {expr_op1(&pool, EXPR_NEG, pow), "-(a^2)"},
+      {expr_op1(&pool, EXPR_NEG, mul), "-a*b"},
+      {expr_op1(&pool, EXPR_NEG, expr_op2(&pool, EXPR_MUL, pow, b)), "-(a^2*b)"},
+      {expr_op1(&pool, EXPR_NEG, neg), "-(-a)"},
+      {expr_op1(&pool, EXPR_NEG, sum), "-(a + b)"},
+      {expr_pow(&pool, pow, -3), "(a^2)^(-3)"},
+      {expr_pow(&pool, neg, 2), "(-a)^2"},
+      {expr_pow(&pool, quo, 2), "(a/b)^2"},
+      {expr_op1(&pool, EXPR_SIN, sum), "sin(a + b)"},
+      {expr_call(&pool, "H", 2, neg), "H''(-a)"},
+      {expr_int(&pool, -7), "-7"},
+  };
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    text_reset(&t);
+    expr_print(&t, cases[i].e);
+    ck_assert_str_eq(text_str(&t), cases[i].text);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+START_TEST(test_round_trip_statements) {
+  /* in the printer's own spacing, so that print(parse(s)) = s */
+  static const char *const statements[] = {
+      "chi := 0.8",
+      "H(t) := [c(t), s(t)/omega1; -omega1*s(t), c(t)]",
+      "K*Z_0 = H(t_c)[1:2,3:4]*transpose(z'_1b)",
+      "e1 - 2*u_r1 < z_1 - chi*z_2 <= e1 for t in (0, t_a]",
+      "a >= b > c for t in [t_a, t_a + t_b)",
+      "eps*x > 0 for eps in {+1, -1}",
+      "root omega1: w^4 - (1 + chi*eta)*w^2 + chi, smallest positive",
+      "root omega2: w - 1, largest positive",
+      "trajectory z_1(t), z_2(t)",
+  };
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof statements / sizeof *statements; i++) {
+    text_reset(&t);
+    stmt_print(&t, statement(statements[i]));
+    ck_assert_str_eq(text_str(&t), statements[i]);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+/* Whatever bytes come: a tree that prints and parses back, or a diagnostic; never both, never neither. */
+START_TEST(test_fuzz) {
+  static const char *const seeds[] = {
+      "H(t) := [cos(omega1*t), -sin(t)^2; 0.5e-3, (a + b)/c]",
+      "e1 - 2*u_r1 < z'_1b - chi*z_2 <= H'(t_c)[1:2,3] for t in (0, t_a]",
+      "root omega1: w^4 - (1 + chi*eta)*w^2 + chi, smallest positive",
+      "trajectory z_1(t), z_2(t) # the model's",
+      "eps*x^(-2) > inv(A)*det(B) for eps in {+1, -1}",
+  };
+  static const char alphabet[] = "abtH019.,;:=<>()[]{}+-*/^'_ e#\n\xC3\xA9\xFF\x01";
+  struct text t;
+  text_init(&t);
+  long accepted = 0;
+  for (uint64_t seed = 0; seed < 20000; seed++) {
+    rng = seed;
+    char s[128];
+    snprintf(s, sizeof s, "%s", seeds[below(5)]);
+    for (int k = 1 + below(4); k > 0; k--) {
+      size_t len = strlen(s), at = (size_t)below((int)len);
+      char c = alphabet[below((int)sizeof alphabet - 1)];
+      switch (below(3)) {
+      case 0:
+        s[at] = below(8) ? c : (char)(1 + below(255));
+        break;
+      case 1:
+        memmove(s + at, s + at + 1, len - at);
+        break;
+      default:
+        memmove(s + at + 1, s + at, len - at + 1);
+        s[at] = c;
+      }
+    }
+    struct diag d;
+    diag_init(&d);
+    const struct stmt *st = parse_stmt(s, &d);
+    ck_assert_msg((st == NULL) == d.set, "seed %lu: %s\n%s", (unsigned long)seed, s, d.message);
+    if (st) {
+      accepted++;
+      text_reset(&t);
+      stmt_print(&t, st);
+      const struct stmt *back = parse_stmt(text_str(&t), &d);
+      ck_assert_msg(back && back->kind == st->kind && back->n_sides == st->n_sides, "seed %lu: %s", (unsigned long)seed,
+                    s);
+      for (int i = 0; i < st->n_sides; i++)
+        ck_assert_msg(expr_same(st->sides[i], back->sides[i]), "seed %lu: %s", (unsigned long)seed, s);
+      text_reset(&t);
+      stmt_latex(&t, st);
+    }
+    arena_clear(&arena);
+  }
+  ck_assert_int_gt(accepted, 1000);
+  text_clear(&t);
+}
+END_TEST
+
+/* ---- LaTeX, by the conventions of mathematical typesetting and expr.h */
+
+static const struct {
+  const char *name, *latex;
+} names[] = {
+    {"a", "a"},
+    {"omega", "\\omega"},
+    {"omega1", "\\omega_{1}"},
+    {"z10", "z_{10}"},
+    {"e1", "e_{1}"},
+    {"u_r1", "u_{r1}"},
+    {"t_a", "t_{a}"},
+    {"chi_b", "\\chi_{b}"},
+    {"z_200", "z_{200}"},
+    {"dt_b", "dt_{b}"},
+    {"dz", "dz"},
+    {"dZ_a", "dZ_{a}"},
+    {"dz'_a", "dz'_{a}"},
+    {"dchi", "d\\chi"},
+    {"delta", "\\delta"},
+    {"z'_1b", "z'_{1b}"},
+    {"z''_2", "z''_{2}"},
+    {"z'_1'_2", "z''_{1,2}"},
+    {"Z_a", "Z_{a}"},
+    {"J_f", "J_{f}"},
+    {"ktilde_1", "\\tilde{k}_{1}"},
+    {"gammatilde_1", "\\tilde{\\gamma}_{1}"},
+    {"hbar", "\\bar{h}"},
+    {"Gamma", "\\Gamma"},
+    {"Gamma_1", "\\Gamma_{1}"},
+    {"Lambda", "\\Lambda"},
+    {"Sigma", "\\Sigma"},
+    {"Pi", "\\Pi"},
+    {"psi_2", "\\psi_{2}"},
+    {"lambda1", "\\lambda_{1}"},
+    {"eps", "\\varepsilon"},
+    {"theta", "\\theta"},
+    {"H11", "H_{11}"},
+    {"u_r1_min", "u_{r1,\\mathrm{min}}"},
+    {"x_omega", "x_{\\omega}"},
+    {"trace", "\\mathrm{trace}"},
+    {"tilde", "\\mathrm{tilde}"},
+    {"a_", "a"},
+};
+
+static const struct {
+  const char *text, *latex;
+} formulas[] = {
+    {"a + b - c", "a + b - c"},
+    {"-chi*eta", "-\\chi \\, \\eta"},
+    {"2*3", "2 \\cdot 3"},
+    {"2*x*3^2", "2 \\, x \\cdot 3^{2}"},
+    {"chi*(z_2 - z_1)", "\\chi \\, \\left(z_{2} - z_{1}\\right)"},
+    {"(chi - chi_b)/(1 - chi_b)", "\\frac{\\chi - \\chi_{b}}{1 - \\chi_{b}}"},
+    {"(a)*b/(c)", "\\frac{\\left(a\\right) \\, b}{c}"},
+    {"a/((b + c))", "\\frac{a}{\\left(b + c\\right)}"},
+    {"(a + b)/2 + (c)", "\\frac{a + b}{2} + \\left(c\\right)"},
+    {"sin(omega*t_d)/omega", "\\frac{\\sin\\left(\\omega \\, t_{d}\\right)}{\\omega}"},
+    {"sin(x)^2 + cos(x^2)", "\\sin^{2}\\left(x\\right) + \\cos\\left(x^{2}\\right)"},
+    {"cot(x)^(-1)", "\\left(\\cot\\left(x\\right)\\right)^{-1}"},
+    {"(sin(x))^2", "\\left(\\sin\\left(x\\right)\\right)^{2}"},
+    {"sqrt(1 - chi)", "\\sqrt{1 - \\chi}"},
+    {"omega1^2", "\\omega_{1}^{2}"},
+    {"z'_1b^2", "{z'_{1b}}^{2}"},
+    {"x^(-2)", "x^{-2}"},
+    {"(a + b)^2", "\\left(a + b\\right)^{2}"},
+    {"1e-12*x", "1 \\times 10^{-12} \\, x"},
+    {"2.5E+3^2", "\\left(2.5 \\times 10^{3}\\right)^{2}"},
+    {"inv(K)", "{K}^{-1}"},
+    {"inv(N_1 - I)*N_2", "{\\left(N_{1} - I\\right)}^{-1} \\, N_{2}"},
+    {"inv((N_1 - I))", "{\\left(N_{1} - I\\right)}^{-1}"},
+    {"transpose(inv(K))", "{\\left({K}^{-1}\\right)}^{\\mathsf{T}}"},
+    {"transpose([x, y])", "{\\begin{pmatrix} x & y \\end{pmatrix}}^{\\mathsf{T}}"},
+    {"det(J) + tr(J)", "\\det\\left(J\\right) + \\operatorname{tr}\\left(J\\right)"},
+    {"det(J)^2", "\\left(\\det\\left(J\\right)\\right)^{2}"},
+    {"[1, -chi; 0, a/b]", "\\begin{pmatrix} 1 & -\\chi \\\\ 0 & \\frac{a}{b} \\end{pmatrix}"},
+    {"H'(t_c)*Z_b", "H'\\left(t_{c}\\right) \\, Z_{b}"},
+    {"z_1''(t)", "z_{1}''\\left(t\\right)"},
+    {"z'_1'(t)", "{z'_{1}}'\\left(t\\right)"},
+    {"f''''(x)", "f^{(4)}\\left(x\\right)"},
+    {"H[1,3]", "{H}_{1,3}"},
+    {"H[1:2,3:4]", "{H}_{1:2,3:4}"},
+    {"H(t_c)[1,1]^2", "{H\\left(t_{c}\\right)}_{1,1}^{2}"},
+    {"v[2]", "{v}_{2}"},
+};
+
+static const struct {
+  const char *text, *latex;
+} statements_latex[] = {
+    {"H(t) := a", "H\\left(t\\right) = a"},
+    {"chi := 0.8", "\\chi = 0.8"},
+    {"a < b <= c for t in (0, t_a]", "a < b \\le c \\quad \\text{for } t \\in \\left(0, t_{a}\\right]"},
+    {"a > b >= c = d", "a > b \\ge c = d"},
+    {"eps*x > 0 for eps in {+1, -1}",
+     "\\varepsilon \\, x > 0 \\quad \\text{for } \\varepsilon \\in \\lbrace +1, -1 \\rbrace"},
+    {"root omega1: w^2 - 1, smallest positive", "\\omega_{1} = \\text{the smallest positive root of } w^{2} - 1"},
+    {"trajectory z_1(t), z_2(t)", "\\text{trajectory } z_{1}\\left(t\\right), z_{2}\\left(t\\right)"},
+};
+
+START_TEST(test_latex) {
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    text_reset(&t);
+    name_latex(&t, names[i].name);
+    ck_assert_str_eq(text_str(&t), names[i].latex);
+  }
+  for (size_t i = 0; i < sizeof formulas / sizeof *formulas; i++) {
+    text_reset(&t);
+    expr_latex(&t, tree(formulas[i].text));
+    ck_assert_str_eq(text_str(&t), formulas[i].latex);
+  }
+  for (size_t i = 0; i < sizeof statements_latex / sizeof *statements_latex; i++) {
+    text_reset(&t);
+    stmt_latex(&t, statement(statements_latex[i].text));
+    ck_assert_str_eq(text_str(&t), statements_latex[i].latex);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+/* Scalars have no parentheses of their own: they get them where the meaning needs them. */
+START_TEST(test_latex_scalars) {
+  const struct expr *a = expr_sym(&pool, "a"), *b = expr_sym(&pool, "b"), *two_ = expr_num(&pool, "2");
+  const struct expr *quo = expr_op2(&pool, EXPR_DIV, a, b), *sum = expr_op2(&pool, EXPR_ADD, a, b);
+  const struct {
+    const struct expr *e;
+    const char *latex;
+  } cases[] = {
+      {expr_op2(&pool, EXPR_DIV, sum, quo), "\\frac{a + b}{\\frac{a}{b}}"},
+      {expr_op2(&pool, EXPR_MUL, sum, quo), "\\left(a + b\\right) \\, \\frac{a}{b}"},
+      {expr_op2(&pool, EXPR_MUL, two_, quo), "2 \\cdot \\frac{a}{b}"},
+      {expr_op2(&pool, EXPR_SUB, a, sum), "a - \\left(a + b\\right)"},
+      {expr_op2(&pool, EXPR_MUL, a, expr_op1(&pool, EXPR_NEG, b)), "a \\, \\left(-b\\right)"},
+      {expr_pow(&pool, quo, 2), "\\left(\\frac{a}{b}\\right)^{2}"},
+      {expr_pow(&pool, expr_pow(&pool, a, 2), 3), "\\left(a^{2}\\right)^{3}"},
+      {expr_op1(&pool, EXPR_NEG, expr_pow(&pool, a, 2)), "-a^{2}"},
+  };
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    text_reset(&t);
+    expr_latex(&t, cases[i].e);
+    ck_assert_str_eq(text_str(&t), cases[i].latex);
+  }
+  text_clear(&t);
+}
+END_TEST
+
+/* ---- the pool */
+
+START_TEST(test_pool) {
+  char buffer[32] = "x";
+  const struct expr *x = expr_sym(&pool, buffer);
+  strcpy(buffer, "y");
+  const struct expr *y = expr_sym(&pool, buffer);
+  ck_assert_str_eq(x->name, "x");
+  ck_assert(x != y && x == expr_sym(&pool, "x"));
+  ck_assert(expr_num(&pool, "x") != x);
+  ck_assert(expr_num(&pool, "0.8") != expr_num(&pool, "0.80"));
+  ck_assert(expr_int(&pool, 12) == expr_num(&pool, "12"));
+  ck_assert(expr_int(&pool, -12) == expr_op1(&pool, EXPR_NEG, expr_num(&pool, "12")));
+  ck_assert(expr_op2(&pool, EXPR_ADD, x, y) == expr_op2(&pool, EXPR_ADD, x, y));
+  ck_assert(expr_op2(&pool, EXPR_ADD, x, y) != expr_op2(&pool, EXPR_ADD, y, x));
+  ck_assert(expr_op2(&pool, EXPR_ADD, x, y) != expr_op2(&pool, EXPR_SUB, x, y));
+  ck_assert(expr_op1(&pool, EXPR_SIN, x) != expr_op1(&pool, EXPR_COS, x));
+  ck_assert(expr_pow(&pool, x, 2) == expr_pow(&pool, x, 2) && expr_pow(&pool, x, 2) != expr_pow(&pool, x, -2));
+  ck_assert(expr_call(&pool, "f", 1, x) == expr_call(&pool, "f", 1, x));
+  ck_assert(expr_call(&pool, "f", 1, x) != expr_call(&pool, "f", 0, x));
+  ck_assert(expr_call(&pool, "f", 0, x) != expr_call(&pool, "g", 0, x));
+  ck_assert(expr_call(&pool, "f", 0, x) != expr_call(&pool, "f", 0, y));
+
+  /* LONG_MIN has no positive of its own */
+  struct text t;
+  text_init(&t);
+  expr_print(&t, expr_int(&pool, LONG_MIN));
+  snprintf(buffer, sizeof buffer, "%ld", LONG_MIN);
+  ck_assert_str_eq(text_str(&t), buffer);
+  text_clear(&t);
+
+  /* growth keeps every node findable, and nodes that share a bucket apart */
+  const size_t before = pool.n;
+  const struct expr *made[5000][3];
+  for (int round = 0; round < 2; round++)
+    for (int i = 0; i < 5000; i++) {
+      char name[16];
+      snprintf(name, sizeof name, "v%d", i);
+      const struct expr *e[] = {expr_sym(&pool, name), expr_call(&pool, "h", i, x), expr_pow(&pool, y, 10 + i)};
+      for (int k = 0; k < 3; k++) {
+        if (round == 0) made[i][k] = e[k];
+        ck_assert_ptr_eq(e[k], made[i][k]);
+      }
+    }
+  ck_assert_uint_eq(pool.n, before + 15000);
+}
+END_TEST
+
+START_TEST(test_subst) {
+  const struct expr *x = expr_sym(&pool, "x"), *y = expr_sym(&pool, "y");
+  const struct expr *by = expr_op2(&pool, EXPR_ADD, x, y);
+  const struct {
+    const char *text, *result;
+  } cases[] = {
+      {"x", "x + y"},
+      {"y", "y"},
+      {"2", "2"},
+      {"x*sin(x)^2 - y/x", "(x + y)*sin(x + y)^2 - y/(x + y)"},
+      {"f''(cos(x))", "f''(cos(x + y))"},
+      {"x(y)", "x(y)"}, /* the name of a function is not a symbol */
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const struct expr *e = stripped(tree(cases[i].text));
+    ck_assert_msg(expr_subst(&pool, e, "x", by) == stripped(tree(cases[i].result)), "%s", cases[i].text);
+  }
+  /* free of the symbol: the same pointer */
+  const struct expr *e = stripped(tree("a*sin(b)"));
+  ck_assert_ptr_eq(expr_subst(&pool, e, "x", by), e);
+}
+END_TEST
+
+/* ---- derivatives */
+
+/* The test's evaluator; the function f is f(u) = sin(2 u), so f^(n)(u) = 2^n sin(2 u + n pi/2). */
+struct point {
+  long double x, y;
+};
+
+static long double node_value(const struct expr *e, long double a, long double b, struct point p) {
+  switch (e->kind) {
+  case EXPR_NUM:
+    return strtold(e->name, NULL);
+  case EXPR_SYM:
+    return !strcmp(e->name, "x") ? p.x : p.y;
+  case EXPR_CALL:
+    return ldexpl(sinl(2 * a + e->order * acosl(0)), e->order);
+  case EXPR_NEG:
+    return -a;
+  case EXPR_ADD:
+    return a + b;
+  case EXPR_SUB:
+    return a - b;
+  case EXPR_MUL:
+    return a * b;
+  case EXPR_DIV:
+    return a / b;
+  case EXPR_POW:
+    return powl(a, e->exponent);
+  case EXPR_SIN:
+    return sinl(a);
+  case EXPR_COS:
+    return cosl(a);
+  case EXPR_COT:
+    return cosl(a) / sinl(a);
+  case EXPR_SQRT:
+    return a > 0 ? sqrtl(a) : NAN; /* not differentiable at 0 */
+  default:
+    return NAN;
+  }
+}
+
+/* NaN as soon as any part exceeds `largest`: 1/(1/0) is not 0 here, and beside 1e48 a difference sees nothing. */
+static long double value(const struct expr *e, struct point p, long double largest) {
+  long double a = e->n_args > 0 ? value(e->args[0], p, largest) : 0;
+  long double b = e->n_args > 1 ? value(e->args[1], p, largest) : 0;
+  long double v = node_value(e, a, b, p);
+  return fabsl(v) <= largest && !isnan(a) && !isnan(b) ? v : NAN;
+}
+
+/* Central difference of fourth order. */
+static long double quotient(const struct expr *e, struct point p, long double h) {
+  long double v[5];
+  for (int k = -2; k <= 2; k++) v[k + 2] = value(e, (struct point){p.x + k * h, p.y}, 1e6L);
+  return (8 * (v[3] - v[1]) - (v[4] - v[0])) / (12 * h);
+}
+
+/* Compared only where two step sizes agree, which says nothing about the derivative under test. */
+START_TEST(test_diff_random) {
+  long compared = 0;
+  for (uint64_t seed = 0; seed < 6000; seed++) {
+    rng = seed;
+    const struct expr *e = random_scalar(1 + below(4));
+    const struct expr *d = expr_diff(&pool, e, "x");
+    const struct point p = {(1 + below(1000)) / 400.0L, (1 + below(1000)) / 400.0L};
+    long double coarse = quotient(e, p, 1e-3L), fine = quotient(e, p, 5e-4L);
+    long double scale = 1 + fabsl(fine);
+    if (!(fabsl(coarse - fine) < 1e-8L * scale)) continue;
+    compared++;
+    long double got = value(d, p, LDBL_MAX);
+    if (fabsl(got - fine) <= 1e-7L * scale) continue;
+    struct text t;
+    text_init(&t);
+    expr_print(&t, e);
+    text_add(&t, "  ->  ");
+    expr_print(&t, d);
+    ck_abort_msg("seed %lu, x = %Lg, y = %Lg: %Lg, not %Lg\n%s", (unsigned long)seed, p.x, p.y, got, fine,
+                 text_str(&t));
+  }
+  ck_assert_int_gt(compared, 3000);
+}
+END_TEST
+
+/* Tables of derivatives: text -> the known derivative, compared in value at several points. */
+START_TEST(test_diff_table) {
+  static const char *const table[][2] = {
+      {"3", "0"},
+      {"y", "0"},
+      {"x", "1"},
+      {"x + y", "1"},
+      {"y - x", "-1"},
+      {"x^5", "5*x^4"},
+      {"x^1", "1"},
+      {"x^0", "0"},
+      {"x^(-3)", "-3*x^(-4)"},
+      {"x*y", "y"},
+      {"x*sin(x)", "sin(x) + x*cos(x)"},
+      {"y/x", "-y/x^2"},
+      {"x/y", "1/y"},
+      {"sin(x)/x", "cos(x)/x - sin(x)/x^2"},
+      {"sin(3*x)", "3*cos(3*x)"},
+      {"cos(x^2)", "-2*x*sin(x^2)"},
+      {"cot(x)", "-1 - cot(x)^2"},
+      {"sqrt(x)", "1/(2*sqrt(x))"},
+      {"sqrt(1 + x^2)", "x/sqrt(1 + x^2)"},
+      {"f(x)", "f'(x)"},
+      {"f''(x^2)", "2*x*f'''(x^2)"},
+      {"f(f(x))", "f'(f(x))*f'(x)"},
+      {"f(y)", "0"},
+  };
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    const struct expr *d = expr_diff(&pool, stripped(tree(table[i][0])), "x"), *known = stripped(tree(table[i][1]));
+    for (int k = 1; k <= 5; k++) {
+      const struct point p = {0.37L * k, 2.1L - 0.2L * k};
+      long double want = value(known, p, LDBL_MAX), got = value(d, p, LDBL_MAX);
+      ck_assert_msg(fabsl(got - want) < 1e-14L * (1 + fabsl(want)), "%s at %Lg: %Lg, not %Lg", table[i][0], p.x, got,
+                    want);
+    }
+  }
+}
+END_TEST
+
+/* What is free of the symbol contributes nothing, not even a zero. */
+START_TEST(test_diff_no_zeros) {
+  static const char *const cases[][2] = {
+      {"a + b*c", "0"},
+      {"a + x", "1"},
+      {"x - a", "1"},
+      {"a - x", "-1"},
+      {"a*x", "a*1"},
+      {"x/a", "1/a"},
+      {"sin(a)*x + f(b)", "sin(a)*1"},
+      {"f(x)", "f'(x)*1"},
+      {"x^1", "1*x^0*1"},
+      {"x^0 + a", "0"},
+      {"(x^0)*x", "x^0*1"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    ck_assert_msg(expr_diff(&pool, stripped(tree(cases[i][0])), "x") == stripped(tree(cases[i][1])), "%s", cases[i][0]);
+}
+END_TEST
+
+/* A DAG of n nodes that is a tree of 2^n, and a chain of depth n: linear cost, no recursion. */
+START_TEST(test_deep) {
+  const struct expr *wide = expr_sym(&pool, "x"), *deep = wide;
+  for (int i = 0; i < 1000; i++) wide = expr_op2(&pool, i % 2 ? EXPR_MUL : EXPR_ADD, wide, wide);
+  size_t before = pool.n;
+  expr_diff(&pool, wide, "x");
+  ck_assert_uint_lt(pool.n - before, 8 * 1000);
+  before = pool.n;
+  const struct expr *y = expr_sym(&pool, "y"), *swapped = expr_subst(&pool, wide, "x", y);
+  ck_assert_uint_le(pool.n - before, 1001);
+  ck_assert_ptr_eq(expr_subst(&pool, swapped, "y", expr_sym(&pool, "x")), wide);
+
+  const int depth = 100000;
+  for (int i = 0; i < depth; i++) deep = expr_op1(&pool, i % 2 ? EXPR_SIN : EXPR_COS, deep);
+  before = pool.n;
+  expr_diff(&pool, deep, "x");
+  ck_assert_uint_lt(pool.n - before, 5 * (size_t)depth);
+  struct expr_pool other;
+  expr_pool_init(&other);
+  const struct expr *twin = expr_sym(&other, "x");
+  for (int i = 0; i < depth; i++) twin = expr_op1(&other, i % 2 ? EXPR_SIN : EXPR_COS, twin);
+  ck_assert(expr_same(deep, twin) && !expr_same(deep, expr_op1(&other, EXPR_SIN, twin)));
+  expr_pool_clear(&other);
+  struct text t;
+  text_init(&t);
+  expr_print(&t, deep);
+  ck_assert_uint_eq(t.len, (size_t)depth * strlen("sin()") + 1);
+  text_clear(&t);
+}
+END_TEST
+
+Suite *expr_suite(void) {
+  Suite *s = suite_create("expr");
+  TCase *language = tcase_create("language");
+  tcase_add_checked_fixture(language, setup, teardown);
+  tcase_set_timeout(language, 60); /* for sanitized builds on busy machines */
+  tcase_add_test(language, test_grammar);
+  tcase_add_test(language, test_statements);
+  tcase_add_test(language, test_spans);
+  tcase_add_test(language, test_mistakes);
+  tcase_add_test(language, test_limits);
+  tcase_add_test(language, test_round_trip_trees);
+  tcase_add_test(language, test_same);
+  tcase_add_test(language, test_round_trip_statements);
+  tcase_add_test(language, test_fuzz);
+  tcase_add_test(language, test_latex);
+  suite_add_tcase(s, language);
+  TCase *scalars = tcase_create("scalars");
+  tcase_add_checked_fixture(scalars, setup, teardown);
+  tcase_set_timeout(scalars, 60);
+  tcase_add_test(scalars, test_round_trip_scalars);
+  tcase_add_test(scalars, test_print_scalars);
+  tcase_add_test(scalars, test_latex_scalars);
+  tcase_add_test(scalars, test_pool);
+  tcase_add_test(scalars, test_subst);
+  tcase_add_test(scalars, test_diff_random);
+  tcase_add_test(scalars, test_diff_table);
+  tcase_add_test(scalars, test_diff_no_zeros);
+  tcase_add_test(scalars, test_deep);
+  suite_add_tcase(s, scalars);
+  return s;
+}

@@ -1,0 +1,25 @@
+/* Runs every suite, each test in a process of its own so that one that aborts or hangs fails alone; Check's summary is the
+   last line.  A test may take two minutes: sanitizers are slow. */
+#include <stdlib.h>
+
+#include "stickslip/flint_compat.h"
+#include "suites.h"
+
+int main(void) {
+  setenv("CK_DEFAULT_TIMEOUT", "120", 0);
+  SRunner *r = srunner_create(base_suite());
+  srunner_add_suite(r, num_suite());
+  srunner_add_suite(r, expr_suite());
+  srunner_add_suite(r, tape_suite());
+  srunner_add_suite(r, model_suite());
+  srunner_add_suite(r, dynamics_suite());
+  srunner_add_suite(r, coulomb_suite());
+  srunner_add_suite(r, audit_suite());
+  srunner_add_suite(r, cli_suite());
+  srunner_run_all(r, CK_NORMAL);
+  int failed = srunner_ntests_failed(r);
+  srunner_free(r);
+  flint_cleanup();
+  mpfr_free_cache();
+  return failed == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}

@@ -1,0 +1,952 @@
+/* Equation files, who sees what of them, and their formulas as scalars.  Elaborated scalars are read as text where the
+   shape of the answer is the point, and as numbers, by an evaluator of the test's own, where its value is. */
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "scratch.h"
+#include "stickslip/model.h"
+#include "suites.h"
+
+/* ---- common ground */
+
+static struct model model;
+static struct arena arena;
+static struct elaboration el; /* of the last formula */
+static int n_files;
+
+static void setup(void) {
+  scratch_open();
+  model_init(&model);
+  arena_init(&arena);
+  el = (struct elaboration){.n_memo = 0};
+  expr_pool_init(&el.pool);
+  n_files = 0;
+}
+
+static void teardown(void) {
+  elaboration_clear(&el);
+  arena_clear(&arena);
+  model_clear(&model);
+  scratch_close();
+}
+
+static const char *format(const char *fmt, ...) SS_PRINTF(1, 2);
+static const char *format(const char *fmt, ...) {
+  char s[4000];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(s, sizeof s, fmt, ap);
+  va_end(ap);
+  return arena_strndup(&arena, s, strlen(s));
+}
+
+/* What a diagnostic says, without the folder of the file that it is about. */
+static const char *shown(const struct diag *d) {
+  size_t n = strlen(scratch_path("")) + 1;
+  bool inside = strncmp(d->message, format("%s/", scratch_path("")), n) == 0;
+  return format("%s", inside ? d->message + n : d->message);
+}
+
+/* Adds a file f1.eq, f2.eq, ... and says "" or what is wrong with it. */
+static const char *try_load(const char *text, enum rank rank) {
+  struct diag d;
+  diag_init(&d);
+  const char *path = scratch_put(format("f%d.eq", ++n_files), text);
+  bool ok = model_add_file(&model, path, rank, &d);
+  ck_assert(ok != d.set);
+  return shown(&d);
+}
+
+static void load(const char *text, enum rank rank) {
+  ck_assert_str_eq(try_load(text, rank), "");
+}
+
+static struct view printed_view(void) {
+  return (struct view){&model, LAYER_PRINTED, NULL, NULL};
+}
+
+/* The value of a formula in el; NULL with d set when it has none. */
+static const struct matrix *value_in(struct view v, const char *section, const char *formula, struct diag *d) {
+  struct source src;
+  struct matrix *m = arena_alloc(&arena, sizeof *m);
+  elaboration_clear(&el);
+  elaboration_init(&el, v, NULL, 0);
+  diag_init(d);
+  source_from_string(&src, "e", formula);
+  const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, d);
+  bool ok = e && elaborate(m, &el, e, &src, section, d);
+  ck_assert(ok != d->set);
+  source_clear(&src);
+  return ok ? m : NULL;
+}
+
+static const struct matrix *value_of(const char *formula) {
+  struct diag d;
+  const struct matrix *m = value_in(printed_view(), "", formula, &d);
+  ck_assert_msg(m, "%s", d.message);
+  return m;
+}
+
+static const char *spell(const struct matrix *m) {
+  struct text t;
+  text_init(&t);
+  bool brackets = m->rows * m->cols > 1;
+  for (int i = 0; i < m->rows; i++)
+    for (int j = 0; j < m->cols; j++) {
+      text_add(&t, !brackets ? "" : j > 0 ? ", " : i > 0 ? "; " : "[");
+      expr_print(&t, m->e[i * m->cols + j]);
+    }
+  if (brackets) text_add(&t, "]");
+  const char *s = format("%.2000s", t.data); /* Check breaks off at very long messages */
+  text_clear(&t);
+  return s;
+}
+
+/* The value as text, or the diagnostic. */
+static const char *says(struct view v, const char *section, const char *formula) {
+  struct diag d;
+  const struct matrix *m = value_in(v, section, formula, &d);
+  return m ? spell(m) : shown(&d);
+}
+
+struct named {
+  const char *name;
+  double value;
+};
+
+/* The number that a scalar stands for; a trajectory z is the sine, and its n-th derivative that of the sine. */
+static double number(const struct expr *e, const struct named *env) {
+  double a = e->n_args > 0 ? number(e->args[0], env) : 0, b = e->n_args > 1 ? number(e->args[1], env) : 0;
+  switch (e->kind) {
+  case EXPR_NUM:
+    return strtod(e->name, NULL);
+  case EXPR_SYM:
+    for (; env->name; env++)
+      if (strcmp(env->name, e->name) == 0) return env->value;
+    ck_abort_msg("no value for %s", e->name);
+  case EXPR_CALL:
+    return sin(a + e->order * acos(0));
+  case EXPR_NEG:
+    return -a;
+  case EXPR_ADD:
+    return a + b;
+  case EXPR_SUB:
+    return a - b;
+  case EXPR_MUL:
+    return a * b;
+  case EXPR_DIV:
+    return a / b;
+  case EXPR_POW:
+    return pow(a, e->exponent);
+  case EXPR_SIN:
+    return sin(a);
+  case EXPR_COS:
+    return cos(a);
+  case EXPR_COT:
+    return 1 / tan(a);
+  case EXPR_SQRT:
+    return sqrt(a);
+  default:
+    ck_abort_msg("not a scalar");
+  }
+}
+
+static void near(double x, double expected, const char *what) {
+  ck_assert_msg(fabs(x - expected) <= 1e-13 * (1 + fabs(expected)), "%s: %.17g, expected %.17g", what, x, expected);
+}
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint64_t rng;
+static uint64_t rnd(void) {
+  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+
+/* ---- sections */
+
+START_TEST(names_by_section) {
+  static const char *const part[] = {
+      "section: a\ndefine d1\n  x := 1\n  y := x\n  only := x + 10\n",
+      "section: b\ndefine d2\n  x := 2\n  y := x\n  k := 7\n",
+      "define d3\n  k := 8\n  z := only\ndefine d4\n  section: c\n  k := 9\n",
+  };
+  for (int i = 0; i < 3; i++) load(part[(i + _i) % 3], RANK_PAPER); /* the order of the files tells nothing */
+  static const struct {
+    const char *section, *formula, *says;
+  } c[] = {
+      {"a", "x", "1"},
+      {"b", "x", "2"},
+      {"a", "y", "1"},
+      {"b", "y", "2"}, /* a body is read in its own section */
+      {"a", "only", "1 + 10"},
+      {"b", "only", "1 + 10"}, /* the only one there is */
+      {"", "z", "1 + 10"},
+      {"c", "x", "e:1:1: error: x is defined in several sections; the use in section c does not say which\n  x\n  ^"},
+      {"", "1 + x",
+       "e:1:5: error: x is defined in several sections; the use in section (none) does not say which\n"
+       "  1 + x\n      ^"},
+      {"b", "k", "7"},
+      {"c", "k", "9"},
+      {"a", "k", "8"}, /* what has no section comes before what has another */
+      {"", "k", "8"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++)
+    ck_assert_str_eq(says(printed_view(), c[i].section, c[i].formula), c[i].says);
+}
+END_TEST
+
+/* ---- overlays */
+
+START_TEST(overlays_by_rank) {
+  static const char *const part[] = {"define p\n  equation: 5\n  x := 1\n", "define u\n  x := 2\n",
+                                     "define e\n  equation: 5\n  x := 3\n",
+                                     "define ctl\n  x := 4\ndefine ctl-2\n  x := 5\n"};
+  for (int i = 0; i < 4; i++) load(part[(i + _i) % 4], (enum rank)((i + _i) % 4));
+  static const struct {
+    enum layer layer;
+    const char *own, *control, *says;
+  } c[] = {
+      {LAYER_PRINTED, NULL, NULL, "2"},    {LAYER_CORRECTED, NULL, NULL, "3"},    {LAYER_CORRECTED, "5", NULL, "2"},
+      {LAYER_CORRECTED, "6", NULL, "3"},   {LAYER_CORRECTED, "", NULL, "3"},      {LAYER_PRINTED, NULL, "ctl", "4"},
+      {LAYER_CORRECTED, "5", "ctl", "4"},  {LAYER_CORRECTED, NULL, "ctl-2", "5"}, {LAYER_CORRECTED, NULL, "ct", "3"},
+      {LAYER_PRINTED, NULL, "other", "2"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++)
+    ck_assert_str_eq(says((struct view){&model, c[i].layer, c[i].own, c[i].control}, "", "x"), c[i].says);
+  ck_assert_str_eq(layer_name[LAYER_PRINTED], "printed");
+  ck_assert_str_eq(layer_name[LAYER_CORRECTED], "corrected");
+}
+END_TEST
+
+START_TEST(overlays_and_sections) {
+  load("section: a\ndefine a\n  x := 1\n  y := 1\n", RANK_PAPER);
+  load("section: b\ndefine b\n  x := 2\n  y := 2\n", RANK_PAPER);
+  load("define c\n  z := 3\n", RANK_PAPER);
+  load("define e\n  section: a\n  x := 11\ndefine f\n  y := 12\ndefine g\n  section: a\n  z := 13\n", RANK_ERRATA);
+  static const char *const expected[][5] = {
+      /* section, x printed, x corrected, y corrected, z corrected */
+      {"a", "1", "11", "12", "13"}, /* both name a: that one is replaced */
+      {"b", "2", "2", "12", "13"},  /* one names none: replaced wherever it stands */
+  };
+  struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
+  for (int i = 0; i < 2; i++) {
+    const char *const *x = expected[i];
+    ck_assert_str_eq(says(printed_view(), x[0], "x"), x[1]);
+    ck_assert_str_eq(says(v, x[0], "x"), x[2]);
+    ck_assert_str_eq(says(v, x[0], "y"), x[3]);
+    ck_assert_str_eq(says(v, x[0], "z"), x[4]);
+    ck_assert_str_eq(says(printed_view(), x[0], "z"), "3");
+  }
+}
+END_TEST
+
+static const char *right_side(struct view v, const char *id) {
+  const struct statement_record *r = view_record(&v, id);
+  if (!r) return "none";
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < r->n_stmts; i++) expr_print(&t, r->stmts[i]->sides[1]);
+  const char *s = format("%s", text_str(&t));
+  text_clear(&t);
+  return s;
+}
+
+START_TEST(records_replaced) {
+  load("equation e-1\n  equation: 1\n  tex: a = 1\n  1 = 1\nequation e-2\n  1 = 2\n", RANK_PAPER);
+  load("equation e-1\n  1 = 3\n", RANK_USER);
+  load("equation e-1\n  equation: 1\n  1 = 4\nequation better\n  replaces: e-2\n  1 = 5\n", RANK_ERRATA);
+  load("equation ctl\n  replaces: e-2\n  1 = 6\n", RANK_CONTROL);
+  struct view v = printed_view();
+  ck_assert_str_eq(right_side(v, "e-1"), "3");
+  ck_assert_str_eq(right_side(v, "e-2"), "2");
+  v.layer = LAYER_CORRECTED;
+  ck_assert_str_eq(right_side(v, "e-1"), "4");
+  ck_assert_str_eq(right_side(v, "e-2"), "5");
+  v.own = "1";
+  ck_assert_str_eq(right_side(v, "e-1"), "3");
+  ck_assert_str_eq(right_side(v, "e-2"), "5");
+  v.control = "ctl";
+  ck_assert_str_eq(right_side(v, "e-2"), "6");
+  ck_assert_str_eq(right_side(v, "better"), "none");
+  ck_assert_str_eq(right_side(v, "ctl"), "none");
+  ck_assert_str_eq(right_side(v, "e-"), "none");
+  const struct statement_record *r = &model.records[0];
+  ck_assert_str_eq(r->tex, "a = 1");
+  ck_assert_str_eq(r->equation, "1");
+  ck_assert_str_eq(r->section, "");
+}
+END_TEST
+
+/* ---- mistakes of files */
+
+START_TEST(files_refused) {
+  static const struct {
+    const char *text, *says;
+  } c[] = {
+      {"define d\n  x := 1\n  y := 2\n  x := 3\n",
+       "f1.eq:4:3: error: x is defined twice in section (none)\n    x := 3\n    ^"},
+      {"define d\n  section: a\n  x := 1\ndefine e\n  section: a\n  root x: x^2 - 1, smallest positive\n",
+       "f1.eq:6:3: error: x is defined twice in section a\n    root x: x^2 - 1, smallest positive\n    ^"},
+      {"relation r\n  trajectory x(t), y(t)\ndefine d\n  y(t) := t\n",
+       "f1.eq:4:3: error: y is defined twice in section (none)\n    y(t) := t\n    ^"},
+      {"definition d\n  x := 1\n",
+       "f1.eq:1:1: error: unknown record kind \"definition\"; one of symbol define equation "
+       "inequality relation\n  definition d\n  ^"},
+      {"x = 1\n", "f1.eq:1:1: error: a formula outside a record; begin one with \"define ID\" or \"equation ID\"\n"
+                  "  x = 1\n  ^"},
+      {"section: a\n  x := 1\nx := 2\n",
+       "f1.eq:3:1: error: a formula outside a record; begin one with \"define ID\" or "
+       "\"equation ID\"\n  x := 2\n  ^"},
+      {"define d\n  1 = 2\n", "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
+                              "expression\n    1 = 2\n    ^"},
+      {"define d\n  x = 1 = 2\n",
+       "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
+       "expression\n    x = 1 = 2\n    ^"},
+      {"define d\n  x < 1\n", "f1.eq:2:3: error: a define record holds definitions, name = expression or name(t) := "
+                              "expression\n    x < 1\n    ^"},
+      {"equation e\n  x := 1\n", "f1.eq:2:3: error: a definition belongs in a define record\n    x := 1\n    ^"},
+      {"inequality e\n  root w: w - 1, smallest positive\n",
+       "f1.eq:2:3: error: a definition belongs in a define record\n    root w: w - 1, smallest positive\n    ^"},
+      {"symbol x\n  x := 1\n", "f1.eq:2:3: error: a symbol has attributes only (means: ...)\n    x := 1\n    ^"},
+      {"symbol x\n  means: a\nsymbol y\nsymbol x\n",
+       "f1.eq:4:8: error: symbol x is declared twice\n  symbol x\n         ^"},
+      {"equation e\n  1 = 1\ninequality e\n  1 < 2\n", "f1.eq:3:12: error: record e is given twice\n  inequality e\n"
+                                                       "             ^"},
+      {"equation e\n  1 = 1\nequation f\n  replaces: e\n  1 = 1\n",
+       "f1.eq:3:10: error: record e is given twice\n  equation f\n           ^"},
+      {"define d\n  x := 1 +\n", "f1.eq:2:11: error: expected a number, a name, \"(\" or \"[\", found the end\n"
+                                 "    x := 1 +\n            ^"},
+      /* a misspelt attribute would silently put the record into no section */
+      {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
+                                             "tex note when replaces\n    sectoin: a\n    ^"},
+      {"symbol x\n  mean: a\n", "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note\n    mean: a\n    ^"},
+      {"equation: 1\ndefine d\n",
+       "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note\n  equation: 1\n  ^"},
+      {"define d\nx := 1\n",
+       "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
+       "of record d\n  x := 1\n  ^"},
+      {"define d\n  x := \xFF\n", "f1.eq:2:8: error: not UTF-8 text (byte 0xff)\n    x := ?\n         ^"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    model_clear(&model);
+    model_init(&model);
+    n_files = 0;
+    ck_assert_str_eq(try_load(c[i].text, RANK_PAPER), c[i].says);
+  }
+}
+END_TEST
+
+START_TEST(repetitions_allowed) {
+  load("symbol s\ndefine d\n  section: a\n  x := 1\ndefine e\n  section: b\n  x := 1\n", RANK_PAPER);
+  load("symbol s\nsymbol new\ndefine d\n  section: a\n  x := 2\n", RANK_USER);
+  load("define d\n  section: a\n  x := 3\n", RANK_ERRATA);
+  load("define c-1\n  section: a\n  x := 4\ndefine c-2\n  section: a\n  x := 5\nequation c-3\n  replaces: d\n  1 = 1\n"
+       "equation c-4\n  replaces: d\n  1 = 1\n",
+       RANK_CONTROL);
+  ck_assert(model_is_symbol(&model, "s") && model_is_symbol(&model, "new") && !model_is_symbol(&model, "x"));
+  ck_assert_str_eq(try_load("define d\n  section: a\n  z := 3\n", RANK_ERRATA),
+                   "f5.eq:1:8: error: record d is given twice\n  define d\n         ^");
+  ck_assert_str_eq(try_load("define e\n  section: a\n  x := 3\n", RANK_ERRATA),
+                   "f6.eq:3:3: error: x is defined twice in section a\n    x := 3\n    ^");
+}
+END_TEST
+
+START_TEST(folders_of_files) {
+  struct diag d;
+  diag_init(&d);
+  const char *top = scratch_path("");
+  ck_assert(!model_add_folder(&model, scratch_path("absent"), RANK_PAPER, &d));
+  ck_assert_str_eq(shown(&d), "absent: error: No such file or directory");
+  diag_init(&d);
+  ck_assert(!model_add_folder(&model, top, RANK_PAPER, &d));
+  ck_assert_str_eq(d.message, format("%s: error: no .eq file in this folder", top));
+  static const char order[] = "duhafqbzcm"; /* of writing; they are read from a to z */
+  for (const char *p = order; *p; p++) scratch_put(format("%c.eq", *p), format("symbol %c\n", *p));
+  scratch_put(".hidden.eq", "nonsense\n");
+  scratch_put("a.eq~", "nonsense\n");
+  scratch_put(".eq", "nonsense\n");
+  diag_init(&d);
+  ck_assert_msg(model_add_folder(&model, top, RANK_PAPER, &d), "%s", d.message);
+  ck_assert_uint_eq(model.n_symbols, strlen(order));
+  for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1] < *model.symbols[i]);
+  ck_assert(mkdir(scratch_path("3.eq"), 0755) == 0);
+  model_clear(&model);
+  model_init(&model);
+  ck_assert(!model_add_folder(&model, top, RANK_PAPER, &d));
+  ck_assert_str_eq(shown(&d), "3.eq: error: a folder, not a regular file");
+}
+END_TEST
+
+/* ---- mistakes of formulas, each with its place */
+
+static const char common[] = "symbol s\nsymbol t\nrelation m\n  trajectory z(t)\ndefine d\n"
+                             "  A := [1, 2; 3, 4]\n  B := [1, 2, 3; 4, 5, 6; 7, 8, 9]\n  v := [5; 6]\n  r := [7, 8]\n"
+                             "  F := [B, [B[1:2,1:2]; 0]; 0, A]\n  f(t) := 2*t\n";
+
+START_TEST(formulas_refused) {
+  static const struct {
+    const char *formula, *at, *what;
+  } c[] = {
+      {"A + v", "1:1", "a sum of different shapes: the shapes are 2x2 and 2x1"},
+      {"2*(A - s)", "1:4", "a sum of different shapes: the shapes are 2x2 and 1x1"},
+      {"A + 0.0", "1:1", "a sum of different shapes: the shapes are 2x2 and 1x1"},
+      {"s + A*B", "1:5", "a product of shapes that do not fit: the shapes are 2x2 and 3x3"},
+      {"v*v", "1:1", "a product of shapes that do not fit: the shapes are 2x1 and 2x1"},
+      {"1/A", "1:1", "the divisor is a matrix; use inv(...): the shape is 2x2"},
+      {"s + sin(A)", "1:5", "a scalar is needed here: the shape is 2x2"},
+      {"A^2", "1:1", "a scalar is needed here: the shape is 2x2"},
+      {"inv(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
+      {"det(r)", "1:1", "a square matrix is needed: the shape is 1x2"},
+      {"tr(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
+      {"det(F)", "1:1", "inv and det reach up to 4x4: the shape is 5x5"},
+      {"[A, v; v, A]", "1:8", "a block that does not fit its row or column: the shape is 2x1"},
+      {"[A, r]", "1:5", "a block that does not fit its row or column: the shape is 1x2"},
+      {"v[3]", "1:1", "an index out of range: the shape is 2x1"},
+      {"A[3,1]", "1:1", "an index out of range: the shape is 2x2"},
+      {"A[1,1:3]", "1:1", "an index out of range: the shape is 2x2"},
+      {"s[2]", "1:1", "an index out of range: the shape is 1x1"},
+      {"A[1]", "1:1", "a matrix needs two indices: the shape is 2x2"},
+      {"f(A)", "1:3", "the argument of a function is a scalar: the shape is 2x2"},
+      {"z(v)", "1:3", "the argument of a function is a scalar: the shape is 2x1"},
+      {"s + f", "1:5", "f is a function; write f(...)"},
+      {"z + s", "1:1", "z is a function; write z(...)"},
+      {"A(s)", "1:1", "A is not a function; for a product write A*(...)"},
+      {"s(t)", "1:1", "undefined symbol s; define it or declare \"symbol s\""},
+      {"s + (t*nope)", "1:8", "undefined symbol nope; define it or declare \"symbol nope\""},
+      {"nope(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
+      {"nope'(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
+      {"[s; f(nope)]", "1:7", "undefined symbol nope; define it or declare \"symbol nope\""},
+  };
+  load(common, RANK_PAPER);
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    size_t column = strtoul(c[i].at + 2, NULL, 10);
+    ck_assert_str_eq(says(printed_view(), "", c[i].formula),
+                     format("e:%s: error: %s\n  %s\n  %*s", c[i].at, c[i].what, c[i].formula, (int)column, "^"));
+  }
+}
+END_TEST
+
+START_TEST(definitions_refused) {
+  static const struct {
+    const char *text, *says;
+  } c[] = {
+      {"define d\n  y := a\n  a := 1 + b\n  b := 2*c\n  c := sin(a)\n",
+       "f1.eq:3:3: error: a is defined through itself\n    a := 1 + b\n    ^"},
+      {"define d\n  y := y\n", "f1.eq:2:3: error: y is defined through itself\n    y := y\n    ^"},
+      {"define d\n  f(t) := f'(t)\n  y := f(1)\n",
+       "f1.eq:2:3: error: f is defined through itself\n    f(t) := f'(t)\n    ^"},
+      {"define d\n  y := 1\n    + (a\n    - nope)\n  a := 1\n",
+       "f1.eq:4:7: error: undefined symbol nope; define it or declare \"symbol nope\"\n      - nope)\n        ^"},
+      {"define d\n  f(t) := t + u\n  y := f(1)\n",
+       "f1.eq:2:15: error: undefined symbol u; define it or declare \"symbol u\"\n    f(t) := t + u\n"
+       "                ^"},
+      {"define d\n  f(t) := t\n  y := f(1) + t\n", /* a parameter is nothing outside */
+       "f1.eq:3:15: error: undefined symbol t; define it or declare \"symbol t\"\n    y := f(1) + t\n"
+       "                ^"},
+      {"define d\n  root y: y^2 - w, smallest positive\n  root w: w^2 - y, smallest positive\n",
+       "f1.eq:2:3: error: y is defined through itself\n    root y: y^2 - w, smallest positive\n    ^"},
+      {"define d\n  root y: y^2 - g, smallest positive\n  g := y + 1\n",
+       "f1.eq:2:3: error: y is defined through itself\n    root y: y^2 - g, smallest positive\n    ^"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    model_clear(&model);
+    model_init(&model);
+    n_files = 0;
+    load(c[i].text, RANK_PAPER);
+    ck_assert_str_eq(says(printed_view(), "", "y"), c[i].says);
+    /* the same elaboration again: the same mistake, not one that the first left behind */
+    struct matrix m;
+    struct diag d;
+    diag_init(&d);
+    ck_assert(!elaborate_name(&m, &el, "y", "", &d));
+    ck_assert_str_eq(shown(&d), c[i].says);
+  }
+}
+END_TEST
+
+START_TEST(names_refused) {
+  load("define d\n  f(t) := t\n  x := 1\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
+  load("section: a\ndefine a\n  p := 1\n", RANK_PAPER);
+  load("section: b\ndefine b\n  p := 1\n", RANK_PAPER);
+  static const char *const c[][2] = {
+      {"f", "f is a function and needs an argument"},
+      {"z", "z is a function and needs an argument"},
+      {"nope", "undefined symbol nope"},
+      {"p", "p is defined in several sections; the use in section c does not say which"},
+  };
+  elaboration_init(&el, printed_view(), NULL, 0);
+  struct matrix m;
+  struct diag d;
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    diag_init(&d);
+    ck_assert(!elaborate_name(&m, &el, c[i][0], "c", &d));
+    ck_assert_str_eq(d.message, c[i][1]);
+  }
+  diag_init(&d);
+  ck_assert(elaborate_name(&m, &el, "x", "c", &d) && elaborate_name(&m, &el, "p", "a", &d));
+}
+END_TEST
+
+/* ---- functions */
+
+/* H(t) = [cos wt, sin wt / w] and its derivatives, by hand. */
+START_TEST(derivatives_of_functions) {
+  load("symbol w\nsymbol u\nsymbol t\ndefine d\n"
+       "  H(t) := [cos(w*t), sin(w*t)/w]\n"
+       "  G(u) := H'(2*u)\n"
+       "  q(t) := t^3/(1 + t)\n"
+       "  deep(t) := q(q(t))\n"
+       "relation m\n  trajectory z(t)\ndefine e\n"
+       "  along(t) := z(w*t) + z'(t)\n",
+       RANK_PAPER);
+  const double w = 1.25, u = 0.7;
+  const struct named env[] = {{"w", w}, {"u", u}, {"t", 100}, {NULL, 0}};
+  static const struct {
+    const char *formula;
+    int entry;
+  } formula[] = {{"H(u)", 0},      {"H'(u)", 0},      {"H'(u)", 1},  {"H''(u)", 0}, {"H'''(u)", 1},
+                 {"H'(2*u)", 0},   {"G'(u)", 0},      {"q'(u)", 0},  {"q''(u)", 0}, {"deep'(u)", 0},
+                 {"along'(u)", 0}, {"along''(u)", 0}, {"H'(0*u)", 1}};
+  double q = u * u * u / (1 + u), dq = (3 * u * u + 2 * u * u * u) / ((1 + u) * (1 + u));
+  double dq_at_q = (3 * q * q + 2 * q * q * q) / ((1 + q) * (1 + q));
+  const double expected[] = {
+      cos(w * u),
+      -w * sin(w * u),
+      cos(w * u),
+      -w * w * cos(w * u),
+      -w * w * cos(w * u),
+      -w * sin(w * 2 * u),                   /* the derivative at 2u, not that of H(2u) */
+      -2 * w * w * cos(w * 2 * u),           /* d/du H'(2u) = 2 H''(2u) */
+      dq,                                    /* (3 t^2 (1 + t) - t^3)/(1 + t)^2 */
+      2 - 2 / ((1 + u) * (1 + u) * (1 + u)), /* q = t^2 - t + 1 - 1/(1 + t) */
+      dq_at_q * dq,
+      w * cos(w * u) - sin(u), /* z is the sine */
+      -w * w * sin(w * u) - cos(u),
+      1,
+  };
+  for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
+    near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
+}
+END_TEST
+
+START_TEST(parameters_are_their_own) {
+  load("symbol t\nsymbol s\ndefine d\n"
+       "  g := t + 1\n  f(t) := g*t\n  h(s) := f(s) - f(2)\n  t2(s) := h(s)\n  pick(A) := A^2\n  A := [1, 2]\n"
+       "relation m\n  trajectory z(t)\n",
+       RANK_PAPER);
+  static const char *const c[][2] = {
+      {"f(5)", "(t + 1)*5"}, /* the t of g is not the t of f */
+      {"f(t)", "(t + 1)*t"},
+      {"f(f(s))", "(t + 1)*((t + 1)*s)"},
+      {"h(t)", "(t + 1)*t - (t + 1)*2"},
+      {"t2(t*s)", "(t + 1)*(t*s) - (t + 1)*2"},
+      {"pick(s)", "s^2"}, /* a parameter hides a definition */
+      {"f'(s)", "(t + 1)*1"},
+      {"z''(f(s)) - z(0)", "z''((t + 1)*s) - z(0)"},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
+}
+END_TEST
+
+/* ---- matrices */
+
+START_TEST(matrices) {
+  load(common, RANK_PAPER);
+  static const char *const c[][2] = {
+      {"A", "[1, 2; 3, 4]"},
+      {"[A, 0; 0, A]", "[1, 2, 0, 0; 3, 4, 0, 0; 0, 0, 1, 2; 0, 0, 3, 4]"},
+      {"[A, v; r, s]", "[1, 2, 5; 3, 4, 6; 7, 8, s]"},
+      {"[A, (0); r, ((0))]", "[1, 2, 0; 3, 4, 0; 7, 8, 0]"}, /* nothing gives the column a width: 1 */
+      {"[0, A]", "[0, 1, 2; 0, 3, 4]"},
+      {"[A; 0]", "[1, 2; 3, 4; 0, 0]"},
+      {"[0, 0; 0, 0]", "[0, 0; 0, 0]"},
+      {"[s, 0; 0, 0.0]", "[s, 0; 0, 0.0]"},
+      {"[v, v]", "[5, 5; 6, 6]"},
+      {"A + 0", "[1 + 0, 2 + 0; 3 + 0, 4 + 0]"},
+      {"0 - v", "[0 - 5; 0 - 6]"},
+      {"-v", "[-5; -6]"},
+      {"A*v", "[1*5 + 2*6; 3*5 + 4*6]"},
+      {"r*A", "[7*1 + 8*3, 7*2 + 8*4]"},
+      {"r*v", "7*5 + 8*6"},
+      {"sin(r*v)", "sin(7*5 + 8*6)"}, /* one entry is a scalar */
+      {"v*r", "[5*7, 5*8; 6*7, 6*8]"},
+      {"s*A", "[s*1, s*2; s*3, s*4]"},
+      {"A*s/2", "[1*s/2, 2*s/2; 3*s/2, 4*s/2]"},
+      {"s*s", "s*s"},
+      {"transpose([A, v])", "[1, 3; 2, 4; 5, 6]"},
+      {"tr(A)", "1 + 4"},
+      {"tr([s])", "s"},
+      {"det(A)", "1*4 - 2*3"},
+      {"inv([s])", "1/s"},
+      {"A[2,1]", "3"},
+      {"A[1:2,2]", "[2; 4]"},
+      {"A[2,1:2]", "[3, 4]"},
+      {"B[2:3,1:2]", "[4, 5; 7, 8]"},
+      {"v[2]", "6"},
+      {"r[1:2]", "[7, 8]"},
+      {"(A*v)[1]", "1*5 + 2*6"},
+      {"[A, v][2,3]", "6"},
+      {"B[1:2,1:3][2,3]", "6"},
+      {"s[1]", "s"},
+      {"z(s)[1,1]", "z(s)"},
+      {"F[1:5,4]", "[1; 4; 0; 1; 3]"}, /* B beside two of its rows and a zero; a zero beside A */
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) ck_assert_str_eq(says(printed_view(), "", c[i][0]), c[i][1]);
+}
+END_TEST
+
+/* Determinant and inverse by elimination with pivoting, the test's own: a becomes the inverse. */
+static double eliminate(double a[4][4], int n) {
+  double det = 1, b[4][4] = {{0}};
+  for (int i = 0; i < n; i++) b[i][i] = 1;
+  for (int k = 0; k < n; k++) {
+    int p = k;
+    for (int i = k; i < n; i++)
+      if (fabs(a[i][k]) > fabs(a[p][k])) p = i;
+    if (p != k) det = -det;
+    for (int j = 0; j < n; j++) {
+      double t = a[k][j], u = b[k][j];
+      a[k][j] = a[p][j], a[p][j] = t;
+      b[k][j] = b[p][j], b[p][j] = u;
+    }
+    double pivot = a[k][k];
+    det *= pivot;
+    for (int j = 0; j < n; j++) a[k][j] /= pivot, b[k][j] /= pivot;
+    for (int i = 0; i < n; i++) {
+      double f = a[i][k];
+      for (int j = 0; i != k && j < n; j++) a[i][j] -= f * a[k][j], b[i][j] -= f * b[k][j];
+    }
+  }
+  memcpy(a, b, sizeof b);
+  return det;
+}
+
+START_TEST(determinants_and_inverses) {
+  static const struct named none[] = {{NULL, 0}};
+  rng = 11;
+  for (int trial = 0; trial < 40; trial++) {
+    int n = trial % 4 + 1;
+    double a[4][4] = {{0}}, trace = 0;
+    struct text t;
+    text_init(&t);
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) {
+        a[i][j] = (double)((long)(rnd() % 65) - 32) / 8 + (i == j ? 9 : 0);
+        if (i == j) trace += a[i][j];
+        text_printf(&t, "%s%.3f", j ? ", " : i ? "; " : "[", a[i][j]);
+      }
+    text_add(&t, "]");
+    near(number(value_of(format("tr(%s)", t.data))->e[0], none), trace, t.data);
+    const struct matrix *turned = value_of(format("transpose(%s)", t.data));
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) near(number(turned->e[j * n + i], none), a[i][j], t.data);
+    double det = eliminate(a, n);
+    near(number(value_of(format("det(%s)", t.data))->e[0], none), det, t.data);
+    const struct matrix *inverse = value_of(format("inv(%s)", t.data));
+    ck_assert(inverse->rows == n && inverse->cols == n);
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) near(number(inverse->e[i * n + j], none), a[i][j], t.data);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* ---- roots */
+
+START_TEST(polynomials_of_roots) {
+  static const struct {
+    const char *polynomial;
+    double coeff[7]; /* at a = 2, b = 3, up to the leading one */
+    int degree;
+  } c[] = {
+      {"w^2 - a", {-2, 0, 1}, 2},
+      {"a - w", {2, -1}, 1},
+      {"(w^2 - a)*(w^2 - b)", {6, 0, -5, 0, 1}, 4},
+      {"(w - a)^3", {-8, 12, -6, 1}, 3},
+      {"-(w - a)*(b + w)", {6, -1, -1}, 2},
+      {"w*w*w - a*w + 1", {1, -2, 0, 1}, 3},
+      {"(w^2/a - b*w)/(a + b)", {0, -0.6, 0.1}, 2},
+      {"b*(w + a)*w*(w^2)^2/6 - a", {-2, 0, 0, 0, 0, 1, 0.5}, 6},
+      {"sin(a)*0 + (w - b)*cos(a - a)", {-3, 1}, 1},
+      {"det(K - I*w^2)", {4.5, 0, -4, 0, 1}, 4}, /* (1 - w^2)(3 - w^2) + 1.5 */
+      {"f(w) - b", {-3, 0, 2}, 2},
+      {"f'(w) - b", {-3, 4}, 1},
+      {"(w + g)^2 - w^2", {25, 10, 0}, 2}, /* nothing is folded: the degree as written */
+      {"1 - (2 - (3 - (4 - w)))", {-2, 1}, 1},
+  };
+  load("symbol a\nsymbol b\ndefine d\n  K := [1, a; -b/4, 3]\n  I := [1, 0; 0, 1]\n  f(t) := a*t^2\n  g := a + b\n",
+       RANK_PAPER);
+  const struct named env[] = {{"a", 2}, {"b", 3}, {NULL, 0}};
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    load(format("define c-%zu\n  root w: %s, %s positive\n", i, c[i].polynomial, i % 2 ? "largest" : "smallest"),
+         RANK_CONTROL);
+    struct diag d;
+    const struct matrix *m = value_in((struct view){&model, LAYER_PRINTED, NULL, format("c-%zu", i)}, "", "w", &d);
+    ck_assert_msg(m, "%s", d.message);
+    ck_assert_str_eq(spell(m), "w");
+    ck_assert_uint_eq(el.n_roots, 1);
+    ck_assert_int_eq(el.roots[0].n_coeff, c[i].degree + 1);
+    ck_assert_int_eq(el.roots[0].largest, i % 2);
+    for (int k = 0; k <= c[i].degree; k++)
+      near(number(el.roots[0].coeff[k], env), c[i].coeff[k], format("%s, x^%d", c[i].polynomial, k));
+  }
+}
+END_TEST
+
+START_TEST(polynomials_refused) {
+  static const char *const polynomial[] = {"sin(w)",    "1/w",      "w/w",        "w^(-1)",  "sqrt(w^2)",
+                                           "a",         "w^33",     "w^17*w^17",  "w^0 + w", "z(w)",
+                                           "a/(1 + w)", "cot(a*w)", "(w^2)^(-1)", "(w^8)^5"};
+  load("symbol a\nrelation r\n  trajectory z(t)\n", RANK_PAPER);
+  for (size_t i = 0; i < sizeof polynomial / sizeof *polynomial; i++) {
+    const char *text = format("  root w: %s, smallest positive", polynomial[i]);
+    load(format("define c-%zu\n%s\n", i, text), RANK_CONTROL);
+    ck_assert_str_eq(
+        says((struct view){&model, LAYER_PRINTED, NULL, format("c-%zu", i)}, "", "w"),
+        format("f%d.eq:2:11: error: not a polynomial in w of degree 1 to 32\n  %s\n            ^", n_files, text));
+  }
+  load("define m\n  root w: [w; 1], smallest positive\n", RANK_CONTROL);
+  ck_assert_str_eq(says((struct view){&model, LAYER_PRINTED, NULL, "m"}, "", "w"),
+                   format("f%d.eq:2:11: error: a root needs a scalar polynomial: the shape is 2x1\n"
+                          "    root w: [w; 1], smallest positive\n            ^",
+                          n_files));
+}
+END_TEST
+
+/* Roots of one name in two sections are two quantities, also where the one's polynomial holds the other. */
+START_TEST(roots_of_two_sections) {
+  load("section: a\ndefine a\n  root w: w^2 - g, smallest positive\n", RANK_PAPER);
+  load("section: b\ndefine b\n  g := 3*w\n  root w: w - 5, largest positive\n  root v: v - 1, largest positive\n",
+       RANK_PAPER);
+  ck_assert_str_eq(says(printed_view(), "a", "w + v"), "w@a + v");
+  ck_assert_str_eq(says(printed_view(), "b", "[w, g]"), "[w@b, 3*w@b]");
+  ck_assert_str_eq(says(printed_view(), "a", "w*g"), "w@a*(3*w@b)");
+  ck_assert_uint_eq(el.n_roots, 2);
+  for (int i = 0; i < 2; i++) {
+    bool a = strcmp(el.roots[i].name, "w@a") == 0;
+    const struct named env[] = {{"w@b", 5}, {NULL, 0}};
+    ck_assert_int_eq(el.roots[i].n_coeff, a ? 3 : 2);
+    near(number(el.roots[i].coeff[0], env), a ? -15 : -5, el.roots[i].name);
+  }
+}
+END_TEST
+
+/* ---- values from outside */
+
+START_TEST(overridden_matrices) {
+  load("symbol s\nsymbol t\ndefine d\n  A := [s, 2; 3, 4]\n  P := A*[1; s]\n  f(A) := A + 1\n  one := 1/s\n",
+       RANK_PAPER);
+  static const struct override o[] = {{"A", 2, 2}, {"one", 1, 1}};
+  static const char *const c[][2] = {
+      {"A", "[A[1,1], A[1,2]; A[2,1], A[2,2]]"},
+      {"P", "[A[1,1]*1 + A[1,2]*s; A[2,1]*1 + A[2,2]*s]"},
+      {"tr(A)", "A[1,1] + A[2,2]"},
+      {"one", "one[1,1]"},
+      {"f(s)", "s + 1"}, /* a parameter hides it */
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct source src;
+    struct matrix m;
+    struct diag d;
+    diag_init(&d);
+    elaboration_clear(&el);
+    elaboration_init(&el, printed_view(), o, 2);
+    source_from_string(&src, "e", c[i][0]);
+    const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, &d);
+    ck_assert_msg(e && elaborate(&m, &el, e, &src, "", &d), "%s", d.message);
+    source_clear(&src);
+    ck_assert_str_eq(spell(&m), c[i][1]);
+  }
+}
+END_TEST
+
+/* ---- both sides, and everything at once */
+
+START_TEST(sides_in_one_shape) {
+  load("symbol s\nequation e\n  [s; 1] = 0\n  0 = [s, 1] = [1, 2]\n  s = [1; 2]\n  s = 0\n", RANK_PAPER);
+  static const struct {
+    int stmt, step;
+    const char *lhs, *rhs;
+  } c[] = {{0, 0, "[s; 1]", "[0; 0]"}, {1, 0, "[0, 0]", "[s, 1]"}, {1, 1, "[s, 1]", "[1, 2]"}, {3, 0, "s", "0"}};
+  elaboration_init(&el, printed_view(), NULL, 0);
+  const struct statement_record *r = &model.records[0];
+  struct matrix a, b;
+  struct diag d;
+  diag_init(&d);
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    ck_assert(elaborate_sides(&a, &b, &el, r->stmts[c[i].stmt], c[i].step, r->src, "", &d));
+    ck_assert_str_eq(spell(&a), c[i].lhs);
+    ck_assert_str_eq(spell(&b), c[i].rhs);
+  }
+  ck_assert(!elaborate_sides(&a, &b, &el, r->stmts[2], 0, r->src, "", &d));
+  ck_assert_str_eq(shown(&d), "f1.eq:5:3: error: the two sides have the shapes 1x1 and 2x1\n    s = [1; 2]\n    ^");
+}
+END_TEST
+
+START_TEST(everything_checked) {
+  static const struct {
+    const char *text, *says;
+  } c[] = {
+      {"define d\n  f(t) := t + nope\n", "undefined symbol nope"},
+      {"define d\n  root w: sin(w), smallest positive\n", "not a polynomial"},
+      {"equation e\n  1 = 2 = nope\n", "undefined symbol nope"},
+      {"equation e\n  1 = [1, 2]\n", "the two sides have the shapes"},
+      {"inequality e\n  1 < 2 for s in (0, nope)\n", "undefined symbol nope"},
+      {"inequality e\n  1 < 2 for s in (nope, 1)\n", "undefined symbol nope"},
+      {"inequality e\n  1 < 2 for s in ([1, 2], 1)\n", "the end of a range is a scalar"},
+      {"inequality e\n  0 < s for s in (0, 1)\n", ""},
+      {"inequality e\n  0 < s for s in {+1, -1}\n", ""},
+      {"relation r\n  trajectory z(s)\n  z'(s) + z(s) = 0\n", ""},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    model_clear(&model);
+    model_init(&model);
+    load("symbol s\n", RANK_PAPER);
+    load(c[i].text, RANK_PAPER);
+    struct diag d;
+    diag_init(&d);
+    bool ok = view_check(printed_view(), &d);
+    ck_assert_msg(ok == !*c[i].says && strstr(d.message, c[i].says), "%s: %s", c[i].text, d.message);
+  }
+  /* what an overlay hides is not looked at */
+  model_clear(&model);
+  model_init(&model);
+  load("equation e\n  1 = nope\n", RANK_PAPER);
+  load("equation e\n  1 = 1\n", RANK_ERRATA);
+  struct diag d;
+  diag_init(&d);
+  ck_assert(view_check((struct view){&model, LAYER_CORRECTED, NULL, NULL}, &d));
+  ck_assert(!view_check(printed_view(), &d));
+}
+END_TEST
+
+/* ---- limits: each is a diagnostic, none is a crash */
+
+/* y_n := 1 - (1 - ( ... (1 - y_(n-1)))) with 150 brackets */
+static const char *nested_definitions(int n) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "symbol s\ndefine d\n  y0 := s\n");
+  for (int i = 1; i <= n; i++) {
+    text_printf(&t, "  y%d := ", i);
+    for (int k = 0; k < 150; k++) text_add(&t, "1 - (");
+    text_printf(&t, "y%d", i - 1);
+    for (int k = 0; k < 150; k++) text_add(&t, ")");
+    text_add(&t, "\n");
+  }
+  const char *s = arena_strndup(&arena, t.data, t.len);
+  text_clear(&t);
+  return s;
+}
+
+START_TEST(nesting_is_bounded) {
+  static const struct named env[] = {{"s", 0.25}, {NULL, 0}};
+  load(nested_definitions(20), RANK_PAPER);
+  near(number(value_of("y6")->e[0], env), 0.25, "900 brackets, an even number"); /* 1 - (1 - s) = s */
+  static const char *const wrong[] = {"y7", "y20"};
+  for (int i = 0; i < 2; i++)
+    ck_assert_ptr_nonnull(strstr(says(printed_view(), "", wrong[i]),
+                                 "error: definitions and brackets nested more than 1000 levels deep"));
+}
+END_TEST
+
+START_TEST(sizes_are_bounded) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "symbol s\ndefine d\n  column := [1");
+  for (int i = 1; i < 65; i++) text_printf(&t, "; %d", i);
+  text_add(&t, "]\n  square := column[1:64]*transpose(column[1:64])\n  s0 := s\n");
+  for (int i = 1; i <= 20; i++) text_printf(&t, "  s%d := s%d*s%d\n", i, i - 1, i - 1);
+  text_add(&t, "  root w: w - s20, smallest positive\n");
+  load(t.data, RANK_PAPER);
+  text_clear(&t);
+  /* 64 by 64 is the largest */
+  ck_assert_int_eq(value_of("square")->rows, 64);
+  ck_assert_str_eq(says(printed_view(), "", "column*transpose(column)"),
+                   "e:1:1: error: a matrix of more than 4096 entries: the shapes are 65x1 and 1x65\n"
+                   "  column*transpose(column)\n  ^");
+  ck_assert_str_eq(says(printed_view(), "", "[square, square[1:64,1]]"),
+                   "e:1:1: error: a matrix of more than 4096 entries\n  [square, square[1:64,1]]\n  ^");
+  /* s20 is 2^20 factors, but 20 shared products */
+  ck_assert_int_eq(value_of("s20")->rows, 1);
+  ck_assert(el.pool.n <= 21);
+  ck_assert_ptr_nonnull(strstr(says(printed_view(), "", "w"), "error: the polynomial in w is too large"));
+  /* 64^3 products and nearly as many sums */
+  ck_assert_str_eq(says(printed_view(), "", "s + tr(square*square)"),
+                   "e:1:8: error: a formula of more than 500000 scalars when its definitions are put in\n"
+                   "  s + tr(square*square)\n         ^");
+}
+END_TEST
+
+/* ---- the paper */
+
+static const char *data(const char *name) {
+  const char *folder = getenv("STICKSLIP_DATA");
+  return format("%s/%s", folder && *folder ? folder : "verify", name);
+}
+
+START_TEST(paper_files) {
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(model_add_folder(&model, data("paper"), RANK_PAPER, &d) &&
+                    model_add_file(&model, data("errata.eq"), RANK_ERRATA, &d),
+                "%s", d.message);
+  for (int layer = 0; layer < N_LAYERS; layer++) {
+    struct view v = {&model, (enum layer)layer, NULL, NULL};
+    ck_assert_msg(view_check(v, &d), "%s: %s", layer_name[layer], d.message);
+  }
+  /* the equations carry the paper's numbers, and what quotes its text without one is a sentence */
+  enum { LAST = 61 };
+  bool numbered[LAST + 1] = {false};
+  for (size_t i = 0; i < model.n_records; i++) {
+    const struct statement_record *r = &model.records[i];
+    ck_assert_msg(!*r->tex || *r->equation || strncmp(r->id, "text-", 5) == 0, "%s: quoted, but no number", r->id);
+    ck_assert_msg(*r->section, "%s: no section", r->id);
+    unsigned long n = strtoul(r->equation, NULL, 10);
+    ck_assert_msg(n <= LAST, "%s: the paper has no equation %s", r->id, r->equation);
+    if (r->rank == RANK_PAPER) numbered[n] = true;
+  }
+  for (int i = 1; i <= LAST; i++) ck_assert_msg(numbered[i], "equation (%d) is missing", i);
+}
+END_TEST
+
+Suite *model_suite(void) {
+  Suite *s = suite_create("model");
+  TCase *tc = tcase_create("files");
+  tcase_add_checked_fixture(tc, setup, teardown);
+  tcase_add_loop_test(tc, names_by_section, 0, 3);
+  tcase_add_loop_test(tc, overlays_by_rank, 0, 4);
+  tcase_add_test(tc, overlays_and_sections);
+  tcase_add_test(tc, records_replaced);
+  tcase_add_test(tc, files_refused);
+  tcase_add_test(tc, repetitions_allowed);
+  tcase_add_test(tc, folders_of_files);
+  tcase_add_test(tc, paper_files);
+  suite_add_tcase(s, tc);
+
+  tc = tcase_create("elaboration");
+  tcase_add_checked_fixture(tc, setup, teardown);
+  tcase_add_test(tc, formulas_refused);
+  tcase_add_test(tc, definitions_refused);
+  tcase_add_test(tc, names_refused);
+  tcase_add_test(tc, derivatives_of_functions);
+  tcase_add_test(tc, parameters_are_their_own);
+  tcase_add_test(tc, matrices);
+  tcase_add_test(tc, determinants_and_inverses);
+  tcase_add_test(tc, polynomials_of_roots);
+  tcase_add_test(tc, polynomials_refused);
+  tcase_add_test(tc, roots_of_two_sections);
+  tcase_add_test(tc, overridden_matrices);
+  tcase_add_test(tc, sides_in_one_shape);
+  tcase_add_test(tc, everything_checked);
+  tcase_add_test(tc, nesting_is_bounded);
+  tcase_add_test(tc, sizes_are_bounded);
+  suite_add_tcase(s, tc);
+  return s;
+}

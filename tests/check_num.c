@@ -1,0 +1,961 @@
+/* Tests of the number module beyond the laws of laws_num.c: vectors and matrices against FLINT's integer matrices,
+   roots against polynomials made from chosen roots, printed digits against the C library's conversion and MPFR's. */
+#include "laws_num.h"
+#include "suites.h"
+
+#include <math.h>
+#include <signal.h>
+#include <stdlib.h>
+#include <string.h>
+
+static void put(struct num_vec *v, slong i, double x) {
+  if (v->ctx.type->set_d(num_vec_at(v, i), x, v->ctx.prec) != SS_OK) ck_abort_msg("set_d");
+}
+
+/* |element i - q| <= eps times max(1, |q|), or the ball holds q with at most that radius. */
+static bool is_close(const struct num_vec *v, slong i, const fmpq_t q, double eps) {
+  arb_t x, exact, bound, error;
+  arb_init(x);
+  arb_init(exact);
+  arb_init(bound);
+  arb_init(error);
+  v->ctx.type->get_arb(x, num_vec_at(v, i));
+  bool ok = !v->ctx.type->rigorous || arb_contains_fmpq(x, q);
+  arb_set_fmpq(exact, q, 600);
+  arb_set_d(error, eps);
+  arb_abs(bound, exact);
+  arb_set_ui(error, 1);
+  arb_max(bound, bound, error, 600);
+  arb_set_d(error, eps);
+  arb_mul(bound, bound, error, 600);
+  arb_sub(error, x, exact, 600);
+  arb_abs(error, error);
+  ok = ok && arb_le(error, bound);
+  arb_clear(x);
+  arb_clear(exact);
+  arb_clear(bound);
+  arb_clear(error);
+  return ok;
+}
+
+static bool is_nan(const struct num_vec *v, slong i) {
+  return isnan(v->ctx.type->get_d(num_vec_at(v, i)));
+}
+
+static bool same(const struct num_vec *v, const struct num_vec *w) {
+  arb_t x, y;
+  bool yes = v->len == w->len;
+  arb_init(x);
+  arb_init(y);
+  for (slong i = 0; i < v->len && yes; i++) {
+    v->ctx.type->get_arb(x, num_vec_at(v, i));
+    v->ctx.type->get_arb(y, num_vec_at(w, i));
+    yes = arb_equal(x, y);
+  }
+  arb_clear(x);
+  arb_clear(y);
+  return yes;
+}
+
+/* --- Vectors. --- */
+
+START_TEST(vectors) {
+  struct num_vec v, w, none;
+  num_vec_init(&v, 3, law_context(_i));
+  num_vec_init(&w, 3, law_context(_i));
+  num_vec_init(&none, 0, law_context(_i));
+  for (slong i = 0; i < 3; i++) {
+    ck_assert(v.ctx.type->is_zero(num_vec_at(&v, i)) == TRUTH_TRUE);
+    put(&v, i, (double)i + 0.5);
+  }
+  num_vec_set(&w, &v);
+  ck_assert(same(&v, &w));
+  put(&w, 1, 7);
+  ck_assert(v.ctx.type->get_d(num_vec_at(&v, 1)) == 1.5 && v.ctx.type->get_d(num_vec_at(&w, 2)) == 2.5);
+  num_vec_set(&none, &none);
+  num_vec_clear(&v);
+  num_vec_clear(&w);
+  num_vec_clear(&none);
+}
+END_TEST
+
+START_TEST(out_of_range_aborts) {
+  struct num_vec v;
+  num_vec_init(&v, 3, num_ctx_double());
+  num_vec_at(&v, _i == 0 ? -1 : 3);
+}
+END_TEST
+
+/* --- Matrices. --- */
+
+static void from_integers(struct num_vec *v, const fmpz_mat_t a) {
+  slong cols = fmpz_mat_ncols(a);
+  for (slong i = 0; i < v->len; i++) put(v, i, fmpz_get_d(fmpz_mat_entry(a, i / cols, i % cols)));
+}
+
+static void random_integers(fmpz_mat_t a, struct rng *r, slong size) {
+  for (slong i = 0; i < fmpz_mat_nrows(a); i++)
+    for (slong j = 0; j < fmpz_mat_ncols(a); j++) fmpz_set_si(fmpz_mat_entry(a, i, j), rng_between(r, -size, size));
+}
+
+static bool are_integers(const struct num_vec *v, const fmpz_mat_t a, double eps) {
+  slong cols = fmpz_mat_ncols(a);
+  fmpq_t q;
+  bool ok = true;
+  fmpq_init(q);
+  for (slong i = 0; i < v->len && ok; i++) {
+    fmpq_set_fmpz(q, fmpz_mat_entry(a, i / cols, i % cols));
+    ok = is_close(v, i, q, eps);
+  }
+  fmpq_clear(q);
+  return ok;
+}
+
+/* Integer entries small enough for every type to be exact: the product must be FLINT's. */
+START_TEST(products) {
+  for (uint64_t seed = 1; seed <= 60; seed++) {
+    struct rng r = {seed};
+    slong m = rng_between(&r, 1, 4), n = rng_between(&r, 1, 4), p = rng_between(&r, 1, 4);
+    fmpz_mat_t a, b, c;
+    struct num_vec x, y, z;
+    fmpz_mat_init(a, m, n);
+    fmpz_mat_init(b, n, p);
+    fmpz_mat_init(c, m, p);
+    num_vec_init(&x, m * n, law_context(_i));
+    num_vec_init(&y, n * p, law_context(_i));
+    num_vec_init(&z, m * p, law_context(_i));
+    random_integers(a, &r, 100);
+    random_integers(b, &r, 100);
+    fmpz_mat_mul(c, a, b);
+    from_integers(&x, a);
+    from_integers(&y, b);
+    ck_assert_msg(num_mat_mul(&z, &x, &y, m, n, p) == SS_OK && are_integers(&z, c, 0), "seed %d", (int)seed);
+    if (n == p && num_mat_mul(&x, &x, &y, m, n, n) == SS_OK) ck_assert_msg(same(&x, &z), "z = x, seed %d", (int)seed);
+    from_integers(&x, a);
+    if (m == n && num_mat_mul(&y, &x, &y, n, n, p) == SS_OK) ck_assert_msg(same(&y, &z), "z = y, seed %d", (int)seed);
+    if (m == n) {
+      struct num_vec square;
+      num_vec_init(&square, n * n, x.ctx);
+      ck_assert(num_mat_mul(&square, &x, &x, n, n, n) == SS_OK && num_mat_mul(&x, &x, &x, n, n, n) == SS_OK);
+      ck_assert_msg(same(&square, &x), "z = x = y, seed %d", (int)seed);
+      num_vec_clear(&square);
+    }
+    fmpz_mat_clear(a);
+    fmpz_mat_clear(b);
+    fmpz_mat_clear(c);
+    num_vec_clear(&x);
+    num_vec_clear(&y);
+    num_vec_clear(&z);
+  }
+}
+END_TEST
+
+/* a x = b with chosen integers x; entries up to 20, so that the error stays below 2^16 units for nearly singular a. */
+START_TEST(solutions_and_determinants) {
+  struct num_ctx ctx = law_context(_i);
+  double eps = ldexp(1, 18 - (int)ctx.prec);
+  int solved = 0;
+  for (uint64_t seed = 1; seed <= 150; seed++) {
+    struct rng r = {seed};
+    slong n = rng_between(&r, 1, 5), p = rng_between(&r, 1, 3);
+    fmpz_mat_t a, x, b, det;
+    struct num_vec na, nb, nx;
+    fmpz_mat_init(a, n, n);
+    fmpz_mat_init(x, n, p);
+    fmpz_mat_init(b, n, p);
+    fmpz_mat_init(det, 1, 1);
+    num_vec_init(&na, n * n, ctx);
+    num_vec_init(&nb, n * p, ctx);
+    num_vec_init(&nx, n * p, ctx);
+    random_integers(a, &r, 20);
+    random_integers(x, &r, 20);
+    fmpz_mat_mul(b, a, x);
+    fmpz_mat_det(fmpz_mat_entry(det, 0, 0), a);
+    from_integers(&na, a);
+    from_integers(&nb, b);
+    int status = num_mat_solve(&nx, &na, &nb, n, p);
+    if (fmpz_is_zero(fmpz_mat_entry(det, 0, 0))) {
+      ck_assert_msg(status != SS_OK || !ctx.type->rigorous, "a singular matrix was solved, seed %d", (int)seed);
+    } else {
+      solved++;
+      ck_assert_msg(status == SS_OK && are_integers(&nx, x, eps), "seed %d", (int)seed);
+      ck_assert(num_mat_solve(&nb, &na, &nb, n, p) == SS_OK);
+      ck_assert_msg(same(&nx, &nb), "x = b, seed %d", (int)seed);
+    }
+    struct num_vec d;
+    num_vec_init(&d, 1, ctx);
+    status = num_mat_det(num_vec_at(&d, 0), &na, n);
+    double scale = pow(20, (double)n); /* the determinant's own error is relative to its terms */
+    ck_assert_msg(status == SS_OK && are_integers(&d, det, eps * scale), "determinant, seed %d", (int)seed);
+    num_vec_clear(&d);
+    fmpz_mat_clear(a);
+    fmpz_mat_clear(x);
+    fmpz_mat_clear(b);
+    fmpz_mat_clear(det);
+    num_vec_clear(&na);
+    num_vec_clear(&nb);
+    num_vec_clear(&nx);
+  }
+  ck_assert_int_gt(solved, 100);
+}
+END_TEST
+
+static void fill(struct num_vec *v, const double *x) {
+  for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
+}
+
+/* Elimination is exact on these, whatever the type. */
+START_TEST(singular_matrices) {
+  static const double singular[][9] = {{0, 0, 0, 0, 0, 0, 0, 0, 0},
+                                       {1, 2, 3, 2, 4, 6, 1, 1, 1},
+                                       {1, 0, 2, 3, 0, 4, 5, 0, 6},
+                                       {4, 2, 1, 2, 1, 0.5, 1, 0.5, 0.25}};
+  struct num_vec a, b, x, d;
+  num_vec_init(&a, 9, law_context(_i));
+  num_vec_init(&b, 3, law_context(_i));
+  num_vec_init(&x, 3, law_context(_i));
+  num_vec_init(&d, 1, law_context(_i));
+  for (size_t i = 0; i < sizeof singular / sizeof *singular; i++) {
+    fill(&a, singular[i]);
+    ck_assert_int_eq(num_mat_solve(&x, &a, &b, 3, 1), SS_DOMAIN);
+    ck_assert(is_nan(&x, 0) && is_nan(&x, 2));
+    put(&d, 0, 5);
+    ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 3), SS_OK);
+    ck_assert(d.ctx.type->is_zero(num_vec_at(&d, 0)) == TRUTH_TRUE);
+  }
+  /* a zero in the first place needs a swap of rows, which changes the sign */
+  fill(&a, (const double[]){0, 2, 0, 4, 0, 0, 0, 0, 8});
+  fill(&b, (const double[]){6, 4, 8});
+  ck_assert_int_eq(num_mat_solve(&x, &a, &b, 3, 1), SS_OK);
+  static const double expected[] = {1, 3, 1};
+  for (slong i = 0; i < 3; i++) ck_assert(x.ctx.type->get_d(num_vec_at(&x, i)) == expected[i]);
+  ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 3), SS_OK);
+  ck_assert(d.ctx.type->get_d(num_vec_at(&d, 0)) == -64);
+  num_vec_clear(&a);
+  num_vec_clear(&b);
+  num_vec_clear(&x);
+  num_vec_clear(&d);
+}
+END_TEST
+
+START_TEST(pivots_that_cannot_be_told) {
+  struct num_ctx ctx = num_ctx_arb(100);
+  struct num_vec a, b, d;
+  num_vec_init(&a, 4, ctx);
+  num_vec_init(&b, 2, ctx);
+  num_vec_init(&d, 1, ctx);
+  fill(&a, (const double[]){0, 1, 0, 1});
+  arb_struct *corner = num_vec_at(&a, 0);
+  mag_set_d(arb_radref(corner), 1e-9);
+  fill(&b, (const double[]){1, 1});
+  ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_UNABLE);
+  ck_assert(is_nan(&b, 0) && is_nan(&b, 1));
+  ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 2), SS_UNABLE);
+  /* |1 1; 1 1 +- r| is around zero, but enclosed all the same */
+  fill(&a, (const double[]){1, 1, 1, 1});
+  mag_set_d(arb_radref((arb_struct *)num_vec_at(&a, 3)), 1e-9);
+  ck_assert_int_eq(num_mat_det(num_vec_at(&d, 0), &a, 2), SS_OK);
+  ck_assert(arb_contains_zero(num_vec_at(&d, 0)) && d.ctx.type->is_zero(num_vec_at(&d, 0)) == TRUTH_UNKNOWN);
+  /* 1/4 below is the pivot, not the larger middle of a ball around zero; the second one is 1 - [-1, 5]/8 then */
+  fill(&a, (const double[]){0.5, 1, 0.25, 0.125});
+  mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&a, 0)), 3, -2);
+  ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_UNABLE); /* b is NaN */
+  fill(&b, (const double[]){1, 1});
+  ck_assert_int_eq(num_mat_solve(&b, &a, &b, 2, 1), SS_OK);
+  num_vec_clear(&a);
+  num_vec_clear(&b);
+  num_vec_clear(&d);
+}
+END_TEST
+
+/* --- Roots. --- */
+
+static int compare(const void *x, const void *y) {
+  const double *a = x, *b = y;
+  return (*a > *b) - (*a < *b);
+}
+
+/* The product of the (x - r[i]) as integers; each r[i] is a multiple of 1/8 (8x - 8r then). */
+static void from_roots(fmpz_poly_t f, const double *r, slong n) {
+  fmpz_poly_t factor;
+  fmpz_poly_init(factor);
+  fmpz_poly_one(f);
+  for (slong i = 0; i < n; i++) {
+    fmpz_poly_set_coeff_si(factor, 1, 8);
+    fmpz_poly_set_coeff_si(factor, 0, -(slong)(8 * r[i]));
+    fmpz_poly_mul(f, f, factor);
+  }
+  fmpz_poly_clear(factor);
+}
+
+static void set_coefficients(struct num_vec *c, const fmpz_poly_t f) {
+  fmpq_t q;
+  fmpq_init(q);
+  for (slong i = 0; i < c->len; i++) {
+    fmpz_poly_get_coeff_fmpz(fmpq_numref(q), f, i);
+    fmpz_one(fmpq_denref(q));
+    if (c->ctx.type->set_q(num_vec_at(c, i), q, c->ctx.prec) != SS_OK) ck_abort_msg("set_q");
+  }
+  fmpq_clear(q);
+}
+
+/* Random roots, some repeated, some negative or zero, and a factor x^2 + 1 now and then: every index, from both ends,
+   and one too far.  The coefficients are exact in every context used. */
+static void check_known_roots(struct num_ctx ctx, uint64_t seed) {
+  struct rng r = {seed};
+  slong n = rng_between(&r, 0, 4), distinct = 0;
+  double roots[4], positive[4];
+  fmpz_poly_t f;
+  struct num_vec c, z;
+  fmpz_poly_init(f);
+  num_vec_init(&z, 1, ctx);
+  for (slong i = 0; i < n; i++) {
+    bool again = i > 0 && rng_between(&r, 0, 3) == 0;
+    roots[i] = again ? roots[i - 1] : (double)rng_between(&r, -8, 24) / (double)(1 << rng_between(&r, 0, 3));
+    if (roots[i] > 0 && !again) positive[distinct++] = roots[i];
+  }
+  qsort(positive, (size_t)distinct, sizeof *positive, compare);
+  slong kept = 0;
+  for (slong i = 0; i < distinct; i++)
+    if (kept == 0 || positive[kept - 1] != positive[i]) positive[kept++] = positive[i];
+  distinct = kept;
+  from_roots(f, roots, n);
+  if (rng_between(&r, 0, 2) == 0) {
+    fmpz_poly_t g;
+    fmpz_poly_init(g);
+    fmpz_poly_set_coeff_si(g, 0, 1);
+    fmpz_poly_set_coeff_si(g, 2, 1);
+    fmpz_poly_mul(f, f, g);
+    fmpz_poly_clear(g);
+  }
+  num_vec_init(&c, fmpz_poly_length(f) + 1, ctx); /* one zero coefficient too many */
+  set_coefficients(&c, f);
+  fmpq_t q;
+  fmpq_init(q);
+  for (slong k = 1; k <= distinct; k++) {
+    arf_t x;
+    arf_init(x);
+    arf_set_d(x, positive[k - 1]);
+    arf_get_fmpq(q, x);
+    arf_clear(x);
+    double eps = ldexp(1, 2 - (int)ctx.prec);
+    int status = num_poly_root(num_vec_at(&z, 0), &c, k);
+    ck_assert_msg(status == SS_OK && is_close(&z, 0, q, eps), "%s root %d, seed %d", ctx.type->name, (int)k, (int)seed);
+    status = num_poly_root(num_vec_at(&z, 0), &c, k - 1 - distinct);
+    ck_assert_msg(status == SS_OK && is_close(&z, 0, q, eps), "%s root %d from above, seed %d", ctx.type->name,
+                  (int)(distinct + 1 - k), (int)seed);
+  }
+  int above = num_poly_root(num_vec_at(&z, 0), &c, distinct + 1);
+  ck_assert_msg(above == SS_DOMAIN && is_nan(&z, 0), "one root too many, seed %d", (int)seed);
+  put(&z, 0, 1);
+  int below = num_poly_root(num_vec_at(&z, 0), &c, -distinct - 1);
+  ck_assert_msg(below == SS_DOMAIN && is_nan(&z, 0), "one root too many from above, seed %d", (int)seed);
+  fmpq_clear(q);
+  fmpz_poly_clear(f);
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+}
+
+START_TEST(known_roots) {
+  const struct num_ctx contexts[] = {num_ctx_double(), num_ctx_mpfr(64), num_ctx_mpfr(300), num_ctx_arb(64),
+                                     num_ctx_arb(300)};
+  for (uint64_t seed = 1; seed <= 200; seed++) check_known_roots(contexts[_i], seed);
+}
+END_TEST
+
+/* x^4 - (1 + chi eta) x^2 + chi eta (1 - chi), the characteristic equation of (3) in omega, for chi = 4/5, eta = 1:
+   omega^2 = (9/5 -+ sqrt(81/25 - 16/25))/2, by the quadratic formula at a higher precision. */
+START_TEST(even_quartic) {
+  struct num_ctx ctx = law_context(_i);
+  struct num_vec c, z;
+  arb_t exact, x;
+  const slong numerators[5] = {4, 0, -45, 0, 25};
+  num_vec_init(&c, 5, ctx);
+  num_vec_init(&z, 1, ctx);
+  arb_init(exact);
+  arb_init(x);
+  for (slong i = 0; i < 5; i++) put(&c, i, (double)numerators[i]); /* times 25: exact in every type */
+  for (int sign = -1; sign <= 1; sign += 2) {
+    arb_set_si(exact, 65);
+    arb_sqrt(exact, exact, 400);
+    arb_mul_si(exact, exact, sign, 400);
+    arb_add_si(exact, exact, 9, 400);
+    arb_div_si(exact, exact, 10, 400);
+    arb_sqrt(exact, exact, 400);
+    for (int from_above = 0; from_above < 2; from_above++) {
+      slong k = from_above ? (sign < 0 ? -2 : -1) : (sign < 0 ? 1 : 2);
+      ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_OK);
+      ctx.type->get_arb(x, num_vec_at(&z, 0));
+      if (ctx.type->rigorous) {
+        ck_assert(arb_contains(x, exact) && arb_rel_accuracy_bits(x) >= ctx.prec - 3);
+      } else { /* rounded once: what rounding the exact root gives */
+        struct num_vec rounded;
+        num_vec_init(&rounded, 1, ctx);
+        ctx.type->set_arb(num_vec_at(&rounded, 0), exact, ctx.prec);
+        ck_assert(same(&z, &rounded));
+        num_vec_clear(&rounded);
+      }
+    }
+  }
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+  arb_clear(exact);
+  arb_clear(x);
+}
+END_TEST
+
+/* Coefficients that are balls: the answer must hold the root of every polynomial in them, here of random ones made from
+   roots near 1 and 3, and widen with the coefficients; a root that may be double cannot be told. */
+START_TEST(roots_of_balls) {
+  struct num_ctx ctx = num_ctx_arb(128);
+  struct num_vec c, z;
+  num_vec_init(&c, 3, ctx);
+  num_vec_init(&z, 1, ctx);
+  fill(&c, (const double[]){3, -4, 1});
+  for (slong i = 0; i < 3; i++) mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&c, i)), 1, -10);
+  for (slong k = 1; k <= 2; k++) {
+    ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_OK);
+    arb_struct *x = num_vec_at(&z, 0);
+    struct rng r = {(uint64_t)k};
+    for (int i = 0; i < 200; i++) {
+      double e[3];
+      for (int j = 0; j < 3; j++) e[j] = (double)rng_between(&r, -1, 1) / 1024;
+      double a = 1 + e[2], b = -4 + e[1], s = sqrt(b * b - 4 * a * (3 + e[0]));
+      arb_t root;
+      arb_init(root);
+      arb_set_d(root, (-b + (k == 1 ? -s : s)) / (2 * a));
+      mag_set_d(arb_radref(root), 1e-14); /* the double formula's own error */
+      ck_assert_msg(arb_overlaps(x, root), "polynomial %d", i);
+      arb_clear(root);
+    }
+    ck_assert(mag_cmp_2exp_si(arb_radref(x), -4) < 0 && arb_contains_si(x, 2 * k - 1));
+  }
+  fill(&c, (const double[]){1, -2, 1});
+  mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&c, 0)), 1, -100);
+  ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
+  ck_assert(is_nan(&z, 0));
+  fill(&c, (const double[]){3, -4, 0}); /* the degree cannot be told */
+  mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&c, 2)), 1, -100);
+  ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
+  fill(&c, (const double[]){0, -4, 1}); /* nor whether a root is positive */
+  mag_set_ui_2exp_si(arb_radref((arb_struct *)num_vec_at(&c, 0)), 1, -100);
+  ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
+  ctx.type->set_d(num_vec_at(&c, 1), (double)NAN, ctx.prec);
+  ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_UNABLE);
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+}
+END_TEST
+
+/* Roots that are hard to separate, 2^e and 2^e (1 + 2^-gap) for pairs (e, gap), and roots that are far apart. */
+START_TEST(close_and_distant_roots) {
+  const slong cases[][2] = {{0, 40}, {0, 150}, {-500, 100}, {500, 190}, {-5000, 60}};
+  struct num_ctx ctx = num_ctx_arb(200);
+  struct num_vec c, z;
+  num_vec_init(&c, 3, ctx);
+  num_vec_init(&z, 1, ctx);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    arb_t a, b, t;
+    arb_init(a);
+    arb_init(b);
+    arb_init(t);
+    arb_set_ui(a, 1);
+    arb_mul_2exp_si(b, a, -cases[i][1]);
+    arb_add(b, b, a, ARF_PREC_EXACT);
+    arb_mul_2exp_si(a, a, cases[i][0]);
+    arb_mul_2exp_si(b, b, cases[i][0]);
+    arb_mul(num_vec_at(&c, 0), a, b, ARF_PREC_EXACT);
+    arb_add(t, a, b, ARF_PREC_EXACT);
+    arb_neg(num_vec_at(&c, 1), t);
+    arb_set_ui(num_vec_at(&c, 2), 1);
+    ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 1), SS_OK);
+    ck_assert(arb_contains(num_vec_at(&z, 0), a) && !arb_contains(num_vec_at(&z, 0), b));
+    ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, 2), SS_OK);
+    ck_assert(arb_contains(num_vec_at(&z, 0), b) && !arb_contains(num_vec_at(&z, 0), a));
+    ck_assert(arb_rel_accuracy_bits(num_vec_at(&z, 0)) >= 196);
+    arb_clear(a);
+    arb_clear(b);
+    arb_clear(t);
+  }
+  num_vec_clear(&c);
+  num_vec_init(&c, 4, ctx);
+  /* (x - 1) (x^2 + (1 - B) x + 1), B = 2^e: the roots are 1, 1/B and B, the latter two up to 2/B of their size */
+  arb_t big;
+  arb_init(big);
+  arb_one(big);
+  arb_mul_2exp_si(big, big, 100000);
+  fill(&c, (const double[]){-1, 0, 0, 1});
+  arb_set(num_vec_at(&c, 1), big);
+  arb_neg(num_vec_at(&c, 2), big);
+  for (slong k = 1; k <= 3; k++) {
+    arb_struct *x = num_vec_at(&z, 0);
+    mag_t distance;
+    mag_init(distance);
+    ck_assert_int_eq(num_poly_root(x, &c, k), SS_OK);
+    arb_mul_2exp_si(x, x, (2 - k) * 100000);
+    arb_sub_ui(x, x, 1, 200);
+    arb_get_mag(distance, x);
+    ck_assert(mag_cmp_2exp_si(distance, -190) < 0);
+    mag_clear(distance);
+  }
+  arb_clear(big);
+  /* 2^-600 and 2^600 in doubles: x^2 - (2^600 + 2^-600) x + 1, its middle coefficient rounded */
+  struct num_vec d, y;
+  num_vec_init(&d, 3, num_ctx_double());
+  num_vec_init(&y, 1, num_ctx_double());
+  fill(&d, (const double[]){1, -0x1p600, 1});
+  ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_OK);
+  ck_assert(*(double *)num_vec_at(&y, 0) == 0x1p-600);
+  ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, -1), SS_OK);
+  ck_assert(*(double *)num_vec_at(&y, 0) == 0x1p600);
+  fill(&d, (const double[]){-0x1p1000, 0x1p-1000, 0}); /* the root 2^2000 is no double */
+  ck_assert_int_eq(num_poly_root(num_vec_at(&y, 0), &d, 1), SS_UNABLE);
+  ck_assert(is_nan(&y, 0));
+  num_vec_clear(&d);
+  num_vec_clear(&y);
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+}
+END_TEST
+
+/* Wilkinson's polynomial of degree 12 in doubles (its coefficients are exact below 2^53): the roots are 1, ..., 12. */
+START_TEST(many_roots) {
+  double roots[12];
+  fmpz_poly_t f;
+  struct num_vec c, z;
+  fmpz_poly_init(f);
+  for (slong i = 0; i < 12; i++) roots[i] = (double)(i + 1) / 8;
+  from_roots(f, roots, 12); /* 8x - i: the roots are i/8 */
+  for (slong i = 0; i <= 12; i++) {
+    fmpz *coefficient = fmpz_poly_get_coeff_ptr(f, i);
+    fmpz_fdiv_q_2exp(coefficient, coefficient, (ulong)(3 * i));
+  }
+  num_vec_init(&c, 13, num_ctx_double());
+  num_vec_init(&z, 1, num_ctx_double());
+  set_coefficients(&c, f);
+  for (slong k = 1; k <= 12; k++) {
+    ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_OK);
+    ck_assert(*(double *)num_vec_at(&z, 0) == (double)k);
+    ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, -k), SS_OK);
+    ck_assert(*(double *)num_vec_at(&z, 0) == (double)(13 - k));
+  }
+  fmpz_poly_clear(f);
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+}
+END_TEST
+
+START_TEST(polynomials_without_roots) {
+  struct num_vec c, z;
+  num_vec_init(&c, 3, law_context(_i));
+  num_vec_init(&z, 1, law_context(_i));
+  static const double none[][3] = {{0, 0, 0}, {2, 0, 0}, {1, 0, 1}, {2, 3, 1}, {0, 1, 1}, {0, 0, 1}, {1, 1, 0}};
+  for (size_t i = 0; i < sizeof none / sizeof *none; i++)
+    for (slong k = -1; k <= 1; k++) {
+      fill(&c, none[i]);
+      ck_assert_int_eq(num_poly_root(num_vec_at(&z, 0), &c, k), SS_DOMAIN);
+      ck_assert(is_nan(&z, 0));
+    }
+  num_vec_clear(&c);
+  num_vec_clear(&z);
+}
+END_TEST
+
+/* --- Text. --- */
+
+/* What num_print must give for a double: glibc's printf converts exactly, rounding ties to even, in the same layouts
+   but for integers with more places than digits and for the exponent's form. */
+static void expected_text(struct text *out, double x, int digits) {
+  char scientific[400], *e;
+  snprintf(scientific, sizeof scientific, "%.*e", digits - 1, x);
+  e = strchr(scientific, 'e');
+  int exponent = atoi(e + 1), limit = digits > 21 ? digits : 21;
+  *e = '\0';
+  if (exponent < -6 || exponent >= limit) {
+    text_printf(out, "%se%c%d", scientific, exponent < 0 ? '-' : '+', abs(exponent));
+  } else if (digits - 1 - exponent >= 0) {
+    text_printf(out, "%.*f", digits - 1 - exponent, x);
+  } else {
+    for (const char *p = scientific; *p; p++)
+      if (*p != '.') text_add_char(out, *p);
+    for (int i = digits - 1; i < exponent; i++) text_add_char(out, '0');
+  }
+}
+
+/* Doubles of every size, decimal ties (multiples of small powers of two), and neighbours of powers of ten. */
+static double random_double(struct rng *r) {
+  double x;
+  switch (rng_between(r, 0, 4)) {
+  case 0:
+    x = ldexp((double)rng_between(r, 1, 9999), (int)rng_between(r, -12, 3));
+    break;
+  case 1:
+    x = pow(10, (double)rng_between(r, -25, 25)) * (1 + (double)rng_between(r, -3, 3) * 0x1p-52);
+    break;
+  case 2:
+    x = (double)rng_between(r, 1, 20000) / 2;
+    break;
+  case 3:
+    x = 10 - (double)rng_between(r, 1, 80) / 64 / pow(2, (double)rng_between(r, 0, 20));
+    break;
+  default:
+    x = ldexp((double)rng_between(r, 1, WORD(1) << 53), (int)rng_between(r, -300, 250));
+  }
+  return rng_next(r) % 2 ? -x : x;
+}
+
+START_TEST(digits_of_doubles) {
+  struct text got, want;
+  arb_t x;
+  arb_init(x);
+  text_init(&got);
+  text_init(&want);
+  for (uint64_t seed = 1; seed <= 20000; seed++) {
+    struct rng r = {seed};
+    double d = random_double(&r);
+    int digits = (int)rng_between(&r, 1, seed % 8 == 0 ? 60 : 8);
+    arb_set_d(x, d);
+    text_reset(&got);
+    text_reset(&want);
+    expected_text(&want, d, digits);
+    int status = num_print(&got, x, digits);
+    if (status != SS_OK || strcmp(text_str(&got), text_str(&want)) != 0)
+      ck_abort_msg("%a to %d digits, seed %d: got %s, expected %s", d, digits, (int)seed, text_str(&got),
+                   text_str(&want));
+  }
+  arb_clear(x);
+  text_clear(&got);
+  text_clear(&want);
+}
+END_TEST
+
+/* A ball prints exactly when its two ends do, and alike. */
+START_TEST(digits_of_balls) {
+  struct text got, low, high;
+  arb_t x;
+  int printed = 0, refused = 0;
+  arb_init(x);
+  text_init(&got);
+  text_init(&low);
+  text_init(&high);
+  for (uint64_t seed = 1; seed <= 10000; seed++) {
+    struct rng r = {seed};
+    double d = ldexp((double)rng_between(&r, 1, 4000), (int)rng_between(&r, -9, 0));
+    double radius = ldexp((double)rng_between(&r, 1, 3), (int)rng_between(&r, -30, 1)); /* d +- radius are exact */
+    int digits = (int)rng_between(&r, 1, 6);
+    if (rng_next(&r) % 2) d = -d;
+    arb_set_d(x, d);
+    arf_t exact;
+    arf_init(exact);
+    arf_set_d(exact, radius);
+    fmpz_t mantissa, exponent;
+    fmpz_init(mantissa);
+    fmpz_init(exponent);
+    arf_get_fmpz_2exp(mantissa, exponent, exact);
+    mag_set_ui_2exp_si(arb_radref(x), fmpz_get_ui(mantissa), fmpz_get_si(exponent));
+    fmpz_clear(mantissa);
+    fmpz_clear(exponent);
+    arf_clear(exact);
+    text_reset(&got);
+    text_reset(&low);
+    text_reset(&high);
+    expected_text(&low, d - radius, digits);
+    expected_text(&high, d + radius, digits);
+    bool agree = (d - radius) * (d + radius) > 0 && strcmp(text_str(&low), text_str(&high)) == 0;
+    int status = num_print(&got, x, digits);
+    bool ok =
+        agree ? status == SS_OK && strcmp(text_str(&got), text_str(&low)) == 0 : status == SS_UNABLE && got.len == 0;
+    if (!ok)
+      ck_abort_msg("%a +- %a to %d digits, seed %d: got %s, ends are %s and %s", d, radius, digits, (int)seed,
+                   text_str(&got), text_str(&low), text_str(&high));
+    printed += agree;
+    refused += !agree;
+  }
+  ck_assert(printed > 1000 && refused > 1000);
+  arb_clear(x);
+  text_clear(&got);
+  text_clear(&low);
+  text_clear(&high);
+}
+END_TEST
+
+static void check_print(const arb_t x, slong digits, int status, const char *expected) {
+  struct text out;
+  text_init(&out);
+  text_add(&out, "<");
+  ck_assert_int_eq(num_print(&out, x, digits), status);
+  ck_assert_str_eq(text_str(&out) + 1, expected);
+  text_clear(&out);
+}
+
+/* The layout as num.h states it, and numbers no double can be. */
+START_TEST(layout) {
+  arb_t x;
+  arb_init(x);
+  check_print(x, 5, SS_OK, "0");
+  arb_set_d(x, 9.99951171875);
+  check_print(x, 4, SS_OK, "10.00");
+  check_print(x, 12, SS_OK, "9.99951171875");
+  arb_neg(x, x);
+  check_print(x, 4, SS_OK, "-10.00");
+  check_print(x, 0, SS_UNABLE, "");
+  arb_set_ui(x, 10);
+  arb_pow_ui(x, x, 20, 100);
+  check_print(x, 3, SS_OK, "100000000000000000000");
+  arb_mul_ui(x, x, 10, 100);
+  check_print(x, 3, SS_OK, "1.00e+21");
+  check_print(x, 22, SS_OK, "1000000000000000000000");
+  arb_set_ui(x, 1);
+  arb_div_ui(x, x, 1000000, 200);
+  check_print(x, 3, SS_OK, "0.00000100");
+  arb_div_ui(x, x, 10, 200);
+  check_print(x, 1, SS_OK, "1e-7");
+  check_print(x, 3, SS_OK, "1.00e-7");
+  arb_one(
+      x); /* log10 2 = 0.30102999566398119521373889472449302676818988146210854131...: 2^(10^9) = 4.61...e+301029995 */
+  arb_mul_2exp_si(x, x, 1000000000);
+  check_print(x, 3, SS_OK, "4.61e+301029995");
+  arb_inv(x, x, 30);
+  check_print(x, 3, SS_OK, "2.17e-301029996");
+  arb_indeterminate(x);
+  check_print(x, 3, SS_UNABLE, "");
+  arb_zero_pm_inf(x);
+  check_print(x, 3, SS_UNABLE, "");
+  arb_zero_pm_one(x);
+  check_print(x, 3, SS_UNABLE, "");
+  arb_clear(x);
+}
+END_TEST
+
+/* Many digits of pi against MPFR's own pi and own conversion; a hundred thousand must not take long. */
+START_TEST(many_digits) {
+  const slong counts[] = {50, 1000, 100000};
+  for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) {
+    slong digits = counts[i], bits = 10 * digits / 3 + 100;
+    struct text out;
+    mpfr_t pi;
+    mpfr_exp_t exponent;
+    arb_t x;
+    text_init(&out);
+    arb_init(x);
+    mpfr_init2(pi, bits);
+    mpfr_const_pi(pi, MPFR_RNDN);
+    char *expected = mpfr_get_str(NULL, &exponent, 10, (size_t)digits, pi, MPFR_RNDN);
+    arb_const_pi(x, bits);
+    ck_assert_int_eq(num_print(&out, x, digits), SS_OK);
+    ck_assert(strncmp(text_str(&out), "3.", 2) == 0 && strcmp(text_str(&out) + 2, expected + 1) == 0);
+    mpfr_free_str(expected);
+    mpfr_clear(pi);
+    text_clear(&out);
+    arb_clear(x);
+  }
+  mpfr_free_cache();
+}
+END_TEST
+
+/* "m +/- r" read back by Arb must hold the ball it was printed from. */
+START_TEST(balls_for_people) {
+  struct text out, bracketed;
+  arb_t x, back;
+  arb_init(x);
+  arb_init(back);
+  text_init(&out);
+  text_init(&bracketed);
+  for (uint64_t seed = 1; seed <= 2000; seed++) {
+    struct rng r = {seed};
+    rng_edge(arb_midref(x), &r, 100, 300);
+    mag_zero(arb_radref(x));
+    if (seed % 3) mag_set_ui_2exp_si(arb_radref(x), (ulong)rng_between(&r, 0, 5), rng_between(&r, -120, 20));
+    text_reset(&out);
+    text_reset(&bracketed);
+    num_print_ball(&out, x, rng_between(&r, 1, 30));
+    text_printf(&bracketed, "[%s]", text_str(&out));
+    ck_assert_msg(arb_set_str(back, text_str(&bracketed), 2000) == 0, "%s", text_str(&out));
+    ck_assert_msg(arb_contains(back, x) && strchr(text_str(&out), '[') == NULL, "%s", text_str(&out));
+  }
+  text_reset(&out);
+  arb_zero(x);
+  num_print_ball(&out, x, 10);
+  ck_assert_str_eq(text_str(&out), "0");
+  text_reset(&out);
+  arb_zero_pm_one(x);
+  num_print_ball(&out, x, 10);
+  ck_assert_int_eq(strncmp(text_str(&out), "0 +/- 1", 7), 0);
+  arb_indeterminate(x);
+  num_print_ball(&out, x, 10);
+  ck_assert(out.len > 1);
+  arb_clear(x);
+  arb_clear(back);
+  text_clear(&out);
+  text_clear(&bracketed);
+}
+END_TEST
+
+START_TEST(rationals) {
+  struct text out;
+  fmpq_t q;
+  fmpq_init(q);
+  text_init(&out);
+  fmpq_set_si(q, -6, 4);
+  num_print_q(&out, q);
+  text_add(&out, " ");
+  fmpq_set_si(q, 7, 1);
+  num_print_q(&out, q);
+  text_add(&out, " ");
+  fmpq_zero(q);
+  num_print_q(&out, q);
+  ck_assert_str_eq(text_str(&out), "-3/2 7 0");
+  text_clear(&out);
+  fmpq_clear(q);
+}
+END_TEST
+
+/* A decimal as a fraction in words: numerator and denominator written out by hand. */
+START_TEST(decimals) {
+  static const struct {
+    const char *decimal, *fraction;
+  } good[] = {
+      {"12", "12"},
+      {"0.8", "4/5"},
+      {".5", "1/2"},
+      {"1e-12", "1/1000000000000"},
+      {"2.5E+3", "2500"},
+      {"0", "0"},
+      {"0.000", "0"},
+      {"000120", "120"},
+      {"2.7844", "6961/2500"},
+      {"1e0000000000000000000002", "100"},
+      {"0e99999", "0"},
+      {".125e3", "125"},
+      {"1E-0", "1"},
+      {"123456789012345678901234567890", "123456789012345678901234567890"},
+  };
+  static const char *const bad[] = {"",    ".",    "5.",   "e5",    "1e",  "1e+", "+1",  "-1",   " 1", "1 ",    "1.2.3",
+                                    "1,5", "0x10", "1e5.", "1e--5", "nan", "inf", "1/2", "1.e5", "١",  "1e5e5", ".e1"};
+  fmpq_t q;
+  fmpq_init(q);
+  for (size_t i = 0; i < sizeof good / sizeof *good; i++) {
+    struct text out;
+    text_init(&out);
+    ck_assert_msg(num_parse_decimal(q, good[i].decimal, strlen(good[i].decimal)) == SS_OK, "%s", good[i].decimal);
+    num_print_q(&out, q);
+    ck_assert_str_eq(text_str(&out), good[i].fraction);
+    text_clear(&out);
+  }
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+    ck_assert_msg(num_parse_decimal(q, bad[i], strlen(bad[i])) == SS_DOMAIN, "%s", bad[i]);
+  ck_assert_int_eq(num_parse_decimal(q, "12.5e3", 4), SS_OK); /* only the first four characters */
+  ck_assert(fmpq_cmp_si(q, 12) > 0 && fmpq_cmp_si(q, 13) < 0);
+  ck_assert_int_eq(num_parse_decimal(q, "1\0002", 3), SS_DOMAIN);
+  ck_assert_int_eq(num_parse_decimal(q, "1e100000", 8), SS_OK);
+  ck_assert_int_eq(num_parse_decimal(q, "1e-100001", 9), SS_UNABLE);
+  ck_assert_int_eq(num_parse_decimal(q, "1e18446744073709551617", 22), SS_UNABLE); /* 2^64 + 1 */
+  fmpq_clear(q);
+}
+END_TEST
+
+/* A hundred thousand digits: 9...9 + 1 = 10^100000; one digit more is refused. */
+START_TEST(long_decimals) {
+  size_t n = 100000;
+  char *s = malloc(n + 1);
+  fmpq_t q;
+  fmpz_t ten;
+  fmpq_init(q);
+  fmpz_init(ten);
+  memset(s, '9', n + 1);
+  ck_assert_int_eq(num_parse_decimal(q, s, n), SS_OK);
+  fmpz_ui_pow_ui(ten, 10, n);
+  fmpz_sub(ten, ten, fmpq_numref(q));
+  ck_assert(fmpz_is_one(ten) && fmpz_is_one(fmpq_denref(q)));
+  ck_assert_int_eq(num_parse_decimal(q, s, n + 1), SS_UNABLE);
+  s[0] = '.';
+  ck_assert_int_eq(num_parse_decimal(q, s, n), SS_OK);
+  fmpz_ui_pow_ui(ten, 10, n - 1);
+  ck_assert(fmpz_equal(ten, fmpq_denref(q)));
+  fmpq_clear(q);
+  fmpz_clear(ten);
+  free(s);
+}
+END_TEST
+
+/* Reading what was printed gives the number back to within half a unit of the last digit. */
+START_TEST(printed_and_read_back) {
+  struct text out;
+  arb_t x;
+  fmpq_t q, exact;
+  arb_init(x);
+  fmpq_init(q);
+  fmpq_init(exact);
+  text_init(&out);
+  for (uint64_t seed = 1; seed <= 1000; seed++) {
+    struct rng r = {seed};
+    slong digits = rng_between(&r, 1, 80);
+    rng_edge(arb_midref(x), &r, 200, 2000);
+    arb_abs(x, x);
+    text_reset(&out);
+    ck_assert_int_eq(num_print(&out, x, digits), SS_OK);
+    ck_assert_int_eq(num_parse_decimal(q, text_str(&out), out.len), SS_OK);
+    arf_get_fmpq(exact, arb_midref(x));
+    fmpq_sub(q, q, exact);
+    fmpq_abs(q, q);
+    fmpz_t unit;
+    fmpz_init(unit);
+    fmpz_ui_pow_ui(unit, 10, (ulong)digits - 1);
+    fmpz_mul_ui(unit, unit, 2);
+    fmpq_mul_fmpz(q, q, unit); /* |error| 2 10^(digits-1) <= x */
+    ck_assert_msg(fmpq_cmp(q, exact) <= 0, "seed %d: %s", (int)seed, text_str(&out));
+    fmpz_clear(unit);
+  }
+  arb_clear(x);
+  fmpq_clear(q);
+  fmpq_clear(exact);
+  text_clear(&out);
+}
+END_TEST
+
+static TCase *matrix_tcase(void) {
+  TCase *tc = tcase_create("vectors and matrices");
+  tcase_add_loop_test(tc, vectors, 0, LAW_CONTEXTS);
+  const char *fork = getenv("CK_FORK");
+  if (fork == NULL || strcmp(fork, "no") != 0) /* without a process of its own an abort ends the run */
+    tcase_add_loop_test_raise_signal(tc, out_of_range_aborts, SIGABRT, 0, 2);
+  tcase_add_loop_test(tc, products, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, solutions_and_determinants, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, singular_matrices, 0, LAW_CONTEXTS);
+  tcase_add_test(tc, pivots_that_cannot_be_told);
+  return tc;
+}
+
+static TCase *root_tcase(void) {
+  TCase *tc = tcase_create("roots");
+  tcase_add_loop_test(tc, known_roots, 0, 5);
+  tcase_add_loop_test(tc, even_quartic, 0, LAW_CONTEXTS);
+  tcase_add_test(tc, roots_of_balls);
+  tcase_add_test(tc, close_and_distant_roots);
+  tcase_add_test(tc, many_roots);
+  tcase_add_loop_test(tc, polynomials_without_roots, 0, LAW_CONTEXTS);
+  return tc;
+}
+
+static TCase *text_tcase(void) {
+  TCase *tc = tcase_create("text");
+  tcase_add_test(tc, digits_of_doubles);
+  tcase_add_test(tc, digits_of_balls);
+  tcase_add_test(tc, layout);
+  tcase_add_test(tc, many_digits);
+  tcase_add_test(tc, balls_for_people);
+  tcase_add_test(tc, rationals);
+  tcase_add_test(tc, decimals);
+  tcase_add_test(tc, long_decimals);
+  tcase_add_test(tc, printed_and_read_back);
+  return tc;
+}
+
+Suite *num_suite(void) {
+  Suite *s = suite_create("num");
+  suite_add_tcase(s, laws_num_tcase());
+  suite_add_tcase(s, matrix_tcase());
+  suite_add_tcase(s, root_tcase());
+  suite_add_tcase(s, text_tcase());
+  return s;
+}

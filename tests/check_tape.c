@@ -1,0 +1,921 @@
+/* Tapes: formulas go in as text, through files as a user writes them, and come out as numbers.  Random formulas are
+   held against three evaluations of the test's own, which walk the test's own trees: MPFR call by call (equal to the
+   bit), Arb at three times the precision, and balls widened at each step by more than a double's rounding. */
+#include <math.h>
+#include <signal.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "scratch.h"
+#include "stickslip/arena.h"
+#include "stickslip/model.h"
+#include "suites.h"
+
+/* ---- from text to tape */
+
+struct work {
+  struct model m;
+  struct elaboration el;
+  struct tape t;
+};
+
+static bool try_work(struct work *w, const char *text, int n, const char *const *names, struct diag *d) {
+  diag_init(d);
+  model_init(&w->m);
+  bool ok = model_add_file(&w->m, scratch_put("formulas.eq", text), RANK_PAPER, d);
+  elaboration_init(&w->el, (struct view){&w->m, LAYER_PRINTED, NULL, NULL}, NULL, 0);
+  const struct expr **out = ss_malloc((size_t)n * sizeof *out);
+  for (int i = 0; ok && i < n; i++) {
+    struct matrix v;
+    ok = elaborate_name(&v, &w->el, names[i], "", d);
+    if (ok) out[i] = v.e[0];
+  }
+  w->t = (struct tape){.n = 0};
+  ok = ok && elaboration_tape(&w->t, &w->el, out, n, d);
+  free(out);
+  return ok;
+}
+
+static void work_open(struct work *w, const char *text, int n, const char *const *names) {
+  struct diag d;
+  ck_assert_msg(try_work(w, text, n, names, &d), "%s", d.message);
+}
+
+static void work_close(struct work *w) {
+  tape_clear(&w->t);
+  elaboration_clear(&w->el);
+  model_clear(&w->m);
+}
+
+/* The one output y of "symbol x, symbol y, ..., define: <body>". */
+static void work_y(struct work *w, const char *symbols, const char *body) {
+  static const char *const names[] = {"y"};
+  struct text t;
+  text_init(&t);
+  for (const char *s = symbols; *s; s++) text_printf(&t, "symbol %c\n", *s);
+  text_printf(&t, "define d\n%s\n", body);
+  work_open(w, t.data, 1, names);
+  text_clear(&t);
+}
+
+/* Inputs and outputs of a tape in one context. */
+struct run {
+  struct num_vec in, out;
+  int *status, all;
+};
+
+static void run_open(struct run *r, const struct tape *t, struct num_ctx ctx) {
+  num_vec_init(&r->in, t->n_inputs, ctx);
+  num_vec_init(&r->out, t->n_outputs, ctx);
+  r->status = ss_malloc((size_t)t->n_outputs * sizeof *r->status);
+}
+
+static void run_close(struct run *r) {
+  num_vec_clear(&r->in);
+  num_vec_clear(&r->out);
+  free(r->status);
+}
+
+static void give_d(struct run *r, const struct tape *t, const char *name, double x) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strcmp(t->inputs[i], name) == 0) r->in.ctx.type->set_d(num_vec_at(&r->in, i), x, r->in.ctx.prec);
+}
+
+static void give_q(struct run *r, const struct tape *t, const char *name, long p, ulong q) {
+  fmpq_t x;
+  fmpq_init(x);
+  fmpq_set_si(x, p, q);
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strcmp(t->inputs[i], name) == 0) r->in.ctx.type->set_q(num_vec_at(&r->in, i), x, r->in.ctx.prec);
+  fmpq_clear(x);
+}
+
+static void run_go(struct run *r, const struct tape *t) {
+  r->all = tape_eval(&r->out, r->status, t, &r->in);
+}
+
+static void get(arb_t x, const struct run *r, slong i) {
+  r->out.ctx.type->get_arb(x, num_vec_at(&r->out, i));
+}
+static double get_d(const struct run *r, slong i) {
+  return r->out.ctx.type->get_d(num_vec_at(&r->out, i));
+}
+
+static void check_dump(const struct tape *t, const char *expected) {
+  struct text out;
+  text_init(&out);
+  tape_dump(&out, t);
+  ck_assert_str_eq(text_str(&out), expected);
+  text_clear(&out);
+}
+
+/* ---- what is on the tape */
+
+/* Nothing is folded: the unknown of a root is 1 times its power, and its square has the coefficient 1*1. */
+START_TEST(dump_of_each_instruction) {
+  struct work w;
+  work_y(&w, "xab",
+         "  root r: r^2*a - 0.5*r - b, largest positive\n"
+         "  root s: s - a, smallest positive\n"
+         "  y := -sin(x) + cos(x)*cot(x) - sqrt(x)/x^(-3) + r*s");
+  check_dump(&w.t, "%0 = input x\n"
+                   "%1 = sin %0\n"
+                   "%2 = neg %1\n"
+                   "%3 = cos %0\n"
+                   "%4 = cot %0\n"
+                   "%5 = mul %3 %4\n"
+                   "%6 = add %2 %5\n"
+                   "%7 = sqrt %0\n"
+                   "%8 = pow %0 -3\n"
+                   "%9 = div %7 %8\n"
+                   "%10 = sub %6 %9\n"
+                   "%11 = input b\n"
+                   "%12 = neg %11\n"
+                   "%13 = const 1/2\n"
+                   "%14 = const 1\n"
+                   "%15 = mul %13 %14\n"
+                   "%16 = neg %15\n"
+                   "%17 = mul %14 %14\n"
+                   "%18 = input a\n"
+                   "%19 = mul %17 %18\n"
+                   "%20 = root largest %12 %16 %19\n"
+                   "%21 = neg %18\n"
+                   "%22 = root smallest %21 %14\n"
+                   "%23 = mul %20 %22\n"
+                   "%24 = add %10 %23\n"
+                   "out %24\n");
+  work_close(&w);
+}
+END_TEST
+
+START_TEST(shared_subexpressions) {
+  struct work w;
+  /* through definitions, functions and both outputs: x, sin x, its square, the sum of the two, nothing else */
+  static const char *const names[] = {"p", "q", "r"};
+  work_open(&w,
+            "symbol x\ndefine d\n  s := sin(x)\n  f(t) := sin(t)*sin(t)\n"
+            "  p := f(x)\n  q := s*s + (sin(x))\n  r := q\n",
+            3, names);
+  check_dump(&w.t, "%0 = input x\n%1 = sin %0\n%2 = mul %1 %1\n%3 = add %2 %1\nout %2\nout %3\nout %3\n");
+  work_close(&w);
+}
+END_TEST
+
+START_TEST(only_what_is_reached) {
+  struct work w;
+  work_y(&w, "xabt",
+         "  unused := sin(a)\n"
+         "  root w: w^2 - b, smallest positive\n"
+         "  H(t) := [cos(t), a; w, 1/t]\n"
+         "  y := H(x)[1,1]");
+  check_dump(&w.t, "%0 = input x\n%1 = cos %0\nout %1\n");
+  work_close(&w);
+}
+END_TEST
+
+START_TEST(inputs_in_order_of_first_use) {
+  struct work w;
+  static const char *const names[] = {"p", "q"};
+  work_open(&w,
+            "symbol a\nsymbol b\nsymbol c\nrelation r\n  trajectory z(t)\ndefine d\n"
+            "  p := b*a + z''(a + b)\n  q := a - c - z''(a + b) + z(0) - b\n",
+            2, names);
+  ck_assert_int_eq(w.t.n_inputs, 5);
+  static const char *const expected[] = {"b", "a", "z''(a + b)", "c", "z(0)"};
+  for (int i = 0; i < 5; i++) ck_assert_str_eq(w.t.inputs[i], expected[i]);
+  struct run r;
+  run_open(&r, &w.t, num_ctx_double());
+  for (int i = 0; i < 5; i++) r.in.ctx.type->set_d(num_vec_at(&r.in, i), i + 2, 53);
+  run_go(&r, &w.t);
+  ck_assert(r.all == SS_OK && get_d(&r, 0) == 2 * 3 + 4 && get_d(&r, 1) == 3 - 5 - 4 + 6 - 2);
+  run_close(&r);
+  work_close(&w);
+}
+END_TEST
+
+START_TEST(constants_are_exact) {
+  static const char *const names[] = {"tenth", "tiny", "third", "one", "huge"};
+  struct work w;
+  struct run r;
+  arb_t x, y;
+  fmpq_t tenth, tiny;
+  arb_init(x);
+  arb_init(y);
+  fmpq_init(tenth);
+  fmpq_init(tiny);
+  fmpq_set_si(tenth, 1, 10);
+  fmpz_ui_pow_ui(fmpq_denref(tiny), 10, 400);
+  fmpz_one(fmpq_numref(tiny));
+  work_open(&w, "define d\n  tenth := 0.1\n  tiny := 1e-400\n  third := 1/3\n  one := 0.1*10\n  huge := 1e400\n", 5,
+            names);
+  ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[0]].k], tenth));
+  ck_assert(fmpq_equal(&w.t.consts[w.t.code[w.t.outputs[1]].k], tiny));
+
+  run_open(&r, &w.t, num_ctx_arb(200));
+  run_go(&r, &w.t);
+  ck_assert_int_eq(r.all, SS_OK);
+  get(x, &r, 0);
+  arb_set_d(y, 0.1); /* the double is not the number: it lies 2^-54/10 of it away */
+  ck_assert(arb_contains_fmpq(x, tenth) && !arb_is_exact(x) && !arb_overlaps(x, y));
+  get(x, &r, 1);
+  ck_assert(arb_contains_fmpq(x, tiny) && arb_is_positive(x) && arb_rel_accuracy_bits(x) > 190);
+  get(x, &r, 3);
+  ck_assert(arb_contains_si(x, 1) && arb_rel_accuracy_bits(x) > 190);
+  run_close(&r);
+
+  run_open(&r, &w.t, num_ctx_mpfr(100));
+  run_go(&r, &w.t);
+  ck_assert_int_eq(r.all, SS_OK);
+  mpfr_t t;
+  mpfr_init2(t, 100);
+  mpfr_set_str(t, "1e-400", 10, MPFR_RNDN);
+  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 1), t));
+  mpfr_set_str(t, "0.1", 10, MPFR_RNDN);
+  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 0), t));
+  mpfr_set_str(t, "1e400", 10, MPFR_RNDN);
+  ck_assert(mpfr_equal_p(num_vec_at(&r.out, 4), t));
+  mpfr_clear(t);
+  run_close(&r);
+
+  run_open(&r, &w.t, num_ctx_double());
+  run_go(&r, &w.t);
+  ck_assert(get_d(&r, 0) == 0.1 && get_d(&r, 2) == 1.0 / 3);
+  ck_assert(r.status[1] == SS_OK && get_d(&r, 1) == 0); /* the nearest double */
+  ck_assert(r.status[4] == SS_UNABLE && r.all == SS_UNABLE);
+  run_close(&r);
+
+  work_close(&w);
+  arb_clear(x);
+  arb_clear(y);
+  fmpq_clear(tenth);
+  fmpq_clear(tiny);
+}
+END_TEST
+
+START_TEST(numbers_too_large) {
+  static const char *const text[] = {"define d\n  y := 1 + 1e200000\n", "define d\n  y := 1/1e-99999999999999999999\n"};
+  static const char *const message[] = {"the number 1e200000 is too large to hold",
+                                        "the number 1e-99999999999999999999 is too large to hold"};
+  static const char *const names[] = {"y"};
+  for (int i = 0; i < 2; i++) {
+    struct work w;
+    struct diag d;
+    ck_assert(!try_work(&w, text[i], 1, names, &d));
+    ck_assert_str_eq(d.message, message[i]);
+    work_close(&w);
+  }
+}
+END_TEST
+
+/* ---- flags */
+
+START_TEST(flags_of_each_output) {
+  static const char *const names[] = {"o1", "o2", "o3", "o4", "o5", "o6", "o7"};
+  static const char *const text = "symbol x\nsymbol y\nsymbol s\ndefine d\n"
+                                  "  o1 := 1/x\n"                  /* x = 0 */
+                                  "  o2 := y + 1\n"                /* fine */
+                                  "  o3 := sqrt(-y)\n"             /* y = 4 */
+                                  "  o4 := 1/s\n"                  /* s straddles 0 */
+                                  "  o5 := 1/x + 1/s\n"            /* both */
+                                  "  o6 := (cot(x) + y)*0\n"       /* 0 times what does not exist */
+                                  "  o7 := s*s + x^2 + x*(s/y)\n"; /* fine */
+  static const int in_arb[] = {SS_DOMAIN, SS_OK, SS_DOMAIN, SS_UNABLE, SS_DOMAIN | SS_UNABLE, SS_DOMAIN, SS_OK};
+  static const int in_others[] = {SS_DOMAIN, SS_OK, SS_DOMAIN, SS_OK, SS_DOMAIN, SS_DOMAIN, SS_OK};
+  struct work w;
+  work_open(&w, text, 7, names);
+  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(80), num_ctx_arb(80)};
+  for (int c = 0; c < 3; c++) {
+    struct run r;
+    run_open(&r, &w.t, ctx[c]);
+    give_d(&r, &w.t, "y", 4);
+    give_d(&r, &w.t, "s", 0.5);
+    for (slong i = 0; c == 2 && i < w.t.n_inputs; i++)
+      if (strcmp(w.t.inputs[i], "s") == 0) mag_one(arb_radref((arb_ptr)num_vec_at(&r.in, i)));
+    run_go(&r, &w.t);
+    const int *expected = c == 2 ? in_arb : in_others;
+    for (int i = 0; i < 7; i++) {
+      ck_assert_msg(r.status[i] == expected[i], "%s in %s: %d, expected %d", names[i], ctx[c].type->name, r.status[i],
+                    expected[i]);
+      ck_assert_int_eq(isnan(get_d(&r, i)) != 0, expected[i] != SS_OK);
+    }
+    ck_assert_int_eq(r.all, c == 2 ? SS_DOMAIN | SS_UNABLE : SS_DOMAIN);
+    ck_assert(get_d(&r, 1) == 5);
+    ck_assert_int_eq(tape_eval(&r.out, NULL, &w.t, &r.in), r.all);
+    run_close(&r);
+  }
+  work_close(&w);
+}
+END_TEST
+
+/* ---- roots */
+
+/* The eigenfrequencies: det(K - I w^2) = 0 is a quadratic in w^2 with the roots
+   (1 + p -+ sqrt((1 + p)^2 - 4 p (1 - chi)))/2, p = chi eta. */
+static void frequency(arb_t w, long chi10, ulong eta, int sign, slong prec) {
+  arb_t chi, p, s, t;
+  arb_init(chi);
+  arb_init(p);
+  arb_init(s);
+  arb_init(t);
+  arb_set_si(chi, chi10);
+  arb_div_ui(chi, chi, 10, prec);
+  arb_mul_ui(p, chi, eta, prec);
+  arb_add_ui(s, p, 1, prec);
+  arb_sqr(w, s, prec);
+  arb_sub_ui(t, chi, 1, prec);
+  arb_mul(t, t, p, prec);
+  arb_mul_ui(t, t, 4, prec);
+  arb_add(w, w, t, prec);
+  arb_sqrt(w, w, prec);
+  if (sign < 0) arb_neg(w, w);
+  arb_add(w, w, s, prec);
+  arb_div_ui(w, w, 2, prec);
+  arb_sqrt(w, w, prec);
+  arb_clear(chi);
+  arb_clear(p);
+  arb_clear(s);
+  arb_clear(t);
+}
+
+START_TEST(roots_of_the_characteristic_equation) {
+  static const char *const names[] = {"omega_1", "omega_2"};
+  struct work w;
+  work_open(&w,
+            "symbol chi\nsymbol eta\ndefine d\n"
+            "  K := [1, -chi; -chi*eta, chi*eta]\n  I := [1, 0; 0, 1]\n"
+            "  root omega_1: det(K - I*omega_1^2), smallest positive\n"
+            "  root omega_2: det(K - I*omega_2^2), largest positive\n",
+            2, names);
+  /* the two sides' relative distance: balls overlap; the others within the rounding of ill-conditioned coefficients */
+  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(120), num_ctx_arb(120)};
+  static const double near[] = {1e-14, 1e-33, 1e-30};
+  arb_t x, exact;
+  arb_init(x);
+  arb_init(exact);
+  for (int c = 0; c < 3; c++)
+    for (long chi = 1; chi < 10; chi += 2)
+      for (ulong eta = 1; eta <= 9; eta += 4) {
+        struct run r;
+        run_open(&r, &w.t, ctx[c]);
+        give_q(&r, &w.t, "chi", chi, 10);
+        give_q(&r, &w.t, "eta", (long)eta, 1);
+        run_go(&r, &w.t);
+        ck_assert_int_eq(r.all, SS_OK);
+        for (int i = 0; i < 2; i++) {
+          frequency(exact, chi, eta, i == 0 ? -1 : 1, 300);
+          get(x, &r, i);
+          ck_assert_msg(c < 2 || arb_overlaps(x, exact), "omega_%d at chi = 0.%ld, eta = %lu", i + 1, chi, eta);
+          arb_sub(x, x, exact, 300);
+          arb_div(x, x, exact, 300);
+          arb_abs(x, x);
+          arf_t worst;
+          arf_init(worst);
+          arb_get_ubound_arf(worst, x, 53);
+          double off = arf_get_d(worst, ARF_RND_UP);
+          arf_clear(worst);
+          ck_assert_msg(off < near[c], "omega_%d at chi = 0.%ld, eta = %lu, %s: off by %g", i + 1, chi, eta,
+                        ctx[c].type->name, off);
+        }
+        run_close(&r);
+      }
+  arb_clear(x);
+  arb_clear(exact);
+  work_close(&w);
+}
+END_TEST
+
+START_TEST(roots_that_do_not_exist) {
+  static const char *const names[] = {"r", "s", "x1"};
+  struct work w;
+  work_open(
+      &w,
+      "symbol x\ndefine d\n  root r: r^2 + x, smallest positive\n  root s: s^2 - (1/(x + 4))*s - 1, largest positive\n"
+      "  x1 := x + r - r\n",
+      3, names);
+  struct run r;
+  run_open(&r, &w.t, num_ctx_arb(80));
+  give_d(&r, &w.t, "x", 4);
+  run_go(&r, &w.t);
+  ck_assert(r.status[0] == SS_DOMAIN && r.status[1] == SS_OK && r.status[2] == SS_DOMAIN);
+  ck_assert(fabs(get_d(&r, 1) - (0.125 + sqrt(0.015625 + 4)) / 2) < 1e-15);
+  give_d(&r, &w.t, "x", -4);
+  run_go(&r, &w.t);
+  ck_assert(r.status[0] == SS_OK && r.status[1] == SS_DOMAIN && r.status[2] == SS_OK);
+  ck_assert(get_d(&r, 0) == 2 && get_d(&r, 2) == -4);
+  run_close(&r);
+  work_close(&w);
+}
+END_TEST
+
+/* ---- random formulas */
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint64_t rng;
+static uint64_t rnd(void) {
+  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+static int below(int n) {
+  return (int)(rnd() % (uint64_t)n);
+}
+
+enum { N_NODES = 24, N_OUT = 4 };
+
+/* op: n a decimal, x an input, - s c t r (sqrt) of a, ^ a power of a, + m (minus) * / of a and b. */
+struct node {
+  char op;
+  int a, b, k;
+  char *text;
+};
+
+static const char *const decimal[] = {"0", "1", "2", "0.5", "3.75", "0.1", "12.34", "1e-3", "7e2"};
+static const long decimal_p[] = {0, 1, 2, 1, 15, 1, 617, 1, 700}, decimal_q[] = {1, 1, 1, 2, 4, 10, 50, 1000, 1};
+static const char *const input[] = {"x", "y", "z"};
+static double value[3];
+
+static void make_formula(struct node *f) {
+  for (int i = 0; i < N_NODES; i++) {
+    static const char ops[] = "nx-sctr^+++mmm***///";
+    char op = i < 4 ? (i % 2 ? 'x' : 'n') : ops[below((int)sizeof ops - 1)];
+    int reach = i < 6 ? i : 6; /* operands are recent nodes, so that formulas get deep */
+    struct node n = {op, i ? i - 1 - below(reach) : 0, i ? i - 1 - below(reach) : 0, below(6) - 2, NULL};
+    const char *a = f[n.a].text, *b = f[n.b].text;
+    struct text t;
+    text_init(&t);
+    switch (op) {
+    case 'n':
+      n.k = below((int)(sizeof decimal / sizeof *decimal));
+      text_add(&t, decimal[n.k]);
+      break;
+    case 'x':
+      n.k = below(3);
+      text_add(&t, input[n.k]);
+      break;
+    case '-':
+      text_printf(&t, "(-(%s))", a);
+      break;
+    case '^':
+      text_printf(&t, n.k < 0 ? "((%s)^(%d))" : "((%s)^%d)", a, n.k);
+      break;
+    case '+':
+    case 'm':
+      text_printf(&t, "(%s %c %s)", a, op == '+' ? '+' : '-', b);
+      break;
+    case '*':
+    case '/':
+      text_printf(&t, "(%s%c%s)", a, op, b);
+      break;
+    default:
+      text_printf(&t, "%s(%s)", op == 's' ? "sin" : op == 'c' ? "cos" : op == 't' ? "cot" : "sqrt", a);
+      break;
+    }
+    n.text = t.data;
+    f[i] = n;
+  }
+}
+
+static bool is_unary(char op) {
+  return strchr("-sctr^", op) != NULL;
+}
+static bool is_leaf(char op) {
+  return op == 'n' || op == 'x';
+}
+
+/* Distinct subformulas that the outputs reach; equal text is equal formula, since every operand is bracketed. */
+static int count_distinct(const struct node *f, const int *out) {
+  bool used[N_NODES] = {false};
+  for (int i = 0; i < N_OUT; i++) used[out[i]] = true;
+  int n = 0;
+  for (int i = N_NODES - 1; i >= 0; i--) {
+    if (!used[i]) continue;
+    if (!is_leaf(f[i].op)) used[f[i].a] = true;
+    if (!is_leaf(f[i].op) && !is_unary(f[i].op)) used[f[i].b] = true;
+  }
+  for (int i = 0; i < N_NODES; i++) {
+    bool first = used[i];
+    for (int k = 0; first && k < i; k++) first = !used[k] || strcmp(f[i].text, f[k].text) != 0;
+    n += first;
+  }
+  return n;
+}
+
+/* Every node's value as a ball and its flags; SS_UNABLE: this precision does not tell.  widen: more than a double's
+   rounding at each step (relative 2^-50, and the least subnormal numbers). */
+static void eval_balls(arb_ptr v, int *flag, const struct node *f, slong prec, bool widen) {
+  arf_t size;
+  mag_t error;
+  arf_init(size);
+  mag_init(error);
+  for (int i = 0; i < N_NODES; i++) {
+    arb_srcptr a = v + f[i].a, b = v + f[i].b;
+    flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
+    if (flag[i] != SS_OK) continue;
+    bool pole = (f[i].op == '^' && f[i].k < 0) || f[i].op == 't';
+    arb_srcptr divisor = pole ? a : b;
+    if ((pole || f[i].op == '/') && arb_contains_zero(divisor)) flag[i] = arb_is_zero(divisor) ? SS_DOMAIN : SS_UNABLE;
+    if (f[i].op == 'r' && arb_contains_negative(a)) flag[i] = arb_is_negative(a) ? SS_DOMAIN : SS_UNABLE;
+    if (flag[i] != SS_OK) continue;
+    switch (f[i].op) {
+    case 'n':
+      arb_set_si(v + i, decimal_p[f[i].k]);
+      arb_div_si(v + i, v + i, decimal_q[f[i].k], prec);
+      break;
+    case 'x':
+      arb_set_d(v + i, value[f[i].k]);
+      break;
+    case '-':
+      arb_neg(v + i, a);
+      break;
+    case 's':
+      arb_sin(v + i, a, prec);
+      break;
+    case 'c':
+      arb_cos(v + i, a, prec);
+      break;
+    case 't':
+      arb_cot(v + i, a, prec);
+      break;
+    case 'r':
+      arb_sqrt(v + i, a, prec);
+      break;
+    case '^':
+      arb_one(v + i);
+      for (int k = 0; k < abs(f[i].k); k++) arb_mul(v + i, v + i, a, prec);
+      if (f[i].k < 0) arb_inv(v + i, v + i, prec);
+      break;
+    case '+':
+      arb_add(v + i, a, b, prec);
+      break;
+    case 'm':
+      arb_sub(v + i, a, b, prec);
+      break;
+    case '*':
+      arb_mul(v + i, a, b, prec);
+      break;
+    default:
+      arb_div(v + i, a, b, prec);
+      break;
+    }
+    if (!arb_is_finite(v + i)) flag[i] = SS_UNABLE;
+    if (!widen || f[i].op == 'x') continue;
+    arb_get_abs_ubound_arf(size, v + i, 53);
+    arf_get_mag(error, size);
+    mag_mul_2exp_si(error, error, -50);
+    arb_add_error_mag(v + i, error);
+    arb_add_error_2exp_si(v + i, -1070);
+  }
+  arf_clear(size);
+  mag_clear(error);
+}
+
+static void eval_mpfr(mpfr_t *v, int *flag, const struct node *f) {
+  for (int i = 0; i < N_NODES; i++) {
+    mpfr_ptr a = v[f[i].a], b = v[f[i].b];
+    flag[i] = is_leaf(f[i].op) ? SS_OK : is_unary(f[i].op) ? flag[f[i].a] : flag[f[i].a] | flag[f[i].b];
+    if (flag[i] != SS_OK) continue;
+    bool pole = (f[i].op == '^' && f[i].k < 0) || f[i].op == 't';
+    if ((pole && mpfr_zero_p(a)) || (f[i].op == '/' && mpfr_zero_p(b)) || (f[i].op == 'r' && mpfr_sgn(a) < 0)) {
+      flag[i] = SS_DOMAIN;
+      continue;
+    }
+    switch (f[i].op) {
+    case 'n':
+      mpfr_set_str(v[i], decimal[f[i].k], 10, MPFR_RNDN);
+      break;
+    case 'x':
+      mpfr_set_d(v[i], value[f[i].k], MPFR_RNDN);
+      break;
+    case '-':
+      mpfr_neg(v[i], a, MPFR_RNDN);
+      break;
+    case 's':
+      mpfr_sin(v[i], a, MPFR_RNDN);
+      break;
+    case 'c':
+      mpfr_cos(v[i], a, MPFR_RNDN);
+      break;
+    case 't':
+      mpfr_cot(v[i], a, MPFR_RNDN);
+      break;
+    case 'r':
+      mpfr_sqrt(v[i], a, MPFR_RNDN);
+      break;
+    case '^':
+      mpfr_pow_si(v[i], a, f[i].k, MPFR_RNDN);
+      break;
+    case '+':
+      mpfr_add(v[i], a, b, MPFR_RNDN);
+      break;
+    case 'm':
+      mpfr_sub(v[i], a, b, MPFR_RNDN);
+      break;
+    case '*':
+      mpfr_mul(v[i], a, b, MPFR_RNDN);
+      break;
+    default:
+      mpfr_div(v[i], a, b, MPFR_RNDN);
+      break;
+    }
+  }
+}
+
+/* The tape's own dump, run by the test: what is not in the text is lost. */
+static double run_dump(const struct tape *t, slong output) {
+  struct text out;
+  text_init(&out);
+  tape_dump(&out, t);
+  double *v = ss_malloc((size_t)t->n * sizeof *v), z = NAN;
+  char *line = strtok(out.data, "\n");
+  for (slong i = 0; i < t->n; i++, line = strtok(NULL, "\n")) {
+    char op[16], name[16];
+    long at, a, b;
+    int args = sscanf(line, "%%%ld = %15s %%%ld %%%ld", &at, op, &a, &b);
+    ck_assert(args >= 2 && at == i);
+    v[i] = NAN;
+    if (strcmp(op, "const") == 0) {
+      long p = 0, q = 1;
+      ck_assert(sscanf(line, "%%%*d = const %ld/%ld", &p, &q) >= 1);
+      v[i] = (double)p / (double)q;
+    } else if (strcmp(op, "input") == 0) {
+      ck_assert(sscanf(line, "%%%*d = input %15s", name) == 1);
+      for (int k = 0; k < 3; k++)
+        if (strcmp(name, input[k]) == 0) v[i] = value[k];
+    } else if (strcmp(op, "pow") == 0) {
+      ck_assert(sscanf(line, "%%%*d = pow %%%ld %ld", &a, &b) == 2 && a < i);
+      num_double.pow_si(&v[i], &v[a], b, 53);
+    }
+#define NUM_UNARY(word)                                                                                                \
+  if (strcmp(op, #word) == 0) {                                                                                        \
+    ck_assert(args == 3 && a < i);                                                                                     \
+    num_double.word(&v[i], &v[a], 53);                                                                                 \
+  }
+#define NUM_BINARY(word)                                                                                               \
+  if (strcmp(op, #word) == 0) {                                                                                        \
+    ck_assert(args == 4 && a < i && b < i);                                                                            \
+    num_double.word(&v[i], &v[a], &v[b], 53);                                                                          \
+  }
+#include "stickslip/ops.def"
+  }
+  for (slong i = 0; i <= output; i++, line = strtok(NULL, "\n")) {
+    long at;
+    ck_assert(sscanf(line, "out %%%ld", &at) == 1);
+    z = v[at];
+  }
+  free(v);
+  text_clear(&out);
+  return z;
+}
+
+/* Evaluated alone, an output has the bits that it has among others. */
+static void check_alone(const struct work *w, const char *name, const struct run *together, slong i) {
+  struct matrix m;
+  struct diag d;
+  struct elaboration el;
+  struct tape t;
+  struct run r;
+  diag_init(&d);
+  elaboration_init(&el, w->el.view, NULL, 0);
+  ck_assert(elaborate_name(&m, &el, name, "", &d) && elaboration_tape(&t, &el, m.e, 1, &d));
+  run_open(&r, &t, together->out.ctx);
+  for (int k = 0; k < 3; k++) give_d(&r, &t, input[k], value[k]);
+  run_go(&r, &t);
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  get(x, &r, 0);
+  get(y, together, i);
+  ck_assert(r.status[0] == together->status[i] && r.all == r.status[0]);
+  ck_assert(r.all != SS_OK || arb_equal(x, y));
+  arb_clear(x);
+  arb_clear(y);
+  run_close(&r);
+  tape_clear(&t);
+  elaboration_clear(&el);
+}
+
+enum { DOUBLE, MPFR, ARB, N_TYPES, PREC = 100 };
+
+struct counts {
+  int ok, domain, unable;
+};
+
+static void check_formula(struct counts *counts, uint64_t seed) {
+  static const char *const names[N_OUT] = {"o0", "o1", "o2", "o3"};
+  struct node f[N_NODES];
+  int out[N_OUT];
+  rng = seed;
+  make_formula(f);
+  for (int k = 0; k < 3; k++) value[k] = (below(65) - 32) / 8.0;
+  for (int i = 0; i < N_OUT; i++) out[i] = N_NODES - 1 - i - below(3) * i;
+  struct text file;
+  text_init(&file);
+  text_add(&file, "symbol x\nsymbol y\nsymbol z\ndefine d\n");
+  for (int i = 0; i < N_OUT; i++) text_printf(&file, "  o%d := %s\n", i, f[out[i]].text);
+  struct work w;
+  work_open(&w, file.data, N_OUT, names);
+  text_clear(&file);
+  ck_assert_msg(w.t.n == count_distinct(f, out), "seed %lu: %ld instructions for %d subformulas", (ulong)seed,
+                (long)w.t.n, count_distinct(f, out));
+
+  struct run r[N_TYPES];
+  const struct num_ctx ctx[] = {num_ctx_double(), num_ctx_mpfr(PREC), num_ctx_arb(PREC)};
+  for (int c = 0; c < N_TYPES; c++) {
+    run_open(&r[c], &w.t, ctx[c]);
+    for (int k = 0; k < 3; k++) give_d(&r[c], &w.t, input[k], value[k]);
+    run_go(&r[c], &w.t);
+  }
+
+  arb_ptr exact = _arb_vec_init(N_NODES), wide = _arb_vec_init(N_NODES);
+  mpfr_t mp[N_NODES];
+  int exact_flag[N_NODES], wide_flag[N_NODES], mp_flag[N_NODES];
+  for (int i = 0; i < N_NODES; i++) mpfr_init2(mp[i], PREC);
+  eval_balls(exact, exact_flag, f, 3 * PREC, false);
+  eval_balls(wide, wide_flag, f, 3 * PREC, true);
+  eval_mpfr(mp, mp_flag, f);
+  arb_t x;
+  arb_init(x);
+  for (int i = 0; i < N_OUT; i++) {
+    const char *text = f[out[i]].text;
+    const int flag = exact_flag[out[i]];
+#define SAY(condition, what)                                                                                           \
+  ck_assert_msg(condition, what ", seed %lu: %s at x = %g, y = %g, z = %g", (ulong)seed, text, value[0], value[1],     \
+                value[2])
+    SAY(r[MPFR].status[i] == mp_flag[out[i]], "flags in mpfr");
+    SAY(mp_flag[out[i]] != SS_OK || mpfr_equal_p(mp[out[i]], num_vec_at(&r[MPFR].out, i)), "mpfr");
+
+    SAY((flag & SS_UNABLE) || r[ARB].status[i] == flag || (r[ARB].status[i] & SS_UNABLE), "flags in arb");
+    get(x, &r[ARB], i);
+    SAY(flag != SS_OK || r[ARB].status[i] != SS_OK || arb_overlaps(x, exact + out[i]), "arb");
+
+    get(x, &r[DOUBLE], i);
+    SAY(wide_flag[out[i]] != SS_OK || r[DOUBLE].status[i] == SS_UNABLE ||
+            (r[DOUBLE].status[i] == SS_OK && arb_overlaps(x, wide + out[i])),
+        "double");
+    double d = get_d(&r[DOUBLE], i), dumped = run_dump(&w.t, i);
+    SAY(r[DOUBLE].status[i] != SS_OK || memcmp(&d, &dumped, sizeof d) == 0, "dump");
+#undef SAY
+    counts->ok += r[ARB].status[i] == SS_OK;
+    counts->domain += r[ARB].status[i] == SS_DOMAIN;
+    counts->unable += (r[ARB].status[i] & SS_UNABLE) != 0;
+  }
+  for (int c = 0; c < N_TYPES; c++) check_alone(&w, names[seed % N_OUT], &r[c], (slong)(seed % N_OUT));
+
+  arb_clear(x);
+  for (int i = 0; i < N_NODES; i++) {
+    mpfr_clear(mp[i]);
+    free(f[i].text);
+  }
+  _arb_vec_clear(exact, N_NODES);
+  _arb_vec_clear(wide, N_NODES);
+  for (int c = 0; c < N_TYPES; c++) run_close(&r[c]);
+  work_close(&w);
+}
+
+START_TEST(random_formulas) {
+  struct counts c = {0, 0, 0};
+  for (uint64_t seed = 1; seed <= 300; seed++) check_formula(&c, seed);
+  /* the formulas are worth their time: most have a value, and some do not */
+  ck_assert_msg(c.ok > 700 && c.domain > 50 && c.unable < 100, "%d values, %d undefined, %d untold", c.ok, c.domain,
+                c.unable);
+}
+END_TEST
+
+/* ---- broken tapes */
+
+static struct tape broken;
+
+static void run_check(void) {
+  tape_check(&broken);
+}
+
+static int checked(struct tape_instr *in, struct tape_instr wrong) {
+  struct tape_instr right = *in;
+  *in = wrong;
+  int end = child_end(run_check);
+  *in = right;
+  return end;
+}
+
+START_TEST(broken_tapes_abort) {
+  struct work w;
+  work_y(&w, "x", "  root r: r^2 - x, smallest positive\n  y := sin(x)/x + 2*r");
+  broken = w.t;
+  ck_assert_int_eq(child_end(run_check), 0);
+  for (slong i = 0; i < broken.n; i++) {
+    struct tape_instr *in = &broken.code[i], bad = *in;
+    bool binary = in->op == TAPE_div || in->op == TAPE_mul || in->op == TAPE_add;
+    bool operand = binary || in->op == TAPE_sin || in->op == TAPE_ROOT;
+    bool index = in->op == TAPE_CONST || in->op == TAPE_INPUT;
+    if (operand) {
+      bad.a = in->op == TAPE_ROOT ? broken.n_links : i;
+      ck_assert_int_eq(checked(in, bad), -SIGABRT);
+      bad.a = -1;
+      ck_assert_int_eq(checked(in, bad), -SIGABRT);
+      bad = *in;
+    }
+    if (binary || in->op == TAPE_ROOT) {
+      bad.b = binary ? i : 1;
+      ck_assert_int_eq(checked(in, bad), -SIGABRT);
+      bad = *in;
+    }
+    if (index) {
+      bad.k = in->op == TAPE_CONST ? broken.n_consts : broken.n_inputs;
+      ck_assert_int_eq(checked(in, bad), -SIGABRT);
+      bad.k = -1;
+      ck_assert_int_eq(checked(in, bad), -SIGABRT);
+    }
+  }
+  slong keep = broken.links[1];
+  broken.links[1] = broken.n;
+  ck_assert_int_eq(child_end(run_check), -SIGABRT);
+  broken.links[1] = keep;
+  broken.outputs[0] = broken.n;
+  ck_assert_int_eq(child_end(run_check), -SIGABRT);
+  broken.outputs[0] = broken.n - 1;
+  ck_assert_int_eq(child_end(run_check), 0);
+  work_close(&w);
+}
+END_TEST
+
+/* ---- long formulas: the parser takes 100000 nodes, and whatever it takes must go through */
+
+static double evaluate(const struct tape *t, double x) {
+  struct run r;
+  run_open(&r, t, num_ctx_double());
+  give_d(&r, t, "x", x);
+  run_go(&r, t);
+  ck_assert_int_eq(r.all, SS_OK);
+  double y = get_d(&r, 0);
+  run_close(&r);
+  return y;
+}
+
+static void repeat(struct text *t, int n, const char *s) {
+  for (int i = 0; i < n; i++) text_add(t, s);
+}
+
+START_TEST(long_formulas) {
+  static const double expected[] = {1249975000.5, -1, 0.25, 300, 0.5};
+  static const double x[] = {0.5, -1, 0.25, 2.25, 0.5};
+  struct text t;
+  struct work w;
+  text_init(&t);
+  text_add(&t, "  y := x");
+  switch (_i) {
+  case 0: /* 1 + ... + 49999 = 49999 * 25000 */
+    for (int i = 1; i < 50000; i++) text_printf(&t, " + %d", i);
+    break;
+  case 1: /* an odd number of factors */
+    repeat(&t, 49998, "*x");
+    break;
+  case 2: /* an entry of an entry of ... */
+    repeat(&t, 99000, "[1]");
+    break;
+  case 3: /* sqrt(40000 x) */
+    text_reset(&t);
+    text_add(&t, "  root y: y^2");
+    repeat(&t, 40000, " - x");
+    text_add(&t, ", smallest positive");
+    break;
+  default: /* definition after definition, each a call of the one before */
+    text_reset(&t);
+    text_add(&t, "  f0(t) := t\n");
+    for (int i = 1; i < 990; i++) text_printf(&t, "  f%d(t) := (f%d(t))\n", i, i - 1);
+    text_add(&t, "  y := f989(x)");
+    break;
+  }
+  clock_t start = clock();
+  work_y(&w, "xt", t.data);
+  double y = evaluate(&w.t, x[_i]);
+  double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+  ck_assert_msg(fabs(y - expected[_i]) <= 1e-15 * fabs(expected[_i]), "%.17g, expected %.17g", y, expected[_i]);
+  ck_assert_msg(seconds < 1, "%g s: not linear in the length", seconds);
+  work_close(&w);
+  text_clear(&t);
+}
+END_TEST
+
+Suite *tape_suite(void) {
+  Suite *s = suite_create("tape");
+  TCase *tc = tcase_create("tape");
+  tcase_add_checked_fixture(tc, scratch_open, scratch_close);
+  tcase_add_test(tc, dump_of_each_instruction);
+  tcase_add_test(tc, shared_subexpressions);
+  tcase_add_test(tc, only_what_is_reached);
+  tcase_add_test(tc, inputs_in_order_of_first_use);
+  tcase_add_test(tc, constants_are_exact);
+  tcase_add_test(tc, numbers_too_large);
+  tcase_add_test(tc, flags_of_each_output);
+  tcase_add_test(tc, roots_of_the_characteristic_equation);
+  tcase_add_test(tc, roots_that_do_not_exist);
+  tcase_add_test(tc, random_formulas);
+  tcase_add_test(tc, broken_tapes_abort);
+  tcase_add_loop_test(tc, long_formulas, 0, 5);
+  suite_add_tcase(s, tc);
+  return s;
+}

@@ -1,0 +1,79 @@
+"""validate.py SCHEMA FILE: hold an output of the program against its JSON Schema, and against what no schema can say.
+
+For audit.json that is: the counts of the summary are those of the claims and add up to the total, ids are unique, and
+every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  One line for each error on
+stdout; exit status 0 without errors, 1 with errors, 2 for wrong usage.
+"""
+import json
+import sys
+from decimal import Decimal
+
+import jsonschema
+
+
+def no_twins(pairs):
+    """An object whose keys are all different; JSON readers would silently keep the last of two."""
+    names = [k for k, _ in pairs]
+    twins = sorted({k for k in names if names.count(k) > 1})
+    if twins:
+        raise ValueError("the same key twice in one object: " + ", ".join(twins))
+    return dict(pairs)
+
+
+def no_constant(name):
+    raise ValueError(name + " is not JSON")
+
+
+def audit_errors(audit):
+    verdicts = [c["verdict"] for c in audit["claims"]]
+    for name, count in audit["summary"].items():
+        found = len(verdicts) if name == "total" else verdicts.count(name)
+        if count != found:
+            yield "summary/%s: says %d, the claims make %d" % (name, count, found)
+    parts = sum(n for name, n in audit["summary"].items() if name != "total")
+    if parts != audit["summary"]["total"]:
+        yield "summary/total: the verdicts add up to %d, not %d" % (parts, audit["summary"]["total"])
+    for part in ("claims", "controls"):
+        ids = [c["id"] for c in audit.get(part, [])]
+        for twin in sorted({i for i in ids if ids.count(i) > 1}):
+            yield "%s: the id %s stands %d times" % (part, twin, ids.count(twin))
+    for i, c in enumerate(audit["claims"]):
+        if c["verdict"] not in ("skipped", "definition") and not c["evidence"]:
+            yield "claims/%d: %s is %s without evidence" % (i, c["id"], c["verdict"])
+
+
+def orbit_errors(out):
+    z = [Decimal(o["z10"]) for o in out["orbits"]]
+    if z != sorted(z):
+        yield "orbits: not by increasing z10"
+
+
+EXTRA = {"audit.schema.json": audit_errors, "orbit.schema.json": orbit_errors}
+
+
+def errors(schema_file, file):
+    with open(schema_file, encoding="utf-8") as f:
+        schema = json.load(f)
+    jsonschema.Draft202012Validator.check_schema(schema)
+    try:
+        with open(file, encoding="utf-8") as f:
+            data = json.load(f, object_pairs_hook=no_twins, parse_constant=no_constant)
+    except ValueError as e:
+        return [str(e)]
+    found = [("/".join(map(str, e.absolute_path)) or "(top)") + ": " + e.message
+             for e in jsonschema.Draft202012Validator(schema).iter_errors(data)]
+    return found or list(EXTRA.get(schema["$id"], lambda _: ())(data))
+
+
+def main(args):
+    if len(args) != 2:
+        print(__doc__, file=sys.stderr)
+        return 2
+    found = errors(*args)
+    for e in found:
+        print(args[1] + ": " + " ".join(e.split()))
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

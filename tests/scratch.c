@@ -1,0 +1,128 @@
+/* Everything here fails loudly: a test that cannot have its folder has not run. */
+#include "scratch.h"
+
+#include <check.h>
+#include <dirent.h>
+#include <fcntl.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "stickslip/arena.h"
+#include "stickslip/text.h"
+
+static struct arena arena; /* of the paths handed out */
+static char *folder;       /* NULL between tests */
+
+static const char *keep(const struct text *t) {
+  return arena_strndup(&arena, text_str(t), t->len);
+}
+
+static const char *join(const char *path, const char *name) {
+  struct text t;
+  text_init(&t);
+  text_printf(&t, *name ? "%s/%s" : "%s%s", path, name);
+  const char *joined = keep(&t);
+  text_clear(&t);
+  return joined;
+}
+
+void scratch_open(void) {
+  const char *tmp = getenv("TMPDIR");
+  if (folder) scratch_close(); /* the last test failed, and Check left its fixture out */
+  arena_init(&arena);
+  const char *pattern = join(tmp && *tmp ? tmp : "/tmp", "stickslip-test-XXXXXX");
+  folder = arena_strndup(&arena, pattern, strlen(pattern));
+  ck_assert_msg(mkdtemp(folder) && chmod(folder, 0755) == 0, "%s", folder);
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+/* The names in a folder but . and .., sorted; NULL when it is none. */
+static const char **names_in(const char *path, size_t *n) {
+  DIR *dir = opendir(path);
+  const char **names = NULL;
+  size_t cap = 0;
+  *n = 0;
+  if (!dir) return NULL;
+  names = ss_grow(names, *n, &cap, sizeof *names);
+  for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
+    if (strcmp(e->d_name, ".") == 0 || strcmp(e->d_name, "..") == 0) continue;
+    names = ss_grow(names, *n, &cap, sizeof *names);
+    names[(*n)++] = arena_strndup(&arena, e->d_name, strlen(e->d_name));
+  }
+  closedir(dir);
+  qsort(names, *n, sizeof *names, by_name);
+  return names;
+}
+
+static void remove_all(const char *path) {
+  struct stat st;
+  if (lstat(path, &st) != 0) return;
+  if (!S_ISDIR(st.st_mode)) {
+    unlink(path);
+    return;
+  }
+  chmod(path, 0700);
+  size_t n;
+  const char **names = names_in(path, &n);
+  for (size_t i = 0; i < n; i++) remove_all(join(path, names[i]));
+  free(names);
+  rmdir(path);
+}
+
+void scratch_close(void) {
+  remove_all(folder);
+  folder = NULL;
+  arena_clear(&arena);
+}
+
+const char *scratch_path(const char *name) {
+  return join(folder, name);
+}
+
+const char *scratch_put_n(const char *name, const char *bytes, size_t len) {
+  const char *path = scratch_path(name);
+  FILE *f = fopen(path, "wb");
+  ck_assert_msg(f && fwrite(bytes, 1, len, f) == len && fclose(f) == 0, "%s", path);
+  return path;
+}
+
+const char *scratch_put(const char *name, const char *text) {
+  return scratch_put_n(name, text, strlen(text));
+}
+
+const char *scratch_list(const char *path) {
+  struct text t;
+  text_init(&t);
+  size_t n;
+  const char **names = names_in(path, &n);
+  for (size_t i = 0; i < n; i++) text_printf(&t, "%s%s", i ? " " : "", names[i]);
+  free(names);
+  const char *list = keep(&t);
+  text_clear(&t);
+  return list;
+}
+
+int child_end(void (*f)(void)) {
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert(pid >= 0);
+  if (pid == 0) {
+    struct rlimit none = {0, 0};
+    int null = open("/dev/null", O_WRONLY);
+    setrlimit(RLIMIT_CORE, &none);
+    dup2(null, STDERR_FILENO);
+    f();
+    _exit(0);
+  }
+  int status = 0;
+  ck_assert(waitpid(pid, &status, 0) == pid);
+  return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}

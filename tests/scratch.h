@@ -1,0 +1,22 @@
+/* A folder of the test's own, and children for what ends a process. */
+#ifndef STICKSLIP_TESTS_SCRATCH_H
+#define STICKSLIP_TESTS_SCRATCH_H
+
+#include <stddef.h>
+
+/* Fixtures: make the folder, remove it with all that is in it. */
+void scratch_open(void);
+void scratch_close(void);
+
+/* The path of a name in the folder; "" is the folder itself.  Valid until scratch_close. */
+const char *scratch_path(const char *name);
+/* Writes a file there and returns its path. */
+const char *scratch_put(const char *name, const char *text);
+const char *scratch_put_n(const char *name, const char *bytes, size_t len);
+/* The names in a folder in alphabetical order, joined with blanks. */
+const char *scratch_list(const char *path);
+
+/* How a child that calls f ends: its exit status (0 when f returns), or minus the signal that killed it. */
+int child_end(void (*f)(void));
+
+#endif

@@ -1,0 +1,17 @@
+/* Every suite of the project, in the order in which the runner calls them. */
+#ifndef STICKSLIP_TESTS_SUITES_H
+#define STICKSLIP_TESTS_SUITES_H
+
+#include <check.h>
+
+Suite *base_suite(void);
+Suite *num_suite(void);
+Suite *expr_suite(void);
+Suite *tape_suite(void);
+Suite *model_suite(void);
+Suite *dynamics_suite(void);
+Suite *coulomb_suite(void);
+Suite *audit_suite(void);
+Suite *cli_suite(void);
+
+#endif

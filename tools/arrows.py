@@ -1,0 +1,54 @@
+#!/usr/bin/env python3
+"""Checks that each module includes only what stands below it (README, "How it is built")."""
+import pathlib
+import re
+import sys
+
+HEADERS = {  # header -> module
+    "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base",
+    "num": "num", "ops": "num", "flint_compat": "num",
+    "expr": "expr", "tape": "tape", "model": "model", "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "margins": "dynamics",
+    "audit": "audit", "scene": "audit", "result": "result", "report": "report",
+}
+ALLOWED = {
+    "base": {"base"},
+    "num": {"base", "num"},
+    "expr": {"base", "expr"},
+    "tape": {"base", "num", "expr", "tape"},
+    "model": {"base", "num", "expr", "tape", "model"},
+    "dynamics": {"base", "num", "dynamics"},
+    "result": {"base", "result"},
+    "audit": {"base", "num", "expr", "tape", "model", "dynamics", "result", "audit"},
+    "report": {"base", "result", "report"},
+}
+LIBRARY_OF = {"gsl/": {"dynamics"}}
+
+
+def module_of(path):
+    if path.parts[0] == "include":
+        return HEADERS[path.stem]
+    return path.parts[1] if len(path.parts) > 2 else "main"
+
+
+def main():
+    bad = 0
+    for path in sorted(list(pathlib.Path("src").rglob("*.[ch]")) + list(pathlib.Path("include").rglob("*.h"))):
+        module = module_of(path)
+        for n, line in enumerate(path.read_text().splitlines(), 1):
+            m = re.match(r'\s*#\s*include\s+[<"]([^>"]+)[>"]', line)
+            if not m or module in ("main", "cli"):
+                continue
+            name = m.group(1)
+            own = re.match(r"stickslip/(\w+)\.(h|def)$", name)
+            if own and HEADERS.get(own.group(1)) not in ALLOWED[module]:
+                print(f"{path}:{n}: {module} must not include {name}")
+                bad += 1
+            for prefix, users in LIBRARY_OF.items():
+                if name.startswith(prefix) and module not in users:
+                    print(f"{path}:{n}: only {', '.join(sorted(users))} may include {name}")
+                    bad += 1
+    return 1 if bad else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,23 @@
+#!/bin/sh
+# Formatting, include arrows, static analysis, the README's generated table.  Exits non-zero at the first kind of finding.
+set -eu
+for tool in clang-format cppcheck; do
+  command -v $tool >/dev/null 2>&1 || { echo "lint: $tool is missing; install it (Debian: apt-get install $tool)"; exit 1; }
+done
+sources=$(git ls-files '*.c' '*.h')
+
+echo "lint: formatting"
+# shellcheck disable=SC2086
+clang-format --dry-run -Werror $sources
+
+echo "lint: include arrows"
+python3 tools/arrows.py
+
+echo "lint: README table"
+python3 tools/readme.py --check
+
+echo "lint: cppcheck"
+# shellcheck disable=SC2046
+cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
+  --suppress=missingIncludeSystem -Iinclude --suppress=preprocessorErrorDirective $(git ls-files 'src/*.c')
+echo "lint: clean"

@@ -1,0 +1,40 @@
+#!/usr/bin/env python3
+"""Writes the verdict table of README.md from reports/paper/audit.json; --check only compares."""
+import json
+import pathlib
+import sys
+
+BEGIN, END = "<!-- verdicts: made by tools/readme.py -->", "<!-- end of verdicts -->"
+
+
+def table():
+    audit = json.loads(pathlib.Path("reports/paper/audit.json").read_text())
+    summary = audit["summary"]
+    noticed = sum(c["noticed"] for c in audit["controls"])
+    lines = ["| verdict | claims |", "| --- | ---: |"]
+    lines += [f"| {k} | {v} |" for k, v in summary.items() if v]
+    lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Refuted:", ""]
+    for c in audit["claims"]:
+        if c["verdict"] != "refuted":
+            continue
+        fix = c["correction"]
+        lines.append(f"- `{c['id']}`: {c['title']}" + (f"; corrected: `{fix['text']}` ({fix['verdict']})" if fix else ""))
+    return "\n".join(lines)
+
+
+def main():
+    path = pathlib.Path("README.md")
+    text = path.read_text()
+    head, rest = text.split(BEGIN)
+    _, tail = rest.split(END)
+    new = f"{head}{BEGIN}\n{table()}\n{END}{tail}"
+    if "--check" in sys.argv:
+        if new != text:
+            print("README.md: the verdict table is stale; run tools/readme.py")
+        return int(new != text)
+    path.write_text(new)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

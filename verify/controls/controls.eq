@@ -1,0 +1,111 @@
+# What the controls damage; seen by the control of the same id and by nothing else.
+
+# one sign of one mode shape
+define ctl-propagator
+  section: appendix_a
+  Lambda := [1, 1; lambda_1, -lambda_2]
+
+# the velocity enters twice, and squared
+define ctl-propagator-stick
+  section: prediction
+  D(t) := [I, V^2*t*I; 0, I]
+
+define ctl-stiffness
+  section: prediction
+  K := [1, -chi; chi*eta, chi*eta]
+
+define ctl-equilibrium
+  section: prediction
+  d_02 := (u_s1*chi - u_s2)/((1 - chi)*chi)
+
+define ctl-frequency
+  section: appendix_a
+  root omega_1: det(K + I*omega_1^2 - 2*I), smallest positive
+
+define ctl-motion
+  section: appendix_a
+  gamma_2(t) := [sin(t), 0; 0, t^2]
+
+equation ctl-finite
+  replaces: eq-33
+  section: stability
+  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b - dZ_b)
+
+equation ctl-first-order
+  replaces: eq-34b
+  section: stability
+  dZ_c = H(t_c)*dZ_b + H'(t_c)*Z_c*dt_c
+
+equation ctl-inside-phase
+  replaces: eq-15
+  section: periodic
+  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a)*[z_1b; z_2b; z'_1b; z'_2b]
+
+inequality ctl-inequality
+  replaces: eq-56
+  section: appendix_b
+  z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_2
+
+equation ctl-switching
+  replaces: eq-26
+  section: stability
+  x_1(t_a + dt_a) - chi*x_2(t_a + dt_a) = u_s1
+
+equation ctl-perturbation
+  replaces: eq-31b
+  section: stability
+  x_b = -y_b
+
+define ctl-jacobian-a
+  section: stability
+  J_a := (1/(1 - chi))*[1, 1]
+
+define ctl-jacobian-b
+  section: stability
+  gammatilde_1 := (chi + chi_b)/(1 - chi_b)
+
+define ctl-jacobian-c
+  section: stability
+  ktilde_3 := ktilde_1*chi*eta*(z_1c + z_2c)/V
+
+define ctl-jacobian-f
+  section: stability
+  ktilde_6 := cos(omega*t_d) + ktilde_4
+
+define ctl-chain
+  section: stability
+  J := J_f*J_c*J_b*J_a*2
+
+equation ctl-determinant
+  replaces: eq-43
+  section: stability
+  det(J) + 1 = det(J_f*J_c)*det(J_b*J_a)
+
+equation ctl-charpoly
+  replaces: text-charpoly
+  section: stability
+  P(lambda) = lambda*(lambda + tr(J))
+
+define ctl-criterion
+  section: stability
+  J := J_f*J_c*J_b*J_a*3
+
+equation ctl-periodicity
+  replaces: eq-44b
+  section: validation
+  (N_1 + I)*z_0 + N_2*z'_0 = 0
+
+define ctl-compatibility
+  section: validation
+  M := inv(N_1 - I)*N_2 + inv(N_3)*(N_4 - I)
+
+inequality ctl-positive
+  replaces: eq-51
+  section: appendix_b
+  t_a < 0
+
+inequality ctl-threshold
+  replaces: eq-53
+  section: appendix_b
+  u_r1 > V*t_a*(1 + chi)/2
+  u_r2 > (e_2 - chi*(z_20 - z_10))/2

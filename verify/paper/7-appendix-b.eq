@@ -1,0 +1,98 @@
+# Appendix B: constraints, (51)-(61).
+section: appendix_b
+
+inequality eq-51
+  equation: 51
+  tex: t_a > 0, t_b > 0, t_c > 0, t_d > 0
+  t_a > 0
+  t_b > 0
+  t_c > 0
+  t_d > 0
+
+inequality eq-52
+  equation: 52
+  tex: e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1, \quad e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
+  e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
+  e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
+
+inequality eq-53
+  equation: 53
+  tex: u_{r1} > \frac{V t_a (1 - \chi)}{2}, \quad u_{r2} > \frac{e_2 - \chi(z_{20} - z_{10})}{2}
+  u_r1 > V*t_a*(1 - chi)/2
+  u_r2 > (e_2 - chi*(z_20 - z_10))/2
+
+inequality eq-54
+  equation: 54
+  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
+  e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (0, t_a)
+  e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
+
+equation eq-55
+  equation: 55
+  tex: z_1 - \chi z_2 = z_{10} - \chi z_{20} + V t (1 - \chi) = e_1 + V(t - t_a)(1 - \chi)
+  z_1(t) - chi*z_2(t) = z_10 - chi*z_20 + V*t*(1 - chi) = e_1 + V*(t - t_a)*(1 - chi)
+
+equation eq-55b
+  equation: 55
+  tex: \chi(z_2 - z_1) = \chi(z_{20} - z_{10})
+  chi*(z_2(t) - z_1(t)) = chi*(z_20 - z_10)
+
+inequality eq-56
+  equation: 56
+  tex: z_{10} - \chi z_{20} < z_1 - \chi z_2 < e_1
+  z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1
+
+inequality eq-57
+  equation: 57
+  tex: z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
+  z_1'(t) < V for t in (t_a, t_a + t_b)
+  e_2 - 2*u_r2 < h(t) < e_2 for t in (t_a, t_a + t_b)
+
+define eq-57b
+  equation: 57
+  tex: h(t) \equiv \chi(z_2 - z_1)
+  h(t) := chi*(z_2(t) - z_1(t))
+
+equation text-h-slope
+  tex: h'(t) = \chi(z'_2 - z'_1) = \chi(V - z'_1)
+  h'(t) = chi*(z_2'(t) - z_1'(t)) = chi*(V - z_1'(t))
+
+inequality text-h-increases
+  tex: \chi(V - z'_1) > 0
+  chi*(V - z_1'(t)) > 0
+
+inequality eq-58
+  equation: 58
+  tex: e_2 - 2u_{r2} < h(t_a) < e_2
+  e_2 - 2*u_r2 < h(t_a) < e_2
+
+equation eq-58b
+  equation: 58
+  tex: h(t_a + t_b) = e_2
+  h(t_a + t_b) = e_2
+
+inequality eq-59
+  equation: 59
+  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
+  e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
+  z_2'(t) < V for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
+
+define eq-60
+  equation: 60
+  tex: \bar{h}(t) = z_1 - \chi z_2
+  hbar(t) := z_1(t) - chi*z_2(t)
+
+equation eq-60b
+  equation: 60
+  tex: \bar{h}'(t) = z'_1 - \chi z'_2 = V - \chi z'_2
+  hbar'(t) = z_1'(t) - chi*z_2'(t) = V - chi*z_2'(t)
+
+inequality eq-60c
+  equation: 60
+  tex: V - \chi z'_2 > 0
+  V - chi*z_2'(t) > 0
+
+equation eq-61
+  equation: 61
+  tex: \bar{h}(t_a + t_b + t_c + t_d) = z_{10} - \chi z_{20}
+  hbar(t_a + t_b + t_c + t_d) = z_10 - chi*z_20
