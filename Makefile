@@ -14,7 +14,7 @@ WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
 STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
 SO    = libstickslip.so.0
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
-ARB  := $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
+ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
 LIBS  = $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
@@ -23,7 +23,7 @@ SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
 TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
-PKGS  = gcc make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema
+PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema
 OLD   = libflint-arb-dev
 
 .PHONY: deps all check verify lint asan cover format install uninstall clean help

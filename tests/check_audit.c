@@ -1019,16 +1019,16 @@ END_TEST
 
 /* --- Claims --- */
 
-/* Judges the claims that `only` selects, over the overlay. */
-static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
+/* Judges the claims that the items select, over the overlay. */
+static void judge_all(struct audit_result *r, const char *overlay, bool with_controls, const char *const *items,
+                      int n) {
   struct model m;
   struct claims claims = {.n = 0}, controls = {.n = 0};
   struct diag d;
   diag_init(&d);
   audit_result_init(r);
   load_model(&m, overlay, with_controls);
-  const char *const items[] = {only};
-  const struct audit_options opt = {items, 1, NULL, NULL};
+  const struct audit_options opt = {items, n, NULL, NULL};
   bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
             claims_load(&controls, "verify/controls", "control", &d) &&
             audit_run(r, &m, &claims, &controls, &paper, &opt, &d);
@@ -1036,6 +1036,10 @@ static void judge(struct audit_result *r, const char *overlay, bool with_control
   claims_clear(&controls);
   claims_clear(&claims);
   model_clear(&m);
+}
+
+static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
+  judge_all(r, overlay, with_controls, &only, 1);
 }
 
 static const struct finding *finding_of(const struct audit_result *r, const char *id) {
@@ -1060,26 +1064,6 @@ static const struct {
     {"eq-50", "define user\n  section: appendix_a\n  omega := sqrt(eta)\n"},
 };
 
-/* As written the claim is supported; one wrong glyph refutes it, and the certificate names a point. */
-START_TEST(a_damaged_formula_is_refuted) {
-  struct audit_result r;
-  judge(&r, NULL, true, damages[_i].claim);
-  const struct finding *f = finding_of(&r, damages[_i].claim);
-  ck_assert_msg(f->verdict == VERDICT_SUPPORTED, "%s: %s", f->id, verdict_name[f->verdict]);
-  ck_assert_int_ge(f->n_evidence, 2);
-  for (int i = 0; i < f->n_evidence; i++)
-    ck_assert(strcmp(f->evidence[i].result, "agrees") == 0 && f->evidence[i].trials > 0);
-  audit_result_clear(&r);
-  judge(&r, damages[_i].overlay, true, damages[_i].claim);
-  f = finding_of(&r, damages[_i].claim);
-  ck_assert_msg(f->verdict == VERDICT_REFUTED, "damaged %s: %s", f->id, verdict_name[f->verdict]);
-  ck_assert(f->fault != NULL && strcmp(f->evidence[0].result, "differs") == 0 && f->evidence[0].trials > 0);
-  ck_assert(f->evidence[0].note && strstr(f->evidence[0].note, "at chi = "));
-  ck_assert(audit_result_unexpected(&r) > 0);
-  audit_result_clear(&r);
-}
-END_TEST
-
 static const struct {
   const char *claim, *overlay;
 } repairs[] = {
@@ -1091,14 +1075,47 @@ static const struct {
     {"eq-40", "define user\n  section: stability\n  ktilde_4 := V*sin(omega*t_d)/(omega*(z_200 - z_100))\n"},
 };
 
+enum { N_DAMAGES = sizeof damages / sizeof *damages, N_REPAIRS = sizeof repairs / sizeof *repairs };
+
+static struct audit_result undamaged; /* the claims of both tables, as they stand */
+
+static void open_claims(void) {
+  const char *ids[N_DAMAGES + N_REPAIRS];
+  for (int i = 0; i < N_DAMAGES; i++) ids[i] = damages[i].claim;
+  for (int i = 0; i < N_REPAIRS; i++) ids[N_DAMAGES + i] = repairs[i].claim;
+  open_values();
+  judge_all(&undamaged, NULL, true, ids, N_DAMAGES + N_REPAIRS);
+}
+
+static void close_claims(void) {
+  audit_result_clear(&undamaged);
+  close_values();
+}
+
+/* As written the claim is supported; one wrong glyph refutes it, and the certificate names a point. */
+START_TEST(a_damaged_formula_is_refuted) {
+  const struct finding *f = finding_of(&undamaged, damages[_i].claim);
+  ck_assert_msg(f->verdict == VERDICT_SUPPORTED, "%s: %s", f->id, verdict_name[f->verdict]);
+  ck_assert_int_ge(f->n_evidence, 2);
+  for (int i = 0; i < f->n_evidence; i++)
+    ck_assert(strcmp(f->evidence[i].result, "agrees") == 0 && f->evidence[i].trials > 0);
+  struct audit_result r;
+  judge(&r, damages[_i].overlay, true, damages[_i].claim);
+  f = finding_of(&r, damages[_i].claim);
+  ck_assert_msg(f->verdict == VERDICT_REFUTED, "damaged %s: %s", f->id, verdict_name[f->verdict]);
+  ck_assert(f->fault != NULL && strcmp(f->evidence[0].result, "differs") == 0 && f->evidence[0].trials > 0);
+  ck_assert(f->evidence[0].note && strstr(f->evidence[0].note, "at chi = "));
+  ck_assert(audit_result_unexpected(&r) > 0);
+  audit_result_clear(&r);
+}
+END_TEST
+
 /* As printed the claim is refuted; written right by a user it is supported. */
 START_TEST(a_repaired_formula_is_supported) {
-  struct audit_result r;
-  judge(&r, NULL, true, repairs[_i].claim);
-  const struct finding *f = finding_of(&r, repairs[_i].claim);
+  const struct finding *f = finding_of(&undamaged, repairs[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_REFUTED, "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_SUPPORTED);
-  audit_result_clear(&r);
+  struct audit_result r;
   judge(&r, repairs[_i].overlay, true, repairs[_i].claim);
   f = finding_of(&r, repairs[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_SUPPORTED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
@@ -1203,9 +1220,9 @@ Suite *audit_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("claim");
   tcase_set_timeout(c, 60);
-  tcase_add_unchecked_fixture(c, open_values, close_values);
-  tcase_add_loop_test(c, a_damaged_formula_is_refuted, 0, (int)(sizeof damages / sizeof *damages));
-  tcase_add_loop_test(c, a_repaired_formula_is_supported, 0, (int)(sizeof repairs / sizeof *repairs));
+  tcase_add_unchecked_fixture(c, open_claims, close_claims);
+  tcase_add_loop_test(c, a_damaged_formula_is_refuted, 0, N_DAMAGES);
+  tcase_add_loop_test(c, a_repaired_formula_is_supported, 0, N_REPAIRS);
   tcase_add_test(c, what_holds_when_v_is_one_is_said);
   tcase_add_test(c, what_cannot_be_read_is_a_fault_of_notation);
   tcase_add_test(c, an_undamaged_control_is_a_failure);

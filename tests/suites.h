@@ -10,6 +10,7 @@ Suite *expr_suite(void);
 Suite *tape_suite(void);
 Suite *model_suite(void);
 Suite *dynamics_suite(void);
+Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *cli_suite(void);
