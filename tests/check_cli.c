@@ -5,6 +5,7 @@
 #include <check.h>
 #include <fcntl.h>
 #include <glob.h>
+#include <math.h>
 #include <mpfr.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -486,6 +487,44 @@ END_TEST
 
 /* ktilde_4 as printed is V^-2 of what it should be.  It moves x_f and y_f alike, and tr J sees their difference alone:
    so where V is not 1 every entry is wrong and the trace is right; where V = 1 all are right. */
+/* How many significant digits a printed number shows. */
+static int digits_shown(const char *number) {
+  int n = 0;
+  for (const char *p = number; *p && *p != 'e'; p++)
+    if (*p >= '0' && *p <= '9' && (n > 0 || *p != '0')) n++;
+  return n;
+}
+
+/* Each method prints the digits it answers for, and they are right; integration answers for fewer. */
+START_TEST(every_method_keeps_its_word) {
+  static const char *const methods[] = {"analytic", "implicit", "saltation", "fd", "ode"};
+  int held = 0, integrated = 0;
+  for (int r = 0, nth = 0; r < orbits.n; r++) {
+    const char *const *f = orbits.field[r];
+    if (strcmp(f[0], "orbit") != 0 || nth++ % 4 != 0) continue;
+    char at[32];
+    snprintf(at, sizeof at, "orbit:%d", atoi(f[2]) + 1);
+    for (int m = 0; m < 5; m++) {
+      bool by_ode = m == 4;
+      if (by_ode && strcmp(f[F_ADMISSIBLE], "yes") != 0) continue; /* Coulomb's law does not follow the others */
+      struct job j;
+      run_well(&j, "jacobian", scene_of(f[F_NAME]), "--at", at, "--method", methods[m], "--digits", "18", "--json",
+               NULL);
+      const char *trace = member(j.out, "trace");
+      int n = digits_shown(trace);
+      ck_assert_msg(by_ode ? n >= 2 : n == 18, "%s %s %s: %s", f[F_NAME], at, methods[m], trace);
+      ck_assert_msg(strcmp(trace, rounded(f[F_TRACE], n)) == 0, "%s %s %s: %s, not %s", f[F_NAME], at, methods[m],
+                    trace, rounded(f[F_TRACE], n));
+      held++;
+      integrated += by_ode;
+      discard(&j);
+    }
+  }
+  ck_assert_int_ge(held, 60);
+  ck_assert_int_ge(integrated, 4);
+}
+END_TEST
+
 START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
   static const char *const scenes[] = {"paper", "stable"}; /* V = 1 and V = 1.8 */
   for (int i = 0; i < 2; i++) {
@@ -527,6 +566,108 @@ START_TEST(at_the_printed_numbers) {
   ck_assert(strstr(text.out, "trace -1.02322618938757\n") != NULL); /* -1.023226189387570053... in orbits.tsv */
   ck_assert(strstr(text.out, "det   0\n") != NULL);
   discard(&text);
+}
+END_TEST
+
+/* --- simulate --- */
+
+/* An admissible orbit, simulated from (1)-(2), meets its four events at the oracle's times and returns. */
+START_TEST(simulation_follows_admissible_orbits) {
+  int followed = 0;
+  for (int r = 0; r < orbits.n; r++) {
+    const char *const *f = orbits.field[r];
+    if (strcmp(f[0], "orbit") != 0 || strcmp(f[F_ADMISSIBLE], "yes") != 0) continue;
+    char at[32];
+    snprintf(at, sizeof at, "orbit:%d", atoi(f[2]) + 1);
+    struct job j;
+    run_well(&j, "simulate", scene_of(f[F_NAME]), "--at", at, NULL);
+    ck_assert_msg(strstr(j.out, "\nword (GHCD)^1\n") != NULL, "%s %s:\n%.800s", f[F_NAME], at, j.out);
+    ck_assert(strstr(j.out, "the first 4 of 4 events are the same") != NULL);
+    const char *line = strchr(strchr(j.out, '\n') + 1, '\n') + 1;
+    double sum = 0;
+    for (int k = 0; k < 4; k++, line = strchr(line, '\n') + 1) {
+      sum += strtod(f[F_Z10 + 2 + k], NULL);
+      ck_assert_msg(fabs(strtod(line, NULL) - sum) < 1e-8, "%s %s, event %d: %.40s, not %.12f", f[F_NAME], at, k, line,
+                    sum);
+    }
+    followed++;
+    discard(&j);
+  }
+  ck_assert_int_ge(followed, 15);
+}
+END_TEST
+
+START_TEST(csv_has_a_row_for_each_sample_and_event) {
+  struct job j;
+  run_well(&j, "simulate", "paper", "--at", "orbit:2", "--csv", "--samples", "10", "--periods", "3", NULL);
+  ck_assert(strncmp(j.out, "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n", 32) == 0);
+  int rows = 0;
+  double last = -1;
+  for (const char *p = strchr(j.out, '\n') + 1; *p; p = strchr(p, '\n') + 1, rows++) {
+    int commas = 0;
+    for (const char *q = p; *q != '\n'; q++) commas += *q == ',';
+    ck_assert_int_eq(commas, 8);
+    ck_assert(strtod(p, NULL) >= last);
+    last = strtod(p, NULL);
+  }
+  ck_assert_int_ge(rows, 3 * (10 + 4));
+  ck_assert_int_le(rows, 3 * (10 + 4) + 2);
+  discard(&j);
+}
+END_TEST
+
+/* From the printed start, for long: both routes meet the same events. */
+START_TEST(the_printed_start_runs_on) {
+  struct job j;
+  run_well(&j, "simulate", "paper", "--at", "printed", "--periods", "120", NULL);
+  size_t same = 0, all = 1;
+  const char *p = strstr(j.out, "closed forms: the first ");
+  ck_assert(p && sscanf(p, "closed forms: the first %zu of %zu", &same, &all) == 2);
+  ck_assert(same == all && all > 400);
+  ck_assert(strstr(j.out, "after 120 returns") != NULL);
+  discard(&j);
+}
+END_TEST
+
+START_TEST(what_cannot_be_simulated) {
+  struct job j;
+  const char *scene = scratch_put("plain.scene", "chi = 0.5\neta = 1\nV = 1\ne1 = 1\ne2 = 1/2\n");
+  run(&j, "simulate", scene, "--at", "printed", NULL);
+  ck_assert_msg(j.status == 3 && strstr(j.err, "printed z10 and z20"), "%d %s", j.status, j.err);
+  discard(&j);
+  run(&j, "simulate", "paper", "--at", "orbit:9", NULL);
+  ck_assert_msg(j.status == 3 && strstr(j.err, "no orbit 9"), "%d %s", j.status, j.err);
+  discard(&j);
+  run(&j, "simulate", "paper", "--periods", "0", NULL);
+  ck_assert_msg(j.status == 2 && strstr(j.err, "--periods"), "%d %s", j.status, j.err);
+  discard(&j);
+}
+END_TEST
+
+/* --- scenes that give other quantities than e1 and e2 --- */
+
+/* The orbit is found again from any two of its six quantities, given to 50 digits. */
+START_TEST(any_two_of_six) {
+  static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
+  static const int pairs[][2] = {{3, 4}, {0, 3}, {1, 4}, {2, 3}, {3, 5}};
+  int r = set_row("paper");
+  const char *const *set = orbits.field[r], *const *f = orbits.field[r + 2];
+  for (size_t k = 0; k < sizeof pairs / sizeof *pairs; k++) {
+    char text[800];
+    int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", set[F_CHI], set[F_CHI + 1], set[F_CHI + 2]);
+    for (int i = 0; i < 2; i++) {
+      int q = pairs[k][i];
+      n += snprintf(text + n, sizeof text - (size_t)n, "%s = %s\n", names[q],
+                    q < 2 ? set[F_CHI + 3 + q] : rounded(f[F_Z10 + q], 50));
+    }
+    struct job j;
+    run_well(&j, "orbit", scratch_put("two.scene", text), "--digits", "30", "--json", NULL);
+    char want[80];
+    snprintf(want, sizeof want, "\"z10\": \"%s\"", rounded(f[F_Z10], 30));
+    ck_assert_msg(strstr(j.out, want) != NULL, "%s and %s: no %s in\n%.1500s", names[pairs[k][0]], names[pairs[k][1]],
+                  want, j.out);
+    discard(&j);
+  }
 }
 END_TEST
 
@@ -902,7 +1043,7 @@ static const struct {
     {{"jacobian", "paper", "--at", "orbit:"}, 2, "--at takes orbit:K"},
     {{"jacobian", "paper", "--at", "2"}, 2, "--at takes orbit:K"},
     {{"jacobian", "paper", "--at", "orbit:9"}, 3, "there is no orbit 9; the scene has 2"},
-    {{"jacobian", "paper", "--method", "ode"}, 2, "--method takes"},
+    {{"jacobian", "paper", "--method", "euler"}, 2, "--method takes"},
     {{"jacobian", "paper", "--layer", "stable"}, 2, "--layer takes"},
     {{"explain"}, 2, "explain takes one claim id"},
     {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
@@ -1185,8 +1326,18 @@ Suite *cli_suite(void) {
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, open_jacobians, close_jacobians);
   tcase_add_test(c, three_methods_agree_with_differences_made_elsewhere);
+  tcase_add_test(c, every_method_keeps_its_word);
   tcase_add_test(c, layers_differ_in_the_entries_not_in_the_trace);
   tcase_add_test(c, at_the_printed_numbers);
+  suite_add_tcase(s, c);
+  c = tcase_create("simulate");
+  tcase_set_timeout(c, 120);
+  tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
+  tcase_add_test(c, simulation_follows_admissible_orbits);
+  tcase_add_test(c, csv_has_a_row_for_each_sample_and_event);
+  tcase_add_test(c, the_printed_start_runs_on);
+  tcase_add_test(c, what_cannot_be_simulated);
+  tcase_add_test(c, any_two_of_six);
   suite_add_tcase(s, c);
   c = tcase_create("verify");
   tcase_set_timeout(c, TIME_LIMIT);

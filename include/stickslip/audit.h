@@ -16,14 +16,15 @@
      number, from, formula             (number) the printed number, where its value comes from
      fault       the fault class a refutation of this claim has
      depends-on  ids
-     restricted  "V = 1: supported; ...": verdicts on record of the claims that are made when this one is refuted on its
-                 domain but holds under a restriction (id: the next free letter)
+     restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
+                 refuted on its domain but holds under a restriction
      record      the verdict on record; record-scene: the only scene it speaks of
 
    Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
+#include "stickslip/coulomb.h"
 #include "stickslip/model.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
@@ -41,6 +42,8 @@ struct claims {
   struct claim *claim;
   size_t n, cap;
 };
+
+enum { MAX_CLAIM_FILE = 4 << 20 };
 
 /* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim or control. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
@@ -71,9 +74,23 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d);
 
+/* The orbits of the scene, by increasing z10, from whichever two quantities it gives; flags as dyn_orbits_find and
+   dyn_orbits_given return them. */
+int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec);
+
+/* --- The scene under Coulomb's law --- */
+
+struct coulomb_setup {
+  double params[N_COULOMB], start[N_STATE];
+  double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
+  bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
+};
+/* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */
+bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
+
 /* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
 
-enum jacobian_method { METHOD_ANALYTIC, METHOD_IMPLICIT, METHOD_SALTATION, METHOD_FD, N_METHODS };
+enum jacobian_method { METHOD_ANALYTIC, METHOD_IMPLICIT, METHOD_SALTATION, METHOD_FD, METHOD_ODE, N_METHODS };
 extern const char *const method_name[N_METHODS];
 
 struct jacobian_request {
@@ -86,7 +103,8 @@ struct jacobian_request {
 
 /* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them (differences: a
    ball of the estimated error).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at printed numbers its states are those at
-   the printed times.  The other methods start at the printed state and locate the events.  det is exactly 0 wherever the
+   the printed times.  The other methods start at the printed state and locate the events; METHOD_ODE integrates (1)-(2)
+   and gives the digits it has, about eight, whatever is asked for.  det is exactly 0 wherever the
    method proves or confirms it (all that precedes t_a is a map to one number). false with d set on failure. */
 bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,
                     const struct jacobian_request *q, struct diag *d);

@@ -139,6 +139,11 @@ int coulomb_params_set(struct num_vec *params, const struct num_vec *model, cons
 /* The state with x = z + d, d the equilibrium under both sliding forces, and both speeds V. */
 int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const void *z10, const void *z20);
 
+/* The 2x2 derivative of the positions at which both masses come to stick with respect to those of the start (both
+   sticking), for motions of the word G H C D: central differences of the ODE route at two steps, extrapolated.  err: an
+   estimate of the worst entry's error.  SS_DOMAIN when nearby motions do not follow the word. */
+int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]);
+
 /* --- Ready-made sinks. --- */
 
 /* Keeps events, in memory bounded by the plan's max_events; exact is not kept. */

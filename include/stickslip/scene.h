@@ -8,8 +8,9 @@
      e2  = 0.8587
      printed: t_a = 0.6784
 
-   Parameters are constant expressions (decimals, + - * / ^ and parentheses), kept exact.  Domain: 0 < chi < 1 and
-   eta, V, e1, e2 > 0; u_r1 and u_r2, when given, exceed e1 and e2.  A printed line gives a decimal to be tested. */
+   A scene gives chi, eta, V and any two of e1, e2, t_a, t_b, t_c, t_d; u_r1 and u_r2 if it likes.  Parameters are constant
+   expressions (decimals, + - * / ^ and parentheses), kept exact.  Domain: 0 < chi < 1, all others positive but t_a, which
+   has any sign; u_r1 and u_r2 exceed e1 and e2 where these are given.  A printed line gives a decimal to be tested. */
 #ifndef STICKSLIP_SCENE_H
 #define STICKSLIP_SCENE_H
 
@@ -17,7 +18,20 @@
 #include "stickslip/text.h"
 
 /* What a scene can set, and what it can print: name in scene files, name in the paper's notation. */
-enum scene_key { KEY_CHI, KEY_ETA, KEY_V, KEY_E1, KEY_E2, KEY_U_R1, KEY_U_R2, N_KEYS };
+enum scene_key {
+  KEY_CHI,
+  KEY_ETA,
+  KEY_V,
+  KEY_E1, /* from here six, of which two are given */
+  KEY_E2,
+  KEY_TA,
+  KEY_TB,
+  KEY_TC,
+  KEY_TD,
+  KEY_U_R1,
+  KEY_U_R2,
+  N_KEYS
+};
 enum { N_SCENE_PARAMS = KEY_E2 + 1 };
 extern const char *const scene_key_name[N_KEYS];
 
@@ -39,6 +53,8 @@ struct scene {
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes. */
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
 void scene_clear(struct scene *s);
+/* Does the scene give e1 and e2, so that its parameters are exact? */
+bool scene_has_forces(const struct scene *s);
 /* The printed number of that name, or NULL. */
 const struct printed_number *scene_printed(const struct scene *s, const char *name);
 

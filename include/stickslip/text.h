@@ -65,6 +65,14 @@ void source_clear(struct source *s);
    the old file or the new one and a failure leaves the old one.  What stands there already must be a regular file.
    false with d set on failure. */
 bool file_write(const char *path, const char *data, size_t len, struct diag *d);
+/* Several files as one: all temporary files are written before the first is renamed, so that a failure to write any of
+   them leaves every old file. */
+struct file_item {
+  const char *path, *data;
+  size_t len;
+};
+enum { MAX_FILE_ITEMS = 8 };
+bool files_write(const struct file_item *item, int n, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);
 

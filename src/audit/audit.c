@@ -22,6 +22,11 @@ static int kind_index(const char *name) {
   return -1;
 }
 
+kind_fn claim_kind(const char *name) {
+  int k = kind_index(name);
+  return k < 0 ? NULL : kinds[k].judge;
+}
+
 /* --- The result record --- */
 
 void audit_result_init(struct audit_result *r) {
@@ -190,9 +195,20 @@ static bool known_fault(const char *s) {
   return false;
 }
 
-/* A sentence that cannot be read (an undefined symbol, a wrong shape) is refuted by the diagnostic itself. */
+/* Does the diagnostic point into a file that counts as the paper's text? */
+static bool about_paper(const struct judge *j) {
+  for (size_t i = 0; i < j->model->n_records; i++) {
+    const struct statement_record *r = &j->model->records[i];
+    size_t n = strlen(r->src->name);
+    if (r->rank <= RANK_USER && strncmp(j->d->message, r->src->name, n) == 0 && j->d->message[n] == ':') return true;
+  }
+  return false;
+}
+
+/* A sentence that cannot be read (an undefined symbol, a wrong shape) is refuted by the diagnostic itself; one that the
+   claim, a control or an erratum spoils is an error of ours. */
 static bool notation_fault(struct finding *f, struct judge *j) {
-  if (j->claim_at_fault) return false;
+  if (j->claim_at_fault || !about_paper(j)) return false;
   struct evidence *e = finding_add(f, j->out);
   e->route = "diagnostic";
   e->layer = "own text printed, the rest corrected";
@@ -230,6 +246,11 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
 
 /* --- Controls --- */
 
+static void leave_out(struct audit_result *out, const char *what, const char *why) {
+  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
+  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
+}
+
 static const struct claim *find_claim(const struct claims *claims, const char *id) {
   for (size_t i = 0; id && i < claims->n; i++)
     if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
@@ -245,12 +266,13 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
   struct finding f;
   if (k < 0 || !describe(&f, j, &c)) return false;
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
+  struct audit_result *out = j->out;
   if (!kinds[k].judge(&f, j, &c, view)) {
-    diag_set(j->d, "control %s cannot be judged", control->id);
-    return false;
+    if (!notation_fault(&f, j)) return false;
+    leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
+    return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
-  struct audit_result *out = j->out;
   out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
   out->controls[out->n_controls++] =
       (struct control_result){copy(out, control->id), copy(out, claim->id), f.verdict, f.verdict == VERDICT_REFUTED};
@@ -259,22 +281,21 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
 
 /* --- The run --- */
 
-static bool selected(const struct audit_options *opt, const char *id) {
-  if (opt->n_only == 0) return true;
-  for (int i = 0; i < opt->n_only; i++)
-    if (claim_selected(id, opt->only[i])) return true;
-  return false;
+static bool selects(const char *item, const struct claim *c) {
+  return claim_selected(c->id, item) || claim_makes(c, item);
 }
 
-static void leave_out(struct audit_result *out, const char *what, const char *why) {
-  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
-  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
+static bool selected(const struct audit_options *opt, const struct claim *c) {
+  if (opt->n_only == 0) return true;
+  for (int i = 0; i < opt->n_only; i++)
+    if (selects(opt->only[i], c)) return true;
+  return false;
 }
 
 static bool check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
   for (int i = 0; i < opt->n_only; i++) {
     bool any = false;
-    for (size_t k = 0; k < claims->n; k++) any = any || claim_selected(claims->claim[k].id, opt->only[i]);
+    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
     if (!any) {
       diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
       return false;
@@ -290,7 +311,7 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
     const char *of = record_get(control->record, "claim");
     const struct claim *claim = find_claim(claims, of);
     if (!claim) return claim_error(j, control, "claim", "a control names the claim that it damages");
-    if (!selected(opt, claim->id)) continue;
+    if (!selected(opt, claim)) continue;
     if (!judge_control(j, control, claim)) return false;
   }
   return true;
@@ -308,7 +329,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
-    if (!selected(opt, claims->claim[i].id)) {
+    if (!selected(opt, &claims->claim[i])) {
       left_out++;
       continue;
     }

@@ -215,8 +215,13 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
+/* Is the id that of a claim which a restriction of this one makes? */
+bool claim_makes(const struct claim *c, const char *id);
 /* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
+
+/* The kind of that name; NULL when there is none. */
+kind_fn claim_kind(const char *name);
 
 /* --- Evidence and verdicts --- */
 
@@ -264,7 +269,8 @@ extern const char *const reading_name[N_READINGS];
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
 /* A ball over every value that prints as p. */
 void printed_ball(arb_t x, const struct printed_number *p);
-/* A control's attribute "decimal" in place of a printed number: *p then points at own, whose values the caller clears. */
+/* A control's attribute "shift", in units of the last digit, applied to a printed number: *p then points at own, whose
+   values the caller clears. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
 
 /* Marks the claim as skipped, with the reason. */

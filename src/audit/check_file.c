@@ -8,34 +8,81 @@ static bool has_suffix(const char *path, const char *suffix) {
   return n > k && strcmp(path + n - k, suffix) == 0;
 }
 
-/* An equation file is read over the paper's own, so that it may use their names. */
+/* Each record of a file of controls is seen alone, as in an audit. */
+static bool check_controls(const struct model *m, struct diag *d) {
+  const struct record_file *f = m->files[m->n_files - 1];
+  bool ok = true;
+  for (size_t i = 1; ok && i < f->n_records; i++)
+    ok = view_check((struct view){m, LAYER_CORRECTED, NULL, f->records[i].id_name}, d);
+  return ok;
+}
+
+/* An equation file is read over the paper's own, so that it may use their names.  A file of controls damages one name
+   several times over; its records bear ids that begin with ctl-. */
 static bool check_equations(const char *path, const char *data, struct diag *d) {
   struct model m;
   struct text folder;
   text_init(&folder);
   text_printf(&folder, "%s/paper", data);
   model_init(&m);
-  bool ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
-            view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
+  bool ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_CONTROL, d);
+  const struct record_file *f = ok ? m.files[m.n_files - 1] : NULL;
+  bool controls = f && f->n_records > 1 && strncmp(f->records[1].id_name, "ctl-", 4) == 0;
+  if (ok && controls) ok = check_controls(&m, d);
   model_clear(&m);
+  if (ok && !controls) {
+    model_init(&m);
+    ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
+         view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
+    model_clear(&m);
+  }
   text_clear(&folder);
   return ok;
 }
 
+static bool known_attribute(const char *key) {
+  static const char *const known[] = {
+      "equation", "section", "own",        "kind",         "value",        "statement",      "bound",
+      "points",   "routes",  "oracle",     "number",       "from",         "formula",        "fault",
+      "title",    "quote",   "depends-on", "record",       "effect",       "restricted",     "claim",
+      "shift",    "letter",  "range",      "perturbation", "record-scene", "repaired-range", "also-printed"};
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (strcmp(known[i], key) == 0) return true;
+  return false;
+}
+
+static bool complain(const struct claim *c, size_t at, struct diag *d, const char *what) {
+  diag_at(d, &c->file->src, at, "%s: %s", c->id, what);
+  return false;
+}
+
+static bool check_claim(const struct claim *c, bool control, struct diag *d) {
+  const char *record = claim_get(c, "record"), *kind = claim_get(c, "kind");
+  size_t head = c->record->id.begin;
+  for (size_t k = 0; k < c->record->n_fields; k++) {
+    const struct field *f = &c->record->fields[k];
+    if (!f->attribute) return complain(c, f->value.begin, d, "a claim has attributes only, \"word: text\"");
+    if (!known_attribute(f->key_name)) return complain(c, f->key.begin, d, "unknown attribute");
+  }
+  if (control) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
+  if (!kind || !claim_get(c, "title")) return complain(c, head, d, "a claim has a kind and a title");
+  if (!claim_kind(kind)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
+  if (record && verdict_parse(record) == N_VERDICTS)
+    return complain(c, record_field(c->record, "record")->value.begin, d, "not a verdict");
+  return true;
+}
+
+/* A file holds claims or controls; its first record says which. */
 static bool check_claims(const char *path, struct diag *d) {
   struct claims c = {.n = 0};
-  bool ok = claims_add_file(&c, path, "claim", d);
-  for (size_t i = 0; ok && i < c.n; i++) {
-    const char *record = claim_get(&c.claim[i], "record");
-    if (!claim_get(&c.claim[i], "kind") || !claim_get(&c.claim[i], "title")) {
-      diag_at(d, &c.claim[i].file->src, c.claim[i].record->id.begin, "%s: a claim has a kind and a title",
-              c.claim[i].id);
-      ok = false;
-    } else if (record && verdict_parse(record) == N_VERDICTS) {
-      diag_at(d, &c.claim[i].file->src, record_field(c.claim[i].record, "record")->value.begin, "not a verdict");
-      ok = false;
-    }
-  }
+  struct source src;
+  if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
+  struct record_file f;
+  bool ok = record_file_parse(&f, src, d);
+  bool control = ok && f.n_records > 1 && strcmp(f.records[1].kind_name, "control") == 0;
+  record_file_clear(&f);
+  ok = ok && claims_add_file(&c, path, control ? "control" : "claim", d);
+  for (size_t i = 0; ok && i < c.n; i++) ok = check_claim(&c.claim[i], control, d);
   claims_clear(&c);
   return ok;
 }

@@ -6,8 +6,6 @@
 
 #include "stickslip/audit.h"
 
-enum { MAX_CLAIM_FILE = 4 << 20 };
-
 static bool is_duplicate(const struct claims *c, const char *id) {
   for (size_t i = 0; i < c->n; i++)
     if (strcmp(c->claim[i].id, id) == 0) return true;

@@ -3,13 +3,17 @@
 
 #include "audit_impl.h"
 
-const char *const method_name[N_METHODS] = {"analytic", "implicit", "saltation", "fd"};
+const char *const method_name[N_METHODS] = {"analytic", "implicit", "saltation", "fd", "ode"};
 
 enum { ATTEMPTS = 4, GUARD_BITS = 64 };
 
 /* The point that is asked for; false with d set when the scene does not have it. */
 static bool find_point(struct point *p, const struct scene *s, const struct jacobian_request *q,
                        struct orbit_cache *cache, struct diag *d) {
+  if (!scene_has_forces(s)) {
+    diag_set(d, "%s: error: the Jacobian needs a scene that gives e1 and e2", s->path);
+    return false;
+  }
   if (q->at_printed) {
     if (printed_point(p, s)) {
       if (q->method != METHOD_ANALYTIC) p->kind = POINT_ARC;
@@ -72,6 +76,25 @@ static int by_model(arb_ptr j, enum jacobian_method method, const struct point *
   return s;
 }
 
+static bool by_integration(arb_ptr j, const struct scene *s, const struct jacobian_request *q, struct diag *d) {
+  struct coulomb_setup setup;
+  double value[4], err;
+  arb_t e;
+  if (!audit_coulomb_setup(&setup, s, q->orbit, q->at_printed, d)) return false;
+  if (coulomb_return_jacobian(value, &err, setup.params, setup.start) != SS_OK) {
+    diag_set(d, "%s: error: under Coulomb's law nearby motions do not follow the word D-Gamma-H-C", s->path);
+    return false;
+  }
+  arb_init(e);
+  arb_set_d(e, err);
+  for (int i = 0; i < 4; i++) {
+    arb_set_d(j + i, value[i]);
+    arb_add_error(j + i, e);
+  }
+  arb_clear(e);
+  return true;
+}
+
 static bool precise_enough(arb_srcptr j, slong digits) {
   bool ok = true;
   struct text t;
@@ -89,7 +112,8 @@ bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, co
   bool ok = find_point(&p, s, q, cache, d);
   slong bits = (slong)((double)q->digits * 3.33) + GUARD_BITS, prec = bits;
   if (q->method == METHOD_FD) prec = 3 * bits / 2; /* central differences keep two thirds of the digits */
-  bool good = false;
+  bool good = ok && q->method == METHOD_ODE;
+  if (good) ok = by_integration(j, s, q, d);
   for (int i = 0; ok && !good && i < ATTEMPTS; i++, prec += prec / 2) {
     int st =
         q->method == METHOD_ANALYTIC ? analytic(j, m, q, &p, prec, cache, d) : by_model(j, q->method, &p, prec, cache);

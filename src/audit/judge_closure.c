@@ -7,8 +7,8 @@
 
 /* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
    r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],
-   slope[1] of gap[0] with respect to z_1, z_2. */
-static int closing_gap(arb_ptr gap, arb_ptr slope, const struct scene *scene, arb_srcptr start) {
+   slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
+static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, const struct scene *scene, arb_srcptr start) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct num_vec params, jac;
   struct dyn_arc arc;
@@ -25,6 +25,7 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, const struct scene *scene, ar
     arb_add_si(slope + i, slope + i, i == 0 ? 1 : -1, FIRST_PREC);
   }
   arb_sub(gap, gap + 2, gap + 1, FIRST_PREC);
+  for (int i = 0; times && i < 4; i++) arb_set(times + i, num_vec_at(&arc.t, i));
   dyn_arc_clear(&arc);
   num_vec_clear(&jac);
   num_vec_clear(&params);
@@ -33,13 +34,13 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, const struct scene *scene, ar
 
 /* The gap of r over every start in the box z, by the mean value theorem: the gap at the middle plus the slope over the
    box times the distance from the middle. */
-static int gap_over_box(arb_t gap, arb_ptr at_middle, struct judge *j, arb_srcptr z) {
-  arb_ptr middle = _arb_vec_init(2), slope = _arb_vec_init(2), unused = _arb_vec_init(5);
+static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
+  arb_ptr at_middle = _arb_vec_init(3), middle = _arb_vec_init(2), slope = _arb_vec_init(2), unused = _arb_vec_init(5);
   arb_t d;
   arb_init(d);
   for (int i = 0; i < 2; i++) arb_get_mid_arb(middle + i, z + i);
-  int s = closing_gap(at_middle, unused + 3, j->scene, middle);
-  s |= closing_gap(unused, slope, j->scene, z);
+  int s = closing_gap(at_middle, unused + 3, NULL, j->scene, middle);
+  s |= closing_gap(unused, slope, NULL, j->scene, z);
   arb_set(gap, at_middle);
   for (int i = 0; i < 2; i++) {
     arb_sub(d, z + i, middle + i, FIRST_PREC);
@@ -49,6 +50,7 @@ static int gap_over_box(arb_t gap, arb_ptr at_middle, struct judge *j, arb_srcpt
   _arb_vec_clear(unused, 5);
   _arb_vec_clear(slope, 2);
   _arb_vec_clear(middle, 2);
+  _arb_vec_clear(at_middle, 3);
   return s;
 }
 
@@ -79,20 +81,42 @@ static void closure_by_times(struct finding *f, struct judge *j) {
   point_clear(&p);
 }
 
+/* What the printed start itself leads to, its decimals taken exactly. */
+static void closure_by_events(struct finding *f, struct judge *j, const struct printed_number *const z[2], bool apart) {
+  arb_ptr v = _arb_vec_init(11);
+  arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
+  for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
+  if (closing_gap(gap, slope, t, j->scene, start) == SS_OK) {
+    struct evidence *e = finding_add(f, j->out);
+    e->route = "balls";
+    e->layer = "model";
+    e->result = "states";
+    e->bits = FIRST_PREC;
+    e->trials = 1;
+    e->worst = "the printed start, taken exactly";
+    e->note = result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
+                         ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8));
+    if (apart)
+      f->effect = result_str(j->out, "from the printed start the period closes with a gap of %s in z_1 and %s in z_2",
+                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+  }
+  _arb_vec_clear(v, 11);
+}
+
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)view;
   const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
-  if (!z[0] || !z[1]) {
-    finding_skip(f, j, "the scene prints no initial state");
+  if (!z[0] || !z[1] || !scene_has_forces(j->scene)) {
+    finding_skip(f, j, "the scene prints no initial state, or does not give e1 and e2");
     return true;
   }
   struct printed_number own;
   bool owned = printed_replace(&own, &z[0], c);
-  arb_ptr box = _arb_vec_init(2), at_middle = _arb_vec_init(3);
+  arb_ptr box = _arb_vec_init(2);
   arb_t gap;
   arb_init(gap);
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
-  int s = gap_over_box(gap, at_middle, j, box);
+  int s = gap_over_box(gap, j, box);
   bool apart = s == SS_OK && !arb_contains_zero(gap);
   struct evidence *e = finding_add(f, j->out);
   e->route = "balls";
@@ -106,9 +130,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
         result_str(j->out, "After one pass through the word r = z_2 - z_1 returns off its start by %s%s.",
                    ball_text(j, gap, 4), apart ? ", which excludes 0: no start with these digits is periodic" : "");
   struct route_word w = {"balls", apart ? SAYS_DIFFERS : SAYS_UNDECIDED, true, s == SS_OK};
-  if (apart)
-    f->effect = result_str(j->out, "from the printed start the period closes with a gap of %s in z_1 and %s in z_2",
-                           ball_text(j, at_middle + 1, 4), ball_text(j, at_middle + 2, 4));
+  closure_by_events(f, j, z, apart);
   closure_by_times(f, j);
   /* a gap that may vanish is no proof that it does */
   f->verdict = verdict_of(&w, 1, true);
@@ -118,7 +140,6 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
     fmpq_clear(&own.unit);
   }
   arb_clear(gap);
-  _arb_vec_clear(at_middle, 3);
   _arb_vec_clear(box, 2);
   return true;
 }

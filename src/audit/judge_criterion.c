@@ -66,10 +66,11 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
                              : count[2] ? SAYS_AGREES
                                         : SAYS_NOTHING,
                              false, count[2] + count[3] + count[4]}};
+  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
   struct evidence *e = finding_add(f, j->out);
   e->route = "balls";
   e->layer = layer_name[view.layer];
-  e->result = count[1] ? "differs" : "agrees";
+  e->result = words[w[0].says];
   e->bits = FIRST_PREC;
   e->trials = w[0].trials;
   e->note = result_str(j->out, "tr J of the paper's chain against the slope of the return map: %ld agree, %ld differ",
@@ -77,7 +78,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   e = finding_add(f, j->out);
   e->route = "iteration";
   e->layer = "model";
-  e->result = count[3] ? "differs" : "agrees";
+  e->result = words[w[1].says];
   e->bits = 53;
   e->trials = w[1].trials;
   e->note = result_str(j->out,

@@ -86,6 +86,7 @@ static bool try_inequalities(struct route_word *w, struct finding *f, struct jud
       expr_print(&step, r->stmts[i]->sides[k + 1]);
       if (unbound) {
         text_printf(&note, "%s: not tried, %s is not given. ", text_str(&step), unbound);
+        f->condition = "only for what does not contain u_r1 or u_r2, which are not given";
       } else {
         tried++;
         failed += holds == TRUTH_FALSE;

@@ -78,7 +78,8 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
   }
   e->result = t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided";
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
-  e->note = note.len ? result_str(j->out, "%s", text_str(&note)) : "no orbit was found";
+  e->note = note.len ? result_str(j->out, "%s", text_str(&note))
+                     : "no orbit was found, or the quantity could not be evaluated on it";
   *w = (struct route_word){"balls",
                            t == TRUTH_TRUE    ? SAYS_AGREES
                            : t == TRUTH_FALSE ? SAYS_DIFFERS
@@ -133,11 +134,12 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   e->bits = FIRST_PREC;
   e->trials = found;
   if (found)
-    e->note = result_str(j->out,
-                         "With e1 and e2 anywhere in what their printed digits allow (corners of the box from rounding "
-                         "down half a unit to cutting off one unit) it runs from %s to %s: %s.",
-                         ball_text(j, lo, 6), ball_text(j, hi, 6),
-                         fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
+    e->note =
+        result_str(j->out,
+                   "At the corners of what the printed digits of e1 and e2 allow (from half a unit below to one unit "
+                   "above) it runs from %s to %s: %s.",
+                   ball_text(j, lo, 6), ball_text(j, hi, 6),
+                   fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
   arb_clear(hi);
   arb_clear(lo);
   arb_clear(x);
@@ -153,8 +155,9 @@ static truth number_from_printed(struct route_word *w, struct finding *f, const 
   arb_init(x);
   truth t = TRUTH_UNKNOWN;
   enum reading how = READ_ROUNDED;
-  if (printed_point(&p, j->scene) && number_at(x, n, &p) == SS_OK) t = printed_fits(x, n->p, &how);
-  if (arb_is_finite(x)) {
+  bool have = printed_point(&p, j->scene) && number_at(x, n, &p) == SS_OK;
+  if (have) t = printed_fits(x, n->p, &how);
+  if (have) {
     struct evidence *e = finding_add(f, j->out);
     e->route = "balls";
     e->layer = "printed numbers";
@@ -176,7 +179,7 @@ static truth number_from_printed(struct route_word *w, struct finding *f, const 
                              t == TRUTH_TRUE    ? SAYS_AGREES
                              : t == TRUTH_FALSE ? SAYS_DIFFERS
                                                 : SAYS_UNDECIDED,
-                             true, arb_is_finite(x) ? 1 : 0};
+                             true, have};
   arb_clear(x);
   point_clear(&p);
   return t;
@@ -188,13 +191,21 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
   n.p = scene_printed(j->scene, name);
+  if (!scene_has_forces(j->scene)) {
+    finding_skip(f, j, "the scene does not give e1 and e2");
+    return true;
+  }
   if (!n.p) {
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
     return true;
   }
   struct printed_number own;
   bool owned = printed_replace(&own, &n.p, c);
-  f->printed = result_str(j->out, "%s = %s", name, n.p->decimal);
+  struct text latex;
+  text_init(&latex);
+  name_latex(&latex, name);
+  f->printed = result_str(j->out, "%s = %s", text_str(&latex), n.p->decimal);
+  text_clear(&latex);
   struct route_word w;
   if (strcmp(from, "orbit") == 0) {
     truth t = number_on_orbits(&w, f, &n);

@@ -372,9 +372,14 @@ static void add_evidence(struct finding *f, struct run *r, const struct tally *t
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
   e->worst = is_double ? NULL : t->worst;
-  e->note = t->differs && t->certificate && !is_double
-                ? result_str(out, "differs at %ld of %ld points; %s", t->differs, t->trials, t->certificate)
-                : (t->trials == 0 ? "no accepted point" : NULL);
+  struct text note;
+  text_init(&note);
+  if (t->trials == 0) text_add(&note, "no accepted point");
+  if (t->differs && t->certificate && !is_double)
+    text_printf(&note, "differs at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
+  if (t->rejected) text_printf(&note, "%s%ld further points not accepted", note.len ? "; " : "", t->rejected);
+  if (note.len) e->note = result_str(out, "%s", text_str(&note));
+  text_clear(&note);
 }
 
 static void conclude(struct finding *f, struct run *r) {
@@ -417,6 +422,7 @@ static bool run_all(struct finding *f, struct run *r, struct judge *j, const str
 /* --- What a refutation means --- */
 
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
+  if (!scene_has_forces(s)) return false;
   out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
   out->phase = p->phase;
   out->finite = p->finite;
@@ -480,32 +486,33 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   return ok;
 }
 
-/* Does "restricted: V = 1: supported; ..." hold an item for this restriction, and which verdict? */
-static enum verdict recorded_restriction(const struct claim *c, const char *text) {
+/* The item "V = 1: supported: eq-10b" of the attribute restricted: the verdict on record and the id of the claim that the
+   restriction makes.  Without one, nothing is on record and the id is the claim's with the restriction's text. */
+static enum verdict recorded_restriction(const char **id, struct judge *j, const struct claim *c, const char *text) {
   const char *list = claim_get(c, "restricted");
   const char *p = list ? strstr(list, text) : NULL;
-  if (!p || p[strlen(text)] != ':') return N_VERDICTS;
-  char word[16];
-  return sscanf(p + strlen(text) + 1, " %15[a-z]", word) == 1 ? verdict_parse(word) : N_VERDICTS;
-}
-
-static bool id_taken(const struct judge *j, const char *id) {
-  for (size_t i = 0; i < j->claims->n; i++)
-    if (strcmp(j->claims->claim[i].id, id) == 0) return true;
-  for (size_t i = 0; i < j->out->n_findings; i++)
-    if (strcmp(j->out->findings[i].id, id) == 0) return true;
-  return false;
-}
-
-/* The claim's id with the next free letter: eq-10 gives eq-10b. */
-static const char *restricted_id(struct judge *j, const char *id) {
-  size_t n = strlen(id);
-  if (n > 1 && id[n - 1] >= 'b' && id[n - 1] <= 'z' && id[n - 2] >= '0' && id[n - 2] <= '9') n--;
-  for (char letter = 'b'; letter <= 'z'; letter++) {
-    const char *next = result_str(j->out, "%.*s%c", (int)n, id, letter);
-    if (!id_taken(j, next)) return next;
+  char word[16], name[32];
+  *id = NULL;
+  if (p && sscanf(p + strlen(text), ": %15[a-z]: %31[a-z0-9-]", word, name) == 2) {
+    *id = result_str(j->out, "%s", name);
+    return verdict_parse(word);
   }
-  return id;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s-if-", c->id);
+  for (; *text; text++)
+    if (*text != ' ' && *text != '=') text_add_char(&t, *text);
+  *id = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return N_VERDICTS;
+}
+
+bool claim_makes(const struct claim *c, const char *id) {
+  const char *list = claim_get(c, "restricted");
+  size_t n = strlen(id);
+  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
+    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
+  return false;
 }
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
@@ -518,9 +525,8 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     bool ok = run_all(&f, &r, j, c, view, &restrictions[i]);
     run_clear(&r);
     if (!ok) return false;
-    f.recorded = recorded_restriction(c, restrictions[i].text);
+    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
     if (f.verdict != VERDICT_SUPPORTED && f.recorded == N_VERDICTS) continue;
-    f.id = restricted_id(j, refuted->id);
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
     f.condition = restrictions[i].text;
     const char **dep = arena_alloc(&j->out->arena, sizeof *dep);

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/given.h"
 
 const char *const reading_name[N_READINGS] = {"rounded", "truncated"};
 
@@ -69,16 +70,18 @@ void printed_ball(arb_t x, const struct printed_number *p) {
   arb_clear(lo);
 }
 
-/* A control replaces the printed decimal. */
+/* A control moves the printed decimal by some units of its last digit. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c) {
-  const char *decimal = claim_get(c, "decimal");
-  if (!decimal || !*p) return false;
+  const char *shift = claim_get(c, "shift");
+  if (!shift || !*p) return false;
   fmpq_init(&own->value);
   fmpq_init(&own->unit);
   own->name = (*p)->name;
-  own->decimal = (char *)(uintptr_t)decimal;
-  num_parse_decimal(&own->value, decimal, strlen(decimal));
+  own->decimal = (*p)->decimal;
   fmpq_set(&own->unit, &(*p)->unit);
+  fmpq_set_si(&own->value, strtol(shift, NULL, 10), 1);
+  fmpq_mul(&own->value, &own->value, &own->unit);
+  fmpq_add(&own->value, &own->value, &(*p)->value);
   *p = own;
   return true;
 }
@@ -93,6 +96,7 @@ bool printed_point(struct point *out, const struct scene *s) {
     int q;
   } names[] = {{"z10", Q_Z1}, {"z20", Q_Z2}, {"t_a", Q_TA}, {"t_b", Q_TB}, {"t_c", Q_TC}, {"t_d", Q_TD}};
   out->kind = POINT_PRINTED;
+  if (!scene_has_forces(s)) return false;
   set_scene_params(out, s);
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
     const struct printed_number *p = scene_printed(s, names[i].name);
@@ -120,7 +124,21 @@ static double distance(const struct dyn_orbit *o, const struct scene *s) {
 }
 
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
-  return orbit_cache_get(cache, s->value, FD_PREC + 64);
+  static const struct dyn_orbits none = {.n = 0};
+  return scene_has_forces(s) ? orbit_cache_get(cache, s->value, FD_PREC + 64) : &none;
+}
+
+int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  if (scene_has_forces(s)) return dyn_orbits_find(list, s->value, prec, &dyn_limits_default);
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD; k++) {
+    if (!s->given[k]) continue;
+    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
+    value[n++] = s->value[k]; /* borrowed: neither changed nor cleared */
+  }
+  return dyn_orbits_given(list, s->value, which, value, prec, &dyn_given_limits);
 }
 
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache) {

@@ -8,7 +8,7 @@
 #include "stickslip/expr.h"
 #include "stickslip/record.h"
 
-const char *const scene_key_name[N_KEYS] = {"chi", "eta", "V", "e1", "e2", "u_r1", "u_r2"};
+const char *const scene_key_name[N_KEYS] = {"chi", "eta", "V", "e1", "e2", "t_a", "t_b", "t_c", "t_d", "u_r1", "u_r2"};
 
 enum { MAX_SCENE_FILE = 1 << 20, MAX_VALUE_BITS = 200000 };
 
@@ -184,21 +184,39 @@ static bool set_parameter(struct scene *s, const struct field *f, const struct s
     place[k] = f->value;
     return constant_eval(&s->value[k], &c, st->sides[1]);
   }
-  diag_at(d, src, f->value.begin, "unknown parameter %s; a scene sets chi, eta, V, e1, e2 and may set u_r1, u_r2",
-          name);
+  diag_at(d, src, f->value.begin,
+          "unknown parameter %s; a scene sets chi, eta, V, two of e1 e2 t_a t_b t_c t_d, and may set u_r1, u_r2", name);
+  return false;
+}
+
+static bool check_given(const struct scene *s, const struct source *src, const struct span place[N_KEYS],
+                        struct diag *d) {
+  for (int k = KEY_CHI; k <= KEY_V; k++)
+    if (!s->given[k]) {
+      diag_set(
+          d, "%s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
+          s->path, scene_key_name[k]);
+      return false;
+    }
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD; k++) {
+    n += s->given[k];
+    if (n <= 2) continue;
+    diag_at(d, src, place[k].begin, "more than two of e1, e2, t_a, t_b, t_c, t_d are given; leave %s out",
+            scene_key_name[k]);
+    return false;
+  }
+  if (n == 2) return true;
+  diag_set(d, "%s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
+           s->path, s->given[KEY_E1] ? "e2" : "e1");
   return false;
 }
 
 static bool check_domain(const struct scene *s, const struct source *src, const struct span place[N_KEYS],
                          struct diag *d) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (!s->given[k]) {
-      diag_set(d, "%s: error: the parameter %s is missing; a scene gives chi, eta, V, e1 and e2", s->path,
-               scene_key_name[k]);
-      return false;
-    }
+  if (!check_given(s, src, place, d)) return false;
   for (int k = 0; k < N_KEYS; k++)
-    if (s->given[k] && fmpq_sgn(&s->value[k]) <= 0) {
+    if (s->given[k] && k != KEY_TA && fmpq_sgn(&s->value[k]) <= 0) {
       diag_at(d, src, place[k].begin, "%s must be positive%s", scene_key_name[k], k == KEY_CHI ? " and below 1" : "");
       return false;
     }
@@ -208,13 +226,18 @@ static bool check_domain(const struct scene *s, const struct source *src, const 
   bool ok = fmpq_cmp(&s->value[KEY_CHI], one) < 0;
   fmpq_clear(one);
   if (!ok) diag_at(d, src, place[KEY_CHI].begin, "chi must lie strictly between 0 and 1");
-  for (int k = KEY_U_R1; ok && k <= KEY_U_R2; k++)
-    if (s->given[k] && fmpq_cmp(&s->value[k], &s->value[k - KEY_U_R1 + KEY_E1]) <= 0) {
-      diag_at(d, src, place[k].begin, "%s must exceed %s, since the sliding friction u_s is positive",
-              scene_key_name[k], scene_key_name[k - KEY_U_R1 + KEY_E1]);
+  for (int i = 0; ok && i < 2; i++)
+    if (s->given[KEY_U_R1 + i] && s->given[KEY_E1 + i] &&
+        fmpq_cmp(&s->value[KEY_U_R1 + i], &s->value[KEY_E1 + i]) <= 0) {
+      diag_at(d, src, place[KEY_U_R1 + i].begin, "%s must exceed %s, since the sliding friction u_s is positive",
+              scene_key_name[KEY_U_R1 + i], scene_key_name[KEY_E1 + i]);
       ok = false;
     }
   return ok;
+}
+
+bool scene_has_forces(const struct scene *s) {
+  return s->given[KEY_E1] && s->given[KEY_E2];
 }
 
 static bool read_fields(struct scene *s, const struct record_file *f, struct diag *d) {

@@ -13,6 +13,17 @@ static bool finish(struct sentence *s, const struct expr **e, slong n, struct di
   return elaboration_tape(&s->tape, &s->el, e, n, d);
 }
 
+/* The mistake is the formula's, so the diagnostic points at its definition. */
+static void wrong_shape(const struct view *v, const char *value, const char *section, const struct matrix *m,
+                        const struct oracle *o, struct diag *d) {
+  char name[32];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
+  const struct definition *def = view_lookup(v, name, section, d);
+  if (def)
+    diag_at(d, def->src, def->stmt->span.begin, "%s is %dx%d where the model has a %dx%d matrix", value, m->rows,
+            m->cols, oracle_rows(o), oracle_cols(o));
+}
+
 bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section, struct diag *d) {
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, NULL, 0);
@@ -29,8 +40,7 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
   struct matrix m;
   bool ok = e && elaborate(&m, &s->el, e, &src, section, d);
   if (ok && (m.rows != oracle_rows(s->oracle) || m.cols != oracle_cols(s->oracle))) {
-    diag_set(d, "%s is %dx%d where the model has a %dx%d matrix", value, m.rows, m.cols, oracle_rows(s->oracle),
-             oracle_cols(s->oracle));
+    wrong_shape(&v, value, section, &m, s->oracle, d);
     ok = false;
   }
   if (ok) {

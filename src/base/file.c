@@ -104,27 +104,42 @@ static bool can_replace(const char *path) {
   return false;
 }
 
-bool file_write(const char *path, const char *data, size_t len, struct diag *d) {
-  struct text beside;
-  text_init(&beside);
-  text_printf(&beside, "%s.XXXXXX", path);
-  int fd = can_replace(path) ? mkstemp(beside.data) : -1;
+/* Writes the data beside path and leaves the temporary file's name in beside; on failure nothing is left. */
+static bool write_beside(struct text *beside, const char *path, const char *data, size_t len, struct diag *d) {
+  text_printf(beside, "%s.XXXXXX", path);
+  int fd = can_replace(path) ? mkstemp(beside->data) : -1;
   bool ok = fd >= 0 && write_all(fd, data, len) && fchmod(fd, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) == 0;
   int err = errno;
   if (fd >= 0 && close(fd) != 0 && ok) {
     ok = false;
     err = errno;
   }
-  if (ok && rename(beside.data, path) != 0) {
-    ok = false;
-    err = errno;
-  }
-  if (!ok) {
-    diag_set(d, "%s: error: cannot be written: %s", path, strerror(err));
-    if (fd >= 0) unlink(beside.data);
-  }
-  text_clear(&beside);
-  return ok;
+  if (ok) return true;
+  diag_set(d, "%s: error: cannot be written: %s", path, strerror(err));
+  if (fd >= 0) unlink(beside->data);
+  return false;
+}
+
+static bool rename_over(const struct text *beside, const char *path, struct diag *d) {
+  if (rename(beside->data, path) == 0) return true;
+  diag_set(d, "%s: error: cannot be written: %s", path, strerror(errno));
+  return false;
+}
+
+bool files_write(const struct file_item *item, int n, struct diag *d) {
+  struct text beside[MAX_FILE_ITEMS];
+  int written = 0, renamed = 0;
+  for (int i = 0; i < n; i++) text_init(&beside[i]);
+  while (written < n && write_beside(&beside[written], item[written].path, item[written].data, item[written].len, d))
+    written++;
+  while (written == n && renamed < n && rename_over(&beside[renamed], item[renamed].path, d)) renamed++;
+  for (int i = renamed; i < written; i++) unlink(beside[i].data);
+  for (int i = 0; i < n; i++) text_clear(&beside[i]);
+  return renamed == n;
+}
+
+bool file_write(const char *path, const char *data, size_t len, struct diag *d) {
+  return files_write(&(struct file_item){path, data, len}, 1, d);
 }
 
 bool folder_make(const char *path, struct diag *d) {

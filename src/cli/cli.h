@@ -37,6 +37,8 @@ int bad_input(const struct diag *d);
 /* The words after the command.  Splits lists in place: they live in argv.  An exit status. */
 int parse_options(struct options *o, unsigned command, int argc, char **argv);
 int parse_digits(slong *digits, const struct options *o);
+/* --at orbit:K (as K - 1; the first without --at) or printed. */
+int parse_start(slong *orbit, bool *printed, const char *at);
 
 /* The data folder into data. */
 bool find_data(struct text *data, struct diag *d);

@@ -13,7 +13,7 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   if (o->method) {
     int k = 0;
     while (k < N_METHODS && strcmp(o->method, method_name[k]) != 0) k++;
-    if (k == N_METHODS) return usage("--method takes analytic, implicit, saltation or fd, not %.200s", o->method);
+    if (k == N_METHODS) return usage("--method takes analytic, implicit, saltation, fd or ode, not %.200s", o->method);
     q->method = (enum jacobian_method)k;
   }
   if (o->layer) {
@@ -22,16 +22,14 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
     if (k == N_LAYERS) return usage("--layer takes printed or corrected, not %.200s", o->layer);
     q->layer = (enum layer)k;
   }
-  if (o->at && strcmp(o->at, "printed") == 0) {
-    q->at_printed = true;
-  } else if (o->at) {
-    char *end;
-    errno = 0;
-    long k = strncmp(o->at, "orbit:", 6) == 0 ? strtol(o->at + 6, &end, 10) : 0;
-    if (k < 1 || errno || *end) return usage("--at takes orbit:K, K = 1, 2, ..., or printed, not %.200s", o->at);
-    q->orbit = k - 1;
-  }
-  return EXIT_AS_RECORDED;
+  return parse_start(&q->orbit, &q->at_printed, o->at);
+}
+
+/* As many of the digits as are known; 0 when not even the first is. */
+static void print_known(struct text *out, const arb_struct *x, slong digits) {
+  slong n = digits;
+  while (n > 0 && num_print(out, x, n) != SS_OK) n = n > 20 ? n / 2 : n - 1;
+  if (n == 0) text_add_char(out, '0');
 }
 
 static void print_jacobian(arb_srcptr j, const arb_t trace, const arb_t det, const struct jacobian_request *q,
@@ -40,7 +38,7 @@ static void print_jacobian(arb_srcptr j, const arb_t trace, const arb_t det, con
   for (int i = 0; i < 6; i++) {
     text_init(&e[i]);
     const arb_struct *x = i < 4 ? j + i : i == 4 ? trace : det;
-    if (num_print(&e[i], x, q->digits) != SS_OK) num_print_ball(&e[i], x, q->digits);
+    print_known(&e[i], x, q->digits);
   }
   text_init(&at);
   text_init(&out);

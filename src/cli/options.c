@@ -83,8 +83,21 @@ int parse_digits(slong *digits, const struct options *o) {
   char *end;
   errno = 0;
   long n = strtol(o->digits, &end, 10);
-  if (errno || *end || end == o->digits || n < 1 || n > MAX_DIGITS)
+  if (errno || *end || o->digits[0] < '1' || o->digits[0] > '9' || n < 1 || n > MAX_DIGITS)
     return usage("--digits takes a whole number from 1 to 100000, not %.200s", o->digits);
   *digits = n;
+  return EXIT_AS_RECORDED;
+}
+
+int parse_start(slong *orbit, bool *printed, const char *at) {
+  *orbit = 0;
+  *printed = at && strcmp(at, "printed") == 0;
+  if (!at || *printed) return EXIT_AS_RECORDED;
+  char *end = NULL;
+  errno = 0;
+  bool shaped = strncmp(at, "orbit:", 6) == 0 && at[6] >= '1' && at[6] <= '9';
+  long k = shaped ? strtol(at + 6, &end, 10) : 0;
+  if (!shaped || errno || *end) return usage("--at takes orbit:K, K = 1, 2, ..., or printed, not %.200s", at);
+  *orbit = k - 1;
   return EXIT_AS_RECORDED;
 }

@@ -145,12 +145,12 @@ int run_orbit(const struct options *o, const char *data) {
   }
   struct dyn_orbits list;
   slong prec = (slong)((double)digits * 3.33) + 64;
-  int found = dyn_orbits_find(&list, s.value, prec, &dyn_limits_default);
+  int found = audit_orbits(&list, &s, prec);
   bool good = all_printable(&list, digits);
   for (int i = 1; !good && i < ATTEMPTS; i++) {
     dyn_orbits_clear(&list);
     prec *= 2;
-    found = dyn_orbits_find(&list, s.value, prec, &dyn_limits_default);
+    found = audit_orbits(&list, &s, prec);
     good = all_printable(&list, digits);
   }
   if (found != SS_OK)

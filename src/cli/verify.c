@@ -11,23 +11,26 @@ static void show_progress(void *arg, size_t done, size_t total, const char *id) 
 }
 
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
-  struct text path, body;
-  text_init(&path);
-  text_init(&body);
-  bool ok = folder_make(folder, d);
-  report_json(&body, r);
-  join_path(&path, folder, "audit.json");
-  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
-  text_reset(&body);
-  report_markdown(&body, r);
-  join_path(&path, folder, "audit.md");
-  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
-  text_reset(&body);
-  report_run(&body, r, seconds);
-  join_path(&path, folder, "run.json");
-  ok = ok && file_write(text_str(&path), text_str(&body), body.len, d);
-  text_clear(&body);
-  text_clear(&path);
+  static const char *const names[] = {"audit.json", "audit.md", "run.json"};
+  enum { N = sizeof names / sizeof *names };
+  struct text path[N], body[N];
+  struct file_item item[N];
+  for (int i = 0; i < N; i++) {
+    text_init(&path[i]);
+    text_init(&body[i]);
+  }
+  report_json(&body[0], r);
+  report_markdown(&body[1], r);
+  report_run(&body[2], r, seconds);
+  for (int i = 0; i < N; i++) {
+    join_path(&path[i], folder, names[i]);
+    item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
+  }
+  bool ok = folder_make(folder, d) && files_write(item, N, d);
+  for (int i = 0; i < N; i++) {
+    text_clear(&body[i]);
+    text_clear(&path[i]);
+  }
   return ok;
 }
 

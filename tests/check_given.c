@@ -1,0 +1,567 @@
+/* Orbits from any two given quantities, their margins, and the paper's own route to them.
+
+   The orbits and their force bounds come from tests/oracle/orbits.tsv (mpmath, matrix exponentials, 60 digits).  Every
+   orbit that a search adds to the one that was asked for must close under matrix exponentials and start no event too
+   early.  Margins are held against the motion itself, stepped by matrix exponentials: no sample may lie below a margin,
+   and the motion must attain it at the stated time. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/given.h"
+#include "stickslip/margins.h"
+#include "stickslip/paper_route.h"
+#include "suites.h"
+
+/* --- The independent data. --- */
+
+enum { N_SAMPLES_MAX = 80 };
+
+/* One orbit of the file: its parameters, and its numbers to 60 digits. */
+struct sample {
+  char name[32], violations[64];
+  int index;
+  fmpq params[N_PARAMS], z[2], x[N_QUANTITIES], trace, u[2];
+};
+static struct sample sample[N_SAMPLES_MAX];
+static int n_samples;
+
+/* A fraction, or a decimal cut after so many significant digits. */
+static void parse(fmpq_t q, const char *s, int digits) {
+  char text[200];
+  int n = 0, used = 0;
+  bool negative = *s == '-';
+  if (strchr(s, '/')) {
+    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
+    return;
+  }
+  for (s += negative; *s && n < 199; s++) {
+    if (*s != '.' && (used > 0 || *s != '0')) used++;
+    text[n++] = (char)(used > digits && *s != '.' ? '0' : *s);
+  }
+  ck_assert_int_eq(num_parse_decimal(q, text, (size_t)n), SS_OK);
+  if (negative) fmpq_neg(q, q);
+}
+
+static void read_orbit(struct sample *s, char **field, const fmpq *params, int digits) {
+  snprintf(s->name, sizeof s->name, "%s", field[1]);
+  snprintf(s->violations, sizeof s->violations, "%s", field[14]);
+  s->index = atoi(field[2]);
+  fmpq *all[] = {&s->z[0],           &s->z[1], &s->x[QUANTITY_TA], &s->x[QUANTITY_TB], &s->x[QUANTITY_TC],
+                 &s->x[QUANTITY_TD], NULL,     &s->trace,          &s->u[0],           &s->u[1]};
+  for (int i = 0; i < 10; i++) {
+    if (!all[i]) continue;
+    fmpq_init(all[i]);
+    parse(all[i], field[3 + i], i >= 2 && i < 6 ? digits : 60);
+  }
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(s->params + i);
+    fmpq_set(s->params + i, params + i);
+  }
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(s->x + i);
+    fmpq_set(s->x + i, params + P_E1 + i);
+  }
+}
+
+/* The times are cut to the given number of digits. */
+static void read_samples(int digits) {
+  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  static char line[4000];
+  fmpq params[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) fmpq_init(params + i);
+  n_samples = 0;
+  while (fgets(line, sizeof line, f)) {
+    char *field[16] = {line};
+    if (line[0] == '#') continue;
+    line[strcspn(line, "\n")] = '\0';
+    for (int n = 1; n < 16 && field[n - 1]; n++)
+      if ((field[n] = strchr(field[n - 1], '\t'))) *field[n]++ = '\0';
+    if (strcmp(field[0], "set") == 0) {
+      for (int i = 0; i < N_PARAMS; i++) parse(params + i, field[2 + i], 60);
+    } else {
+      ck_assert(n_samples < N_SAMPLES_MAX);
+      read_orbit(&sample[n_samples++], field, params, digits);
+    }
+  }
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+  fclose(f);
+  ck_assert(n_samples > 50);
+}
+
+static void clear_samples(void) {
+  for (int k = 0; k < n_samples; k++) {
+    struct sample *s = &sample[k];
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(s->params + i);
+    for (int i = 0; i < N_QUANTITIES; i++) fmpq_clear(s->x + i);
+    for (int i = 0; i < 2; i++) {
+      fmpq_clear(s->z + i);
+      fmpq_clear(s->u + i);
+    }
+    fmpq_clear(&s->trace);
+  }
+}
+
+static void read_cut(void) {
+  read_samples(40);
+}
+
+static void read_full(void) {
+  read_samples(60);
+}
+
+static const struct sample *find_sample(const char *name, int index) {
+  for (int i = 0; i < n_samples; i++)
+    if (strcmp(sample[i].name, name) == 0 && sample[i].index == index) return &sample[i];
+  ck_abort_msg("no orbit %s %d", name, index);
+}
+
+/* |x - q| relative to |q| + scale. */
+static double off(const arb_t x, const fmpq *q, double scale) {
+  arb_t d;
+  arb_init(d);
+  arb_set_fmpq(d, q, 400);
+  double size = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) + scale;
+  arb_sub(d, x, d, 400);
+  mag_t m;
+  mag_init(m);
+  arb_get_mag(m, d);
+  double error = mag_get_d(m) / size;
+  mag_clear(m);
+  arb_clear(d);
+  return error;
+}
+
+/* --- Orbits from two given quantities. --- */
+
+/* Orbits of many kinds whose phases Gamma and H last less than 12. */
+static const struct {
+  const char *name;
+  int index;
+} chosen[] = {{"paper", 0},      {"paper", 1},        {"fractions", 0},   {"stable", 0},
+              {"beyond-pi", 1},  {"beyond-tstar", 0}, {"four", 3},        {"chi-small", 0},
+              {"eta-small2", 0}, {"eta-large", 0},    {"negative-ta", 1}, {"steep", 0}};
+enum { N_CHOSEN = sizeof chosen / sizeof *chosen };
+static const struct dyn_limits near_limits = {12, 100000};
+
+static double mid(const arb_t x) {
+  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+/* The six equations in balls by matrix exponentials, and first events in double precision. */
+static void check_orbit(const struct sample *s, const struct dyn_orbit *o, slong prec, const char *pair) {
+  struct num_ctx ctx = num_ctx_arb(prec);
+  struct num_vec p, z, m, value;
+  num_vec_init(&p, N_PARAMS, ctx);
+  num_vec_init(&z, N_STATE, ctx);
+  num_vec_init(&m, N_STATE * N_STATE, ctx);
+  num_vec_init(&value, 1, ctx);
+  arb_ptr v = num_vec_at(&value, 0);
+  double pd[N_PARAMS];
+  for (int i = 0; i < 3; i++) arb_set_fmpq(num_vec_at(&p, i), s->params + i, prec);
+  arb_set(num_vec_at(&p, P_E1), o->e1);
+  arb_set(num_vec_at(&p, P_E2), o->e2);
+  for (int i = 0; i < N_PARAMS; i++) pd[i] = mid(num_vec_at(&p, i));
+  ck_assert(pd[P_E1] > 0 && pd[P_E2] > 0);
+  arb_set(num_vec_at(&z, Z_1), o->z10);
+  arb_set(num_vec_at(&z, Z_2), o->z20);
+  for (int i = 0; i < 2; i++) arb_set(num_vec_at(&z, DZ_1 + i), num_vec_at(&p, P_V));
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    double zd[N_STATE], t;
+    bool grazing;
+    for (int i = 0; i < N_STATE; i++) zd[i] = mid(num_vec_at(&z, i));
+    ck_assert_int_eq(dyn_first_event_d(&t, &grazing, (enum phase)ph, pd, zd, NULL), SS_OK);
+    double want = mid(o->t[ph]);
+    ck_assert_msg(fabs(t - want) < 1e-5 * (1 + fabs(want)), "%s %d %s: phase %d ends at %.12g, not %.12g", s->name,
+                  s->index, pair, ph, t, want);
+    ck_assert_int_eq(dyn_propagator(&m, (enum phase)ph, &p, o->t[ph]), SS_OK);
+    ck_assert_int_eq(num_mat_mul(&z, &m, &z, N_STATE, N_STATE, 1), SS_OK);
+    ck_assert_int_eq(dyn_switching(v, (enum phase)ph, &p, &z), SS_OK);
+    ck_assert_msg(arb_contains_zero(v) && mag_cmp_2exp_si(arb_radref(v), -prec / 4) < 0, "%s %d %s: phase %d", s->name,
+                  s->index, pair, ph);
+  }
+  ck_assert(arb_overlaps(num_vec_at(&z, Z_1), o->z10) && arb_overlaps(num_vec_at(&z, Z_2), o->z20));
+  for (int i = 0; i < 2; i++) ck_assert(arb_overlaps(num_vec_at(&z, DZ_1 + i), num_vec_at(&p, P_V)));
+  num_vec_clear(&p);
+  num_vec_clear(&z);
+  num_vec_clear(&m);
+  num_vec_clear(&value);
+}
+
+/* Whether o is the orbit of the file; the given values were cut to 40 digits. */
+static bool is_sample(const struct dyn_orbit *o, const struct sample *s) {
+  double reach = fabs(fmpq_get_d(s->z)) + fabs(fmpq_get_d(s->z + 1)), worst = 0;
+  const arb_struct *x[N_QUANTITIES] = {o->e1, o->e2, o->t[0], o->t[1], o->t[2], o->t[3]};
+  for (int i = 0; i < N_QUANTITIES; i++) worst = fmax(worst, off(x[i], s->x + i, 1));
+  worst = fmax(worst, fmax(off(o->z10, s->z, reach), off(o->z20, s->z + 1, reach)));
+  return worst < 1e-25;
+}
+
+START_TEST(every_pair_finds_the_orbit_again) {
+  const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
+  for (int i = 0; i < N_QUANTITIES; i++)
+    for (int k = i + 1; k < N_QUANTITIES; k++) {
+      enum dyn_quantity which[2] = {(enum dyn_quantity)k, (enum dyn_quantity)i};
+      const fmpq value[2] = {s->x[k], s->x[i]};
+      struct dyn_orbits list;
+      char pair[20];
+      snprintf(pair, sizeof pair, "%s, %s", dyn_quantity_id[i], dyn_quantity_id[k]);
+      ck_assert_msg(dyn_orbits_given(&list, s->params, which, value, 120, &near_limits) == SS_OK, "%s %d %s", s->name,
+                    s->index, pair);
+      int hits = 0;
+      for (slong n = 0; n < list.n; n++) {
+        const struct dyn_orbit *o = &list.orbit[n];
+        check_orbit(s, o, 200, pair);
+        ck_assert(n == 0 || arf_cmp(arb_midref(o[-1].z10), arb_midref(o->z10)) <= 0);
+        const arb_struct *x[N_QUANTITIES] = {o->e1, o->e2, o->t[0], o->t[1], o->t[2], o->t[3]};
+        ck_assert_msg(arb_contains_fmpq(x[i], s->x + i) && arb_contains_fmpq(x[k], s->x + k), "%s %d %s: not as given",
+                      s->name, s->index, pair);
+        if (!is_sample(o, s)) continue;
+        hits++;
+        ck_assert_msg(off(o->trace, &s->trace, 1) < 1e-18 && off(o->u_r1_min, s->u, 1) < 1e-20, "%s %d %s", s->name,
+                      s->index, pair);
+        ck_assert_int_eq(o->admissible == TRUTH_TRUE, strcmp(s->violations, "-") == 0);
+        ck_assert(arb_rel_accuracy_bits(o->z10) >= 120);
+      }
+      ck_assert_msg(hits == 1, "%s %d %s: found %d times among %ld", s->name, s->index, pair, hits, (long)list.n);
+      dyn_orbits_clear(&list);
+    }
+}
+END_TEST
+
+START_TEST(given_times_fix_the_limits_to_any_precision) {
+  const struct sample *s = find_sample("paper", 1);
+  const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
+  const fmpq value[2] = {s->x[QUANTITY_TB], s->x[QUANTITY_TC]};
+  struct dyn_orbits list;
+  ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 3400, NULL), SS_OK);
+  ck_assert_int_eq(list.n, 1);
+  ck_assert(arb_rel_accuracy_bits(list.orbit[0].e1) >= 3400 && arb_rel_accuracy_bits(list.orbit[0].z20) >= 3400);
+  check_orbit(s, &list.orbit[0], 3500, "t_b, t_c");
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+START_TEST(no_stick_phase_is_solution_ii) {
+  /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
+  const struct sample *s = find_sample("negative-ta2", 1);
+  const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TA};
+  fmpq value[2];
+  struct dyn_orbits list;
+  for (int i = 0; i < 2; i++) fmpq_init(value + i);
+  fmpq_set(value, s->x + QUANTITY_E1);
+  ck_assert_int_eq(dyn_orbits_given(&list, s->params, which, value, 100, &near_limits), SS_OK);
+  ck_assert_int_gt(list.n, 0);
+  for (slong n = 0; n < list.n; n++) {
+    const struct dyn_orbit *o = &list.orbit[n];
+    ck_assert(arb_is_zero(o->t[0]) && o->holds[COND_TA] == TRUTH_FALSE && o->admissible == TRUTH_FALSE);
+    check_orbit(s, o, 200, "e1, t_a");
+  }
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+}
+END_TEST
+
+START_TEST(impossible_values_are_told) {
+  const struct sample *s = find_sample("paper", 1);
+  struct dyn_orbits list;
+  fmpq value[2], model[3];
+  for (int i = 0; i < 2; i++) fmpq_init(value + i);
+  for (int i = 0; i < 3; i++) {
+    fmpq_init(model + i);
+    fmpq_set(model + i, s->params + i);
+  }
+  enum dyn_quantity twice[2] = {QUANTITY_TB, QUANTITY_TB}, times[2] = {QUANTITY_TB, QUANTITY_TD};
+  fmpq_set_si(value, 2, 1);
+  fmpq_set_si(value + 1, 4, 1); /* pi/sqrt(chi eta) = 3.51 */
+  ck_assert_int_eq(dyn_orbits_given(&list, model, twice, value, 60, NULL), SS_DOMAIN);
+  ck_assert(dyn_orbits_given(&list, model, times, value, 60, &near_limits) == SS_OK && list.n == 0);
+  dyn_orbits_clear(&list);
+  fmpq_zero(value + 1);
+  ck_assert_int_eq(dyn_orbits_given(&list, model, times, value, 60, NULL), SS_DOMAIN);
+  fmpq_set_si(value + 1, 2, 1);
+  fmpq_set_si(model, 1, 1);
+  ck_assert_int_eq(dyn_orbits_given(&list, model, times, value, 60, NULL), SS_DOMAIN);
+  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
+}
+END_TEST
+
+/* --- Margins. --- */
+
+/* The orbit of the file among those found at its parameters; the list is to be cleared. */
+static const struct dyn_orbit *orbit_of(struct dyn_orbits *list, const struct sample *s) {
+  ck_assert_int_eq(dyn_orbits_find(list, s->params, 160, NULL), SS_OK);
+  for (slong i = 0; i < list->n; i++)
+    if (is_sample(&list->orbit[i], s)) return &list->orbit[i];
+  ck_abort_msg("%s %d is not found", s->name, s->index);
+}
+
+/* Right side minus left side of inequality k at the state z; the lower bounds at the given u. */
+static double margin_at(int k, const double p[N_PARAMS], const double u[2], const double z[N_STATE]) {
+  double w = z[Z_1] - p[P_CHI] * z[Z_2], pull = p[P_CHI] * (z[Z_2] - z[Z_1]);
+  switch (k) {
+  case COND_GAMMA_V1:
+  case COND_H_V1:
+    return p[P_V] - z[DZ_1];
+  case COND_H_V2:
+  case COND_C_V2:
+    return p[P_V] - z[DZ_2];
+  case COND_C_W:
+  case MARGIN_D_W:
+    return p[P_E1] - w;
+  case COND_D_R:
+  case COND_GAMMA_R:
+    return p[P_E2] - pull;
+  case MARGIN_D_W_LOW:
+  case MARGIN_C_W_LOW:
+    return w - (p[P_E1] - 2 * u[0]);
+  default:
+    return pull - (p[P_E2] - 2 * u[1]);
+  }
+}
+
+/* The matrix exponential of a phase. */
+static void exponential(double m[N_STATE * N_STATE], enum phase ph, const double p[N_PARAMS], double t) {
+  double params[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) params[i] = p[i];
+  struct num_vec mv = {num_ctx_double(), N_STATE * N_STATE, (char *)m},
+                 pv = {num_ctx_double(), N_PARAMS, (char *)params};
+  ck_assert_int_eq(dyn_propagator(&mv, ph, &pv, &t), SS_OK);
+}
+
+static void apply(double z[N_STATE], const double m[N_STATE * N_STATE]) {
+  double to[N_STATE] = {0, 0, 0, 0};
+  for (int i = 0; i < N_STATE * N_STATE; i++) to[i / N_STATE] += m[i] * z[i % N_STATE];
+  for (int i = 0; i < N_STATE; i++) z[i] = to[i];
+}
+
+static void propagate(double z[N_STATE], enum phase ph, const double p[N_PARAMS], double t) {
+  double m[N_STATE * N_STATE];
+  exponential(m, ph, p, t);
+  apply(z, m);
+}
+
+/* One phase from z: nothing lies below a margin, and each margin is attained. */
+static void check_phase(const struct sample *s, const struct dyn_margins *m, enum phase ph, const double p[N_PARAMS],
+                        const double u[2], const double z[N_STATE], double t, double begin) {
+  enum { STEPS = 300 };
+  double scale = p[P_V] + p[P_E1] + p[P_E2] + fabs(u[0]) + fabs(u[1]), at[N_STATE];
+  for (int k = 1; k < N_MARGINS; k++) {
+    const struct dyn_margin *x = &m->at[k];
+    if (x->phase != ph) continue;
+    for (int i = 0; i < N_STATE; i++) at[i] = z[i];
+    propagate(at, ph, p, mid(x->time) - begin);
+    double value = mid(x->margin), there = margin_at(k, p, u, at);
+    ck_assert_msg(fabs(value - there) < 1e-8 * scale, "%s %d %s: %.12g, but %.12g at the stated time %.6g", s->name,
+                  s->index, x->id, value, there, mid(x->time));
+  }
+  double m_step[N_STATE * N_STATE];
+  exponential(m_step, ph, p, t / STEPS);
+  for (int i = 0; i < N_STATE; i++) at[i] = z[i];
+  for (int step = 0; step <= STEPS; step++) {
+    for (int k = 1; k < N_MARGINS; k++) {
+      const struct dyn_margin *x = &m->at[k];
+      if (x->phase != ph) continue;
+      double there = margin_at(k, p, u, at), value = mid(x->margin);
+      ck_assert_msg(there > value - 1e-8 * scale, "%s %d %s: %.12g, but %.12g at step %d", s->name, s->index, x->id,
+                    value, there, step);
+    }
+    apply(at, m_step);
+  }
+}
+
+/* A margin that is zero by definition: its derivative into the phase against the motion just inside. */
+static void check_edge(const struct sample *s, const struct dyn_margin *x, const double p[N_PARAMS], const double u[2],
+                       const double z[N_STATE], double t, int k) {
+  double at[N_STATE], h = 1e-6 * fabs(t);
+  if (!x->by_definition) return;
+  ck_assert(arb_is_zero(x->margin) && x->order == 1 && (x->where == WHERE_START || x->where == WHERE_END));
+  for (int i = 0; i < N_STATE; i++) at[i] = z[i];
+  propagate(at, x->phase, p, x->where == WHERE_START ? h : t - h);
+  double rate = margin_at(k, p, u, at) / h, want = mid(x->rate);
+  ck_assert_msg(fabs(rate - want) < 1e-3 * (1 + fabs(want)) * (1 + fabs(t)), "%s %d %s: %g, stated %g", s->name,
+                s->index, x->id, rate, want);
+}
+
+static bool violated(const struct sample *s, const char *id) {
+  size_t len = strlen(id);
+  for (const char *p = s->violations; p; p = strchr(p, ',') ? strchr(p, ',') + 1 : NULL)
+    if (strncmp(p, id, len) == 0 && (p[len] == ',' || p[len] == '\0')) return true;
+  return false;
+}
+
+START_TEST(margins_are_those_of_the_motion) {
+  const struct sample *s = &sample[_i];
+  struct dyn_orbits list;
+  struct dyn_margins m;
+  if (_i >= n_samples) return;
+  const struct dyn_orbit *o = orbit_of(&list, s);
+  double p[N_PARAMS], u[2] = {0.75, 1.5}, z[N_STATE];
+  fmpq force[2];
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(force + i);
+    fmpq_set_si(force + i, 3, i == 0 ? 4 : 2);
+  }
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
+  dyn_margins_init(&m);
+  ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
+
+  z[Z_1] = mid(o->z10);
+  z[Z_2] = mid(o->z20);
+  z[DZ_1] = z[DZ_2] = p[P_V];
+  double begin = 0;
+  ck_assert(arb_equal(m.at[COND_TA].margin, o->t[0]));
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    check_phase(s, &m, (enum phase)ph, p, u, z, o->guess[ph], begin);
+    for (int k = 1; k < N_MARGINS; k++)
+      if (m.at[k].phase == (enum phase)ph) check_edge(s, &m.at[k], p, u, z, o->guess[ph], k);
+    propagate(z, (enum phase)ph, p, o->guess[ph]);
+    begin += o->guess[ph];
+  }
+  for (int k = 0; k < N_CONDITIONS; k++) {
+    ck_assert_str_eq(m.at[k].id, dyn_condition_id[k]);
+    ck_assert_msg(m.at[k].holds == (violated(s, m.at[k].id) ? TRUTH_FALSE : TRUTH_TRUE) && m.at[k].holds == o->holds[k],
+                  "%s %d %s: %d", s->name, s->index, m.at[k].id, m.at[k].holds);
+    ck_assert(m.at[k].where != WHERE_OPEN && arb_rel_accuracy_bits(m.at[k].margin) > 100);
+  }
+  ck_assert_int_eq(m.at[MARGIN_D_W].holds, o->holds[COND_TA]);
+  dyn_margins_clear(&m);
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < 2; i++) fmpq_clear(force + i);
+}
+END_TEST
+
+START_TEST(force_bounds_are_sharp) {
+  const struct sample *s = &sample[_i];
+  static const int low[2][2] = {{MARGIN_D_W_LOW, MARGIN_C_W_LOW}, {MARGIN_D_R_LOW, MARGIN_GAMMA_R_LOW}};
+  struct dyn_orbits list;
+  struct dyn_margins m;
+  fmpq force[2], nudge;
+  if (_i >= n_samples) return;
+  const struct dyn_orbit *o = orbit_of(&list, s);
+  dyn_margins_init(&m);
+  fmpq_init(&nudge);
+  for (int i = 0; i < 2; i++) fmpq_init(force + i);
+  ck_assert_int_eq(dyn_margins_find(&m, s->params, o, NULL, NULL, 160), SS_OK);
+  ck_assert_msg(off(m.u_r1_min, s->u, 1e-10) < 1e-30 && off(m.u_r2_min, s->u + 1, 1e-10) < 1e-30, "%s %d", s->name,
+                s->index);
+  ck_assert(arb_overlaps(m.u_r1_min, o->u_r1_min) && arb_overlaps(m.u_r2_min, o->u_r2_min));
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++) ck_assert(m.at[low[i][k]].holds == TRUTH_UNKNOWN);
+  for (int side = -1; side <= 1; side += 2) {
+    fmpq_set_si(&nudge, side, 1);
+    fmpq_div_2exp(&nudge, &nudge, 100);
+    for (int i = 0; i < 2; i++) fmpq_add(force + i, s->u + i, &nudge);
+    ck_assert_int_eq(dyn_margins_find(&m, s->params, o, force, force + 1, 160), SS_OK);
+    for (int i = 0; i < 2; i++) {
+      truth both = truth_and(m.at[low[i][0]].holds, m.at[low[i][1]].holds);
+      ck_assert_msg(both == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s %d u_r%d side %d", s->name, s->index, i + 1,
+                    side);
+    }
+  }
+  dyn_margins_clear(&m);
+  dyn_orbits_clear(&list);
+  fmpq_clear(&nudge);
+  for (int i = 0; i < 2; i++) fmpq_clear(force + i);
+}
+END_TEST
+
+/* --- The paper's route. --- */
+
+static double entry(const struct num_vec *v, slong i) {
+  return v->ctx.type->get_d(num_vec_at(v, i));
+}
+
+/* The largest error of the solution. */
+static double route_error(const struct paper_route *r, const struct sample *s) {
+  const fmpq *want[N_ROUTE] = {
+      s->x + QUANTITY_TA, s->x + QUANTITY_TB, s->x + QUANTITY_TC, s->x + QUANTITY_TD, s->z, s->z + 1};
+  double worst = 0;
+  arb_t x;
+  arb_init(x);
+  for (slong i = 0; i < N_ROUTE; i++) {
+    num_mpfr.get_arb(x, num_vec_at(&r->x, i));
+    worst = fmax(worst, off(x, want[i], 1));
+  }
+  arb_clear(x);
+  return worst;
+}
+
+/* Row-sum condition number of a 2x2 matrix. */
+static double condition(double a, double b, double c, double d) {
+  double norm = fmax(fabs(a) + fabs(b), fabs(c) + fabs(d)), inverse = fmax(fabs(d) + fabs(b), fabs(c) + fabs(a));
+  return norm * inverse / fabs(a * d - b * c);
+}
+
+START_TEST(the_papers_route_leads_to_the_same_orbits) {
+  const struct sample *s = find_sample(chosen[_i].name, chosen[_i].index);
+  struct paper_route r;
+  double guess[4], p[N_PARAMS], n[N_STATE][N_STATE];
+  for (int i = 0; i < 4; i++) guess[i] = fmpq_get_d(s->x + QUANTITY_TA + i) * (1 + 1e-6 * (i - 1.5));
+  paper_route_init(&r, 240);
+  ck_assert_int_eq(paper_route_run(&r, s->params, guess), SS_OK);
+  ck_assert_msg(route_error(&r, s) < 1e-50, "%s %d: off by %g", s->name, s->index, route_error(&r, s));
+  ck_assert_msg(r.status_d == SS_OK && r.digits_lost < 6, "%s %d: %g digits lost", s->name, s->index, r.digits_lost);
+  for (int i = 0; i < N_ROUTE; i++) {
+    double x = entry(&r.x, i);
+    ck_assert_msg(fabs(r.x_d[i] - x) < 1e-9 * (1 + fabs(x)), "%s %d: %.17g, %.17g", s->name, s->index, r.x_d[i], x);
+  }
+  ck_assert_msg(r.steps_d <= 9 && r.steps <= 12, "%s %d: %d and %d steps", s->name, s->index, r.steps_d, r.steps);
+  /* Columns of N, once around from the unit states. */
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->params + i);
+  for (int k = 0; k < N_STATE; k++) {
+    double z[N_STATE] = {0, 0, 0, 0};
+    z[k] = 1;
+    for (int ph = 0; ph < N_PHASES; ph++) propagate(z, (enum phase)ph, p, entry(&r.x, ph));
+    for (int i = 0; i < N_STATE; i++) n[i][k] = z[i];
+  }
+  double n1 = condition(n[0][0] - 1, n[0][1], n[1][0], n[1][1] - 1), n3 = condition(n[2][0], n[2][1], n[3][0], n[3][1]);
+  ck_assert_msg(fabs(n1 / r.condition.n1 - 1) < 1e-6 && fabs(n3 / r.condition.n3 - 1) < 1e-6, "%s %d: %g, %g", s->name,
+                s->index, n1, n3);
+  ck_assert(r.condition.jacobian >= 1 && r.condition.jacobian < 1e8);
+  paper_route_clear(&r);
+}
+END_TEST
+
+START_TEST(the_papers_printed_times_lead_to_its_orbit) {
+  const struct sample *s = find_sample("paper", 1);
+  const double printed[4] = {0.6784, 2, 1.5, 2.34}, nonsense[4] = {-400, 300, 500, 0.1};
+  struct paper_route r;
+  paper_route_init(&r, 240);
+  ck_assert_int_eq(paper_route_run(&r, s->params, printed), SS_OK);
+  ck_assert_msg(route_error(&r, s) < 1e-50, "off by %g", route_error(&r, s));
+  ck_assert_int_ne(paper_route_run(&r, s->params, nonsense), SS_OK);
+  ck_assert(isnan(r.digits_lost) && isnan(r.condition.n1));
+  fmpq bad[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) bad[i] = s->params[i];
+  bad[P_CHI] = s->params[P_ETA]; /* 1 */
+  ck_assert_int_eq(paper_route_run(&r, bad, printed), SS_DOMAIN);
+  paper_route_clear(&r);
+}
+END_TEST
+
+Suite *given_suite(void) {
+  Suite *s = suite_create("given");
+  TCase *c = tcase_create("given");
+  tcase_add_checked_fixture(c, read_cut, clear_samples);
+  tcase_add_loop_test(c, every_pair_finds_the_orbit_again, 0, N_CHOSEN);
+  tcase_add_test(c, given_times_fix_the_limits_to_any_precision);
+  tcase_add_test(c, no_stick_phase_is_solution_ii);
+  tcase_add_test(c, impossible_values_are_told);
+  suite_add_tcase(s, c);
+  c = tcase_create("margins");
+  tcase_add_checked_fixture(c, read_full, clear_samples);
+  tcase_add_loop_test(c, margins_are_those_of_the_motion, 0, 61);
+  tcase_add_loop_test(c, force_bounds_are_sharp, 0, 61);
+  suite_add_tcase(s, c);
+  c = tcase_create("paper route");
+  tcase_add_checked_fixture(c, read_full, clear_samples);
+  tcase_add_loop_test(c, the_papers_route_leads_to_the_same_orbits, 0, N_CHOSEN);
+  tcase_add_test(c, the_papers_printed_times_lead_to_its_orbit);
+  suite_add_tcase(s, c);
+  return s;
+}
