@@ -58,7 +58,8 @@ $(B)/%.o: %.c Makefile
 verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
 	$(B)/stickslip verify
 
-check: $(B)/stickslip $(B)/check ## run the tests
+check: all $(B)/check ## run the tests
+	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
 	STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check
 
 lint: ## formatting, include arrows, static analysis

@@ -39,7 +39,7 @@ extern const struct dyn_limits dyn_given_limits;
    SS_DOMAIN outside the domain of dynamics.h, for a time t_b, t_c, t_d or a limit e that is not positive, or for the
    same quantity twice.  SS_UNABLE, with a list that is valid as far as it goes, when a solution in double precision
    could not be told from a double one or enclosed even at 16 times the precision, or when the scan used up its budget
-   of work (about four seconds; chi eta or t_max is large), the smaller t_b having been searched.
+   of work (about five seconds at worst; chi eta or t_max is large), the smaller t_b having been searched.
 
    Cost at t_max = 200 and chi eta near 1, on one core: t_b, t_c 0.3 ms, the other scans in one unknown 2 to 30 ms, the
    plane 0.1 to 0.2 s with e1 given, which leaves out most t_b, else 0.3 to 0.8 s. */

@@ -4,6 +4,7 @@
 #include "cli.h"
 #include "stickslip/dynamics.h"
 #include "stickslip/json.h"
+#include "stickslip/margins.h"
 
 enum { N_SHOWN = 12 };
 
@@ -110,6 +111,33 @@ static void orbits_json(struct text *out, const struct dyn_orbits *list, const s
   json_end_object(&j);
 }
 
+/* Every inequality along the orbit, with its margin and where it is least. */
+static void add_margins(struct text *out, const struct dyn_orbit *o, const struct scene *s) {
+  static const char *const word[] = {"broken", "holds", "open"};
+  const fmpq *u[2];
+  struct dyn_margins m;
+  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  dyn_margins_init(&m);
+  if (dyn_margins_find(&m, s->value, o, u[0], u[1], 128) == SS_OK) {
+    text_printf(out, "  %-12s %-6s %-20s %-14s\n", "inequality", "", "margin", "at t");
+    for (int i = 0; i < N_MARGINS; i++) {
+      const struct dyn_margin *k = &m.at[i];
+      bool low = i > MARGIN_D_W && !u[i >= MARGIN_D_R_LOW];
+      text_printf(out, "  %-12s %-6s ", k->id, low ? "" : word[k->holds]);
+      size_t column = out->len;
+      if (k->by_definition)
+        text_add(out, "0, as it must be");
+      else if (num_print(out, k->margin, 6) != SS_OK)
+        num_print_ball(out, k->margin, 6);
+      if (low) text_printf(out, " + 2 %s", i >= MARGIN_D_R_LOW ? "u_r2" : "u_r1");
+      while (out->len - column < 21) text_add_char(out, ' ');
+      if (num_print(out, k->time, 8) != SS_OK) num_print_ball(out, k->time, 8);
+      text_printf(out, " (%s)\n", dyn_where_name[k->where]);
+    }
+  }
+  dyn_margins_clear(&m);
+}
+
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
@@ -126,6 +154,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
     for (int k = 0; k < 2; k++)
       if (u[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + k]);
+    add_margins(out, o, s);
   }
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }

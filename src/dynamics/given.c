@@ -30,7 +30,7 @@ enum {
   MAX_DEPTH = 8,       /* of halving a cell */
   SEED_BITS = 18,      /* Newton's steps in double precision become as small as this; then one more is taken */
   STEP_WORK = 32,      /* what such a step costs, in points of the sheets */
-  MAX_WORK = 30000000, /* about four seconds */
+  MAX_WORK = 15000000, /* about five seconds at worst */
 };
 
 /* A problem: the model, and which of the six quantities are known. */
