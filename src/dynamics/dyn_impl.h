@@ -182,7 +182,7 @@ truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball
 
 void dyn_orbit_init(struct dyn_orbit *o);
 void dyn_orbit_clear(struct dyn_orbit *o);
-/* The fewest relative bits of any of its numbers that is not zero. */
+/* The fewest relative bits of any of its numbers that is not zero; at least 0. */
 slong dyn_orbit_accuracy(const struct dyn_orbit *o);
 /* Every number; up: q > 0 in phase C. */
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);

@@ -443,8 +443,7 @@ static bool smooth(const struct quest *q, const struct cell *cell) {
 }
 
 /* Whether the quadratic can have roots inside a cell that has none at its corners: its discriminant, which is smooth,
-   comes close to zero.  How close counts is halved with the
-   cell. */
+   comes close to zero.  What counts as close is halved with the cell. */
 static bool almost_real(const struct cell *cell, int depth) {
   double most = -1;
   for (int i = 0; i < cell->nb; i++)
@@ -553,7 +552,7 @@ static int grid_init(struct grid *g, struct scan *s) {
   if (!(last / (2 * PI) * parts < MAX_WORK && q->lim.t_max / period * parts < MAX_WORK)) return SS_UNABLE;
   g->nb = axis_of(&g->tb, s, QUANTITY_TB, last, 2 * PI, parts);
   g->nc = axis_of(&g->tc, s, QUANTITY_TC, q->lim.t_max, period, parts);
-  watch_init(s, g->tc[g->nc - 1], period);
+  watch_init(s, fmin(g->tc[g->nc - 1], q->lim.t_max), period);
   g->slips = ss_malloc(g->nc * sizeof *g->slips);
   for (size_t j = 0; j < g->nc; j++) g->slips[j] = slip_at(&q->k, g->tc[j]);
   for (int i = 0; i < 2; i++) g->row[i] = ss_malloc(g->nc * sizeof *g->row[i]);

@@ -355,7 +355,7 @@ slong dyn_orbit_accuracy(const struct dyn_orbit *o) {
   slong least = ARF_PREC_EXACT;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
-  return least;
+  return FLINT_MAX(least, 0);
 }
 
 void dyn_orbit_init(struct dyn_orbit *o) {
