@@ -226,6 +226,11 @@ kind_fn claim_kind(const char *name);
 /* --- Evidence and verdicts --- */
 
 struct evidence *finding_add(struct finding *f, struct audit_result *out);
+/* Evidence that only states something, from one computation in balls. */
+void finding_state(struct finding *f, struct audit_result *out, const char *layer, long bits, const char *where,
+                   const char *note);
+/* Does x op y hold?  UNKNOWN for an equality. */
+truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y);
 
 /* What one route says of a claim, as the table reads it. */
 enum says { SAYS_NOTHING, SAYS_AGREES, SAYS_DIFFERS, SAYS_UNDECIDED };

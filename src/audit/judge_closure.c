@@ -62,18 +62,12 @@ static void closure_by_times(struct finding *f, struct judge *j) {
     if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
       arb_ptr d = _arb_vec_init(2);
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
-      struct evidence *e = finding_add(f, j->out);
-      e->route = "balls";
-      e->layer = "model";
-      e->result = "states";
-      e->bits = FIRST_PREC;
-      e->trials = 1;
-      e->worst = "the printed state and times, taken exactly";
-      e->note = result_str(
-          j->out,
-          "Over the printed times the motion ends at z_1, z_2 off its start by %s and %s, with velocities %s and %s.",
-          ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
-          ball_text(j, num_vec_at(&v.arc.z, 19), 8));
+      finding_state(f, j->out, "model", FIRST_PREC, "the printed state and times, taken exactly",
+                    result_str(j->out,
+                               "Over the printed times the motion ends at z_1, z_2 off its start by %s and %s, with "
+                               "velocities %s and %s.",
+                               ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
+                               ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
       _arb_vec_clear(d, 2);
     }
     values_clear(&v);
@@ -87,15 +81,9 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
   if (closing_gap(gap, slope, t, j->scene, start) == SS_OK) {
-    struct evidence *e = finding_add(f, j->out);
-    e->route = "balls";
-    e->layer = "model";
-    e->result = "states";
-    e->bits = FIRST_PREC;
-    e->trials = 1;
-    e->worst = "the printed start, taken exactly";
-    e->note = result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
-                         ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8));
+    finding_state(f, j->out, "model", FIRST_PREC, "the printed start, taken exactly",
+                  result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
+                             ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
     if (apart)
       f->effect = result_str(j->out, "from the printed start the period closes with a gap of %s in z_1 and %s in z_2",
                              ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));

@@ -96,19 +96,14 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
-    struct evidence *e = finding_add(f, j->out);
-    e->route = "balls";
-    e->layer = "model";
-    e->result = "states";
-    e->bits = FD_PREC;
-    e->trials = 1;
-    e->worst = result_str(j->out, "orbit %ld of %ld found: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
-                          (long)list->n, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6), ball_text(j, o->t[2], 6),
-                          ball_text(j, o->t[3], 6));
-    e->note = result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
-                         o->admissible == TRUTH_TRUE    ? "admissible"
-                         : o->admissible == TRUTH_FALSE ? "not admissible"
-                                                        : "admissibility undecided");
+    finding_state(f, j->out, "model", FD_PREC,
+                  result_str(j->out, "orbit %ld of %ld found: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
+                             (long)list->n, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                             ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
+                  result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
+                             o->admissible == TRUTH_TRUE    ? "admissible"
+                             : o->admissible == TRUTH_FALSE ? "not admissible"
+                                                            : "admissibility undecided"));
   }
   struct point p;
   point_init(&p);
@@ -117,14 +112,8 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     arb_ptr tr = _arb_vec_init(16);
     int n;
     if (expression_at(tr, &n, v, "tr(J)", "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
-      struct evidence *e = finding_add(f, j->out);
-      e->route = "balls";
-      e->layer = layer_name[layer];
-      e->result = "states";
-      e->bits = FIRST_PREC;
-      e->trials = 1;
-      e->worst = "the printed numbers, taken exactly";
-      e->note = result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8));
+      finding_state(f, j->out, layer_name[layer], FIRST_PREC, "the printed numbers, taken exactly",
+                    result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
     }
     _arb_vec_clear(tr, 16);
   }

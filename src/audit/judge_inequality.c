@@ -42,22 +42,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     }
     if (s == SS_OK) s |= tape_eval(&out, NULL, &tape, &in);
     const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
-    if (s == SS_OK && !*unbound) switch (st->ops[k]) {
-      case REL_LT:
-        *holds = ctx.type->lt(x, y);
-        break;
-      case REL_GT:
-        *holds = ctx.type->lt(y, x);
-        break;
-      case REL_LE:
-        *holds = truth_not(ctx.type->lt(y, x));
-        break;
-      case REL_GE:
-        *holds = truth_not(ctx.type->lt(x, y));
-        break;
-      case REL_EQ:
-        break;
-      }
+    if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
     num_vec_clear(&out);
     num_vec_clear(&in);
     values_clear(&v);

@@ -209,7 +209,7 @@ static void compare_equalities(struct trial *t, struct comparison *c, const stru
   arb_clear(a);
 }
 
-static truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {
+truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {
   switch (op) {
   case REL_LT:
     return type->lt(x, y);

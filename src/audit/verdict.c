@@ -99,6 +99,18 @@ struct evidence *finding_add(struct finding *f, struct audit_result *out) {
   return e;
 }
 
+void finding_state(struct finding *f, struct audit_result *out, const char *layer, long bits, const char *where,
+                   const char *note) {
+  struct evidence *e = finding_add(f, out);
+  e->route = "balls";
+  e->layer = layer;
+  e->result = "states";
+  e->bits = bits;
+  e->trials = 1;
+  e->worst = where;
+  e->note = note;
+}
+
 const char *order_of_magnitude(struct audit_result *r, double log2x) {
   if (isinf(log2x) && log2x < 0) return "0";
   return result_str(r, "1e%d", (int)ceil(log2x * 0.30102999566398120));
