@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "orbit_pool.h"
 
 static const struct {
   const char *name;
@@ -14,7 +15,8 @@ static const struct {
              {"identity", judge_points, true},        {"threshold", judge_threshold, false},
              {"inequality", judge_inequality, false}, {"index-range", judge_index_range, false},
              {"number", judge_number, false},         {"closure", judge_closure, false},
-             {"criterion", judge_criterion, false},   {"report", judge_report, false}};
+             {"criterion", judge_criterion, false},   {"report", judge_report, false},
+             {"argument", judge_argument, false}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
@@ -338,6 +340,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   }
   ok = ok && run_controls(&j, claims, controls, opt);
   if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  orbit_pool_free(j.pool);
   orbit_cache_free(j.cache);
   return ok;
 }

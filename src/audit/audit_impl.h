@@ -18,7 +18,8 @@ enum point_kind {
   POINT_FLOW,   /* a motion of one phase from an exact state over an exact time */
   POINT_ARC,    /* one pass through the word from an exact state, with its events */
   POINT_ORBIT,  /* a periodic orbit */
-  POINT_PRINTED /* the printed state carried over the printed times, events or not */
+  POINT_PRINTED, /* the printed state carried over the printed times, events or not */
+  POINT_GIVEN    /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
 };
 
 /* Exact quantities of a point. */
@@ -52,7 +53,8 @@ struct point {
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
-  slong orbit; /* POINT_ORBIT: index in the list of its parameters */
+  slong orbit; /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
+  const struct dyn_orbit *known; /* POINT_GIVEN: that orbit at hand, or NULL to find it through the cache */
 };
 
 void point_init(struct point *p);
@@ -75,6 +77,9 @@ struct orbit_cache *orbit_cache_new(void);
 void orbit_cache_free(struct orbit_cache *c);
 /* The orbits at five exact parameters, enclosed at prec bits. */
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
+
+/* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
 
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
@@ -184,6 +189,7 @@ struct judge {
   const struct claims *claims;
   const struct scene *scene;
   struct orbit_cache *cache;
+  struct orbit_pool *pool; /* made when first asked for */
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
 };
@@ -213,6 +219,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
 /* Is the id that of a claim which a restriction of this one makes? */

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/given.h"
 
 const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ETA, "1"}};
 const int n_restrictions = sizeof restrictions / sizeof *restrictions;
@@ -24,8 +25,8 @@ void point_print(struct text *out, const struct point *p) {
     const char *name;
     int q;
     unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 31},  {"eta", Q_ETA, 31},  {"V", Q_V, 31},        {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 16},     {"t_c", Q_TC, 16},
+  } shown[] = {{"chi", Q_CHI, 63},  {"eta", Q_ETA, 63},  {"V", Q_V, 63},        {"e1", Q_E1, 28},
+               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 48},     {"t_c", Q_TC, 48},
                {"t_d", Q_TD, 16},   {"t", Q_T, 3},       {"z_10", Q_Z1, 20},    {"z_20", Q_Z2, 20},
                {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
@@ -35,12 +36,13 @@ void point_print(struct text *out, const struct point *p) {
     num_print_q(out, &p->q[shown[i].q]);
     sep = ", ";
   }
-  if (p->kind == POINT_ORBIT) text_printf(out, ", orbit %ld", (long)p->orbit + 1);
+  if (p->kind == POINT_ORBIT || p->kind == POINT_GIVEN) text_printf(out, ", orbit %ld", (long)p->orbit + 1);
 }
 
 /* --- Orbits, found once --- */
 
 struct cached {
+  bool given; /* the last two parameters are t_b and t_c, not e1 and e2 */
   fmpq params[N_PARAMS];
   slong prec;
   struct dyn_orbits list;
@@ -66,21 +68,41 @@ void orbit_cache_free(struct orbit_cache *c) {
   free(c);
 }
 
-const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
+/* The list of these parameters; *fresh when it is yet to be searched. */
+static struct cached *cached_item(bool *fresh, struct orbit_cache *c, bool given, const fmpq params[N_PARAMS],
+                                  slong prec) {
+  *fresh = false;
   for (size_t i = 0; i < c->n; i++) {
-    bool same = c->item[i]->prec == prec;
+    bool same = c->item[i]->prec == prec && c->item[i]->given == given;
     for (int k = 0; same && k < N_PARAMS; k++) same = fmpq_equal(&c->item[i]->params[k], &params[k]);
-    if (same) return &c->item[i]->list;
+    if (same) return c->item[i];
   }
+  *fresh = true;
   c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
   struct cached *e = ss_malloc(sizeof *e);
   c->item[c->n++] = e;
   e->prec = prec;
+  e->given = given;
   for (int k = 0; k < N_PARAMS; k++) {
     fmpq_init(&e->params[k]);
     fmpq_set(&e->params[k], &params[k]);
   }
-  dyn_orbits_find(&e->list, params, prec, &dyn_limits_default);
+  return e;
+}
+
+const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
+  bool fresh;
+  struct cached *e = cached_item(&fresh, c, false, params, prec);
+  if (fresh) dyn_orbits_find(&e->list, params, prec, &dyn_limits_default);
+  return &e->list;
+}
+
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec) {
+  static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
+  const fmpq key[N_PARAMS] = {q[Q_CHI], q[Q_ETA], q[Q_V], q[Q_TB], q[Q_TC]}; /* borrowed */
+  bool fresh;
+  struct cached *e = cached_item(&fresh, c, true, key, prec);
+  if (fresh) dyn_orbits_given(&e->list, key, which, key + 3, prec, &dyn_given_limits);
   return &e->list;
 }
 
@@ -304,6 +326,26 @@ static int init_printed(struct values *v) {
   return s;
 }
 
+static const struct dyn_orbit *orbit_of(const struct point *p, struct orbit_cache *cache, slong prec) {
+  if (p->known) return p->known;
+  const struct dyn_orbits *list = p->kind == POINT_GIVEN ? orbit_cache_given(cache, p->q, orbit_prec(prec))
+                                                         : orbit_cache_get(cache, p->q, orbit_prec(prec));
+  return p->orbit < list->n ? &list->orbit[p->orbit] : NULL;
+}
+
+/* e1 and e2 of an orbit that is given by its times; its point holds u_r1 and u_r2 where others hold u_s1 and u_s2. */
+static int take_forces(struct values *v, const struct dyn_orbit *o) {
+  const struct num_type *t = v->ctx.type;
+  int s = t->set_arb(num_vec_at(&v->q, Q_E1), o->e1, v->ctx.prec);
+  s |= t->set_arb(num_vec_at(&v->q, Q_E2), o->e2, v->ctx.prec);
+  for (int i = 0; i < 2; i++) {
+    void *u = num_vec_at(&v->q, Q_US1 + i), *e = num_vec_at(&v->q, Q_E1 + i);
+    s |= t->sub(u, u, e, v->ctx.prec);
+    t->set(num_vec_at(&v->params, P_E1 + i), e);
+  }
+  return s;
+}
+
 static int init_arc(struct values *v, struct orbit_cache *cache) {
   int s = SS_OK;
   struct num_vec z;
@@ -311,11 +353,11 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
   if (v->point->kind == POINT_ARC) {
     s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
   } else {
-    const struct dyn_orbits *list = orbit_cache_get(cache, v->point->q, orbit_prec(v->ctx.prec));
-    const struct dyn_orbit *o = v->point->orbit < list->n ? &list->orbit[v->point->orbit] : NULL;
+    const struct dyn_orbit *o = orbit_of(v->point, cache, v->ctx.prec);
     if (!o || o->grazing) {
       s = SS_DOMAIN;
     } else {
+      if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
       s |= v->ctx.type->set_arb(num_vec_at(&z, 0), o->z10, v->ctx.prec);
       s |= v->ctx.type->set_arb(num_vec_at(&z, 1), o->z20, v->ctx.prec);
       s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
@@ -348,7 +390,7 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   for (int i = 0; i < N_PARAMS; i++) ctx.type->set(num_vec_at(&v->params, i), num_vec_at(&v->q, Q_CHI + i));
   if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
   if (s == SS_OK && p->kind == POINT_PRINTED) s |= init_printed(v);
-  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) s |= init_arc(v, cache);
+  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
   return s;
 }
 

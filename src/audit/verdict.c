@@ -22,7 +22,7 @@ static const struct {
 } groups[] = {{"balls", "closed form"},     {"oracle", "model matrices"},        {"exponential", "matrix exponential"},
               {"taylor", "taylor series"},  {"gsl", "gsl exponential"},          {"ode", "defining equation"},
               {"fd", "differences"},        {"saltation", "saltation matrices"}, {"newton", "springs and masses"},
-              {"iteration", "iterated map"}};
+              {"iteration", "iterated map"},  {"algebra", "exact algebra"}};
 
 const char *const route_independence[] = {
     "balls: the paper's formula on a tape of Arb balls against the suite's own closed forms in (w, r), implicit "
@@ -44,7 +44,8 @@ const char *const route_independence[] = {
     "not "
     "the closed forms",
     "oracle: the same sentence with the model's matrices in place of the paper's; shares no formula with the paper",
-    "iteration: the return map iterated in double from points beside the orbit; shares no derivative with balls"};
+    "iteration: the return map iterated in double from points beside the orbit; shares no derivative with balls",
+    "algebra: identities of rational functions over the symbols of the paper, decided exactly; decides"};
 const int n_route_independence = sizeof route_independence / sizeof *route_independence;
 
 static const char *group_of(const char *route) {
