@@ -21,7 +21,8 @@
      primary    := number | name | name "'"* "(" sum ")" | "(" sum ")" | matrix
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt inv det tr transpose are functions of one argument and take no prime.  Doubtful forms are errors
+   sin cos cot sqrt abs inv det tr transpose are functions of one argument and take no prime; the paper's |x| is abs(x).
+    Doubtful forms are errors
    that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
    v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
    formulas beyond 100000 nodes are refused. */
@@ -45,6 +46,7 @@ enum expr_kind {
   EXPR_COS,
   EXPR_COT,
   EXPR_SQRT,
+  EXPR_ABS,
   /* trees only, from here on */
   EXPR_PAREN, /* parentheses as written; args[0] */
   EXPR_INV,

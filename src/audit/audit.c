@@ -11,12 +11,25 @@ static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-} kinds[] = {{"definition", judge_definition, false}, {"matrix", judge_points, true},
-             {"identity", judge_points, true},        {"threshold", judge_threshold, false},
-             {"inequality", judge_inequality, false}, {"index-range", judge_index_range, false},
-             {"number", judge_number, false},         {"closure", judge_closure, false},
-             {"criterion", judge_criterion, false},   {"report", judge_report, false},
-             {"argument", judge_argument, false}};
+} kinds[] = {{"definition", judge_definition, false},
+             {"matrix", judge_points, true},
+             {"identity", judge_points, true},
+             {"threshold", judge_threshold, false},
+             {"inequality", judge_inequality, false},
+             {"index-range", judge_index_range, false},
+             {"number", judge_number, false},
+             {"closure", judge_closure, false},
+             {"criterion", judge_criterion, false},
+             {"report", judge_report, false},
+             {"argument", judge_argument, false},
+             {"notation", judge_notation, false},
+             {"scaling", judge_scaling, false},
+             {"reach", judge_reach, false},
+             {"rank", judge_rank, false},
+             {"constraints", judge_constraints, false},
+             {"sequence", judge_sequence, false},
+             {"existence", judge_existence, false},
+             {"outside", judge_outside, false}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)

@@ -14,10 +14,10 @@ enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };
 /* --- Points: exact data at which a sentence is tried --- */
 
 enum point_kind {
-  POINT_PARAMS, /* parameters and a time */
-  POINT_FLOW,   /* a motion of one phase from an exact state over an exact time */
-  POINT_ARC,    /* one pass through the word from an exact state, with its events */
-  POINT_ORBIT,  /* a periodic orbit */
+  POINT_PARAMS,  /* parameters and a time */
+  POINT_FLOW,    /* a motion of one phase from an exact state over an exact time */
+  POINT_ARC,     /* one pass through the word from an exact state, with its events */
+  POINT_ORBIT,   /* a periodic orbit */
   POINT_PRINTED, /* the printed state carried over the printed times, events or not */
   POINT_GIVEN    /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
 };
@@ -53,7 +53,7 @@ struct point {
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
-  slong orbit; /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
+  slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
   const struct dyn_orbit *known; /* POINT_GIVEN: that orbit at hand, or NULL to find it through the cache */
 };
 
@@ -220,6 +220,14 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_notation(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
 /* Is the id that of a claim which a restriction of this one makes? */

@@ -169,8 +169,8 @@ static bool facts_of(struct fact *list, int *n, const struct tape *t, const char
 
 /* --- Expressions written here --- */
 
-static bool expressions_tape(struct tape *t, struct elaboration *el, const char *const *text, int n, const char *section,
-                             struct diag *d) {
+static bool expressions_tape(struct tape *t, struct elaboration *el, const char *const *text, int n,
+                             const char *section, struct diag *d) {
   const struct expr *e[8];
   struct arena a;
   arena_init(&a);
@@ -324,7 +324,8 @@ static void describe(struct text *out, const struct fact *goal, const struct ter
                      const struct proof *p) {
   text_printf(out, "%s%s: its margin is", out->len ? ". " : "", goal->text);
   for (int i = 0; i < n; i++)
-    text_printf(out, "%s %s * margin of [%s]", i ? " +" : "", factor_text[t[i]->factor], p->positive[t[i]->fact].text);
+    text_printf(out, "%s (%s) * margin of [%s]", i ? " +" : "", factor_text[t[i]->factor],
+                p->positive[t[i]->fact].text);
 }
 
 /* One to three terms that add up to the goal. */

@@ -7,7 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)", "z_2'(t)", "t"};
+static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)", "z_2'(t)", "t",
+                                                  "x_1(t)", "x_2(t)", "x_1'(t)", "x_2'(t)"};
 
 /* --- Reading --- */
 
@@ -43,12 +44,14 @@ static bool build(struct condition *c, struct judge *j, const struct statement_r
     for (slong i = 0; i < c->s.tape.n_inputs; i++)
       if (strcmp(c->s.tape.inputs[i], moving_name[m]) == 0) c->input[m] = i;
     c->moving = c->moving || c->input[m] >= 0;
+    c->in_x = c->in_x || (m >= MOVING_X && c->input[m] >= 0);
   }
+  c->friction[0] = c->friction[1] = c->in_x;
   for (slong i = 0; i < c->s.tape.n_inputs; i++)
     for (int m = 0; m < 2; m++) {
       const char *names[] = {m ? "u_r2" : "u_r1", m ? "u_s2" : "u_s1"};
       for (int q = 0; q < 2; q++)
-        if (strcmp(c->s.tape.inputs[i], names[q]) == 0) c->friction[m] = 1;
+        if (strcmp(c->s.tape.inputs[i], names[q]) == 0) c->friction[m] = true;
     }
   return true;
 }
@@ -169,8 +172,18 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
   } else {
     s |= dyn_flow(&z, ph, &v->params, &z, tau);
   }
-  for (int i = 0; i < 4; i++) t->set(num_vec_at(x, i), num_vec_at(&z, i));
-  void *time = num_vec_at(x, 4);
+  for (int i = 0; i < 4; i++) {
+    void *there = num_vec_at(x, MOVING_X + i);
+    t->set(num_vec_at(x, i), num_vec_at(&z, i));
+    t->set(there, num_vec_at(&z, i));
+    if (i >= 2) continue;
+    struct num_vec d;
+    num_vec_init(&d, 1, v->ctx);
+    s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
+    s |= t->add(there, there, num_vec_at(&d, 0), v->ctx.prec);
+    num_vec_clear(&d);
+  }
+  void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
   for (int k = 0; k < (int)ph; k++) s |= t->add(time, time, num_vec_at(&v->arc.t, k), v->ctx.prec);
   num_vec_clear(&m);
@@ -180,35 +193,38 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
 
 /* --- Sampling in double --- */
 
-static const double fractions[] = {1 / 128.,  1 / 16.,  2 / 16.,  3 / 16.,  4 / 16.,  5 / 16.,  6 / 16.,  7 / 16.,   8 / 16.,
-                                   9 / 16., 10 / 16., 11 / 16., 12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
+static const double fractions[] = {1 / 128., 1 / 16.,  2 / 16.,  3 / 16.,  4 / 16.,   5 / 16.,
+                                   6 / 16.,  7 / 16.,  8 / 16.,  9 / 16.,  10 / 16.,  11 / 16.,
+                                   12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
 enum { N_FRACTIONS = sizeof fractions / sizeof *fractions };
 
-/* The states at the fractions of each phase, made once for all conditions. */
+/* The states at the fractions of each phase, made when first asked for. */
 struct samples {
   struct num_vec x[N_PHASES][N_FRACTIONS];
+  bool have[N_PHASES];
 };
 
-static int samples_init(struct samples *s, struct values *v) {
+static int samples_of(struct samples *s, struct values *v, enum phase ph) {
   int status = SS_OK;
-  for (int ph = 0; ph < N_PHASES; ph++)
-    for (int i = 0; i < N_FRACTIONS; i++) {
-      double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, ph));
-      num_vec_init(&s->x[ph][i], N_MOVING, v->ctx);
-      status |= moving_at(&s->x[ph][i], v, (enum phase)ph, &tau);
-    }
+  if (s->have[ph]) return SS_OK;
+  s->have[ph] = true;
+  for (int i = 0; i < N_FRACTIONS; i++) {
+    double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)ph));
+    num_vec_init(&s->x[ph][i], N_MOVING, v->ctx);
+    status |= moving_at(&s->x[ph][i], v, ph, &tau);
+  }
   return status;
 }
 
 static void samples_clear(struct samples *s) {
   for (int ph = 0; ph < N_PHASES; ph++)
-    for (int i = 0; i < N_FRACTIONS; i++) num_vec_clear(&s->x[ph][i]);
+    for (int i = 0; s->have[ph] && i < N_FRACTIONS; i++) num_vec_clear(&s->x[ph][i]);
 }
 
 static int least_margin(double *least, struct bound *b, struct samples *x) {
-  int s = SS_OK;
+  int s = b->c->moving ? samples_of(x, b->v, b->c->phase) : SS_OK;
   *least = INFINITY;
-  for (int i = 0; i < (b->c->moving ? N_FRACTIONS : 1); i++) {
+  for (int i = 0; s == SS_OK && i < (b->c->moving ? N_FRACTIONS : 1); i++) {
     double m = 0;
     s |= margin_at(&m, b, b->c->moving ? &x->x[b->c->phase][i] : NULL);
     *least = fmin(*least, b->c->equality ? -fabs(m) : m);
@@ -222,18 +238,19 @@ static int least_with_friction(double *least, struct condition *c, struct values
   struct bound b;
   v->ctx.type->set_d(num_vec_at(&v->q, Q_US1), us1, 53);
   v->ctx.type->set_d(num_vec_at(&v->q, Q_US2), us2, 53);
+  struct samples own = {.have = {false}};
   int s = bind(&b, c, v);
-  if (s == SS_OK) s |= least_margin(least, &b, x);
+  if (s == SS_OK) s |= least_margin(least, &b, c->in_x ? &own : x);
   unbind(&b);
+  samples_clear(&own);
   return s;
 }
 
 int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache) {
   struct values v;
-  struct samples x;
+  struct samples x = {.have = {false}};
   int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_double(), cache);
   if (s == SS_OK) {
-    s |= samples_init(&x, &v);
     double belt = v.ctx.type->get_d(num_vec_at(&v.params, P_V));
     for (int i = 0; s == SS_OK && i < list->n; i++) {
       struct condition *c = &list->at[i];
@@ -283,7 +300,8 @@ static int affine_init(struct affine *f, struct bound *b) {
 }
 
 /* The margin and its rate for every time of the ball tau. */
-static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph, const arb_t tau) {
+static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
+                     const arb_t tau) {
   struct num_vec x, a, z;
   num_vec_init(&x, N_MOVING, v->ctx);
   num_vec_init(&a, 16, v->ctx);
@@ -295,8 +313,11 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct val
   for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(&f->c, m), num_vec_at(&x, m), prec);
   for (int m = 0; m < 4; m++) arb_set(num_vec_at(&z, m), num_vec_at(&x, m));
   s |= num_mat_mul(&z, &a, &z, 4, 4, 1);
-  arb_set(rate, num_vec_at(&f->c, N_MOVING - 1));
-  for (int m = 0; m < 4; m++) arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
+  arb_set(rate, num_vec_at(&f->c, MOVING_T));
+  for (int m = 0; m < 4; m++) {
+    arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
+    arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
+  }
   num_vec_clear(&z);
   num_vec_clear(&a);
   num_vec_clear(&x);

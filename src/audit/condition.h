@@ -9,17 +9,18 @@
 
 #include "audit_impl.h"
 
-/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t. */
-enum { N_MOVING = 5, MAX_CONDITIONS = 24 };
+/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, and x_1(t), x_2(t), x_1'(t), x_2'(t). */
+enum { MOVING_T = 4, MOVING_X = 5, N_MOVING = 9, MAX_CONDITIONS = 24 };
 
 struct condition {
-  struct sentence s;  /* its tape gives the margin */
-  const char *text;   /* as written */
+  struct sentence s; /* its tape gives the margin */
+  const char *text;  /* as written */
   bool equality;
-  bool moving;        /* along `phase`; else at the switching times alone */
+  bool moving; /* along `phase`; else at the switching times alone */
   enum phase phase;
   slong input[N_MOVING]; /* index among the tape's inputs, or -1 */
-  slong friction[2];     /* of u_s1 and u_s2, through u_r1 and u_r2 too: whether the margin depends on them, 0 or 1 */
+  bool friction[2];      /* whether the margin depends on u_s1, on u_s2 (through u_r1, u_r2, or x = z + d) */
+  bool in_x;             /* some x_i(t) is among the inputs */
 };
 
 struct conditions {

@@ -4,6 +4,7 @@
    conclusion fails, searched for in double over the pool of orbits and from the most promising of them by coordinate
    steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it counts only
    when enclosures along the whole of each phase prove the premises and refute the conclusion at exact parameters. */
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -233,7 +234,7 @@ static void decide(struct decision *d, struct argument *a, const struct point *p
 /* --- The search --- */
 
 struct tally {
-  long decided[2][3];   /* balls, exponential: false, true, unknown */
+  long decided[2][3]; /* balls, exponential: false, true, unknown */
   const char *certificate, *nearest;
 };
 
@@ -252,7 +253,7 @@ static const char *scene_text(struct argument *a, const struct point *p) {
   static const struct {
     const char *name;
     int q;
-  } line[] = {{"chi", Q_CHI}, {"eta", Q_ETA}, {"V", Q_V},        {"t_b", Q_TB},
+  } line[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
               {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
   for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) {
     text_printf(&t, "%s%s = ", i ? "; " : "", line[i].name);
@@ -266,8 +267,7 @@ static const char *scene_text(struct argument *a, const struct point *p) {
 static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
                                     const struct decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  const char *when =
-      c->moving ? result_str(a->j->out, " at %.10g of phase %s", d->where, phase_name[c->phase]) : "";
+  const char *when = c->moving ? result_str(a->j->out, " at %.10g of phase %s", d->where, phase_name[c->phase]) : "";
   return result_str(a->j->out,
                     "on orbit %ld of the scene \"%s\" (one line each; e1 = %s, e2 = %s there) every premise holds and "
                     "%s fails%s: its margin is %s",
@@ -301,13 +301,15 @@ static int stratum(const fmpq *t_b) {
   return s < STRATA ? s : STRATA - 1;
 }
 
-/* The most promising orbit of the pool in each stretch of t_b. */
-static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struct argument *a) {
+/* The most promising orbit of the pool in each stretch of t_b, up to the first clear failure, or `most` orbits. */
+static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struct argument *a, long most) {
   const struct orbit_pool *pool = orbit_pool_get(a->j);
-  for (size_t i = 0; i < pool->n; i++) {
+  bool clear = false;
+  for (size_t i = 0; i < pool->n && !clear && a->tried < most; i++) {
     struct candidate c = {.item = *pool->item[i]}; /* borrowed */
     for (int k = 0; k < 2; k++) fmpq_init(&c.u_r[k]);
     weigh_all(&c, a);
+    clear = c.margin < -0.02;
     int s = stratum(&c.item.q[DRAW_TB]);
     if (isfinite(c.margin) && (!have[s] || c.margin < best[s].margin)) {
       if (have[s]) candidate_clear(&best[s]);
@@ -321,16 +323,19 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
   }
 }
 
-static void search(struct tally *t, struct argument *a) {
+/* Where there is a proof already, the search only checks it, on few orbits. */
+static void search(struct tally *t, struct argument *a, bool proved) {
+  enum { CHECK = 24 };
   struct candidate best[STRATA];
   bool have[STRATA] = {false}, found = false;
-  best_of_pool(best, have, a);
+  best_of_pool(best, have, a, proved ? CHECK : LONG_MAX);
   for (int s = 0; s < STRATA; s++) { /* those that fail already need no descent */
     if (!found && have[s] && best[s].margin < -1e-3) found = settle(t, a, &best[s]);
   }
   for (int s = 0; s < STRATA; s++) {
     if (found || !have[s]) continue;
-    settle(t, a, &best[s]);
+    found = settle(t, a, &best[s]);
+    if (proved || found) continue;
     descend(&best[s], a);
     found = settle(t, a, &best[s]);
   }
@@ -385,7 +390,7 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
   if (a->j->d->set) return;
-  search(&t, a);
+  search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
                                                 "no counterexample on %ld orbits of the search on which the premises "
@@ -419,8 +424,11 @@ static void judge_at_scene(struct finding *f, struct argument *a) {
       decided[1][d.by_exponentials]++;
     }
     const struct condition *c = &a->part[CONCLUSION].at[d.failed];
-    const char *note = a->uses_friction ? result_str(a->j->out, "with u_s1 = %s, u_s2 = %s, as small as the premises allow on a grid of 1/1024",
-                                                     rational_text(a, &p.q[Q_US1]), rational_text(a, &p.q[Q_US2])) : NULL;
+    const char *note =
+        a->uses_friction
+            ? result_str(a->j->out, "with u_s1 = %s, u_s2 = %s, as small as the premises allow on a grid of 1/1024",
+                         rational_text(a, &p.q[Q_US1]), rational_text(a, &p.q[Q_US2]))
+            : NULL;
     if (d.premises != TRUTH_TRUE) note = "the premises do not hold there";
     if (d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE)
       note = result_str(a->j->out, "%s fails at %.10g of phase %s: its margin is %s", c->text, d.where,
@@ -431,6 +439,22 @@ static void judge_at_scene(struct finding *f, struct argument *a) {
     f->verdict = verdict_of(w, 2, !a->uses_friction);
   }
   arb_clear(d.value);
+  point_clear(&p);
+}
+
+/* What the friction forces must exceed on the scene's orbit, whatever the argument says. */
+static void describe_effect(struct finding *f, struct argument *a) {
+  struct point p;
+  point_init(&p);
+  if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
+    const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
+    f->effect =
+        result_str(a->j->out,
+                   "On the scene's orbit nearest to the printed numbers all inequalities together ask u_r1 > %s and "
+                   "u_r2 > %s, beside u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
+                   ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
+                   ball_text(a->j, o->e2, 6));
+  }
   point_clear(&p);
 }
 
@@ -459,7 +483,8 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   if (!repair) return true;
   struct conditions more = {.n = 0};
   bool ok = conditions_read(&more, a->j, a->c, "repair", view);
-  if (ok && a->part[PREMISES].n + more.n > MAX_CONDITIONS) ok = claim_error(a->j, a->c, "repair", "too many conditions");
+  if (ok && a->part[PREMISES].n + more.n > MAX_CONDITIONS)
+    ok = claim_error(a->j, a->c, "repair", "too many conditions");
   for (int k = 0; ok && k < more.n; k++) a->part[PREMISES].at[a->part[PREMISES].n++] = more.at[k];
   struct finding again = *f;
   again.evidence = NULL;
@@ -489,7 +514,7 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;
   if (ok && f->verdict == VERDICT_REFUTED && !view.control) {
-    f->effect = f->evidence[0].note;
+    if (a.uses_friction) describe_effect(f, &a);
     ok = judge_repair(f, &a, view);
   }
   for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);

@@ -19,10 +19,10 @@ enum verdict verdict_parse(const char *name) {
    against the model's closed forms and implicit derivatives. */
 static const struct {
   const char *route, *group;
-} groups[] = {{"balls", "closed form"},     {"oracle", "model matrices"},        {"exponential", "matrix exponential"},
-              {"taylor", "taylor series"},  {"gsl", "gsl exponential"},          {"ode", "defining equation"},
-              {"fd", "differences"},        {"saltation", "saltation matrices"}, {"newton", "springs and masses"},
-              {"iteration", "iterated map"},  {"algebra", "exact algebra"}};
+} groups[] = {{"balls", "closed form"},      {"oracle", "model matrices"},        {"exponential", "matrix exponential"},
+              {"taylor", "taylor series"},   {"gsl", "gsl exponential"},          {"ode", "defining equation"},
+              {"fd", "differences"},         {"saltation", "saltation matrices"}, {"newton", "springs and masses"},
+              {"iteration", "iterated map"}, {"algebra", "exact algebra"},        {"simulation", "ode integration"}};
 
 const char *const route_independence[] = {
     "balls: the paper's formula on a tape of Arb balls against the suite's own closed forms in (w, r), implicit "
@@ -45,7 +45,9 @@ const char *const route_independence[] = {
     "the closed forms",
     "oracle: the same sentence with the model's matrices in place of the paper's; shares no formula with the paper",
     "iteration: the return map iterated in double from points beside the orbit; shares no derivative with balls",
-    "algebra: identities of rational functions over the symbols of the paper, decided exactly; decides"};
+    "algebra: identities of rational functions over the symbols of the paper, decided exactly; decides",
+    "simulation: integration of (1)-(2) under the Coulomb law by GSL in double; shares nothing with balls but the "
+    "parameters and the start"};
 const int n_route_independence = sizeof route_independence / sizeof *route_independence;
 
 static const char *group_of(const char *route) {
