@@ -333,6 +333,7 @@ struct along {
   double where;
   arb_ptr value;
   bool any;
+  long budget; /* of pieces; a margin that hugs zero would have no end of them */
 };
 
 static void fraction_time(arb_t tau, const struct along *a, double lo, double hi) {
@@ -381,12 +382,13 @@ static truth piece_holds(struct along *a, double lo, double hi, int depth) {
       if (lo == 0 ? arb_is_positive(rate) : arb_is_negative(rate)) holds = TRUTH_TRUE;
   }
   _arb_vec_clear(w, 6);
-  if (s != SS_OK || holds != TRUTH_UNKNOWN || depth >= MAX_DEPTH) return holds;
+  if (s != SS_OK || holds != TRUTH_UNKNOWN || depth >= MAX_DEPTH || a->budget-- <= 0) return holds;
   return both_halves(a, lo, hi, depth);
 }
 
 static truth holds_along(double *where, arb_t value, struct bound *b, slong prec) {
-  struct along a = {.v = b->v, .phase = b->c->phase, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
+  struct along a = {
+      .budget = 5000, .v = b->v, .phase = b->c->phase, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
   if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
   truth holds = TRUTH_UNKNOWN;
   int s = affine_init(&a.f, b);

@@ -458,6 +458,29 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_clear(&p);
 }
 
+/* Whether the conclusion of an argument over all orbits holds on those of the scene. */
+static void describe_scene(struct finding *f, struct argument *a) {
+  const struct dyn_orbits *list = scene_orbits(a->j->scene, a->j->cache);
+  struct point p;
+  struct text t;
+  point_init(&p);
+  text_init(&t);
+  for (slong i = 0; i < list->n && nearest_orbit_point(&p, a->j->scene, a->j->cache); i++) {
+    struct decision d = {.where = 0};
+    arb_init(d.value);
+    p.orbit = i;
+    decide(&d, a, &p, NULL);
+    text_printf(&t, "%sorbit %ld of the scene: %s", i ? "; " : "", (long)i + 1,
+                d.conclusion == TRUTH_TRUE    ? "holds"
+                : d.conclusion == TRUTH_FALSE ? result_str(a->j->out, "%s fails", a->part[CONCLUSION].at[d.failed].text)
+                                              : "undecided");
+    arb_clear(d.value);
+  }
+  if (t.len) f->effect = result_str(a->j->out, "%s", text_str(&t));
+  text_clear(&t);
+  point_clear(&p);
+}
+
 /* --- The kind --- */
 
 static bool argument_read(struct argument *a, struct judge *j, const struct claim *c, struct view view) {
@@ -514,7 +537,10 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;
   if (ok && f->verdict == VERDICT_REFUTED && !view.control) {
-    if (a.uses_friction) describe_effect(f, &a);
+    if (a.uses_friction)
+      describe_effect(f, &a);
+    else
+      describe_scene(f, &a);
     ok = judge_repair(f, &a, view);
   }
   for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);

@@ -11,7 +11,7 @@
 #include "condition.h"
 #include "orbit_pool.h"
 
-enum { EACH = 12, SIMULATED = 6 };
+enum { EACH = 8, SIMULATED = 3 };
 
 struct constraints {
   struct judge *j;
@@ -203,6 +203,14 @@ static void simulate(struct constraints *x, const struct pool_item *item, slong 
   }
 }
 
+/* A constraint clearly fails, as far as double precision tells: to pass over orbits of which enough have been tried. */
+static bool clearly_fails(struct constraints *x, const struct point *p) {
+  struct sampled s[MAX_CONDITIONS];
+  bool fails = conditions_sample(s, &x->paper, p, x->j->cache) != SS_OK;
+  for (int i = 0; !fails && i < x->paper.n; i++) fails = s[i].least < -1e-3;
+  return fails;
+}
+
 static void by_simulation(struct constraints *x) {
   const struct orbit_pool *pool = orbit_pool_get(x->j);
   struct point p;
@@ -213,6 +221,7 @@ static void by_simulation(struct constraints *x) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
       if (o->grazing || middle(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */
       pool_point(&p, pool->item[i], k);
+      if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
       truth listed = list_holds(x, &p);
       if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
