@@ -25,16 +25,14 @@ static bool phase_of_range(enum phase *ph, const struct stmt *st) {
 }
 
 /* The scalar, with the motion's values as plain symbols. */
-static bool build(struct condition *c, struct judge *j, const struct statement_record *r, const struct stmt *st, int k,
-                  struct view view) {
+static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
+                  const struct stmt *st, int k, struct view view) {
   struct matrix a, b;
   c->s = (struct sentence){.n = 1, .cols = 1};
   elaboration_init(&c->s.el, view, NULL, 0);
   if (!elaborate_sides(&a, &b, &c->s.el, st, k, r->src, r->section, j->d)) return false;
-  if (a.rows * a.cols != 1) {
-    diag_at(j->d, r->src, st->span.begin, "a condition needs scalars");
-    return false;
-  }
+  *scalar = a.rows * a.cols == 1;
+  if (!*scalar) return false;
   bool less = st->ops[k] == REL_LT || st->ops[k] == REL_LE;
   const struct expr *margin = expr_op2(&c->s.el.pool, EXPR_SUB, less ? b.e[0] : a.e[0], less ? a.e[0] : b.e[0]);
   if (!elaboration_tape(&c->s.tape, &c->s.el, &margin, 1, j->d)) return false;
@@ -68,7 +66,9 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
       struct condition *c = &list->at[list->n++];
       *c = (struct condition){.phase = (enum phase)(phase < 0 ? 0 : phase)};
-      if (!build(c, j, r, st, k, view)) return false;
+      bool scalar = true;
+      if (!build(c, &scalar, j, r, st, k, view))
+        return scalar ? false : claim_error(j, claim, attribute, "a condition needs scalars");
       struct text t;
       text_init(&t);
       static const char *const ops[] = {" = ", " < ", " <= ", " > ", " >= "};
