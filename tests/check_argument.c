@@ -93,6 +93,12 @@ static const struct {
      "h H\n "
      " conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
+    {"but not where the rate is not known to be positive",
+     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h Gamma\n  conclusion: "
+     "eq-57#2.1\n",
+     VERDICT_SUPPORTED},
+    {"an identity that double precision cannot tell from a true one",
+     "  kind: argument\n  premises: eq-52#1.2\n  conclusion: text-nearly\n", VERDICT_SUPPORTED},
     {"static friction need not exceed e where it is free",
      "  kind: argument\n  friction: free\n  conclusion: text-first\n", VERDICT_REFUTED},
     {"but does where sliding friction is positive", "  kind: argument\n  conclusion: text-first\n", VERDICT_PROVED},
@@ -108,6 +114,7 @@ START_TEST(what_follows_and_what_does_not) {
   struct model m;
   struct text t;
   load(&m, "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
            "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n");
   text_init(&t);
   text_printf(&t, HEAD "%s", arguments[_i].claim);
