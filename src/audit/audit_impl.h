@@ -52,7 +52,8 @@ struct point {
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
-  slong orbit; /* POINT_ORBIT: index in the list of its parameters */
+  slong orbit;               /* POINT_ORBIT: index in the list of its parameters */
+  const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
 void point_init(struct point *p);
@@ -69,12 +70,14 @@ struct restriction {
 extern const struct restriction restrictions[];
 extern const int n_restrictions;
 
-/* Orbits found so far, by parameters and precision. */
+/* Orbits found so far, by what is given and precision. */
 struct orbit_cache;
 struct orbit_cache *orbit_cache_new(void);
 void orbit_cache_free(struct orbit_cache *c);
 /* The orbits at five exact parameters, enclosed at prec bits. */
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
+/* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
+const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
 
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
@@ -256,10 +259,13 @@ bool erratum_text(struct text *out, const struct model *m, const struct claim *c
 /* Judges the sentence again with everything corrected and fills f->correction. */
 bool judge_correction(struct finding *f, struct judge *j, const struct claim *c, kind_fn kind);
 
-/* The point at the scene's own parameters that is like p in everything else; false when it has no orbit. */
+/* The point at the scene's own parameters that is like p in everything else; false when the scene has no orbit. */
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache);
 
-/* The printed state and times of the scene as a point; false when some are not printed. */
+/* What the scene gives, else prints, under a key's name; NULL when it does neither. */
+const fmpq *scene_number(const struct scene *s, enum scene_key key);
+/* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
+   false when some are neither printed nor given. */
 bool printed_point(struct point *out, const struct scene *s);
 /* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);

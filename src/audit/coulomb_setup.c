@@ -7,17 +7,18 @@ static double middle(const arb_t x) {
   return arf_get_d(arb_midref(x), ARF_RND_NEAR);
 }
 
-/* e_i of the scene, or else of the orbit. */
-static double limit_above_sliding(const struct scene *s, int i, const struct dyn_orbit *o) {
-  if (s->given[KEY_E1 + i]) return fmpq_get_d(&s->value[KEY_E1 + i]);
+/* e_i of the scene, at printed numbers the printed one, or else that of the orbit. */
+static double limit_above_sliding(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
+  const fmpq *e = printed || s->given[KEY_E1 + i] ? scene_number(s, (enum scene_key)(KEY_E1 + i)) : NULL;
+  if (e) return fmpq_get_d(e);
   return o ? middle(i == 0 ? o->e1 : o->e2) : 0;
 }
 
 /* The scene's u_ri, else 5/4 max(e_i, u_ri_min). */
-static double static_friction(const struct scene *s, int i, const struct dyn_orbit *o) {
+static double static_friction(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
   if (s->given[KEY_U_R1 + i]) return fmpq_get_d(&s->value[KEY_U_R1 + i]);
   double least = o ? middle(i == 0 ? o->u_r1_min : o->u_r2_min) : 0;
-  return 1.25 * fmax(limit_above_sliding(s, i, o), least);
+  return 1.25 * fmax(limit_above_sliding(s, i, o, printed), least);
 }
 
 static int set_start(struct coulomb_setup *sim, double z10, double z20) {
@@ -50,9 +51,9 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
     diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list.n);
   if (ok) {
     for (int i = 0; i < 2; i++) {
-      double e = limit_above_sliding(s, i, o), u_r = 0;
-      for (slong k = 0; printed && k < list.n; k++) u_r = fmax(u_r, static_friction(s, i, &list.orbit[k]));
-      if (!printed || list.n == 0) u_r = static_friction(s, i, o);
+      double e = limit_above_sliding(s, i, o, printed), u_r = 0;
+      for (slong k = 0; printed && k < list.n; k++) u_r = fmax(u_r, static_friction(s, i, &list.orbit[k], printed));
+      if (!printed || list.n == 0) u_r = static_friction(s, i, o, printed);
       sim->params[COULOMB_UR1 + i] = u_r;
       sim->params[COULOMB_US1 + i] = u_r - e;
       sim->own_friction = sim->own_friction || !s->given[KEY_U_R1 + i];

@@ -134,6 +134,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   scene_point(&p, &drawn, j->scene, j->cache);
+  if (at) p.scene = NULL; /* other data than the scene's */
   ok = ok && set_point(&p, at, j->d);
   if (ok && point_settle(&p, j->cache)) {
     struct text where;

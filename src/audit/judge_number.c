@@ -91,11 +91,12 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
   return t;
 }
 
-/* Whether some reading of the printed digits of e1 and e2 rescues the number: the orbit at the corners of their box. */
+/* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at the
+   corners of their box. */
 static void number_rescue(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   const struct printed_number *pe[2] = {scene_printed(j->scene, "e1"), scene_printed(j->scene, "e2")};
-  if (!pe[0] || !pe[1]) return;
+  if (!pe[0] || !pe[1] || !scene_has_forces(j->scene)) return;
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
   fmpq_t shift;
   fmpq_init(shift);
@@ -191,10 +192,6 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
   n.p = scene_printed(j->scene, name);
-  if (!scene_has_forces(j->scene)) {
-    finding_skip(f, j, "the scene does not give e1 and e2");
-    return true;
-  }
   if (!n.p) {
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
     return true;

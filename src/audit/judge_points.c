@@ -422,14 +422,15 @@ static bool run_all(struct finding *f, struct run *r, struct judge *j, const str
 /* --- What a refutation means --- */
 
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
-  if (!scene_has_forces(s)) return false;
+  out->scene = s;
   out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
   out->phase = p->phase;
   out->finite = p->finite;
   out->admissible = p->admissible;
   out->orbit = 0;
   for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
-  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
   return point_settle(out, cache);
 }
 
