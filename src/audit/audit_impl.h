@@ -124,6 +124,40 @@ void values_clear(struct values *v);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 
+/* --- What the paper keeps of a phase's derivative --- */
+
+enum entering { STAYS_OUT, ENTERS, ENTERS_BY_CHI };
+enum { LOCAL_MOST = 3 };
+struct local_map {
+  const char *name; /* J_a */
+  enum phase phase;
+  int rows, cols;
+  enum entering in[LOCAL_MOST][N_STATE]; /* the perturbation at the start that a column stands for */
+  int keep[LOCAL_MOST];                  /* the component at the end that a row stands for */
+};
+extern const struct local_map local_maps[N_PHASES];
+/* The paper's matrix (rows x cols) from the 4x4 derivative. */
+int local_map_corner(struct num_vec *out, const struct local_map *m, const struct num_vec *local, const void *chi);
+/* The columns' perturbations as directions. */
+void local_map_directions(double dir[LOCAL_MOST][N_STATE], const struct local_map *m, double chi);
+
+/* --- Jacobians by one method --- */
+
+struct jacobian_job {
+  const struct model *model;
+  const struct scene *scene;
+  struct point point; /* POINT_ORBIT or POINT_PRINTED */
+  struct orbit_cache *cache;
+  struct diag *d;
+  struct coulomb_setup setup; /* of the simulation; made when first asked for */
+  bool setup_done, setup_good;
+};
+/* Does the method work in double precision, whatever is asked for? */
+bool method_is_double(enum jacobian_method method);
+/* The 2x2 Jacobian of the period (map NULL) or the paper's matrix of one phase, as balls at prec bits. */
+int jacobian_route(arb_ptr out, struct jacobian_job *job, enum jacobian_method method, enum layer layer,
+                   const struct local_map *map, slong prec);
+
 /* --- The model's quantities under the paper's names --- */
 
 struct oracle;

@@ -26,7 +26,7 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
-  bool strict, quiet, json, tape, csv, help;
+  bool strict, quiet, json, tape, csv, phases, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -47,6 +47,18 @@ void join_path(struct text *out, const char *folder, const char *name);
 /* The paper, the user's overlay, the errata and the controls' damages, by rank. */
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
 bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
+
+/* As many of the digits as are known; a ball in which not even the first is: 0. */
+void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The radius to two digits, rounded up; 0 when it is. */
+void print_accuracy(struct text *out, const arb_struct *worst);
+/* "orbit:2" or "printed". */
+void print_at(struct text *out, const struct jacobian_request *q);
+/* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
+bool print_eigenvalues(struct text out[2], arb_srcptr j);
+/* jacobian --phases */
+bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+                 const struct jacobian_request *q, struct diag *d);
 
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);

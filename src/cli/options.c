@@ -47,6 +47,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--method", FOR_JACOBIAN, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
+               {"--phases", FOR_JACOBIAN, NULL, &o->phases},
                {"--help", ~0U, NULL, &o->help}};
   *o = (struct options){.n_operands = 0};
   for (int i = 0; i < argc; i++) {
