@@ -102,18 +102,23 @@ static void add_summary(struct text *out, const struct jacobian_phases *p) {
   if (!any) text_add(out, "no entry departs: the methods agree within the accuracies that they state\n");
 }
 
-static const char left_out[] =
-    "nearby motions under Coulomb's law do not go through the phase, or no values can be had";
+static const char *why_left_out(int c) {
+  return jacobian_columns[c].method == METHOD_ODE ? "nearby motions under Coulomb's law do otherwise"
+                                                  : "the events or the values could not be had there";
+}
 
 static void add_left_out(struct text *out, const struct jacobian_phases *p) {
-  const char *sep = "- ";
-  for (int i = 0; i < N_MATRICES; i++)
-    for (int c = 0; c < N_COLUMNS; c++) {
+  for (int c = 0; c < N_COLUMNS; c++) {
+    const char *sep = " leaves out ";
+    bool named = false;
+    for (int i = 0; i < N_MATRICES; i++) {
       if (p->matrix[i].known[c]) continue;
-      text_printf(out, "%s%s by %s", sep, p->matrix[i].name, jacobian_columns[c].heading);
+      text_printf(out, "%s%s%s", named ? "" : jacobian_columns[c].heading, sep, p->matrix[i].name);
       sep = ", ";
+      named = true;
     }
-  if (strcmp(sep, ", ") == 0) text_printf(out, ": %s\n", left_out);
+    if (named) text_printf(out, ": %s\n", why_left_out(c));
+  }
 }
 
 /* A method whose J has the eigenvalues: implicit differentiation, or the first that is known. */
@@ -274,7 +279,7 @@ static void left_out_json(struct json *w, const struct jacobian_phases *p) {
       json_object(w, NULL);
       json_string(w, "name", p->matrix[i].name);
       json_string(w, "method", jacobian_columns[c].name);
-      json_string(w, "why", left_out);
+      json_string(w, "why", why_left_out(c));
       json_end_object(w);
     }
   json_end_array(w);
