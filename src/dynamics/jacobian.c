@@ -224,12 +224,6 @@ static void doubles_of(struct num_vec *v, const double *x, slong n) {
   memcpy(v->data, x, (size_t)n * sizeof *x);
 }
 
-/* Newton's iterations start beside the known times: from the very times, one step would do for all close neighbours, with
-   the same rounding of the same sines, and the noise of the map could not be measured. */
-static void step_aside(struct num_vec *near) {
-  for (slong i = 0; i < near->len; i++) *(double *)num_vec_at(near, i) *= 1 + 0x1p-20;
-}
-
 /* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
 static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x,
                                  const double (*dir)[N_STATE], int n_dir) {
@@ -249,7 +243,6 @@ int dyn_local_differences_d(double *out, double *err, enum phase ph, const doubl
   struct event_map map = {run_phase, &p, ph, {.len = 0}, N_STATE};
   num_vec_init(&map.near, 1, num_ctx_double());
   int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
-  step_aside(&map.near);
   if (!status) status = differentiate_doubles(out, err, &map, in, dir, n_dir);
   num_vec_clear(&map.near);
   num_vec_clear(&from);
@@ -266,7 +259,6 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   doubles_of(&p, params, N_PARAMS);
   dyn_arc_init(&arc, num_ctx_double());
   int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
-  step_aside(&arc.t);
   struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
   if (!status) status = differentiate_doubles(column, worst, &map, start, unit, 2);
   for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
