@@ -198,16 +198,17 @@ static double strain(enum phase ph, const double *params, const double *in, doub
   return worst;
 }
 
-/* Two cases that once stated too little.  A phase C so nearly half a turn long that the times of close neighbours share
-   their roundings, which hid the noise; and a phase H that starts on its own switching surface, where the root at t = 0
+/* Two cases that once stated too little.  A long phase Gamma: the times of close neighbours met the sawtooth of their
+   roundings on one slope, which hid the noise.  And a phase H that starts on its own switching surface, where the root at t = 0
    is there on both sides of the start and the long steps went to it together. */
 START_TEST(cases_that_stated_too_little) {
   static const struct {
     enum phase phase;
     double params[N_PARAMS], z[N_STATE];
-  } cases[] = {
-      {PHASE_C, {0.8961, 0.2364, 2.43, 0.5641, 0.0674}, {-3.0780580294417375, -2.8182615193462364, 2.43, 2.39515}},
-      {PHASE_H, {0.09643, 19.57, 4.4283, 2.2775, 1.0656}, {-0.14831, -0.90453, 4.4283, 1.2185}}};
+  } cases[] = {{PHASE_GAMMA,
+                {0.24946933263763788, 3.2430160627641391, 0.23018042422312607, 0.43438564255428591, 1.0911480123339898},
+                {2.2526127164882199, -1.8315970743449033, 0.23018042422312607, 0.0271745039993069}},
+               {PHASE_H, {0.09643, 19.57, 4.4283, 2.2775, 1.0656}, {-0.14831, -0.90453, 4.4283, 1.2185}}};
   double near;
   bool grazing;
   ck_assert_int_eq(dyn_first_event_d(&near, &grazing, cases[_i].phase, cases[_i].params, cases[_i].z, NULL), SS_OK);
