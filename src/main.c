@@ -1,6 +1,8 @@
 /* The command line: a table of commands, each in a file of src/cli.  Results go to stdout, errors and progress to stderr. */
 #include <errno.h>
+#include <signal.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli/cli.h"
 #include "stickslip/dynamics.h"
@@ -90,7 +92,16 @@ static int finish(int status) {
   return status;
 }
 
+/* A broken invariant, here or in a library, ends in abort(): it has the status that the contract gives it. */
+static void on_abort(int signal) {
+  static const char message[] = "stickslip: internal error\n";
+  (void)signal;
+  if (write(STDERR_FILENO, message, sizeof message - 1) < 0) _exit(EXIT_INTERNAL);
+  _exit(EXIT_INTERNAL);
+}
+
 int main(int argc, char **argv) {
+  signal(SIGABRT, on_abort);
   if (argc < 2) return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, explain, list or check");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();

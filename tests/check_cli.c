@@ -1049,6 +1049,7 @@ static const struct {
     {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},
     {{"explain", "eq-27", "--at", "chi=2"}, 3, "--at leaves the domain"},
+    {{"explain", "num-t_a", "--at", "chi=1/2"}, 3, "num-t_a is not tried at points"},
     {{"list", "paper"}, 2, "list takes no operand"},
     {{"check"}, 2, "check takes at least one FILE"},
     {{"check", "README.md"}, 3, "README.md: error: not a kind of file"},

@@ -226,9 +226,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
   if (k < 0) return claim_error(j, c, "kind", "unknown kind of claim");
   struct finding f;
   if (!describe(&f, j, c)) return false;
-  const char *own = claim_get(c, "own");
-  if (!own) own = claim_get(c, "equation");
-  struct view view = {j->model, LAYER_CORRECTED, own ? own : c->id, NULL};
+  struct view view = {j->model, LAYER_CORRECTED, claim_own(c), NULL};
   if (!kinds[k].judge(&f, j, c, view) && !notation_fault(&f, j)) return false;
   if (f.verdict == VERDICT_REFUTED) {
     const char *fault = claim_get(c, "fault");

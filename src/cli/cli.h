@@ -5,7 +5,7 @@
 #include "stickslip/audit.h"
 
 /* Exit statuses of the contract. */
-enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4 };
+enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
 enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
 
