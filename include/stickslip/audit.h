@@ -14,11 +14,18 @@
      routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
+     formula     (criterion, report) the trace that decides
      fault       the fault class a refutation of this claim has
-     depends-on  ids
+     depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
      record      the verdict on record; record-scene: the only scene it speaks of
+
+     about       names of definitions that the sentence asserts something of, besides its value; (number) another
+                 symbol for the number
+
+   Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
+   failed formula as printed and as corrected.
 
    Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, report. */
 #ifndef STICKSLIP_AUDIT_H
@@ -41,6 +48,8 @@ struct claims {
   size_t n_files, cap_files;
   struct claim *claim;
   size_t n, cap;
+  struct claim *result; /* of files of claims */
+  size_t n_results, cap_results;
 };
 
 enum { MAX_CLAIM_FILE = 4 << 20 };

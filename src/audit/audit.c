@@ -36,6 +36,7 @@ void audit_result_init(struct audit_result *r) {
 
 void audit_result_clear(struct audit_result *r) {
   free(r->findings);
+  free(r->consequences);
   free(r->skipped);
   free(r->controls);
   arena_clear(&r->arena);
@@ -51,6 +52,12 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) {
   vsnprintf(s, (size_t)n + 1, fmt, again);
   va_end(again);
   return s;
+}
+
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
+  for (size_t i = 0; i < r->n_consequences; i++)
+    if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
+  return NULL;
 }
 
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
@@ -71,9 +78,7 @@ long audit_result_unexpected(const struct audit_result *r) {
 
 /* --- Corrections --- */
 
-/* Whether an erratum is about the claim: it replaces its statement or, failing that, defines something anew under the
-   claim's equation number. */
-static bool is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
   const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
   if (r->rank != RANK_ERRATA) return false;
   if (by_statement) return statement && strcmp(r->id, statement) == 0;
@@ -86,7 +91,7 @@ bool erratum_text(struct text *out, const struct model *m, const struct claim *c
   for (int pass = 0; pass < 2 && !found; pass++)
     for (size_t i = 0; i < m->n_records; i++) {
       const struct statement_record *r = &m->records[i];
-      if (!is_about(r, c, pass == 0)) continue;
+      if (!erratum_is_about(r, c, pass == 0)) continue;
       for (int k = 0; k < r->n_stmts; k++) {
         text_add(out, sep);
         stmt_print(out, r->stmts[k]);
@@ -108,6 +113,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
     ok = kind(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
+    erratum_typeset(f, j, c);
     for (int i = 0; ok && i < again.n_evidence; i++) {
       struct evidence *e = finding_add(f, j->out);
       *e = again.evidence[i];
@@ -153,19 +159,6 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   text_clear(&tex);
 }
 
-static void split_ids(struct finding *f, struct audit_result *out, const char *list) {
-  for (const char *p = list; p && *p;) {
-    while (*p == ' ' || *p == ',') p++;
-    size_t n = strcspn(p, ", ");
-    if (n == 0) break;
-    const char **ids = arena_alloc(&out->arena, (size_t)(f->n_depends_on + 1) * sizeof *ids);
-    for (int i = 0; i < f->n_depends_on; i++) ids[i] = f->depends_on[i];
-    ids[f->n_depends_on++] = arena_strndup(&out->arena, p, n);
-    f->depends_on = ids;
-    p += n;
-  }
-}
-
 static const char *copy(struct audit_result *out, const char *s) {
   return s ? result_str(out, "%s", s) : NULL;
 }
@@ -180,7 +173,7 @@ static bool describe(struct finding *f, struct judge *j, const struct claim *c) 
                         .recorded = N_VERDICTS};
   if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
   quote_and_formula(f, j, c);
-  split_ids(f, out, claim_get(c, "depends-on"));
+  if (!c->control && !dependences_list(f, j, c)) return false;
   f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->name, c->id);
   const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
@@ -319,7 +312,14 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
   if (!check_selection(claims, opt, d)) return false;
-  struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
+  struct dependences *rests = dependences_new(m, claims);
+  struct judge j = {.out = out,
+                    .model = m,
+                    .claims = claims,
+                    .dependences = rests,
+                    .scene = scene,
+                    .cache = orbit_cache_new(),
+                    .d = d};
   out->scene = copy(out, scene->name);
   out->title = copy(out, scene->title);
   out->independence = route_independence;
@@ -334,8 +334,9 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     if (opt->progress) opt->progress(opt->arg, i, claims->n, claims->claim[i].id);
     ok = judge_claim(&j, &claims->claim[i]);
   }
-  ok = ok && run_controls(&j, claims, controls, opt);
+  ok = ok && judge_consequences(&j) && run_controls(&j, claims, controls, opt);
   if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
   orbit_cache_free(j.cache);
+  dependences_free(rests);
   return ok;
 }

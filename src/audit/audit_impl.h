@@ -172,6 +172,9 @@ struct trial {
    every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
                                 struct orbit_cache *cache);
+/* Two vectors of balls (as long as each other, in one context) as the sides of equalities, decided in the same way at
+   their precision alone. */
+struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs);
 /* In a rounded type: agrees below tol max(1, scale), differs above sqrt(tol) max(1, scale). */
 struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enum variant variant, struct num_ctx ctx,
                                   double log_tol, struct orbit_cache *cache);
@@ -182,6 +185,7 @@ struct judge {
   struct audit_result *out;
   const struct model *model;
   const struct claims *claims;
+  const struct dependences *dependences; /* of these claims; NULL where no finding is described */
   const struct scene *scene;
   struct orbit_cache *cache;
   struct diag *d;
@@ -251,6 +255,11 @@ extern const int n_route_independence;
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
+/* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
+   the claim's equation number. */
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);
+/* The correction of a claim and what it replaces as LaTeX, and where they differ. */
+void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 /* Judges the sentence again with everything corrected and fills f->correction. */
@@ -280,8 +289,28 @@ bool printed_replace(struct printed_number *own, const struct printed_number **p
 
 /* Marks the claim as skipped, with the reason. */
 void finding_skip(struct finding *f, struct judge *j, const char *why);
+/* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry);
 /* x to n digits, or as a ball when it is not known that well. */
 const char *ball_text(struct judge *j, const arb_t x, slong n);
+
+/* --- What rests on what (depends.c, consequence.c) --- */
+
+struct dependences;
+/* Of all the claims, each with its own text as printed and all else corrected. */
+struct dependences *dependences_new(const struct model *m, const struct claims *claims);
+void dependences_free(struct dependences *d);
+/* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
+bool dependences_on(const struct dependences *d, size_t a, size_t b);
+/* Whether they reach a definition that is corrected under this equation number. */
+bool dependences_corrected(const struct dependences *d, size_t a, const char *equation);
+/* Whether the claim names the id by hand. */
+bool dependences_named(const struct claim *c, const char *id);
+/* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
+bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
+
+/* What each refuted claim that has a correction does to what is derived from it; completes the effects. */
+bool judge_consequences(struct judge *j);
 
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
 

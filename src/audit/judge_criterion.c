@@ -19,12 +19,12 @@ static int iterate(const double params[N_PARAMS], double r0) {
   return 0;
 }
 
-static void criterion_at(long count[6], struct judge *j, struct view view, const struct point *p) {
+static void criterion_at(long count[6], struct judge *j, struct view view, const char *trace, const struct point *p) {
   const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
   if (o->grazing) return;
   arb_ptr tr = _arb_vec_init(16);
   int n;
-  if (expression_at(tr, &n, view, "tr(J)", "stability", p, FIRST_PREC, j->cache, j->d) == SS_OK && n == 1) {
+  if (expression_at(tr, &n, view, trace, "stability", p, FIRST_PREC, j->cache, j->d) == SS_OK && n == 1) {
     count[arb_overlaps(tr, o->trace) ? 0 : 1]++;
     arb_t m;
     arb_init(m);
@@ -45,6 +45,8 @@ static void criterion_at(long count[6], struct judge *j, struct view view, const
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   enum { ORBITS = 24, DRAWS = 200 };
+  const char *trace = claim_get(c, "formula");
+  if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
   struct sampler s;
   struct point p;
   long count[6] = {0}; /* traces overlap, differ; fate as said, against, undecided; stable orbits among them */
@@ -52,7 +54,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   point_init(&p);
   for (int i = 0; i < DRAWS && count[2] + count[3] < ORBITS; i++) {
     sampler_next(&p, &s);
-    if (point_settle(&p, j->cache)) criterion_at(count, j, view, &p);
+    if (point_settle(&p, j->cache)) criterion_at(count, j, view, trace, &p);
   }
   point_clear(&p);
   struct route_word w[2] = {{"balls",
@@ -91,7 +93,8 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
 
 /* What the criterion says about the scene; the paper draws no conclusion, so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  (void)c;
+  const char *trace = claim_get(c, "formula");
+  if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   for (slong i = 0; i < list->n; i++) {
@@ -111,7 +114,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     arb_ptr tr = _arb_vec_init(16);
     int n;
-    if (expression_at(tr, &n, v, "tr(J)", "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
+    if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, layer_name[layer], FIRST_PREC, "the printed numbers, taken exactly",
                     result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
     }

@@ -767,6 +767,12 @@ static bool check_range(struct elaboration *el, const struct stmt *s, const stru
   return true;
 }
 
+bool elaboration_uses(const struct elaboration *el, const struct definition *def) {
+  for (size_t i = 0; i < el->n_memo; i++)
+    if (el->memo[i].def == def) return true;
+  return false;
+}
+
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
                       struct diag *d) {
   return tape_build(t, outputs, n, el->roots, el->n_roots, d);

@@ -54,6 +54,40 @@ static void write_claim(struct json *j, const struct finding *f) {
   json_end_object(j);
 }
 
+static void write_ids(struct json *j, const char *key, const struct id_list *list) {
+  json_array(j, key);
+  for (int i = 0; i < list->n; i++) json_string(j, NULL, list->id[i]);
+  json_end_array(j);
+}
+
+static void write_derived(struct json *j, const struct derived *d) {
+  json_object(j, NULL);
+  json_string(j, "quantity", d->formula);
+  json_string(j, "title", d->title);
+  json_string(j, "verdict", d->verdict);
+  if (d->change == CHANGE_CHANGES) {
+    json_string(j, "size", d->size);
+    json_string(j, "entry", d->entry);
+    json_string(j, "printed", d->printed);
+    json_string(j, "corrected", d->corrected);
+    json_string(j, "all_printed", d->chain);
+    json_string(j, "where", d->where);
+  }
+  json_end_object(j);
+}
+
+static void write_consequence(struct json *j, const struct consequence *q) {
+  json_object(j, NULL);
+  json_string(j, "failure", q->failure);
+  write_ids(j, "falls", &q->falls);
+  write_ids(j, "survives", &q->survives);
+  write_ids(j, "undecided", &q->open);
+  json_array(j, "derived");
+  for (int i = 0; i < q->n_derived; i++) write_derived(j, &q->derived[i]);
+  json_end_array(j);
+  json_end_object(j);
+}
+
 static void write_summary(struct json *j, const struct audit_result *r) {
   long count[N_VERDICTS];
   audit_result_count(r, count);
@@ -72,6 +106,9 @@ void report_json(struct text *out, const struct audit_result *r) {
   write_summary(&j, r);
   json_array(&j, "claims");
   for (size_t i = 0; i < r->n_findings; i++) write_claim(&j, &r->findings[i]);
+  json_end_array(&j);
+  json_array(&j, "consequences");
+  for (size_t i = 0; i < r->n_consequences; i++) write_consequence(&j, &r->consequences[i]);
   json_end_array(&j);
   json_array(&j, "skipped");
   for (size_t i = 0; i < r->n_skipped; i++) {
