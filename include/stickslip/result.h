@@ -47,7 +47,7 @@ struct finding {
   const char *correction; /* NULL without one */
   enum verdict correction_verdict;
   const char *correction_latex, *quote_part, *printed_part, *change;
-  const char *effect;
+  const char *effect, *size; /* size: the part of effect that speaks of the claim itself */
   const char **depends_on;
   int n_depends_on;
   struct evidence *evidence;

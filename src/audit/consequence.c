@@ -86,8 +86,7 @@ static void read_results(struct failure *f) {
     for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
-    else if (f->number ? !has_printed(f, &r->tape[READ_OWN])
-                       : tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
+    else if (f->number ? !has_printed(f, &r->tape[READ_OWN]) : tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
       r->out.change = CHANGE_SAME_FORMULA;
     else
       r->out.change = CHANGE_UNDECIDED;
@@ -278,25 +277,27 @@ static void judge_downstream(struct consequence *q, struct failure *f, size_t at
   }
 }
 
-/* The effect in a finding's own words, from what was found. */
+/* What becomes of the derived results, after what the judge said of the claim itself. */
 static void describe_derived(struct finding *f, const struct consequence *q, struct audit_result *out) {
   static const struct {
     enum change change;
     const char *words;
-  } rows[] = {{CHANGE_CHANGES, "changes"},
-              {CHANGE_AGREES, "keeps its value"},
-              {CHANGE_UNDEFINED, "cannot be read"},
-              {CHANGE_UNDECIDED, "is undecided"}};
+  } rows[] = {{CHANGE_CHANGES, "Derived results that change: "},
+              {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
+              {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
+              {CHANGE_UNDECIDED, "Derived results left undecided: "}};
   struct text t;
   text_init(&t);
+  f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-    const char *sep = t.len ? " Derived from it: " : "Derived from it: ";
+    const char *sep = rows[k].words;
     for (int i = 0; i < q->n_derived; i++) {
       const struct derived *d = &q->derived[i];
       if (d->change != rows[k].change) continue;
-      text_printf(&t, "%s%s (%s)", sep, d->formula, d->verdict);
-      if (d->chain) text_printf(&t, " [all printed: %s]", d->chain);
+      if (t.len && sep == rows[k].words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
+      text_printf(&t, "%s%s", sep, d->formula);
+      if (d->chain) text_printf(&t, " (%s with the whole paper as printed)", d->chain);
       sep = ", ";
     }
     if (*sep == ',') text_add_char(&t, '.');

@@ -12,13 +12,13 @@ struct reach {
   size_t n_about, cap_about;
   const char *record, *uses_record; /* the record that it is about; another that it is held against */
   const char *number;               /* the printed number that it is about */
-  bool *definition;                 /* of each definition of the model: reached */
-  char **symbols;                   /* of a number's formula */
+  const struct definition **used;
+  size_t n_used, cap_used;
+  char **symbols; /* of a number's formula */
   size_t n_symbols, cap_symbols;
 };
 
 struct dependences {
-  const struct model *model;
   struct reach *reach;
   size_t n;
 };
@@ -111,14 +111,18 @@ static void reach_claim(struct reach *r, const struct model *m, const struct cla
   reach_text(r, &el, claim_get(c, "formula"), section);
   reach_record(&el, &v, statement);
   reach_record(&el, &v, bound);
-  r->definition = ss_malloc(m->n_defs * sizeof *r->definition);
-  for (size_t i = 0; i < m->n_defs; i++) r->definition[i] = elaboration_uses(&el, &m->defs[i]);
+  for (size_t i = 0; i < elaboration_n_used(&el); i++) {
+    const struct definition *def = elaboration_used(&el, i);
+    if (!def) continue;
+    r->used = ss_grow(r->used, r->n_used, &r->cap_used, sizeof *r->used);
+    r->used[r->n_used++] = def;
+  }
   elaboration_clear(&el);
 }
 
 struct dependences *dependences_new(const struct model *m, const struct claims *claims) {
   struct dependences *d = ss_malloc(sizeof *d);
-  *d = (struct dependences){.model = m, .n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
+  *d = (struct dependences){.n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
   for (size_t i = 0; i < d->n; i++) {
     d->reach[i] = (struct reach){.n_about = 0};
     reach_claim(&d->reach[i], m, &claims->claim[i]);
@@ -132,7 +136,7 @@ void dependences_free(struct dependences *d) {
     for (size_t k = 0; k < r->n_symbols; k++) free(r->symbols[k]);
     free(r->symbols);
     free(r->about);
-    free(r->definition);
+    free(r->used);
   }
   free(d->reach);
   free(d);
@@ -165,8 +169,8 @@ static bool same_number(const char *number, const char *symbol) {
 bool dependences_on(const struct dependences *d, size_t a, size_t b) {
   const struct reach *ra = &d->reach[a], *rb = &d->reach[b];
   if (a == b) return false;
-  for (size_t i = 0; i < d->model->n_defs; i++)
-    if (ra->definition[i] && is_about(rb, &d->model->defs[i]) && !is_about(ra, &d->model->defs[i])) return true;
+  for (size_t i = 0; i < ra->n_used; i++)
+    if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
   if (ra->uses_record && rb->record && strcmp(ra->uses_record, rb->record) == 0) return true;
   if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
   for (size_t i = 0; i < ra->n_symbols; i++)
@@ -175,9 +179,9 @@ bool dependences_on(const struct dependences *d, size_t a, size_t b) {
 }
 
 bool dependences_corrected(const struct dependences *d, size_t a, const char *equation) {
-  for (size_t i = 0; i < d->model->n_defs; i++) {
-    const struct definition *def = &d->model->defs[i];
-    if (def->rank == RANK_ERRATA && d->reach[a].definition[i] && strcmp(def->equation, equation) == 0) return true;
+  for (size_t i = 0; i < d->reach[a].n_used; i++) {
+    const struct definition *def = d->reach[a].used[i];
+    if (def->rank == RANK_ERRATA && strcmp(def->equation, equation) == 0) return true;
   }
   return false;
 }

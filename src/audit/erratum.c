@@ -36,8 +36,13 @@ static void add_pair(struct replacements *r, const struct expr *a, const struct 
   r->to[r->n++] = b;
 }
 
+/* first_order(...) is how the paper's difference of two motions is written here; its list of symbols is not the paper's. */
 static void compare(struct replacements *r, const struct expr *a, const struct expr *b, int level) {
   if (r->too_many) return;
+  if (a->kind == EXPR_FIRST_ORDER && b->kind == EXPR_FIRST_ORDER) {
+    compare(r, a->args[0], b->args[0], level);
+    return;
+  }
   if (level == MAX_LEVELS)
     r->too_many = true;
   else if (!same_head(a, b))
@@ -64,9 +69,21 @@ static void add_change(struct text *out, const struct replacements *r) {
   }
 }
 
-static void add_statement(struct text *out, const struct stmt *s) {
+/* The statement; of a chain without what is not the paper's text. */
+static void add_statement(struct text *out, struct arena *a, const struct stmt *s) {
+  struct stmt shown = *s;
   text_add(out, out->len ? ", \\quad " : "");
-  stmt_latex(out, s);
+  if (s->kind == STMT_RELATION) {
+    shown.sides = arena_alloc(a, (size_t)s->n_sides * sizeof *shown.sides);
+    shown.ops = arena_alloc(a, (size_t)s->n_sides * sizeof *shown.ops);
+    shown.n_sides = 0;
+    for (int i = 0; i < s->n_sides; i++) {
+      if (s->sides[i]->kind == EXPR_FIRST_ORDER) continue;
+      if (shown.n_sides) shown.ops[shown.n_sides - 1] = s->ops[i - 1];
+      shown.sides[shown.n_sides++] = s->sides[i];
+    }
+  }
+  stmt_latex(out, shown.n_sides < 2 ? s : &shown);
 }
 
 /* The record's TeX, once. */
@@ -84,6 +101,7 @@ static const struct statement_record *record_of(const struct model *m, const str
 
 /* What an erratum is set beside: texts that grow from one erratum of a claim to the next. */
 struct beside {
+  struct arena *arena;
   struct text corrected, printed, quote;
   struct replacements change;
   const struct statement_record *quoted;
@@ -95,20 +113,20 @@ static void set_beside(struct beside *b, const struct model *m, const struct sta
                        bool by_statement) {
   struct view printed = {m, LAYER_PRINTED, NULL, NULL};
   const struct statement_record *old = by_statement ? view_record(&printed, erratum->id) : NULL;
-  for (int k = 0; old && k < old->n_stmts; k++) add_statement(&b->printed, old->stmts[k]);
+  for (int k = 0; old && k < old->n_stmts; k++) add_statement(&b->printed, b->arena, old->stmts[k]);
   add_quote(&b->quote, &b->quoted, old);
   if (by_statement && (!old || old->n_stmts != erratum->n_stmts)) b->comparable = false;
   for (int k = 0; k < erratum->n_stmts; k++) {
     const struct stmt *now = erratum->stmts[k], *before = NULL;
     struct diag d;
     diag_init(&d);
-    add_statement(&b->corrected, now);
+    add_statement(&b->corrected, b->arena, now);
     if (by_statement) {
       before = b->comparable ? old->stmts[k] : NULL;
     } else if (now->name) {
       const struct definition *def = view_lookup(&printed, now->name, erratum->section, &d);
       before = def ? def->stmt : NULL;
-      if (before) add_statement(&b->printed, before);
+      if (before) add_statement(&b->printed, b->arena, before);
       if (def) add_quote(&b->quote, &b->quoted, record_of(m, def->record));
     }
     b->comparable = before && compare_statements(&b->change, before, now) && b->comparable;
@@ -122,7 +140,7 @@ static const char *keep(struct audit_result *out, struct text *t) {
 }
 
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) {
-  struct beside b = {.comparable = true};
+  struct beside b = {.arena = &j->out->arena, .comparable = true};
   text_init(&b.corrected);
   text_init(&b.printed);
   text_init(&b.quote);

@@ -767,10 +767,11 @@ static bool check_range(struct elaboration *el, const struct stmt *s, const stru
   return true;
 }
 
-bool elaboration_uses(const struct elaboration *el, const struct definition *def) {
-  for (size_t i = 0; i < el->n_memo; i++)
-    if (el->memo[i].def == def) return true;
-  return false;
+size_t elaboration_n_used(const struct elaboration *el) {
+  return el->n_memo;
+}
+const struct definition *elaboration_used(const struct elaboration *el, size_t i) {
+  return el->memo[i].def;
 }
 
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,

@@ -1,7 +1,7 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
 #include <string.h>
 
-#include "stickslip/report.h"
+#include "report_impl.h"
 
 static const char *or_dash(const char *s) {
   return s && *s ? s : "-";
@@ -112,6 +112,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_counts(out, r);
   add_section(out, r, "Not as recorded", is_unexpected);
   add_section(out, r, "Refuted", is_refuted);
+  report_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
   add_overview(out, r);
   add_controls(out, r);
