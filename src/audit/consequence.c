@@ -119,7 +119,10 @@ static struct trial try_result(const struct failure *f, struct result *r, struct
   num_vec_init(&corrected, r->rows * r->cols, v->ctx);
   int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v, NULL);
   if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v, f);
-  if (s == SS_OK) t = balls_compare(&own, &corrected);
+  if (s == SS_OK)
+    t = balls_compare(&own, &corrected);
+  else if (!(s & SS_DOMAIN))
+    t.outcome = OUTCOME_UNDECIDED;
   num_vec_clear(&corrected);
   num_vec_clear(&own);
   return t;

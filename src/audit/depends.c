@@ -212,7 +212,7 @@ static bool check_named(struct judge *j, const struct claim *c, const char *list
     bool known = n == 0;
     for (size_t i = 0; i < j->claims->n; i++)
       known = known || (strlen(j->claims->claim[i].id) == n && strncmp(j->claims->claim[i].id, p, n) == 0);
-    if (!known) return claim_error(j, c, "depends-on", "names something that is not a claim");
+    if (!known) return claim_error(j, c, "depends-on", "depends-on names something that is not a claim");
     p += n;
   }
   return true;

@@ -305,25 +305,38 @@ static size_t failures(const struct audit_result *r) {
   return n;
 }
 
+/* The first claim that shares its number with another: how such claims are named. */
+static const char *lettered(const struct audit_result *r) {
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const char *id = r->findings[i].id, *end = id + strlen(id);
+    if (strncmp(id, "eq-", 3) == 0 && end > id + 3 && end[-1] >= 'a' && end[-1] <= 'z') return id;
+  }
+  return NULL;
+}
+
 static void add_opening(const struct sheet *s, const struct audit_result *r) {
-  size_t n = failures(r);
+  const char *id = lettered(r);
   text_add(s->out, s->tex ? "\\section*{Errata}\n" : "# Errata\n\n");
   text_add(s->out, "Scene ");
   sheet_code(s, r->scene);
   text_add(s->out, ": ");
   sheet_text(s, r->title ? r->title : "-");
   text_add(s->out, ". ");
-  text_printf(s->out, "%zu of %zu statements do not hold as printed, worst first. ", n, r->n_findings);
+  text_printf(s->out, "%zu of %zu statements do not hold as printed, worst first. ", failures(r), r->n_findings);
   text_add(s->out, "Each was judged as printed with all that it uses corrected; what is said to change was evaluated "
                    "with this one formula as printed and everything else corrected. Examples are at exact "
                    "parameters, so that both sides can be evaluated there by anybody: left is the paper's formula "
-                   "or the left side of its equation, right what the equations of motion give or the right side. A "
-                   "letter after a number tells apart "
-                   "what is said under that number: (44b) is ");
-  sheet_code(s, "eq-44b");
-  text_add(s->out, " in ");
-  sheet_code(s, "audit.md");
-  text_add(s->out, ".\n");
+                   "or the left side of its equation, right what the equations of motion give or the right side.");
+  if (id) {
+    text_add(s->out, " A letter after a number tells apart what is said under that number: ");
+    add_claim(s, id);
+    text_add(s->out, " is ");
+    sheet_code(s, id);
+    text_add(s->out, " in ");
+    sheet_code(s, "audit.md");
+    text_add_char(s->out, '.');
+  }
+  text_add_char(s->out, '\n');
 }
 
 static void add_closing(const struct sheet *s, const struct audit_result *r) {

@@ -4,6 +4,9 @@
 
 #include "stickslip/report.h"
 
+/* Whether LaTeX with amsmath can set the len bytes as a formula; false where that is not understood. */
+bool math_is_sane(const char *s, size_t len);
+
 /* A document in one of two dialects. */
 struct sheet {
   struct text *out;

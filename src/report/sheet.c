@@ -4,102 +4,8 @@
 
 #include "report_impl.h"
 
-#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-
 bool report_is_failure(const struct finding *f) {
   return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
-}
-
-/* --- Mathematics that can be passed on --- */
-
-/* The commands that formulas are made of. */
-static bool is_math_command(const char *s, size_t len) {
-  static const char *const words =
-      " alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon "
-      "phi "
-      "varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega frac sqrt left right begin end "
-      "text mathrm mathsf mathcal mathbf operatorname quad qquad cdot times tilde bar hat dot ddot sin cos tan cot det "
-      "dots ldots cdots equiv neq ne le leq ge geq lt gt in to rightarrow Rightarrow pm mp infty circ vert prime sum "
-      "lbrace rbrace ";
-  char padded[24];
-  if (len + 3 > sizeof padded) return false;
-  padded[0] = ' ';
-  memcpy(padded + 1, s, len);
-  memcpy(padded + 1 + len, " ", 2);
-  return strstr(words, padded) != NULL;
-}
-
-static bool is_environment(const char *s, size_t len) {
-  static const char *const names[] = {"pmatrix", "bmatrix", "matrix", "cases", "aligned"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (strlen(names[i]) == len && memcmp(names[i], s, len) == 0) return true;
-  return false;
-}
-
-/* Groups that are open while a formula is read: '{', 'l' for \left, and the first letter of an environment. */
-struct groups {
-  char open[64];
-  size_t n, environments;
-};
-
-static bool open_group(struct groups *g, char c) {
-  if (g->n == sizeof g->open) return false;
-  g->open[g->n++] = c;
-  return true;
-}
-static bool close_group(struct groups *g, char c) {
-  return g->n > 0 && g->open[--g->n] == c;
-}
-
-/* Reads \begin{name} or \end{name} after the command; the number of bytes, 0 when it is wrong. */
-static size_t environment(struct groups *g, const char *s, const char *end, bool begin) {
-  const char *close = s < end && *s == '{' ? memchr(s, '}', (size_t)(end - s)) : NULL;
-  if (!close || !is_environment(s + 1, (size_t)(close - s - 1))) return 0;
-  g->environments += begin ? 1 : (size_t)-1;
-  if (!(begin ? open_group(g, s[1]) : close_group(g, s[1]))) return 0;
-  return (size_t)(close + 1 - s);
-}
-
-/* The command at s[0] = '\\'; the number of bytes, 0 when it is not of a formula. */
-static size_t command(struct groups *g, const char *s, const char *end) {
-  size_t len = strspn(s + 1, LETTERS);
-  if (s + 1 + len > end) return 0;
-  if (len == 0) return s + 1 < end && strchr(",;:!\\ {}", s[1]) ? 2 : 0;
-  if (!is_math_command(s + 1, len)) return 0;
-  bool left = len == 4 && memcmp(s + 1, "left", 4) == 0, right = len == 5 && memcmp(s + 1, "right", 5) == 0;
-  if (left && !open_group(g, 'l')) return 0;
-  if (right && !close_group(g, 'l')) return 0;
-  if (left || right) { /* the delimiter is no group of its own */
-    const char *d = s + 1 + len;
-    return d < end && strchr("()[].|", *d) ? len + 2 : 0;
-  }
-  bool begin = len == 5 && memcmp(s + 1, "begin", 5) == 0, finish = len == 3 && memcmp(s + 1, "end", 3) == 0;
-  if (!begin && !finish) return len + 1;
-  size_t more = environment(g, s + 1 + len, end, begin);
-  return more ? len + 1 + more : 0;
-}
-
-/* Primes and indices may not follow each other doubled: TeX refuses x^a^b, and x''^2. */
-static bool is_sane(const char *s, size_t len) {
-  struct groups g = {.n = 0};
-  const char *end = s + len;
-  while (s < end) {
-    unsigned char c = (unsigned char)*s;
-    size_t n = 1;
-    if (c == '\\')
-      n = command(&g, s, end);
-    else if (c == '{')
-      n = open_group(&g, '{');
-    else if (c == '}')
-      n = close_group(&g, '{');
-    else if (c == '&')
-      n = g.environments > 0;
-    else if (c == '%' || c == '#' || c == '~' || c == '$' || c == '`' || c < ' ' || c >= 127)
-      n = 0;
-    if (n == 0) return false;
-    s += n;
-  }
-  return g.n == 0;
 }
 
 /* --- Escapes --- */
@@ -167,14 +73,16 @@ static void add_plain(const struct sheet *s, const char *text, size_t len) {
   }
 }
 
+/* In Markdown a bar or a backtick cannot stand in code everywhere; such text is shown as it is. */
 static void add_code(const struct sheet *s, const char *code, size_t len) {
-  text_add(s->out, s->tex ? "\\texttt{" : "`");
-  if (s->tex)
+  bool plain = !s->tex && (memchr(code, '|', len) || memchr(code, '`', len));
+  const char *begin = s->tex ? "\\texttt{" : "`", *end = s->tex ? "}" : "`";
+  if (!plain) text_add(s->out, begin);
+  if (s->tex || plain)
     add_plain(s, code, len);
   else
-    for (size_t i = 0; i < len; i++)
-      text_add_char(s->out, code[i] == '`' ? '\'' : (unsigned char)code[i] < ' ' ? ' ' : code[i]);
-  text_add(s->out, s->tex ? "}" : "`");
+    for (size_t i = 0; i < len; i++) text_add_char(s->out, (unsigned char)code[i] < ' ' ? ' ' : code[i]);
+  if (!plain) text_add(s->out, end);
 }
 
 /* A bar as \vert, which no table mistakes for the end of a cell; after \left and \right it needs no blank. */
@@ -182,7 +90,7 @@ static void add_math(const struct sheet *s, const char *math, size_t len) {
   while (len && *math == ' ') math++, len--;
   while (len && math[len - 1] == ' ') len--;
   if (len == 0) return;
-  if (!is_sane(math, len)) {
+  if (!math_is_sane(math, len)) {
     add_code(s, math, len);
     return;
   }
