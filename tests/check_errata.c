@@ -485,7 +485,12 @@ START_TEST(nothing_quoted_breaks_a_sheet) {
                                       "$\\left( x \\right.$",
                                       "$x^\\left(y\\right)$",
                                       "$\\lim\\limits_x$",
-                                      "$\\sqrt[3]{2}$"};
+                                      "$\\sqrt[3]{2}$",
+                                      "$x' ^2$",
+                                      "$\\begin{matrix} 1 \\\\ [x] \\end{matrix}$",
+                                      "$\\begin{matrix} 1 \\end{pmatrix}$",
+                                      "$x_\\quad$",
+                                      "$x'_1'$"};
   for (size_t i = 0; i < sizeof traps / sizeof *traps; i++) {
     struct audit_result r;
     hostile(&r, traps[i]);

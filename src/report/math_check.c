@@ -10,7 +10,7 @@ enum { MAX_LEVELS = 64, MAX_TABS = 9 };
 
 /* A group, \left...\right or an environment that is open. */
 struct level {
-  char kind;                           /* '{', 'l', 'e'; 0 outermost */
+  char kind;                           /* '{', 'l' for a fence, an environment's first letter; 0 outermost */
   bool text;                           /* inside \text */
   bool superscript, subscript, primes; /* the last atom has them */
   bool pending;                        /* a script waits for its argument */
@@ -25,22 +25,28 @@ struct reader {
   int depth;
 };
 
-/* How many braced arguments a command of formulas takes; -1 for any other command. */
-static int arguments(const char *s, size_t len) {
-  static const char *const plain = " alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu "
-                                   "xi pi rho sigma tau upsilon phi "
-                                   "varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega "
-                                   "quad qquad cdot times sin cos tan "
-                                   "cot det dots ldots cdots equiv neq ne le leq ge geq lt gt in to rightarrow "
-                                   "Rightarrow pm mp infty circ vert prime "
-                                   "lbrace rbrace ";
-  static const char *const one = " sqrt text mathrm mathsf mathcal mathbf operatorname tilde bar hat dot ddot ";
+/* What a command of formulas is. */
+enum word { WORD_UNKNOWN, WORD_SYMBOL, WORD_OPERATOR, WORD_ONE, WORD_TWO };
+
+static enum word word_of(const char *s, size_t len) {
+  static const struct {
+    enum word word;
+    const char *names;
+  } of[] = {{WORD_SYMBOL, " alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho "
+                          "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi "
+                          "Psi Omega infty circ vert prime lbrace rbrace "},
+            {WORD_OPERATOR, " quad qquad cdot times sin cos tan cot det dots ldots cdots equiv neq ne le leq ge geq lt "
+                            "gt in to rightarrow Rightarrow pm mp "},
+            {WORD_ONE, " sqrt text mathrm mathsf mathcal mathbf operatorname tilde bar hat dot ddot "},
+            {WORD_TWO, " frac "}};
   char word[24];
-  if (len + 3 > sizeof word) return -1;
+  if (len + 3 > sizeof word) return WORD_UNKNOWN;
   word[0] = ' ';
   memcpy(word + 1, s, len);
   memcpy(word + 1 + len, " ", 2);
-  return strstr(plain, word) ? 0 : strstr(one, word) ? 1 : strcmp(word, " frac ") == 0 ? 2 : -1;
+  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+    if (strstr(of[i].names, word)) return of[i].word;
+  return WORD_UNKNOWN;
 }
 
 static bool is_word(const char *s, size_t len, const char *word) {
@@ -104,7 +110,7 @@ static bool environment(struct reader *r, bool begin) {
   bool known = false;
   for (size_t i = 0; i < sizeof names / sizeof *names; i++) known = known || is_word(name, len, names[i]);
   r->s = close + 1;
-  return known && (begin ? open_level(r, 'e', is_word(name, len, "cases") ? 1 : MAX_TABS) : close_level(r, 'e'));
+  return known && (begin ? open_level(r, *name, *name == 'c' ? 1 : MAX_TABS) : close_level(r, *name));
 }
 
 /* \left and \right with their delimiter. */
@@ -114,8 +120,12 @@ static bool fence(struct reader *r, bool left) {
   return left ? open_level(r, 'l', 0) : close_level(r, 'l');
 }
 
-static bool new_row(struct level *l) {
-  if (l->kind != 'e' || l->args > 0 || l->pending) return false;
+/* \\[...] would be a distance, and \\* another command. */
+static bool new_row(const struct reader *r, struct level *l) {
+  const char *after = r->s;
+  while (after < r->end && *after == ' ') after++;
+  if (after < r->end && (*after == '[' || *after == '*')) return false;
+  if (l->most_tabs == 0 || l->args > 0 || l->pending) return false;
   l->tabs = 0;
   l->superscript = l->subscript = l->primes = false;
   return true;
@@ -129,21 +139,21 @@ static bool command(struct reader *r) {
   if (len == 0) {
     if (r->s == r->end) return false;
     char c = *r->s++;
-    if (c == '\\') return new_row(l);
-    return strchr(",;:! ", c) ? l->args == 0 : (c == '{' || c == '}') && atom(l);
+    if (c == '\\') return new_row(r, l);
+    return strchr(",;:! ", c) ? l->args == 0 && !l->pending : (c == '{' || c == '}') && atom(l);
   }
   r->s += len;
   if (is_word(word, len, "begin") || is_word(word, len, "end")) return environment(r, *word == 'b');
   if (is_word(word, len, "left") || is_word(word, len, "right")) return fence(r, *word == 'l');
-  int n = arguments(word, len);
-  if (n < 0 || l->text || (n > 0 && l->pending) || !atom(l)) return false;
-  l->args = n;
+  enum word w = word_of(word, len);
+  if (w == WORD_UNKNOWN || l->text || (w != WORD_SYMBOL && l->pending) || !atom(l)) return false;
+  l->args = w == WORD_TWO ? 2 : w == WORD_ONE;
   l->text_next = is_word(word, len, "text");
   return true;
 }
 
 static bool tab(struct level *l) {
-  bool ok = l->kind == 'e' && l->args == 0 && !l->pending && l->tabs++ < l->most_tabs;
+  bool ok = l->args == 0 && !l->pending && l->tabs++ < l->most_tabs;
   l->superscript = l->subscript = l->primes = false;
   return ok;
 }
@@ -153,6 +163,7 @@ static bool next(struct reader *r) {
   unsigned char c = (unsigned char)*r->s++;
   switch (c) {
   case ' ':
+    l->primes = false; /* x' ^2 has two superscripts */
     return true;
   case '\\':
     return command(r);
@@ -163,6 +174,7 @@ static bool next(struct reader *r) {
   case '^':
     return superscript(l);
   case '_':
+    l->primes = false; /* x'_1' has two superscripts */
     return script(l, &l->subscript);
   case '\'':
     return prime(l);
