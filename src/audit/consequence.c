@@ -239,13 +239,12 @@ static void add_id(struct audit_result *out, struct id_list *list, const char *i
    here: balls that differ are enough. */
 static enum verdict judge_again(struct judge *j, const struct claim *c, const char *own) {
   struct finding f = {.id = c->id, .verdict = VERDICT_UNKNOWN};
-  struct diag d, *kept = j->d;
+  struct diag d;
   diag_init(&d);
-  j->d = &d;
+  struct judge again = *j;
+  again.d = &d;
   kind_fn judge = claim_kind(claim_get(c, "kind"));
-  bool readable = judge && judge(&f, j, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
-  j->d = kept;
-  j->claim_at_fault = false;
+  bool readable = judge && judge(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
   bool differs = f.n_evidence && strcmp(f.evidence[0].route, "balls") == 0 && f.evidence[0].trials > 0 &&
                  strcmp(f.evidence[0].result, "differs") == 0;
   return !readable || differs ? VERDICT_REFUTED : f.verdict;

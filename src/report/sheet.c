@@ -15,6 +15,7 @@ static void escape_markdown(struct text *out, char c) {
   text_add_char(out, c);
 }
 
+/* A bracket or a star after the end of a table's row would belong to the command that ends it. */
 static void escape_tex(struct text *out, char c) {
   static const struct {
     char c;
@@ -27,7 +28,9 @@ static void escape_tex(struct text *out, char c) {
                {'|', "$\\vert$"},
                {'"', "''"},
                {'`', "{}`{}"},
-               {'-', "-{}"}};
+               {'-', "-{}"},
+               {'[', "{[}"},
+               {'*', "{*}"}};
   for (size_t i = 0; i < sizeof table / sizeof *table; i++)
     if (table[i].c == c) {
       text_add(out, table[i].tex);
@@ -44,7 +47,7 @@ static size_t beyond_ascii(struct text *out, const char *s, size_t len) {
   if (n > len) n = len;
   unsigned long point = c & (0xFFU >> (n + 1));
   for (size_t i = 1; i < n; i++) point = point << 6 | ((unsigned char)s[i] & 0x3FU);
-  text_printf(out, "[U+%04lX]", point);
+  text_printf(out, "{[}U+%04lX]", point);
   return n;
 }
 
