@@ -63,6 +63,19 @@ struct control_result {
   bool noticed;
 };
 
+/* Two routes to one quantity, held against each other wherever both apply. */
+struct route_pair {
+  const char *quantity, *first, *second;
+  const char *shared;     /* what both rest on */
+  long comparisons;       /* of whole quantities: a matrix, or the times and states of a pass */
+  const char *stated;     /* the accuracy that the pair is held to, relative to max(1, scale) */
+  bool within;            /* there were comparisons, and all of them kept to it */
+  const char *largest;    /* order of magnitude of the largest disagreement; NULL for a route in double precision */
+  const char *worst;      /* where; NULL with it */
+  double machine_largest; /* for run.json */
+  const char *machine_worst;
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
@@ -72,7 +85,9 @@ struct audit_result {
   size_t n_skipped, cap_skipped;
   struct control_result *controls;
   size_t n_controls, cap_controls;
-  const char *const *independence;
+  struct route_pair *pairs; /* none unless the whole audit ran */
+  size_t n_pairs, cap_pairs;
+  const char *const *independence; /* what each route does and rests on */
   int n_independence;
 };
 
@@ -82,7 +97,7 @@ void audit_result_clear(struct audit_result *r);
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, and controls that went unnoticed. */
+/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

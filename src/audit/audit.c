@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "routes.h"
 
 static const struct {
   const char *name;
@@ -38,6 +38,7 @@ void audit_result_clear(struct audit_result *r) {
   free(r->findings);
   free(r->skipped);
   free(r->controls);
+  free(r->pairs);
   arena_clear(&r->arena);
 }
 
@@ -66,6 +67,7 @@ long audit_result_unexpected(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
   return n;
 }
 
@@ -244,7 +246,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
 
 /* --- Controls --- */
 
-static void leave_out(struct audit_result *out, const char *what, const char *why) {
+void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
   out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
@@ -267,7 +269,7 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
   struct audit_result *out = j->out;
   if (!kinds[k].judge(&f, j, &c, view)) {
     if (!notation_fault(&f, j)) return false;
-    leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
+    audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
@@ -315,6 +317,15 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
   return true;
 }
 
+/* What is done once for the whole audit, claim or no claim. */
+static bool studies(struct judge *j, const struct audit_options *opt) {
+  if (opt->n_only > 0) {
+    audit_leave_out(j->out, "the study of the routes", "made by the whole audit, not with --only");
+    return true;
+  }
+  return study_routes(j);
+}
+
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
@@ -322,8 +333,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
   out->scene = copy(out, scene->name);
   out->title = copy(out, scene->title);
-  out->independence = route_independence;
-  out->n_independence = n_route_independence;
+  routes_describe(out);
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
@@ -335,7 +345,8 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     ok = judge_claim(&j, &claims->claim[i]);
   }
   ok = ok && run_controls(&j, claims, controls, opt);
-  if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  ok = ok && studies(&j, opt);
   orbit_cache_free(j.cache);
   return ok;
 }

@@ -46,6 +46,10 @@ static void print_surprises(const struct audit_result *r) {
     if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
   }
+  for (size_t i = 0; i < r->n_pairs; i++)
+    if (!r->pairs[i].within)
+      printf("routes %s and %s: %s, beyond %s\n", r->pairs[i].first, r->pairs[i].second, r->pairs[i].quantity,
+             r->pairs[i].stated);
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)
       printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);

@@ -63,6 +63,20 @@ static void write_summary(struct json *j, const struct audit_result *r) {
   json_end_object(j);
 }
 
+static void write_pair(struct json *j, const struct route_pair *p) {
+  json_object(j, NULL);
+  json_string(j, "quantity", p->quantity);
+  json_string(j, "first", p->first);
+  json_string(j, "second", p->second);
+  json_string(j, "shared", p->shared);
+  json_long(j, "comparisons", p->comparisons);
+  json_string(j, "stated", p->stated);
+  json_bool(j, "within", p->within);
+  json_string(j, "largest", p->largest);
+  json_string(j, "worst", p->worst);
+  json_end_object(j);
+}
+
 void report_json(struct text *out, const struct audit_result *r) {
   struct json j;
   json_init(&j, out);
@@ -90,6 +104,9 @@ void report_json(struct text *out, const struct audit_result *r) {
     json_bool(&j, "noticed", r->controls[i].noticed);
     json_end_object(&j);
   }
+  json_end_array(&j);
+  json_array(&j, "routes");
+  for (size_t i = 0; i < r->n_pairs; i++) write_pair(&j, &r->pairs[i]);
   json_end_array(&j);
   json_array(&j, "independence");
   for (int i = 0; i < r->n_independence; i++) json_string(&j, NULL, r->independence[i]);
@@ -120,6 +137,20 @@ void report_run(struct text *out, const struct audit_result *r, double seconds) 
       json_string(&j, "residual", text_str(&t));
       json_end_object(&j);
     }
+  json_end_array(&j);
+  json_array(&j, "routes");
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    const struct route_pair *p = &r->pairs[i];
+    text_reset(&t);
+    text_printf(&t, "%.3g", p->machine_largest);
+    json_object(&j, NULL);
+    json_string(&j, "quantity", p->quantity);
+    json_string(&j, "first", p->first);
+    json_string(&j, "second", p->second);
+    json_string(&j, "largest", text_str(&t));
+    json_string(&j, "worst", p->machine_worst);
+    json_end_object(&j);
+  }
   json_end_array(&j);
   json_end_object(&j);
   text_clear(&t);
