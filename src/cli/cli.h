@@ -51,6 +51,8 @@ bool load_claims(struct claims *c, const char *data, const char *folder, const c
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
+/* orbit --method paper. */
+int run_orbit_paper(const struct options *o, const char *data);
 int run_jacobian(const struct options *o, const char *data);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);

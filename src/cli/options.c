@@ -45,7 +45,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
-               {"--method", FOR_JACOBIAN, &o->method, NULL},
+               {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
                {"--help", ~0U, NULL, &o->help}};
   *o = (struct options){.n_operands = 0};
