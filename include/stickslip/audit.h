@@ -109,6 +109,7 @@ void paper_orbits_clear(struct paper_orbits *p);
 struct coulomb_setup {
   double params[N_COULOMB], start[N_STATE];
   double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
+  double trace;      /* tr J of the orbit; NaN at printed numbers */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
 /* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */

@@ -76,6 +76,21 @@ struct route_pair {
   const char *machine_worst;
 };
 
+/* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
+   route grows or shrinks at that rate. */
+enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
+struct long_result {
+  const char *orbit, *multiplier;
+  long periods;
+  const char *expected;                /* when 2^-52 has become 1e-6: "never", "about 970 periods" */
+  bool obeys, displaced;               /* rates within a tenth of log|tr J| */
+  long machine_parting[N_LONG_PAIRS];  /* for run.json: the first period at which they are apart by 1e-6, or 0; */
+  double machine_most[N_LONG_PAIRS];   /* the largest distance; */
+  double machine_growth[N_LONG_PAIRS]; /* its measured growth a period, NaN without one; */
+  double machine_displaced;            /* that of a displacement */
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
@@ -87,6 +102,8 @@ struct audit_result {
   size_t n_controls, cap_controls;
   struct route_pair *pairs; /* none unless the whole audit ran */
   size_t n_pairs, cap_pairs;
+  struct long_result *long_runs; /* likewise */
+  size_t n_long_runs, cap_long_runs;
   const char *const *independence; /* what each route does and rests on */
   int n_independence;
 };

@@ -39,6 +39,7 @@ void audit_result_clear(struct audit_result *r) {
   free(r->skipped);
   free(r->controls);
   free(r->pairs);
+  free(r->long_runs);
   arena_clear(&r->arena);
 }
 
@@ -68,6 +69,7 @@ long audit_result_unexpected(const struct audit_result *r) {
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
   for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
+  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
   return n;
 }
 
@@ -320,9 +322,10 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
 /* What is done once for the whole audit, claim or no claim. */
 static bool studies(struct judge *j, const struct audit_options *opt) {
   if (opt->n_only > 0) {
-    audit_leave_out(j->out, "the study of the routes", "made by the whole audit, not with --only");
+    audit_leave_out(j->out, "the study of the routes and the long runs", "made by the whole audit, not with --only");
     return true;
   }
+  study_long_runs(j);
   return study_routes(j);
 }
 

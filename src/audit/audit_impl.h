@@ -297,5 +297,8 @@ int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS
 /* Every pair of routes in the table of routes.h that compute the same quantity, held against each other at fixed random
    points and on orbits, into out->pairs. */
 bool study_routes(struct judge *j);
+/* Runs over many periods beside the scene's orbit nearest to its printed numbers and beside orbits of other multipliers,
+   into out->long_runs. */
+void study_long_runs(struct judge *j);
 
 #endif

@@ -40,7 +40,7 @@ static int set_start(struct coulomb_setup *sim, double z10, double z20) {
 }
 
 int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o) {
-  *sim = (struct coulomb_setup){.own_friction = true, .period = middle(o->period)};
+  *sim = (struct coulomb_setup){.own_friction = true, .period = middle(o->period), .trace = middle(o->trace)};
   for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(params + P_CHI + i);
   for (int i = 0; i < 2; i++) {
     double e = fmpq_get_d(params + P_E1 + i);
@@ -73,6 +73,7 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
     }
     for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
     sim->period = o ? middle(o->period) : 0;
+    sim->trace = printed ? (double)NAN : middle(o->trace);
     double z10 = printed ? fmpq_get_d(&z[0]->value) : middle(o->z10);
     double z20 = printed ? fmpq_get_d(&z[1]->value) : middle(o->z20);
     ok = set_start(sim, z10, z20) == SS_OK;

@@ -44,6 +44,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--compare", FOR_SIMULATE, NULL, &o->compare},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
