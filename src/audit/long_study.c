@@ -101,6 +101,8 @@ static void beside_scene(struct judge *j) {
       add_run(j, j->scene->value, o, name);
     else
       audit_leave_out(j->out, result_str(j->out, "long runs beside %s", name), "Coulomb's law does not follow it");
+  } else {
+    audit_leave_out(j->out, "long runs beside the scene's own orbit", "no orbit was found, or e1 and e2 are not given");
   }
   point_clear(&p);
 }

@@ -18,12 +18,14 @@ static void print_pair(const struct long_run *run, struct long_pair p, double by
   struct long_growth g;
   long parted = long_run_parting(run, p, by);
   printf("%s and %s: ", long_route_name[p.a], long_route_name[p.b]);
-  if (parted)
+  if (long_run_length(run, p) == 0)
+    printf("they have no return to the global stick phase in common");
+  else if (parted)
     printf("apart by more than %g at period %ld", by, parted);
   else
     printf("not apart by more than %g in %ld periods", by, long_run_length(run, p));
   if (long_run_growth(&g, run, p))
-    printf("; growing by %.5f a period from %ld to %ld\n", exp(g.log), g.first, g.last);
+    printf("; factor %.5f a period from %ld to %ld\n", exp(g.log), g.first, g.last);
   else
     puts("; no growth to measure");
 }
@@ -31,9 +33,9 @@ static void print_pair(const struct long_run *run, struct long_pair p, double by
 /* What the multiplier says, and what a displacement does that is large against rounding. */
 static void print_multiplier(const struct coulomb_setup *setup, double duration) {
   struct long_growth g;
-  printf("tr J = %.8g: %.5f a period is expected", setup->trace, fabs(setup->trace));
+  printf("tr J = %.8g: factor %.5f a period expected", setup->trace, fabs(setup->trace));
   if (long_run_displaced(&g, setup->params, setup->start, setup->trace, duration))
-    printf("; a displacement of x1 grows by %.5f a period from %ld to %ld", exp(g.log), g.first, g.last);
+    printf("; a displacement of x1 has %.5f from %ld to %ld", exp(g.log), g.first, g.last);
   putchar('\n');
 }
 
