@@ -20,7 +20,7 @@
   X(FLOW, "the closed-form flow in (w, r)")                                                                            \
   X(ENDS, "the conditions that end the phases")                                                                        \
   X(SEARCH, "the search for first events in double")                                                                   \
-  X(EVENTS, "the events located with the closed-form flow")                                                                       \
+  X(EVENTS, "the events located with the closed-form flow")                                                            \
   X(IMPLICIT, "implicit differentiation at the events")                                                                \
   X(SALTATION, "saltation matrices")                                                                                   \
   X(DIFFERENCES, "central differences")                                                                                \
