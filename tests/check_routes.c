@@ -134,6 +134,9 @@ START_TEST(all_pairs_agree_on_enough_points) {
     ck_assert(p->machine_largest < 1e-5 && p->machine_worst);
   }
   ck_assert_uint_eq(r.n_skipped, 0);
+  ck_assert_uint_eq(r.n_controls, 2);
+  for (size_t i = 0; i < r.n_controls; i++)
+    ck_assert(r.controls[i].noticed && r.controls[i].verdict == VERDICT_REFUTED);
   ck_assert_uint_eq(r.n_long_runs, 4);
   for (size_t i = 0; i < r.n_long_runs; i++) {
     const struct long_result *l = &r.long_runs[i];
@@ -153,6 +156,18 @@ START_TEST(an_uncorrected_formula_disagrees_with_every_route) {
   audit_result_clear(&r);
   study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
   check_pairs(&r, wrong, 1);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* A formula without a value is no agreement. */
+START_TEST(a_route_without_an_answer_disagrees) {
+  static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
+  struct audit_result r;
+  study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
+  check_pairs(&r, wrong, 3);
+  ck_assert(r.pairs[0].largest && strcmp(r.pairs[0].largest, "no answer") == 0 &&
+            strncmp(r.pairs[0].worst, "D, ", 3) == 0);
   audit_result_clear(&r);
 }
 END_TEST
@@ -388,6 +403,7 @@ Suite *routes_suite(void) {
   tcase_add_unchecked_fixture(c, open_study, close_study);
   tcase_add_test(c, all_pairs_agree_on_enough_points);
   tcase_add_test(c, an_uncorrected_formula_disagrees_with_every_route);
+  tcase_add_test(c, a_route_without_an_answer_disagrees);
   tcase_add_test(c, a_paper_that_cannot_be_read_is_left_out);
   suite_add_tcase(s, c);
   c = tcase_create("paper route");

@@ -259,6 +259,11 @@ static const struct claim *find_claim(const struct claims *claims, const char *i
   return NULL;
 }
 
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
+  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
+  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
+}
+
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
    those of the control's own record. */
 static bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
@@ -275,9 +280,7 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
-  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] =
-      (struct control_result){copy(out, control->id), copy(out, claim->id), f.verdict, f.verdict == VERDICT_REFUTED};
+  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
   return true;
 }
 

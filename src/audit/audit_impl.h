@@ -284,6 +284,8 @@ const char *ball_text(struct judge *j, const arb_t x, slong n);
 
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
 
+/* What became of a control; it is noticed when it is refuted. */
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
 /* Other work left out, with the reason. */
 void audit_leave_out(struct audit_result *out, const char *what, const char *why);
 

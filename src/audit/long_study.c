@@ -141,7 +141,20 @@ static void beside_sample(struct judge *j, size_t i) {
   text_clear(&name);
 }
 
+/* The control: no displacement may pass for one at a rate that is a quarter faster. */
+static bool wrong_multiplier_noticed(const struct judge *j) {
+  bool noticed = j->out->n_long_runs > 0;
+  for (size_t i = 0; i < j->out->n_long_runs; i++) {
+    const struct long_result *r = &j->out->long_runs[i];
+    struct long_growth g = {.log = log(r->machine_displaced)};
+    noticed = noticed && !as_predicted(&g, pow(fabs(strtod(r->multiplier, NULL)), 1.25));
+  }
+  return noticed;
+}
+
 void study_long_runs(struct judge *j) {
   beside_scene(j);
   for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) beside_sample(j, i);
+  bool noticed = wrong_multiplier_noticed(j);
+  audit_control(j->out, "long-runs-multiplier", "long runs", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
 }
