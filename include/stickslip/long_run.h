@@ -48,9 +48,9 @@ struct long_pair {
 long long_run_length(const struct long_run *run, struct long_pair p);
 /* How far apart their positions are at return i, from 0. */
 double long_run_apart(const struct long_run *run, struct long_pair p, long i);
-/* The largest of these and of the differences of t, over all returns. */
+/* The largest of these.  (Of times, the errors of every period add up, even on a stable orbit.) */
 double long_run_most(const struct long_run *run, struct long_pair p);
-/* The first return, from 1, at which one of them exceeds `by`; 0 when none does. */
+/* The first return, from 1, at which a position or the time differs by more than `by`; 0 when none does. */
 long long_run_parting(const struct long_run *run, struct long_pair p, double by);
 
 /* The growth of that distance from one return to the next: the slope of its logarithm, by least squares over the first

@@ -68,7 +68,7 @@ struct route_pair {
   const char *quantity, *first, *second;
   const char *shared;  /* what both rest on */
   long comparisons;    /* of whole quantities: a matrix, or the times and states of a pass */
-  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale) */
+  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale), or its routes' estimates */
   bool within;         /* there were comparisons, and all of them kept to it */
   const char *largest; /* order of magnitude of the largest disagreement, or "no answer"; NULL for a route in double */
   const char *worst;   /* where; NULL with it */

@@ -40,7 +40,7 @@ static bool obeys(const struct long_run *run, double multiplier, struct long_res
     r->machine_growth[i] = grows ? exp(g.log) : (double)NAN;
     bool weak = fabs(multiplier) < 1.5; /* rounding may hold both routes on the orbit */
     if (fabs(multiplier) < 1)
-      ok = ok && long_run_length(run, pairs[i]) == r->periods && r->machine_most[i] < 1e-9;
+      ok = ok && long_run_length(run, pairs[i]) == r->periods && r->machine_most[i] < 1e-9 * fmax(1, run->scale);
     else if (i > 0 || !weak)
       ok = ok && grows && as_predicted(&g, multiplier) && (weak || r->machine_parting[i] > 0);
   }

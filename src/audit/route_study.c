@@ -273,19 +273,19 @@ static int jacobian_saltation(arb_ptr out, struct study *s) {
   return jacobian_by_model(out, METHOD_SALTATION, &s->site.p, PREC, s->j->cache);
 }
 
-/* The numbers without their estimated error, which is not a disagreement. */
 static int jacobian_fd(arb_ptr out, struct study *s) {
-  int status = jacobian_by_model(out, METHOD_FD, &s->site.p, PREC, s->j->cache);
-  for (int i = 0; i < 4; i++) arb_get_mid_arb(out + i, out + i);
-  return status;
+  return jacobian_by_model(out, METHOD_FD, &s->site.p, PREC, s->j->cache);
 }
 
 static int jacobian_integration(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
-  double value[4] = {0}, err;
+  double value[4] = {0}, err = 0;
   int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit);
   if (!status) status = coulomb_return_jacobian(value, &err, sim.params, sim.start);
-  for (int i = 0; i < 4; i++) arb_set_d(out + i, value[i]);
+  for (int i = 0; i < 4; i++) {
+    arb_set_d(out + i, value[i]);
+    mag_set_d(arb_radref(out + i), err);
+  }
   return status;
 }
 
@@ -317,37 +317,59 @@ static bool applies(const struct study *s, enum route_row row) {
   return !(means & MEANS_COULOMB) || (s->site.orbit && s->site.orbit->admissible == TRUTH_TRUE);
 }
 
-/* log2 of the largest difference, relative to max(1, the largest entry). */
-static double log_gap(arb_srcptr a, arb_srcptr b, int n) {
-  double scale = 0, gap = -INFINITY;
+/* Differences give a radius that is their own estimate of their error, no enclosure and no disagreement: it is taken
+   off, and answered. */
+static double take_estimate(arb_ptr x, int n, enum route_row row) {
+  mag_t most;
+  mag_init(most);
+  for (int i = 0; i < n && route_table[row].means & MEANS_DIFFERENCES; i++) {
+    mag_max(most, most, arb_radref(x + i));
+    arb_get_mid_arb(x + i, x + i);
+  }
+  double own = mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
+  mag_clear(most);
+  return own;
+}
+
+/* log2 of the largest difference, and of max(1, the largest entry), to which it is relative. */
+struct gap {
+  double off, scale;
+};
+
+static struct gap gap_between(arb_srcptr a, arb_srcptr b, int n) {
+  struct gap g = {-INFINITY, 0};
   arb_t d;
   arb_init(d);
   for (int i = 0; i < n; i++) {
-    scale = fmax(scale, fmax(log2_upper(a + i), log2_upper(b + i)));
+    g.scale = fmax(g.scale, fmax(log2_upper(a + i), log2_upper(b + i)));
     arb_sub(d, a + i, b + i, 2 * PREC);
-    gap = fmax(gap, log2_upper(d));
+    g.off = fmax(g.off, log2_upper(d));
   }
   arb_clear(d);
-  return gap - scale;
+  g.off -= g.scale;
+  return g;
 }
 
 static int stated_digits(enum route_row a, enum route_row b) {
   return route_table[a].digits < route_table[b].digits ? route_table[a].digits : route_table[b].digits;
 }
 
-static bool keeps(enum route_row a, enum route_row b, double gap) {
-  return gap <= -stated_digits(a, b) * log2(10);
+/* Within the stated accuracy, or within the estimates (log2 of the larger) where these are larger, but at most half of the
+   digits may be given away so. */
+static bool keeps(enum route_row a, enum route_row b, struct gap gap, double estimate) {
+  double bits = stated_digits(a, b) * log2(10), allowed = fmin(1 + estimate - gap.scale, -bits / 2);
+  return gap.off <= fmax(-bits, allowed);
 }
 
-static void book(struct study *s, enum route_row a, enum route_row b, double gap) {
+static void book(struct study *s, enum route_row a, enum route_row b, struct gap gap, double estimate) {
   struct tally *t = &s->tally[a][b];
-  t->within = (t->n == 0 || t->within) && keeps(a, b, gap);
-  if (t->n++ > 0 && gap <= t->worst) return;
+  t->within = (t->n == 0 || t->within) && keeps(a, b, gap, estimate);
+  if (t->n++ > 0 && gap.off <= t->worst) return;
   struct text where;
   text_init(&where);
   if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", matrix_name[s->site.p.phase]);
   point_print(&where, &s->site.p);
-  t->worst = gap;
+  t->worst = gap.off;
   t->where = result_str(s->j->out, "%s", text_str(&where));
   text_clear(&where);
 }
@@ -356,17 +378,21 @@ static void book(struct study *s, enum route_row a, enum route_row b, double gap
 static void compare_at(struct study *s, enum route_quantity q) {
   arb_ptr value = _arb_vec_init(N_ROUTE_ROWS * MOST_ENTRIES);
   int status[N_ROUTE_ROWS];
+  double own[N_ROUTE_ROWS];
   bool asked[N_ROUTE_ROWS];
   for (int i = 0; i < N_ROUTE_ROWS; i++) {
     asked[i] = route_table[i].quantity == q && applies(s, (enum route_row)i);
     if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
+    if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
   }
   for (int i = 0; i < N_ROUTE_ROWS; i++)
     for (int k = i + 1; k < N_ROUTE_ROWS; k++) {
       if (!asked[i] || !asked[k]) continue;
       bool both = status[i] == SS_OK && status[k] == SS_OK;
-      double gap = both ? log_gap(value + i * MOST_ENTRIES, value + k * MOST_ENTRIES, entries[q]) : INFINITY;
-      book(s, (enum route_row)i, (enum route_row)k, isnan(gap) ? (double)INFINITY : gap);
+      struct gap gap = {INFINITY, 0};
+      if (both) gap = gap_between(value + i * MOST_ENTRIES, value + k * MOST_ENTRIES, entries[q]);
+      if (isnan(gap.off)) gap.off = INFINITY;
+      book(s, (enum route_row)i, (enum route_row)k, gap, fmax(own[i], own[k]));
     }
   _arb_vec_clear(value, N_ROUTE_ROWS * MOST_ENTRIES);
 }
@@ -382,7 +408,8 @@ static void control(struct study *s) {
   fmpq_div_2exp(shift, shift, SHIFT);
   fmpq_add(&s->site.p.q[Q_T], &s->site.p.q[Q_T], shift);
   status |= propagator_closed(now + MATRIX, s);
-  bool noticed = status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, log_gap(now, now + MATRIX, MATRIX));
+  bool noticed =
+      status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
   audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
   fmpq_clear(shift);
   _arb_vec_clear(now, 2 * MATRIX);

@@ -137,7 +137,7 @@ static double anyhow_apart(const struct long_run *run, struct long_pair p, long 
 double long_run_most(const struct long_run *run, struct long_pair p) {
   double most = 0;
   long n = long_run_length(run, p);
-  for (long i = 0; i < n; i++) most = fmax(most, anyhow_apart(run, p, i));
+  for (long i = 0; i < n; i++) most = fmax(most, long_run_apart(run, p, i));
   return most;
 }
 

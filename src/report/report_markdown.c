@@ -134,7 +134,8 @@ static void add_routes(struct text *out, const struct audit_result *r) {
     text_add(out,
              "Every two routes to a quantity, at fixed random points and on orbits: what both use directly besides "
              "the equations of motion and the point, and the largest disagreement seen, relative to max(1, "
-             "largest entry). Figures of routes in double precision are in run.json.\n\n");
+             "largest entry). Differences are held to their own estimate of their error where that is larger. Figures "
+             "of routes in double precision are in run.json.\n\n");
   add_route_pairs(out, r, false);
   for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
   text_add_char(out, '\n');
@@ -158,7 +159,8 @@ static void add_long_runs(struct text *out, const struct audit_result *r) {
   text_add(out,
            "## Long runs\n\nGSL's integration and the closed forms, both in double precision, beside the closed "
            "forms in MPFR, from one start on the orbit under Coulomb's law. Where |tr J| > 1 both must leave MPFR at "
-           "that rate a period, where |tr J| < 1 stay within 1e-9 of it; and a displacement of one route from the "
+           "that rate a period, where |tr J| < 1 keep their positions within 1e-9 of it, relative to the state; and a "
+           "displacement of one route from the "
            "other must grow or shrink at that rate. Rates are held to a tenth of log |tr J|; the measured ones, and "
            "where the routes part by 1e-6, are in run.json. `stickslip simulate SCENE --compare` shows a run.\n\n");
   add_long_run_rows(out, r, false);
