@@ -516,7 +516,7 @@ static void add_pair(struct study *s, enum route_row a, enum route_row b) {
   const struct tally *t = &s->tally[a][b];
   struct text shared;
   text_init(&shared);
-  route_means_print(&shared, first->means & second->means);
+  route_means_print(&shared, route_means_shared(first, second));
   bool shown = first->exact && second->exact && t->n > 0;
   struct route_pair pair = {.quantity = route_quantity_name[first->quantity],
                             .first = first->name,

@@ -93,6 +93,15 @@ bool routes_independent(const char *a, const char *b) {
   return true;
 }
 
+/* The located events rest on the flow that they were located with. */
+static unsigned with_events(unsigned means) {
+  return means & MEANS_EVENTS ? means | MEANS_MODES | MEANS_FLOW | MEANS_ENDS : means;
+}
+
+unsigned route_means_shared(const struct route_info *a, const struct route_info *b) {
+  return with_events(a->means) & with_events(b->means);
+}
+
 void route_means_print(struct text *out, unsigned means) {
   const char *sep = "";
   for (int i = 0; i < N_MEANS; i++) {

@@ -132,8 +132,9 @@ static void add_routes(struct text *out, const struct audit_result *r) {
   text_add(out, "## What the routes share\n\n");
   if (r->n_pairs)
     text_add(out,
-             "Every two routes to a quantity, at fixed random points and on orbits: what both use directly besides "
-             "the equations of motion and the point, and the largest disagreement seen, relative to max(1, "
+             "Every two routes to a quantity, at fixed random points and on orbits: what both use, themselves or in "
+             "locating the events, besides the equations of motion and the point, and the largest disagreement seen, "
+             "relative to max(1, "
              "largest entry). Differences are held to their own estimate of their error where that is larger. Figures "
              "of routes in double precision are in run.json.\n\n");
   add_route_pairs(out, r, false);
