@@ -59,6 +59,8 @@ void point_init(struct point *p);
 void point_clear(struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
+/* Applies "chi=1/2,V=2" to the point. */
+bool point_set(struct point *p, const char *at, struct diag *d);
 
 /* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
 struct restriction {
@@ -212,6 +214,7 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 

@@ -45,7 +45,9 @@ static bool known_attribute(const char *key) {
       "equation", "section", "own",        "kind",         "value",        "statement",      "bound",
       "points",   "routes",  "oracle",     "number",       "from",         "formula",        "fault",
       "title",    "quote",   "depends-on", "record",       "effect",       "restricted",     "claim",
-      "shift",    "letter",  "range",      "perturbation", "record-scene", "repaired-range", "also-printed"};
+      "shift",    "letter",  "range",      "perturbation", "record-scene", "repaired-range", "also-printed",
+      "check",    "at",      "transition", "limit",        "jumps",        "side",           "vary",
+      "friction"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;

@@ -20,22 +20,6 @@ static double static_friction(const struct scene *s, int i, const struct dyn_orb
   return 1.25 * fmax(limit_above_sliding(s, i, o), least);
 }
 
-static int set_start(struct coulomb_setup *sim, double z10, double z20) {
-  struct num_vec p, x, z;
-  num_vec_init(&p, N_COULOMB, num_ctx_double());
-  num_vec_init(&x, N_STATE, num_ctx_double());
-  num_vec_init(&z, 2, num_ctx_double());
-  for (int i = 0; i < N_COULOMB; i++) p.ctx.type->set_d(num_vec_at(&p, i), sim->params[i], 53);
-  z.ctx.type->set_d(num_vec_at(&z, 0), z10, 53);
-  z.ctx.type->set_d(num_vec_at(&z, 1), z20, 53);
-  int s = coulomb_start_set(&x, &p, num_vec_at(&z, 0), num_vec_at(&z, 1));
-  for (int i = 0; i < N_STATE; i++) sim->start[i] = x.ctx.type->get_d(num_vec_at(&x, i));
-  num_vec_clear(&z);
-  num_vec_clear(&x);
-  num_vec_clear(&p);
-  return s;
-}
-
 /* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
   struct dyn_orbits list;
@@ -61,7 +45,7 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
     sim->period = o ? middle(o->period) : 0;
     double z10 = printed ? fmpq_get_d(&z[0]->value) : middle(o->z10);
     double z20 = printed ? fmpq_get_d(&z[1]->value) : middle(o->z20);
-    ok = set_start(sim, z10, z20) == SS_OK;
+    ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
     if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
   }
   dyn_orbits_clear(&list);

@@ -1,0 +1,378 @@
+/* What becomes of motions: perturbed ones beside a periodic orbit, and the one from the printed initial state.
+
+   A perturbed motion is told by r = x_2 - x_1 at its returns to the global stick phase, where r alone fixes the state when
+   m_1 breaks loose: it stays near (r never gets far from the orbit's, in units of the perturbation), departs and comes
+   back, or ends elsewhere. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+
+/* --- Perturbed motions --- */
+
+enum { N_SIZES = 3, MOMENTS = 3 };
+static const double sizes[N_SIZES] = {1e-2, 1e-4, 1e-6};
+/* A departure counts as near when it is less than this many times the perturbation; the least that counts as far. */
+static const double near_factor = 300, far_least = 1e-3;
+
+enum fate { FATE_NEAR, FATE_BACK, FATE_GONE, FATE_OPEN, N_FATES };
+
+struct orbit_motion {
+  struct motion start; /* on the orbit, at the start of the stick phase */
+  double r, begin[5];  /* r there; times at which the phases begin, and the period */
+  long periods;        /* to follow a perturbed motion */
+};
+
+struct followed {
+  double r;        /* the orbit's */
+  double farthest; /* of r at the returns */
+  double last;
+};
+
+static bool follow_event(void *self, const struct coulomb_event *e) {
+  struct followed *f = self;
+  if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) return true;
+  f->last = fabs(e->at.x[1] - e->at.x[0] - f->r);
+  f->farthest = fmax(f->farthest, f->last);
+  return true;
+}
+
+/* The letters of the pieces between the last returns: the word that the motion ends on. */
+static const char *last_pieces(struct behaviour *b, const struct told *t) {
+  struct text word, folded;
+  text_init(&word);
+  text_init(&folded);
+  coulomb_log_word(&word, &t->log);
+  const char *s = text_str(&word);
+  size_t keep = word.len > 400 ? word.len - 400 : 0;
+  const char *cut = strchr(s + keep, 'D');
+  coulomb_word_fold(&folded, cut && cut[1] ? cut + 1 : s);
+  const char *open = strrchr(text_str(&folded), '('), *close = open ? strchr(open, ')') : NULL;
+  const char *out = close ? result_str(b->j->out, "%.*s", (int)(close - open + 1), open) : "(no return)";
+  text_clear(&folded);
+  text_clear(&word);
+  return out;
+}
+
+static int simulate_followed(struct followed *f, enum motion_route r, const struct motion *m,
+                             const struct coulomb_plan *plan) {
+  struct coulomb_result result;
+  struct coulomb_sink sink = {f, follow_event, NULL};
+  return (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
+}
+
+/* What becomes of a motion that begins beside the orbit, by one route. */
+static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
+  struct followed f = {.r = o->r};
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = o->periods;
+  plan.duration = 4 * (double)o->periods * o->begin[4];
+  plan.max_events = 64 * o->periods;
+  if (simulate_followed(&f, r, m, &plan) != SS_OK) return FATE_OPEN;
+  bool back = f.last < 0.1 * size, near = f.farthest<near_factor * size, far = f.farthest> far_least;
+  if (!back) return f.last > far_least ? FATE_GONE : FATE_OPEN;
+  return near ? FATE_NEAR : far ? FATE_BACK : FATE_OPEN;
+}
+
+/* The state of the orbit at a moment, by closed forms. */
+static bool orbit_at(struct motion *m, const struct orbit_motion *o, double t) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result r;
+  *m = o->start;
+  plan.duration = t;
+  if (coulomb_simulate_d(&r, o->start.params, o->start.start, &plan, NULL) != SS_OK) return false;
+  for (int i = 0; i < 2; i++) {
+    m->start[Z_1 + i] = r.at.x[i];
+    m->start[DZ_1 + i] = r.at.v[i];
+  }
+  return true;
+}
+
+static bool orbit_motion_make(struct orbit_motion *m, const struct point *p, const struct dyn_orbit *o, double factor) {
+  bool ok = motion_on_orbit(&m->start, p, o, factor);
+  m->r = m->start.start[Z_2] - m->start.start[Z_1];
+  m->begin[0] = 0;
+  for (int i = 0; i < 4; i++) m->begin[i + 1] = m->begin[i] + o->guess[i];
+  return ok;
+}
+
+/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
+static const struct dyn_orbit *pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
+  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].admissible == TRUTH_TRUE && list->orbit[i].stable == stable && !list->orbit[i].grazing)
+      return &list->orbit[i];
+  return NULL;
+}
+
+struct table {
+  long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
+  long total[N_FATES], apart;                 /* apart: the routes disagree */
+  long stick_far[2]; /* sides of velocity perturbations of a sticking mass that depart: below, above */
+};
+
+static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
+
+static void fill_table(struct table *t, const struct orbit_motion *o) {
+  for (int ph = 0; ph < N_PHASES; ph++)
+    for (int k = 0; k < MOMENTS; k++) {
+      struct motion at;
+      double length = o->begin[ph + 1] - o->begin[ph];
+      if (!orbit_at(&at, o, o->begin[ph] + length * (2 * k + 1) / (2.0 * MOMENTS))) continue;
+      for (int d = 0; d < 2 * N_STATE; d++)
+        for (int s = 0; s < N_SIZES; s++) {
+          struct motion m = at;
+          m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[s];
+          enum fate fate[N_MOTION_ROUTES];
+          for (int r = 0; r < N_MOTION_ROUTES; r++) fate[r] = fate_of((enum motion_route)r, o, &m, sizes[s]);
+          bool same = fate[0] == fate[1];
+          t->apart += !same;
+          if (!same) fate[0] = FATE_OPEN;
+          t->count[ph][d][fate[0]]++;
+          t->total[fate[0]]++;
+        }
+    }
+}
+
+static void say_table(struct behaviour *b, const struct table *t) {
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    struct text line;
+    text_init(&line);
+    text_printf(&line, "moved in phase %s (stay near, depart and come back, end elsewhere):", phase_name[ph]);
+    long trials = 0;
+    for (int d = 0; d < 2 * N_STATE; d++) {
+      const long *c = t->count[ph][d];
+      text_printf(&line, "%s %s%c %ld %ld %ld", d ? "," : "", coordinate[d / 2], d % 2 ? '-' : '+', c[FATE_NEAR],
+                  c[FATE_BACK], c[FATE_GONE]);
+      if (c[FATE_OPEN]) text_printf(&line, " (%ld open)", c[FATE_OPEN]);
+      for (int k = 0; k < N_FATES; k++) trials += c[k];
+    }
+    struct evidence *e = finding_add(b->f, b->j->out);
+    e->route = "integration";
+    e->layer = "model";
+    e->result = "states";
+    e->trials = trials;
+    e->note = result_str(b->j->out, "%s", text_str(&line));
+    text_clear(&line);
+  }
+}
+
+/* How far x_2 can be moved at the start of the stick phase until the motion no longer comes back: doublings of 1/1000. */
+static const char *basin(struct behaviour *b, const struct orbit_motion *o, int side) {
+  enum { DOUBLINGS = 14 };
+  double good = 0;
+  for (int k = 0; k < DOUBLINGS; k++) {
+    struct motion m = o->start;
+    struct coulomb_plan plan = coulomb_plan_default;
+    double size = ldexp(1e-3, k);
+    m.start[Z_2] += side * size;
+    plan.returns = o->periods;
+    plan.duration = 4 * (double)o->periods * o->begin[4];
+    plan.max_events = 64 * o->periods;
+    struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
+    double off = fabs(t.result.at.x[1] - t.result.at.x[0] - o->r);
+    const char *end = t.status == SS_OK && t.result.at.mode[0] == MODE_STICK && t.result.at.mode[1] == MODE_STICK
+                          ? last_pieces(b, &t)
+                          : "(no return)";
+    told_clear(&t);
+    if (!(off < 1e-3 * size))
+      return result_str(b->j->out, "up to %g it comes back, from %g it ends on %s", good, size, end);
+    good = size;
+  }
+  return result_str(b->j->out, "up to %g it comes back", good);
+}
+
+/* The scene's own orbit, when it is unstable: perturbed once in each phase and direction, where do motions go? */
+static void scene_orbit_fates(struct behaviour *b) {
+  enum { PERIODS = 220, MAX_WORDS = 8 };
+  const struct scene *s = b->j->scene;
+  const char *word[MAX_WORDS] = {0};
+  long count[MAX_WORDS] = {0}, trials = 0;
+  int words = 0;
+  struct orbit_motion o;
+  struct point p;
+  point_init(&p);
+  if (scene_has_forces(s)) {
+    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
+    const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_FALSE);
+    if (orbit && orbit_motion_make(&o, &p, orbit, 1.25))
+      for (int ph = 0; ph < N_PHASES; ph++)
+        for (int d = 0; d < 2 * N_STATE; d++) {
+          struct motion m;
+          struct coulomb_plan plan = coulomb_plan_default;
+          if (!orbit_at(&m, &o, o.begin[ph] + 0.5 * (o.begin[ph + 1] - o.begin[ph]))) continue;
+          m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
+          plan.returns = PERIODS;
+          struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
+          const char *end = last_pieces(b, &t);
+          int k = 0;
+          while (k < words && strcmp(word[k], end) != 0) k++;
+          if (k < MAX_WORDS) word[k] = end;
+          if (k < MAX_WORDS) count[k]++;
+          if (k == words && words < MAX_WORDS) words++;
+          trials++;
+          told_clear(&t);
+        }
+  }
+  point_clear(&p);
+  if (!trials) return;
+  struct text line;
+  text_init(&line);
+  text_printf(&line,
+              "the scene's own admissible orbit, which is unstable, moved by 0.01 in the middle of each phase in "
+              "each of eight directions; after %d returns the motion goes",
+              PERIODS);
+  for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "motion";
+  e->layer = "model";
+  e->result = "states";
+  e->trials = trials;
+  e->note = result_str(b->j->out, "%s", text_str(&line));
+  text_clear(&line);
+}
+
+/* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
+   there are such that do not keep it near. */
+static void judge_table(struct behaviour *b, const struct table *t, const struct orbit_motion *o) {
+  long near = t->total[FATE_NEAR], far = t->total[FATE_BACK] + t->total[FATE_GONE], open = t->total[FATE_OPEN];
+  const char *note = result_str(
+      b->j->out,
+      "a stable admissible orbit moved by 1e-2, 1e-4 and 1e-6 at %d moments of each phase: %ld motions stay near and "
+      "come "
+      "back, %ld depart however small the perturbation is and come back all the same, %ld end elsewhere; %ld open. "
+      "Those "
+      "that depart slow a sticking mass down while the force on it lies between its sliding and its static limit: it "
+      "breaks loose at once. x_2 moved at the start of the stick phase: forwards %s; backwards %s",
+      MOMENTS, near, t->total[FATE_BACK], t->total[FATE_GONE], open, basin(b, o, 1), basin(b, o, -1));
+  enum says says = open ? SAYS_UNDECIDED : near && far ? SAYS_AGREES : near ? SAYS_DIFFERS : SAYS_NOTHING;
+  struct text where;
+  text_init(&where);
+  motion_print(&where, &o->start);
+  struct route_word w[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION,
+                         near + far + open, r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&where)) : NULL,
+                         r == BY_INTEGRATION ? note : NULL);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+  text_clear(&where);
+}
+
+bool behaviour_perturb(struct behaviour *b) {
+  struct orbit_motion o;
+  struct table t;
+  struct point p;
+  memset(&t, 0, sizeof t);
+  point_init(&p);
+  bool ok = behaviour_params(&p, b);
+  if (ok) {
+    const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_TRUE);
+    if (!orbit || !orbit_motion_make(&o, &p, orbit, 1.25)) {
+      ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+    } else {
+      double slope = fabs(arf_get_d(arb_midref(orbit->trace), ARF_RND_NEAR));
+      o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
+      fill_table(&t, &o);
+      judge_table(b, &t, &o);
+      say_table(b, &t);
+      scene_orbit_fates(b);
+    }
+  }
+  point_clear(&p);
+  return ok;
+}
+
+/* --- The long run --- */
+
+/* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
+static bool long_run_motion(struct motion *m, struct behaviour *b, double factor) {
+  const struct scene *s = b->j->scene;
+  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
+  struct coulomb_setup setup;
+  struct diag d;
+  diag_init(&d);
+  if (!audit_coulomb_setup(&setup, s, 0, true, &d)) return false;
+  memcpy(m->params, setup.params, sizeof m->params);
+  for (int i = 0; i < 2 && setup.own_friction; i++) {
+    double e = m->params[COULOMB_UR1 + i] - m->params[COULOMB_US1 + i];
+    if (s->given[KEY_U_R1 + i]) continue;
+    m->params[COULOMB_UR1 + i] *= factor / 1.25;
+    m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
+  }
+  return coulomb_start_set_d(m->start, m->params, fmpq_get_d(&z[0]->value), fmpq_get_d(&z[1]->value)) == SS_OK;
+}
+
+/* Times and r of the last two returns. */
+static void last_returns(double *period, double *change, const struct coulomb_log *log) {
+  const struct coulomb_event *last[2] = {NULL, NULL};
+  for (size_t i = log->n; i-- > 0 && !last[1];) {
+    const struct coulomb_event *e = &log->event[i];
+    if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) continue;
+    last[last[0] != NULL] = e;
+  }
+  *period = *change = INFINITY;
+  if (!last[1]) return;
+  *period = last[0]->at.t - last[1]->at.t;
+  *change = fabs(last[0]->at.x[1] - last[0]->at.x[0] - last[1]->at.x[1] + last[1]->at.x[0]);
+}
+
+static bool long_run_once(struct behaviour *b, double factor) {
+  enum { RETURNS = 200 };
+  struct motion m;
+  if (!long_run_motion(&m, b, factor)) return false;
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = RETURNS;
+  plan.duration = 100.0 * RETURNS;
+  struct told told[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
+  struct text word, folded;
+  double period, change;
+  bool same = told_same(&told[0], &told[1]);
+  text_init(&word);
+  text_init(&folded);
+  coulomb_log_word(&word, &told[0].log);
+  coulomb_word_fold(&folded, text_str(&word));
+  last_returns(&period, &change, &told[0].log);
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "integration";
+  e->layer = "model";
+  e->result = "states";
+  e->trials = 1;
+  e->worst = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
+  bool steady = change < 1e-8;
+  const char *end = last_pieces(b, &told[0]);
+  e->note = result_str(b->j->out,
+                       "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
+                       "closed forms %s",
+                       RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
+                       steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
+                       same ? "tell the same events" : "part from this by then");
+  text_clear(&folded);
+  text_clear(&word);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
+  return true;
+}
+
+bool behaviour_long_run(struct behaviour *b) {
+  const char *friction = claim_get(b->c, "friction");
+  const struct scene *s = b->j->scene;
+  if (!scene_printed(s, "z10") || !scene_printed(s, "z20") || !scene_has_forces(s)) {
+    finding_skip(b->f, b->j, "the scene prints no initial state, or does not give e1 and e2");
+    return true;
+  }
+  char *end = NULL;
+  int n = 0;
+  for (const char *at = friction; at && *at; at = end, n++) {
+    double factor = strtod(at, &end);
+    if (end == at || !(factor > 1 && factor < 1000))
+      return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
+    if (!long_run_once(b, factor)) {
+      finding_skip(b->f, b->j, "the printed start cannot be simulated");
+      return true;
+    }
+  }
+  if (n == 0) return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
+  b->f->verdict = VERDICT_DEFINITION; /* the paper says nothing of it */
+  return true;
+}

@@ -1,0 +1,167 @@
+/* Kind behaviour: the table of checks, and motions as both routes tell them.  Whatever depends on rounding (a flat contact,
+   routes that part) is left out and counted, so that a verdict is the same on every machine. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+
+static const struct {
+  const char *name;
+  behaviour_fn run;
+} checks[] = {{"modes", behaviour_modes},
+              {"closed-forms", behaviour_closed_forms},
+              {"configurations", behaviour_configurations},
+              {"dimension", behaviour_dimension},
+              {"linear", behaviour_linear},
+              {"switches", behaviour_switches},
+              {"jumps", behaviour_jumps},
+              {"small", behaviour_small},
+              {"fixed-points", behaviour_fixed_points},
+              {"linearization", behaviour_linearization},
+              {"equality", behaviour_equality},
+              {"perturb", behaviour_perturb},
+              {"long-run", behaviour_long_run},
+              {"patching", behaviour_patching}};
+
+bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct behaviour b = {f, j, c, view};
+  const char *name = claim_get(c, "check");
+  for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++)
+    if (strcmp(checks[i].name, name) == 0) return checks[i].run(&b) && !j->d->set;
+  return claim_error(j, c, "check", "there is no such check of behaviour");
+}
+
+/* --- Motions --- */
+
+const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
+
+static bool keep_event(void *self, const struct coulomb_event *e) {
+  struct told *t = self;
+  struct coulomb_sink log = coulomb_log_sink(&t->log);
+  return log.event(log.self, e);
+}
+
+static bool keep_row(void *self, const struct coulomb_row *row) {
+  struct told *t = self;
+  t->row = ss_grow(t->row, t->n_rows, &t->cap_rows, sizeof *t->row);
+  t->row[t->n_rows] = *row;
+  t->row[t->n_rows++].exact = NULL;
+  return true;
+}
+
+struct told motion_tell(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
+  struct told t = {.status = SS_OK};
+  struct coulomb_sink sink = {&t, keep_event, keep_row};
+  coulomb_log_init(&t.log);
+  t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
+                                                                                   &sink);
+  return t;
+}
+
+void told_clear(struct told *t) {
+  coulomb_log_clear(&t->log);
+  free(t->row);
+}
+
+bool told_same(const struct told *a, const struct told *b) {
+  size_t shared;
+  double size = 1, apart = coulomb_log_compare(&shared, &a->log, &b->log);
+  for (int i = 0; i < 2; i++) {
+    size = fmax(size, fabs(a->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.x[i] - b->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.v[i] - b->result.at.v[i]));
+  }
+  return a->status == SS_OK && b->status == SS_OK && a->log.n == shared && b->log.n == shared &&
+         a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
+}
+
+const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
+
+int mode_index(const enum coulomb_mode mode[2]) {
+  return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
+}
+
+static double nearest_dyadic(double x) {
+  return nearbyint(64 * x) / 64;
+}
+
+void motion_params(struct motion *m, struct sampler *s) {
+  struct point p;
+  point_init(&p);
+  sampler_next(&p, s);
+  static const int from[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
+  for (int i = 0; i < 5; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&p.q[from[i]]);
+  for (int i = 0; i < 2; i++) m->params[COULOMB_UR1 + i] = m->params[COULOMB_US1 + i] + fmpq_get_d(&p.q[Q_E1 + i]);
+  point_clear(&p);
+}
+
+void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+  struct point p;
+  double f[2];
+  point_init(&p);
+  sampler_next(&p, s);
+  for (int i = 0; i < 2; i++) {
+    double pull = fmpq_get_d(&p.q[Q_Z1 + i]), speed = fmpq_get_d(&p.q[Q_DZ1 + i]); /* both in eighths, up to 4 */
+    bool sticks = sticking || nearbyint(8 * pull) / 2 == floor(nearbyint(8 * pull) / 2);
+    f[i] = m->params[COULOMB_UR1 + i] * pull / (sticking ? 4.5 : 2);
+    m->start[DZ_1 + i] = m->params[COULOMB_V] * (sticks ? 1 : 1 + speed);
+  }
+  m->start[Z_1] = nearest_dyadic((f[0] + f[1]) / (1 - m->params[COULOMB_CHI]));
+  m->start[Z_2] = nearest_dyadic(m->start[Z_1] + f[1] / m->params[COULOMB_CHI]);
+  point_clear(&p);
+}
+
+void motion_print(struct text *out, const struct motion *m) {
+  const double *p = m->params;
+  text_printf(out, "chi = %.17g, eta = %.17g, V = %.17g, e1 = %.17g, e2 = %.17g, u_r1 = %.17g, u_r2 = %.17g; ",
+              p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
+              p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
+  text_printf(out, "--start %.17g,%.17g,%.17g,%.17g", m->start[0], m->start[1], m->start[2], m->start[3]);
+}
+
+static double middle(const arb_t x) {
+  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
+  for (int i = 0; i < 3; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&params->q[Q_CHI + i]);
+  for (int i = 0; i < 2; i++) {
+    double e = fmpq_get_d(&params->q[Q_E1 + i]), least = middle(i == 0 ? o->u_r1_min : o->u_r2_min);
+    m->params[COULOMB_UR1 + i] = factor * fmax(e, least);
+    m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
+  }
+  return coulomb_start_set_d(m->start, m->params, middle(o->z10), middle(o->z20)) == SS_OK;
+}
+
+/* --- Evidence --- */
+
+struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
+                                bool decisive, long trials, const char *where, const char *note) {
+  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = route;
+  e->layer = layer;
+  e->result = words[says];
+  e->trials = trials;
+  e->worst = where;
+  e->note = note;
+  return (struct route_word){route, says, decisive, trials};
+}
+
+bool behaviour_params(struct point *p, struct behaviour *b) {
+  const char *at = claim_get(b->c, "at");
+  struct text packed;
+  struct diag d;
+  text_init(&packed);
+  diag_init(&d);
+  for (const char *s = at; s && *s; s++)
+    if (*s != ' ') text_add_char(&packed, *s);
+  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
+  bool ok = at && point_set(p, text_str(&packed), &d);
+  text_clear(&packed);
+  p->kind = POINT_ORBIT;
+  p->orbit = 0;
+  return ok ||
+         claim_error(b->j, b->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+}
