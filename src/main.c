@@ -22,7 +22,7 @@ static const char help[] =
     "      the 2x2 Jacobian of one period: the paper's chain, implicit differentiation at the events, saltation "
     "matrices,\n"
     "      central differences in multiprecision, or of GSL's integration of (1)-(2), which has about eight digits\n"
-    "  stickslip simulate SCENE [--at orbit:K|printed] [--periods N] [--samples N] [--csv]\n"
+    "  stickslip simulate SCENE [--at orbit:K|printed | --start x1,x2,v1,v2] [--periods N] [--samples N] [--csv]\n"
     "      the two masses under Coulomb's law (1)-(2), integrated by GSL: events and phase word, or rows\n"
     "      t,x1,x2,v1,v2,mode1,mode2,u1,u2 at N samples a period and at every event\n"
     "  stickslip explain ID [--at NAME=VALUE,...] [--tape]\n"

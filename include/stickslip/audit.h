@@ -87,6 +87,8 @@ struct coulomb_setup {
 };
 /* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
+/* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
 
 /* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
 

@@ -37,6 +37,9 @@ void told_clear(struct told *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
 bool told_same(const struct told *a, const struct told *b);
 
+/* The piece between returns to the global stick phase that the motion repeats at its end, as (GHCD); "(no return)". */
+const char *told_ending(struct behaviour *b, const struct told *t);
+
 /* The nine pairs of modes by their letters, the paper's four phases first. */
 enum { N_MODE_PAIRS = N_MODES * N_MODES };
 extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
@@ -63,8 +66,22 @@ double orbit_r(const struct dyn_orbit *o);
 /* A route's word, with evidence that says it; where and note may be NULL. */
 struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
                                 bool decisive, long trials, const char *where, const char *note);
-/* The claim's attribute "at" ("chi = 2/5, eta = 4, ...") into the parameters of p. */
-bool behaviour_params(struct point *p, struct behaviour *b);
+/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p. */
+bool behaviour_params(struct point *p, struct behaviour *b, const char *at);
+
+/* Who watches a motion; told[] are both routes' accounts, which are the same. */
+typedef void (*watch_fn)(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]);
+struct watched {
+  long motions, apart; /* accepted; left out, since rounding could turn them */
+};
+/* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
+struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
+                               void *self);
+/* Both routes' words on the same trials, of which the integration's decides, and the verdict. */
+void behaviour_conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
+                        const char *note);
+/* Any bad one differs; none at all says nothing. */
+enum says behaviour_count(long good, long bad);
 
 /* --- The checks --- */
 

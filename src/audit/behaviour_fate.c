@@ -1,6 +1,4 @@
-/* What becomes of motions: perturbed ones beside a periodic orbit, and the one from the printed initial state.
-
-   A perturbed motion is told by r = x_2 - x_1 at its returns to the global stick phase, where r alone fixes the state when
+/* What becomes of motions beside a periodic orbit.  They are told by r = x_2 - x_1 at its returns to the global stick phase, where r alone fixes the state when
    m_1 breaks loose: it stays near (r never gets far from the orbit's, in units of the perturbation), departs and comes
    back, or ends elsewhere. */
 #include <math.h>
@@ -16,7 +14,7 @@ static const double sizes[N_SIZES] = {1e-2, 1e-4, 1e-6};
 /* A departure counts as near when it is less than this many times the perturbation; the least that counts as far. */
 static const double near_factor = 300, far_least = 1e-3;
 
-enum fate { FATE_NEAR, FATE_BACK, FATE_GONE, FATE_OPEN, N_FATES };
+enum fate { FATE_NEAR, FATE_BACK, FATE_ELSEWHERE, FATE_NO_STICK, FATE_OPEN, N_FATES };
 
 struct orbit_motion {
   struct motion start; /* on the orbit, at the start of the stick phase */
@@ -38,28 +36,13 @@ static bool follow_event(void *self, const struct coulomb_event *e) {
   return true;
 }
 
-/* The letters of the pieces between the last returns: the word that the motion ends on. */
-static const char *last_pieces(struct behaviour *b, const struct told *t) {
-  struct text word, folded;
-  text_init(&word);
-  text_init(&folded);
-  coulomb_log_word(&word, &t->log);
-  const char *s = text_str(&word);
-  size_t keep = word.len > 400 ? word.len - 400 : 0;
-  const char *cut = strchr(s + keep, 'D');
-  coulomb_word_fold(&folded, cut && cut[1] ? cut + 1 : s);
-  const char *open = strrchr(text_str(&folded), '('), *close = open ? strchr(open, ')') : NULL;
-  const char *out = close ? result_str(b->j->out, "%.*s", (int)(close - open + 1), open) : "(no return)";
-  text_clear(&folded);
-  text_clear(&word);
-  return out;
-}
-
-static int simulate_followed(struct followed *f, enum motion_route r, const struct motion *m,
+static int simulate_followed(struct followed *f, long *returns, enum motion_route r, const struct motion *m,
                              const struct coulomb_plan *plan) {
   struct coulomb_result result;
   struct coulomb_sink sink = {f, follow_event, NULL};
-  return (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
+  int s = (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
+  *returns = result.returns;
+  return s;
 }
 
 /* What becomes of a motion that begins beside the orbit, by one route. */
@@ -69,9 +52,11 @@ static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, cons
   plan.returns = o->periods;
   plan.duration = 4 * (double)o->periods * o->begin[4];
   plan.max_events = 64 * o->periods;
-  if (simulate_followed(&f, r, m, &plan) != SS_OK) return FATE_OPEN;
+  long returns;
+  if (simulate_followed(&f, &returns, r, m, &plan) != SS_OK) return FATE_OPEN;
+  if (returns < o->periods) return FATE_NO_STICK; /* in four times the orbit's own time for so many */
   bool back = f.last < 0.1 * size, near = f.farthest<near_factor * size, far = f.farthest> far_least;
-  if (!back) return f.last > far_least ? FATE_GONE : FATE_OPEN;
+  if (!back) return f.last > far_least ? FATE_ELSEWHERE : FATE_OPEN;
   return near ? FATE_NEAR : far ? FATE_BACK : FATE_OPEN;
 }
 
@@ -109,10 +94,35 @@ static const struct dyn_orbit *pick_orbit(struct behaviour *b, const struct poin
 struct table {
   long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
   long total[N_FATES], apart;                 /* apart: the routes disagree */
-  long stick_far[2]; /* sides of velocity perturbations of a sticking mass that depart: below, above */
+  long smallest[2][2];                        /* of the smallest size: breaks_loose or not; near or far */
 };
 
 static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
+
+/* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it exceeds
+   what sliding friction can carry, so that it falls back further, or faster the other way round? */
+static bool breaks_loose(const struct motion *at, int direction, double change) {
+  const double *p = at->params, *x = at->start;
+  int i = direction - DZ_1;
+  if (i < 0 || x[direction] != p[COULOMB_V]) return false;
+  double f = i == 0 ? x[0] - p[COULOMB_CHI] * x[1] : p[COULOMB_CHI] * (x[1] - x[0]);
+  return change < 0 ? f > p[COULOMB_US1 + i] : f < -p[COULOMB_US1 + i];
+}
+
+static void try_perturbation(struct table *t, const struct orbit_motion *o, const struct motion *at, int ph, int d,
+                             int s) {
+  struct motion m = *at;
+  enum fate fate[N_MOTION_ROUTES];
+  double change = (d % 2 ? -1 : 1) * sizes[s];
+  m.start[d / 2] += change;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) fate[r] = fate_of((enum motion_route)r, o, &m, sizes[s]);
+  bool same = fate[0] == fate[1];
+  if (!same) fate[0] = FATE_OPEN;
+  t->apart += !same;
+  t->count[ph][d][fate[0]]++;
+  t->total[fate[0]]++;
+  if (s == N_SIZES - 1 && fate[0] != FATE_OPEN) t->smallest[breaks_loose(at, d / 2, change)][fate[0] != FATE_NEAR]++;
+}
 
 static void fill_table(struct table *t, const struct orbit_motion *o) {
   for (int ph = 0; ph < N_PHASES; ph++)
@@ -121,17 +131,7 @@ static void fill_table(struct table *t, const struct orbit_motion *o) {
       double length = o->begin[ph + 1] - o->begin[ph];
       if (!orbit_at(&at, o, o->begin[ph] + length * (2 * k + 1) / (2.0 * MOMENTS))) continue;
       for (int d = 0; d < 2 * N_STATE; d++)
-        for (int s = 0; s < N_SIZES; s++) {
-          struct motion m = at;
-          m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[s];
-          enum fate fate[N_MOTION_ROUTES];
-          for (int r = 0; r < N_MOTION_ROUTES; r++) fate[r] = fate_of((enum motion_route)r, o, &m, sizes[s]);
-          bool same = fate[0] == fate[1];
-          t->apart += !same;
-          if (!same) fate[0] = FATE_OPEN;
-          t->count[ph][d][fate[0]]++;
-          t->total[fate[0]]++;
-        }
+        for (int s = 0; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);
     }
 }
 
@@ -139,12 +139,13 @@ static void say_table(struct behaviour *b, const struct table *t) {
   for (int ph = 0; ph < N_PHASES; ph++) {
     struct text line;
     text_init(&line);
-    text_printf(&line, "moved in phase %s (stay near, depart and come back, end elsewhere):", phase_name[ph]);
+    text_printf(&line, "moved in phase %s (stay near, depart and come back, end elsewhere, stick together no more):",
+                phase_name[ph]);
     long trials = 0;
     for (int d = 0; d < 2 * N_STATE; d++) {
       const long *c = t->count[ph][d];
-      text_printf(&line, "%s %s%c %ld %ld %ld", d ? "," : "", coordinate[d / 2], d % 2 ? '-' : '+', c[FATE_NEAR],
-                  c[FATE_BACK], c[FATE_GONE]);
+      text_printf(&line, "%s %s%c %ld %ld %ld %ld", d ? "," : "", coordinate[d / 2], d % 2 ? '-' : '+', c[FATE_NEAR],
+                  c[FATE_BACK], c[FATE_ELSEWHERE], c[FATE_NO_STICK]);
       if (c[FATE_OPEN]) text_printf(&line, " (%ld open)", c[FATE_OPEN]);
       for (int k = 0; k < N_FATES; k++) trials += c[k];
     }
@@ -173,7 +174,7 @@ static const char *basin(struct behaviour *b, const struct orbit_motion *o, int 
     struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
     double off = fabs(t.result.at.x[1] - t.result.at.x[0] - o->r);
     const char *end = t.status == SS_OK && t.result.at.mode[0] == MODE_STICK && t.result.at.mode[1] == MODE_STICK
-                          ? last_pieces(b, &t)
+                          ? told_ending(b, &t)
                           : "(no return)";
     told_clear(&t);
     if (!(off < 1e-3 * size))
@@ -205,7 +206,7 @@ static void scene_orbit_fates(struct behaviour *b) {
           m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
           plan.returns = PERIODS;
           struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
-          const char *end = last_pieces(b, &t);
+          const char *end = told_ending(b, &t);
           int k = 0;
           while (k < words && strcmp(word[k], end) != 0) k++;
           if (k < MAX_WORDS) word[k] = end;
@@ -236,24 +237,28 @@ static void scene_orbit_fates(struct behaviour *b) {
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
    there are such that do not keep it near. */
 static void judge_table(struct behaviour *b, const struct table *t, const struct orbit_motion *o) {
-  long near = t->total[FATE_NEAR], far = t->total[FATE_BACK] + t->total[FATE_GONE], open = t->total[FATE_OPEN];
+  long near = t->total[FATE_NEAR], open = t->total[FATE_OPEN],
+       all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
   const char *note = result_str(
       b->j->out,
       "a stable admissible orbit moved by 1e-2, 1e-4 and 1e-6 at %d moments of each phase: %ld motions stay near and "
-      "come "
-      "back, %ld depart however small the perturbation is and come back all the same, %ld end elsewhere; %ld open. "
-      "Those "
-      "that depart slow a sticking mass down while the force on it lies between its sliding and its static limit: it "
-      "breaks loose at once. x_2 moved at the start of the stick phase: forwards %s; backwards %s",
-      MOMENTS, near, t->total[FATE_BACK], t->total[FATE_GONE], open, basin(b, o, 1), basin(b, o, -1));
+      "die "
+      "out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of the smallest "
+      "perturbations, %ld free a sticking mass at once (slower than the belt while the force on it exceeds the sliding "
+      "friction): %ld of these depart; of the %ld others %ld. x_2 moved at the start of the stick phase: forwards %s; "
+      "backwards %s",
+      MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE], t->total[FATE_NO_STICK], open,
+      t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1], t->smallest[0][0] + t->smallest[0][1],
+      t->smallest[0][1], basin(b, o, 1), basin(b, o, -1));
+  long far = t->smallest[0][1] + t->smallest[1][1];
   enum says says = open ? SAYS_UNDECIDED : near && far ? SAYS_AGREES : near ? SAYS_DIFFERS : SAYS_NOTHING;
   struct text where;
   text_init(&where);
   motion_print(&where, &o->start);
   struct route_word w[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION,
-                         near + far + open, r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&where)) : NULL,
+    w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION, all,
+                         r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&where)) : NULL,
                          r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
   text_clear(&where);
@@ -265,7 +270,7 @@ bool behaviour_perturb(struct behaviour *b) {
   struct point p;
   memset(&t, 0, sizeof t);
   point_init(&p);
-  bool ok = behaviour_params(&p, b);
+  bool ok = behaviour_params(&p, b, claim_get(b->c, "at"));
   if (ok) {
     const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_TRUE);
     if (!orbit || !orbit_motion_make(&o, &p, orbit, 1.25)) {
@@ -281,98 +286,4 @@ bool behaviour_perturb(struct behaviour *b) {
   }
   point_clear(&p);
   return ok;
-}
-
-/* --- The long run --- */
-
-/* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
-static bool long_run_motion(struct motion *m, struct behaviour *b, double factor) {
-  const struct scene *s = b->j->scene;
-  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
-  struct coulomb_setup setup;
-  struct diag d;
-  diag_init(&d);
-  if (!audit_coulomb_setup(&setup, s, 0, true, &d)) return false;
-  memcpy(m->params, setup.params, sizeof m->params);
-  for (int i = 0; i < 2 && setup.own_friction; i++) {
-    double e = m->params[COULOMB_UR1 + i] - m->params[COULOMB_US1 + i];
-    if (s->given[KEY_U_R1 + i]) continue;
-    m->params[COULOMB_UR1 + i] *= factor / 1.25;
-    m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
-  }
-  return coulomb_start_set_d(m->start, m->params, fmpq_get_d(&z[0]->value), fmpq_get_d(&z[1]->value)) == SS_OK;
-}
-
-/* Times and r of the last two returns. */
-static void last_returns(double *period, double *change, const struct coulomb_log *log) {
-  const struct coulomb_event *last[2] = {NULL, NULL};
-  for (size_t i = log->n; i-- > 0 && !last[1];) {
-    const struct coulomb_event *e = &log->event[i];
-    if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) continue;
-    last[last[0] != NULL] = e;
-  }
-  *period = *change = INFINITY;
-  if (!last[1]) return;
-  *period = last[0]->at.t - last[1]->at.t;
-  *change = fabs(last[0]->at.x[1] - last[0]->at.x[0] - last[1]->at.x[1] + last[1]->at.x[0]);
-}
-
-static bool long_run_once(struct behaviour *b, double factor) {
-  enum { RETURNS = 200 };
-  struct motion m;
-  if (!long_run_motion(&m, b, factor)) return false;
-  struct coulomb_plan plan = coulomb_plan_default;
-  plan.returns = RETURNS;
-  plan.duration = 100.0 * RETURNS;
-  struct told told[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
-  struct text word, folded;
-  double period, change;
-  bool same = told_same(&told[0], &told[1]);
-  text_init(&word);
-  text_init(&folded);
-  coulomb_log_word(&word, &told[0].log);
-  coulomb_word_fold(&folded, text_str(&word));
-  last_returns(&period, &change, &told[0].log);
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "integration";
-  e->layer = "model";
-  e->result = "states";
-  e->trials = 1;
-  e->worst = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
-  bool steady = change < 1e-8;
-  const char *end = last_pieces(b, &told[0]);
-  e->note = result_str(b->j->out,
-                       "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
-                       "closed forms %s",
-                       RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
-                       steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
-                       same ? "tell the same events" : "part from this by then");
-  text_clear(&folded);
-  text_clear(&word);
-  for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
-  return true;
-}
-
-bool behaviour_long_run(struct behaviour *b) {
-  const char *friction = claim_get(b->c, "friction");
-  const struct scene *s = b->j->scene;
-  if (!scene_printed(s, "z10") || !scene_printed(s, "z20") || !scene_has_forces(s)) {
-    finding_skip(b->f, b->j, "the scene prints no initial state, or does not give e1 and e2");
-    return true;
-  }
-  char *end = NULL;
-  int n = 0;
-  for (const char *at = friction; at && *at; at = end, n++) {
-    double factor = strtod(at, &end);
-    if (end == at || !(factor > 1 && factor < 1000))
-      return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
-    if (!long_run_once(b, factor)) {
-      finding_skip(b->f, b->j, "the printed start cannot be simulated");
-      return true;
-    }
-  }
-  if (n == 0) return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
-  b->f->verdict = VERDICT_DEFINITION; /* the paper says nothing of it */
-  return true;
 }

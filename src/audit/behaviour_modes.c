@@ -1,55 +1,9 @@
-/* Random motions watched by both routes: which modes occur, how they follow one another, what jumps where, and whether the
-   printed closed forms hold between two events. */
+/* Random motions watched by both routes: which modes occur, how they follow one another, and what jumps where. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "behaviour.h"
-
-/* Who watches a motion; told[] are both routes' accounts, which are the same. */
-typedef void (*watch_fn)(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]);
-
-struct watched {
-  long motions, apart; /* accepted; left out, since rounding could turn them */
-};
-
-/* n random motions, each over the given time in units of the free system's; sticking: from starts as in (11). */
-static struct watched watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
-                            void *self) {
-  struct watched w = {0, 0};
-  struct sampler s;
-  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
-  for (long i = 0; i < n; i++) {
-    struct motion m;
-    struct told told[N_MOTION_ROUTES];
-    struct coulomb_plan plan = coulomb_plan_default;
-    motion_params(&m, &s);
-    motion_start(&m, &s, sticking);
-    plan.duration = duration;
-    plan.sample = sample;
-    for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
-    bool same = told_same(&told[0], &told[1]);
-    w.motions += same;
-    w.apart += !same;
-    if (same) fn(self, &m, told);
-    for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
-  }
-  return w;
-}
-
-/* Both routes' words, alike, and their verdict. */
-static void conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
-                     const char *note) {
-  struct route_word w[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(b, motion_route_name[r], "model", says[r], r == BY_INTEGRATION, trials,
-                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
-}
-
-static enum says says_of(long good, long bad) {
-  return bad ? SAYS_DIFFERS : good ? SAYS_AGREES : SAYS_NOTHING;
-}
 
 /* --- Nine pairs of modes, four kinds of phase --- */
 
@@ -83,7 +37,7 @@ static void watch_modes(void *self, const struct motion *m, const struct told to
 
 bool behaviour_modes(struct behaviour *b) {
   struct modes s = {{0}, {0}, {0}};
-  struct watched w = watch(b, 96, false, 12, 0.25, watch_modes, &s);
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
   struct text note;
   text_init(&note);
   text_printf(&note,
@@ -94,8 +48,8 @@ bool behaviour_modes(struct behaviour *b) {
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
   enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = says_of(s.rows[r], s.bad[r]);
-  conclude(b, says, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
+  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.rows[r], s.bad[r]);
+  behaviour_conclude(b, says, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
   text_clear(&note);
   return true;
 }
@@ -181,7 +135,7 @@ static const char *from_rest(struct behaviour *b) {
 bool behaviour_configurations(struct behaviour *b) {
   struct visits v = {.b = b};
   long orbits[2] = {0, 0};
-  struct watched w = watch(b, 96, true, 24, 0.125, watch_visits, &v);
+  struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
   const char *note =
@@ -192,145 +146,7 @@ bool behaviour_configurations(struct behaviour *b) {
                  w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
   enum says says[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = found ? SAYS_DIFFERS : v.inside ? SAYS_AGREES : SAYS_NOTHING;
-  conclude(b, says, w.motions, found ? v.where : NULL, note);
-  return true;
-}
-
-/* --- The printed closed forms between two events --- */
-
-enum { ARCS_PER_LETTER = 4 };
-struct arcs {
-  struct behaviour *b;
-  long printed[N_MODE_PAIRS][2], with_signs[2]; /* agree, differ */
-  const char *where;
-  bool failed;
-};
-
-static void set_exact(fmpq_t q, double x) {
-  mpq_t r;
-  mpq_init(r);
-  mpq_set_d(r, x);
-  fmpq_set_mpq(q, r);
-  mpq_clear(r);
-}
-
-/* The point at which the paper's matrices are wanted: time t, the motion's parameters. */
-static void arc_point(struct point *p, const struct motion *m, enum phase phase, double t) {
-  static const int to[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
-  p->kind = POINT_FLOW;
-  p->phase = phase;
-  for (int i = 0; i < 5; i++) set_exact(&p->q[to[i]], m->params[COULOMB_CHI + i]);
-  for (int i = 0; i < 2; i++) {
-    set_exact(&p->q[Q_E1 + i], m->params[COULOMB_UR1 + i]);
-    fmpq_sub(&p->q[Q_E1 + i], &p->q[Q_E1 + i], &p->q[Q_US1 + i]);
-  }
-  set_exact(&p->q[Q_T], t);
-}
-
-/* The paper's own expression at the point, in doubles. */
-static bool paper_value(double *out, int n, struct arcs *a, const char *expression, const char *section,
-                        const struct point *p) {
-  arb_ptr v = _arb_vec_init(16);
-  int got;
-  bool ok =
-      expression_at(v, &got, a->b->view, expression, section, p, FIRST_PREC, a->b->j->cache, a->b->j->d) == SS_OK &&
-      got == n;
-  for (int i = 0; i < n; i++) out[i] = arf_get_d(arb_midref(v + i), ARF_RND_NEAR);
-  _arb_vec_clear(v, 16);
-  return ok;
-}
-
-/* Positions by x = d + (matrix (x - d, x'))_1,2 less those that the route found, relative to the state. */
-static double gap(const double matrix[16], const double d[2], const struct coulomb_row *from,
-                  const struct coulomb_row *to) {
-  double z[N_STATE] = {from->x[0] - d[0], from->x[1] - d[1], from->v[0], from->v[1]}, worst = 0, size = 1;
-  for (int i = 0; i < 2; i++) {
-    double x = d[i];
-    for (int k = 0; k < N_STATE; k++) x += matrix[4 * i + k] * z[k];
-    worst = fmax(worst, fabs(x - to->x[i]));
-    size = fmax(size, fmax(fabs(x), fabs(to->x[i])));
-  }
-  return worst / size;
-}
-
-static void try_arc(struct arcs *a, const struct motion *m, const struct coulomb_row *from[N_MOTION_ROUTES],
-                    const struct coulomb_row *to[N_MOTION_ROUTES]) {
-  static const char *const matrices[] = {NULL, "Gamma(t)", "H(t)", "C(t)", "Gamma(t)", "H(t)", "C(t)", "H(t)", "H(t)"};
-  static const enum phase phases[] = {PHASE_D, PHASE_GAMMA, PHASE_H, PHASE_C, PHASE_GAMMA,
-                                      PHASE_H, PHASE_C,     PHASE_H, PHASE_H};
-  int letter = mode_index(from[0]->mode);
-  double matrix[16], d[2], signs[2], signed_d[2], worst[2] = {0, 0}, least = INFINITY;
-  const double *q = m->params;
-  struct point p;
-  point_init(&p);
-  arc_point(&p, m, phases[letter], to[0]->t - from[0]->t);
-  a->failed = !paper_value(matrix, 16, a, matrices[letter], "appendix_a", &p) ||
-              !paper_value(d, 1, a, "d_01", "prediction", &p) || !paper_value(d + 1, 1, a, "d_02", "prediction", &p);
-  point_clear(&p);
-  for (int i = 0; i < 2; i++) signs[i] = from[0]->mode[i] == MODE_ABOVE ? -1 : 1;
-  signed_d[0] = (signs[0] * q[COULOMB_US1] + signs[1] * q[COULOMB_US2]) / (1 - q[COULOMB_CHI]);
-  signed_d[1] = signed_d[0] + signs[1] * q[COULOMB_US2] / q[COULOMB_CHI];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    double printed = gap(matrix, d, from[r], to[r]);
-    least = fmin(least, printed);
-    worst[0] = fmax(worst[0], printed);
-    worst[1] = fmax(worst[1], gap(matrix, signed_d, from[r], to[r]));
-  }
-  bool agrees = worst[0]<1e-8, differs = least> 1e-4;
-  if (agrees || differs) a->printed[letter][differs]++;
-  a->with_signs[worst[1] >= 1e-8]++;
-  if (!differs || a->where) return;
-  struct text t;
-  text_init(&t);
-  motion_print(&t, m);
-  a->where = result_str(a->b->j->out, "phase %c from t = %.6f to %.6f of the motion %s", mode_letters[letter],
-                        from[0]->t, to[0]->t, text_str(&t));
-  text_clear(&t);
-}
-
-static void watch_arcs(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
-  struct arcs *a = self;
-  for (size_t i = 0; !a->failed && i + 1 < told[0].log.n; i++) {
-    const struct coulomb_row *from[N_MOTION_ROUTES], *to[N_MOTION_ROUTES];
-    for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      from[r] = &told[r].log.event[i].at;
-      to[r] = &told[r].log.event[i + 1].at;
-    }
-    int letter = mode_index(from[0]->mode);
-    bool wanted = letter > 0 && to[0]->t - from[0]->t > 0.25;
-    if (wanted && a->printed[letter][0] + a->printed[letter][1] < ARCS_PER_LETTER) try_arc(a, m, from, to);
-  }
-}
-
-bool behaviour_closed_forms(struct behaviour *b) {
-  struct arcs a = {.b = b};
-  struct watched w = watch(b, 96, true, 24, 0, watch_arcs, &a);
-  if (a.failed) return claim_error(b->j, b->c, "check", "the paper's matrices or equilibrium cannot be evaluated");
-  struct text note;
-  long count[2] = {0, 0};
-  text_init(&note);
-  text_printf(&note,
-              "H, Gamma and C with d_01, d_02 over whole phases of %ld motions that start as in (11), against "
-              "both routes (agree, differ):",
-              w.motions);
-  for (int i = 1; i < N_MODE_PAIRS; i++) {
-    text_printf(&note, " %c (%ld, %ld)", mode_letters[i], a.printed[i][0], a.printed[i][1]);
-    for (int k = 0; k < 2; k++) count[k] += a.printed[i][k];
-  }
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = says_of(count[0], count[1]);
-  conclude(b, says, count[0] + count[1], a.where, result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
-  if (b->f->verdict != VERDICT_REFUTED) return true;
-  struct route_word s[2];
-  enum says with = says_of(a.with_signs[0], a.with_signs[1]);
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    s[r] = behaviour_say(b, motion_route_name[r], "correction", with, r == BY_INTEGRATION,
-                         a.with_signs[0] + a.with_signs[1], NULL, "the same phases with the signs in d_01, d_02");
-  b->f->correction =
-      "d_01 = (eps_1*u_s1 + eps_2*u_s2)/(1 - chi), d_02 = (eps_1*u_s1*chi + eps_2*u_s2)/((1 - chi)*chi), "
-      "eps_i = sign(V - x'_i) where mass i slips";
-  b->f->correction_verdict = verdict_of(s, N_MOTION_ROUTES, false);
+  behaviour_conclude(b, says, w.motions, found ? v.where : NULL, note);
   return true;
 }
 
@@ -370,7 +186,7 @@ bool behaviour_switches(struct behaviour *b) {
   if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
     return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
   struct switches s = {.to_stick = to_stick, .sliding_limit = limit && strcmp(limit, "u_s") == 0};
-  struct watched w = watch(b, 96, false, 12, 0.25, watch_switches, &s);
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, &s);
   const char *note;
   if (to_stick)
     note = result_str(b->j->out,
@@ -383,8 +199,8 @@ bool behaviour_switches(struct behaviour *b) {
                       "greater one. Where a force only touches the limit and turns back, (2) allows both",
                       w.motions, s.good[0] + s.bad[0]);
   enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = says_of(s.good[r], s.bad[r]);
-  conclude(b, says, s.good[0] + s.bad[0], NULL, note);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.good[r], s.bad[r]);
+  behaviour_conclude(b, says, s.good[0] + s.bad[0], NULL, note);
   return true;
 }
 
@@ -437,7 +253,7 @@ static void watch_jumps(void *self, const struct motion *m, const struct told to
 
 bool behaviour_jumps(struct behaviour *b) {
   struct jumps s = {0};
-  struct watched w = watch(b, 64, false, 12, 1.0 / 64, watch_jumps, &s);
+  struct watched w = behaviour_watch(b, 64, false, 12, 1.0 / 64, watch_jumps, &s);
   const char *note = result_str(
       b->j->out,
       "%ld motions: at each of %ld breaks loose u_i falls from u_ri to u_si, by e_i, and x''_i leaves 0 by that jump; "
@@ -446,7 +262,7 @@ bool behaviour_jumps(struct behaviour *b) {
       "positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
       w.motions, s.loose, s.caught, s.rows);
   enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = says_of(s.loose && s.caught ? s.rows : 0, s.bad[r]);
-  conclude(b, says, s.loose + s.caught, NULL, note);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
+  behaviour_conclude(b, says, s.loose + s.caught, NULL, note);
   return true;
 }

@@ -80,7 +80,7 @@ static void meet_motions(struct met met[N_MOTION_ROUTES], struct motion *m, cons
     motion_start(m, &s, i % 3 == 0);
     for (int r = 0; r < N_MOTION_ROUTES; r++) {
       struct told t = motion_tell((enum motion_route)r, m, &plan);
-      for (size_t k = 0; k < t.n_rows; k++) meet(&met[r], &t.row[k]);
+      for (size_t k = 1; k < t.n_rows; k++) meet(&met[r], &t.row[k]); /* the start may lie on a boundary */
       told_clear(&t);
     }
   }

@@ -1,5 +1,6 @@
 /* From a scene to the Coulomb simulation: friction, and a start on an orbit or at the printed numbers. */
 #include <math.h>
+#include <string.h>
 
 #include "audit_impl.h"
 
@@ -20,10 +21,25 @@ static double static_friction(const struct scene *s, int i, const struct dyn_orb
   return 1.25 * fmax(limit_above_sliding(s, i, o), least);
 }
 
+/* Friction and the belt: what the orbit needs, or with all the most that any orbit of the list needs. */
+static void set_params(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list,
+                       const struct dyn_orbit *o, bool all) {
+  *sim = (struct coulomb_setup){.own_friction = false};
+  for (int i = 0; i < 2; i++) {
+    double e = limit_above_sliding(s, i, o), u_r = 0;
+    for (slong k = 0; all && k < list->n; k++) u_r = fmax(u_r, static_friction(s, i, &list->orbit[k]));
+    if (!all || list->n == 0) u_r = static_friction(s, i, o);
+    sim->params[COULOMB_UR1 + i] = u_r;
+    sim->params[COULOMB_US1 + i] = u_r - e;
+    sim->own_friction = sim->own_friction || !s->given[KEY_U_R1 + i];
+  }
+  for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
+  sim->period = o ? middle(o->period) : 0;
+}
+
 /* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
   struct dyn_orbits list;
-  *sim = (struct coulomb_setup){.own_friction = false};
   audit_orbits(&list, s, 128);
   const struct dyn_orbit *o = orbit < list.n ? &list.orbit[orbit] : NULL;
   const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
@@ -33,21 +49,45 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
   else if (!ok)
     diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list.n);
   if (ok) {
-    for (int i = 0; i < 2; i++) {
-      double e = limit_above_sliding(s, i, o), u_r = 0;
-      for (slong k = 0; printed && k < list.n; k++) u_r = fmax(u_r, static_friction(s, i, &list.orbit[k]));
-      if (!printed || list.n == 0) u_r = static_friction(s, i, o);
-      sim->params[COULOMB_UR1 + i] = u_r;
-      sim->params[COULOMB_US1 + i] = u_r - e;
-      sim->own_friction = sim->own_friction || !s->given[KEY_U_R1 + i];
-    }
-    for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
-    sim->period = o ? middle(o->period) : 0;
+    set_params(sim, s, &list, o, printed);
     double z10 = printed ? fmpq_get_d(&z[0]->value) : middle(o->z10);
     double z20 = printed ? fmpq_get_d(&z[1]->value) : middle(o->z20);
     ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
     if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
   }
   dyn_orbits_clear(&list);
+  return ok;
+}
+
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d) {
+  struct dyn_orbits list;
+  fmpq_t x;
+  bool ok = true;
+  fmpq_init(x);
+  audit_orbits(&list, s, 128);
+  const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
+  if (!o && !scene_has_forces(s) && !(s->given[KEY_U_R1] && s->given[KEY_U_R2])) {
+    diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);
+    ok = false;
+  }
+  set_params(sim, s, &list, o, true);
+  for (int i = 0; ok && i < N_STATE; i++) {
+    size_t n = strcspn(start, ",");
+    bool last = i + 1 == N_STATE;
+    if ((start[n] == '\0') != last) {
+      diag_set(d, "error: --start takes four constant expressions, x1,x2,v1,v2");
+      ok = false;
+    } else {
+      ok = scene_constant(x, start, n, "--start", d);
+    }
+    sim->start[i] = fmpq_get_d(x);
+    if (ok && !(fabs(sim->start[i]) <= 1e100)) {
+      diag_set(d, "error: --start takes numbers of at most 1e100");
+      ok = false;
+    }
+    start += n + !last;
+  }
+  dyn_orbits_clear(&list);
+  fmpq_clear(x);
   return ok;
 }

@@ -76,6 +76,23 @@ bool told_same(const struct told *a, const struct told *b) {
          a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
 }
 
+/* The word is cut after each return, and the last piece is taken. */
+const char *told_ending(struct behaviour *b, const struct told *t) {
+  struct text word, folded;
+  text_init(&word);
+  text_init(&folded);
+  coulomb_log_word(&word, &t->log);
+  const char *s = text_str(&word);
+  size_t keep = word.len > 400 ? word.len - 400 : 0;
+  const char *cut = strchr(s + keep, 'D');
+  coulomb_word_fold(&folded, cut && cut[1] ? cut + 1 : s);
+  const char *open = strrchr(text_str(&folded), '('), *close = open ? strchr(open, ')') : NULL;
+  const char *out = close ? result_str(b->j->out, "%.*s", (int)(close - open + 1), open) : "(no return)";
+  text_clear(&folded);
+  text_clear(&word);
+  return out;
+}
+
 const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
 
 int mode_index(const enum coulomb_mode mode[2]) {
@@ -149,13 +166,12 @@ struct route_word behaviour_say(struct behaviour *b, const char *route, const ch
   return (struct route_word){route, says, decisive, trials};
 }
 
-bool behaviour_params(struct point *p, struct behaviour *b) {
-  const char *at = claim_get(b->c, "at");
+bool behaviour_params(struct point *p, struct behaviour *b, const char *at) {
   struct text packed;
   struct diag d;
   text_init(&packed);
   diag_init(&d);
-  for (const char *s = at; s && *s; s++)
+  for (const char *s = at; s && *s && *s != ';'; s++)
     if (*s != ' ') text_add_char(&packed, *s);
   for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
   bool ok = at && point_set(p, text_str(&packed), &d);
@@ -164,4 +180,44 @@ bool behaviour_params(struct point *p, struct behaviour *b) {
   p->orbit = 0;
   return ok ||
          claim_error(b->j, b->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+}
+
+/* --- Random motions watched --- */
+
+/* n random motions, each over the given time in units of the free system's; sticking: from starts as in (11). */
+struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
+                               void *self) {
+  struct watched w = {0, 0};
+  struct sampler s;
+  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
+  for (long i = 0; i < n; i++) {
+    struct motion m;
+    struct told told[N_MOTION_ROUTES];
+    struct coulomb_plan plan = coulomb_plan_default;
+    motion_params(&m, &s);
+    motion_start(&m, &s, sticking);
+    plan.duration = duration;
+    plan.sample = sample;
+    for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
+    bool same = told_same(&told[0], &told[1]);
+    w.motions += same;
+    w.apart += !same;
+    if (same) fn(self, &m, told);
+    for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
+  }
+  return w;
+}
+
+/* Both routes' words, alike, and their verdict. */
+void behaviour_conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
+                        const char *note) {
+  struct route_word w[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_say(b, motion_route_name[r], "model", says[r], r == BY_INTEGRATION, trials,
+                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+}
+
+enum says behaviour_count(long good, long bad) {
+  return bad ? SAYS_DIFFERS : good ? SAYS_AGREES : SAYS_NOTHING;
 }

@@ -1,5 +1,5 @@
-/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit or at the printed numbers, integrated by
-   GSL; in the table, held against the closed forms event by event. */
+/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
+   integrated by GSL; in the table, held against the closed forms event by event. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -94,13 +94,17 @@ int run_simulate(const struct options *o, const char *data) {
   int status = parse_count(&periods, o->periods, MAX_PERIODS, "--periods");
   if (!status) status = parse_count(&samples, o->samples, MAX_SAMPLES, "--samples");
   if (!status) status = parse_start(&orbit, &printed, o->at);
+  if (!status && o->at && o->start) status = usage("%s", "--at and --start exclude each other");
   if (status) return status;
   if (o->n_operands != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   struct run run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  if (scene_load(&s, o->operand[0], data, &d) && audit_coulomb_setup(&run.setup, &s, orbit, printed, &d)) {
+  bool ok = scene_load(&s, o->operand[0], data, &d);
+  ok = ok && (o->start ? audit_coulomb_setup_from(&run.setup, &s, o->start, &d)
+                       : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
+  if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = periods;
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
