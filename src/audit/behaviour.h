@@ -61,6 +61,13 @@ int return_map_fate(const double params[N_PARAMS], double r0, double offset, lon
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);
 
+/* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
+struct orbit_set {
+  const struct dyn_orbit *at[256];
+  int n;
+};
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
+
 /* --- Evidence --- */
 
 /* A route's word, with evidence that says it; where and note may be NULL. */

@@ -12,7 +12,7 @@
 enum { N_SIZES = 3, MOMENTS = 3 };
 static const double sizes[N_SIZES] = {1e-2, 1e-4, 1e-6};
 /* A departure counts as near when it is less than this many times the perturbation; the least that counts as far. */
-static const double near_factor = 300, far_least = 1e-3;
+static const double near_factor = 50, far_least = 1e-3;
 
 enum fate { FATE_NEAR, FATE_BACK, FATE_ELSEWHERE, FATE_NO_STICK, FATE_OPEN, N_FATES };
 
@@ -38,7 +38,7 @@ static bool follow_event(void *self, const struct coulomb_event *e) {
 
 static int simulate_followed(struct followed *f, long *returns, enum motion_route r, const struct motion *m,
                              const struct coulomb_plan *plan) {
-  struct coulomb_result result;
+  struct coulomb_result result = {.end = COULOMB_FAILED};
   struct coulomb_sink sink = {f, follow_event, NULL};
   int s = (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
   *returns = result.returns;
@@ -95,6 +95,7 @@ struct table {
   long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
   long total[N_FATES], apart;                 /* apart: the routes disagree */
   long smallest[2][2];                        /* of the smallest size: breaks_loose or not; near or far */
+  struct motion departs;                      /* the first of the smallest that departs */
 };
 
 static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
@@ -159,29 +160,57 @@ static void say_table(struct behaviour *b, const struct table *t) {
   }
 }
 
-/* How far x_2 can be moved at the start of the stick phase until the motion no longer comes back: doublings of 1/1000. */
-static const char *basin(struct behaviour *b, const struct orbit_motion *o, int side) {
+/* How far a coordinate can be moved at a moment of the orbit, in doublings of 1/1000, until the motion no longer comes back,
+   and what it ends on then. */
+static void add_reach(struct text *out, struct behaviour *b, const struct orbit_motion *o, const struct motion *at,
+                      int coordinate_index, int side) {
   enum { DOUBLINGS = 14 };
   double good = 0;
   for (int k = 0; k < DOUBLINGS; k++) {
-    struct motion m = o->start;
+    struct motion m = *at;
     struct coulomb_plan plan = coulomb_plan_default;
     double size = ldexp(1e-3, k);
-    m.start[Z_2] += side * size;
+    m.start[coordinate_index] += side * size;
     plan.returns = o->periods;
     plan.duration = 4 * (double)o->periods * o->begin[4];
     plan.max_events = 64 * o->periods;
     struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
-    double off = fabs(t.result.at.x[1] - t.result.at.x[0] - o->r);
-    const char *end = t.status == SS_OK && t.result.at.mode[0] == MODE_STICK && t.result.at.mode[1] == MODE_STICK
-                          ? told_ending(b, &t)
-                          : "(no return)";
+    bool back = t.status == SS_OK && t.result.returns == plan.returns &&
+                fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
+    if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, told_ending(b, &t));
     told_clear(&t);
-    if (!(off < 1e-3 * size))
-      return result_str(b->j->out, "up to %g it comes back, from %g it ends on %s", good, size, end);
+    if (!back) return;
     good = size;
   }
-  return result_str(b->j->out, "up to %g it comes back", good);
+  text_printf(out, " %c%g and more", side > 0 ? '+' : '-', good);
+}
+
+static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
+  static const struct {
+    int phase, coordinate;
+    double part; /* of the phase */
+    const char *words;
+  } places[] = {{PHASE_D, Z_2, 0, "x_2 at the start of D"}, {PHASE_GAMMA, DZ_1, 0.5, "x'_1 amid Gamma"},
+                {PHASE_H, DZ_1, 0.5, "x'_1 amid H"},        {PHASE_H, DZ_2, 0.5, "x'_2 amid H"},
+                {PHASE_C, DZ_2, 0.5, "x'_2 amid C"},        {PHASE_D, DZ_1, 0.5, "x'_1 amid D"}};
+  struct text line;
+  long trials = 0;
+  text_init(&line);
+  text_add(&line, "the motion comes back when moved by as much as (in doublings of 1/1000; then what it ends on):");
+  for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+    struct motion at;
+    double length = o->begin[places[i].phase + 1] - o->begin[places[i].phase];
+    if (!orbit_at(&at, o, o->begin[places[i].phase] + places[i].part * length)) continue;
+    text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
+    for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
+  }
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "motion";
+  e->layer = "model";
+  e->result = "states";
+  e->trials = trials;
+  e->note = result_str(b->j->out, "%s", text_str(&line));
+  text_clear(&line);
 }
 
 /* The scene's own orbit, when it is unstable: perturbed once in each phase and direction, where do motions go? */
@@ -236,7 +265,7 @@ static void scene_orbit_fates(struct behaviour *b) {
 
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
    there are such that do not keep it near. */
-static void judge_table(struct behaviour *b, const struct table *t, const struct orbit_motion *o) {
+static void judge_table(struct behaviour *b, const struct table *t) {
   long near = t->total[FATE_NEAR], open = t->total[FATE_OPEN],
        all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
   const char *note = result_str(
@@ -245,23 +274,22 @@ static void judge_table(struct behaviour *b, const struct table *t, const struct
       "die "
       "out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of the smallest "
       "perturbations, %ld free a sticking mass at once (slower than the belt while the force on it exceeds the sliding "
-      "friction): %ld of these depart; of the %ld others %ld. x_2 moved at the start of the stick phase: forwards %s; "
-      "backwards %s",
+      "friction): %ld of these depart; of the %ld others %ld",
       MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE], t->total[FATE_NO_STICK], open,
       t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1], t->smallest[0][0] + t->smallest[0][1],
-      t->smallest[0][1], basin(b, o, 1), basin(b, o, -1));
+      t->smallest[0][1]);
   long far = t->smallest[0][1] + t->smallest[1][1];
+  struct text departs;
+  text_init(&departs);
+  if (far) motion_print(&departs, &t->departs);
+  const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
+  text_clear(&departs);
   enum says says = open ? SAYS_UNDECIDED : near && far ? SAYS_AGREES : near ? SAYS_DIFFERS : SAYS_NOTHING;
-  struct text where;
-  text_init(&where);
-  motion_print(&where, &o->start);
   struct route_word w[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION, all,
-                         r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&where)) : NULL,
-                         r == BY_INTEGRATION ? note : NULL);
+                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
-  text_clear(&where);
 }
 
 bool behaviour_perturb(struct behaviour *b) {
@@ -279,8 +307,9 @@ bool behaviour_perturb(struct behaviour *b) {
       double slope = fabs(arf_get_d(arb_midref(orbit->trace), ARF_RND_NEAR));
       o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
       fill_table(&t, &o);
-      judge_table(b, &t, &o);
+      judge_table(b, &t);
       say_table(b, &t);
+      say_reach(b, &o);
       scene_orbit_fates(b);
     }
   }

@@ -82,6 +82,7 @@ static void watch_visits(void *self, const struct motion *m, const struct told t
 
 /* How many motions on admissible orbits stay inside. */
 static void watch_orbits(long count[2], struct behaviour *b) {
+  struct orbit_set seen = {.n = 0};
   struct sampler s;
   struct point p;
   sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
@@ -92,7 +93,7 @@ static void watch_orbits(long count[2], struct behaviour *b) {
     sampler_next(&p, &s);
     if (!point_settle(&p, b->j->cache)) continue;
     const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !motion_on_orbit(&m, &p, o, 1.25)) continue;
+    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, 1.25)) continue;
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 1;
     plan.max_events = 64;

@@ -223,12 +223,12 @@ enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 
 /* The next admissible orbit of the pool, with the motion that starts on it. */
 static const struct dyn_orbit *next_orbit(struct motion *m, struct point *p, struct sampler *s, struct behaviour *b,
-                                          int *draws) {
+                                          struct orbit_set *seen, int *draws) {
   while ((*draws)++ < ORBIT_DRAWS) {
     sampler_next(p, s);
     if (!point_settle(p, b->j->cache)) continue;
     const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-    if (!o->grazing && motion_on_orbit(m, p, o, 1.25)) return o;
+    if (!o->grazing && orbit_is_new(seen, o) && motion_on_orbit(m, p, o, 1.25)) return o;
   }
   return NULL;
 }
@@ -265,12 +265,13 @@ bool behaviour_small(struct behaviour *b) {
   struct sampler s;
   struct point p;
   struct motion m;
+  struct orbit_set seen = {.n = 0};
   long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0};
   int draws = 0;
   sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
   s.admissible = true;
   point_init(&p);
-  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &draws))
+  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &seen, &draws))
     for (int r = 0; r < N_MOTION_ROUTES; r++) {
       double size = 0.99 * least_margin(&m) / (1 + m.params[COULOMB_CHI]);
       *(size > 0 && still_sticks((enum motion_route)r, &m, size) ? &good[r] : &bad[r]) += 1;
@@ -296,12 +297,13 @@ bool behaviour_fixed_points(struct behaviour *b) {
   struct sampler s;
   struct point p;
   struct motion m;
+  struct orbit_set seen = {.n = 0};
   long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0};
   int draws = 0;
   sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
   s.admissible = true;
   point_init(&p);
-  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &draws))
+  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &seen, &draws))
     for (int r = 0; r < N_MOTION_ROUTES; r++) {
       struct coulomb_plan plan = coulomb_plan_default;
       struct text word;

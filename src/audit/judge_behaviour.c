@@ -151,6 +151,14 @@ bool motion_on_orbit(struct motion *m, const struct point *params, const struct 
   return coulomb_start_set_d(m->start, m->params, middle(o->z10), middle(o->z20)) == SS_OK;
 }
 
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
+  for (int i = 0; i < set->n; i++)
+    if (set->at[i] == o) return false;
+  if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
+  set->at[set->n++] = o;
+  return true;
+}
+
 /* --- Evidence --- */
 
 struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,

@@ -134,15 +134,21 @@ static enum says says_of(long as_said, long against, long open) {
 static void conclude(struct behaviour *b, const struct tried *t) {
   struct route_word w[3];
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
-  const char *note = result_str(
-      b->j->out,
-      "the slope of the one-dimensional return map, by a difference over 2^-100 in 384 bits: as the criterion says at "
-      "%ld orbits with |slope| < 1 and %ld with |slope| > 1, against it at %ld; within 0.05 of -1: %ld inside, %ld "
-      "outside (nearest %.6f, %.6f), of 1: %ld inside, %ld outside (nearest %.6f, %.6f)",
-      t->as_said[INSIDE], t->as_said[OUTSIDE], bad, t->near[NEAR_BELOW][INSIDE], t->near[NEAR_BELOW][OUTSIDE],
-      t->nearest[NEAR_BELOW][INSIDE], t->nearest[NEAR_BELOW][OUTSIDE], t->near[NEAR_ABOVE][INSIDE],
-      t->near[NEAR_ABOVE][OUTSIDE], t->nearest[NEAR_ABOVE][INSIDE], t->nearest[NEAR_ABOVE][OUTSIDE]);
-  w[0] = behaviour_say(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where, note);
+  struct text note;
+  text_init(&note);
+  text_printf(&note,
+              "the slope of the one-dimensional return map, by a difference over 2^-100 in 384 bits: as the criterion "
+              "says at %ld orbits with |slope| < 1 and %ld with |slope| > 1, against it at %ld; of them within 0.05",
+              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  for (int near = 0; near < N_NEAR; near++)
+    for (int side = 0; side < N_SIDES; side++) {
+      text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
+                  side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
+      if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
+    }
+  w[0] = behaviour_say(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
+                       result_str(b->j->out, "%s", text_str(&note)));
+  text_clear(&note);
   w[1] = behaviour_say(
       b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
       t->fate_as_said + t->fate_against + t->fate_open, NULL,
@@ -165,30 +171,60 @@ static bool read_side(int *only, struct judge *j, const struct claim *c) {
          claim_error(j, c, "side", "\"inside\" or \"outside\" the unit circle");
 }
 
+/* What a claim tries: the sentence, the side it speaks of, orbits tried so far. */
+struct trying {
+  struct tried t;
+  struct sentence sentence;
+  struct behaviour *b;
+  struct orbit_set seen;
+  int only;
+};
+
+static void try_once(struct trying *y, const struct point *p) {
+  const struct dyn_orbit *o = &orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  if (orbit_is_new(&y->seen, o)) try_orbit(&y->t, &y->sentence, y->b->j, p, y->only);
+}
+
+/* Every orbit at the parameter sets of the attribute "at", separated by semicolons. */
+static bool try_given(struct trying *y, struct point *p) {
+  for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
+    if (*at == ';') at++;
+    if (!behaviour_params(p, y->b, at)) return false;
+    slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
+    for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
+  }
+  return true;
+}
+
+/* Orbits of the pool, every other one among those that the masses can follow. */
+static void try_pool(struct trying *y, struct point *p) {
+  enum { DRAWS = 128 };
+  struct sampler s;
+  sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  for (int i = 0; i < DRAWS; i++) {
+    sampler_next(p, &s);
+    s.admissible = !s.admissible;
+    if (point_settle(p, y->b->j->cache)) try_once(y, p);
+  }
+}
+
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  enum { DRAWS = 96, ORBITS = 48 };
   const char *statement = claim_get(c, "statement");
   struct behaviour b = {f, j, c, view};
-  struct sentence sentence;
-  struct sampler s;
+  struct trying y = {.b = &b};
   struct point p;
-  struct tried t = {.where = NULL};
-  int only;
-  if (!read_side(&only, j, c)) return false;
+  if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
-  if (!sentence_from_record(&sentence, view, statement, NULL, 0, j->d)) return false;
-  sampler_init(&s, c->id, POINT_ORBIT, PHASE_D, NULL);
+  if (!sentence_from_record(&y.sentence, view, statement, NULL, 0, j->d)) return false;
   point_init(&p);
-  for (int i = 0; i < DRAWS && t.as_said[0] + t.as_said[1] + t.against[0] + t.against[1] < ORBITS; i++) {
-    sampler_next(&p, &s);
-    s.admissible = !s.admissible; /* every other one among those that the masses can follow */
-    if (point_settle(&p, j->cache)) try_orbit(&t, &sentence, j, &p, only);
-  }
+  bool ok = try_given(&y, &p);
+  if (ok) try_pool(&y, &p);
   point_clear(&p);
-  sentence_clear(&sentence);
-  conclude(&b, &t);
-  return !j->d->set;
+  sentence_clear(&y.sentence);
+  if (ok) conclude(&b, &y.t);
+  return ok && !j->d->set;
 }
+
 /* What the criterion says about the scene; the paper draws no conclusion, so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)c;
