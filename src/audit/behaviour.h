@@ -37,7 +37,7 @@ void told_clear(struct told *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
 bool told_same(const struct told *a, const struct told *b);
 
-/* The piece between returns to the global stick phase that the motion repeats at its end, as (GHCD); "(no return)". */
+/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D where it has one. */
 const char *told_ending(struct behaviour *b, const struct told *t);
 
 /* The nine pairs of modes by their letters, the paper's four phases first. */

@@ -160,13 +160,16 @@ static bool read_family(struct family *f, fmpq_t from, fmpq_t to, struct behavio
     int p;
   } names[] = {{"chi", P_CHI}, {"eta", P_ETA}, {"V", P_V}, {"e1", P_E1}, {"e2", P_E2}};
   char name[8] = "", low[32] = "", high[32] = "";
-  bool ok = sscanf(vary, " %7s from %31s to %31[^; ]", name, low, high) == 3 && fmpq_set_str(from, low, 10) == 0 &&
-            fmpq_set_str(to, high, 10) == 0;
+  struct diag d;
+  diag_init(&d);
+  bool ok = sscanf(vary, " %7s from %31s to %31[^; ]", name, low, high) == 3 &&
+            scene_constant(from, low, strlen(low), "vary", &d) && scene_constant(to, high, strlen(high), "vary", &d);
   f->vary = -1;
   for (size_t i = 0; ok && i < sizeof names / sizeof *names; i++)
     if (strcmp(names[i].name, name) == 0) f->vary = names[i].p;
-  return f->vary >= 0 ||
-         claim_error(b->j, b->c, "vary", "a parameter and two rational values, as in \"e2 from 3/4 to 1\"");
+  ok = ok && f->vary >= 0 && fmpq_sgn(from) > 0 && fmpq_sgn(to) > 0;
+  if (ok && f->vary == P_CHI) ok = fmpq_cmp_si(from, 1) < 0 && fmpq_cmp_si(to, 1) < 0;
+  return ok || claim_error(b->j, b->c, "vary", "a parameter and two values in its domain, as in \"e2 from 3/4 to 1\"");
 }
 
 /* The admissible orbit whose slope is nearest to -1 at the first value; its times are where later ones are looked for. */

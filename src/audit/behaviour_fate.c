@@ -122,7 +122,9 @@ static void try_perturbation(struct table *t, const struct orbit_motion *o, cons
   t->apart += !same;
   t->count[ph][d][fate[0]]++;
   t->total[fate[0]]++;
-  if (s == N_SIZES - 1 && fate[0] != FATE_OPEN) t->smallest[breaks_loose(at, d / 2, change)][fate[0] != FATE_NEAR]++;
+  if (s < N_SIZES - 1 || fate[0] == FATE_OPEN) return;
+  if (fate[0] != FATE_NEAR && t->smallest[0][1] + t->smallest[1][1] == 0) t->departs = m;
+  t->smallest[breaks_loose(at, d / 2, change)][fate[0] != FATE_NEAR]++;
 }
 
 static void fill_table(struct table *t, const struct orbit_motion *o) {

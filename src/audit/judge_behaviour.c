@@ -76,19 +76,26 @@ bool told_same(const struct told *a, const struct told *b) {
          a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
 }
 
-/* The word is cut after each return, and the last piece is taken. */
+/* The shortest piece that the word's tail repeats often enough to believe it. */
+static size_t tail_period(const char *word, size_t len) {
+  enum { LONGEST = 40, TIMES = 4 };
+  for (size_t p = 1; p <= LONGEST && TIMES * p <= len; p++) {
+    size_t k = 1;
+    while (k < TIMES && strncmp(word + len - p, word + len - (k + 1) * p, p) == 0) k++;
+    if (k == TIMES) return p;
+  }
+  return 0;
+}
+
 const char *told_ending(struct behaviour *b, const struct told *t) {
-  struct text word, folded;
+  struct text word;
   text_init(&word);
-  text_init(&folded);
   coulomb_log_word(&word, &t->log);
-  const char *s = text_str(&word);
-  size_t keep = word.len > 400 ? word.len - 400 : 0;
-  const char *cut = strchr(s + keep, 'D');
-  coulomb_word_fold(&folded, cut && cut[1] ? cut + 1 : s);
-  const char *open = strrchr(text_str(&folded), '('), *close = open ? strchr(open, ')') : NULL;
-  const char *out = close ? result_str(b->j->out, "%.*s", (int)(close - open + 1), open) : "(no return)";
-  text_clear(&folded);
+  const char *s = text_str(&word), *out = "no piece that repeats";
+  size_t p = tail_period(s, word.len), last = word.len;
+  while (p && last > word.len - p && s[last - 1] != 'D') last--;
+  if (last <= word.len - p) last = word.len; /* no D in it: as it stands */
+  if (p) out = result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
   text_clear(&word);
   return out;
 }
@@ -131,10 +138,10 @@ void motion_start(struct motion *m, struct sampler *s, bool sticking) {
 
 void motion_print(struct text *out, const struct motion *m) {
   const double *p = m->params;
-  text_printf(out, "chi = %.17g, eta = %.17g, V = %.17g, e1 = %.17g, e2 = %.17g, u_r1 = %.17g, u_r2 = %.17g; ",
+  text_printf(out, "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; ",
               p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
               p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
-  text_printf(out, "--start %.17g,%.17g,%.17g,%.17g", m->start[0], m->start[1], m->start[2], m->start[3]);
+  text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
 }
 
 static double middle(const arb_t x) {
