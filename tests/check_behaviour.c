@@ -369,6 +369,9 @@ START_TEST(the_long_run_of_the_printed_start) {
     ck_assert_msg(strstr(g->evidence[k].note, field[n - 1]) != NULL, "%s, not %s", g->evidence[k].note, field[n - 1]);
     ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
     ck_assert(strstr(g->evidence[k].note, "tell the same events") != NULL);
+    char friction[64];
+    snprintf(friction, sizeof friction, "u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
+    ck_assert_str_eq(g->evidence[k].worst, friction);
   }
   fclose(f);
   audit_result_clear(&r);
@@ -400,11 +403,66 @@ START_TEST(a_slowed_sticking_mass_departs) {
 }
 END_TEST
 
+/* How much the product of the phases' propagators stretches a vector per period in the long run, in double by GSL. */
+static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
+  enum { PERIODS = 4000 };
+  struct num_vec p, step[N_PHASES], z;
+  double log_size = 0;
+  num_vec_init(&p, N_PARAMS, num_ctx_double());
+  num_vec_init(&z, N_STATE, num_ctx_double());
+  for (int i = 0; i < N_PARAMS; i++) p.ctx.type->set_q(num_vec_at(&p, i), &params[i], 53);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    double t = middle(o->t[ph]);
+    num_vec_init(&step[ph], N_STATE * N_STATE, num_ctx_double());
+    ck_assert_int_eq(dyn_propagator(&step[ph], (enum phase)ph, &p, &t), SS_OK);
+  }
+  for (int i = 0; i < N_STATE; i++) z.ctx.type->set_d(num_vec_at(&z, i), 0.3 + i, 53);
+  for (int k = 0; k < PERIODS; k++) {
+    double size = 0;
+    for (int ph = 0; ph < N_PHASES; ph++) num_mat_mul(&z, &step[ph], &z, N_STATE, N_STATE, 1);
+    for (int i = 0; i < N_STATE; i++) size = fmax(size, fabs(z.ctx.type->get_d(num_vec_at(&z, i))));
+    for (int i = 0; i < N_STATE; i++) {
+      double x = z.ctx.type->get_d(num_vec_at(&z, i)) / size;
+      z.ctx.type->set_d(num_vec_at(&z, i), x, 53);
+    }
+    if (k >= PERIODS / 2) log_size += log(size) / (PERIODS - PERIODS / 2);
+  }
+  for (int ph = 0; ph < N_PHASES; ph++) num_vec_clear(&step[ph]);
+  num_vec_clear(&z);
+  num_vec_clear(&p);
+  return exp(log_size);
+}
+
+/* At how many of the orbits that the claim draws the propagators stretch. */
+static long stretched(const char *id) {
+  enum { WANTED = 24, DRAWS = 96 };
+  struct orbit_cache *cache = orbit_cache_new();
+  struct orbit_set seen = {.n = 0};
+  struct sampler s;
+  struct point p;
+  long count = 0;
+  sampler_init(&s, id, POINT_ORBIT, PHASE_D, NULL);
+  point_init(&p);
+  for (int i = 0; i < DRAWS && seen.n < WANTED; i++) {
+    sampler_next(&p, &s);
+    if (!point_settle(&p, cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(cache, p.q, FD_PREC + 64)->orbit[p.orbit];
+    if (!o->grazing && orbit_is_new(&seen, o)) count += growth(o, p.q) > 1.005;
+  }
+  point_clear(&p);
+  orbit_cache_free(cache);
+  return count;
+}
+
 START_TEST(linearization_is_wrong_without_the_jumps_only) {
   struct audit_result r;
   const struct finding *f = judged(&r, CLAIM("linearization"));
   ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
   ck_assert(says(f, "and wrong at 0"));
+  ck_assert_int_eq(f->evidence[0].trials, stretched("text-case"));
+  audit_result_clear(&r);
+  f = judged(&r, "claim text-other\n  kind: behaviour\n  title: a case\n  check: linearization\n");
+  ck_assert_int_eq(f->evidence[0].trials, stretched("text-other"));
   audit_result_clear(&r);
   f = judged(&r, CLAIM("linearization") "  jumps: saltation\n");
   ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
