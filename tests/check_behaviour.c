@@ -489,6 +489,32 @@ START_TEST(the_criterion_needs_its_threshold) {
 }
 END_TEST
 
+/* The scene to reproduce the perturbed motions with is the claim's. */
+START_TEST(the_scene_is_the_claims) {
+  struct claims claims = {.n = 0};
+  struct scene stable;
+  struct diag d;
+  struct point p;
+  char at[200];
+  size_t n = 0;
+  diag_init(&d);
+  point_init(&p);
+  ck_assert(scene_load(&stable, "stable", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d));
+  for (size_t i = 0; i < claims.n; i++) {
+    if (strcmp(claims.claim[i].id, "text-conditionally-stable") != 0) continue;
+    for (const char *s = claim_get(&claims.claim[i], "at"); *s; s++)
+      if (*s != ' ') at[n++] = *s;
+  }
+  at[n] = '\0';
+  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p.q[q]);
+  ck_assert_msg(n > 0 && point_set(&p, at, &d), "%s", d.message);
+  for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
+  claims_clear(&claims);
+  scene_clear(&stable);
+  point_clear(&p);
+}
+END_TEST
+
 /* Whatever a claim file may say, an answer or a place in the file. */
 START_TEST(hostile_attributes) {
   static const char *const texts[] = {
@@ -626,6 +652,7 @@ Suite *behaviour_suite(void) {
   tcase_add_test(c, a_slowed_sticking_mass_departs);
   tcase_add_test(c, linearization_is_wrong_without_the_jumps_only);
   tcase_add_test(c, the_criterion_needs_its_threshold);
+  tcase_add_test(c, the_scene_is_the_claims);
   tcase_add_test(c, hostile_attributes);
   tcase_add_test(c, simulate_from_a_start_of_ones_own);
   tcase_add_test(c, hostile_starts);

@@ -267,17 +267,19 @@ static void scene_orbit_fates(struct behaviour *b) {
 
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
    there are such that do not keep it near. */
-static void judge_table(struct behaviour *b, const struct table *t) {
+static void judge_table(struct route_word w[N_MOTION_ROUTES], struct behaviour *b, const struct table *t,
+                        double friction) {
   long near = t->total[FATE_NEAR], open = t->total[FATE_OPEN],
        all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
   const char *note = result_str(
       b->j->out,
-      "a stable admissible orbit moved by 1e-2, 1e-4 and 1e-6 at %d moments of each phase: %ld motions stay near and "
-      "die "
-      "out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of the smallest "
+      "a stable admissible orbit, u_ri = %g times what it needs, moved by 1e-2, 1e-4 and 1e-6 at %d moments of each "
+      "phase: "
+      "%ld motions stay near and die out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld "
+      "open. Of the smallest "
       "perturbations, %ld free a sticking mass at once (slower than the belt while the force on it exceeds the sliding "
       "friction): %ld of these depart; of the %ld others %ld",
-      MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE], t->total[FATE_NO_STICK], open,
+      friction, MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE], t->total[FATE_NO_STICK], open,
       t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1], t->smallest[0][0] + t->smallest[0][1],
       t->smallest[0][1]);
   long far = t->smallest[0][1] + t->smallest[1][1];
@@ -287,33 +289,36 @@ static void judge_table(struct behaviour *b, const struct table *t) {
   const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
   text_clear(&departs);
   enum says says = open ? SAYS_UNDECIDED : near && far ? SAYS_AGREES : near ? SAYS_DIFFERS : SAYS_NOTHING;
-  struct route_word w[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION, all,
                          r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }
 
 bool behaviour_perturb(struct behaviour *b) {
+  enum { FRICTIONS = 2 };
+  static const double friction[FRICTIONS] = {1.25, 2};
   struct orbit_motion o;
-  struct table t;
+  struct table t[FRICTIONS];
+  struct route_word w[FRICTIONS * N_MOTION_ROUTES];
   struct point p;
-  memset(&t, 0, sizeof t);
+  memset(t, 0, sizeof t);
   point_init(&p);
   bool ok = behaviour_params(&p, b, claim_get(b->c, "at"));
+  const struct dyn_orbit *orbit = ok ? pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
+    double slope = fabs(arf_get_d(arb_midref(orbit->trace), ARF_RND_NEAR));
+    ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
+         claim_error(b->j, b->c, "at", "the orbit at these parameters cannot be simulated");
+    o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
+    if (ok) fill_table(&t[k], &o);
+  }
+  for (int k = 0; ok && k < FRICTIONS; k++) judge_table(w + k * N_MOTION_ROUTES, b, &t[k], friction[k]);
   if (ok) {
-    const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_TRUE);
-    if (!orbit || !orbit_motion_make(&o, &p, orbit, 1.25)) {
-      ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
-    } else {
-      double slope = fabs(arf_get_d(arb_midref(orbit->trace), ARF_RND_NEAR));
-      o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
-      fill_table(&t, &o);
-      judge_table(b, &t);
-      say_table(b, &t);
-      say_reach(b, &o);
-      scene_orbit_fates(b);
-    }
+    b->f->verdict = verdict_of(w, FRICTIONS * N_MOTION_ROUTES, false);
+    say_table(b, &t[0]);
+    say_reach(b, &o);
+    scene_orbit_fates(b);
   }
   point_clear(&p);
   return ok;

@@ -59,8 +59,10 @@ bool behaviour_modes(struct behaviour *b) {
 struct visits {
   struct behaviour *b;
   long inside, outside;
-  double fastest;    /* largest lead over the belt, in belt speeds */
-  const char *where; /* the motion that has it */
+  long rows[N_MOTION_ROUTES],
+      bad[N_MOTION_ROUTES]; /* samples in one of the nine pairs of modes, as (2) has them, or not */
+  double fastest;           /* largest lead over the belt, in belt speeds */
+  const char *where;        /* the motion that has it */
 };
 
 static void watch_visits(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
@@ -71,6 +73,8 @@ static void watch_visits(void *self, const struct motion *m, const struct told t
   bool out = false;
   for (size_t i = 0; i < told[0].log.n; i++) out = out || mode_index(told[0].log.event[i].at.mode) >= N_PAPER_LETTERS;
   *(out ? &v->outside : &v->inside) += 1;
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    for (size_t i = 0; i < told[r].n_rows; i++) *(obeys(&told[r].row[i], m->params) ? &v->rows[r] : &v->bad[r]) += 1;
   if (!out || lead < v->fastest + 0.01) return;
   struct text t;
   text_init(&t);
@@ -148,6 +152,15 @@ bool behaviour_configurations(struct behaviour *b) {
   enum says says[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = found ? SAYS_DIFFERS : v.inside ? SAYS_AGREES : SAYS_NOTHING;
   behaviour_conclude(b, says, w.motions, found ? v.where : NULL, note);
+  if (b->f->verdict != VERDICT_REFUTED) return true;
+  struct route_word all[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    all[r] =
+        behaviour_say(b, motion_route_name[r], "correction", behaviour_count(v.rows[r], v.bad[r]), r == BY_INTEGRATION,
+                      v.rows[r] + v.bad[r], NULL,
+                      "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
+  b->f->correction = "nine configurations: for each mass x'_i = V (sticking), x'_i < V or x'_i > V (slipping)";
+  b->f->correction_verdict = verdict_of(all, N_MOTION_ROUTES, false);
   return true;
 }
 

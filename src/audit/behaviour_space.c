@@ -221,16 +221,40 @@ bool behaviour_linear(struct behaviour *b) {
 
 enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 
-/* The next admissible orbit of the pool, with the motion that starts on it. */
-static const struct dyn_orbit *next_orbit(struct motion *m, struct point *p, struct sampler *s, struct behaviour *b,
-                                          struct orbit_set *seen, int *draws) {
-  while ((*draws)++ < ORBIT_DRAWS) {
-    sampler_next(p, s);
-    if (!point_settle(p, b->j->cache)) continue;
-    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-    if (!o->grazing && orbit_is_new(seen, o) && motion_on_orbit(m, p, o, 1.25)) return o;
+/* What must hold of the motion that starts on an admissible orbit. */
+typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
+
+/* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
+static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) {
+  static const double friction[] = {1.25, 2};
+  struct sampler s;
+  struct point p;
+  struct orbit_set seen = {.n = 0};
+  long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0}, orbits = 0;
+  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  s.admissible = true;
+  point_init(&p);
+  for (int i = 0; i < ORBIT_DRAWS && orbits < ORBITS; i++) {
+    struct motion m;
+    sampler_next(&p, &s);
+    if (!point_settle(&p, b->j->cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
+    if (o->grazing || !orbit_is_new(&seen, o)) continue;
+    orbits++;
+    for (int k = 0; k < 2; k++)
+      for (int r = 0; r < N_MOTION_ROUTES; r++) {
+        bool ok = motion_on_orbit(&m, &p, o, friction[k]) && holds((enum motion_route)r, &m);
+        *(ok ? &good[r] : &bad[r]) += 1;
+      }
   }
-  return NULL;
+  point_clear(&p);
+  struct route_word w[N_MOTION_ROUTES];
+  const char *words =
+      result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_say(b, motion_route_name[r], "model", behaviour_count(good[r], bad[r]), r == BY_INTEGRATION,
+                         good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
@@ -241,10 +265,11 @@ static double least_margin(const struct motion *m) {
   return least;
 }
 
-/* Positions moved by up to the size of margin/(1 + chi): the forces change by less than the margin. */
-static bool still_sticks(enum motion_route r, const struct motion *m, double size) {
+/* Positions moved eight ways so that the forces change by less than their least margin. */
+static bool still_sticks(enum motion_route r, const struct motion *m) {
   static const double side[8][2] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {1, -1}, {-1, 1}, {-1, -1}};
-  bool ok = true;
+  double size = 0.99 * least_margin(m) / (1 + m->params[COULOMB_CHI]);
+  bool ok = size > 0;
   for (int i = 0; i < 8; i++) {
     struct motion moved = *m;
     enum coulomb_mode mode[2];
@@ -262,75 +287,29 @@ static bool still_sticks(enum motion_route r, const struct motion *m, double siz
 }
 
 bool behaviour_small(struct behaviour *b) {
-  struct sampler s;
-  struct point p;
-  struct motion m;
-  struct orbit_set seen = {.n = 0};
-  long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0};
-  int draws = 0;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &seen, &draws))
-    for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      double size = 0.99 * least_margin(&m) / (1 + m.params[COULOMB_CHI]);
-      *(size > 0 && still_sticks((enum motion_route)r, &m, size) ? &good[r] : &bad[r]) += 1;
-    }
-  point_clear(&p);
-  struct route_word w[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(
-        b, motion_route_name[r], "model",
-        bad[r]    ? SAYS_DIFFERS
-        : good[r] ? SAYS_AGREES
-                  : SAYS_NOTHING,
-        r == BY_INTEGRATION, good[r] + bad[r], NULL,
-        r == BY_INTEGRATION ? "at the start of admissible orbits, positions moved eight ways by as much as 0.99 of the "
-                              "least distance of a force from its limit, over 1 + chi: both masses stick until m_1 "
-                              "breaks loose. \"Small\" means smaller than that distance"
-                            : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+  judge_orbits(b, still_sticks,
+               "positions moved eight ways at the start by as much as 0.99 of the least distance of a force from its "
+               "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that");
   return true;
 }
 
+static bool comes_back(enum motion_route r, const struct motion *m) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct text word;
+  plan.returns = 1;
+  plan.max_events = 64;
+  struct told t = motion_tell(r, m, &plan);
+  text_init(&word);
+  coulomb_log_word(&word, &t.log);
+  double gap = 0;
+  for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m->start[i]) / (1 + fabs(m->start[i])));
+  bool ok = t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
+  text_clear(&word);
+  told_clear(&t);
+  return ok;
+}
+
 bool behaviour_fixed_points(struct behaviour *b) {
-  struct sampler s;
-  struct point p;
-  struct motion m;
-  struct orbit_set seen = {.n = 0};
-  long good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0};
-  int draws = 0;
-  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  s.admissible = true;
-  point_init(&p);
-  while (good[0] + bad[0] < ORBITS && next_orbit(&m, &p, &s, b, &seen, &draws))
-    for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      struct coulomb_plan plan = coulomb_plan_default;
-      struct text word;
-      plan.returns = 1;
-      plan.max_events = 64;
-      struct told t = motion_tell((enum motion_route)r, &m, &plan);
-      text_init(&word);
-      coulomb_log_word(&word, &t.log);
-      double gap = 0;
-      for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m.start[i]) / (1 + fabs(m.start[i])));
-      bool ok = t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
-      *(ok ? &good[r] : &bad[r]) += 1;
-      text_clear(&word);
-      told_clear(&t);
-    }
-  point_clear(&p);
-  struct route_word w[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] =
-        behaviour_say(b, motion_route_name[r], "model",
-                      bad[r]    ? SAYS_DIFFERS
-                      : good[r] ? SAYS_AGREES
-                                : SAYS_NOTHING,
-                      r == BY_INTEGRATION, good[r] + bad[r], NULL,
-                      r == BY_INTEGRATION ? "the motion from the start of an admissible orbit goes G H C D and comes "
-                                            "back to that start"
-                                          : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start");
   return true;
 }

@@ -66,7 +66,7 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   fmpq_init(x);
   audit_orbits(&list, s, 128);
   const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
-  if (!o && !scene_has_forces(s) && !(s->given[KEY_U_R1] && s->given[KEY_U_R2])) {
+  if (!o && !scene_has_forces(s)) {
     diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);
     ok = false;
   }
