@@ -11,6 +11,7 @@
 
 enum { N_SIZES = 3, MOMENTS = 3 };
 static const double sizes[N_SIZES] = {1e-2, 1e-4, 1e-6};
+static const char *const size_words[N_SIZES] = {"1e-2, 1e-4 and 1e-6", "1e-4 and 1e-6", "1e-6"}; /* from one on */
 /* A departure counts as near when it is less than this many times the perturbation; the least that counts as far. */
 static const double near_factor = 50, far_least = 1e-3;
 
@@ -92,6 +93,7 @@ static const struct dyn_orbit *pick_orbit(struct behaviour *b, const struct poin
 }
 
 struct table {
+  int first;                                  /* of the sizes tried */
   long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
   long total[N_FATES], apart;                 /* apart: the routes disagree */
   long smallest[2][2];                        /* of the smallest size: breaks_loose or not; near or far */
@@ -134,7 +136,7 @@ static void fill_table(struct table *t, const struct orbit_motion *o) {
       double length = o->begin[ph + 1] - o->begin[ph];
       if (!orbit_at(&at, o, o->begin[ph] + length * (2 * k + 1) / (2.0 * MOMENTS))) continue;
       for (int d = 0; d < 2 * N_STATE; d++)
-        for (int s = 0; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);
+        for (int s = t->first; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);
     }
 }
 
@@ -273,15 +275,13 @@ static void judge_table(struct route_word w[N_MOTION_ROUTES], struct behaviour *
        all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
   const char *note = result_str(
       b->j->out,
-      "a stable admissible orbit, u_ri = %g times what it needs, moved by 1e-2, 1e-4 and 1e-6 at %d moments of each "
-      "phase: "
-      "%ld motions stay near and die out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld "
-      "open. Of the smallest "
-      "perturbations, %ld free a sticking mass at once (slower than the belt while the force on it exceeds the sliding "
-      "friction): %ld of these depart; of the %ld others %ld",
-      friction, MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE], t->total[FATE_NO_STICK], open,
-      t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1], t->smallest[0][0] + t->smallest[0][1],
-      t->smallest[0][1]);
+      "a stable admissible orbit, u_ri = %g times what it needs, moved by %s at %d moments of each phase: %ld motions "
+      "stay near and die out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of "
+      "the smallest perturbations, %ld free a sticking mass at once (slower than the belt while the force on it "
+      "exceeds the sliding friction): %ld of these depart; of the %ld others %ld",
+      friction, size_words[t->first], MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE],
+      t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
+      t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);
   long far = t->smallest[0][1] + t->smallest[1][1];
   struct text departs;
   text_init(&departs);
@@ -311,6 +311,7 @@ bool behaviour_perturb(struct behaviour *b) {
     ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
          claim_error(b->j, b->c, "at", "the orbit at these parameters cannot be simulated");
     o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
+    t[k].first = k == 0 ? 0 : N_SIZES - 1; /* the second friction with the smallest only */
     if (ok) fill_table(&t[k], &o);
   }
   for (int k = 0; ok && k < FRICTIONS; k++) judge_table(w + k * N_MOTION_ROUTES, b, &t[k], friction[k]);

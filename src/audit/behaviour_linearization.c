@@ -121,8 +121,7 @@ bool behaviour_linearization(struct behaviour *b) {
       "determinant is 1, so it can never call an orbit stable) has a multiplier outside the unit circle at %ld orbits "
       "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
       "the switches linearization "
-      "answers "
-      "right at %ld orbits and wrong at %ld",
+      "answers right at %ld orbits and wrong at %ld",
       s.right[0], s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   struct route_word w[2];

@@ -272,8 +272,7 @@ bool behaviour_jumps(struct behaviour *b) {
       b->j->out,
       "%ld motions: at each of %ld breaks loose u_i falls from u_ri to u_si, by e_i, and x''_i leaves 0 by that jump; "
       "at %ld of the catches and crossings u_i jumps from u_si to the restoring force (or to -u_si), and x''_i with "
-      "it; "
-      "positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
+      "it; positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
       w.motions, s.loose, s.caught, s.rows);
   enum says says[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
