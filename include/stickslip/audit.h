@@ -34,6 +34,7 @@
 
 #include "stickslip/coulomb.h"
 #include "stickslip/model.h"
+#include "stickslip/paper_route.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
 
@@ -60,6 +61,8 @@ void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */
 const char *claim_get(const struct claim *c, const char *key);
+/* Whose text the claim reads as printed: the equation number of its attribute own, else its own, else its id. */
+const char *claim_own(const struct claim *c);
 /* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
 bool claim_selected(const char *id, const char *item);
 
@@ -86,11 +89,35 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
    dyn_orbits_given return them. */
 int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec);
 
+/* --- The paper's own route (44)-(46) at a scene --- */
+
+/* One run of Newton's iteration.  The route may be used after SS_OK; distance is an upper bound of the largest
+   difference between its six numbers and those of the nearest of the model's orbits. */
+enum { PAPER_START_MOVED = 2 }; /* by how much every time of an orbit is moved for a start, in per cent */
+struct paper_orbit {
+  slong from; /* the orbit whose times were moved, from 0; -1: the printed times */
+  double guess[4];
+  int status;
+  struct paper_route route;
+  slong nearest; /* from 0; -1 when there is none */
+  arb_t distance;
+};
+struct paper_orbits {
+  struct paper_orbit *item;
+  size_t n, cap;
+};
+/* From the printed times when the scene prints all four, else from the moved times of each orbit that the model finds.
+   Where the scene does not give e1 and e2, those of each of its orbits are taken (the middle of their enclosure) and
+   there is one run for each.  false with d set when there is nowhere to start; clear it all the same. */
+bool audit_paper_orbits(struct paper_orbits *out, const struct scene *s, slong prec, struct diag *d);
+void paper_orbits_clear(struct paper_orbits *p);
+
 /* --- The scene under Coulomb's law --- */
 
 struct coulomb_setup {
   double params[N_COULOMB], start[N_STATE];
   double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
+  double trace;      /* tr J of the orbit; NaN at printed numbers */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
 /* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */

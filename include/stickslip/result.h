@@ -63,6 +63,34 @@ struct control_result {
   bool noticed;
 };
 
+/* Two routes to one quantity, held against each other wherever both apply. */
+struct route_pair {
+  const char *quantity, *first, *second;
+  const char *shared;  /* what both rest on */
+  long comparisons;    /* of whole quantities: a matrix, or the times and states of a pass */
+  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale), or its routes' estimates */
+  bool within;         /* there were comparisons, and all of them kept to it */
+  const char *largest; /* order of magnitude of the largest disagreement, or "no answer"; NULL for a route in double */
+  const char *worst;   /* where; NULL with it */
+  double machine_largest; /* for run.json */
+  const char *machine_worst;
+};
+
+/* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
+   route grows or shrinks at that rate. */
+enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
+struct long_result {
+  const char *orbit, *multiplier;
+  long periods;
+  const char *expected;                /* when 2^-52 has become 1e-6: "never", "about 970 periods" */
+  bool obeys, displaced;               /* rates within a tenth of log|tr J| */
+  long machine_parting[N_LONG_PAIRS];  /* for run.json: the first period at which they are apart by 1e-6, or 0; */
+  double machine_most[N_LONG_PAIRS];   /* the largest distance; */
+  double machine_growth[N_LONG_PAIRS]; /* its measured growth a period, NaN without one; */
+  double machine_displaced;            /* that of a displacement */
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
@@ -72,7 +100,11 @@ struct audit_result {
   size_t n_skipped, cap_skipped;
   struct control_result *controls;
   size_t n_controls, cap_controls;
-  const char *const *independence;
+  struct route_pair *pairs; /* none unless the whole audit ran */
+  size_t n_pairs, cap_pairs;
+  struct long_result *long_runs; /* likewise */
+  size_t n_long_runs, cap_long_runs;
+  const char *const *independence; /* what each route does and rests on */
   int n_independence;
 };
 
@@ -82,7 +114,7 @@ void audit_result_clear(struct audit_result *r);
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, and controls that went unnoticed. */
+/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "routes.h"
 
 static const struct {
   const char *name;
@@ -39,6 +39,8 @@ void audit_result_clear(struct audit_result *r) {
   free(r->findings);
   free(r->skipped);
   free(r->controls);
+  free(r->pairs);
+  free(r->long_runs);
   arena_clear(&r->arena);
 }
 
@@ -67,6 +69,8 @@ long audit_result_unexpected(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
+  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
   return n;
 }
 
@@ -227,9 +231,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
   if (k < 0) return claim_error(j, c, "kind", "unknown kind of claim");
   struct finding f;
   if (!describe(&f, j, c)) return false;
-  const char *own = claim_get(c, "own");
-  if (!own) own = claim_get(c, "equation");
-  struct view view = {j->model, LAYER_CORRECTED, own ? own : c->id, NULL};
+  struct view view = {j->model, LAYER_CORRECTED, claim_own(c), NULL};
   if (!kinds[k].judge(&f, j, c, view) && !notation_fault(&f, j)) return false;
   if (f.verdict == VERDICT_REFUTED) {
     const char *fault = claim_get(c, "fault");
@@ -247,7 +249,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
 
 /* --- Controls --- */
 
-static void leave_out(struct audit_result *out, const char *what, const char *why) {
+void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
   out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
@@ -256,6 +258,11 @@ static const struct claim *find_claim(const struct claims *claims, const char *i
   for (size_t i = 0; id && i < claims->n; i++)
     if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
   return NULL;
+}
+
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
+  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
+  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
 }
 
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
@@ -270,13 +277,11 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
   struct audit_result *out = j->out;
   if (!kinds[k].judge(&f, j, &c, view)) {
     if (!notation_fault(&f, j)) return false;
-    leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
+    audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
-  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] =
-      (struct control_result){copy(out, control->id), copy(out, claim->id), f.verdict, f.verdict == VERDICT_REFUTED};
+  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
   return true;
 }
 
@@ -318,6 +323,16 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
   return true;
 }
 
+/* What is done once for the whole audit, claim or no claim. */
+static bool studies(struct judge *j, const struct audit_options *opt) {
+  if (opt->n_only > 0) {
+    audit_leave_out(j->out, "the study of the routes and the long runs", "made by the whole audit, not with --only");
+    return true;
+  }
+  study_long_runs(j);
+  return study_routes(j);
+}
+
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
@@ -325,8 +340,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
   out->scene = copy(out, scene->name);
   out->title = copy(out, scene->title);
-  out->independence = route_independence;
-  out->n_independence = n_route_independence;
+  routes_describe(out);
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
@@ -338,7 +352,8 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     ok = judge_claim(&j, &claims->claim[i]);
   }
   ok = ok && run_controls(&j, claims, controls, opt);
-  if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  ok = ok && studies(&j, opt);
   orbit_cache_free(j.cache);
   return ok;
 }

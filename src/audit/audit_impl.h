@@ -245,12 +245,11 @@ struct route_word {
 };
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
-/* How many of the routes are pairwise independent enough to support a verdict. */
+/* How many of the routes agree and are pairwise independent by the table of routes.h. */
 int independent_routes(const struct route_word *w, int n);
-/* The table of what the routes share, as sentences. */
-extern const char *const route_independence[];
-extern const int n_route_independence;
 
+/* log2 of an upper bound of |x|; -inf for zero. */
+double log2_upper(const arb_t x);
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
@@ -287,5 +286,27 @@ void finding_skip(struct finding *f, struct judge *j, const char *why);
 const char *ball_text(struct judge *j, const arb_t x, slong n);
 
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
+
+/* What became of a control; it is noticed when it is refuted. */
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
+/* Other work left out, with the reason. */
+void audit_leave_out(struct audit_result *out, const char *what, const char *why);
+
+/* The Jacobian at a point by one of the methods of the suite's own model but METHOD_ODE: balls; by METHOD_FD numbers
+   with their estimated error. */
+int jacobian_by_model(arb_ptr j, enum jacobian_method method, const struct point *p, slong prec,
+                      struct orbit_cache *cache);
+/* Coulomb's law beside an orbit, under the friction u_ri = factor max(e_i, u_ri_min).  OWN_FRICTION is the factor that
+   audit_coulomb_setup takes where a scene gives no friction. */
+#define OWN_FRICTION 1.25
+int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
+                           double factor);
+
+/* Every pair of routes in the table of routes.h that compute the same quantity, held against each other at fixed random
+   points and on orbits, into out->pairs. */
+bool study_routes(struct judge *j);
+/* Runs over many periods beside the scene's orbit nearest to its printed numbers and beside orbits of other multipliers,
+   into out->long_runs. */
+void study_long_runs(struct judge *j);
 
 #endif

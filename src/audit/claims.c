@@ -85,6 +85,11 @@ const char *claim_get(const struct claim *c, const char *key) {
   return v ? v : record_get(c->record, key);
 }
 
+const char *claim_own(const struct claim *c) {
+  const char *own = claim_get(c, "own"), *equation = claim_get(c, "equation");
+  return own ? own : equation ? equation : c->id;
+}
+
 bool claim_selected(const char *id, const char *item) {
   size_t n = strlen(item);
   if (n == 0 || strncmp(id, item, n) != 0) return false;

@@ -14,11 +14,14 @@ static double limit_above_sliding(const struct scene *s, int i, const struct dyn
   return o ? middle(i == 0 ? o->e1 : o->e2) : 0;
 }
 
-/* The scene's u_ri, else 5/4 max(e_i, u_ri_min). */
+/* Friction enough for a limit e above sliding and for the orbit, unless NULL: factor max(e_i, u_ri_min). */
+static double own_friction(double factor, double e, int i, const struct dyn_orbit *o) {
+  return factor * fmax(e, o ? middle(i == 0 ? o->u_r1_min : o->u_r2_min) : 0);
+}
+
 static double static_friction(const struct scene *s, int i, const struct dyn_orbit *o) {
   if (s->given[KEY_U_R1 + i]) return fmpq_get_d(&s->value[KEY_U_R1 + i]);
-  double least = o ? middle(i == 0 ? o->u_r1_min : o->u_r2_min) : 0;
-  return 1.25 * fmax(limit_above_sliding(s, i, o), least);
+  return own_friction(OWN_FRICTION, limit_above_sliding(s, i, o), i, o);
 }
 
 /* Friction and the belt: what the orbit needs, or with all the most that any orbit of the list needs. */
@@ -35,6 +38,19 @@ static void set_params(struct coulomb_setup *sim, const struct scene *s, const s
   }
   for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
   sim->period = o ? middle(o->period) : 0;
+  sim->trace = all || !o ? (double)NAN : middle(o->trace);
+}
+
+int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
+                           double factor) {
+  *sim = (struct coulomb_setup){.own_friction = true, .period = middle(o->period), .trace = middle(o->trace)};
+  for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(params + P_CHI + i);
+  for (int i = 0; i < 2; i++) {
+    double e = fmpq_get_d(params + P_E1 + i);
+    sim->params[COULOMB_UR1 + i] = own_friction(factor, e, i, o);
+    sim->params[COULOMB_US1 + i] = sim->params[COULOMB_UR1 + i] - e;
+  }
+  return coulomb_start_set_d(sim->start, sim->params, middle(o->z10), middle(o->z20));
 }
 
 /* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */

@@ -120,7 +120,10 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape) {
   struct point_spec spec[4];
-  if (!claim_get(c, "points")) return true;
+  if (!claim_get(c, "points")) {
+    if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
+    return !at;
+  }
   if (claim_points(spec, 4, j, c) < 1) return false;
   struct sentence s;
   struct sampler sampler;
@@ -179,9 +182,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_line(out, "routes", claim_get(c, "routes"));
     add_verdict(out, f);
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
-    const char *own = claim_get(c, "own");
-    if (!own) own = claim_get(c, "equation");
-    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, own ? own : c->id, NULL}, at, tape);
+    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, claim_own(c), NULL}, at, tape);
     orbit_cache_free(j.cache);
   }
   audit_result_clear(&r);

@@ -46,8 +46,8 @@ static int analytic(arb_ptr j, const struct model *m, const struct jacobian_requ
   return s;
 }
 
-static int by_model(arb_ptr j, enum jacobian_method method, const struct point *p, slong prec,
-                    struct orbit_cache *cache) {
+int jacobian_by_model(arb_ptr j, enum jacobian_method method, const struct point *p, slong prec,
+                      struct orbit_cache *cache) {
   struct num_ctx ctx = method == METHOD_FD ? num_ctx_mpfr(prec) : num_ctx_arb(prec);
   struct values v;
   struct num_vec out, err;
@@ -115,8 +115,8 @@ bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, co
   bool good = ok && q->method == METHOD_ODE;
   if (good) ok = by_integration(j, s, q, d);
   for (int i = 0; ok && !good && i < ATTEMPTS; i++, prec += prec / 2) {
-    int st =
-        q->method == METHOD_ANALYTIC ? analytic(j, m, q, &p, prec, cache, d) : by_model(j, q->method, &p, prec, cache);
+    int st = q->method == METHOD_ANALYTIC ? analytic(j, m, q, &p, prec, cache, d)
+                                          : jacobian_by_model(j, q->method, &p, prec, cache);
     if (d->set)
       ok = false;
     else

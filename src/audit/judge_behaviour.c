@@ -144,18 +144,12 @@ void motion_print(struct text *out, const struct motion *m) {
   text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
 }
 
-static double middle(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
-  for (int i = 0; i < 3; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&params->q[Q_CHI + i]);
-  for (int i = 0; i < 2; i++) {
-    double e = fmpq_get_d(&params->q[Q_E1 + i]), least = middle(i == 0 ? o->u_r1_min : o->u_r2_min);
-    m->params[COULOMB_UR1 + i] = factor * fmax(e, least);
-    m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
-  }
-  return coulomb_start_set_d(m->start, m->params, middle(o->z10), middle(o->z20)) == SS_OK;
+  struct coulomb_setup sim;
+  bool ok = coulomb_setup_on_orbit(&sim, params->q + Q_CHI, o, factor) == SS_OK;
+  memcpy(m->params, sim.params, sizeof m->params);
+  memcpy(m->start, sim.start, sizeof m->start);
+  return ok;
 }
 
 bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {

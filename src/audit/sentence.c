@@ -140,7 +140,7 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   return status;
 }
 
-static double log2_upper(const arb_t x) {
+double log2_upper(const arb_t x) {
   mag_t m;
   mag_init(m);
   arb_get_mag(m, x);

@@ -45,8 +45,9 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--start", FOR_SIMULATE, &o->start, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--compare", FOR_SIMULATE, NULL, &o->compare},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
-               {"--method", FOR_JACOBIAN, &o->method, NULL},
+               {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
                {"--help", ~0U, NULL, &o->help}};
   *o = (struct options){.n_operands = 0};

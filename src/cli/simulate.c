@@ -8,7 +8,7 @@
 #include "cli.h"
 #include "stickslip/coulomb.h"
 
-enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100 };
+enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 
 /* What is simulated, and for how long. */
 struct run {
@@ -38,22 +38,30 @@ static bool print_csv_event(void *self, const struct coulomb_event *e) {
   return print_csv_row(self, &e->at);
 }
 
+int ended_early(enum coulomb_end end, const char *route, double t) {
+  fprintf(stderr, "simulate: error: the route %s ended early, at t = %.10g: %s\n", route, t, coulomb_end_name[end]);
+  return EXIT_INTERNAL;
+}
+
+/* A sink that stops does so because standard output is closed, which the end of the program reports. */
+static bool is_early(enum coulomb_end end) {
+  return end != COULOMB_DONE && end != COULOMB_STOPPED;
+}
+
 static int simulate_csv(const struct run *run) {
-  struct coulomb_result r;
+  struct coulomb_result r = {.end = COULOMB_FAILED};
   struct text line;
   text_init(&line);
   struct coulomb_sink sink = {&line, print_csv_event, print_csv_row};
   fputs(coulomb_csv_header, stdout);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
-  if (r.end != COULOMB_DONE && r.end != COULOMB_STOPPED)
-    fprintf(stderr, "simulate: ended early (%s) at t = %.6g\n", coulomb_end_name[r.end], r.at.t);
   text_clear(&line);
-  return EXIT_AS_RECORDED;
+  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
 }
 
 static int simulate_table(const struct run *run, const struct scene *s) {
   struct coulomb_log ode, exact;
-  struct coulomb_result r, r_exact;
+  struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
   struct text word, folded;
   coulomb_log_init(&ode);
   coulomb_log_init(&exact);
@@ -83,7 +91,7 @@ static int simulate_table(const struct run *run, const struct scene *s) {
   text_clear(&word);
   coulomb_log_clear(&exact);
   coulomb_log_clear(&ode);
-  return EXIT_AS_RECORDED;
+  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
 }
 
 int run_simulate(const struct options *o, const char *data) {
@@ -96,6 +104,8 @@ int run_simulate(const struct options *o, const char *data) {
   if (!status) status = parse_start(&orbit, &printed, o->at);
   if (!status && o->at && o->start) status = usage("%s", "--at and --start exclude each other");
   if (status) return status;
+  if (o->compare && (o->csv || o->samples)) return usage("--compare goes with neither %s", "--csv nor --samples");
+  if (o->compare && periods > MAX_COMPARED) return usage("--periods takes at most 10000 with %s", "--compare");
   if (o->n_operands != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
@@ -109,7 +119,10 @@ int run_simulate(const struct options *o, const char *data) {
     run.plan.returns = periods;
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
     if (o->csv) run.plan.sample = period / (double)samples;
-    status = o->csv ? simulate_csv(&run) : simulate_table(&run, &s);
+    if (o->compare)
+      status = compare_routes(&run.setup, &s, periods, run.plan.duration);
+    else
+      status = o->csv ? simulate_csv(&run) : simulate_table(&run, &s);
   } else {
     status = bad_input(&d);
   }

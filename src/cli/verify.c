@@ -46,6 +46,13 @@ static void print_surprises(const struct audit_result *r) {
     if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
   }
+  for (size_t i = 0; i < r->n_pairs; i++)
+    if (!r->pairs[i].within)
+      printf("routes %s and %s: %s, beyond %s\n", r->pairs[i].first, r->pairs[i].second, r->pairs[i].quantity,
+             r->pairs[i].stated);
+  for (size_t i = 0; i < r->n_long_runs; i++)
+    if (!r->long_runs[i].obeys || !r->long_runs[i].displaced)
+      printf("long runs beside %s: not as tr J = %s says\n", r->long_runs[i].orbit, r->long_runs[i].multiplier);
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)
       printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);
