@@ -60,8 +60,8 @@ START_TEST(every_row_of_the_verdict_table) {
 END_TEST
 
 START_TEST(routes_that_share_their_reasoning_count_once) {
-  static const char *const names[] = {"balls", "oracle", "exponential", "taylor",    "gsl",
-                                      "ode",   "fd",     "newton",      "saltation", "iteration"};
+  static const char *const names[] = {"balls", "oracle", "exponential", "taylor",    "gsl",         "ode",
+                                      "fd",    "newton", "saltation",   "iteration", "integration", "motion"};
   enum { N = sizeof names / sizeof *names };
   for (int i = 0; i < N; i++) {
     for (int k = 0; k < N; k++)

@@ -215,7 +215,8 @@ START_TEST(what_falls_with_a_formula) {
   static const struct {
     const char *failure, *falls, *survives;
   } cases[] = {{"eq-10", "eq-12 eq-20 eq-23 eq-24 eq-25 eq-44 eq-44b eq-44c eq-45 eq-46", ""},
-               {"eq-40", "eq-40b eq-41", "eq-43 text-singular text-charpoly text-criterion"},
+               {"eq-40", "eq-40b eq-41",
+                "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
                {"eq-32b", "", "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion"},
                {"eq-29", "", ""},
                {"num-t_a", "text-periodic num-u_r1", "num-e1"}};

@@ -285,7 +285,7 @@ static void setup_beside(struct coulomb_setup *sim, int which) {
   }
   ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
   ck_assert_int_gt(list.n, beside[which].index);
-  ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index]), SS_OK);
+  ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index], OWN_FRICTION), SS_OK);
   dyn_orbits_clear(&list);
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
 }

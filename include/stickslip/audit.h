@@ -6,7 +6,7 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, threshold) the record of the equation files that is judged
+     statement   (identity, inequality, threshold, criterion) the record of the equation files that is judged
      bound       (threshold) the record whose right-hand sides are the bounds
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
@@ -14,11 +14,18 @@
      routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
-     formula     (criterion, report) the trace that decides
+     formula     (report) the trace that decides
      fault       the fault class a refutation of this claim has
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
+     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small, fixed-points,
+                 linearization, equality, perturb, long-run, patching
+     at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
+     vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
+     side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
+                 (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      record      the verdict on record; record-scene: the only scene it speaks of
 
      about       names of definitions that the sentence asserts something of, besides its value; (number) another
@@ -27,7 +34,8 @@
    Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
    failed formula as printed and as corrected.
 
-   Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, report. */
+   Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, behaviour,
+   report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
@@ -123,6 +131,8 @@ struct coulomb_setup {
 };
 /* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
+/* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
 
 /* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
 

@@ -14,7 +14,8 @@ static const struct {
              {"identity", judge_points, true},        {"threshold", judge_threshold, false},
              {"inequality", judge_inequality, false}, {"index-range", judge_index_range, false},
              {"number", judge_number, false},         {"closure", judge_closure, false},
-             {"criterion", judge_criterion, false},   {"report", judge_report, false}};
+             {"criterion", judge_criterion, false},   {"behaviour", judge_behaviour, false},
+             {"report", judge_report, false}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)

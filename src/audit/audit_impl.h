@@ -59,6 +59,8 @@ void point_init(struct point *p);
 void point_clear(struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
+/* Applies "chi=1/2,V=2" to the point. */
+bool point_set(struct point *p, const char *at, struct diag *d);
 
 /* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
 struct restriction {
@@ -216,6 +218,7 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
@@ -322,8 +325,11 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
    with their estimated error. */
 int jacobian_by_model(arb_ptr j, enum jacobian_method method, const struct point *p, slong prec,
                       struct orbit_cache *cache);
-/* Coulomb's law beside an orbit: friction as audit_coulomb_setup chooses it where a scene gives none. */
-int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o);
+/* Coulomb's law beside an orbit, under the friction u_ri = factor max(e_i, u_ri_min).  OWN_FRICTION is the factor that
+   audit_coulomb_setup takes where a scene gives no friction. */
+#define OWN_FRICTION 1.25
+int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
+                           double factor);
 
 /* Every pair of routes in the table of routes.h that compute the same quantity, held against each other at fixed random
    points and on orbits, into out->pairs. */

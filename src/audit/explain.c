@@ -38,8 +38,7 @@ static bool in_domain(const struct point *p) {
   return ok;
 }
 
-/* Applies "chi=1/2,V=2" to the point. */
-static bool set_point(struct point *p, const char *at, struct diag *d) {
+bool point_set(struct point *p, const char *at, struct diag *d) {
   for (const char *s = at; s && *s;) {
     size_t n = strcspn(s, ","), name = strcspn(s, "=");
     bool ok = false;
@@ -137,7 +136,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   scene_point(&p, &drawn, j->scene, j->cache);
-  ok = ok && set_point(&p, at, j->d);
+  ok = ok && point_set(&p, at, j->d);
   if (ok && point_settle(&p, j->cache)) {
     struct text where;
     text_init(&where);

@@ -76,7 +76,7 @@ static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct d
   enum { STABLE_PERIODS = 100, MORE = 20 };
   struct audit_result *out = j->out;
   struct coulomb_setup sim;
-  int status = coulomb_setup_on_orbit(&sim, params, o);
+  int status = coulomb_setup_on_orbit(&sim, params, o, OWN_FRICTION);
   const char *why = status ? "Coulomb's law does not follow it" : hopeless(sim.trace);
   if (why) {
     audit_leave_out(out, result_str(out, "long runs beside %s", name), why);

@@ -204,7 +204,7 @@ static int events_integration(arb_ptr out, struct study *s) {
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
   arb_ptr shift = _arb_vec_init(2);
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit);
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
   for (int i = 0; i < 2; i++) {
     arb_set_d(shift + i, sim.start[i]);
     arb_sub(shift + i, shift + i, i == 0 ? s->site.orbit->z10 : s->site.orbit->z20, PREC);
@@ -230,7 +230,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
   num_vec_init(&params, N_COULOMB, ctx);
   num_vec_init(&z, 2, ctx);
   num_vec_init(&start, N_STATE, ctx);
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit);
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
   for (int i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&model, i), s->site.p.q + Q_CHI + i, PREC);
   for (int i = 0; i < 2; i++) {
     status |= num_mpfr.set_d(num_vec_at(&limits, i), sim.params[COULOMB_UR1 + i], PREC);
@@ -280,7 +280,7 @@ static int jacobian_fd(arb_ptr out, struct study *s) {
 static int jacobian_integration(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   double value[4] = {0}, err = 0;
-  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit);
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
   if (!status) status = coulomb_return_jacobian(value, &err, sim.params, sim.start);
   for (int i = 0; i < 4; i++) {
     arb_set_d(out + i, value[i]);

@@ -5,9 +5,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const route_quantity_name[N_ROUTE_QUANTITIES] = {
-    "propagator D, Gamma, H, C", "derivative of a propagator", "times and states of the events", "return Jacobian",
-    "stiffness matrix",          "sentence about matrices",    "fate of points beside an orbit"};
+const char *const route_quantity_name[N_ROUTE_QUANTITIES] = {"propagator D, Gamma, H, C",
+                                                             "derivative of a propagator",
+                                                             "times and states of the events",
+                                                             "return Jacobian",
+                                                             "stiffness matrix",
+                                                             "sentence about matrices",
+                                                             "fate of points beside an orbit",
+                                                             "motions of every kind"};
 
 static const char *const mean_text[N_MEANS] = {
 #define MEAN_TEXT(name, text) text,
@@ -68,6 +73,14 @@ const struct route_info route_table[N_ROUTE_ROWS] = {
                        MEANS_MODES | MEANS_FLOW | MEANS_ENDS | MEANS_EVENTS | MEANS_IMPLICIT, 0, true},
     [ROUTE_F_ITERATION] = {QUANTITY_FATE, "iteration", "iteration", "the return map iterated from beside the orbit",
                            MEANS_RETURN_MAP, 0, false},
+    [ROUTE_F_INTEGRATION] = {QUANTITY_FATE, "integration", "integration",
+                             "the motion from beside the orbit, integrated by GSL in x",
+                             MEANS_COULOMB | MEANS_INTEGRATOR, 0, false},
+    [ROUTE_M_INTEGRATION] = {QUANTITY_MOTION, "integration", "integration", "Coulomb's law in x, integrated by GSL",
+                             MEANS_COULOMB | MEANS_INTEGRATOR, 0, false},
+    [ROUTE_M_MOTION] = {QUANTITY_MOTION, "motion", "motion",
+                        "Coulomb's law in x, closed forms in each of the nine pairs of modes, in double",
+                        MEANS_COULOMB | MEANS_CURVES | MEANS_MODES | MEANS_SEARCH, 0, false},
 };
 
 static bool is_called(const struct route_info *r, const char *name) {

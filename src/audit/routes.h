@@ -53,6 +53,7 @@ enum route_quantity {
   QUANTITY_STIFFNESS = N_STUDIED,
   QUANTITY_SENTENCE,
   QUANTITY_FATE,
+  QUANTITY_MOTION,
   N_ROUTE_QUANTITIES
 };
 extern const char *const route_quantity_name[N_ROUTE_QUANTITIES];
@@ -81,6 +82,9 @@ enum route_row {
   ROUTE_S_ORACLE,
   ROUTE_F_BALLS,
   ROUTE_F_ITERATION,
+  ROUTE_F_INTEGRATION,
+  ROUTE_M_INTEGRATION,
+  ROUTE_M_MOTION,
   N_ROUTE_ROWS
 };
 

@@ -25,7 +25,7 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start;
   bool strict, quiet, json, tape, csv, compare, help;
 };
 

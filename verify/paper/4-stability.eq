@@ -282,3 +282,8 @@ equation text-singular
 equation text-charpoly
   tex: P(\lambda) = \lambda(\lambda - \text{tr}(J))
   P(lambda) = lambda*(lambda - tr(J))
+
+inequality text-criterion
+  tex: |\text{tr}(J) < 1|
+  note: read as |tr(J)| < 1
+  -1 < tr(J) < 1
