@@ -217,7 +217,9 @@ START_TEST(what_falls_with_a_formula) {
   } cases[] = {{"eq-10", "eq-12 eq-20 eq-23 eq-24 eq-25 eq-44 eq-44b eq-44c eq-45 eq-46", ""},
                {"eq-40", "eq-40b eq-41",
                 "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
-               {"eq-32b", "", "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion"},
+               {"eq-32b", "",
+                "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
+                "text-eigenvalues-inside"},
                {"eq-29", "", ""},
                {"num-t_a", "text-periodic num-u_r1", "num-e1"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
