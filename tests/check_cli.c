@@ -600,6 +600,35 @@ START_TEST(every_method_states_its_accuracy) {
 }
 END_TEST
 
+/* --- orbit --method paper --- */
+
+/* Orbits that Newton's iteration on (44)-(46) comes back to from their own times moved by 2 %, to all digits. */
+START_TEST(the_papers_equations_have_the_same_orbits) {
+  static const struct {
+    const char *set;
+    int index;
+  } cases[] = {{"fractions", 0},  {"stable", 0},      {"two-admissible", 1}, {"four-mixed", 1},
+               {"chi-small2", 0}, {"negative-ta", 1}, {"eta-large", 0},      {"spread", 1}};
+  static const char *const names[] = {"z10", "z20", "t_a", "t_b", "t_c", "t_d"};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const char *const *f = orbits.field[set_row(cases[i].set) + 1 + cases[i].index];
+    struct job j;
+    char from[40], nearest[20];
+    run_well(&j, "orbit", scene_of(cases[i].set), "--method", "paper", "--digits", "50", "--json", NULL);
+    snprintf(nearest, sizeof nearest, "orbit:%d", cases[i].index + 1);
+    snprintf(from, sizeof from, "\"from\": \"%s\"", nearest);
+    const char *at = strstr(j.out, from);
+    ck_assert(at != NULL);
+    for (int k = 0; k < 6; k++) ck_assert_str_eq(member(at, names[k]), rounded(f[F_Z10 + k], 50));
+    ck_assert_str_eq(member(at, "converged"), "true");
+    ck_assert_str_eq(member(at, "nearest"), nearest);
+    ck_assert(strtod(member(at, "distance"), NULL) < 1e-50 && strtod(member(at, "equations"), NULL) > 1);
+    ck_assert(strtod(member(at, "digits_lost"), NULL) < 4);
+    discard(&j);
+  }
+}
+END_TEST
+
 /* Columns of the table: every method once, a row for each entry, and a star and a sentence where the printed (40) departs:
    at V = 2 in all of J_f and J. */
 START_TEST(the_table_of_phases) {
@@ -639,6 +668,23 @@ START_TEST(the_table_of_phases) {
   run_well(&j, "jacobian", "paper", "--phases", "--at", "printed", NULL);
   ck_assert(strstr(j.out, "printed and corrected stand at the printed times"));
   discard(&j);
+}
+END_TEST
+
+/* What the model method prints is what orbit prints without a method. */
+START_TEST(the_model_is_the_default_method) {
+  struct job a, b;
+  run_well(&a, "orbit", "paper", "--json", NULL);
+  run_well(&b, "orbit", "paper", "--json", "--method", "model", NULL);
+  ck_assert_str_eq(a.out, b.out);
+  discard(&a);
+  discard(&b);
+  run_well(&a, "orbit", "paper", "--method", "paper", NULL);
+  ck_assert(strstr(a.out, "from the printed times (0.6784, 2, 1.5, 2.34)\n") && strstr(a.out, "the model's orbit 2"));
+  discard(&a);
+  run(&a, "orbit", scene_of("none"), "--method", "paper", NULL);
+  ck_assert_msg(a.status == 3 && strstr(a.err, "no start for the paper's route"), "%d %s", a.status, a.err);
+  discard(&a);
 }
 END_TEST
 
@@ -713,6 +759,40 @@ START_TEST(what_cannot_be_simulated) {
   discard(&j);
   run(&j, "simulate", "paper", "--periods", "0", NULL);
   ck_assert_msg(j.status == 2 && strstr(j.err, "--periods"), "%d %s", j.status, j.err);
+  discard(&j);
+}
+END_TEST
+
+/* Positions whose difference overflows: the integrator gives up, and the rows so far are not passed off as the run. */
+START_TEST(a_simulation_that_ends_early_says_so) {
+  static const char *const forms[] = {"--csv", "--compare", NULL};
+  const char *scene = scratch_put("huge.scene", "chi = 0.5\neta = 1\nV = 1\ne1 = 1\ne2 = 1/2\n"
+                                                "printed: z10 = 1e308\nprinted: z20 = -1.7e308\n");
+  for (size_t i = 0; i < sizeof forms / sizeof *forms; i++) {
+    struct job j;
+    run(&j, "simulate", scene, "--at", "printed", forms[i], NULL);
+    ck_assert_msg(j.status == 5 && strstr(j.err, "the route ode ended early, at t = "), "%d %s", j.status, j.err);
+    discard(&j);
+  }
+}
+END_TEST
+
+/* The distances from MPFR and their growth, against the trace of orbits.tsv; and a table of three lines a period. */
+START_TEST(routes_compared_over_many_periods) {
+  struct job j;
+  const char *const *f = orbits.field[set_row("chi-large") + 2];
+  double trace = strtod(f[F_TRACE], NULL), tr = 0, expected = 0, measured = 0;
+  long lines = 0, from, to;
+  run_well(&j, "simulate", scene_of("chi-large"), "--at", "orbit:2", "--periods", "60", "--compare", NULL);
+  for (const char *p = j.out; *p; p = strchr(p, '\n') + 1) lines++;
+  ck_assert_int_eq(lines, 2 + 3 * 60 + 3 + 1);
+  const char *p = strstr(j.out, "\ntr J = ");
+  ck_assert(p && sscanf(p, "\ntr J = %lf: factor %lf a period expected; a displacement of x1 has %lf from %ld to %ld",
+                        &tr, &expected, &measured, &from, &to) == 5);
+  ck_assert_msg(fabs(tr - trace) < 1e-6 && fabs(expected + trace) < 1e-4 && fabs(measured + trace) < 1e-3, "%s", p);
+  p = strstr(j.out, "\nclosed and mpfr: apart by more than 1e-06 at period ");
+  ck_assert(p && strstr(p, "; factor "));
+  ck_assert_msg(fabs(strtod(strstr(p, "; factor ") + 9, NULL) + trace) < 0.02, "%s", p);
   discard(&j);
 }
 END_TEST
@@ -821,7 +901,7 @@ START_TEST(the_report_on_record_is_the_computed_one) {
   ck_assert_msg(strcmp(md, full_md) == 0, "reports/paper/audit.md is stale: run make verify");
   free(md);
   free(json);
-  ck_assert_str_eq(scratch_list(scratch_path("full")), "audit.json audit.md run.json");
+  ck_assert_str_eq(scratch_list(scratch_path("full")), "audit.json audit.md claims.dot errata.md errata.tex run.json");
 }
 END_TEST
 
@@ -1066,7 +1146,7 @@ static const char *output_of(const char *name, const char *const *args) {
 
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 12 };
+  enum { N = 13 };
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -1089,6 +1169,8 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/orbit-paper.schema.json",
+       output_of("route.json", (const char *const[]){"orbit", stiff, "--method", "paper", "--json", NULL}), 0},
       {"schema/jacobian.schema.json",
        output_of("printed.json", (const char *const[]){"jacobian", "paper", "--at", "printed", "--json", NULL}), 0},
       {"schema/jacobian.schema.json",
@@ -1144,6 +1226,16 @@ static const struct {
     {{"orbit", "paper", "--digits", "15.5"}, 2, "not 15.5"},
     {{"orbit", "paper", "--digits", "many"}, 2, "not many"},
     {{"orbit", "paper", "--digits", "99999999999999999999"}, 2, "not 99999999999999999999"},
+    {{"orbit", "paper", "--method", "euler"}, 2, "--method takes model or paper, not euler"},
+    {{"orbit", "paper", "--method="}, 2, "--method needs a value"},
+    {{"orbit", "--method", "paper"}, 2, "orbit takes one SCENE"},
+    {{"orbit", "paper", "--method=paper", "--digits", "1001"}, 2, "at most 1000 with --method paper"},
+    {{"orbit", "no-such-scene", "--method=paper"}, 3, "no-such-scene.scene: error: "},
+    {{"simulate", "paper", "--compare=yes"}, 2, "--compare takes no value"},
+    {{"simulate", "paper", "--compare", "--csv"}, 2, "--compare goes with neither"},
+    {{"simulate", "paper", "--compare", "--samples", "5"}, 2, "--compare goes with neither"},
+    {{"simulate", "paper", "--compare", "--periods", "10001"}, 2, "at most 10000 with --compare"},
+    {{"orbit", "paper", "--compare"}, 2, "--compare does not belong to this command"},
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},
     {{"verify", "--only", ","}, 2, "--only takes"},
@@ -1174,6 +1266,7 @@ static const struct {
     {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},
     {{"explain", "eq-27", "--at", "chi=2"}, 3, "--at leaves the domain"},
+    {{"explain", "num-t_a", "--at", "chi=1/2"}, 3, "num-t_a is not tried at points"},
     {{"list", "paper"}, 2, "list takes no operand"},
     {{"check"}, 2, "check takes at least one FILE"},
     {{"check", "README.md"}, 3, "README.md: error: not a kind of file"},
@@ -1457,6 +1550,11 @@ Suite *cli_suite(void) {
   tcase_add_test(c, every_method_states_its_accuracy);
   tcase_add_test(c, the_table_of_phases);
   suite_add_tcase(s, c);
+  c = tcase_create("paper route");
+  tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
+  tcase_add_test(c, the_papers_equations_have_the_same_orbits);
+  tcase_add_test(c, the_model_is_the_default_method);
+  suite_add_tcase(s, c);
   c = tcase_create("simulate");
   tcase_set_timeout(c, 120);
   tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
@@ -1464,6 +1562,8 @@ Suite *cli_suite(void) {
   tcase_add_test(c, csv_has_a_row_for_each_sample_and_event);
   tcase_add_test(c, the_printed_start_runs_on);
   tcase_add_test(c, what_cannot_be_simulated);
+  tcase_add_test(c, a_simulation_that_ends_early_says_so);
+  tcase_add_test(c, routes_compared_over_many_periods);
   tcase_add_test(c, any_two_of_six);
   tcase_add_test(c, numbers_of_a_scene_without_forces);
   suite_add_tcase(s, c);

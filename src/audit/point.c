@@ -136,6 +136,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->phase = s->phase;
   p->finite = s->finite;
   p->admissible = s->admissible;
+  p->scene = NULL;
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */

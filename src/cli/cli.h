@@ -5,7 +5,7 @@
 #include "stickslip/audit.h"
 
 /* Exit statuses of the contract. */
-enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4 };
+enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
 enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
 
@@ -25,8 +25,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
-  bool strict, quiet, json, tape, csv, phases, help;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start;
+  bool strict, quiet, json, tape, csv, compare, phases, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -63,7 +63,13 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
+/* orbit --method paper. */
+int run_orbit_paper(const struct options *o, const char *data);
 int run_jacobian(const struct options *o, const char *data);
+/* simulate --compare, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
+/* Says that a simulation ended before it was to; the exit status. */
+int ended_early(enum coulomb_end end, const char *route, double t);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
