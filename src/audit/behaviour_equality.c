@@ -297,9 +297,9 @@ static void conclude(struct behaviour *b, const struct found *t) {
       result_str(
           b->j->out,
           "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
-          "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable, %ld unstable, "
-          "%ld open",
-          t->stable, t->unstable, t->open));
+          "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable%s%s, %ld "
+          "unstable, %ld open",
+          t->stable, t->stable ? ", at " : "", t->stable ? t->where : "", t->unstable, t->open));
   w[1] = behaviour_say(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
                        t->back + t->away + t->unsure, NULL,
                        result_str(b->j->out,

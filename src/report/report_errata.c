@@ -127,7 +127,14 @@ static void add_texts(const struct sheet *s, const struct finding *f) {
   text_printf(s->out, "; checked in the same way: %s.", verdict_name[f->correction_verdict]);
 }
 
-/* In plain words, from the class of the fault and the first piece of evidence, which decided. */
+/* What decided: the first route that differs; the first piece of evidence where none is said to. */
+static const struct evidence *deciding(const struct finding *f) {
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];
+  return f->n_evidence ? &f->evidence[0] : NULL;
+}
+
+/* In plain words, from the class of the fault and what decided. */
 static void add_fault(const struct sheet *s, const struct finding *f) {
   static const struct {
     const char *fault, *words;
@@ -135,7 +142,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
             {"formula", "the formula is not what the equations of motion give"},
             {"number", "not what the paper's own equations give for its data"},
             {"argument", "the conclusion does not follow"}};
-  const struct evidence *e = f->n_evidence ? &f->evidence[0] : NULL;
+  const struct evidence *e = deciding(f);
   label(s, "Wrong");
   const char *words = "it does not hold";
   for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
