@@ -415,9 +415,8 @@ static void judge_at_scene(struct finding *f, struct argument *a) {
   if (!nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     finding_skip(f, a->j, "the scene has no orbit, or does not give e1 and e2");
   } else {
-    const double e[2] = {fmpq_get_d(&p.q[Q_E1]), fmpq_get_d(&p.q[Q_E2])};
+    const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
     least_margin(p.q + Q_US1, a, &p, fmpq_get_d(&p.q[Q_V]), e);
-    for (int i = 0; i < 2; i++) fmpq_sub(&p.q[Q_US1 + i], &p.q[Q_US1 + i], &p.q[Q_E1 + i]); /* u_s = u_r - e */
     decide(&d, a, &p, NULL);
     if (d.premises == TRUTH_TRUE) {
       decided[0][d.conclusion]++;

@@ -265,7 +265,7 @@ static void describe(struct finding *f, struct constraints *x) {
       "one period under the Coulomb law, u_r 1/32 above or below the bounds: %ld end as the constraints say, "
       "%ld otherwise, %ld undecided",
       x->as_said, x->against, x->undecided);
-  w[1] = add(f, x, "simulation", says_of(x->as_said, x->against, x->undecided), false,
+  w[1] = add(f, x, "integration", says_of(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
   finding_state(f, x->j->out, "model", 64, "the pool of orbits", table(x));
   f->verdict = verdict_of(w, 2, false);

@@ -52,9 +52,10 @@ static bool letters_of(char out[16], const char *word) {
     if (ph == N_PHASES) return false;
     out[n++] = letter[ph];
   }
+  if (n == 0) return false;
   out[n++] = out[0];
   out[n] = '\0';
-  return n > 1;
+  return true;
 }
 
 static enum says hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
@@ -93,7 +94,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     bool same = done && strcmp(text_str(&got), letters) == 0;
     note = done ? result_str(j->out, "phases of one period: %s", text_str(&got))
                 : "the simulation did not come to its end";
-    w[1] = add(f, j, "simulation", !done ? SAYS_UNDECIDED : same ? SAYS_AGREES : SAYS_DIFFERS, false, 1, note);
+    w[1] = add(f, j, "integration", !done ? SAYS_UNDECIDED : same ? SAYS_AGREES : SAYS_DIFFERS, false, 1, note);
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the comparison */
     if (done && !same && balls == SAYS_AGREES) w[0] = (struct route_word){"balls", SAYS_DIFFERS, true, 1};
     f->verdict = verdict_of(w, 2, false);
