@@ -212,7 +212,7 @@ bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, st
   (void)view;
   const char *why = claim_get(c, "needs");
   if (!why) return claim_error(j, c, "kind", "the attribute needs is missing");
-  f->condition = result_str(j->out, "undecided: %s", why);
-  f->verdict = verdict_of(NULL, 0, false);
+  struct route_word w = add(f, j, "reading", SAYS_UNDECIDED, false, 0, result_str(j->out, "needs %s", why));
+  f->verdict = verdict_of(&w, 1, false);
   return true;
 }
