@@ -269,10 +269,10 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   const char *when = c->moving ? result_str(a->j->out, " at %.10g of phase %s", d->where, phase_name[c->phase]) : "";
   return result_str(a->j->out,
-                    "on orbit %ld of the scene \"%s\" (one line each; e1 = %s, e2 = %s there) every premise holds and "
-                    "%s fails%s: its margin is %s",
-                    (long)p->orbit + 1, scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), c->text,
-                    when, ball_text(a->j, d->value, 6));
+                    "on orbit %ld of the scene \"%s\" (one line each; e1 = %s, e2 = %s there) %s%s fails%s: "
+                    "its margin is %s",
+                    (long)p->orbit + 1, scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
+                    a->part[PREMISES].n ? "every premise holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
 }
 
 /* Decides at a candidate; true when it is a counterexample. */
