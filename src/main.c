@@ -25,6 +25,10 @@ static const char help[] =
     "  stickslip simulate SCENE [--at orbit:K|printed] [--periods N] [--samples N] [--csv]\n"
     "      the two masses under Coulomb's law (1)-(2), integrated by GSL: events and phase word, or rows\n"
     "      t,x1,x2,v1,v2,mode1,mode2,u1,u2 at N samples a period and at every event\n"
+    "  stickslip readings SCENE [--json]\n"
+    "      how the printed numbers of the scene could have arisen: which were inputs, which equations were solved and "
+    "which\n"
+    "      dropped; the readings that give every printed digit, and how far rounding of the inputs reaches\n"
     "  stickslip explain ID [--at NAME=VALUE,...] [--tape]\n"
     "      one claim: the paper's text, the formula as read, verdict and evidence, both sides at a point of your "
     "choice\n"
@@ -57,9 +61,13 @@ static const struct command {
   const char *name;
   unsigned bit;
   int (*run)(const struct options *o, const char *data);
-} commands[] = {{"verify", FOR_VERIFY, run_verify},       {"orbit", FOR_ORBIT, run_orbit},
-                {"jacobian", FOR_JACOBIAN, run_jacobian}, {"simulate", FOR_SIMULATE, run_simulate},
-                {"explain", FOR_EXPLAIN, run_explain},    {"list", FOR_LIST, run_list},
+} commands[] = {{"verify", FOR_VERIFY, run_verify},
+                {"orbit", FOR_ORBIT, run_orbit},
+                {"jacobian", FOR_JACOBIAN, run_jacobian},
+                {"simulate", FOR_SIMULATE, run_simulate},
+                {"readings", FOR_READINGS, run_readings},
+                {"explain", FOR_EXPLAIN, run_explain},
+                {"list", FOR_LIST, run_list},
                 {"check", FOR_CHECK, run_check}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
@@ -91,7 +99,8 @@ static int finish(int status) {
 }
 
 int main(int argc, char **argv) {
-  if (argc < 2) return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, explain, list or check");
+  if (argc < 2)
+    return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list or check");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

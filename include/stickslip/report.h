@@ -9,6 +9,9 @@
 void report_json(struct text *out, const struct audit_result *r);
 /* What audit.json holds, for people: what needs attention first. */
 void report_markdown(struct text *out, const struct audit_result *r);
+/* The readings alone: a document of its own, and the section of audit.md. */
+void report_readings_json(struct text *out, const struct audit_result *r);
+void report_readings_markdown(struct text *out, const struct readings *r);
 /* The facts of one run on one machine: seconds, residuals of routes in double. */
 void report_run(struct text *out, const struct audit_result *r, double seconds);
 /* One line: "paper: 40 claims: 20 supported, ..., as recorded". */

@@ -317,6 +317,20 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
   return true;
 }
 
+/* The readings are about printed numbers: they are searched when some claim of such a kind was judged. */
+static void run_readings(struct judge *j, const struct claims *claims, const struct audit_options *opt) {
+  bool wanted = false;
+  for (size_t i = 0; i < claims->n; i++) {
+    const char *kind = claim_get(&claims->claim[i], "kind");
+    bool about = kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
+    wanted = wanted || (about && selected(opt, &claims->claim[i]));
+  }
+  const char *why = !opt->readings ? "not asked for"
+                    : !wanted      ? "no claim about printed numbers is selected"
+                                   : audit_readings(j->out, j->model, j->scene);
+  if (why) leave_out(j->out, "readings of the printed numbers", why);
+}
+
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
@@ -337,6 +351,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     ok = judge_claim(&j, &claims->claim[i]);
   }
   ok = ok && run_controls(&j, claims, controls, opt);
+  if (ok) run_readings(&j, claims, opt);
   if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
   orbit_cache_free(j.cache);
   return ok;

@@ -17,7 +17,8 @@ enum {
   FOR_LIST = 8,
   FOR_CHECK = 16,
   FOR_EXPLAIN = 32,
-  FOR_SIMULATE = 64
+  FOR_SIMULATE = 64,
+  FOR_READINGS = 128
 };
 
 struct options {
@@ -55,6 +56,7 @@ int run_jacobian(const struct options *o, const char *data);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
+int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 
 #endif

@@ -1,8 +1,7 @@
 /* audit.json and run.json from the result record. */
 #include <math.h>
 
-#include "stickslip/json.h"
-#include "stickslip/report.h"
+#include "report_impl.h"
 
 static void write_count(struct json *j, const char *key, long value) {
   if (value < 0)
@@ -91,6 +90,7 @@ void report_json(struct text *out, const struct audit_result *r) {
     json_end_object(&j);
   }
   json_end_array(&j);
+  report_readings_member(&j, "readings", r->readings);
   json_array(&j, "independence");
   for (int i = 0; i < r->n_independence; i++) json_string(&j, NULL, r->independence[i]);
   json_end_array(&j);

@@ -113,6 +113,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_section(out, r, "Not as recorded", is_unexpected);
   add_section(out, r, "Refuted", is_refuted);
   add_section(out, r, "Undecided", is_unknown);
+  if (r->readings) report_readings_markdown(out, r->readings);
   add_overview(out, r);
   add_controls(out, r);
   text_add(out, "## What the routes share\n\n");
