@@ -79,6 +79,11 @@ struct reading_dropped {
   struct reading_slope *answer;
   int n_answer;
 };
+/* How far a result is from that of the whole procedure, and how far the residuals of what is dropped move the latter to
+   first order. */
+struct reading_shift {
+  const char *of, *actual, *predicted;
+};
 struct example_reading {
   const char *layer, *form, *carry;
   const char *confirmed; /* model: the suite's own equations give the same; NULL when not asked */
@@ -92,10 +97,15 @@ struct example_reading {
   int n_numbers, n_given;      /* how many of them it gives */
   struct reading_slope *slope; /* outputs by inputs */
   int n_slopes;
+  int decimals; /* of its inputs, that the printed digits of its results need; -1: not known */
+  struct reading_shift *shift;
+  int n_shifts;
 };
 struct readings_level {
   int dropped;
-  long tried, undetermined, reproduce, open;
+  long tried, undetermined;
+  long reproduce, unrounded; /* give every printed number; of them those that carry full precision */
+  long open;
 };
 /* An output of the whole procedure: its value, the values that the printed digits of the inputs leave room for, and how
    many decimals of the inputs its own printed digits need; -1: not known. */

@@ -94,7 +94,7 @@ static void record(struct example_reading *list, int *n, int most, struct hunt *
     if (gives_printed(x, &c[i], h->e, may_be_off) != TRUTH_TRUE) continue;
     struct example_reading *r = &list[(*n)++];
     reading_describe(r, h->out, &c[i], x, h->e, &g->proof);
-    reading_answers(r, h->out, &c[i], h->e, &g->proof, &g->search);
+    reading_answers(r, h->out, &c[i], x, h->e, &g->proof, &g->search);
     if (c[i].layer == LAYER_CORRECTED && model_agrees(x, h, &c[i])) r->confirmed = "model";
   }
   _arb_vec_clear(x, N_PRINTED);
@@ -122,6 +122,7 @@ static void search_level(struct harvest *all, struct hunt *h, int dropped) {
       if (found[i].off) continue;
       truth t = candidate_enclose(x, &found[i], &g->proof, h->e) ? gives_printed(x, &found[i], h->e, 0) : TRUTH_UNKNOWN;
       l->reproduce += t == TRUTH_TRUE;
+      l->unrounded += t == TRUTH_TRUE && found[i].carry == CARRY_EXACT;
       l->open += t == TRUTH_UNKNOWN;
     }
     all->c = realloc(all->c, (all->n + n + 1) * sizeof *all->c);
@@ -192,11 +193,38 @@ static void conclude_found(struct hunt *h) {
                    "them.",
                    first->reproduce, first->tried);
   else
-    s = result_str(h->out,
-                   "None of the %ld readings that drop fewer equations gives all printed numbers; of the %ld that drop "
-                   "%d, %ld do%s.",
-                   before, first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "es" : "");
+    s = result_str(
+        h->out,
+        "None of the %ld readings that drop fewer equations gives all printed numbers.  Of the %ld that drop %d, "
+        "%ld give%s all of them, %ld without rounding in between.",
+        before, first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
   say(h, &r->conclusion, &r->n_conclusions, s);
+}
+
+/* What the first reading says. */
+static void conclude_first(struct hunt *h) {
+  struct readings *r = h->r;
+  if (r->n_found == 0 || r->found[0].n_dropped == 0) return;
+  const struct example_reading *f = &r->found[0];
+  struct text t;
+  text_init(&t);
+  text_add(&t, "The first of them takes ");
+  for (int i = 0; i < f->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", f->inputs[i]);
+  text_add(&t, " exactly and does not solve ");
+  for (int i = 0; i < f->n_dropped; i++)
+    text_printf(&t, "%s%s, which it leaves off by %s", i ? "; " : "", f->dropped[i].equation, f->dropped[i].residual);
+  text_add(&t, ".");
+  if (f->n_shifts)
+    text_add(&t,
+             "  How far its results are from those of the whole procedure, and in brackets what the residual alone is "
+             "worth to first order:");
+  for (int i = 0; i < f->n_shifts; i++)
+    text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
+  if (f->n_shifts) text_add(&t, ".");
+  if (f->decimals >= 0)
+    text_printf(&t, "  Its results are what is printed only if its inputs are right to %d decimals.", f->decimals);
+  say(h, &r->conclusion, &r->n_conclusions, result_str(h->out, "%s", text_str(&t)));
+  text_clear(&t);
 }
 
 static void conclude_pairs(struct hunt *h) {
@@ -266,6 +294,7 @@ static void hunt_run(struct hunt *h) {
   readings_pairs(r, h->out, h->e, &g->proof, &g->search);
   readings_procedure(r, h->out, h->e, &g->proof, &g->search);
   conclude_found(h);
+  conclude_first(h);
   conclude_pairs(h);
   conclude_rounding(h);
 }

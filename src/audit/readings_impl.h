@@ -144,7 +144,7 @@ int candidate_compare(const void *a, const void *b);
 void reading_describe(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                       const struct example *e, struct system *s);
 /* How the whole procedure answers to the residuals of what the reading drops. */
-void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c,
+void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                      const struct example *e, struct system *s, struct system *search);
 /* The whole procedure, nothing dropped: from the scene's data, and from any two printed numbers.  search is the system in
    double precision, s in balls. */

@@ -81,16 +81,44 @@ static void describe_numbers(struct example_reading *r, struct audit_result *out
   }
 }
 
+/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by less than half a unit
+   of its last printed digit: 10^-d (sum of |slopes|) <= unit. */
+static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
+  enum { MOST = 99 };
+  arb_t sum, a, unit;
+  arb_init(sum);
+  arb_init(a);
+  arb_init(unit);
+  for (int k = 0; k < N_X; k++) {
+    arb_abs(a, slopes + k);
+    if (inputs >> k & 1) arb_add(sum, sum, a, PREC);
+  }
+  arb_set_fmpq(unit, &p->unit, PREC);
+  int d = 0;
+  for (; d < MOST && !arb_le(sum, unit); d++) arb_div_ui(sum, sum, 10, PREC);
+  arb_clear(unit);
+  arb_clear(a);
+  arb_clear(sum);
+  return d < MOST ? d : -1;
+}
+
 static void describe_slopes(struct example_reading *r, struct audit_result *out, const struct candidate *c,
-                            arb_srcptr x, struct system *s) {
+                            arb_srcptr x, const struct example *e, struct system *s) {
   arb_ptr slope = _arb_vec_init(N_X * N_X);
   r->slope = room(out, N_X * N_X, sizeof *r->slope);
-  bool ok = readings_slopes(slope, NULL, s, x, c->eqs, c->unknown);
-  for (int i = 0; ok && i < N_X; i++)
+  unsigned inputs = ~c->unknown & ((1U << N_X) - 1);
+  bool ok = readings_slopes(slope, NULL, s, x, c->eqs, c->unknown), known = ok;
+  for (int i = 0; ok && i < N_X; i++) {
+    if (inputs >> i & 1) continue;
+    int d = decimals_needed(slope + i * N_X, inputs, e->printed[i]);
+    known = known && d >= 0;
+    if (d > r->decimals) r->decimals = d;
     for (int k = 0; k < N_X; k++)
-      if (c->unknown >> i & 1 && !(c->unknown >> k & 1))
+      if (inputs >> k & 1)
         r->slope[r->n_slopes++] = (struct reading_slope){quantity_name[i], quantity_name[k],
                                                          digits_of(out, slope + i * N_X + k, SLOPE_DIGITS)};
+  }
+  if (!known) r->decimals = -1;
   _arb_vec_clear(slope, N_X * N_X);
 }
 
@@ -125,7 +153,7 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
   describe_assumptions(r, out, c, e);
   describe_equations(r, out, c, x, s);
   describe_numbers(r, out, c, x, e);
-  describe_slopes(r, out, c, x, s);
+  describe_slopes(r, out, c, x, e, s);
 }
 
 /* --- The whole procedure --- */
@@ -145,27 +173,6 @@ static bool procedure_solve(arb_ptr x, const struct example *e, unsigned inputs,
       arb_set_fmpq(x + i, &e->printed[i]->value, PREC);
   }
   return readings_enclose(x, s, whole_paper, unknown);
-}
-
-/* The fewest decimals of all inputs with which their rounding, to first order, moves an output by less than half a unit
-   of its last printed digit: 10^-d (sum of |slopes|) <= unit. */
-static int decimals_needed(arb_srcptr slopes, unsigned inputs, const struct printed_number *p) {
-  enum { MOST = 99 };
-  arb_t sum, a, unit;
-  arb_init(sum);
-  arb_init(a);
-  arb_init(unit);
-  for (int k = 0; k < N_X; k++) {
-    arb_abs(a, slopes + k);
-    if (inputs >> k & 1) arb_add(sum, sum, a, PREC);
-  }
-  arb_set_fmpq(unit, &p->unit, PREC);
-  int d = 0;
-  for (; d < MOST && !arb_le(sum, unit); d++) arb_div_ui(sum, sum, 10, PREC);
-  arb_clear(unit);
-  arb_clear(a);
-  arb_clear(sum);
-  return d < MOST ? d : -1;
 }
 
 static const char *end_of(struct audit_result *out, const arb_t x, bool upper) {
@@ -218,23 +225,37 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
   _arb_vec_clear(v, 2 * N_X + N_X * N_X);
 }
 
-void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c,
+/* The change of the whole procedure's results, to first order, per unit of a residual of each dropped equation, and
+   altogether beside how far they really are from the reading's. */
+void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                      const struct example *e, struct system *s, struct system *search) {
   unsigned all = c->form.all | 1U << EQ_12 | 1U << EQ_14, unknown = ~e->data & ((1U << N_X) - 1);
-  arb_ptr v = _arb_vec_init(N_X + N_X * N_EQ);
-  arb_ptr x = v, answer = v + N_X;
-  bool ok = procedure_solve(x, e, e->data, s, search) && readings_slopes(NULL, answer, s, x, all, unknown);
+  arb_ptr v = _arb_vec_init(N_EQ + 2 * N_X + N_X * N_EQ);
+  arb_ptr residual = v, whole = v + N_EQ, sum = whole + N_X, answer = sum + N_X;
+  for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
+  bool ok = system_eval(s, all) == SS_OK;
+  for (int eq = 0; eq < N_EQ; eq++) arb_set(residual + eq, num_vec_at(&s->value, eq));
+  ok = ok && procedure_solve(whole, e, e->data, s, search) && readings_slopes(NULL, answer, s, whole, all, unknown);
   int k = 0;
   for (int eq = 0; ok && eq < N_EQ; eq++) {
     if (!(all >> eq & 1) || c->eqs >> eq & 1) continue;
     struct reading_dropped *d = &r->dropped[k++];
     d->answer = room(out, N_X, sizeof *d->answer);
-    for (int i = 0; i < N_X; i++)
-      if (unknown >> i & 1)
-        d->answer[d->n_answer++] =
-            (struct reading_slope){quantity_name[i], "residual", digits_of(out, answer + i * N_EQ + eq, SLOPE_DIGITS)};
+    for (int i = 0; i < N_X; i++) {
+      if (!(unknown >> i & 1)) continue;
+      arb_srcptr a = answer + i * N_EQ + eq;
+      d->answer[d->n_answer++] = (struct reading_slope){quantity_name[i], "residual", digits_of(out, a, SLOPE_DIGITS)};
+      arb_addmul(sum + i, a, residual + eq, PREC);
+    }
   }
-  _arb_vec_clear(v, N_X + N_X * N_EQ);
+  r->shift = room(out, N_X, sizeof *r->shift);
+  for (int i = 0; ok && i < N_X; i++) {
+    if (!(unknown >> i & 1)) continue;
+    arb_sub(whole + i, x + i, whole + i, PREC);
+    r->shift[r->n_shifts++] = (struct reading_shift){quantity_name[i], digits_of(out, whole + i, SLOPE_DIGITS),
+                                                     digits_of(out, sum + i, SLOPE_DIGITS)};
+  }
+  _arb_vec_clear(v, N_EQ + 2 * N_X + N_X * N_EQ);
 }
 
 void readings_pairs(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,

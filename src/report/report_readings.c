@@ -21,6 +21,13 @@ static void write_slopes(struct json *j, const char *key, const struct reading_s
   json_end_array(j);
 }
 
+static void write_decimals(struct json *j, int n) {
+  if (n < 0)
+    json_null(j, "decimals");
+  else
+    json_long(j, "decimals", n);
+}
+
 static void write_reading(struct json *j, const struct example_reading *r) {
   json_object(j, NULL);
   json_string(j, "layer", r->layer);
@@ -53,6 +60,16 @@ static void write_reading(struct json *j, const struct example_reading *r) {
   }
   json_end_array(j);
   write_slopes(j, "slopes", r->slope, r->n_slopes);
+  write_decimals(j, r->decimals);
+  json_array(j, "shifts");
+  for (int i = 0; i < r->n_shifts; i++) {
+    json_object(j, NULL);
+    json_string(j, "of", r->shift[i].of);
+    json_string(j, "actual", r->shift[i].actual);
+    json_string(j, "predicted", r->shift[i].predicted);
+    json_end_object(j);
+  }
+  json_end_array(j);
   json_end_object(j);
 }
 
@@ -69,10 +86,7 @@ static void write_procedure(struct json *j, const struct readings_procedure *p) 
     json_string(j, "low", o->low);
     json_string(j, "high", o->high);
     json_string(j, "within", o->within);
-    if (o->decimals < 0)
-      json_null(j, "decimals");
-    else
-      json_long(j, "decimals", o->decimals);
+    write_decimals(j, o->decimals);
     json_end_object(j);
   }
   json_end_array(j);
@@ -108,6 +122,7 @@ void report_readings_member(struct json *j, const char *key, const struct readin
     json_long(j, "tried", r->level[i].tried);
     json_long(j, "undetermined", r->level[i].undetermined);
     json_long(j, "reproduce", r->level[i].reproduce);
+    json_long(j, "unrounded", r->level[i].unrounded);
     json_long(j, "open", r->level[i].open);
     json_end_object(j);
   }
@@ -140,10 +155,6 @@ static void add_strings(struct text *out, const char *const *list, int n, const 
   if (n == 0) text_add(out, none);
 }
 
-static void add_slopes(struct text *out, const struct reading_slope *s, int n) {
-  for (int i = 0; i < n; i++) text_printf(out, "%s%s %s", i ? ", " : "", s[i].of, s[i].value);
-}
-
 /* Rows for results, columns for inputs. */
 static void add_slope_table(struct text *out, const struct reading_slope *s, int n) {
   int columns = 0;
@@ -159,46 +170,63 @@ static void add_slope_table(struct text *out, const struct reading_slope *s, int
   text_add(out, "\n\n");
 }
 
-static void add_reading(struct text *out, const struct example_reading *r, int rank) {
-  text_printf(out, "%d. inputs ", rank);
-  add_strings(out, r->inputs, r->n_inputs, "none");
-  text_add(out, "\n   - dropped: ");
+static void add_dropped(struct text *out, const struct example_reading *r) {
   if (r->n_dropped == 0) text_add(out, "nothing");
   for (int i = 0; i < r->n_dropped; i++)
     text_printf(out, "%s%s, off by %s", i ? "; " : "", r->dropped[i].equation, r->dropped[i].residual);
-  text_add(out, "\n   - solved: ");
-  add_strings(out, r->solved, r->n_solved, "nothing");
-  text_add(out, "\n   - numbers: ");
-  for (int i = 0; i < r->n_numbers; i++)
-    text_printf(out, "%s%s %s (%s%s%s)", i ? ", " : "", r->number[i].name, r->number[i].value, r->number[i].how,
-                strcmp(r->number[i].how, "off") == 0 ? ", printed " : "",
-                strcmp(r->number[i].how, "off") == 0 ? r->number[i].printed : "");
-  text_printf(out,
-              "\n   - %d assumption%s: %s\n   - matrices: %s layer%s; numbers carried: %s; digits of results: %d\n",
-              r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
-              r->confirmed ? ", the suite's own model gives the same" : "", r->carry, r->digits);
-  for (int i = 0; i < r->n_dropped; i++) {
-    if (r->dropped[i].n_answer == 0) continue;
-    text_printf(out, "   - per unit of the residual of %s, the results of the whole procedure change by: ",
-                r->dropped[i].equation);
-    add_slopes(out, r->dropped[i].answer, r->dropped[i].n_answer);
-    text_add(out, "\n");
-  }
 }
 
+static void add_reading(struct text *out, const struct example_reading *r) {
+  text_add(out, "- inputs: ");
+  add_strings(out, r->inputs, r->n_inputs, "none");
+  text_add(out, "\n- dropped: ");
+  add_dropped(out, r);
+  text_add(out, "\n- solved: ");
+  add_strings(out, r->solved, r->n_solved, "nothing");
+  text_printf(out,
+              "\n- %d assumption%s: %s\n- matrices of the %s layer%s; numbers carried: %s; digits of results: %d\n\n"
+              "| number | printed | under this reading | |\n| --- | ---: | ---: | --- |\n",
+              r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
+              r->confirmed ? ", and the suite's own model gives the same" : "", r->carry, r->digits);
+  for (int i = 0; i < r->n_numbers; i++)
+    text_printf(out, "| %s | %s | %s | %s |\n", r->number[i].name, r->number[i].printed, r->number[i].value,
+                r->number[i].how);
+  text_add(out, "\n");
+  add_slope_table(out, r->slope, r->n_slopes);
+}
+
+static void add_off(struct text *out, const struct example_reading *r) {
+  for (int i = 0; i < r->n_numbers; i++)
+    if (strcmp(r->number[i].how, "off") == 0)
+      text_printf(out, "; %s %s, printed %s", r->number[i].name, r->number[i].value, r->number[i].printed);
+}
+
+/* The first in full, the others in a line. */
 static void add_readings(struct text *out, const char *heading, const struct example_reading *r, int n) {
   if (n == 0) return;
-  text_printf(out, "### %s\n\n", heading);
-  for (int i = 0; i < n; i++) add_reading(out, &r[i], i + 1);
+  text_printf(out, "### %s\n\nThe first in rank:\n\n", heading);
+  add_reading(out, &r[0]);
+  if (n == 1) return;
+  text_add(out, "| rank | inputs | dropped | numbers carried | assumptions | digits |\n"
+                "| ---: | --- | --- | --- | ---: | ---: |\n");
+  for (int i = 0; i < n; i++) {
+    text_printf(out, "| %d | ", i + 1);
+    add_strings(out, r[i].inputs, r[i].n_inputs, "none");
+    text_add(out, " | ");
+    add_dropped(out, &r[i]);
+    add_off(out, &r[i]);
+    text_printf(out, " | %s | %d | %d |\n", r[i].carry, r[i].assumptions, r[i].digits);
+  }
   text_add(out, "\n");
 }
 
 static void add_levels(struct text *out, const struct readings *r) {
-  text_add(out, "| equations dropped | readings | of them not determined | give everything printed | undecided |\n"
-                "| ---: | ---: | ---: | ---: | ---: |\n");
+  text_add(out, "| equations dropped | readings | of them not determined | give everything printed | without rounding "
+                "in between | "
+                "undecided |\n| ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (int i = 0; i < r->n_levels; i++)
-    text_printf(out, "| %d | %ld | %ld | %ld | %ld |\n", r->level[i].dropped, r->level[i].tried,
-                r->level[i].undetermined, r->level[i].reproduce, r->level[i].open);
+    text_printf(out, "| %d | %ld | %ld | %ld | %ld | %ld |\n", r->level[i].dropped, r->level[i].tried,
+                r->level[i].undetermined, r->level[i].reproduce, r->level[i].unrounded, r->level[i].open);
   text_add(out, "\n");
 }
 
@@ -241,10 +269,6 @@ void report_readings_markdown(struct text *out, const struct readings *r) {
   text_add(out, "\n");
   add_levels(out, r);
   add_readings(out, "Readings that give every printed number", r->found, r->n_found);
-  if (r->n_found) {
-    text_add(out, "Sensitivities of the first:\n\n");
-    add_slope_table(out, r->found[0].slope, r->found[0].n_slopes);
-  }
   add_readings(out, "Readings that miss one printed number", r->near, r->n_near);
   add_procedure(out, &r->procedure);
   add_pairs(out, r);
