@@ -170,8 +170,18 @@ static void describe_space(struct hunt *h, const char *layers) {
       "datum "
       "that is computed, each decimal by which a result is printed shorter than the longest, a form of (18) that is "
       "not "
-      "in the paper, rounding in between; then most digits of results."};
+      "in the paper, rounding in between, each result that is cut off where "
+      "most are rounded or the other way round; then most digits of results."};
   for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);
+}
+
+static const char *inputs_of(struct hunt *h, const struct example_reading *r) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < r->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", r->inputs[i]);
+  const char *s = result_str(h->out, "%s", t.len ? text_str(&t) : "nothing");
+  text_clear(&t);
+  return s;
 }
 
 static void conclude_found(struct hunt *h) {
@@ -179,7 +189,7 @@ static void conclude_found(struct hunt *h) {
   long before = 0;
   const struct readings_level *first = NULL;
   for (int k = 0; k < r->n_levels && !first; k++) {
-    if (r->level[k].reproduce)
+    if (r->level[k].reproduce && r->n_found)
       first = &r->level[k];
     else
       before += r->level[k].tried;
@@ -188,10 +198,12 @@ static void conclude_found(struct hunt *h) {
   if (!first)
     s = result_str(h->out, "No reading of the %ld tried gives all printed numbers.", before);
   else if (first->dropped == 0)
-    s = result_str(h->out,
-                   "The printed numbers are consistent: %ld of %ld readings in which every equation holds give all of "
-                   "them.",
-                   first->reproduce, first->tried);
+    s = result_str(
+        h->out,
+        "The printed numbers are consistent%s: %ld of %ld readings in which every equation holds give all of "
+        "them; the first takes %s as inputs.",
+        strcmp(r->found[0].layer, layer_name[LAYER_PRINTED]) == 0 ? " with the matrices as printed" : "",
+        first->reproduce, first->tried, inputs_of(h, &r->found[0]));
   else
     s = result_str(
         h->out,
@@ -208,9 +220,7 @@ static void conclude_first(struct hunt *h) {
   const struct example_reading *f = &r->found[0];
   struct text t;
   text_init(&t);
-  text_add(&t, "The first of them takes ");
-  for (int i = 0; i < f->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", f->inputs[i]);
-  text_add(&t, " exactly and does not solve ");
+  text_printf(&t, "The first of them takes %s exactly and does not solve ", inputs_of(h, f));
   for (int i = 0; i < f->n_dropped; i++)
     text_printf(&t, "%s%s, which it leaves off by %s", i ? "; " : "", f->dropped[i].equation, f->dropped[i].residual);
   text_add(&t, ".");
@@ -222,7 +232,7 @@ static void conclude_first(struct hunt *h) {
     text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
-    text_printf(&t, "  Its results are what is printed only if its inputs are right to %d decimals.", f->decimals);
+    text_printf(&t, "  To be sure of the printed digits, its inputs must be right to %d decimals.", f->decimals);
   say(h, &r->conclusion, &r->n_conclusions, result_str(h->out, "%s", text_str(&t)));
   text_clear(&t);
 }
@@ -266,7 +276,8 @@ static void conclude_rounding(struct hunt *h) {
                    r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(h->out, "Decimals of %s that the whole procedure needs for the printed digits of its results: %s.",
+        result_str(h->out,
+                   "Decimals of %s with which the whole procedure is sure of the printed digits of its results: %s.",
                    r->procedure.inputs, text_str(&need)));
   text_clear(&need);
   text_clear(&out);

@@ -90,7 +90,7 @@ enum carry { CARRY_EXACT, CARRY_PRINTED, CARRY_3, CARRY_2, N_CARRIES };
 extern const char *const carry_text[N_CARRIES];
 
 /* Why a reading assumes much or little. */
-enum assumption { ASSUME_INPUT, ASSUME_DATA, ASSUME_ZEROS, ASSUME_FORM, ASSUME_CARRY, N_ASSUMPTIONS };
+enum assumption { ASSUME_INPUT, ASSUME_DATA, ASSUME_ZEROS, ASSUME_FORM, ASSUME_CARRY, ASSUME_MIXED, N_ASSUMPTIONS };
 
 enum { N_BOUNDS = 2, N_PRINTED = N_X + N_BOUNDS, MAX_BLOCKS = 8 };
 

@@ -134,6 +134,8 @@ static void describe_assumptions(struct example_reading *r, struct audit_result 
                 c->assumed[ASSUME_ZEROS]);
   if (c->assumed[ASSUME_FORM]) text_add(&t, "a form of (18) that is not in the paper; ");
   if (c->assumed[ASSUME_CARRY]) text_add(&t, "rounding between formulas; ");
+  if (c->assumed[ASSUME_MIXED])
+    text_printf(&t, "results cut off where most are rounded, or the other way round: %d; ", c->assumed[ASSUME_MIXED]);
   if (t.len) t.data[t.len -= 2] = '\0';
   r->assumed = result_str(out, "%s", t.len ? text_str(&t) : "nothing");
   for (int i = 0; i < N_ASSUMPTIONS; i++) r->assumptions += c->assumed[i];

@@ -96,18 +96,27 @@ static bool solve_block(double x[N_X], struct memo *m, struct system *s, const s
 
 /* --- What a solution gives of the printed numbers --- */
 
-static bool gives(double x, const struct printed_number *p, double unit) {
+struct conventions {
+  int not_rounded, not_truncated; /* numbers that fit in one way only */
+};
+
+/* Does x print as p in some way? */
+static bool gives(struct conventions *v, double x, const struct printed_number *p, double unit) {
   double off = (x - fmpq_get_d(&p->value)) / unit, slack = 0.01;
   if (p->decimal[0] == '-') off = -off;
-  return off >= -0.5 - slack && off <= 1 + slack;
+  bool rounded = fabs(off) <= 0.5 + slack, truncated = off >= -slack && off <= 1 + slack;
+  v->not_rounded += truncated && !rounded;
+  v->not_truncated += rounded && !truncated;
+  return rounded || truncated;
 }
 
 /* Everything that is not an input: the solution itself, or what is fed into the bounds. */
 static void judge_candidate(struct candidate *c, const struct example *e) {
   enum { PREC = FIRST_PREC };
+  struct conventions v = {0, 0};
   c->off = 0;
   for (int i = 0; i < N_X; i++)
-    if (c->unknown >> i & 1 && !gives(c->x[i], e->printed[i], e->unit[i])) c->off |= 1U << i;
+    if (c->unknown >> i & 1 && !gives(&v, c->x[i], e->printed[i], e->unit[i])) c->off |= 1U << i;
   arb_ptr x = _arb_vec_init(N_X + N_BOUNDS);
   for (int i = 0; i < N_X; i++) {
     if (c->carry == CARRY_EXACT)
@@ -117,9 +126,10 @@ static void judge_candidate(struct candidate *c, const struct example *e) {
   }
   readings_bounds(x + N_X, x, e->scene);
   for (int i = N_X; i < N_PRINTED; i++)
-    if (e->printed[i] && !gives(arf_get_d(arb_midref(x + i), ARF_RND_NEAR), e->printed[i], e->unit[i]))
+    if (e->printed[i] && !gives(&v, arf_get_d(arb_midref(x + i), ARF_RND_NEAR), e->printed[i], e->unit[i]))
       c->off |= 1U << i;
   _arb_vec_clear(x, N_X + N_BOUNDS);
+  c->assumed[ASSUME_MIXED] = v.not_rounded < v.not_truncated ? v.not_rounded : v.not_truncated;
 }
 
 static void count_assumptions(struct candidate *c, const struct example *e) {
