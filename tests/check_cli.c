@@ -965,7 +965,7 @@ static const char *output_of(const char *name, const char *const *args) {
 
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 7 };
+  enum { N = 8 };
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -984,6 +984,8 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/readings.schema.json",
+       output_of("readings.json", (const char *const[]){"readings", "paper", "--json", NULL}), 0},
       {"schema/jacobian.schema.json",
        output_of("printed.json", (const char *const[]){"jacobian", "paper", "--at", "printed", "--json", NULL}), 0},
       {"schema/jacobian.schema.json",
@@ -1045,6 +1047,11 @@ static const struct {
     {{"jacobian", "paper", "--at", "orbit:9"}, 3, "there is no orbit 9; the scene has 2"},
     {{"jacobian", "paper", "--method", "euler"}, 2, "--method takes"},
     {{"jacobian", "paper", "--layer", "stable"}, 2, "--layer takes"},
+    {{"readings"}, 2, "readings takes one SCENE"},
+    {{"readings", "paper", "paper"}, 2, "readings takes one SCENE"},
+    {{"readings", "paper", "--digits", "3"}, 2, "--digits does not belong to this command"},
+    {{"readings", "no-such"}, 3, "no-such.scene: error: "},
+    {{"readings", "paper-times"}, 3, "no readings: it takes printed values"},
     {{"explain"}, 2, "explain takes one claim id"},
     {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},

@@ -16,6 +16,7 @@ int main(void) {
   srunner_add_suite(r, given_suite());
   srunner_add_suite(r, coulomb_suite());
   srunner_add_suite(r, audit_suite());
+  srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, cli_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);

@@ -13,6 +13,7 @@ Suite *dynamics_suite(void);
 Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
+Suite *readings_suite(void);
 Suite *cli_suite(void);
 
 #endif

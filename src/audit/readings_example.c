@@ -6,17 +6,16 @@
 static const char *const bound_name[N_BOUNDS] = {"u_r1", "u_r2"};
 static const int decimals_fed[N_CARRIES] = {[CARRY_3] = 3, [CARRY_2] = 2};
 
-/* Significant digits, and digits after the point. */
-static void count_digits(int *significant, int *after, const char *decimal) {
-  bool point = false, leading = true;
-  *significant = *after = 0;
-  for (const char *p = decimal; *p && *p != 'e' && *p != 'E'; p++) {
-    if (*p == '.') point = true;
-    if (*p < '0' || *p > '9') continue;
-    leading = leading && *p == '0';
-    *significant += !leading;
-    *after += point;
-  }
+static int significant_digits(const char *decimal) {
+  int n = 0;
+  for (const char *p = decimal; *p && *p != 'e' && *p != 'E'; p++)
+    if (*p >= '0' && *p <= '9') n += n > 0 || *p != '0';
+  return n;
+}
+
+/* How many decimals a number with this last digit has; 0 when that is no decimal place. */
+static int decimals_of(const fmpq_t unit) {
+  return (int)fmpz_sizeinbase(fmpq_denref(unit), 10) - 1;
 }
 
 /* The nearest multiple of 10^-n, ties away from zero. */
@@ -49,7 +48,8 @@ const char *example_init(struct example *e, const struct scene *s) {
     if (!p) return "it takes printed values of z10, z20, t_a, t_b, t_c, t_d, e1 and e2";
     e->value[i] = fmpq_get_d(&p->value);
     e->unit[i] = fmpq_get_d(&p->unit);
-    count_digits(&e->digits[i], &after[i], p->decimal);
+    e->digits[i] = significant_digits(p->decimal);
+    after[i] = decimals_of(&p->unit);
     if (after[i] > most) most = after[i];
     for (int c = 0; c < N_CARRIES; c++) {
       fmpq_set(&e->fed[c][i], &p->value);

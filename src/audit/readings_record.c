@@ -6,7 +6,14 @@
 
 enum { PREC = FIRST_PREC, VALUE_DIGITS = 8, SLOPE_DIGITS = 4 };
 
+/* What cannot be told from zero is shown with a bound that does not hang on the last bits. */
 static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, x);
+  bool tiny = arb_contains_zero(x) && !mag_is_zero(size) && mag_cmp_2exp_si(size, -64) < 0;
+  mag_clear(size);
+  if (tiny) return "0 +/- 2^-64";
   struct text t;
   text_init(&t);
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);

@@ -4,7 +4,9 @@ Nothing of the C program is used: each phase is propagated by mpmath.expm of its
 out here again, and each procedure is carried out with mpmath.findroot at 50 digits.
 
   python3 readings.py scenes DIR   writes one scene for each procedure
-  python3 readings.py values      for each procedure: what its quantities are before they are printed
+  python3 readings.py values       readings.tsv: what the quantities of each procedure are before they are printed; for
+                                   the paper's example what every equation gives from two of its numbers, and from the
+                                   corners of what the digits of e1 and e2 stand for
 """
 import os
 import sys
@@ -68,7 +70,7 @@ class Example:
                 "z1": lambda: z[4][0] - z[0][0],
                 "z2": lambda: z[4][1] - z[0][1]}[name]()
 
-    def solve(self, equations, inputs, near):
+    def solve(self, equations, inputs, near, steps=60):
         out = [n for n in NAMES if n not in inputs]
         assert len(out) == len(equations)
 
@@ -76,7 +78,7 @@ class Example:
             x = dict(inputs, **dict(zip(out, v)))
             return [self.residual(e, x) for e in equations]
 
-        root = findroot(f, [near[n] for n in out], tol=mpf(10) ** -70, maxsteps=60)
+        root = findroot(f, [near[n] for n in out], tol=mpf(10) ** (-mp.dps), maxsteps=steps)
         x = dict(inputs, **{n: root[i] for i, n in enumerate(out)})
         return {n: x[n] for n in NAMES}
 
@@ -162,6 +164,42 @@ def scene(name):
     return "\n".join(lines) + "\n"
 
 
+PAPER = {"z10": "0.8921", "z20": "-2.1958", "t_a": "0.6784", "t_b": "2", "t_c": "1.5", "t_d": "2.34", "e1": "2.7844",
+         "e2": "0.8587", "u_r1": "0.0678", "u_r2": "1.6645"}
+
+
+def fits(x, decimal):
+    unit = mpf(10) ** -(len(decimal.split(".")[1]) if "." in decimal else 0)
+    p, x = abs(mpf(decimal)), x if decimal[0] != "-" else -x
+    return abs(x - p) <= unit / 2 or p <= x <= p + unit
+
+
+def line(kind, name, x):
+    print(kind + "\t" + name + "\t" + "\t".join(n + "=" + mp.nstr(x[n], 20) for n in NAMES))
+
+
+def paper_lines():
+    mp.dps = 25
+    ex, printed = Example("0.8", "1", "1"), {n: mpf(PAPER[n]) for n in NAMES}
+    for i, a in enumerate(NAMES):
+        for b in NAMES[i + 1:]:
+            try:
+                x = ex.solve(ALL, {a: printed[a], b: printed[b]}, printed, 10)
+            except (ValueError, ZeroDivisionError):
+                print("pair\t%s, %s\tno solution found" % (a, b))
+                continue
+            if max(abs(x[n] - printed[n]) - abs(printed[n]) for n in NAMES) > 1:
+                print("pair\t%s, %s\tfar" % (a, b))
+                continue
+            x["u_r1"] = ex.v * x["t_a"] * (1 - ex.chi) / 2
+            x["u_r2"] = (x["e2"] - ex.chi * (x["z20"] - x["z10"])) / 2
+            print("pair\t%s, %s\t%s" % (a, b, ", ".join(n for n in PAPER if n not in (a, b) and not fits(x[n], PAPER[n]))))
+    for d1 in ("-0.00005", "0", "0.0001"):
+        for d2 in ("-0.00005", "0", "0.0001"):
+            x = ex.solve(ALL, {"e1": printed["e1"] + mpf(d1), "e2": printed["e2"] + mpf(d2)}, NEAR)
+            line("corner", d1 + "," + d2, x)
+
+
 def main(args):
     if len(args) == 2 and args[0] == "scenes":
         for name in PROCEDURES:
@@ -173,7 +211,8 @@ def main(args):
     if args == ["values"]:
         for name in PROCEDURES:
             _, x, _, _ = run(name)
-            print(name + "\t" + "\t".join(n + "=" + mp.nstr(x[n], 20) for n in NAMES))
+            line("procedure", name, x)
+        paper_lines()
         return 0
     print(__doc__, file=sys.stderr)
     return 2
