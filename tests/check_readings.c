@@ -238,6 +238,9 @@ START_TEST(slopes_and_both_sources_of_the_equations) {
       ck_assert_double_eq_tol(value[i], entry(&t, &t.value, i), 1e-12 * (1 + fabs(value[i])));
     for (int i = 0; i < N_EQ * N_X; i++)
       ck_assert_double_eq_tol(slope[i], entry(&t, &t.slope, i), 1e-12 * (1 + fabs(slope[i])));
+    double w = value[EQ_Z1] - 0.78 * value[EQ_Z2], r = value[EQ_Z2] - value[EQ_Z1]; /* chi of the scene */
+    ck_assert_double_eq_tol(value[EQ_W], w, 1e-13 * (1 + fabs(w)));
+    ck_assert_double_eq_tol(value[EQ_R], r, 1e-13 * (1 + fabs(r)));
     for (int c = 0; c < N_X; c++) {
       const double h = 0x1p-20;
       double up[N_EQ];
