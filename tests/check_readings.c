@@ -396,6 +396,25 @@ START_TEST(numbers_that_nothing_gives) {
 }
 END_TEST
 
+/* The orbit at the paper's data (corner 0,0) with t_b = 2.0053 printed as 1: cut off, it would have to be below 2.  That
+   is less than a hundredth of a unit, so it is for the balls to see. */
+START_TEST(a_bracket_that_is_missed_narrowly) {
+  static const char *const text = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: z10 = 0.9782\n"
+                                  "printed: z20 = -2.1247\nprinted: t_a = 0.5323\nprinted: t_b = %s\n"
+                                  "printed: t_c = 1.4899\nprinted: t_d = 2.3473\nprinted: e1 = 2.7844\n"
+                                  "printed: e2 = 0.8587\n";
+  double t_b = oracle_value("corner", "0,0", "t_b");
+  ck_assert(t_b > 2 && t_b < 2.01);
+  for (int k = 1; k <= 2; k++) {
+    char s[500], one[2] = {(char)('0' + k), '\0'};
+    snprintf(s, sizeof s, text, one);
+    const struct readings *r = search(scratch_put("narrow.scene", s));
+    ck_assert_msg((r->level[0].reproduce > 0) == (k == 2), "t_b = %d: %ld", k, r->level[0].reproduce);
+    unload();
+  }
+}
+END_TEST
+
 START_TEST(hostile_decimals) {
   static const char *const t_a[] = {"0", "1e100000", "1e-99999", "-3e300", "0.%s"};
   char many[60000];
@@ -472,6 +491,7 @@ Suite *readings_suite(void) {
   tcase_add_test(c, forms_of_the_periodicity_conditions);
   tcase_add_test(c, solutions_are_enclosed_or_refused);
   tcase_add_test(c, numbers_that_nothing_gives);
+  tcase_add_test(c, a_bracket_that_is_missed_narrowly);
   tcase_add_loop_test(c, hostile_decimals, 0, 5);
   tcase_add_test(c, too_few_printed_numbers);
   tcase_add_loop_test(c, searched_only_where_it_was_asked_for, 0, 4);

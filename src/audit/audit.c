@@ -351,8 +351,8 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     ok = judge_claim(&j, &claims->claim[i]);
   }
   ok = ok && run_controls(&j, claims, controls, opt);
-  if (ok) run_readings(&j, claims, opt);
   if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  if (ok) run_readings(&j, claims, opt);
   orbit_cache_free(j.cache);
   return ok;
 }
