@@ -36,14 +36,18 @@ struct evidence {
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
 
-/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number. */
+/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
+   claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
+   replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with
+   mathematics between dollar signs. */
 struct finding {
   const char *id, *equation, *section, *title, *quote, *printed;
   enum verdict verdict;
   const char *condition, *fault;
   const char *correction; /* NULL without one */
   enum verdict correction_verdict;
-  const char *effect;
+  const char *correction_latex, *quote_part, *printed_part, *change;
+  const char *effect, *size; /* size: the part of effect that speaks of the claim itself */
   const char **depends_on;
   int n_depends_on;
   struct evidence *evidence;
@@ -54,6 +58,32 @@ struct finding {
 
 struct skipped_work {
   const char *what, *why;
+};
+
+/* What a failed formula does to a quantity that the paper derives, everything else corrected. */
+enum change { CHANGE_CHANGES, CHANGE_AGREES, CHANGE_SAME_FORMULA, CHANGE_UNDECIDED, CHANGE_UNDEFINED };
+
+/* One derived quantity (formula as the paper's notation is typed, and typeset).  size: the largest relative difference,
+   as the power of ten above it; entry, printed, corrected, where: one point at which it changes.  chain: the value there
+   with the whole paper as printed; NULL when that is the same formula as with this equation alone as printed. */
+struct derived {
+  const char *formula, *latex, *title;
+  enum change change;
+  const char *verdict; /* in words, with the number of points */
+  const char *size, *entry, *printed, *corrected, *where, *chain;
+};
+
+/* Claims that fail when the failed formula is read as printed, claims that rest on it and hold all the same (because
+   their own formulas are the same, or tried again), and claims about which that could not be told. */
+struct id_list {
+  const char **id;
+  int n;
+};
+struct consequence {
+  const char *failure;
+  struct id_list falls, survives, open;
+  struct derived *derived;
+  int n_derived;
 };
 
 /* A control: wrong on purpose, and noticed when its check does not pass. */
@@ -140,16 +170,50 @@ struct readings {
   struct readings_procedure procedure;
 };
 
+/* Two routes to one quantity, held against each other wherever both apply. */
+struct route_pair {
+  const char *quantity, *first, *second;
+  const char *shared;  /* what both rest on */
+  long comparisons;    /* of whole quantities: a matrix, or the times and states of a pass */
+  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale), or its routes' estimates */
+  bool within;         /* there were comparisons, and all of them kept to it */
+  const char *largest; /* order of magnitude of the largest disagreement, or "no answer"; NULL for a route in double */
+  const char *worst;   /* where; NULL with it */
+  double machine_largest; /* for run.json */
+  const char *machine_worst;
+};
+
+/* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
+   route grows or shrinks at that rate. */
+enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
+struct long_result {
+  const char *orbit, *multiplier;
+  long periods;
+  const char *expected;                /* when 2^-52 has become 1e-6: "never", "about 970 periods" */
+  bool obeys, displaced;               /* rates within a tenth of log|tr J| */
+  long machine_parting[N_LONG_PAIRS];  /* for run.json: the first period at which they are apart by 1e-6, or 0; */
+  double machine_most[N_LONG_PAIRS];   /* the largest distance; */
+  double machine_growth[N_LONG_PAIRS]; /* its measured growth a period, NaN without one; */
+  double machine_displaced;            /* that of a displacement */
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
   struct finding *findings;
   size_t n_findings, cap_findings;
+  struct consequence *consequences;
+  size_t n_consequences, cap_consequences;
   struct skipped_work *skipped;
   size_t n_skipped, cap_skipped;
   struct control_result *controls;
   size_t n_controls, cap_controls;
-  const char *const *independence;
+  struct route_pair *pairs; /* none unless the whole audit ran */
+  size_t n_pairs, cap_pairs;
+  struct long_result *long_runs; /* likewise */
+  size_t n_long_runs, cap_long_runs;
+  const char *const *independence; /* what each route does and rests on */
   int n_independence;
   struct readings *readings; /* NULL when not searched for */
 };
@@ -158,9 +222,11 @@ void audit_result_init(struct audit_result *r);
 void audit_result_clear(struct audit_result *r);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* The consequence of a failure, or NULL. */
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, and controls that went unnoticed. */
+/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

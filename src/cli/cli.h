@@ -5,7 +5,7 @@
 #include "stickslip/audit.h"
 
 /* Exit statuses of the contract. */
-enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4 };
+enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
 enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
 
@@ -26,8 +26,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
-  bool strict, quiet, json, tape, csv, help;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start;
+  bool strict, quiet, json, tape, csv, compare, phases, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -49,10 +49,28 @@ void join_path(struct text *out, const char *folder, const char *name);
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
 bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 
+/* As many of the digits as are known; a ball in which not even the first is: 0. */
+void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The radius to two digits, rounded up; 0 when it is. */
+void print_accuracy(struct text *out, const arb_struct *worst);
+/* "orbit:2" or "printed". */
+void print_at(struct text *out, const struct jacobian_request *q);
+/* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
+bool print_eigenvalues(struct text out[2], arb_srcptr j);
+/* jacobian --phases */
+bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+                 const struct jacobian_request *q, struct diag *d);
+
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
+/* orbit --method paper. */
+int run_orbit_paper(const struct options *o, const char *data);
 int run_jacobian(const struct options *o, const char *data);
+/* simulate --compare, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
+/* Says that a simulation ended before it was to; the exit status. */
+int ended_early(enum coulomb_end end, const char *route, double t);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);

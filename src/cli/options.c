@@ -43,10 +43,13 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
+               {"--start", FOR_SIMULATE, &o->start, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--compare", FOR_SIMULATE, NULL, &o->compare},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
-               {"--method", FOR_JACOBIAN, &o->method, NULL},
+               {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
+               {"--phases", FOR_JACOBIAN, NULL, &o->phases},
                {"--help", ~0U, NULL, &o->help}};
   *o = (struct options){.n_operands = 0};
   for (int i = 0; i < argc; i++) {

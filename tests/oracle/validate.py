@@ -1,7 +1,8 @@
 """validate.py SCHEMA FILE: hold an output of the program against its JSON Schema, and against what no schema can say.
 
 For audit.json that is: the counts of the summary are those of the claims and add up to the total, ids are unique, and
-every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  One line for each error on
+every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  For phases: entries row by row,
+each value either there or left out, and only methods that have a value depart.  One line for each error on
 stdout; exit status 0 without errors, 1 with errors, 2 for wrong usage.
 """
 import json
@@ -63,8 +64,25 @@ def orbit_errors(out):
         yield "orbits: not by increasing z10"
 
 
-EXTRA = {"audit.schema.json": audit_errors, "readings.schema.json": lambda out: readings_errors(out["readings"]),
-         "orbit.schema.json": orbit_errors}
+def phases_errors(out):
+    methods = ("analytic-printed", "analytic-corrected", "implicit", "saltation", "fd", "fd-double", "ode")
+    absent = {(x["name"], x["method"]) for x in out["left_out"]}
+    for m in out["phases"] + [out["period"]]:
+        places = [(e["row"], e["col"]) for e in m["entries"]]
+        if places != [(r + 1, c + 1) for r in range(m["rows"]) for c in range(m["cols"])]:
+            yield m["name"] + ": the entries are not row by row"
+        for e in m["entries"]:
+            where = "%s[%d,%d]" % (m["name"], e["row"], e["col"])
+            for method in methods:
+                if (method in e["values"]) == ((m["name"], method) in absent):
+                    yield "%s: %s is neither there nor left out, or both" % (where, method)
+            for method in e["departs"]:
+                if method not in e["values"]:
+                    yield "%s: %s departs without a value" % (where, method)
+
+
+EXTRA = {"phases.schema.json": phases_errors, "audit.schema.json": audit_errors,
+         "readings.schema.json": lambda out: readings_errors(out["readings"]), "orbit.schema.json": orbit_errors}
 
 
 def siblings(schema_file):
