@@ -39,6 +39,10 @@ static const char help[] =
     "      closed forms in double beside MPFR, period by period (at most 10000), where they part and how fast; status "
     "5\n"
     "      when a simulation ends early (its budget of events or steps is used up, or the integrator gives up)\n"
+    "  stickslip readings SCENE [--json]\n"
+    "      how the printed numbers of the scene could have arisen: which were inputs, which equations were solved and "
+    "which\n"
+    "      dropped; the readings that give every printed digit, and how far rounding of the inputs reaches\n"
     "  stickslip explain ID [--at NAME=VALUE,...] [--tape]\n"
     "      one claim: the paper's text, the formula as read, verdict and evidence, both sides at a point of your "
     "choice\n"
@@ -73,9 +77,13 @@ static const struct command {
   const char *name;
   unsigned bit;
   int (*run)(const struct options *o, const char *data);
-} commands[] = {{"verify", FOR_VERIFY, run_verify},       {"orbit", FOR_ORBIT, run_orbit},
-                {"jacobian", FOR_JACOBIAN, run_jacobian}, {"simulate", FOR_SIMULATE, run_simulate},
-                {"explain", FOR_EXPLAIN, run_explain},    {"list", FOR_LIST, run_list},
+} commands[] = {{"verify", FOR_VERIFY, run_verify},
+                {"orbit", FOR_ORBIT, run_orbit},
+                {"jacobian", FOR_JACOBIAN, run_jacobian},
+                {"simulate", FOR_SIMULATE, run_simulate},
+                {"readings", FOR_READINGS, run_readings},
+                {"explain", FOR_EXPLAIN, run_explain},
+                {"list", FOR_LIST, run_list},
                 {"check", FOR_CHECK, run_check}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
@@ -116,7 +124,8 @@ static void on_abort(int signal) {
 
 int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
-  if (argc < 2) return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, explain, list or check");
+  if (argc < 2)
+    return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list or check");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -1022,7 +1022,7 @@ static void judge_all(struct audit_result *r, const char *overlay, bool with_con
   diag_init(&d);
   audit_result_init(r);
   load_model(&m, overlay, with_controls);
-  const struct audit_options opt = {items, n, NULL, NULL};
+  const struct audit_options opt = {items, n, NULL, NULL, false};
   bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
             claims_load(&controls, "verify/controls", "control", &d) &&
             audit_run(r, &m, &claims, &controls, &paper, &opt, &d);

@@ -1146,7 +1146,7 @@ static const char *output_of(const char *name, const char *const *args) {
 
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 13 };
+  enum { N = 14 };
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -1169,6 +1169,8 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/readings.schema.json",
+       output_of("readings.json", (const char *const[]){"readings", "paper", "--json", NULL}), 0},
       {"schema/orbit-paper.schema.json",
        output_of("route.json", (const char *const[]){"orbit", stiff, "--method", "paper", "--json", NULL}), 0},
       {"schema/jacobian.schema.json",
@@ -1262,6 +1264,11 @@ static const struct {
     {{"jacobian", "paper", "--phases", "--digits", "0"}, 2, "not 0"},
     {{"jacobian", "--phases"}, 2, "jacobian takes one SCENE"},
     {{"orbit", "paper", "--phases"}, 2, "--phases does not belong to this command"},
+    {{"readings"}, 2, "readings takes one SCENE"},
+    {{"readings", "paper", "paper"}, 2, "readings takes one SCENE"},
+    {{"readings", "paper", "--digits", "3"}, 2, "--digits does not belong to this command"},
+    {{"readings", "no-such"}, 3, "no-such.scene: error: "},
+    {{"readings", "paper-times"}, 3, "no readings: it takes printed values"},
     {{"explain"}, 2, "explain takes one claim id"},
     {{"explain", "eq-270"}, 3, "no claim is named eq-270"},
     {{"explain", "eq-27", "--at", "chi"}, 3, "--at takes NAME=VALUE"},

@@ -92,7 +92,7 @@ static void study(struct audit_result *r, const char *folder, const char *errata
   struct model m;
   struct claims none = {.n = 0};
   struct diag d;
-  const struct audit_options opt = {NULL, 0, NULL, NULL};
+  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
   diag_init(&d);
   model_init(&m);
   audit_result_init(r);

@@ -14,6 +14,7 @@ Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *argument_suite(void);
+Suite *readings_suite(void);
 Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);
 Suite *routes_suite(void);

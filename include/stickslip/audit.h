@@ -96,6 +96,7 @@ struct audit_options {
   int n_only;
   void (*progress)(void *arg, size_t done, size_t total, const char *id); /* or NULL */
   void *arg;
+  bool readings; /* search how the printed numbers arose, when claims about them are selected */
 };
 
 /* Judges the selected claims, then the controls that stand beside them.  false with d set when the claim files or the
@@ -103,6 +104,12 @@ struct audit_options {
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
+
+/* How the printed numbers of the scene could have arisen: which of them were inputs, exactly as printed, which equations
+   were solved and which dropped, how numbers were carried from one formula into the next.  The equations are the paper's,
+   (12), (14), (16), (18), (44)-(46), with its matrices in the corrected layer, and in the printed one where that gives
+   another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was nothing to search. */
+const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
 
 /* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
    evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the

@@ -9,6 +9,9 @@
 void report_json(struct text *out, const struct audit_result *r);
 /* What audit.json holds, for people: what needs attention first. */
 void report_markdown(struct text *out, const struct audit_result *r);
+/* The readings alone: a document of its own, and the section of audit.md. */
+void report_readings_json(struct text *out, const struct audit_result *r);
+void report_readings_markdown(struct text *out, const struct readings *r);
 /* The claims as a graph for Graphviz: an arrow from what a claim rests on to the claim. */
 void report_dot(struct text *out, const struct audit_result *r);
 /* What does not hold as printed, worst first, for the paper's authors; Markdown, and LaTeX that needs amsmath. */

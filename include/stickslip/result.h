@@ -93,6 +93,83 @@ struct control_result {
   bool noticed;
 };
 
+/* --- How inconsistent printed numbers could have arisen: readings of the example --- */
+
+/* A printed number under a reading; how: input, rounded, truncated or off. */
+struct reading_number {
+  const char *name, *printed, *value, *how;
+};
+struct reading_slope {
+  const char *of, *by, *value;
+};
+/* An equation that a reading does not solve: left minus right side there, and how the outputs of the whole procedure
+   answer to such a residual, per unit. */
+struct reading_dropped {
+  const char *equation, *residual;
+  struct reading_slope *answer;
+  int n_answer;
+};
+/* How far a result is from that of the whole procedure, and how far the residuals of what is dropped move the latter to
+   first order. */
+struct reading_shift {
+  const char *of, *actual, *predicted;
+};
+struct example_reading {
+  const char *layer, *form, *carry;
+  const char *confirmed; /* model: the suite's own equations give the same; NULL when not asked */
+  int assumptions, digits;
+  const char *assumed; /* what the assumptions are */
+  const char **inputs, **solved;
+  int n_inputs, n_solved;
+  struct reading_dropped *dropped;
+  int n_dropped;
+  struct reading_number *number;
+  int n_numbers, n_given;      /* how many of them it gives */
+  struct reading_slope *slope; /* outputs by inputs */
+  int n_slopes;
+  int decimals; /* of its inputs, that the printed digits of its results need; -1: not known */
+  struct reading_shift *shift;
+  int n_shifts;
+};
+struct readings_level {
+  int dropped;
+  long tried, undetermined;
+  long reproduce, unrounded; /* give every printed number; of them those that carry full precision */
+  long open;
+};
+/* An output of the whole procedure: its value, the values that the printed digits of the inputs leave room for, and how
+   many decimals of the inputs its own printed digits need; -1: not known. */
+struct procedure_output {
+  const char *name, *printed, *value, *low, *high;
+  const char *within; /* yes, no, or open: whether some of those values prints as printed */
+  int decimals;
+};
+struct readings_procedure {
+  const char *inputs;
+  struct procedure_output *output; /* NULL when no solution was found */
+  int n_outputs;
+  struct reading_slope *slope;
+  int n_slopes;
+};
+/* Two inputs as printed, nothing dropped. */
+struct readings_pair {
+  const char *inputs, *missed; /* missed: NULL when no solution was found near the printed numbers */
+  int n_given, n_numbers;
+};
+struct readings {
+  const char **space; /* what is searched, in sentences */
+  int n_space;
+  const char **conclusion;
+  int n_conclusions;
+  struct readings_level level[8];
+  int n_levels;
+  struct readings_pair *pair;
+  int n_pairs;
+  struct example_reading *found, *near;
+  int n_found, n_near;
+  struct readings_procedure procedure;
+};
+
 /* Two routes to one quantity, held against each other wherever both apply. */
 struct route_pair {
   const char *quantity, *first, *second;
@@ -138,6 +215,7 @@ struct audit_result {
   size_t n_long_runs, cap_long_runs;
   const char *const *independence; /* what each route does and rests on */
   int n_independence;
+  struct readings *readings; /* NULL when not searched for */
 };
 
 void audit_result_init(struct audit_result *r);

@@ -331,6 +331,19 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
   return true;
 }
 
+/* The readings are about printed numbers: they are searched when some claim of such a kind was judged. */
+static void run_readings(struct judge *j, const struct claims *claims, const struct audit_options *opt) {
+  bool wanted = false;
+  if (!opt->readings) return;
+  for (size_t i = 0; i < claims->n; i++) {
+    const char *kind = claim_get(&claims->claim[i], "kind");
+    bool about = kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
+    wanted = wanted || (about && selected(opt, &claims->claim[i]));
+  }
+  const char *why = !wanted ? "no claim about printed numbers is selected" : audit_readings(j->out, j->model, j->scene);
+  if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
+}
+
 /* What is done once for the whole audit, claim or no claim. */
 static bool studies(struct judge *j, const struct audit_options *opt) {
   if (opt->n_only > 0) {
@@ -369,6 +382,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   ok = ok && judge_consequences(&j) && run_controls(&j, claims, controls, opt);
   if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
   ok = ok && studies(&j, opt);
+  if (ok) run_readings(&j, claims, opt);
   orbit_pool_free(j.pool);
   orbit_cache_free(j.cache);
   dependences_free(rests);

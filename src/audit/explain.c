@@ -166,7 +166,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   }
   const struct claims no_controls = {.n = 0};
   struct audit_result r;
-  struct audit_options opt = {&id, 1, NULL, NULL};
+  struct audit_options opt = {&id, 1, NULL, NULL, false};
   audit_result_init(&r);
   bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
   const struct finding *f = NULL;

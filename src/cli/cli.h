@@ -17,7 +17,8 @@ enum {
   FOR_LIST = 8,
   FOR_CHECK = 16,
   FOR_EXPLAIN = 32,
-  FOR_SIMULATE = 64
+  FOR_SIMULATE = 64,
+  FOR_READINGS = 128
 };
 
 struct options {
@@ -73,6 +74,7 @@ int ended_early(enum coulomb_end end, const char *route, double t);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
+int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 
 #endif

@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_REPORT_IMPL_H
 #define STICKSLIP_REPORT_IMPL_H
 
+#include "stickslip/json.h"
 #include "stickslip/report.h"
 
 /* Whether LaTeX with amsmath can set the len bytes as a formula; false where that is not understood. */
@@ -25,5 +26,7 @@ void sheet_code(const struct sheet *s, const char *code);
 bool report_is_failure(const struct finding *f);
 /* The section of audit.md about consequences. */
 void report_consequences(struct text *out, const struct audit_result *r);
+/* The member "readings"; null when there are none. */
+void report_readings_member(struct json *j, const char *key, const struct readings *r);
 
 #endif

@@ -2,8 +2,7 @@
 #include <math.h>
 #include <stdio.h>
 
-#include "stickslip/json.h"
-#include "stickslip/report.h"
+#include "report_impl.h"
 
 static void write_count(struct json *j, const char *key, long value) {
   if (value < 0)
@@ -160,6 +159,7 @@ void report_json(struct text *out, const struct audit_result *r) {
   json_array(&j, "long_runs");
   for (size_t i = 0; i < r->n_long_runs; i++) write_long_run(&j, &r->long_runs[i]);
   json_end_array(&j);
+  report_readings_member(&j, "readings", r->readings);
   json_array(&j, "independence");
   for (int i = 0; i < r->n_independence; i++) json_string(&j, NULL, r->independence[i]);
   json_end_array(&j);

@@ -192,6 +192,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_section(out, r, "Refuted", is_refuted);
   report_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
+  if (r->readings) report_readings_markdown(out, r->readings);
   add_overview(out, r);
   add_controls(out, r);
   add_routes(out, r);
