@@ -47,7 +47,7 @@ static void close_all(void) {
 /* Judges claims of the test's own; false with d set when they are at fault. */
 static bool judge_text(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
   struct claims claims = {.n = 0}, none = {.n = 0};
-  const struct audit_options opt = {NULL, 0, NULL, NULL};
+  const struct audit_options opt = {.n_only = 0};
   diag_init(d);
   audit_result_init(r);
   bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
@@ -245,7 +245,7 @@ START_TEST(a_certificate_is_a_scene) {
   struct audit_result r;
   struct diag d;
   const char *id = "text-59-concluded";
-  const struct audit_options opt = {&id, 1, NULL, NULL};
+  const struct audit_options opt = {.only = &id, .n_only = 1};
   diag_init(&d);
   audit_result_init(&r);
   ck_assert(claims_load(&claims, "verify/claims", "claim", &d) &&
@@ -454,7 +454,7 @@ START_TEST(the_text_is_as_recorded) {
   struct audit_result r;
   struct diag d;
   static const char *const only[] = {"text", "fig", "eq-54", "eq-57", "eq-58", "eq-59", "eq-16", "eq-10"};
-  const struct audit_options opt = {only, 8, NULL, NULL};
+  const struct audit_options opt = {.only = only, .n_only = 8};
   diag_init(&d);
   audit_result_init(&r);
   bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
