@@ -86,6 +86,9 @@ const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache 
 /* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
 const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
 
+/* The orbit's arc in the context of arc and params; params are the orbit's own. */
+int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
+
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 

@@ -296,8 +296,6 @@ static int take_forces(struct values *v, const struct dyn_orbit *o) {
 
 static int init_arc(struct values *v, struct orbit_cache *cache) {
   int s = SS_OK;
-  struct num_vec z;
-  num_vec_init(&z, 2, v->ctx);
   if (v->point->kind == POINT_ARC) {
     s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
   } else {
@@ -307,12 +305,9 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     } else {
       if (v->point->scene) s |= set_limits(v, o);
       if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
-      s |= v->ctx.type->set_arb(num_vec_at(&z, 0), o->z10, v->ctx.prec);
-      s |= v->ctx.type->set_arb(num_vec_at(&z, 1), o->z20, v->ctx.prec);
-      s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+      s |= orbit_arc(&v->arc, cache, o, &v->params);
     }
   }
-  num_vec_clear(&z);
   if (s == SS_OK && v->point->finite) s |= init_perturbed(v);
   if (s == SS_OK && v->variant == VARIANT_EXPONENTIAL) {
     s |= carry_by_exponentials(&v->arc, v);
