@@ -14,6 +14,7 @@
      routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
+     relation    (number) "<" or ">": the number is a bound; else it is a value
      formula     (report) the trace that decides
      fault       the fault class a refutation of this claim has
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed

@@ -206,18 +206,19 @@ static void iterate(struct found *t, const struct equality *q, const struct poin
   }
 }
 
-/* 200 returns of the motion from x_2 moved by 2% of r_0: nearer than it began, or farther?  The change is small, the error
+/* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the error
    of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   struct motion m;
   struct coulomb_plan plan = coulomb_plan_default;
   if (!motion_on_orbit(&m, at, o, 1.25)) return;
-  double r0 = m.start[Z_2] - m.start[Z_1], offset = 0.02 * fabs(r0);
+  double r0 = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
+  double x0 = m.start[Z_2] - m.start[Z_1], offset = 0.01 * fabs(r0);
   m.start[Z_2] += offset;
   plan.returns = 200;
   plan.max_events = 64 * plan.returns;
   struct told told = motion_tell(BY_INTEGRATION, &m, &plan);
-  double ratio = fabs(told.result.at.x[1] - told.result.at.x[0] - r0) / offset;
+  double ratio = fabs(told.result.at.x[1] - told.result.at.x[0] - x0) / offset;
   bool ok = told.status == SS_OK;
   *(ok && ratio < 1 - 1e-4 ? &t->moved_back : ok && ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
   told_clear(&told);
@@ -299,18 +300,20 @@ static void conclude(struct behaviour *b, const struct found *t) {
           "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
           "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable%s%s, %ld "
           "unstable, %ld open",
-          t->stable, t->stable ? ", at " : "", t->stable ? t->where : "", t->unstable, t->open));
+          t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
+          t->open));
   w[1] = behaviour_say(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
                        t->back + t->away + t->unsure, NULL,
                        result_str(b->j->out,
-                                  "the return map in double there, from 3%% of r_0 on either side: %ld come back to "
+                                  "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
+                                  "either side: %ld come back to "
                                   "half of it, %ld leave to twice as far",
                                   t->back, t->away));
   w[2] =
       behaviour_say(b, "integration", "model", says_of(t->moved_back, t->moved_away, t->moved_unsure), false,
                     t->moved_back + t->moved_away + t->moved_unsure, NULL,
                     result_str(b->j->out,
-                               "motions under Coulomb's law from x_2 moved by 2%% of r_0, over 200 returns: %ld come "
+                               "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
                                "nearer, %ld go farther",
                                t->moved_back, t->moved_away));
   b->f->verdict = verdict_of(w, 3, false);

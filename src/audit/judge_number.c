@@ -30,7 +30,7 @@ struct number_job {
   const struct claim *c;
   struct view view;
   const struct printed_number *p;
-  const char *formula, *section;
+  const char *formula, *section, *relation;
 };
 
 static int number_at(arb_t x, const struct number_job *n, const struct point *p) {
@@ -78,8 +78,8 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
     decimal_text(&digits, k, (slong)fmpz_sizeinbase(fmpq_denref(&n->p->unit), 10) - 1);
     name_latex(&latex, n->p->name);
-    f->correction = result_str(n->j->out, "%s = %s", n->p->name, text_str(&digits));
-    f->correction_latex = result_str(n->j->out, "%s = %s", text_str(&latex), text_str(&digits));
+    f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
+    f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
     f->correction_verdict = VERDICT_PROVED;
     text_clear(&latex);
     text_clear(&digits);
@@ -235,9 +235,12 @@ static truth number_from_printed(struct route_word *w, struct finding *f, const 
 
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
-  struct number_job n = {j, c, view, NULL, claim_get(c, "formula"), claim_get(c, "section")};
+  const char *relation = claim_get(c, "relation");
+  struct number_job n = {j, c, view, NULL, claim_get(c, "formula"), claim_get(c, "section"), relation ? relation : "="};
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
+  if (relation && strcmp(relation, "<") != 0 && strcmp(relation, ">") != 0)
+    return claim_error(j, c, "relation", "\"<\" or \">\", for a bound");
   n.p = scene_printed(j->scene, name);
   if (!n.p) {
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
@@ -248,7 +251,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   struct text latex;
   text_init(&latex);
   name_latex(&latex, name);
-  f->printed = result_str(j->out, "%s = %s", text_str(&latex), n.p->decimal);
+  f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
   text_clear(&latex);
   struct route_word w;
   if (strcmp(from, "orbit") == 0) {

@@ -8,19 +8,19 @@
    first that change what is derived from them. */
 enum grade {
   GRADE_NUMBER,
-  GRADE_ARGUMENT,
   GRADE_FORMULA_WIDE,
-  GRADE_FORMULA,
   GRADE_NOTATION_WIDE,
+  GRADE_ARGUMENT,
+  GRADE_FORMULA,
   GRADE_NOTATION,
   N_GRADES
 };
 static const char *const grade_heading[N_GRADES] = {
     "Numbers and the example",
-    "Conclusions that do not follow",
     "Formulas; results derived from them change",
-    "Formulas; results derived from them stay",
     "Notation; read literally, results derived from it change",
+    "Conclusions that do not follow",
+    "Formulas; results derived from them stay",
     "Notation; results derived from it stay",
 };
 
@@ -277,15 +277,28 @@ static void add_numbers(const struct sheet *s, const struct audit_result *r) {
     const struct finding *f = &r->findings[i];
     if (!report_is_failure(f) || !is_number(f)) continue;
     if (!any)
-      text_add(s->out, s->tex
-                           ? "\\begin{tabular}{@{}R{0.2}R{0.13}R{0.28}R{0.31}@{}}\nprinted & should be & "
-                             "on the orbit nearest to the printed numbers & goes with it \\\\ \\hline\n"
-                           : "\n| printed | should be | on the orbit nearest to the printed numbers | goes with it |\n"
-                             "| --- | --- | --- | --- |\n");
+      text_add(s->out,
+               s->tex
+                   ? "\\begin{tabular}{@{}R{0.2}R{0.13}R{0.28}R{0.31}@{}}\nprinted & nearest solution & "
+                     "on the orbit nearest to the printed numbers & goes with it \\\\ \\hline\n"
+                   : "\n| printed | nearest solution | on the orbit nearest to the printed numbers | goes with it |\n"
+                     "| --- | --- | --- | --- |\n");
     any = true;
     add_number(s, r, f);
   }
   if (any) text_add(s->out, s->tex ? "\\end{tabular}\n\n" : "");
+}
+
+/* The table, and where the numbers may have come from. */
+static void add_example(const struct sheet *s, const struct audit_result *r) {
+  add_numbers(s, r);
+  if (!r->readings) return;
+  text_add(s->out, s->tex ? "" : "\n");
+  for (int i = 0; i < r->readings->n_conclusions; i++) {
+    text_add(s->out, i ? " " : "");
+    sheet_text(s, r->readings->conclusion[i]);
+  }
+  text_add(s->out, s->tex ? "\n\n" : "\n");
 }
 
 /* --- The page --- */
@@ -296,7 +309,7 @@ static void add_grade(const struct sheet *s, const struct audit_result *r, enum 
     const struct finding *f = &r->findings[i];
     if (!report_is_failure(f) || grade_of(r, f) != g) continue;
     if (!any) heading(s, grade_heading[g]);
-    if (!any && g == GRADE_NUMBER) add_numbers(s, r);
+    if (!any && g == GRADE_NUMBER) add_example(s, r);
     any = true;
     if (is_number(f)) continue;
     if (!items) begin_items(s);
