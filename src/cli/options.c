@@ -19,6 +19,8 @@ int bad_input(const struct diag *d) {
 
 /* Splits the list in place; it lives in argv. */
 static bool add_only(struct options *o, char *list) {
+  size_t len = strlen(list);
+  if (list[0] == ',' || list[len - 1] == ',' || strstr(list, ",,")) return false;
   for (char *p = strtok(list, ","); p; p = strtok(NULL, ",")) {
     if (o->n_only == MAX_ONLY) return false;
     o->only[o->n_only++] = p;

@@ -22,7 +22,9 @@ static int parse_count(long *n, const char *text, long most, const char *option)
   errno = 0;
   *n = strtol(text, &end, 10);
   if (!errno && !*end && text[0] >= '1' && text[0] <= '9' && *n >= 1 && *n <= most) return EXIT_AS_RECORDED;
-  return usage("%s takes a whole number from 1 up", option);
+  char what[80];
+  snprintf(what, sizeof what, "%s takes a whole number from 1 to %ld", option, most);
+  return usage("%s", what);
 }
 
 /* --- Output --- */
