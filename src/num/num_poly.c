@@ -10,6 +10,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 /* Bits of the first attempt, bits beyond those asked for, the last attempt in units of the precision asked for, and the
    widest gap between coefficients that are made integers over one denominator. */
@@ -393,7 +394,7 @@ static int positive_root(arb_t x, arb_poly_t p, bool exact, slong k, slong prec)
   return SS_OK;
 }
 
-int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
+static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
   const struct num_type *f = coeffs->ctx.type;
   slong prec = coeffs->ctx.prec;
   arb_poly_t p;
@@ -411,4 +412,39 @@ int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
   arb_poly_clear(p);
   arb_clear(x);
   return status;
+}
+
+/* In double a root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the
+   last few are kept. */
+enum { KEPT = 4, KEPT_LENGTH = 8 };
+struct kept_root {
+  double coeff[KEPT_LENGTH], root;
+  slong len, k;
+  int status;
+};
+static _Thread_local struct kept_root kept[KEPT];
+static _Thread_local int next_kept;
+
+static struct kept_root *find_kept(const struct kept_root *wanted) {
+  for (int i = 0; i < KEPT; i++)
+    if (kept[i].len == wanted->len && kept[i].k == wanted->k &&
+        memcmp(kept[i].coeff, wanted->coeff, sizeof kept[i].coeff) == 0)
+      return &kept[i];
+  return NULL;
+}
+
+int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
+  if (coeffs->ctx.type != &num_double || coeffs->len < 1 || coeffs->len > KEPT_LENGTH)
+    return isolated_root(z, coeffs, k);
+  struct kept_root wanted = {.len = coeffs->len, .k = k};
+  for (slong i = 0; i < coeffs->len; i++) wanted.coeff[i] = num_double.get_d(num_vec_at(coeffs, i));
+  struct kept_root *found = find_kept(&wanted);
+  if (!found) {
+    wanted.status = isolated_root(&wanted.root, coeffs, k);
+    found = &kept[next_kept];
+    next_kept = (next_kept + 1) % KEPT;
+    *found = wanted;
+  }
+  num_double.set(z, &found->root);
+  return found->status;
 }
