@@ -221,15 +221,22 @@ static bool notation_fault(struct finding *f, struct judge *j) {
   return true;
 }
 
-static bool judge_claim(struct judge *j, const struct claim *c) {
-  int k = kind_index(claim_get(c, "kind"));
-  if (k < 0) return claim_error(j, c, "kind", "unknown kind of claim");
-  struct finding f;
-  if (!describe(&f, j, c)) return false;
+struct view claim_view(const struct model *m, const struct claim *c) {
   const char *own = claim_get(c, "own");
   if (!own) own = claim_get(c, "equation");
-  struct view view = {j->model, LAYER_CORRECTED, own ? own : c->id, NULL};
-  if (!kinds[k].judge(&f, j, c, view) && !notation_fault(&f, j)) return false;
+  return (struct view){m, LAYER_CORRECTED, own ? own : c->id, NULL};
+}
+
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
+  kind_fn judge = claim_kind(claim_get(c, "kind"));
+  if (!judge) return claim_error(j, c, "kind", "unknown kind of claim");
+  return describe(f, j, c) && (judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+}
+
+bool judge_claim(struct judge *j, const struct claim *c) {
+  struct finding f;
+  if (!judge_verdict(&f, j, c)) return false;
+  int k = kind_index(claim_get(c, "kind"));
   if (f.verdict == VERDICT_REFUTED) {
     const char *fault = claim_get(c, "fault");
     if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
@@ -241,7 +248,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
   out->findings[out->n_findings++] = f;
   bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
   if (f.verdict != VERDICT_REFUTED || !kinds[k].tried_at_points || !readable) return true;
-  return judge_restrictions(j, c, view, &f);
+  return judge_restrictions(j, c, claim_view(j->model, c), &f);
 }
 
 /* --- Controls --- */

@@ -178,6 +178,9 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 
 /* --- A claim being judged --- */
 
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then. */
+enum effort { EFFORT_FULL, EFFORT_REFUTE };
+
 struct judge {
   struct audit_result *out;
   const struct model *model;
@@ -186,6 +189,7 @@ struct judge {
   struct orbit_cache *cache;
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
+  enum effort effort;  /* kinds that are tried at points; the others know one effort */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -222,6 +226,13 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
 
 /* The kind of that name; NULL when there is none. */
 kind_fn claim_kind(const char *name);
+
+/* How a claim is read: its own text as printed, the rest corrected. */
+struct view claim_view(const struct model *m, const struct claim *c);
+/* The claim's own finding, without its correction and restrictions. */
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c);
+/* All findings of a claim, added to the result: its own, with the correction, and those that its restrictions make. */
+bool judge_claim(struct judge *j, const struct claim *c);
 
 /* --- Evidence and verdicts --- */
 
