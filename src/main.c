@@ -32,6 +32,14 @@ static const char help[] =
     "      every claim with its kind, the verdict on record and its title\n"
     "  stickslip check FILE...\n"
     "      read equation (.eq), claim (.claim) and scene (.scene) files and report what is wrong with them\n"
+    "  stickslip mutate [--seed N] [--count N|all] [--jobs N] [--only FILE|RECORD[,...]] [--json] [--out DIR]\n"
+    "      would the audit notice?  Damages the paper's formulas one token at a time and asks the claims that read "
+    "them;\n"
+    "      by default 400 damages drawn with seed 1, on all processors; --out writes mutation.json and mutation.md\n"
+    "  stickslip repair [ID...] [--jobs N] [--json] [--out DIR]\n"
+    "      for each refuted claim about a formula (or those named), the smallest edits of its printed text with which "
+    "it\n"
+    "      passes its checks; --out writes repairs.json and repairs.md\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -60,7 +68,8 @@ static const struct command {
 } commands[] = {{"verify", FOR_VERIFY, run_verify},       {"orbit", FOR_ORBIT, run_orbit},
                 {"jacobian", FOR_JACOBIAN, run_jacobian}, {"simulate", FOR_SIMULATE, run_simulate},
                 {"explain", FOR_EXPLAIN, run_explain},    {"list", FOR_LIST, run_list},
-                {"check", FOR_CHECK, run_check}};
+                {"check", FOR_CHECK, run_check},          {"mutate", FOR_MUTATE, run_mutate},
+                {"repair", FOR_REPAIR, run_repair}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -91,7 +100,9 @@ static int finish(int status) {
 }
 
 int main(int argc, char **argv) {
-  if (argc < 2) return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, explain, list or check");
+  if (argc < 2)
+    return usage("a command is needed: %s",
+                 "verify, orbit, jacobian, simulate, explain, list, check, mutate or repair");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -26,6 +26,7 @@
 
 #include "stickslip/coulomb.h"
 #include "stickslip/model.h"
+#include "stickslip/mutation.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
 
@@ -67,6 +68,32 @@ struct audit_options {
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
+
+/* --- The audit of the audit --- */
+
+struct mutation_options {
+  unsigned long long seed;
+  long count;              /* mutants drawn, in the order of the files; 0: all */
+  int jobs;                /* processes, 1 to 64 */
+  const char *const *only; /* equation files or records */
+  int n_only;
+  void (*progress)(size_t n, size_t of); /* or NULL */
+};
+
+/* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the claims
+   that read it, those with the fewest definitions first, until a verdict changes: that of the claim, of its correction or
+   of a restricted claim.  The text damaged is the one that everything reads, the errata's where they correct the paper;
+   the printed text that they correct is damaged too and counted apart.  What survives is compared with the original by
+   exact algebra, then judged in full.  The result is the same for any number of processes.  false with d set when the
+   files are at fault or a process ended early. */
+bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
+                  const struct scene *scene, const struct mutation_options *opt, struct diag *d);
+
+/* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every one
+   edit, and where none helps with pairs of edits within a budget; those with which the claim passes the checks that
+   refuted it, the smallest first. */
+bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
+                   const struct scene *scene, const struct audit_options *opt, int jobs, struct diag *d);
 
 /* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
    evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the

@@ -8,7 +8,7 @@
      number      an integer literal one more, one less
      index       an entry's index, or a block's, one off or a block's width off; a name for one of its family: names that
                  differ in one character of their index (z_1b z_2b, t_a t_b, u_r1 u_s1, Z_a Z_b)
-     symbol      a name for another of the same shape: any used in the same record; a free symbol without an index for
+     symbol      a name for another of the same shape: any used in the same statement; a free symbol without an index for
                  another such of the section
      function    sin, cos, cot for one another; det for tr; inv, transpose, sqrt left out
      prime       a prime more or less, on a function or in a name (z_1a, z'_1a)
@@ -55,7 +55,7 @@ struct edit_word {
   const char *name;
   int rows, cols; /* of its value; names of different shapes are not exchanged */
   bool function;  /* it takes an argument */
-  bool here;      /* it stands in the statement's own record */
+  bool here;      /* it stands in the statement */
   bool plain;     /* a free symbol without an index */
 };
 struct edit_vocabulary {

@@ -27,6 +27,11 @@ kind_fn claim_kind(const char *name) {
   return k < 0 ? NULL : kinds[k].judge;
 }
 
+bool claim_tried_at_points(const struct claim *c) {
+  int k = kind_index(claim_get(c, "kind"));
+  return k >= 0 && kinds[k].tried_at_points;
+}
+
 /* --- The result record --- */
 
 void audit_result_init(struct audit_result *r) {

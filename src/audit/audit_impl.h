@@ -147,6 +147,9 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
 /* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
 bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
                           int n_overrides, struct diag *d);
+/* The same of a record at hand. */
+bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
+                             const struct override *overrides, int n_overrides, struct diag *d);
 /* What a matrix or identity claim says: by its statement or its value. */
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d);
@@ -226,6 +229,9 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
 
 /* The kind of that name; NULL when there is none. */
 kind_fn claim_kind(const char *name);
+
+/* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
+bool claim_tried_at_points(const struct claim *c);
 
 /* How a claim is read: its own text as printed, the rest corrected. */
 struct view claim_view(const struct model *m, const struct claim *c);

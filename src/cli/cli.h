@@ -5,7 +5,7 @@
 #include "stickslip/audit.h"
 
 /* Exit statuses of the contract. */
-enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4 };
+enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
 enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
 
@@ -17,7 +17,9 @@ enum {
   FOR_LIST = 8,
   FOR_CHECK = 16,
   FOR_EXPLAIN = 32,
-  FOR_SIMULATE = 64
+  FOR_SIMULATE = 64,
+  FOR_MUTATE = 128,
+  FOR_REPAIR = 256
 };
 
 struct options {
@@ -25,7 +27,7 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *seed, *count, *jobs;
   bool strict, quiet, json, tape, csv, help;
 };
 
@@ -56,5 +58,7 @@ int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
+int run_mutate(const struct options *o, const char *data);
+int run_repair(const struct options *o, const char *data);
 
 #endif

@@ -17,10 +17,14 @@ struct exact_field {
   fmpz_mpoly_ctx_t ctx;
   struct generator gen[EXACT_GENERATORS];
   slong n;
+  const struct exact_fact *fact;
+  int n_facts;
 };
 
-struct exact_field *exact_field_new(void) {
+struct exact_field *exact_field_new(const struct exact_fact *fact, int n_facts) {
   struct exact_field *f = ss_malloc(sizeof *f);
+  f->fact = fact;
+  f->n_facts = n_facts;
   fmpz_mpoly_ctx_init(f->ctx, EXACT_GENERATORS, ORD_LEX);
   f->n = 0;
   return f;
@@ -47,6 +51,10 @@ void exact_field_free(struct exact_field *f) {
 static slong terms(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   slong n = fmpz_mpoly_length(&x->num, f->ctx), m = fmpz_mpoly_length(&x->den, f->ctx);
   return n > m ? n : m;
+}
+
+bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  return fmpz_mpoly_q_is_zero(x, f->ctx);
 }
 
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
@@ -94,6 +102,18 @@ static int generator(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op
   }
   fmpz_mpoly_q_gen(z, i, f->ctx);
   return SS_OK;
+}
+
+static int input(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name) {
+  for (int k = 0; k < f->n_facts; k++) {
+    if (strcmp(f->fact[k].name, name) != 0) continue;
+    struct exact_vec v;
+    int s = exact_eval(&v, f, &f->fact[k].tape);
+    if (s == SS_OK) fmpz_mpoly_q_set(z, &v.x[0], f->ctx);
+    exact_vec_clear(&v);
+    return s;
+  }
+  return generator(z, f, TAPE_INPUT, name, NULL, 0, 0);
 }
 
 /* sin or cos of x, by the sign of the leading coefficient of its numerator. */
@@ -179,7 +199,7 @@ static int run(const struct tape *t, slong i, fmpz_mpoly_q_struct *reg, struct e
     fmpz_mpoly_q_set_fmpq(z, &t->consts[in->k], f->ctx);
     return SS_OK;
   case TAPE_INPUT:
-    return generator(z, f, TAPE_INPUT, t->inputs[in->k], NULL, 0, 0);
+    return input(z, f, t->inputs[in->k]);
   case TAPE_ROOT:
     return root(z, f, t, in, reg);
   case TAPE_POW:

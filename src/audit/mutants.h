@@ -1,0 +1,62 @@
+/* The population of damaged formulas, and the model with one of them in place. */
+#ifndef STICKSLIP_MUTANTS_H
+#define STICKSLIP_MUTANTS_H
+
+#include "audit_impl.h"
+#include "stickslip/edit.h"
+
+/* A statement of the equation files that can be damaged. */
+struct target {
+  size_t record;  /* in the model */
+  int stmt;       /* in the record */
+  long def;       /* in the model; -1 for a statement that defines nothing */
+  bool corrected; /* the errata have another text in its place */
+};
+
+struct mutant {
+  size_t target;
+  struct edit edit;
+};
+
+struct mutants {
+  struct arena arena;
+  struct target *target;
+  size_t n_targets, cap_targets;
+  struct mutant *mutant;
+  size_t n, cap;
+};
+
+/* The one-token edits of the model's statements of the paper and of the errata, in the order of the files; only those of
+   the named records or files ("eq-40", "4-stability.eq", "4-stability") when n_only > 0. */
+void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only);
+void mutants_clear(struct mutants *m);
+
+/* The edits of one statement alone. */
+void target_edits(struct edits *out, struct arena *a, const struct model *model, const struct target *t);
+/* The target of a statement. */
+struct target target_of(const struct model *model, size_t record, int stmt);
+
+/* A model that shares everything with another, and in which statements can be exchanged: the overlay that a mutation is. */
+struct overlay {
+  struct model model;
+  const struct model *under;
+};
+void overlay_init(struct overlay *o, const struct model *under);
+void overlay_clear(struct overlay *o);
+/* The statement of the target becomes s; NULL puts the original back. */
+void overlay_set(struct overlay *o, const struct target *t, const struct stmt *s);
+
+/* What holds on every motion of the word by the definition of its phases: velocities that are V, forces at their limits,
+   perturbations that are zero.  Exact algebra uses it. */
+struct facts;
+struct facts *facts_new(const struct model *m);
+void facts_free(struct facts *f);
+
+/* Proves that a claim says the same in two models, with its own text as printed and with everything corrected: its sides
+   are equal as rational functions on every motion, or its statement is the other's times something positive.  false: not
+   proved. */
+bool claim_same_in(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f);
+/* The same for what a statement itself says, so for everything that reads it. */
+bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct facts *f);
+
+#endif

@@ -1,0 +1,171 @@
+/* What became of the damaged formulas: survivors first, since each asks for a check or an argument. */
+#include "stickslip/report_mutation.h"
+#include "stickslip/json.h"
+
+/* --- JSON --- */
+
+static void write_row(struct json *j, const char *key, const struct mutation_row *r) {
+  json_object(j, key);
+  if (!key) json_string(j, "name", r->name);
+  json_long(j, "total", mutation_row_total(r));
+  for (int i = 0; i < N_FATES; i++) json_long(j, fate_name[i], r->count[i]);
+  json_end_object(j);
+}
+
+static void write_rows(struct json *j, const char *key, const struct mutation_row *row, size_t n) {
+  json_array(j, key);
+  for (size_t i = 0; i < n; i++) write_row(j, NULL, &row[i]);
+  json_end_array(j);
+}
+
+static void write_survivor(struct json *j, const struct survivor *s) {
+  json_object(j, NULL);
+  json_string(j, "fate", fate_name[s->fate]);
+  json_string(j, "kind", s->kind);
+  json_string(j, "file", s->file);
+  json_long(j, "line", (long)s->line);
+  json_long(j, "column", (long)s->column);
+  json_string(j, "record", s->record);
+  json_string(j, "equation", s->equation);
+  json_string(j, "original", s->original);
+  json_string(j, "text", s->text);
+  json_string(j, "was", s->was);
+  json_string(j, "now", s->now);
+  json_string(j, "read_by", s->read_by);
+  json_bool(j, "corrected_elsewhere", s->corrected);
+  json_end_object(j);
+}
+
+void report_mutation_json(struct text *out, const struct mutation_result *r) {
+  struct json j;
+  struct text seed;
+  text_init(&seed);
+  text_printf(&seed, "%llu", r->seed);
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-mutation-1");
+  json_string(&j, "scene", r->scene);
+  json_string(&j, "seed", text_str(&seed));
+  json_long(&j, "population", r->population);
+  json_long(&j, "tried", r->tried);
+  write_row(&j, "total", &r->total);
+  write_row(&j, "corrected_elsewhere", &r->printed);
+  write_rows(&j, "files", r->file, r->n_files);
+  write_rows(&j, "kinds", r->kind, r->n_kinds);
+  json_array(&j, "survivors");
+  for (size_t i = 0; i < r->n_survivors; i++) write_survivor(&j, &r->survivor[i]);
+  json_end_array(&j);
+  json_end_object(&j);
+  text_clear(&seed);
+}
+
+/* --- For people --- */
+
+static const char *const fate_says[N_FATES] = {
+    [FATE_NOTICED] = "noticed by a verdict",
+    [FATE_UNREADABLE] = "noticed by a diagnostic",
+    [FATE_EQUIVALENT] = "survives: equivalent to the original, by exact algebra",
+    [FATE_UNDECIDED] = "survives: undecided, no claim that reads it changes its verdict",
+    [FATE_UNREAD] = "survives: no claim that asserts anything reads it",
+};
+
+static void add_row(struct text *out, const struct mutation_row *r) {
+  text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
+  for (int i = FATE_UNREADABLE; i < N_FATES; i++) text_printf(out, " %ld |", r->count[i]);
+  text_add_char(out, '\n');
+}
+
+static void add_table(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
+  text_printf(out,
+              "| %s | mutants | noticed | of them unreadable | equivalent | undecided | unread |\n"
+              "| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+              heading);
+  for (size_t i = 0; i < n; i++)
+    if (mutation_row_total(&row[i])) add_row(out, &row[i]);
+  text_add_char(out, '\n');
+}
+
+static void add_place(struct text *out, const struct survivor *s) {
+  text_printf(out, "%s:%zu:%zu %s", s->file, s->line, s->column, s->record);
+  if (s->equation) text_printf(out, ", (%s)", s->equation);
+}
+
+static long chosen(const struct mutation_result *r, enum fate f, bool corrected) {
+  long n = 0;
+  for (size_t i = 0; i < r->n_survivors; i++) n += r->survivor[i].fate == f && r->survivor[i].corrected == corrected;
+  return n;
+}
+
+/* Survivors of one fate, gathered under the statement that they damage. */
+static void list_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected) {
+  const struct survivor *last = NULL;
+  for (size_t i = 0; i < r->n_survivors; i++) {
+    const struct survivor *s = &r->survivor[i];
+    if (s->fate != f || s->corrected != corrected) continue;
+    if (!last || last->original != s->original) {
+      bool same = false;
+      for (const char *a = last ? last->original : "", *b = s->original; (same = *a == *b) && *a; a++, b++) continue;
+      if (!same) {
+        text_printf(out, "\n- `%s` (%s%s%s)%s%s\n", s->original, s->record, s->equation ? ", equation " : "",
+                    s->equation ? s->equation : "", *s->read_by ? ", read by " : "", s->read_by);
+      }
+    }
+    last = s;
+    text_printf(out, "  - %s:%zu:%zu %s: `%s`\n", s->file, s->line, s->column, s->kind, s->text);
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_summary(struct text *out, const struct mutation_result *r) {
+  long total = mutation_row_total(&r->total), noticed = mutation_row_noticed(&r->total);
+  text_printf(out, "%ld of %ld mutants noticed", noticed, total);
+  text_printf(out, "; survivors: %ld equivalent, %ld undecided, %ld read by no claim", r->total.count[FATE_EQUIVALENT],
+              r->total.count[FATE_UNDECIDED], r->total.count[FATE_UNREAD]);
+  long printed = mutation_row_total(&r->printed);
+  if (printed)
+    text_printf(out, "; of the printed text that the errata correct %ld of %ld", mutation_row_noticed(&r->printed),
+                printed);
+}
+
+void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
+  static const enum fate order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
+  text_add(out, "# Would the audit have noticed?\n\n");
+  add_summary(out, r);
+  text_printf(
+      out,
+      ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
+      "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
+      "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
+      "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
+      "counted apart.\n\n",
+      r->tried, r->population, r->scene, r->seed);
+  add_table(out, "file", r->file, r->n_files);
+  add_table(out, "damage", r->kind, r->n_kinds);
+  struct mutation_row both[] = {r->total, r->printed};
+  add_table(out, "text", both, 2);
+  for (int c = 0; c < 2; c++)
+    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+      if (chosen(r, order[i], c) == 0) continue;
+      text_printf(out, "## %s%s (%ld)\n", c ? "Printed text that the errata correct, " : "S", fate_says[order[i]] + !c,
+                  chosen(r, order[i], c));
+      list_survivors(out, r, order[i], c);
+    }
+}
+
+void report_mutation_text(struct text *out, const struct mutation_result *r) {
+  for (size_t i = 0; i < r->n_survivors; i++) {
+    const struct survivor *s = &r->survivor[i];
+    text_printf(out, "%s%s, %s: ", fate_name[s->fate], s->corrected ? " (printed, corrected elsewhere)" : "", s->kind);
+    add_place(out, s);
+    text_printf(out, "\n  %s\n  instead of %s\n", s->text, s->original);
+  }
+  for (size_t i = 0; i < r->n_files; i++)
+    text_printf(out, "%-20s %5ld of %5ld noticed\n", r->file[i].name, mutation_row_noticed(&r->file[i]),
+                mutation_row_total(&r->file[i]));
+  for (size_t i = 0; i < r->n_kinds; i++)
+    if (mutation_row_total(&r->kind[i]))
+      text_printf(out, "%-20s %5ld of %5ld noticed\n", r->kind[i].name, mutation_row_noticed(&r->kind[i]),
+                  mutation_row_total(&r->kind[i]));
+  add_summary(out, r);
+  text_add_char(out, '\n');
+}
