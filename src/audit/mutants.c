@@ -27,7 +27,7 @@ static bool stands_in(const struct expr *e, const char *name) {
   }
 }
 
-static bool stands_in_statement(const struct stmt *s, const char *name) {
+bool stands_in_statement(const struct stmt *s, const char *name) {
   for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
     if (stands_in(s->sides[i], name)) return true;
   return false;

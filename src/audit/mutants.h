@@ -52,11 +52,15 @@ struct facts;
 struct facts *facts_new(const struct model *m);
 void facts_free(struct facts *f);
 
-/* Proves that a claim says the same in two models, with its own text as printed and with everything corrected: its sides
-   are equal as rational functions on every motion, or its statement is the other's times something positive.  false: not
-   proved. */
-bool claim_same_in(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f);
-/* The same for what a statement itself says, so for everything that reads it. */
-bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct facts *f);
+/* Proves that a claim says the same in two models that differ in one statement, with its own text as printed and with
+   everything corrected: its sides are equal as rational functions on every motion, or its statement is the other's times
+   something positive.  false: not proved. */
+bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
+                   const struct facts *f);
+/* The same for the statement itself or, failing that, for every statement that uses it, and what uses those: then no
+   claim can tell. */
+bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
+                    const struct facts *f);
+bool stands_in_statement(const struct stmt *s, const char *name);
 
 #endif

@@ -171,9 +171,9 @@ static enum fate fate_in_place(struct run *r, const struct target *t) {
     if (n == CHANGED) return FATE_NOTICED;
   }
   if (!any) return FATE_UNREAD;
-  bool same = target_same_in(t, r->model, &r->overlay.model, r->facts), all = true;
+  bool same = target_same_in(t, r->model, &r->overlay.model, r->claims, r->facts), all = true;
   for (size_t i = 0; !same && all && i < r->n_readers; i++)
-    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, r->model, &r->overlay.model, r->facts);
+    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, t, r->model, &r->overlay.model, r->facts);
   if (same || all) return FATE_EQUIVALENT;
   for (size_t i = 0; i < r->n_readers; i++) {
     enum notice n = reads(&r->reader[i], t) ? ask_in_full(r, &r->reader[i]) : SAME;

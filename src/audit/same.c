@@ -75,10 +75,19 @@ enum {
   N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
 };
 
+/* A definition that can be held as a matrix of unknowns where it does not read what is damaged: products of such matrices
+   can be compared where their entries written out are too large. */
+struct opaque {
+  struct override name;
+  struct model_use use;
+};
+
 struct facts {
   struct exact_fact fact[N_MOTION_FACTS];
   int n;
   struct tape velocity; /* V */
+  struct opaque *opaque;
+  size_t n_opaque, cap_opaque;
 };
 
 static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
@@ -100,9 +109,63 @@ static bool tape_of(struct tape *t, const struct model *m, const char *expressio
   return ok;
 }
 
+/* --- Matrices held as unknowns --- */
+
+static bool has_literal(const struct expr *e) {
+  for (;; e = e->args[0]) {
+    if (e->kind == EXPR_MATRIX) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (has_literal(e->args[i])) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+/* Is it the only definition of its name that the corrected view sees, written as a matrix, and no function? */
+static bool is_written_matrix(const struct model *m, size_t def) {
+  const struct definition *x = &m->defs[def];
+  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
+  if (x->rank == RANK_CONTROL || x->stmt->kind != STMT_DEFINE || x->stmt->param || !has_literal(x->stmt->sides[0]))
+    return false;
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (i != def && strcmp(m->defs[i].name, x->name) == 0 && view_sees(&v, &m->defs[i])) return false;
+  return true;
+}
+
+static void add_opaque(struct facts *f, const struct model *m, size_t def) {
+  struct model recording = *m;
+  struct opaque o = {.use = {ss_malloc(m->n_defs + 1), ss_malloc(m->n_records + 1)}};
+  memset(o.use.def, 0, m->n_defs);
+  memset(o.use.record, 0, m->n_records);
+  recording.use = &o.use;
+  struct elaboration el;
+  struct matrix x;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
+    o.name = (struct override){m->defs[def].name, x.rows, x.cols};
+    f->opaque = ss_grow(f->opaque, f->n_opaque, &f->cap_opaque, sizeof *f->opaque);
+    f->opaque[f->n_opaque++] = o;
+  } else {
+    free(o.use.def);
+    free(o.use.record);
+  }
+  elaboration_clear(&el);
+}
+
+/* Those that do not read the target; at most max. */
+static int unknowns(struct override *out, int max, const struct facts *f, const struct target *t) {
+  int n = 0;
+  for (size_t i = 0; !t->corrected && n < max && i < f->n_opaque; i++)
+    if (t->def < 0 || !f->opaque[i].use.def[t->def]) out[n++] = f->opaque[i].name;
+  return n;
+}
+
 struct facts *facts_new(const struct model *m) {
   struct facts *f = ss_malloc(sizeof *f);
-  f->n = 0;
+  *f = (struct facts){.n = 0};
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (is_written_matrix(m, i)) add_opaque(f, m, i);
   for (int i = 0; i < N_MOTION_FACTS; i++) {
     struct exact_fact *x = &f->fact[f->n];
     x->name = motion_facts[i][0];
@@ -118,6 +181,11 @@ struct facts *facts_new(const struct model *m) {
 void facts_free(struct facts *f) {
   for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
   tape_clear(&f->velocity);
+  for (size_t i = 0; i < f->n_opaque; i++) {
+    free(f->opaque[i].use.def);
+    free(f->opaque[i].use.record);
+  }
+  free(f->opaque);
   free(f);
 }
 
@@ -194,26 +262,35 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
   return same;
 }
 
-static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f) {
+enum { MAX_UNKNOWNS = 32 };
+
+static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
+                          const struct override *o, int n) {
   struct sentence x, y;
   struct diag d;
   diag_init(&d);
-  bool ok = sentence_from_claim(&x, a, c, NULL, 0, &d);
-  ok = sentence_from_claim(&y, b, c, NULL, 0, &d) && ok;
+  bool ok = sentence_from_claim(&x, a, c, o, n, &d);
+  ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
   ok = ok && same_sentences(&x, &y, false, f, c);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
 }
 
-bool claim_same_in(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f) {
+bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
+                   const struct facts *f) {
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
-  return claim_tried_at_points(c) && same_in_views(c, claim_view(a, c), claim_view(b, c), f) &&
-         same_in_views(c, whole_a, whole_b, f);
+  struct override o[MAX_UNKNOWNS];
+  int most = claim_get(c, "value") ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
+    if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
+      return true;
+  return false;
 }
 
 /* The sentence "the definition's value", or the statement's relations. */
-static bool target_sentence(struct sentence *s, const struct target *t, const struct model *m) {
+static bool target_sentence(struct sentence *s, const struct target *t, const struct model *m, const struct override *o,
+                            int n) {
   const struct statement_record *r = &m->records[t->record];
   const struct stmt *st = r->stmts[t->stmt];
   struct diag d;
@@ -223,13 +300,13 @@ static bool target_sentence(struct sentence *s, const struct target *t, const st
   struct statement_record alone = *r;
   alone.stmts = stmts;
   alone.n_stmts = 1;
-  if (t->def < 0) return sentence_from_relations(s, v, &alone, NULL, 0, &d);
+  if (t->def < 0) return sentence_from_relations(s, v, &alone, o, n, &d);
   const struct expr arg = {.kind = EXPR_SYM, .name = st->param}, *args[] = {&arg};
   struct expr use = {
       .kind = st->param ? EXPR_CALL : EXPR_SYM, .name = st->name, .n_args = st->param != NULL, .args = args};
   struct matrix x;
   *s = (struct sentence){.n = 0};
-  elaboration_init(&s->el, v, NULL, 0);
+  elaboration_init(&s->el, v, o, n);
   if (st->param && !model_is_symbol(m, st->param)) return false;
   if (!elaborate(&x, &s->el, &use, r->src, r->section, &d)) return false;
   s->n = x.rows * x.cols;
@@ -237,12 +314,75 @@ static bool target_sentence(struct sentence *s, const struct target *t, const st
   return elaboration_tape(&s->tape, &s->el, x.e, s->n, &d);
 }
 
-bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct facts *f) {
-  struct sentence x, y;
-  bool ok = target_sentence(&x, t, a);
-  ok = target_sentence(&y, t, b) && ok;
-  ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL);
-  sentence_clear(&x);
-  sentence_clear(&y);
+/* Whether statement t says the same in both models, the damaged statement being `damaged`. */
+static bool statement_same_in(const struct target *t, const struct target *damaged, const struct model *a,
+                              const struct model *b, const struct facts *f) {
+  struct override o[MAX_UNKNOWNS];
+  int most = unknowns(o, MAX_UNKNOWNS, f, damaged);
+  bool ok = false;
+  for (int n = 0; !ok && n <= most; n += most ? most : 1) {
+    struct sentence x, y;
+    ok = target_sentence(&x, t, a, o, n);
+    ok = target_sentence(&y, t, b, o, n) && ok;
+    ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL);
+    sentence_clear(&x);
+    sentence_clear(&y);
+  }
   return ok;
+}
+
+/* --- How far a difference spreads --- */
+
+static bool names_it(const char *text, const char *name) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_'";
+  size_t n = strlen(name);
+  for (const char *p = text ? strstr(text, name) : NULL; p; p = strstr(p + 1, name))
+    if ((p == text || !strchr(letters, p[-1])) && (!p[n] || !strchr(letters, p[n]))) return true;
+  return false;
+}
+
+/* Does a claim name the definition itself, not through a statement? */
+static bool claim_names(const struct claims *claims, const char *name) {
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    const kind_fn kind = claim_kind(claim_get(c, "kind"));
+    bool by_chain = kind == judge_criterion || kind == judge_report; /* tr(J) */
+    if (names_it(claim_get(c, "value"), name) || names_it(claim_get(c, "formula"), name) ||
+        (by_chain && strcmp(name, "J") == 0))
+      return true;
+  }
+  return false;
+}
+
+struct spread {
+  const struct target *damaged;
+  const struct model *a, *b;
+  const struct facts *f;
+  const struct claims *claims;
+  bool *seen; /* definitions already on the way */
+};
+
+static bool contained(struct spread *s, const struct target *t) {
+  if (statement_same_in(t, s->damaged, s->a, s->b, s->f)) return true;
+  if (t->def < 0 || claim_names(s->claims, s->a->defs[t->def].name)) return false;
+  if (s->seen[t->def]) return true;
+  s->seen[t->def] = true;
+  for (size_t i = 0; i < s->a->n_records; i++) {
+    const struct statement_record *r = &s->a->records[i];
+    for (int k = 0; r->rank != RANK_CONTROL && k < r->n_stmts; k++) {
+      struct target user = target_of(s->a, i, k);
+      if ((long)user.def == t->def || !stands_in_statement(r->stmts[k], s->a->defs[t->def].name)) continue;
+      if (!contained(s, &user)) return false;
+    }
+  }
+  return true;
+}
+
+bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
+                    const struct facts *f) {
+  struct spread s = {t, a, b, f, claims, ss_malloc(a->n_defs + 1)};
+  memset(s.seen, 0, a->n_defs);
+  bool same = contained(&s, t);
+  free(s.seen);
+  return same;
 }
