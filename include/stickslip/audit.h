@@ -90,7 +90,8 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
                   const struct scene *scene, const struct mutation_options *opt, struct diag *d);
 
 /* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every one
-   edit, and where none helps with pairs of edits within a budget; those with which the claim passes the checks that
+   edit, and where none helps, or the correction on file is not among those that do, with pairs of exchanged names within a
+   budget; those with which the claim passes the checks that
    refuted it, the smallest first. */
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
                    const struct scene *scene, const struct audit_options *opt, int jobs, struct diag *d);

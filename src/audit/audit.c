@@ -124,9 +124,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
 
 /* --- One claim --- */
 
-/* Whether a record of the paper's files is what the claim is about: its statement; or, for a value, every definition under
-   the claim's equation number, since a formula is printed together with its parts. */
-static bool is_subject(const struct statement_record *r, const struct claim *c) {
+bool claim_subject(const struct statement_record *r, const struct claim *c) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
              *equation = claim_get(c, "equation");
   if (r->rank > RANK_USER) return false;
@@ -142,7 +140,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   text_init(&parsed);
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    if (!is_subject(r, c)) continue;
+    if (!claim_subject(r, c)) continue;
     if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
     for (int k = 0; k < r->n_stmts; k++) {
       text_add(&parsed, parsed.len ? ", \\quad " : "");
@@ -297,14 +295,14 @@ static bool selects(const char *item, const struct claim *c) {
   return claim_selected(c->id, item) || claim_makes(c, item);
 }
 
-static bool selected(const struct audit_options *opt, const struct claim *c) {
+bool claims_selects(const struct audit_options *opt, const struct claim *c) {
   if (opt->n_only == 0) return true;
   for (int i = 0; i < opt->n_only; i++)
     if (selects(opt->only[i], c)) return true;
   return false;
 }
 
-static bool check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
   for (int i = 0; i < opt->n_only; i++) {
     bool any = false;
     for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
@@ -323,7 +321,7 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
     const char *of = record_get(control->record, "claim");
     const struct claim *claim = find_claim(claims, of);
     if (!claim) return claim_error(j, control, "claim", "a control names the claim that it damages");
-    if (!selected(opt, claim)) continue;
+    if (!claims_selects(opt, claim)) continue;
     if (!judge_control(j, control, claim)) return false;
   }
   return true;
@@ -332,7 +330,7 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
-  if (!check_selection(claims, opt, d)) return false;
+  if (!claims_check_selection(claims, opt, d)) return false;
   struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
   out->scene = copy(out, scene->name);
   out->title = copy(out, scene->title);
@@ -341,7 +339,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
-    if (!selected(opt, &claims->claim[i])) {
+    if (!claims_selects(opt, &claims->claim[i])) {
       left_out++;
       continue;
     }

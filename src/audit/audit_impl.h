@@ -233,6 +233,11 @@ kind_fn claim_kind(const char *name);
 /* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
 bool claim_tried_at_points(const struct claim *c);
 
+/* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
+   select some claim? */
+bool claims_selects(const struct audit_options *opt, const struct claim *c);
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d);
+
 /* How a claim is read: its own text as printed, the rest corrected. */
 struct view claim_view(const struct model *m, const struct claim *c);
 /* The claim's own finding, without its correction and restrictions. */
@@ -268,6 +273,9 @@ extern const int n_route_independence;
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
+/* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
+   equation number, since a formula is printed together with its parts? */
+bool claim_subject(const struct statement_record *r, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 /* Judges the sentence again with everything corrected and fills f->correction. */

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Every name of the model once, with what it stands for; rows is 0 when its definition cannot be elaborated. */
+/* Every name once, with what it stands for. */
 struct lexicon {
   struct edit_word *word;
   size_t n, cap;
@@ -61,9 +61,13 @@ static void measure(struct edit_word *w, struct elaboration *el, const struct de
   w->cols = ok ? m.cols : 0;
 }
 
-/* The names that mean something in a section, symbols first. */
-static void section_words(struct lexicon *l, const struct model *m, struct elaboration *el, const char *section) {
+/* Symbols first. */
+struct lexicon *lexicon_new(const struct model *m, const char *section) {
+  struct lexicon *l = ss_malloc(sizeof *l);
+  *l = (struct lexicon){.n = 0};
   struct view v = everything(m);
+  struct elaboration el;
+  elaboration_init(&el, v, NULL, 0);
   for (size_t i = 0; i < m->n_symbols; i++)
     add_word(
         l, (struct edit_word){.name = m->symbols[i],
@@ -76,18 +80,24 @@ static void section_words(struct lexicon *l, const struct model *m, struct elabo
     const struct definition *def = view_lookup(&v, m->defs[i].name, section, &d);
     if (!def) continue;
     struct edit_word w = {.name = def->name, .function = def->stmt->kind == STMT_TRAJECTORY || def->stmt->param};
-    measure(&w, el, def);
+    measure(&w, &el, def);
     if (w.rows) add_word(l, w);
   }
+  elaboration_clear(&el);
+  return l;
+}
+
+void lexicon_free(struct lexicon *l) {
+  free(l->word);
+  free(l);
 }
 
 static const char *const added_factors[] = {"V", "chi", "2"};
 
-static void edits_of(struct edits *out, struct arena *a, struct lexicon *l, const struct statement_record *r,
-                     int stmt) {
-  for (size_t i = 0; i < l->n; i++) l->word[i].here = stands_in_statement(r->stmts[stmt], l->word[i].name);
+void lexicon_edits(struct edits *out, struct arena *a, struct lexicon *l, const struct stmt *s) {
+  for (size_t i = 0; i < l->n; i++) l->word[i].here = stands_in_statement(s, l->word[i].name);
   struct edit_vocabulary v = {l->word, l->n, added_factors, sizeof added_factors / sizeof *added_factors};
-  stmt_edits(out, a, r->stmts[stmt], &v);
+  stmt_edits(out, a, s, &v);
 }
 
 /* --- Targets --- */
@@ -106,16 +116,6 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
   return t;
 }
 
-void target_edits(struct edits *out, struct arena *a, const struct model *m, const struct target *t) {
-  struct lexicon l = {.n = 0};
-  struct elaboration el;
-  elaboration_init(&el, everything(m), NULL, 0);
-  section_words(&l, m, &el, m->records[t->record].section);
-  edits_of(out, a, &l, &m->records[t->record], t->stmt);
-  elaboration_clear(&el);
-  free(l.word);
-}
-
 /* "4-stability.eq" or "4-stability" for a file, an id for a record. */
 static bool wanted(const struct statement_record *r, const char *const *only, int n_only) {
   const char *slash = strrchr(r->src->name, '/'), *file = slash ? slash + 1 : r->src->name;
@@ -129,7 +129,7 @@ static bool wanted(const struct statement_record *r, const char *const *only, in
 
 static void add_mutants(struct mutants *m, const struct model *model, struct lexicon *l, size_t record, int stmt) {
   struct edits e = {.n = 0};
-  edits_of(&e, &m->arena, l, &model->records[record], stmt);
+  lexicon_edits(&e, &m->arena, l, model->records[record].stmts[stmt]);
   if (e.n) {
     m->target = ss_grow(m->target, m->n_targets, &m->cap_targets, sizeof *m->target);
     m->target[m->n_targets++] = target_of(model, record, stmt);
@@ -144,21 +144,18 @@ static void add_mutants(struct mutants *m, const struct model *model, struct lex
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only) {
   *m = (struct mutants){.n = 0};
   arena_init(&m->arena);
-  struct elaboration el;
-  struct lexicon l = {.n = 0};
+  struct lexicon *l = NULL;
   const char *section = NULL;
-  elaboration_init(&el, everything(model), NULL, 0);
   for (size_t i = 0; i < model->n_records; i++) {
     const struct statement_record *r = &model->records[i];
     if ((r->rank != RANK_PAPER && r->rank != RANK_ERRATA) || !wanted(r, only, n_only)) continue;
     if (!section || strcmp(section, r->section) != 0) {
-      l.n = 0;
-      section_words(&l, model, &el, section = r->section);
+      if (l) lexicon_free(l);
+      l = lexicon_new(model, section = r->section);
     }
-    for (int k = 0; k < r->n_stmts; k++) add_mutants(m, model, &l, i, k);
+    for (int k = 0; k < r->n_stmts; k++) add_mutants(m, model, l, i, k);
   }
-  free(l.word);
-  elaboration_clear(&el);
+  if (l) lexicon_free(l);
 }
 
 void mutants_clear(struct mutants *m) {
@@ -195,4 +192,12 @@ void overlay_set(struct overlay *o, const struct target *t, const struct stmt *s
   if (!s) s = o->under->records[t->record].stmts[t->stmt];
   o->model.records[t->record].stmts[t->stmt] = s;
   if (t->def >= 0) o->model.defs[t->def].stmt = s;
+}
+
+void overlay_leave_out(struct overlay *o, const struct target *t, bool out) {
+  const struct statement_record *under = &o->under->records[t->record];
+  struct statement_record *r = &o->model.records[t->record];
+  r->n_stmts = 0;
+  for (int k = 0; k < under->n_stmts; k++)
+    if (!out || k != t->stmt) r->stmts[r->n_stmts++] = under->stmts[k];
 }

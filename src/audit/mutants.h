@@ -31,8 +31,12 @@ struct mutants {
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only);
 void mutants_clear(struct mutants *m);
 
-/* The edits of one statement alone. */
-void target_edits(struct edits *out, struct arena *a, const struct model *model, const struct target *t);
+/* The names that mean something in a section, with their shapes; and the edits of a statement that may use them. */
+struct lexicon;
+struct lexicon *lexicon_new(const struct model *m, const char *section);
+void lexicon_free(struct lexicon *l);
+void lexicon_edits(struct edits *out, struct arena *a, struct lexicon *l, const struct stmt *s);
+
 /* The target of a statement. */
 struct target target_of(const struct model *model, size_t record, int stmt);
 
@@ -45,6 +49,8 @@ void overlay_init(struct overlay *o, const struct model *under);
 void overlay_clear(struct overlay *o);
 /* The statement of the target becomes s; NULL puts the original back. */
 void overlay_set(struct overlay *o, const struct target *t, const struct stmt *s);
+/* Leaves the target's statement out of its record, or puts it back; for statements that define nothing. */
+void overlay_leave_out(struct overlay *o, const struct target *t, bool out);
 
 /* What holds on every motion of the word by the definition of its phases: velocities that are V, forces at their limits,
    perturbations that are zero.  Exact algebra uses it. */
@@ -61,6 +67,9 @@ bool claim_same_in(const struct claim *c, const struct target *t, const struct m
    claim can tell. */
 bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
                     const struct facts *f);
+/* Whether a claim with its text as in model a, read as printed, says the same as in model b with everything corrected; a
+   record says what the set of its relations says. */
+bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f);
 bool stands_in_statement(const struct stmt *s, const char *name);
 
 #endif

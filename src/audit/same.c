@@ -262,6 +262,49 @@ static bool same_sentences(const struct sentence *a, const struct sentence *b, b
   return same;
 }
 
+/* Entry i of a among the entries of b. */
+static bool has_relation(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a, slong i,
+                         const struct sentence *sb, const struct exact_vec *b) {
+  struct exact_vec x = {a->field, 2, NULL}, y = {b->field, 2, NULL};
+  fmpz_mpoly_q_struct left[2], right[2];
+  x.x = left;
+  y.x = right;
+  left[0] = a->x[i], left[1] = a->x[sa->n + i]; /* borrowed */
+  for (slong k = 0; k < sb->n; k++) {
+    right[0] = b->x[k], right[1] = b->x[sb->n + k];
+    if (same_relation(f, &x, &y, 1, 0, sa->ops[i], sb->ops[k])) return true;
+  }
+  return false;
+}
+
+static bool same_sets(const struct sentence *a, const struct sentence *b, const struct facts *facts,
+                      const struct claim *c) {
+  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS];
+  struct exact_field *f = exact_field_new(fact, collect_facts(fact, facts, c));
+  struct exact_vec x, y;
+  int s = exact_eval(&x, f, &a->tape);
+  s |= exact_eval(&y, f, &b->tape);
+  bool same = s == SS_OK;
+  for (slong i = 0; same && i < a->n; i++) same = has_relation(f, a, &x, i, b, &y);
+  for (slong i = 0; same && i < b->n; i++) same = has_relation(f, b, &y, i, a, &x);
+  exact_vec_clear(&y);
+  exact_vec_clear(&x);
+  exact_field_free(f);
+  return same;
+}
+
+bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f) {
+  struct sentence x, y;
+  struct diag d;
+  diag_init(&d);
+  bool ok = sentence_from_claim(&x, claim_view(a, c), c, NULL, 0, &d);
+  ok = sentence_from_claim(&y, (struct view){b, LAYER_CORRECTED, NULL, NULL}, c, NULL, 0, &d) && ok;
+  ok = ok && (x.oracle ? same_sentences(&x, &y, false, f, c) : same_sets(&x, &y, f, c));
+  sentence_clear(&x);
+  sentence_clear(&y);
+  return ok;
+}
+
 enum { MAX_UNKNOWNS = 32 };
 
 static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,

@@ -121,7 +121,27 @@ int run_mutate(const struct options *o, const char *data) {
   return status;
 }
 int run_repair(const struct options *o, const char *data) {
-  (void)o;
-  (void)data;
-  return 0;
+  static const char *const names[] = {"repairs.json", "repairs.md"};
+  int jobs, status = parse_jobs(&jobs, o->jobs);
+  if (status) return status;
+  struct diag d;
+  struct inputs in;
+  struct repair_result r;
+  struct text body[3];
+  diag_init(&d);
+  repair_result_init(&r);
+  for (int i = 0; i < 3; i++) text_init(&body[i]);
+  struct audit_options opt = {.only = o->operand, .n_only = o->n_operands};
+  bool ok = inputs_load(&in, data, o, &d) && audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
+  if (ok) {
+    report_repairs_json(&body[0], &r);
+    report_repairs_markdown(&body[1], &r);
+    report_repairs_text(&body[2], &r);
+    ok = deliver(body, names, o, &d);
+  }
+  if (!ok) status = failed(&d);
+  for (int i = 0; i < 3; i++) text_clear(&body[i]);
+  repair_result_clear(&r);
+  inputs_clear(&in);
+  return status;
 }
