@@ -48,8 +48,9 @@ struct mutation_result {
   struct mutation_row printed; /* of the printed text that the errata correct; counted nowhere else */
   struct mutation_row *file, *kind;
   size_t n_files, cap_files, n_kinds;
-  struct survivor *survivor; /* in the order of the files */
+  struct survivor *survivor; /* in the order of the files; those of one statement together */
   size_t n_survivors, cap_survivors;
+  bool broken; /* a process ended early, and the rest means nothing */
 };
 
 void mutation_result_init(struct mutation_result *r);
@@ -84,6 +85,7 @@ struct repair_result {
   const char *scene;
   struct repairs *claim;
   size_t n, cap;
+  bool broken; /* as above */
 };
 void repair_result_init(struct repair_result *r);
 void repair_result_clear(struct repair_result *r);

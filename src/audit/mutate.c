@@ -256,10 +256,13 @@ static void add_survivor(struct mutation_result *out, const struct run *r, const
                        .text = keep(out, m->edit.text),
                        .read_by = readers_of(out, r, t)};
   source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
+  const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
   struct text original;
   text_init(&original);
   stmt_print(&original, rec->stmts[t->stmt]);
-  s.original = keep(out, text_str(&original));
+  bool same = last && strcmp(last->record, s.record) == 0 && strcmp(last->original, text_str(&original)) == 0;
+  s.original = same ? last->original : keep(out, text_str(&original));
+  if (same) s.record = last->record;
   text_clear(&original);
   out->survivor = ss_grow(out->survivor, out->n_survivors, &out->cap_survivors, sizeof s);
   out->survivor[out->n_survivors++] = s;

@@ -85,12 +85,6 @@ static void inputs_clear(struct inputs *in) {
   scene_clear(&in->scene);
 }
 
-/* A process that ended early, or could not be made, is no fault of the input. */
-static int failed(const struct diag *d) {
-  int status = bad_input(d);
-  return strstr(d->message, "process") && strncmp(d->message, "error:", 6) == 0 ? EXIT_INTERNAL : status;
-}
-
 int run_mutate(const struct options *o, const char *data) {
   static const char *const names[] = {"mutation.json", "mutation.md"};
   struct mutation_options q;
@@ -114,7 +108,8 @@ int run_mutate(const struct options *o, const char *data) {
     report_mutation_text(&body[2], &r);
     ok = deliver(body, names, o, &d);
   }
-  if (!ok) status = failed(&d);
+  if (!ok) status = bad_input(&d);
+  if (r.broken) status = EXIT_INTERNAL;
   for (int i = 0; i < 3; i++) text_clear(&body[i]);
   mutation_result_clear(&r);
   inputs_clear(&in);
@@ -139,7 +134,8 @@ int run_repair(const struct options *o, const char *data) {
     report_repairs_text(&body[2], &r);
     ok = deliver(body, names, o, &d);
   }
-  if (!ok) status = failed(&d);
+  if (!ok) status = bad_input(&d);
+  if (r.broken) status = EXIT_INTERNAL;
   for (int i = 0; i < 3; i++) text_clear(&body[i]);
   repair_result_clear(&r);
   inputs_clear(&in);

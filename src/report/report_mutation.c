@@ -62,11 +62,9 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
 /* --- For people --- */
 
 static const char *const fate_says[N_FATES] = {
-    [FATE_NOTICED] = "noticed by a verdict",
-    [FATE_UNREADABLE] = "noticed by a diagnostic",
-    [FATE_EQUIVALENT] = "survives: equivalent to the original, by exact algebra",
-    [FATE_UNDECIDED] = "survives: undecided, no claim that reads it changes its verdict",
-    [FATE_UNREAD] = "survives: no claim that asserts anything reads it",
+    [FATE_EQUIVALENT] = "Survivors that are equivalent to the original",
+    [FATE_UNDECIDED] = "Survivors that may be different: no claim that reads them changes its verdict",
+    [FATE_UNREAD] = "Survivors in statements that no claim reads",
 };
 
 static void add_row(struct text *out, const struct mutation_row *r) {
@@ -85,35 +83,45 @@ static void add_table(struct text *out, const char *heading, const struct mutati
   text_add_char(out, '\n');
 }
 
-static void add_place(struct text *out, const struct survivor *s) {
-  text_printf(out, "%s:%zu:%zu %s", s->file, s->line, s->column, s->record);
-  if (s->equation) text_printf(out, ", (%s)", s->equation);
+/* Survivors of one fate stand together by statement; next of the same statement and fate after i, or n. */
+static size_t group_end(const struct mutation_result *r, size_t i) {
+  size_t k = i + 1;
+  while (k < r->n_survivors && r->survivor[k].record == r->survivor[i].record &&
+         r->survivor[k].original == r->survivor[i].original)
+    k++;
+  return k;
 }
 
-static long chosen(const struct mutation_result *r, enum fate f, bool corrected) {
+static bool is_chosen(const struct survivor *s, enum fate f, bool corrected) {
+  return s->fate == f && s->corrected == corrected;
+}
+
+static long chosen(const struct mutation_result *r, size_t from, size_t to, enum fate f, bool corrected) {
   long n = 0;
-  for (size_t i = 0; i < r->n_survivors; i++) n += r->survivor[i].fate == f && r->survivor[i].corrected == corrected;
+  for (size_t i = from; i < to; i++) n += is_chosen(&r->survivor[i], f, corrected);
   return n;
 }
 
-/* Survivors of one fate, gathered under the statement that they damage. */
-static void list_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected) {
-  const struct survivor *last = NULL;
-  for (size_t i = 0; i < r->n_survivors; i++) {
-    const struct survivor *s = &r->survivor[i];
-    if (s->fate != f || s->corrected != corrected) continue;
-    if (!last || last->original != s->original) {
-      bool same = false;
-      for (const char *a = last ? last->original : "", *b = s->original; (same = *a == *b) && *a; a++, b++) continue;
-      if (!same) {
-        text_printf(out, "\n- `%s` (%s%s%s)%s%s\n", s->original, s->record, s->equation ? ", equation " : "",
-                    s->equation ? s->equation : "", *s->read_by ? ", read by " : "", s->read_by);
-      }
+static void add_statement(struct text *out, const struct survivor *s, long n) {
+  text_printf(out, "`%s`: %ld (%s:%zu, %s%s%s%s%s)", s->original, n, s->file, s->line, s->record,
+              s->equation ? ", equation " : "", s->equation ? s->equation : "", *s->read_by ? ", read by " : "",
+              s->read_by);
+}
+
+/* Every statement with survivors of one fate, each with their texts when asked for. */
+static void list_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected, bool texts) {
+  for (size_t i = 0, end; i < r->n_survivors; i = end) {
+    end = group_end(r, i);
+    long n = chosen(r, i, end, f, corrected);
+    if (n == 0) continue;
+    text_add(out, "- ");
+    add_statement(out, &r->survivor[i], n);
+    text_add_char(out, '\n');
+    for (size_t k = i; texts && k < end; k++) {
+      const struct survivor *s = &r->survivor[k];
+      if (is_chosen(s, f, corrected)) text_printf(out, "  - %zu:%zu %s: `%s`\n", s->line, s->column, s->kind, s->text);
     }
-    last = s;
-    text_printf(out, "  - %s:%zu:%zu %s: `%s`\n", s->file, s->line, s->column, s->kind, s->text);
   }
-  text_add_char(out, '\n');
 }
 
 static void add_summary(struct text *out, const struct mutation_result *r) {
@@ -127,37 +135,44 @@ static void add_summary(struct text *out, const struct mutation_result *r) {
                 printed);
 }
 
+/* The texts of what no claim reads, and of printed text that is refuted anyway, are in mutation.json alone. */
+static void add_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected) {
+  long n = chosen(r, 0, r->n_survivors, f, corrected);
+  if (n == 0) return;
+  text_printf(out, "## %s%s (%ld)\n\n", corrected ? "Printed text that the errata correct: " : "", fate_says[f], n);
+  list_survivors(out, r, f, corrected, f != FATE_UNREAD && !corrected);
+  text_add_char(out, '\n');
+}
+
+static const enum fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
+enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
+
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
-  static const enum fate order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
   text_add(out, "# Would the audit have noticed?\n\n");
   add_summary(out, r);
-  text_printf(
-      out,
-      ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
-      "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-      "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
-      "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
-      "counted apart.\n\n",
-      r->tried, r->population, r->scene, r->seed);
+  text_printf(out,
+              ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
+              "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
+              "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
+              "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
+              "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same on "
+              "every motion of the word, by rational functions in which sines and roots are unknowns. The text of every "
+              "survivor is in mutation.json.\n\n",
+              r->tried, r->population, r->scene, r->seed);
   add_table(out, "file", r->file, r->n_files);
   add_table(out, "damage", r->kind, r->n_kinds);
   struct mutation_row both[] = {r->total, r->printed};
   add_table(out, "text", both, 2);
   for (int c = 0; c < 2; c++)
-    for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
-      if (chosen(r, order[i], c) == 0) continue;
-      text_printf(out, "## %s%s (%ld)\n", c ? "Printed text that the errata correct, " : "S", fate_says[order[i]] + !c,
-                  chosen(r, order[i], c));
-      list_survivors(out, r, order[i], c);
-    }
+    for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);
 }
 
 void report_mutation_text(struct text *out, const struct mutation_result *r) {
-  for (size_t i = 0; i < r->n_survivors; i++) {
-    const struct survivor *s = &r->survivor[i];
-    text_printf(out, "%s%s, %s: ", fate_name[s->fate], s->corrected ? " (printed, corrected elsewhere)" : "", s->kind);
-    add_place(out, s);
-    text_printf(out, "\n  %s\n  instead of %s\n", s->text, s->original);
+  for (int i = N_SURVIVOR_FATES; i-- > 0;) {
+    enum fate f = survivor_order[i];
+    if (chosen(r, 0, r->n_survivors, f, false) == 0) continue;
+    text_printf(out, "%s:\n", fate_says[f]);
+    list_survivors(out, r, f, false, f == FATE_UNDECIDED);
   }
   for (size_t i = 0; i < r->n_files; i++)
     text_printf(out, "%-20s %5ld of %5ld noticed\n", r->file[i].name, mutation_row_noticed(&r->file[i]),
