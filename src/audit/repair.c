@@ -291,8 +291,7 @@ static bool has_erratum(const struct repairs *found) {
   return has;
 }
 
-static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs,
-                         struct diag *d) {
+static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
   struct text t;
   text_init(&t);
   if (erratum_text(&t, s->model, s->claim)) found->erratum = keep(out, &t);
@@ -381,8 +380,7 @@ bool audit_repairs(struct repair_result *out, const struct model *m, const struc
   out->scene = arena_strndup(&out->arena, scene->name, strlen(scene->name));
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++)
-    if (claims_selects(opt, &claims->claim[i]))
-      ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, jobs, d);
+    if (claims_selects(opt, &claims->claim[i])) ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, jobs, d);
   overlay_clear(&base.overlay);
   facts_free(base.facts);
   orbit_cache_free(base.cache);

@@ -150,15 +150,16 @@ enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
   text_add(out, "# Would the audit have noticed?\n\n");
   add_summary(out, r);
-  text_printf(out,
-              ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
-              "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-              "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
-              "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
-              "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same on "
-              "every motion of the word, by rational functions in which sines and roots are unknowns. The text of every "
-              "survivor is in mutation.json.\n\n",
-              r->tried, r->population, r->scene, r->seed);
+  text_printf(
+      out,
+      ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
+      "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
+      "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
+      "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
+      "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same on "
+      "every motion of the word, by rational functions in which sines and roots are unknowns. The text of every "
+      "survivor is in mutation.json.\n\n",
+      r->tried, r->population, r->scene, r->seed);
   add_table(out, "file", r->file, r->n_files);
   add_table(out, "damage", r->kind, r->n_kinds);
   struct mutation_row both[] = {r->total, r->printed};
