@@ -7,6 +7,7 @@
 Suite *base_suite(void);
 Suite *num_suite(void);
 Suite *expr_suite(void);
+Suite *edit_suite(void);
 Suite *tape_suite(void);
 Suite *model_suite(void);
 Suite *dynamics_suite(void);
@@ -14,5 +15,6 @@ Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *cli_suite(void);
+Suite *mutate_suite(void);
 
 #endif

@@ -421,9 +421,9 @@ static void edit_node(struct job *j, int i) {
   edit_number(j, i);
   edit_entry(j, i);
   edit_name(j, i, true);
+  edit_prime(j, i);
   edit_name(j, i, false);
   edit_function(j, i);
-  edit_prime(j, i);
   edit_dropped(j, i);
   edit_factor(j, i);
   edit_moved(j, i);
