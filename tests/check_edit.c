@@ -80,7 +80,7 @@ static const struct {
     {EDIT_MOVED, "a*b/M = 0", "a/(M*b) = 0 | b/(M*a) = 0"},
     {EDIT_MOVED, "a/(b*M) = 0", "1/(b*M*a) = 0 | a*M/b = 0 | a*b/M = 0 | a/(M/b) = 0"},
     {EDIT_MOVED, "a*b = 0", "b/a = 0"},
-    /* a/b is another operator */,
+    /* a/b: an operator */
     {EDIT_TRANSPOSED, "[a, b] = 0", "[a; b] = 0 | [b, a] = 0"},
     {EDIT_TRANSPOSED, "[a, b; 0, a] = M", "[0, a; a, b] = M | [a, 0; b, a] = M | [b, a; a, 0] = M"},
     {EDIT_RELATION, "0 < a <= b", "0 < a >= b | 0 > a <= b"},

@@ -54,6 +54,8 @@ void overlay_leave_out(struct overlay *o, const struct target *t, bool out);
 
 /* What holds on every motion of the word by the definition of its phases: velocities that are V, forces at their limits,
    perturbations that are zero.  Exact algebra uses it. */
+extern const char *const motion_facts[][2]; /* a name, and an expression that it equals */
+extern const int n_motion_facts;
 struct facts;
 struct facts *facts_new(const struct model *m);
 void facts_free(struct facts *f);

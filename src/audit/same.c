@@ -13,7 +13,7 @@ enum { N_POSITIVE = sizeof positive / sizeof *positive };
 /* --- What holds on every motion --- */
 
 /* (9)-(18) as definitions of the states at the switching times, (21)-(41) as definitions of their perturbations. */
-static const char *const motion_facts[][2] = {
+const char *const motion_facts[][2] = {
     {"z'_10", "V"},
     {"z'_20", "V"},
     {"z'_1a", "V"},
@@ -64,6 +64,7 @@ static const char *const motion_facts[][2] = {
     {"x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
     {"x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
 };
+const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
 /* At the time t, which lies in one phase for a claim: behind the others, and taken by phase. */
 static const struct {
   const char *name;
