@@ -6,7 +6,7 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, threshold) the record of the equation files that is judged
+     statement   (identity, inequality, threshold, sharp) the record of the equation files that is judged
      bound       (threshold) the record whose right-hand sides are the bounds
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
@@ -20,7 +20,8 @@
                  refuted on its domain but holds under a restriction
      record      the verdict on record; record-scene: the only scene it speaks of
 
-   Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, report. */
+   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
+   equality at one end of the phase that points name), index-range, number, closure, criterion, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 

@@ -10,11 +10,11 @@ static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-} kinds[] = {{"definition", judge_definition, false}, {"matrix", judge_points, true},
-             {"identity", judge_points, true},        {"threshold", judge_threshold, false},
-             {"inequality", judge_inequality, false}, {"index-range", judge_index_range, false},
-             {"number", judge_number, false},         {"closure", judge_closure, false},
-             {"criterion", judge_criterion, false},   {"report", judge_report, false}};
+} kinds[] = {
+    {"definition", judge_definition, false},   {"matrix", judge_points, true},  {"identity", judge_points, true},
+    {"threshold", judge_threshold, false},     {"sharp", judge_sharp, false},   {"inequality", judge_inequality, false},
+    {"index-range", judge_index_range, false}, {"number", judge_number, false}, {"closure", judge_closure, false},
+    {"criterion", judge_criterion, false},     {"report", judge_report, false}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)

@@ -156,7 +156,7 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
 void sentence_clear(struct sentence *s);
 /* Both sides (s->n each, in the context of lhs and rhs). */
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    struct orbit_cache *cache);
+                    enum variant variant, struct orbit_cache *cache);
 
 enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
 
@@ -181,7 +181,8 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 
 /* --- A claim being judged --- */
 
-/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then. */
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
+   A kind that takes long should know it, since mutants are tried by the thousand; others may pass over it. */
 enum effort { EFFORT_FULL, EFFORT_REFUTE };
 
 struct judge {
@@ -192,7 +193,7 @@ struct judge {
   struct orbit_cache *cache;
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
-  enum effort effort;  /* kinds that are tried at points; the others know one effort */
+  enum effort effort;
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -214,6 +215,7 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
 
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);

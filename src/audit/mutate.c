@@ -142,8 +142,6 @@ static enum notice ask_quickly(struct run *r, const struct reader *rd) {
       n = BROKEN;
     else if (f.verdict == VERDICT_REFUTED && before != VERDICT_REFUTED)
       n = is_diagnostic(&f, rd->claim) ? BROKEN : CHANGED;
-    else if (!claim_tried_at_points(rd->claim))
-      n = f.verdict == before ? SAME : CHANGED;
   }
   audit_result_clear(&out);
   return n;

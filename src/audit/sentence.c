@@ -271,10 +271,10 @@ static struct trial try_once(struct sentence *s, struct comparison *c, const str
 }
 
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    struct orbit_cache *cache) {
+                    enum variant variant, struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
   struct values v;
-  int status = values_init(&v, p, VARIANT_CLOSED, lhs->ctx, cache);
+  int status = values_init(&v, p, variant, lhs->ctx, cache);
   if (status == SS_OK) status = evaluate(lhs, rhs, &t, s, &v);
   values_clear(&v);
   return status;
