@@ -710,6 +710,8 @@ static const struct {
     {"mutate --jobs 2x", 2, "--jobs takes"},
     {"mutate paper", 2, "mutate takes no operand"},
     {"mutate --only eq-9999", 3, "eq-9999"},
+    {"mutate --only eq-27,eq-9999", 3, "record named eq-9999"},
+    {"mutate --only 0-nomenclature", 3, "record named 0-nomenclature"},
     {"mutate --only eq-27 --out /dev/null/x", 3, "/dev/null"},
     {"mutate --digits 5", 2, "does not belong"},
     {"repair --jobs 1.5", 2, "--jobs takes"},

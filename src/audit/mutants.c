@@ -117,14 +117,23 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
 }
 
 /* "4-stability.eq" or "4-stability" for a file, an id for a record. */
-static bool wanted(const struct statement_record *r, const char *const *only, int n_only) {
+static bool is_named(const struct statement_record *r, const char *item) {
   const char *slash = strrchr(r->src->name, '/'), *file = slash ? slash + 1 : r->src->name;
-  for (int i = 0; i < n_only; i++) {
-    size_t n = strlen(only[i]);
-    bool of_file = strncmp(file, only[i], n) == 0 && (file[n] == '\0' || strcmp(file + n, ".eq") == 0);
-    if (of_file || strcmp(r->record->id_name, only[i]) == 0) return true;
-  }
+  size_t n = strlen(item);
+  bool of_file = strncmp(file, item, n) == 0 && (file[n] == '\0' || strcmp(file + n, ".eq") == 0);
+  return of_file || strcmp(r->record->id_name, item) == 0;
+}
+
+static bool wanted(const struct statement_record *r, const char *const *only, int n_only) {
+  for (int i = 0; i < n_only; i++)
+    if (is_named(r, only[i])) return true;
   return n_only == 0;
+}
+
+bool mutants_any(const struct mutants *m, const struct model *model, const char *item) {
+  for (size_t i = 0; i < m->n_targets; i++)
+    if (is_named(&model->records[m->target[i].record], item)) return true;
+  return false;
 }
 
 static void add_mutants(struct mutants *m, const struct model *model, struct lexicon *l, size_t record, int stmt) {

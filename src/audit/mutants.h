@@ -30,6 +30,8 @@ struct mutants {
    the named records or files ("eq-40", "4-stability.eq", "4-stability") when n_only > 0. */
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only);
 void mutants_clear(struct mutants *m);
+/* Is some of them in the file or record of that name? */
+bool mutants_any(const struct mutants *m, const struct model *model, const char *item);
 
 /* The names that mean something in a section, with their shapes; and the edits of a statement that may use them. */
 struct lexicon;

@@ -311,9 +311,9 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
   out->seed = opt->seed;
   draw(&r, opt);
   bool ok = true;
-  if (opt->n_only && r.mutants.n == 0) {
-    diag_set(d, "error: no formula of the equation files is in a file or record named %s", opt->only[0]);
-    ok = false;
+  for (int i = 0; ok && i < opt->n_only; i++) {
+    ok = mutants_any(&r.mutants, m, opt->only[i]);
+    if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
   }
   enum fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
   ok = ok && read_all(&r, d) && workers_run(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
