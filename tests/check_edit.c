@@ -67,6 +67,10 @@ static const struct {
      "M[4:5,1:2] = a | M[5:6,1:2] = a"},
     {EDIT_SYMBOL, "a = z_1a", "b = z_1a | z_1a = z_1a | a = a"},
     {EDIT_SYMBOL, "M = H(a)", "M = H(b)"},
+    {EDIT_SYMBOL, "z_1a = first_order(z_1a; a)",
+     "a = first_order(z_1a; a) | z_1a = first_order(a; a) | "
+     "z_1a = first_order(z_1a; b) | z_1a = first_order(z_1a; z_1a)"},
+    {EDIT_SIGN, "a = first_order(b; a)", "-a = first_order(b; a) | a = -first_order(b; a) | a = first_order(-b; a)"},
     {EDIT_FUNCTION, "sin(a) = 0", "cos(a) = 0 | cot(a) = 0"},
     {EDIT_FUNCTION, "det(M) = a", "tr(M) = a"},
     {EDIT_FUNCTION, "inv(M) = transpose(M)", "(M) = transpose(M) | inv(M) = (M)"},

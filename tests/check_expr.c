@@ -106,9 +106,9 @@ static struct expr *power(const struct expr *a, int n) {
 
 /* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
 static void spell(struct text *out, const struct expr *e) {
-  static const char *const names[] = {"num", "sym", "call", "neg",       "+",      "-",    "*",
-                                      "/",   "^",   "sin",  "cos",       "cot",    "sqrt", "paren",
-                                      "inv", "det", "tr",   "transpose", "matrix", "index"};
+  static const char *const names[] = {"num", "sym", "call", "neg",       "+",           "-",      "*",
+                                      "/",   "^",   "sin",  "cos",       "cot",         "sqrt",   "paren",
+                                      "inv", "det", "tr",   "transpose", "first_order", "matrix", "index"};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
     text_add(out, e->name);
     return;
@@ -173,6 +173,8 @@ static const struct {
     /* functions */
     {"sin(a)*cos(b) + cot(c) - sqrt(d)", "(- (+ (* (sin a) (cos b)) (cot c)) (sqrt d))"},
     {"inv(A)*det(B) + tr(transpose(C))", "(+ (* (inv A) (det B)) (tr (transpose C)))"},
+    {"first_order(f(a + x)*b; x)*y", "(* (first_order (* (call f 0 (+ a x)) b) x) y)"},
+    {"first_order([a, b]; x, y) + first_ordered", "(+ (first_order (matrix 1x2 a b) x y) first_ordered)"},
     /* matrices and entries */
     {"[a]", "(matrix 1x1 a)"},
     {"[a, b; c, -d]", "(matrix 2x2 a b c (neg d))"},
@@ -361,6 +363,15 @@ static const struct {
     {false, "(a)'", "1:4", "transpose(...)"},
     {false, "[a, b]'", "1:7", "transpose(...)"},
     {false, "'a", "1:1", "a prime marks a derivative"},
+    /* first order */
+    {false, "first_order(a)", "1:14", "first_order(expression; x, y)"},
+    {false, "first_order(a; )", "1:16", "first_order(expression; x, y)"},
+    {false, "first_order(a; 2)", "1:16", "first_order(expression; x, y)"},
+    {false, "first_order(a; sin)", "1:16", "first_order(expression; x, y)"},
+    {false, "first_order(a; x y)", "1:18", "to close the \"(\" opened at 1:12"},
+    {false, "first_order + 1", "1:1", "cannot be a name"},
+    {true, "first_order := 1", "1:1", "is a reserved word"},
+    {true, "f(first_order) := 1", "1:3", "is a reserved word"},
     {false, "sin'(x)", "1:4", "the built-in function \"sin\" takes no prime"},
     {false, "sin^2(x)", "1:4", "sin(x)^2"},
     {false, "sin x", "1:1", "its argument stands in parentheses"},
@@ -638,11 +649,40 @@ END_TEST
 
 /* expr_same must tell trees apart: one changed node is seen, whichever it is. */
 START_TEST(test_same) {
-  static const char *const different[] = {
-      "a",      "b",      "2",        "2.0",      "a(x)",   "b(x)",    "a'(x)",        "-a",
-      "a + b",  "b + a",  "a - b",    "a*b",      "a/b",    "a^2",     "a^(-2)",       "sin(a)",
-      "cos(a)", "(a)",    "inv(a)",   "[a]",      "[a, b]", "[a; b]",  "a[1]",         "a[2]",
-      "a[1:1]", "a[1,1]", "a[1:1,1]", "a[1,1:1]", "a[1:2]", "a + (b)", "transpose(a)", "sin(b)"};
+  static const char *const different[] = {"a",
+                                          "b",
+                                          "2",
+                                          "2.0",
+                                          "a(x)",
+                                          "b(x)",
+                                          "a'(x)",
+                                          "-a",
+                                          "a + b",
+                                          "b + a",
+                                          "a - b",
+                                          "a*b",
+                                          "a/b",
+                                          "a^2",
+                                          "a^(-2)",
+                                          "sin(a)",
+                                          "cos(a)",
+                                          "(a)",
+                                          "inv(a)",
+                                          "[a]",
+                                          "[a, b]",
+                                          "[a; b]",
+                                          "a[1]",
+                                          "a[2]",
+                                          "a[1:1]",
+                                          "a[1,1]",
+                                          "a[1:1,1]",
+                                          "a[1,1:1]",
+                                          "a[1:2]",
+                                          "a + (b)",
+                                          "transpose(a)",
+                                          "sin(b)",
+                                          "first_order(a; b)",
+                                          "first_order(a; b, c)"};
   const size_t n = sizeof different / sizeof *different;
   for (size_t i = 0; i < n; i++)
     for (size_t j = 0; j < n; j++)
@@ -917,6 +957,7 @@ static const struct {
     {"H[1:2,3:4]", "{H}_{1:2,3:4}"},
     {"H(t_c)[1,1]^2", "{H\\left(t_{c}\\right)}_{1,1}^{2}"},
     {"v[2]", "{v}_{2}"},
+    {"first_order(f(x + dt_a); x, dt_a)", "\\left[ f\\left(x + dt_{a}\\right) \\right]_{O(x, dt_{a})^{\\le 1}}"},
 };
 
 static const struct {

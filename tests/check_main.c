@@ -17,6 +17,11 @@ int main(void) {
   srunner_add_suite(r, given_suite());
   srunner_add_suite(r, coulomb_suite());
   srunner_add_suite(r, audit_suite());
+  srunner_add_suite(r, readings_suite());
+  srunner_add_suite(r, jacobian_suite());
+  srunner_add_suite(r, behaviour_suite());
+  srunner_add_suite(r, routes_suite());
+  srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, mutate_suite());
   srunner_run_all(r, CK_NORMAL);

@@ -387,7 +387,8 @@ END_TEST
 
 static const char common[] = "symbol s\nsymbol t\nrelation m\n  trajectory z(t)\ndefine d\n"
                              "  A := [1, 2; 3, 4]\n  B := [1, 2, 3; 4, 5, 6; 7, 8, 9]\n  v := [5; 6]\n  r := [7, 8]\n"
-                             "  F := [B, [B[1:2,1:2]; 0]; 0, A]\n  f(t) := 2*t\n";
+                             "  F := [B, [B[1:2,1:2]; 0]; 0, A]\n  f(t) := 2*t\n"
+                             "  root r0: r0^2 - s, smallest positive\n  root q0: q0 + s, smallest positive\n";
 
 START_TEST(formulas_refused) {
   static const struct {
@@ -421,6 +422,11 @@ START_TEST(formulas_refused) {
       {"s + (t*nope)", "1:8", "undefined symbol nope; define it or declare \"symbol nope\""},
       {"nope(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
       {"nope'(t)", "1:1", "undefined symbol nope; define it or declare \"symbol nope\""},
+      {"first_order(s; s, A)", "1:19", "first_order needs free symbols, of which no root is a function"},
+      {"first_order(s; s, s)", "1:19", "the symbol is named twice"},
+      {"first_order(s; r0)", "1:16", "first_order needs free symbols, of which no root is a function"},
+      {"first_order(r0*s; s)", "1:19", "first_order needs free symbols, of which no root is a function"},
+      {"first_order(q0 + 1; s)", "1:21", "first_order needs free symbols, of which no root is a function"},
       {"[s; f(nope)]", "1:7", "undefined symbol nope; define it or declare \"symbol nope\""},
   };
   load(common, RANK_PAPER);
@@ -530,6 +536,29 @@ START_TEST(derivatives_of_functions) {
       -w * w * sin(w * u) - cos(u),
       1,
   };
+  for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
+    near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
+}
+END_TEST
+
+/* The expansions, by hand: products of two small symbols are dropped, values at 0 are kept. */
+START_TEST(first_orders) {
+  load("symbol a\nsymbol t\nsymbol x\nsymbol y\ndefine d\n  H(t) := [cos(a*t); sin(a*t)]\n  v := [x; y]\n", RANK_PAPER);
+  const struct named env[] = {{"a", 1.25}, {"t", 0.7}, {"x", 0.1}, {"y", 0.2}, {NULL, 0}};
+  const double w = 1.25, t = 0.7, x = 0.1, y = 0.2;
+  static const struct {
+    const char *formula;
+    int entry;
+  } formula[] = {{"first_order((2 + x)*(3 + y); x, y)", 0},
+                 {"first_order((2 + x)*(3 + y); x)", 0},
+                 {"first_order(x^3 + 1/(1 + x); x)", 0},
+                 {"first_order(H(t + x); x)", 0},
+                 {"first_order(H(t + x)*y; x, y)", 1},
+                 {"first_order(3*v + [x*y; 0]; x, y)", 0},
+                 {"first_order(a; x)", 0},
+                 {"first_order(first_order(x*y; x)*y; y)", 0}};
+  const double expected[] = {
+      6 + 3 * x + 2 * y, (2 + x) * (3 + y), 1 - x, cos(w * t) - w * x * sin(w * t), y * sin(w * t), 3 * x, w, 0};
   for (size_t i = 0; i < sizeof formula / sizeof *formula; i++)
     near(number(value_of(formula[i].formula)->e[formula[i].entry], env), expected[i], formula[i].formula);
 }
@@ -936,6 +965,7 @@ Suite *model_suite(void) {
   tcase_add_test(tc, definitions_refused);
   tcase_add_test(tc, names_refused);
   tcase_add_test(tc, derivatives_of_functions);
+  tcase_add_test(tc, first_orders);
   tcase_add_test(tc, parameters_are_their_own);
   tcase_add_test(tc, matrices);
   tcase_add_test(tc, determinants_and_inverses);

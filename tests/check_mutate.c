@@ -352,7 +352,7 @@ static const struct survivor *survivor_of(const struct mutation_result *r, const
 /* text NULL: nothing survives. */
 static const struct {
   const char *record, *text;
-  enum fate fate;
+  enum mutant_fate fate;
 } fates[] = {
     {"eq-27", NULL, FATE_NOTICED},
     {"eq-41", NULL, FATE_NOTICED},
@@ -381,7 +381,7 @@ START_TEST(fates_known_beforehand) {
     if (fates[_i].fate == FATE_NOTICED)
       ck_assert_msg(!s, "%s survives", fates[_i].text);
     else
-      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? fate_name[s->fate] : "noticed");
+      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? mutant_fate_name[s->fate] : "noticed");
   } else {
     ck_assert_msg(r.n_survivors == 0, "%s survives", r.n_survivors ? r.survivor[0].text : "");
     ck_assert_int_gt(mutation_row_noticed(&r.total), 10);

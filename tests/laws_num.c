@@ -520,6 +520,20 @@ static void random_fraction(fmpq_t q, struct rng *r, slong prec) {
   arf_clear(x);
 }
 
+/* 0 < |q| <= 2^-1075: half of the least double, which rounds to 0. */
+static bool vanishes(const fmpq_t q) {
+  fmpq_t size, least;
+  fmpq_init(size);
+  fmpq_init(least);
+  fmpq_set_si(least, 2, 1);
+  fmpq_pow_si(least, least, -1075);
+  fmpq_abs(size, q);
+  bool yes = !fmpq_is_zero(q) && fmpq_cmp(size, least) <= 0;
+  fmpq_clear(least);
+  fmpq_clear(size);
+  return yes;
+}
+
 START_TEST(rationals_round_once) {
   struct trial t;
   fmpq_t q;
@@ -530,7 +544,9 @@ START_TEST(rationals_round_once) {
   for (int i = 0; i < TRIALS; i++) {
     trial_begin(&t, i, 60);
     random_fraction(q, &t.rng, t.ctx.prec);
-    require(&t, t.f->set_q(at(&t, U), q, t.ctx.prec) == SS_OK, "status");
+    int expected = t.f == &num_double && vanishes(q) ? SS_UNABLE : SS_OK;
+    require(&t, t.f->set_q(at(&t, U), q, t.ctx.prec) == expected, "status");
+    if (expected != SS_OK) continue;
     get(z, &t, U);
     if (!t.f->rigorous) {
       check_nearest(&t, q);

@@ -14,6 +14,11 @@ Suite *dynamics_suite(void);
 Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
+Suite *readings_suite(void);
+Suite *jacobian_suite(void);
+Suite *behaviour_suite(void);
+Suite *routes_suite(void);
+Suite *errata_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 

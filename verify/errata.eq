@@ -20,7 +20,8 @@ equation eq-30b
   equation: 30
   tex: dZ_b = \Gamma(t_b)dZ_a + \Gamma'(t_b)Z_a dt_b
   note: from (29) as corrected
-  dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_b)*Z_a*dt_b
+  dZ_b = first_order(Gamma(t_b + dt_b)*(Z_a + dZ_a) - Gamma(t_b)*Z_a; x_a, y_a, dt_b)
+    = Gamma(t_b)*dZ_a + Gamma'(t_b)*Z_a*dt_b
 
 equation eq-31
   section: stability

@@ -6,7 +6,7 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, threshold, sharp) the record of the equation files that is judged
+     statement   (identity, inequality, threshold, sharp, criterion) the record of the equation files that is judged
      bound       (threshold) the record whose right-hand sides are the bounds
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
@@ -14,20 +14,35 @@
      routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
+     formula     (report) the trace that decides
      fault       the fault class a refutation of this claim has
-     depends-on  ids
+     depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
+     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small, fixed-points,
+                 linearization, equality, perturb, long-run, patching
+     at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
+     vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
+     side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
+                 (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      record      the verdict on record; record-scene: the only scene it speaks of
 
+     about       names of definitions that the sentence asserts something of, besides its value; (number) another
+                 symbol for the number
+
+   Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
+   failed formula as printed and as corrected.
+
    Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
-   equality at one end of the phase that points name), index-range, number, closure, criterion, report. */
+   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
 #include "stickslip/coulomb.h"
 #include "stickslip/model.h"
 #include "stickslip/mutation.h"
+#include "stickslip/paper_route.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
 
@@ -43,6 +58,8 @@ struct claims {
   size_t n_files, cap_files;
   struct claim *claim;
   size_t n, cap;
+  struct claim *result; /* of files of claims */
+  size_t n_results, cap_results;
 };
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
@@ -54,6 +71,8 @@ void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */
 const char *claim_get(const struct claim *c, const char *key);
+/* Whose text the claim reads as printed: the equation number of its attribute own, else its own, else its id. */
+const char *claim_own(const struct claim *c);
 /* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
 bool claim_selected(const char *id, const char *item);
 
@@ -62,6 +81,7 @@ struct audit_options {
   int n_only;
   void (*progress)(void *arg, size_t done, size_t total, const char *id); /* or NULL */
   void *arg;
+  bool readings; /* search how the printed numbers arose, when claims about them are selected */
 };
 
 /* Judges the selected claims, then the controls that stand beside them.  false with d set when the claim files or the
@@ -96,6 +116,11 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
    refuted it, the smallest first. */
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
                    const struct scene *scene, const struct audit_options *opt, int jobs, struct diag *d);
+/* How the printed numbers of the scene could have arisen: which of them were inputs, exactly as printed, which equations
+   were solved and which dropped, how numbers were carried from one formula into the next.  The equations are the paper's,
+   (12), (14), (16), (18), (44)-(46), with its matrices in the corrected layer, and in the printed one where that gives
+   another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was nothing to search. */
+const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
 
 /* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
    evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the
@@ -107,20 +132,55 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
    dyn_orbits_given return them. */
 int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec);
 
+/* --- The paper's own route (44)-(46) at a scene --- */
+
+/* One run of Newton's iteration.  The route may be used after SS_OK; distance is an upper bound of the largest
+   difference between its six numbers and those of the nearest of the model's orbits. */
+enum { PAPER_START_MOVED = 2 }; /* by how much every time of an orbit is moved for a start, in per cent */
+struct paper_orbit {
+  slong from; /* the orbit whose times were moved, from 0; -1: the printed times */
+  double guess[4];
+  int status;
+  struct paper_route route;
+  slong nearest; /* from 0; -1 when there is none */
+  arb_t distance;
+};
+struct paper_orbits {
+  struct paper_orbit *item;
+  size_t n, cap;
+};
+/* From the printed times when the scene prints all four, else from the moved times of each orbit that the model finds.
+   Where the scene does not give e1 and e2, those of each of its orbits are taken (the middle of their enclosure) and
+   there is one run for each.  false with d set when there is nowhere to start; clear it all the same. */
+bool audit_paper_orbits(struct paper_orbits *out, const struct scene *s, slong prec, struct diag *d);
+void paper_orbits_clear(struct paper_orbits *p);
+
 /* --- The scene under Coulomb's law --- */
 
 struct coulomb_setup {
   double params[N_COULOMB], start[N_STATE];
   double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
+  double trace;      /* tr J of the orbit; NaN at printed numbers */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
 /* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
+/* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
 
 /* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
 
-enum jacobian_method { METHOD_ANALYTIC, METHOD_IMPLICIT, METHOD_SALTATION, METHOD_FD, METHOD_ODE, N_METHODS };
+enum jacobian_method {
+  METHOD_ANALYTIC,
+  METHOD_IMPLICIT,
+  METHOD_SALTATION,
+  METHOD_FD,
+  METHOD_FD_DOUBLE,
+  METHOD_ODE,
+  N_METHODS
+};
 extern const char *const method_name[N_METHODS];
+extern const char *const method_accuracy[N_METHODS]; /* what the accuracy of a method consists of, in words */
 
 struct jacobian_request {
   enum jacobian_method method;
@@ -130,13 +190,46 @@ struct jacobian_request {
   slong digits;
 };
 
-/* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them (differences: a
-   ball of the estimated error).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at printed numbers its states are those at
-   the printed times.  The other methods start at the printed state and locate the events; METHOD_ODE integrates (1)-(2)
-   and gives the digits it has, about eight, whatever is asked for.  det is exactly 0 wherever the
-   method proves or confirms it (all that precedes t_a is a map to one number). false with d set on failure. */
+/* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them; the radius of a ball
+   is the accuracy that the method states (differences: an estimate).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at
+   printed numbers its states are those at the printed times.  The other methods start at the printed state and locate the
+   events.  METHOD_FD_DOUBLE works in double precision, METHOD_ODE integrates (1)-(2); they give the digits they have,
+   about eleven and eight, whatever is asked for.  det is exactly 0 wherever the method proves or confirms it (all that
+   precedes t_a is a map to one number).  A scene that does not give e1 and e2 has those of its orbit, at printed numbers
+   the printed ones.  false with d set on failure. */
 bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,
                     const struct jacobian_request *q, struct diag *d);
+/* trace and det of a 2x2 matrix of balls, det as above. */
+void jacobian_invariants(arb_t trace, arb_t det, arb_srcptr j);
+/* The largest radius, exactly. */
+void jacobian_accuracy(arb_t worst, arb_srcptr x, slong n);
+
+/* The local Jacobians J_a, J_b, J_c, J_f of the phases and J of the period, by every method side by side. */
+enum { N_COLUMNS = N_METHODS + 1, N_MATRICES = N_PHASES + 1, MATRIX_MOST = 6 };
+struct jacobian_column {
+  const char *name, *heading;
+  enum jacobian_method method;
+  enum layer layer;
+};
+extern const struct jacobian_column
+    jacobian_columns[N_COLUMNS]; /* the paper's chain is there as printed and corrected */
+struct jacobian_matrix {
+  const char *name, *phase; /* phase: NULL for J */
+  int rows, cols;
+  bool known[N_COLUMNS];
+  arb_ptr entry[N_COLUMNS];             /* row-major balls; the radius is the accuracy */
+  bool departs[N_COLUMNS][MATRIX_MOST]; /* disjoint from more than half of the other methods that are known */
+};
+struct jacobian_phases {
+  struct jacobian_matrix matrix[N_MATRICES];
+  int known; /* how many matrices of any method */
+};
+void jacobian_phases_init(struct jacobian_phases *p);
+void jacobian_phases_clear(struct jacobian_phases *p);
+/* method and layer of the request are not looked at.  At printed numbers the paper's formulas stand at other states than
+   the methods that locate events (see audit_jacobian). */
+bool audit_phases(struct jacobian_phases *out, const struct model *m, const struct scene *s,
+                  const struct jacobian_request *q, struct diag *d);
 
 /* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be checked
    without judging: syntax, names, shapes, attributes. */

@@ -133,16 +133,29 @@ int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, c
                            const struct num_vec *start, const struct coulomb_plan *plan,
                            const struct coulomb_sink *sink);
 
+/* The same closed forms in double, from arrays. */
+int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
+                       const struct coulomb_plan *plan, const struct coulomb_sink *sink);
+
 /* From the parameters chi, eta, V, e1, e2 of dynamics.h and static limits u_r1, u_r2 (elements 0 and 1 of limits):
    u_si = u_ri - e_i.  SS_DOMAIN outside the domain. */
 int coulomb_params_set(struct num_vec *params, const struct num_vec *model, const struct num_vec *limits);
 /* The state with x = z + d, d the equilibrium under both sliding forces, and both speeds V. */
 int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const void *z10, const void *z20);
 
+/* The same in double, from arrays and to one. */
+int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], double z10, double z20);
+
 /* The 2x2 derivative of the positions at which both masses come to stick with respect to those of the start (both
-   sticking), for motions of the word G H C D: central differences of the ODE route at two steps, extrapolated.  err: an
-   estimate of the worst entry's error.  SS_DOMAIN when nearby motions do not follow the word. */
+   sticking), for motions of the word G H C D: central differences of the ODE route, extrapolated, at the step that promises
+   the least error.  err: an estimate of the worst entry's error, truncation and noise.  SS_DOMAIN when nearby motions do
+   not follow the word. */
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]);
+/* The same for one phase of that word, which starts at the state start and lasts about t: the derivatives of the state at
+   the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be
+   moved), and the accuracy of each.  SS_DOMAIN when nearby motions have another first event. */
+int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
+                              const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
 
 /* --- Ready-made sinks. --- */
 
@@ -156,6 +169,11 @@ void coulomb_log_clear(struct coulomb_log *log);
 struct coulomb_sink coulomb_log_sink(struct coulomb_log *log);
 /* The letters of the phases of positive length that begin with an event, in order. */
 void coulomb_log_word(struct text *word, const struct coulomb_log *log);
+/* A word cut after each D, equal pieces in a row counted: (GHCD)^4 (GHCHGHCD)^2. */
+void coulomb_word_fold(struct text *out, const char *word);
+/* How many events from the first on are the same change of the same mass, and the largest difference of their times,
+   positions and velocities. */
+double coulomb_log_compare(size_t *shared, const struct coulomb_log *a, const struct coulomb_log *b);
 
 /* CSV: t, x1, x2, v1, v2 and u1, u2 with 17 significant digits, the modes as the words of coulomb_mode_name. */
 extern const char coulomb_csv_header[]; /* "t,x1,x2,v1,v2,mode1,mode2,u1,u2\n" */

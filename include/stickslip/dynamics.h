@@ -96,10 +96,28 @@ int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const str
 /* The 2x2 derivative of (z10, z20) -> (z1f, z2f) along an arc: the product of the four local ones, and by central
    differences of the whole map. */
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
-/* The same from saltation matrices: vector fields and matrix exponentials, no derivative of an event. */
-int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
+/* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r at
+   the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of num_arb,
+   and c encloses the coefficients at every point of the arc's enclosures. */
+int dyn_return_jet(arb_ptr c, slong n, const struct num_vec *params, const struct dyn_arc *arc);
 int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
                            const double guess[4]);
+
+/* The same two from saltation matrices: vector fields and matrix exponentials, no derivative of an event. */
+int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
+                                 const struct num_vec *in, const void *t);
+int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
+/* The same two by central differences in double precision, extrapolated from two steps; the step is chosen by the least
+   estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each; err
+   has an element for each direction, and one, of the worst entry, for the whole map: truncation (from the change between
+   steps, about 15 times too large) plus rounding (from measured noise). */
+int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
+                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
+int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
+                          const double guess[4]);
+
+/* The eigenvalues of a real 2x2 matrix by GSL's QR iteration, by increasing real part, then imaginary part. */
+int dyn_eigenvalues_d(double re[2], double im[2], const double m[4]);
 
 /* --- Periodic orbits of the word at given chi, eta, V, e1, e2. --- */
 

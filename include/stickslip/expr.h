@@ -19,9 +19,11 @@
      postfix    := primary ("[" index ["," index] "]")*
      index      := digits [":" digits]
      primary    := number | name | name "'"* "(" sum ")" | "(" sum ")" | matrix
+                 | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt inv det tr transpose are functions of one argument and take no prime.  Doubtful forms are errors
+   sin cos cot sqrt inv det tr transpose are functions of one argument and take no prime.  first_order(f; x, y) is f to
+   the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
    that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
    v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
    formulas beyond 100000 nodes are refused. */
@@ -51,8 +53,9 @@ enum expr_kind {
   EXPR_DET,
   EXPR_TR,
   EXPR_TRANSPOSE,
-  EXPR_MATRIX, /* rows x cols entries in row-major order */
-  EXPR_INDEX   /* args[0]; index[] = first row, last row, first col, last col, from 1; n_index 1 or 2;
+  EXPR_FIRST_ORDER, /* args[0] to the first order in the symbols args[1], args[2], ... */
+  EXPR_MATRIX,      /* rows x cols entries in row-major order */
+  EXPR_INDEX        /* args[0]; index[] = first row, last row, first col, last col, from 1; n_index 1 or 2;
                   index_range[k]: written with a colon */
 };
 

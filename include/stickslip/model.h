@@ -133,6 +133,10 @@ bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name
 bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration *el, const struct stmt *s, int k,
                      const struct source *src, const char *section, struct diag *d);
 
+/* The definitions that this elaboration has put in, directly or inside others; NULL for one that failed. */
+size_t elaboration_n_used(const struct elaboration *el);
+const struct definition *elaboration_used(const struct elaboration *el, size_t i);
+
 /* The tape of scalars of this elaboration, with the roots it has met. */
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
                       struct diag *d);

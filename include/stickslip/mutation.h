@@ -15,22 +15,22 @@
   X(UNDECIDED, undecided)                                                                                              \
   X(UNREAD, unread)
 
-enum fate {
+enum mutant_fate {
 #define FATE_ENUM(upper, lower) FATE_##upper,
   FATES(FATE_ENUM)
 #undef FATE_ENUM
-      N_FATES
+      N_MUTANT_FATES
 };
-extern const char *const fate_name[N_FATES];
+extern const char *const mutant_fate_name[N_MUTANT_FATES];
 
 /* Counts under one heading: a file, a kind of damage. */
 struct mutation_row {
   const char *name;
-  long count[N_FATES];
+  long count[N_MUTANT_FATES];
 };
 
 struct survivor {
-  enum fate fate;
+  enum mutant_fate fate;
   bool corrected; /* of printed text that the errata correct */
   const char *file, *record, *equation, *kind;
   size_t line, column;

@@ -34,7 +34,7 @@ struct num_type {
   void (*set)(void *z, const void *x);
   void (*swap)(void *x, void *y);
 
-  /* Conversions.  set_q rounds once (arb: encloses).  get_arb is exact for double and mpfr.  set_arb takes the
+  /* Conversions.  set_q rounds once (arb: encloses); a number that would round to 0 cannot be held.  get_arb is exact for double and mpfr.  set_arb takes the
      midpoint, rounded (arb: the ball itself).  get_d rounds the value or the midpoint to nearest. */
   int (*set_q)(void *z, const fmpq_t q, slong prec);
   int (*set_d)(void *z, double x, slong prec);

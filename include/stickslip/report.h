@@ -9,6 +9,14 @@
 void report_json(struct text *out, const struct audit_result *r);
 /* What audit.json holds, for people: what needs attention first. */
 void report_markdown(struct text *out, const struct audit_result *r);
+/* The readings alone: a document of its own, and the section of audit.md. */
+void report_readings_json(struct text *out, const struct audit_result *r);
+void report_readings_markdown(struct text *out, const struct readings *r);
+/* The claims as a graph for Graphviz: an arrow from what a claim rests on to the claim. */
+void report_dot(struct text *out, const struct audit_result *r);
+/* What does not hold as printed, worst first, for the paper's authors; Markdown, and LaTeX that needs amsmath. */
+void report_errata(struct text *out, const struct audit_result *r);
+void report_errata_tex(struct text *out, const struct audit_result *r);
 /* The facts of one run on one machine: seconds, residuals of routes in double. */
 void report_run(struct text *out, const struct audit_result *r, double seconds);
 /* One line: "paper: 40 claims: 20 supported, ..., as recorded". */

@@ -36,14 +36,18 @@ struct evidence {
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
 
-/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number. */
+/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
+   claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
+   replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with
+   mathematics between dollar signs. */
 struct finding {
   const char *id, *equation, *section, *title, *quote, *printed;
   enum verdict verdict;
   const char *condition, *fault;
   const char *correction; /* NULL without one */
   enum verdict correction_verdict;
-  const char *effect;
+  const char *correction_latex, *quote_part, *printed_part, *change;
+  const char *effect, *size; /* size: the part of effect that speaks of the claim itself */
   const char **depends_on;
   int n_depends_on;
   struct evidence *evidence;
@@ -56,6 +60,32 @@ struct skipped_work {
   const char *what, *why;
 };
 
+/* What a failed formula does to a quantity that the paper derives, everything else corrected. */
+enum change { CHANGE_CHANGES, CHANGE_AGREES, CHANGE_SAME_FORMULA, CHANGE_UNDECIDED, CHANGE_UNDEFINED };
+
+/* One derived quantity (formula as the paper's notation is typed, and typeset).  size: the largest relative difference,
+   as the power of ten above it; entry, printed, corrected, where: one point at which it changes.  chain: the value there
+   with the whole paper as printed; NULL when that is the same formula as with this equation alone as printed. */
+struct derived {
+  const char *formula, *latex, *title;
+  enum change change;
+  const char *verdict; /* in words, with the number of points */
+  const char *size, *entry, *printed, *corrected, *where, *chain;
+};
+
+/* Claims that fail when the failed formula is read as printed, claims that rest on it and hold all the same (because
+   their own formulas are the same, or tried again), and claims about which that could not be told. */
+struct id_list {
+  const char **id;
+  int n;
+};
+struct consequence {
+  const char *failure;
+  struct id_list falls, survives, open;
+  struct derived *derived;
+  int n_derived;
+};
+
 /* A control: wrong on purpose, and noticed when its check does not pass. */
 struct control_result {
   const char *id, *claim;
@@ -63,26 +93,140 @@ struct control_result {
   bool noticed;
 };
 
+/* --- How inconsistent printed numbers could have arisen: readings of the example --- */
+
+/* A printed number under a reading; how: input, rounded, truncated or off. */
+struct reading_number {
+  const char *name, *printed, *value, *how;
+};
+struct reading_slope {
+  const char *of, *by, *value;
+};
+/* An equation that a reading does not solve: left minus right side there, and how the outputs of the whole procedure
+   answer to such a residual, per unit. */
+struct reading_dropped {
+  const char *equation, *residual;
+  struct reading_slope *answer;
+  int n_answer;
+};
+/* How far a result is from that of the whole procedure, and how far the residuals of what is dropped move the latter to
+   first order. */
+struct reading_shift {
+  const char *of, *actual, *predicted;
+};
+struct example_reading {
+  const char *layer, *form, *carry;
+  const char *confirmed; /* model: the suite's own equations give the same; NULL when not asked */
+  int assumptions, digits;
+  const char *assumed; /* what the assumptions are */
+  const char **inputs, **solved;
+  int n_inputs, n_solved;
+  struct reading_dropped *dropped;
+  int n_dropped;
+  struct reading_number *number;
+  int n_numbers, n_given;      /* how many of them it gives */
+  struct reading_slope *slope; /* outputs by inputs */
+  int n_slopes;
+  int decimals; /* of its inputs, that the printed digits of its results need; -1: not known */
+  struct reading_shift *shift;
+  int n_shifts;
+};
+struct readings_level {
+  int dropped;
+  long tried, undetermined;
+  long reproduce, unrounded; /* give every printed number; of them those that carry full precision */
+  long open;
+};
+/* An output of the whole procedure: its value, the values that the printed digits of the inputs leave room for, and how
+   many decimals of the inputs its own printed digits need; -1: not known. */
+struct procedure_output {
+  const char *name, *printed, *value, *low, *high;
+  const char *within; /* yes, no, or open: whether some of those values prints as printed */
+  int decimals;
+};
+struct readings_procedure {
+  const char *inputs;
+  struct procedure_output *output; /* NULL when no solution was found */
+  int n_outputs;
+  struct reading_slope *slope;
+  int n_slopes;
+};
+/* Two inputs as printed, nothing dropped. */
+struct readings_pair {
+  const char *inputs, *missed; /* missed: NULL when no solution was found near the printed numbers */
+  int n_given, n_numbers;
+};
+struct readings {
+  const char **space; /* what is searched, in sentences */
+  int n_space;
+  const char **conclusion;
+  int n_conclusions;
+  struct readings_level level[8];
+  int n_levels;
+  struct readings_pair *pair;
+  int n_pairs;
+  struct example_reading *found, *near;
+  int n_found, n_near;
+  struct readings_procedure procedure;
+};
+
+/* Two routes to one quantity, held against each other wherever both apply. */
+struct route_pair {
+  const char *quantity, *first, *second;
+  const char *shared;  /* what both rest on */
+  long comparisons;    /* of whole quantities: a matrix, or the times and states of a pass */
+  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale), or its routes' estimates */
+  bool within;         /* there were comparisons, and all of them kept to it */
+  const char *largest; /* order of magnitude of the largest disagreement, or "no answer"; NULL for a route in double */
+  const char *worst;   /* where; NULL with it */
+  double machine_largest; /* for run.json */
+  const char *machine_worst;
+};
+
+/* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
+   route grows or shrinks at that rate. */
+enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
+struct long_result {
+  const char *orbit, *multiplier;
+  long periods;
+  const char *expected;                /* when 2^-52 has become 1e-6: "never", "about 970 periods" */
+  bool obeys, displaced;               /* rates within a tenth of log|tr J| */
+  long machine_parting[N_LONG_PAIRS];  /* for run.json: the first period at which they are apart by 1e-6, or 0; */
+  double machine_most[N_LONG_PAIRS];   /* the largest distance; */
+  double machine_growth[N_LONG_PAIRS]; /* its measured growth a period, NaN without one; */
+  double machine_displaced;            /* that of a displacement */
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
   struct finding *findings;
   size_t n_findings, cap_findings;
+  struct consequence *consequences;
+  size_t n_consequences, cap_consequences;
   struct skipped_work *skipped;
   size_t n_skipped, cap_skipped;
   struct control_result *controls;
   size_t n_controls, cap_controls;
-  const char *const *independence;
+  struct route_pair *pairs; /* none unless the whole audit ran */
+  size_t n_pairs, cap_pairs;
+  struct long_result *long_runs; /* likewise */
+  size_t n_long_runs, cap_long_runs;
+  const char *const *independence; /* what each route does and rests on */
   int n_independence;
+  struct readings *readings; /* NULL when not searched for */
 };
 
 void audit_result_init(struct audit_result *r);
 void audit_result_clear(struct audit_result *r);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* The consequence of a failure, or NULL. */
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, and controls that went unnoticed. */
+/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

@@ -55,6 +55,8 @@ bool scene_load(struct scene *s, const char *spec, const char *data, struct diag
 void scene_clear(struct scene *s);
 /* Does the scene give e1 and e2, so that its parameters are exact? */
 bool scene_has_forces(const struct scene *s);
+/* A constant expression (len bytes) as scenes have them, exact; name stands in the diagnostic. */
+bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d);
 /* The printed number of that name, or NULL. */
 const struct printed_number *scene_printed(const struct scene *s, const char *name);
 

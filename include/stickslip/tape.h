@@ -50,6 +50,8 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
 void tape_clear(struct tape *t);
 /* Operands precede their use and every index is in range; aborts otherwise.  tape_build calls it. */
 void tape_check(const struct tape *t);
+/* The same program: instructions, constants and inputs alike, so that the outputs are the same formulas. */
+bool tape_same(const struct tape *a, const struct tape *b);
 /* One instruction a line, "%3 = mul %1 %2", inputs and constants by name, outputs last. */
 void tape_dump(struct text *out, const struct tape *t);
 

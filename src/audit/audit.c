@@ -4,17 +4,25 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "routes.h"
 
 static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-} kinds[] = {
-    {"definition", judge_definition, false},   {"matrix", judge_points, true},  {"identity", judge_points, true},
-    {"threshold", judge_threshold, false},     {"sharp", judge_sharp, false},   {"inequality", judge_inequality, false},
-    {"index-range", judge_index_range, false}, {"number", judge_number, false}, {"closure", judge_closure, false},
-    {"criterion", judge_criterion, false},     {"report", judge_report, false}};
+  bool slow;            /* simulates: asked last when formulas are damaged */
+} kinds[] = {{"definition", judge_definition, false, false},
+             {"matrix", judge_points, true, false},
+             {"identity", judge_points, true, false},
+             {"threshold", judge_threshold, false, false},
+             {"sharp", judge_sharp, false, false},
+             {"inequality", judge_inequality, false, false},
+             {"index-range", judge_index_range, false, false},
+             {"number", judge_number, false, false},
+             {"closure", judge_closure, false, false},
+             {"criterion", judge_criterion, false, true},
+             {"behaviour", judge_behaviour, false, true},
+             {"report", judge_report, false, true}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
@@ -32,6 +40,11 @@ bool claim_tried_at_points(const struct claim *c) {
   return k >= 0 && kinds[k].tried_at_points;
 }
 
+bool claim_slow(const struct claim *c) {
+  int k = kind_index(claim_get(c, "kind"));
+  return k >= 0 && kinds[k].slow;
+}
+
 /* --- The result record --- */
 
 void audit_result_init(struct audit_result *r) {
@@ -41,8 +54,11 @@ void audit_result_init(struct audit_result *r) {
 
 void audit_result_clear(struct audit_result *r) {
   free(r->findings);
+  free(r->consequences);
   free(r->skipped);
   free(r->controls);
+  free(r->pairs);
+  free(r->long_runs);
   arena_clear(&r->arena);
 }
 
@@ -58,6 +74,12 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) {
   return s;
 }
 
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
+  for (size_t i = 0; i < r->n_consequences; i++)
+    if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
+  return NULL;
+}
+
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
   long total = 0;
   for (int i = 0; i < N_VERDICTS; i++) count[i] = 0;
@@ -71,14 +93,14 @@ long audit_result_unexpected(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
+  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
   return n;
 }
 
 /* --- Corrections --- */
 
-/* Whether an erratum is about the claim: it replaces its statement or, failing that, defines something anew under the
-   claim's equation number. */
-static bool is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
   const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
   if (r->rank != RANK_ERRATA) return false;
   if (by_statement) return statement && strcmp(r->id, statement) == 0;
@@ -91,7 +113,7 @@ bool erratum_text(struct text *out, const struct model *m, const struct claim *c
   for (int pass = 0; pass < 2 && !found; pass++)
     for (size_t i = 0; i < m->n_records; i++) {
       const struct statement_record *r = &m->records[i];
-      if (!is_about(r, c, pass == 0)) continue;
+      if (!erratum_is_about(r, c, pass == 0)) continue;
       for (int k = 0; k < r->n_stmts; k++) {
         text_add(out, sep);
         stmt_print(out, r->stmts[k]);
@@ -113,6 +135,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
     ok = kind(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
+    erratum_typeset(f, j, c);
     for (int i = 0; ok && i < again.n_evidence; i++) {
       struct evidence *e = finding_add(f, j->out);
       *e = again.evidence[i];
@@ -156,19 +179,6 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   text_clear(&tex);
 }
 
-static void split_ids(struct finding *f, struct audit_result *out, const char *list) {
-  for (const char *p = list; p && *p;) {
-    while (*p == ' ' || *p == ',') p++;
-    size_t n = strcspn(p, ", ");
-    if (n == 0) break;
-    const char **ids = arena_alloc(&out->arena, (size_t)(f->n_depends_on + 1) * sizeof *ids);
-    for (int i = 0; i < f->n_depends_on; i++) ids[i] = f->depends_on[i];
-    ids[f->n_depends_on++] = arena_strndup(&out->arena, p, n);
-    f->depends_on = ids;
-    p += n;
-  }
-}
-
 static const char *copy(struct audit_result *out, const char *s) {
   return s ? result_str(out, "%s", s) : NULL;
 }
@@ -183,7 +193,7 @@ static bool describe(struct finding *f, struct judge *j, const struct claim *c) 
                         .recorded = N_VERDICTS};
   if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
   quote_and_formula(f, j, c);
-  split_ids(f, out, claim_get(c, "depends-on"));
+  if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
   f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->name, c->id);
   const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
@@ -225,9 +235,7 @@ static bool notation_fault(struct finding *f, struct judge *j) {
 }
 
 struct view claim_view(const struct model *m, const struct claim *c) {
-  const char *own = claim_get(c, "own");
-  if (!own) own = claim_get(c, "equation");
-  return (struct view){m, LAYER_CORRECTED, own ? own : c->id, NULL};
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
 }
 
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
@@ -256,7 +264,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
 
 /* --- Controls --- */
 
-static void leave_out(struct audit_result *out, const char *what, const char *why) {
+void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
   out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
@@ -265,6 +273,11 @@ static const struct claim *find_claim(const struct claims *claims, const char *i
   for (size_t i = 0; id && i < claims->n; i++)
     if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
   return NULL;
+}
+
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
+  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
+  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
 }
 
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
@@ -279,13 +292,11 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
   struct audit_result *out = j->out;
   if (!kinds[k].judge(&f, j, &c, view)) {
     if (!notation_fault(&f, j)) return false;
-    leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
+    audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
-  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] =
-      (struct control_result){copy(out, control->id), copy(out, claim->id), f.verdict, f.verdict == VERDICT_REFUTED};
+  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
   return true;
 }
 
@@ -327,15 +338,44 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
   return true;
 }
 
+/* The readings are about printed numbers: they are searched when some claim of such a kind was judged. */
+static void run_readings(struct judge *j, const struct claims *claims, const struct audit_options *opt) {
+  bool wanted = false;
+  if (!opt->readings) return;
+  for (size_t i = 0; i < claims->n; i++) {
+    const char *kind = claim_get(&claims->claim[i], "kind");
+    bool about = kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
+    wanted = wanted || (about && claims_selects(opt, &claims->claim[i]));
+  }
+  const char *why = !wanted ? "no claim about printed numbers is selected" : audit_readings(j->out, j->model, j->scene);
+  if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
+}
+
+/* What is done once for the whole audit, claim or no claim. */
+static bool studies(struct judge *j, const struct audit_options *opt) {
+  if (opt->n_only > 0) {
+    audit_leave_out(j->out, "the study of the routes and the long runs", "made by the whole audit, not with --only");
+    return true;
+  }
+  study_long_runs(j);
+  return study_routes(j);
+}
+
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
   if (!claims_check_selection(claims, opt, d)) return false;
-  struct judge j = {.out = out, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
+  struct dependences *rests = dependences_new(m, claims);
+  struct judge j = {.out = out,
+                    .model = m,
+                    .claims = claims,
+                    .dependences = rests,
+                    .scene = scene,
+                    .cache = orbit_cache_new(),
+                    .d = d};
   out->scene = copy(out, scene->name);
   out->title = copy(out, scene->title);
-  out->independence = route_independence;
-  out->n_independence = n_route_independence;
+  routes_describe(out);
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
@@ -346,8 +386,11 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
     if (opt->progress) opt->progress(opt->arg, i, claims->n, claims->claim[i].id);
     ok = judge_claim(&j, &claims->claim[i]);
   }
-  ok = ok && run_controls(&j, claims, controls, opt);
-  if (left_out) leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  ok = ok && judge_consequences(&j) && run_controls(&j, claims, controls, opt);
+  if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
+  ok = ok && studies(&j, opt);
+  if (ok) run_readings(&j, claims, opt);
   orbit_cache_free(j.cache);
+  dependences_free(rests);
   return ok;
 }

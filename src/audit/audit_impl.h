@@ -52,13 +52,16 @@ struct point {
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
-  slong orbit; /* POINT_ORBIT: index in the list of its parameters */
+  slong orbit;               /* POINT_ORBIT: index in the list of its parameters */
+  const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
 void point_init(struct point *p);
 void point_clear(struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
+/* Applies "chi=1/2,V=2" to the point. */
+bool point_set(struct point *p, const char *at, struct diag *d);
 
 /* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
 struct restriction {
@@ -69,12 +72,14 @@ struct restriction {
 extern const struct restriction restrictions[];
 extern const int n_restrictions;
 
-/* Orbits found so far, by parameters and precision. */
+/* Orbits found so far, by what is given and precision. */
 struct orbit_cache;
 struct orbit_cache *orbit_cache_new(void);
 void orbit_cache_free(struct orbit_cache *c);
 /* The orbits at five exact parameters, enclosed at prec bits. */
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
+/* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
+const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
 
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
@@ -120,6 +125,40 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
 void values_clear(struct values *v);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
+
+/* --- What the paper keeps of a phase's derivative --- */
+
+enum entering { STAYS_OUT, ENTERS, ENTERS_BY_CHI };
+enum { LOCAL_MOST = 3 };
+struct local_map {
+  const char *name; /* J_a */
+  enum phase phase;
+  int rows, cols;
+  enum entering in[LOCAL_MOST][N_STATE]; /* the perturbation at the start that a column stands for */
+  int keep[LOCAL_MOST];                  /* the component at the end that a row stands for */
+};
+extern const struct local_map local_maps[N_PHASES];
+/* The paper's matrix (rows x cols) from the 4x4 derivative. */
+int local_map_corner(struct num_vec *out, const struct local_map *m, const struct num_vec *local, const void *chi);
+/* The columns' perturbations as directions. */
+void local_map_directions(double dir[LOCAL_MOST][N_STATE], const struct local_map *m, double chi);
+
+/* --- Jacobians by one method --- */
+
+struct jacobian_job {
+  const struct model *model;
+  const struct scene *scene;
+  struct point point; /* POINT_ORBIT or POINT_PRINTED */
+  struct orbit_cache *cache;
+  struct diag *d;
+  struct coulomb_setup setup; /* of the simulation; made when first asked for */
+  bool setup_done, setup_good;
+};
+/* Does the method work in double precision, whatever is asked for? */
+bool method_is_double(enum jacobian_method method);
+/* The 2x2 Jacobian of the period (map NULL) or the paper's matrix of one phase, as balls at prec bits. */
+int jacobian_route(arb_ptr out, struct jacobian_job *job, enum jacobian_method method, enum layer layer,
+                   const struct local_map *map, slong prec);
 
 /* --- The model's quantities under the paper's names --- */
 
@@ -175,6 +214,9 @@ struct trial {
    every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
                                 struct orbit_cache *cache);
+/* Two vectors of balls (as long as each other, in one context) as the sides of equalities, decided in the same way at
+   their precision alone. */
+struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs);
 /* In a rounded type: agrees below tol max(1, scale), differs above sqrt(tol) max(1, scale). */
 struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enum variant variant, struct num_ctx ctx,
                                   double log_tol, struct orbit_cache *cache);
@@ -189,6 +231,7 @@ struct judge {
   struct audit_result *out;
   const struct model *model;
   const struct claims *claims;
+  const struct dependences *dependences; /* of these claims; NULL where no finding is described */
   const struct scene *scene;
   struct orbit_cache *cache;
   struct diag *d;
@@ -221,6 +264,7 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
@@ -234,6 +278,8 @@ kind_fn claim_kind(const char *name);
 
 /* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
 bool claim_tried_at_points(const struct claim *c);
+/* Does it take long, so that it is asked last when a formula is damaged? */
+bool claim_slow(const struct claim *c);
 
 /* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
    select some claim? */
@@ -266,27 +312,34 @@ struct route_word {
 };
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
-/* How many of the routes are pairwise independent enough to support a verdict. */
+/* How many of the routes agree and are pairwise independent by the table of routes.h. */
 int independent_routes(const struct route_word *w, int n);
-/* The table of what the routes share, as sentences. */
-extern const char *const route_independence[];
-extern const int n_route_independence;
 
+/* log2 of an upper bound of |x|; -inf for zero. */
+double log2_upper(const arb_t x);
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
 /* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
    equation number, since a formula is printed together with its parts? */
 bool claim_subject(const struct statement_record *r, const struct claim *c);
+/* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
+   the claim's equation number. */
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);
+/* The correction of a claim and what it replaces as LaTeX, and where they differ. */
+void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 /* Judges the sentence again with everything corrected and fills f->correction. */
 bool judge_correction(struct finding *f, struct judge *j, const struct claim *c, kind_fn kind);
 
-/* The point at the scene's own parameters that is like p in everything else; false when it has no orbit. */
+/* The point at the scene's own parameters that is like p in everything else; false when the scene has no orbit. */
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache);
 
-/* The printed state and times of the scene as a point; false when some are not printed. */
+/* What the scene gives, else prints, under a key's name; NULL when it does neither. */
+const fmpq *scene_number(const struct scene *s, enum scene_key key);
+/* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
+   false when some are neither printed nor given. */
 bool printed_point(struct point *out, const struct scene *s);
 /* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
@@ -307,9 +360,47 @@ bool printed_replace(struct printed_number *own, const struct printed_number **p
 
 /* Marks the claim as skipped, with the reason. */
 void finding_skip(struct finding *f, struct judge *j, const char *why);
+/* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry);
 /* x to n digits, or as a ball when it is not known that well. */
 const char *ball_text(struct judge *j, const arb_t x, slong n);
 
+/* --- What rests on what (depends.c, consequence.c) --- */
+
+struct dependences;
+/* Of all the claims, each with its own text as printed and all else corrected. */
+struct dependences *dependences_new(const struct model *m, const struct claims *claims);
+void dependences_free(struct dependences *d);
+/* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
+bool dependences_on(const struct dependences *d, size_t a, size_t b);
+/* Whether they reach a definition that is corrected under this equation number. */
+bool dependences_corrected(const struct dependences *d, size_t a, const char *equation);
+/* Whether the claim names the id by hand. */
+bool dependences_named(const struct claim *c, const char *id);
+/* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
+bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
+
+/* What each refuted claim that has a correction does to what is derived from it; completes the effects. */
+bool judge_consequences(struct judge *j);
+
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
+
+/* What became of a control; it is noticed when it is refuted. */
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
+/* Other work left out, with the reason. */
+void audit_leave_out(struct audit_result *out, const char *what, const char *why);
+
+/* Coulomb's law beside an orbit, under the friction u_ri = factor max(e_i, u_ri_min).  OWN_FRICTION is the factor that
+   audit_coulomb_setup takes where a scene gives no friction. */
+#define OWN_FRICTION 1.25
+int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
+                           double factor);
+
+/* Every pair of routes in the table of routes.h that compute the same quantity, held against each other at fixed random
+   points and on orbits, into out->pairs. */
+bool study_routes(struct judge *j);
+/* Runs over many periods beside the scene's orbit nearest to its printed numbers and beside orbits of other multipliers,
+   into out->long_runs. */
+void study_long_runs(struct judge *j);
 
 #endif

@@ -42,10 +42,11 @@ static bool check_equations(const char *path, const char *data, struct diag *d) 
 
 static bool known_attribute(const char *key) {
   static const char *const known[] = {
-      "equation", "section", "own",        "kind",         "value",        "statement",      "bound",
-      "points",   "routes",  "oracle",     "number",       "from",         "formula",        "fault",
-      "title",    "quote",   "depends-on", "record",       "effect",       "restricted",     "claim",
-      "shift",    "letter",  "range",      "perturbation", "record-scene", "repaired-range", "also-printed"};
+      "equation",     "section",        "own",          "kind",  "value",   "statement",  "bound", "points",
+      "routes",       "oracle",         "number",       "from",  "formula", "fault",      "title", "quote",
+      "depends-on",   "record",         "restricted",   "claim", "shift",   "letter",     "range", "perturbation",
+      "record-scene", "repaired-range", "also-printed", "check", "at",      "transition", "limit", "jumps",
+      "side",         "vary",           "friction",     "about"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;
@@ -72,7 +73,21 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   return true;
 }
 
-/* A file holds claims or controls; its first record says which. */
+static bool check_result(const struct claim *c, struct diag *d) {
+  static const char *const known[] = {"section", "title", "formula"};
+  for (size_t k = 0; k < c->record->n_fields; k++) {
+    const struct field *f = &c->record->fields[k];
+    bool ok = false;
+    for (size_t i = 0; f->attribute && i < sizeof known / sizeof *known; i++)
+      ok = ok || strcmp(known[i], f->key_name) == 0;
+    if (!ok)
+      return complain(c, f->attribute ? f->key.begin : f->value.begin, d, "a result has section, title and formula");
+  }
+  return (claim_get(c, "title") && claim_get(c, "formula")) ||
+         complain(c, c->record->id.begin, d, "a result has a title and a formula");
+}
+
+/* A file holds claims and results, or controls; its first record says which. */
 static bool check_claims(const char *path, struct diag *d) {
   struct claims c = {.n = 0};
   struct source src;
@@ -83,6 +98,7 @@ static bool check_claims(const char *path, struct diag *d) {
   record_file_clear(&f);
   ok = ok && claims_add_file(&c, path, control ? "control" : "claim", d);
   for (size_t i = 0; ok && i < c.n; i++) ok = check_claim(&c.claim[i], control, d);
+  for (size_t i = 0; ok && i < c.n_results; i++) ok = check_result(&c.result[i], d);
   claims_clear(&c);
   return ok;
 }

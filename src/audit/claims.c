@@ -6,10 +6,17 @@
 
 #include "stickslip/audit.h"
 
-static bool is_duplicate(const struct claims *c, const char *id) {
-  for (size_t i = 0; i < c->n; i++)
-    if (strcmp(c->claim[i].id, id) == 0) return true;
-  return false;
+/* One more record at the end of a list in which ids are unique. */
+static bool append(struct claim **list, size_t *n, size_t *cap, const struct record_file *f, const struct record *r,
+                   struct diag *d) {
+  for (size_t i = 0; i < *n; i++)
+    if (strcmp((*list)[i].id, r->id_name) == 0) {
+      diag_at(d, &f->src, r->id.begin, "%s %s is given twice", r->kind_name, r->id_name);
+      return false;
+    }
+  *list = ss_grow(*list, *n, cap, sizeof **list);
+  (*list)[(*n)++] = (struct claim){.id = r->id_name, .record = r, .file = f};
+  return true;
 }
 
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
@@ -21,17 +28,15 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
   if (!record_file_parse(f, src, d)) return false;
   for (size_t i = 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
-    if (strcmp(r->kind_name, kind) != 0) {
+    bool result = strcmp(kind, "claim") == 0 && strcmp(r->kind_name, "result") == 0;
+    if (strcmp(r->kind_name, kind) != 0 && !result) {
       diag_at(d, &f->src, r->kind.begin, "unknown record kind \"%s\"; this file holds \"%s ID\" records", r->kind_name,
               kind);
       return false;
     }
-    if (is_duplicate(c, r->id_name)) {
-      diag_at(d, &f->src, r->id.begin, "%s %s is given twice", kind, r->id_name);
+    if (!(result ? append(&c->result, &c->n_results, &c->cap_results, f, r, d)
+                 : append(&c->claim, &c->n, &c->cap, f, r, d)))
       return false;
-    }
-    c->claim = ss_grow(c->claim, c->n, &c->cap, sizeof *c->claim);
-    c->claim[c->n++] = (struct claim){.id = r->id_name, .record = r, .file = f};
   }
   return true;
 }
@@ -77,12 +82,18 @@ void claims_clear(struct claims *c) {
   }
   free(c->files);
   free(c->claim);
+  free(c->result);
   *c = (struct claims){.n = 0};
 }
 
 const char *claim_get(const struct claim *c, const char *key) {
   const char *v = c->control ? record_get(c->control, key) : NULL;
   return v ? v : record_get(c->record, key);
+}
+
+const char *claim_own(const struct claim *c) {
+  const char *own = claim_get(c, "own"), *equation = claim_get(c, "equation");
+  return own ? own : equation ? equation : c->id;
 }
 
 bool claim_selected(const char *id, const char *item) {

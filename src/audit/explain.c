@@ -38,8 +38,7 @@ static bool in_domain(const struct point *p) {
   return ok;
 }
 
-/* Applies "chi=1/2,V=2" to the point. */
-static bool set_point(struct point *p, const char *at, struct diag *d) {
+bool point_set(struct point *p, const char *at, struct diag *d) {
   for (const char *s = at; s && *s;) {
     size_t n = strcspn(s, ","), name = strcspn(s, "=");
     bool ok = false;
@@ -121,7 +120,10 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape) {
   struct point_spec spec[4];
-  if (!claim_get(c, "points")) return true;
+  if (!claim_get(c, "points")) {
+    if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
+    return !at;
+  }
   if (claim_points(spec, 4, j, c) < 1) return false;
   struct sentence s;
   struct sampler sampler;
@@ -134,7 +136,8 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   scene_point(&p, &drawn, j->scene, j->cache);
-  ok = ok && set_point(&p, at, j->d);
+  if (at) p.scene = NULL; /* other data than the scene's */
+  ok = ok && point_set(&p, at, j->d);
   if (ok && point_settle(&p, j->cache)) {
     struct text where;
     text_init(&where);
@@ -163,7 +166,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   }
   const struct claims no_controls = {.n = 0};
   struct audit_result r;
-  struct audit_options opt = {&id, 1, NULL, NULL};
+  struct audit_options opt = {&id, 1, NULL, NULL, false};
   audit_result_init(&r);
   bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
   const struct finding *f = NULL;
@@ -180,9 +183,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_line(out, "routes", claim_get(c, "routes"));
     add_verdict(out, f);
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
-    const char *own = claim_get(c, "own");
-    if (!own) own = claim_get(c, "equation");
-    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, own ? own : c->id, NULL}, at, tape);
+    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, claim_own(c), NULL}, at, tape);
     orbit_cache_free(j.cache);
   }
   audit_result_clear(&r);

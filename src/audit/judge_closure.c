@@ -5,19 +5,37 @@
 
 #include "audit_impl.h"
 
+/* The scene's parameters; e1 and e2 that it does not give are those of its orbit nearest to the printed numbers. */
+static int scene_params(struct num_vec *params, struct judge *j) {
+  const struct num_type *t = params->ctx.type;
+  struct point p;
+  int s = SS_OK;
+  for (int k = 0; k < N_PARAMS; k++) s |= t->set_q(num_vec_at(params, k), &j->scene->value[k], params->ctx.prec);
+  if (scene_has_forces(j->scene)) return s;
+  point_init(&p);
+  if (nearest_orbit_point(&p, j->scene, j->cache)) {
+    const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
+    if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
+    if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
+  } else {
+    s |= SS_DOMAIN;
+  }
+  point_clear(&p);
+  return s;
+}
+
 /* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
    r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],
    slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
-static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, const struct scene *scene, arb_srcptr start) {
+static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *j, arb_srcptr start) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct num_vec params, jac;
   struct dyn_arc arc;
   num_vec_init(&params, N_PARAMS, ctx);
   num_vec_init(&jac, 4, ctx);
   dyn_arc_init(&arc, ctx);
-  int s = SS_OK;
-  for (int k = 0; k < N_PARAMS; k++) s |= ctx.type->set_q(num_vec_at(&params, k), &scene->value[k], ctx.prec);
-  s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
+  int s = scene_params(&params, j);
+  if (s == SS_OK) s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
   if (s == SS_OK) s |= dyn_return_jacobian(&jac, &params, &arc);
   for (int i = 0; i < 2; i++) {
     arb_sub(gap + 1 + i, num_vec_at(&arc.z, 16 + i), start + i, FIRST_PREC);
@@ -39,8 +57,8 @@ static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
   arb_t d;
   arb_init(d);
   for (int i = 0; i < 2; i++) arb_get_mid_arb(middle + i, z + i);
-  int s = closing_gap(at_middle, unused + 3, NULL, j->scene, middle);
-  s |= closing_gap(unused, slope, NULL, j->scene, z);
+  int s = closing_gap(at_middle, unused + 3, NULL, j, middle);
+  s |= closing_gap(unused, slope, NULL, j, z);
   arb_set(gap, at_middle);
   for (int i = 0; i < 2; i++) {
     arb_sub(d, z + i, middle + i, FIRST_PREC);
@@ -80,7 +98,7 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   arb_ptr v = _arb_vec_init(11);
   arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
-  if (closing_gap(gap, slope, t, j->scene, start) == SS_OK) {
+  if (closing_gap(gap, slope, t, j, start) == SS_OK) {
     finding_state(f, j->out, "model", FIRST_PREC, "the printed start, taken exactly",
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
@@ -94,8 +112,8 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)view;
   const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
-  if (!z[0] || !z[1] || !scene_has_forces(j->scene)) {
-    finding_skip(f, j, "the scene prints no initial state, or does not give e1 and e2");
+  if (!z[0] || !z[1] || (!scene_has_forces(j->scene) && scene_orbits(j->scene, j->cache)->n == 0)) {
+    finding_skip(f, j, "the scene prints no initial state, or has neither e1 and e2 nor an orbit that has");
     return true;
   }
   struct printed_number own;

@@ -1,97 +1,234 @@
-/* The stability criterion: against the fate of points beside orbits, and what it says about the scene. */
+/* The stability criterion against what the return map does, and what the criterion says about the scene.
+
+   The map is one-dimensional (r at the stick phase to r at the end of phase C), so that its fixed point is decided without
+   any Jacobian: by the ratio |R(r_0 + d) - r_0|/|d| at a d so small that nothing else counts, and by iteration. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "behaviour.h"
 
-/* Does the return map, iterated in double from beside its fixed point, come back (+1), leave (-1), or neither (0)? */
-static int iterate(const double params[N_PARAMS], double r0) {
-  enum { STEPS = 400 };
-  double delta = 1e-4 * fmax(1.0, fabs(r0)), r = r0 + delta;
-  for (int i = 0; i < STEPS; i++) {
-    double t[4], next;
-    if (dyn_return_map_d(&next, NULL, t, params, r, &dyn_limits_default) != SS_OK) return -1;
-    r = next;
-    if (fabs(r - r0) < 0.01 * delta) return 1;
-    if (fabs(r - r0) > 10 * delta) return -1;
+enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
+enum { INSIDE, OUTSIDE, N_SIDES };
+
+/* What is found at orbits; sides are those of the slope. */
+struct tried {
+  long as_said[N_SIDES], against[N_SIDES];       /* the sentence against the slope */
+  long near[N_NEAR][N_SIDES];                    /* orbits with a slope within 0.05 of -1, of 1 */
+  long fate_as_said, fate_against, fate_open;    /* the sentence against the iterates */
+  long moved_as_said, moved_against, moved_open; /* and against motions beside admissible orbits */
+  double nearest[N_NEAR][N_SIDES];               /* the slopes nearest to -1 and 1 */
+  const char *where;
+};
+
+/* (R(r_0 + 2^-100) - R(r_0))/2^-100 in MPFR. */
+static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
+  enum { PREC = 384, STEP = -100 };
+  struct num_ctx ctx = num_ctx_mpfr(PREC);
+  struct num_vec params, z, r;
+  struct dyn_arc arc;
+  int s = SS_OK;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&z, 4, ctx); /* z_1, z_2 at r; scratch; the step */
+  num_vec_init(&r, 2, ctx);
+  dyn_arc_init(&arc, ctx);
+  for (int i = 0; i < N_PARAMS; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &p->q[i], PREC);
+  s |= ctx.type->set_d(num_vec_at(&z, 3), ldexp(1, STEP), PREC);
+  for (int side = 0; s == SS_OK && side < 2; side++) {
+    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC);
+    s |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
+    if (side) s |= ctx.type->add(num_vec_at(&z, 1), num_vec_at(&z, 1), num_vec_at(&z, 3), PREC);
+    s |= dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+    s |= ctx.type->sub(num_vec_at(&r, side), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
+                       num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), PREC);
+  }
+  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&r, 0), PREC);
+  s |= ctx.type->div(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 3), PREC);
+  *slope = ctx.type->get_d(num_vec_at(&r, 1));
+  s |= ctx.type->abs(num_vec_at(&r, 1), num_vec_at(&r, 1), PREC);
+  s |= ctx.type->set_d(num_vec_at(&z, 2), 1, PREC);
+  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 2), PREC);
+  *margin = ctx.type->get_d(num_vec_at(&r, 1));
+  dyn_arc_clear(&arc);
+  num_vec_clear(&r);
+  num_vec_clear(&z);
+  num_vec_clear(&params);
+  return s;
+}
+
+int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps) {
+  double r = r0 + offset, t[4];
+  for (long i = 0; i < steps; i++) {
+    if (dyn_return_map_d(&r, NULL, t, params, r, &dyn_limits_default) != SS_OK) return -1;
+    if (fabs(r - r0) < 0.5 * fabs(offset)) return 1;
+    if (fabs(r - r0) > 2 * fabs(offset)) return -1;
   }
   return 0;
 }
 
-static void criterion_at(long count[6], struct judge *j, struct view view, const struct point *p) {
+double orbit_r(const struct dyn_orbit *o) {
+  return arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
+}
+
+/* The same under Coulomb's law, integrated from positions beside an admissible orbit. */
+static int motion_fate(const struct point *p, const struct dyn_orbit *o, long periods) {
+  struct motion m;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!motion_on_orbit(&m, p, o, 1.25)) return 0;
+  double r0 = m.start[Z_2] - m.start[Z_1], offset = 1e-5 * fabs(r0);
+  m.start[Z_2] += offset;
+  plan.returns = periods;
+  plan.max_events = 8 * periods;
+  struct told t = motion_tell(BY_INTEGRATION, &m, &plan);
+  double off = fabs(t.result.at.x[1] - t.result.at.x[0] - r0) / offset;
+  int fate = t.status != SS_OK ? 0 : off < 0.5 ? 1 : off > 2 ? -1 : 0;
+  told_clear(&t);
+  return fate;
+}
+
+static void book(long *as_said, long *against, long *open, int fate, bool stable) {
+  *(fate == 0 ? open : (fate > 0) == stable ? as_said : against) += 1;
+}
+
+static void note_near(struct tried *t, double slope, int side) {
+  int near = slope < 0 ? NEAR_BELOW : NEAR_ABOVE;
+  double off = fabs(fabs(slope) - 1);
+  if (off < 0.05) t->near[near][side]++;
+  if (!(t->nearest[near][side] != 0 && fabs(fabs(t->nearest[near][side]) - 1) <= off)) t->nearest[near][side] = slope;
+}
+
+/* only: the side that the claim speaks of, or N_SIDES. */
+static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, const struct point *p, int only) {
+  enum { MOTIONS = 6 };
   const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-  if (o->grazing) return;
-  arb_ptr tr = _arb_vec_init(16);
-  int n;
-  if (expression_at(tr, &n, view, "tr(J)", "stability", p, FIRST_PREC, j->cache, j->d) == SS_OK && n == 1) {
-    count[arb_overlaps(tr, o->trace) ? 0 : 1]++;
-    arb_t m;
-    arb_init(m);
-    arb_abs(m, tr);
-    arb_sub_si(m, m, 1, FIRST_PREC);
-    double params[N_PARAMS], margin = arf_get_d(arb_midref(m), ARF_RND_NEAR);
-    for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-    double r0 = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
-    if (fabs(margin) > 0.05) { /* nearer to 1 the iteration is too slow to tell */
-      int fate = iterate(params, r0);
-      count[fate == 0 ? 4 : (fate > 0) == (margin < 0) ? 2 : 3]++;
-      if (margin < 0) count[5]++;
-    }
-    arb_clear(m);
+  double margin, slope, params[N_PARAMS];
+  if (o->grazing || slope_by_difference(&margin, &slope, p, o) != SS_OK || fabs(margin) < 1e-9) return;
+  int side = margin < 0 ? INSIDE : OUTSIDE;
+  if (only != N_SIDES && only != side) return;
+  struct trial said = sentence_try_balls(s, p, VARIANT_CLOSED, j->cache);
+  if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
+  bool stable = said.outcome == OUTCOME_AGREES;
+  note_near(t, slope, side);
+  t->as_said[side] += stable == (side == INSIDE);
+  t->against[side] += stable != (side == INSIDE);
+  if (stable != (side == INSIDE) && !t->where) {
+    struct text where;
+    text_init(&where);
+    point_print(&where, p);
+    t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
+    text_clear(&where);
   }
-  _arb_vec_clear(tr, 16);
+  if (fabs(margin) < 0.002) return; /* the iterates would need too long */
+  long steps = 8 + (long)(1.5 / fabs(margin));
+  double r0 = orbit_r(o);
+  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
+  book(&t->fate_as_said, &t->fate_against, &t->fate_open, return_map_fate(params, r0, 1e-5 * fabs(r0), steps), stable);
+  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
+  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_fate(p, o, steps), stable);
+}
+
+static enum says says_of(long as_said, long against, long open) {
+  return against ? SAYS_DIFFERS : open ? SAYS_UNDECIDED : as_said ? SAYS_AGREES : SAYS_NOTHING;
+}
+
+static void conclude(struct behaviour *b, const struct tried *t) {
+  struct route_word w[3];
+  long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
+  struct text note;
+  text_init(&note);
+  text_printf(&note,
+              "the slope of the one-dimensional return map, by a difference over 2^-100 in 384 bits: as the criterion "
+              "says at %ld orbits with |slope| < 1 and %ld with |slope| > 1, against it at %ld; of them within 0.05",
+              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  for (int near = 0; near < N_NEAR; near++)
+    for (int side = 0; side < N_SIDES; side++) {
+      text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
+                  side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
+      if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
+    }
+  w[0] = behaviour_say(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
+                       result_str(b->j->out, "%s", text_str(&note)));
+  text_clear(&note);
+  w[1] = behaviour_say(
+      b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
+      t->fate_as_said + t->fate_against + t->fate_open, NULL,
+      result_str(b->j->out,
+                 "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
+                 t->fate_as_said, t->fate_against, t->fate_open));
+  w[2] = behaviour_say(
+      b, "integration", "model", says_of(t->moved_as_said, t->moved_against, t->moved_open), false,
+      t->moved_as_said + t->moved_against + t->moved_open, NULL,
+      result_str(b->j->out,
+                 "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
+                 t->moved_as_said, t->moved_against));
+  b->f->verdict = verdict_of(w, 3, false);
+}
+
+static bool read_side(int *only, struct judge *j, const struct claim *c) {
+  const char *side = claim_get(c, "side");
+  *only = !side ? N_SIDES : strcmp(side, "inside") == 0 ? INSIDE : OUTSIDE;
+  return !side || *only == INSIDE || strcmp(side, "outside") == 0 ||
+         claim_error(j, c, "side", "\"inside\" or \"outside\" the unit circle");
+}
+
+/* What a claim tries: the sentence, the side it speaks of, orbits tried so far. */
+struct trying {
+  struct tried t;
+  struct sentence sentence;
+  struct behaviour *b;
+  struct orbit_set seen;
+  int only;
+};
+
+static void try_once(struct trying *y, const struct point *p) {
+  const struct dyn_orbit *o = &orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  if (orbit_is_new(&y->seen, o)) try_orbit(&y->t, &y->sentence, y->b->j, p, y->only);
+}
+
+/* Every orbit at the parameter sets of the attribute "at", separated by semicolons. */
+static bool try_given(struct trying *y, struct point *p) {
+  for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
+    if (*at == ';') at++;
+    if (!behaviour_params(p, y->b, at)) return false;
+    slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
+    for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
+  }
+  return true;
+}
+
+/* Orbits of the pool, every other one among those that the masses can follow. */
+static void try_pool(struct trying *y, struct point *p) {
+  enum { DRAWS = 128 };
+  struct sampler s;
+  sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  for (int i = 0; i < DRAWS; i++) {
+    sampler_next(p, &s);
+    s.admissible = !s.admissible;
+    if (point_settle(p, y->b->j->cache)) try_once(y, p);
+  }
 }
 
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  enum { ORBITS = 24, DRAWS = 200 };
-  struct sampler s;
+  const char *statement = claim_get(c, "statement");
+  struct behaviour b = {f, j, c, view};
+  struct trying y = {.b = &b};
   struct point p;
-  long count[6] = {0}; /* traces overlap, differ; fate as said, against, undecided; stable orbits among them */
-  sampler_init(&s, c->id, POINT_ORBIT, PHASE_D, NULL);
+  if (!read_side(&y.only, j, c)) return false;
+  if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
+  if (!sentence_from_record(&y.sentence, view, statement, NULL, 0, j->d)) return false;
   point_init(&p);
-  for (int i = 0; i < DRAWS && count[2] + count[3] < ORBITS; i++) {
-    sampler_next(&p, &s);
-    if (point_settle(&p, j->cache)) criterion_at(count, j, view, &p);
-  }
+  bool ok = try_given(&y, &p);
+  if (ok) try_pool(&y, &p);
   point_clear(&p);
-  struct route_word w[2] = {{"balls",
-                             count[1]   ? SAYS_DIFFERS
-                             : count[0] ? SAYS_AGREES
-                                        : SAYS_NOTHING,
-                             true, count[0] + count[1]},
-                            {"iteration",
-                             count[3]   ? SAYS_DIFFERS
-                             : count[4] ? SAYS_UNDECIDED
-                             : count[2] ? SAYS_AGREES
-                                        : SAYS_NOTHING,
-                             false, count[2] + count[3] + count[4]}};
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = layer_name[view.layer];
-  e->result = words[w[0].says];
-  e->bits = FIRST_PREC;
-  e->trials = w[0].trials;
-  e->note = result_str(j->out, "tr J of the paper's chain against the slope of the return map: %ld agree, %ld differ",
-                       count[0], count[1]);
-  e = finding_add(f, j->out);
-  e->route = "iteration";
-  e->layer = "model";
-  e->result = words[w[1].says];
-  e->bits = 53;
-  e->trials = w[1].trials;
-  e->note = result_str(j->out,
-                       "from beside the orbit the iterates come back where |tr J| < 1 (%ld orbits) and leave "
-                       "elsewhere: %ld as said, %ld against, %ld undecided",
-                       count[5], count[2], count[3], count[4]);
-  f->verdict = verdict_of(w, 2, false);
-  return !j->d->set;
+  sentence_clear(&y.sentence);
+  if (ok) conclude(&b, &y.t);
+  return ok && !j->d->set;
 }
 
 /* What the criterion says about the scene; the paper draws no conclusion, so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  (void)c;
+  const char *trace = claim_get(c, "formula");
+  if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   for (slong i = 0; i < list->n; i++) {
@@ -111,7 +248,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     arb_ptr tr = _arb_vec_init(16);
     int n;
-    if (expression_at(tr, &n, v, "tr(J)", "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
+    if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, layer_name[layer], FIRST_PREC, "the printed numbers, taken exactly",
                     result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
     }

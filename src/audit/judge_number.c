@@ -42,6 +42,52 @@ static int number_at(arb_t x, const struct number_job *n, const struct point *p)
   return s;
 }
 
+/* k / 10^decimals in plain notation. */
+static void decimal_text(struct text *out, const fmpz_t k, slong decimals) {
+  fmpz_t a;
+  fmpz_init(a);
+  fmpz_abs(a, k);
+  char *s = fmpz_get_str(NULL, 10, a);
+  slong len = (slong)strlen(s), whole = len > decimals ? len - decimals : 0;
+  if (fmpz_sgn(k) < 0) text_add_char(out, '-');
+  if (whole == 0) text_add_char(out, '0');
+  text_add_n(out, s, (size_t)whole);
+  if (decimals > 0) text_add_char(out, '.');
+  for (slong i = len; i < decimals; i++) text_add_char(out, '0');
+  text_add(out, s + whole);
+  flint_free(s);
+  fmpz_clear(a);
+}
+
+/* The quantity in units of the last printed digit, rounded to nearest: proved by its enclosure. */
+static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
+  arb_t units;
+  fmpz_t k;
+  arb_init(units);
+  fmpz_init(k);
+  arb_set_fmpq(units, &n->p->unit, LAST_PREC);
+  arb_div(units, x, units, LAST_PREC);
+  arb_mul_2exp_si(units, units, 1);
+  arb_add_si(units, units, 1, LAST_PREC);
+  arb_mul_2exp_si(units, units, -1);
+  arb_floor(units, units, LAST_PREC);
+  if (arb_get_unique_fmpz(k, units)) {
+    struct text digits, latex;
+    text_init(&digits);
+    text_init(&latex);
+    fmpz_mul(k, k, fmpq_numref(&n->p->unit));
+    decimal_text(&digits, k, (slong)fmpz_sizeinbase(fmpq_denref(&n->p->unit), 10) - 1);
+    name_latex(&latex, n->p->name);
+    f->correction = result_str(n->j->out, "%s = %s", n->p->name, text_str(&digits));
+    f->correction_latex = result_str(n->j->out, "%s = %s", text_str(&latex), text_str(&digits));
+    f->correction_verdict = VERDICT_PROVED;
+    text_clear(&latex);
+    text_clear(&digits);
+  }
+  fmpz_clear(k);
+  arb_clear(units);
+}
+
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
 static truth number_on_orbits(struct route_word *w, struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
@@ -68,6 +114,7 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
       text_printf(&note, ", which prints as %s when %s. ", n->p->decimal, reading_name[how]);
     else
       text_printf(&note, ", %s units of the last printed digit away. ", units_off(j, x, n->p));
+    if (t == TRUTH_FALSE) correct_number(f, n, x);
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "printed %s, computed %s: off by %s units of the last printed digit",
                              n->p->decimal, ball_text(j, x, 10), units_off(j, x, n->p));
@@ -91,11 +138,12 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
   return t;
 }
 
-/* Whether some reading of the printed digits of e1 and e2 rescues the number: the orbit at the corners of their box. */
+/* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at the
+   corners of their box. */
 static void number_rescue(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   const struct printed_number *pe[2] = {scene_printed(j->scene, "e1"), scene_printed(j->scene, "e2")};
-  if (!pe[0] || !pe[1]) return;
+  if (!pe[0] || !pe[1] || !scene_has_forces(j->scene)) return;
   struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
   fmpq_t shift;
   fmpq_init(shift);
@@ -191,10 +239,6 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   n.view.layer = LAYER_CORRECTED;
   if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
   n.p = scene_printed(j->scene, name);
-  if (!scene_has_forces(j->scene)) {
-    finding_skip(f, j, "the scene does not give e1 and e2");
-    return true;
-  }
   if (!n.p) {
     finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
     return true;

@@ -269,10 +269,15 @@ static struct trial try_route(struct run *r, struct tally *t, const struct point
   return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
 }
 
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry) {
+  if (n == 1) return "";
+  if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
+  return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
+}
+
 static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
-  if (s->n == 1) return "";
-  if (s->cols <= 1) return result_str(out, "entry %ld: ", (long)entry + 1);
-  return result_str(out, "entry [%ld,%ld]: ", (long)(entry / s->cols) + 1, (long)(entry % s->cols) + 1);
+  const char *place = entry_place(out, s->n, s->cols, entry);
+  return *place ? result_str(out, "entry %s: ", place) : "";
 }
 
 /* Books a trial; false when the claim itself cannot be evaluated. */
@@ -424,33 +429,16 @@ static bool run_all(struct finding *f, struct run *r, struct judge *j, const str
 /* --- What a refutation means --- */
 
 bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
-  if (!scene_has_forces(s)) return false;
+  out->scene = s;
   out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
   out->phase = p->phase;
   out->finite = p->finite;
   out->admissible = p->admissible;
   out->orbit = 0;
   for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
-  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
   return point_settle(out, cache);
-}
-
-/* tr J by the all-printed and the all-corrected chain, when the sentence stands in the chain. */
-static void trace_effect(struct text *out, struct run *r, const struct point *p, const char *where) {
-  arb_ptr tr = _arb_vec_init(32);
-  int n = 0, s = SS_OK;
-  for (int layer = 0; layer < N_LAYERS; layer++) {
-    struct view v = {r->view.model, (enum layer)layer, NULL, r->view.control};
-    s |= expression_at(tr + 16 * layer, &n, v, "tr(J)", "stability", p, FIRST_PREC, r->j->cache, NULL);
-  }
-  arb_srcptr printed = tr + 16 * LAYER_PRINTED, corrected = tr + 16 * LAYER_CORRECTED;
-  if (s == SS_OK && n == 1 && arb_overlaps(printed, corrected))
-    text_printf(out, "%s the all-printed and the corrected chain give the same tr J = %s. ", where,
-                ball_text(r->j, corrected, 6));
-  else if (s == SS_OK && n == 1)
-    text_printf(out, "%s the all-printed chain gives tr J = %s, the corrected one %s. ", where,
-                ball_text(r->j, printed, 6), ball_text(r->j, corrected, 6));
-  _arb_vec_clear(tr, 32);
 }
 
 static void describe_effect(struct finding *f, struct run *r) {
@@ -468,11 +456,6 @@ static void describe_effect(struct finding *f, struct run *r) {
     if (tr.outcome == OUTCOME_DIFFERS)
       text_printf(&t, "At the scene's own parameters: %s%s against %s. ",
                   entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
-  }
-  const char *chain = claim_get(r->c, "effect");
-  if (chain && strcmp(chain, "trace") == 0) {
-    if (r->example.kind == POINT_ORBIT) trace_effect(&t, r, &r->example, "At the point of the certificate");
-    if (have && p.kind == POINT_ORBIT) trace_effect(&t, r, &p, "On the scene's first orbit");
   }
   while (t.len && t.data[t.len - 1] == ' ') t.data[--t.len] = '\0';
   f->effect = result_str(r->j->out, "%s", text_str(&t));

@@ -8,7 +8,7 @@
 #include "workers.h"
 
 #define FATE_STRING(upper, lower) #lower,
-const char *const fate_name[N_FATES] = {FATES(FATE_STRING)};
+const char *const mutant_fate_name[N_MUTANT_FATES] = {FATES(FATE_STRING)};
 
 /* A claim as things stand: what it reads, what it says. */
 struct reader {
@@ -159,11 +159,12 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
 
 /* --- One mutant --- */
 
-static enum fate fate_in_place(struct run *r, const struct target *t) {
+static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
   bool any = false;
   for (size_t i = 0; i < r->n_readers; i++) {
     if (!reads(&r->reader[i], t)) continue;
     any = true;
+    if (claim_slow(r->reader[i].claim)) continue;
     enum notice n = ask_quickly(r, &r->reader[i]);
     if (n == BROKEN) return FATE_UNREADABLE;
     if (n == CHANGED) return FATE_NOTICED;
@@ -185,7 +186,7 @@ static void try_mutant(void *result, size_t i, void *arg) {
   const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
   const struct target *t = &r->mutants.target[m->target];
   overlay_set(&r->overlay, t, m->edit.stmt);
-  enum fate f = fate_in_place(r, t);
+  enum mutant_fate f = fate_in_place(r, t);
   overlay_set(&r->overlay, t, NULL);
   memcpy(result, &f, sizeof f);
 }
@@ -240,7 +241,8 @@ static const char *readers_of(struct mutation_result *out, const struct run *r, 
   return s;
 }
 
-static void add_survivor(struct mutation_result *out, const struct run *r, const struct mutant *m, enum fate fate) {
+static void add_survivor(struct mutation_result *out, const struct run *r, const struct mutant *m,
+                         enum mutant_fate fate) {
   const struct target *t = &r->mutants.target[m->target];
   const struct statement_record *rec = &r->model->records[t->record];
   struct survivor s = {.fate = fate,
@@ -266,7 +268,7 @@ static void add_survivor(struct mutation_result *out, const struct run *r, const
   out->survivor[out->n_survivors++] = s;
 }
 
-static void report(struct mutation_result *out, const struct run *r, const enum fate *fate) {
+static void report(struct mutation_result *out, const struct run *r, const enum mutant_fate *fate) {
   out->kind = arena_alloc(&out->arena, N_EDIT_KINDS * sizeof *out->kind);
   out->n_kinds = N_EDIT_KINDS;
   for (int k = 0; k < N_EDIT_KINDS; k++) out->kind[k].name = edit_kind_name[k];
@@ -315,7 +317,7 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
     ok = mutants_any(&r.mutants, m, opt->only[i]);
     if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
   }
-  enum fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
+  enum mutant_fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
   ok = ok && read_all(&r, d) && workers_run(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
   if (ok) report(out, &r, fate);
   free(fate);
@@ -336,7 +338,7 @@ void mutation_result_clear(struct mutation_result *r) {
 
 long mutation_row_total(const struct mutation_row *r) {
   long n = 0;
-  for (int i = 0; i < N_FATES; i++) n += r->count[i];
+  for (int i = 0; i < N_MUTANT_FATES; i++) n += r->count[i];
   return n;
 }
 

@@ -1,6 +1,4 @@
-/* The model's own quantities under the names that the paper gives its formulas.  A local Jacobian of the paper is a
-   corner of the 4x4 derivative of an event-located map: which perturbations go in, and which come out, is said here
-   once, from the paper's own sentences around (27), (32), (36) and (40). */
+/* The model's own quantities under the names that the paper gives its formulas. */
 #include <string.h>
 
 #include "audit_impl.h"
@@ -34,78 +32,22 @@ static int ensure_local(struct values *v) {
   return s;
 }
 
-/* out (4) = local Jacobian of the phase times dz (4). */
-static int push(struct num_vec *out, struct values *v, int ph, const struct num_vec *dz) {
-  struct num_vec j;
-  num_vec_init(&j, 16, v->ctx);
-  for (int i = 0; i < 16; i++) v->ctx.type->set(num_vec_at(&j, i), num_vec_at(&v->local, 16 * ph + i));
-  int s = num_mat_mul(out, &j, dz, 4, 4, 1);
-  num_vec_clear(&j);
-  return s;
-}
-
-/* Columns: perturbations that enter the phase; rows: the components that the paper keeps at its end. */
-static int corner(struct num_vec *out, struct values *v, int ph, const struct num_vec *in, int n_in, const int *rows,
-                  int n_rows) {
+static int local_of(struct num_vec *out, struct values *v, enum phase ph) {
   int s = ensure_local(v);
-  if (s) return s;
-  struct num_vec dz, end;
-  num_vec_init(&dz, 4, v->ctx);
-  num_vec_init(&end, 4, v->ctx);
-  for (int k = 0; k < n_in; k++) {
-    for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&dz, i), num_vec_at(in, 4 * k + i));
-    s |= push(&end, v, ph, &dz);
-    for (int i = 0; i < n_rows; i++) v->ctx.type->set(num_vec_at(out, i * n_in + k), num_vec_at(&end, rows[i]));
-  }
-  num_vec_clear(&end);
-  num_vec_clear(&dz);
-  return s;
+  struct num_vec local = {v->ctx, 16, num_vec_at(&v->local, 16 * (slong)ph)};
+  return s ? s : local_map_corner(out, &local_maps[ph], &local, num_vec_at(&v->params, P_CHI));
 }
-
-/* in: n vectors of 4 as small integers. */
-static void put_units(struct num_vec *in, const int *unit, int n) {
-  for (int i = 0; i < 4 * n; i++) in->ctx.type->set_d(num_vec_at(in, i), unit[i], in->ctx.prec);
-}
-
-/* (27): (x, y) -> y_a. */
 static int eval_ja(struct num_vec *out, struct values *v) {
-  struct num_vec in;
-  num_vec_init(&in, 8, v->ctx);
-  put_units(&in, (const int[]){1, 0, 0, 0, 0, 1, 0, 0}, 2);
-  int s = corner(out, v, PHASE_D, &in, 2, (const int[]){Z_2}, 1);
-  num_vec_clear(&in);
-  return s;
+  return local_of(out, v, PHASE_D);
 }
-
-/* (32): y_a, with x_a = chi y_a from the switching condition, -> (y_b, u_b). */
 static int eval_jb(struct num_vec *out, struct values *v) {
-  struct num_vec in;
-  num_vec_init(&in, 4, v->ctx);
-  put_units(&in, (const int[]){0, 1, 0, 0}, 1);
-  v->ctx.type->set(num_vec_at(&in, 0), num_vec_at(&v->params, P_CHI));
-  int s = corner(out, v, PHASE_GAMMA, &in, 1, (const int[]){Z_2, DZ_1}, 2);
-  num_vec_clear(&in);
-  return s;
+  return local_of(out, v, PHASE_GAMMA);
 }
-
-/* (36): (x_b, u_b), with y_b = x_b from the switching condition, -> (x_c, y_c, v_c). */
 static int eval_jc(struct num_vec *out, struct values *v) {
-  struct num_vec in;
-  num_vec_init(&in, 8, v->ctx);
-  put_units(&in, (const int[]){1, 1, 0, 0, 0, 0, 1, 0}, 2);
-  int s = corner(out, v, PHASE_H, &in, 2, (const int[]){Z_1, Z_2, DZ_2}, 3);
-  num_vec_clear(&in);
-  return s;
+  return local_of(out, v, PHASE_H);
 }
-
-/* (40): (x_c, y_c, v_c), with u_c = 0, -> (x_f, y_f). */
 static int eval_jf(struct num_vec *out, struct values *v) {
-  struct num_vec in;
-  num_vec_init(&in, 12, v->ctx);
-  put_units(&in, (const int[]){1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 1}, 3);
-  int s = corner(out, v, PHASE_C, &in, 3, (const int[]){Z_1, Z_2}, 2);
-  num_vec_clear(&in);
-  return s;
+  return local_of(out, v, PHASE_C);
 }
 
 /* (41): (x, y) -> (x_f, y_f), the whole map and not the product of the four. */

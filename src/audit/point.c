@@ -29,7 +29,14 @@ void point_print(struct text *out, const struct point *p) {
                {"t_d", Q_TD, 16},   {"t", Q_T, 3},       {"z_10", Q_Z1, 20},    {"z_20", Q_Z2, 20},
                {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
-  for (size_t i = 0; i < sizeof shown / sizeof *shown; i++) {
+  bool of_scene = p->kind == POINT_ORBIT && p->scene;
+  for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {
+    if (!p->scene->given[k]) continue;
+    text_printf(out, "%s%s = ", sep, scene_key_name[k]);
+    num_print_q(out, &p->scene->value[k]);
+    sep = ", ";
+  }
+  for (size_t i = 0; !of_scene && i < sizeof shown / sizeof *shown; i++) {
     if (!(shown[i].kinds >> p->kind & 1U)) continue;
     text_printf(out, "%s%s = ", sep, shown[i].name);
     num_print_q(out, &p->q[shown[i].q]);
@@ -38,60 +45,11 @@ void point_print(struct text *out, const struct point *p) {
   if (p->kind == POINT_ORBIT) text_printf(out, ", orbit %ld", (long)p->orbit + 1);
 }
 
-/* --- Orbits, found once --- */
-
-struct cached {
-  fmpq params[N_PARAMS];
-  slong prec;
-  struct dyn_orbits list;
-};
-struct orbit_cache {
-  struct cached **item;
-  size_t n, cap;
-};
-
-struct orbit_cache *orbit_cache_new(void) {
-  struct orbit_cache *c = ss_malloc(sizeof *c);
-  *c = (struct orbit_cache){.n = 0};
-  return c;
-}
-
-void orbit_cache_free(struct orbit_cache *c) {
-  for (size_t i = 0; i < c->n; i++) {
-    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&c->item[i]->params[k]);
-    dyn_orbits_clear(&c->item[i]->list);
-    free(c->item[i]);
-  }
-  free(c->item);
-  free(c);
-}
-
-const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
-  for (size_t i = 0; i < c->n; i++) {
-    bool same = c->item[i]->prec == prec;
-    for (int k = 0; same && k < N_PARAMS; k++) same = fmpq_equal(&c->item[i]->params[k], &params[k]);
-    if (same) return &c->item[i]->list;
-  }
-  c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
-  struct cached *e = ss_malloc(sizeof *e);
-  c->item[c->n++] = e;
-  e->prec = prec;
-  for (int k = 0; k < N_PARAMS; k++) {
-    fmpq_init(&e->params[k]);
-    fmpq_set(&e->params[k], &params[k]);
-  }
-  dyn_orbits_find(&e->list, params, prec, &dyn_limits_default);
-  return &e->list;
-}
-
-/* One enclosure serves every precision up to FD_PREC, so that an orbit is searched once. */
-static slong orbit_prec(slong prec) {
-  return (prec > FD_PREC ? prec : FD_PREC) + 64;
-}
+/* --- Which orbit --- */
 
 bool point_settle(struct point *p, struct orbit_cache *c) {
   if (p->kind != POINT_ORBIT) return true;
-  const struct dyn_orbits *list = orbit_cache_get(c, p->q, orbit_prec(FIRST_PREC));
+  const struct dyn_orbits *list = point_orbits(p, c, FIRST_PREC);
   slong n = 0;
   for (slong i = 0; i < list->n; i++) n += !p->admissible || list->orbit[i].admissible == TRUTH_TRUE;
   if (n == 0) return false;
@@ -178,6 +136,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->phase = s->phase;
   p->finite = s->finite;
   p->admissible = s->admissible;
+  p->scene = NULL;
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */
@@ -304,6 +263,18 @@ static int init_printed(struct values *v) {
   return s;
 }
 
+/* e1 and e2 where the scene does not give them: those of the orbit. */
+static int set_limits(struct values *v, const struct dyn_orbit *o) {
+  const struct num_type *t = v->ctx.type;
+  int s = SS_OK;
+  for (int i = 0; i < 2; i++) {
+    if (v->point->scene->given[KEY_E1 + i]) continue;
+    s |= t->set_arb(num_vec_at(&v->q, Q_E1 + i), i == 0 ? o->e1 : o->e2, v->ctx.prec);
+    t->set(num_vec_at(&v->params, P_E1 + i), num_vec_at(&v->q, Q_E1 + i));
+  }
+  return s;
+}
+
 static int init_arc(struct values *v, struct orbit_cache *cache) {
   int s = SS_OK;
   struct num_vec z;
@@ -311,11 +282,12 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
   if (v->point->kind == POINT_ARC) {
     s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
   } else {
-    const struct dyn_orbits *list = orbit_cache_get(cache, v->point->q, orbit_prec(v->ctx.prec));
+    const struct dyn_orbits *list = point_orbits(v->point, cache, v->ctx.prec);
     const struct dyn_orbit *o = v->point->orbit < list->n ? &list->orbit[v->point->orbit] : NULL;
     if (!o || o->grazing) {
       s = SS_DOMAIN;
     } else {
+      if (v->point->scene) s |= set_limits(v, o);
       s |= v->ctx.type->set_arb(num_vec_at(&z, 0), o->z10, v->ctx.prec);
       s |= v->ctx.type->set_arb(num_vec_at(&z, 1), o->z20, v->ctx.prec);
       s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);

@@ -5,7 +5,6 @@
 #include <string.h>
 
 #include "audit_impl.h"
-#include "stickslip/given.h"
 
 const char *const reading_name[N_READINGS] = {"rounded", "truncated"};
 
@@ -86,22 +85,25 @@ bool printed_replace(struct printed_number *own, const struct printed_number **p
   return true;
 }
 
-static void set_scene_params(struct point *p, const struct scene *s) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p->q[Q_CHI + k], &s->value[k]);
+const fmpq *scene_number(const struct scene *s, enum scene_key key) {
+  if (s->given[key]) return &s->value[key];
+  const struct printed_number *p = scene_printed(s, scene_key_name[key]);
+  return p ? &p->value : NULL;
 }
 
 bool printed_point(struct point *out, const struct scene *s) {
-  static const struct {
-    const char *name;
-    int q;
-  } names[] = {{"z10", Q_Z1}, {"z20", Q_Z2}, {"t_a", Q_TA}, {"t_b", Q_TB}, {"t_c", Q_TC}, {"t_d", Q_TD}};
+  static const char *const start[] = {"z10", "z20"};
+  static const int q[] = {Q_CHI, Q_ETA, Q_V, Q_E1, Q_E2, Q_TA, Q_TB, Q_TC, Q_TD}; /* by scene_key */
   out->kind = POINT_PRINTED;
-  if (!scene_has_forces(s)) return false;
-  set_scene_params(out, s);
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
-    const struct printed_number *p = scene_printed(s, names[i].name);
+  for (int k = KEY_CHI; k <= KEY_TD; k++) {
+    const fmpq *x = scene_number(s, (enum scene_key)k);
+    if (!x) return false;
+    fmpq_set(&out->q[q[k]], x);
+  }
+  for (int i = 0; i < 2; i++) {
+    const struct printed_number *p = scene_printed(s, start[i]);
     if (!p) return false;
-    fmpq_set(&out->q[names[i].q], &p->value);
+    fmpq_set(&out->q[Q_Z1 + i], &p->value);
   }
   return true;
 }
@@ -123,28 +125,11 @@ static double distance(const struct dyn_orbit *o, const struct scene *s) {
   return sum;
 }
 
-const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
-  static const struct dyn_orbits none = {.n = 0};
-  return scene_has_forces(s) ? orbit_cache_get(cache, s->value, FD_PREC + 64) : &none;
-}
-
-int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
-  if (scene_has_forces(s)) return dyn_orbits_find(list, s->value, prec, &dyn_limits_default);
-  enum dyn_quantity which[2];
-  fmpq value[2];
-  int n = 0;
-  for (int k = KEY_E1; k <= KEY_TD; k++) {
-    if (!s->given[k]) continue;
-    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
-    value[n++] = s->value[k]; /* borrowed: neither changed nor cleared */
-  }
-  return dyn_orbits_given(list, s->value, which, value, prec, &dyn_given_limits);
-}
-
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache) {
   const struct dyn_orbits *list = scene_orbits(s, cache);
   out->kind = POINT_ORBIT;
-  set_scene_params(out, s);
+  out->scene = s;
+  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
   double best = INFINITY;
   for (slong i = 0; i < list->n; i++) {
     double dist = distance(&list->orbit[i], s);

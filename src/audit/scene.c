@@ -92,6 +92,19 @@ static bool constant_eval(fmpq_t z, const struct constant *c, const struct expr 
   return ok;
 }
 
+bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
+  struct arena a;
+  struct source src;
+  arena_init(&a);
+  source_from_string(&src, name, arena_strndup(&a, text, len));
+  struct constant c = {&src, d};
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
+  bool ok = e && constant_eval(z, &c, e);
+  source_clear(&src);
+  arena_clear(&a);
+  return ok;
+}
+
 /* --- Printed numbers --- */
 
 /* The unit of the last printed digit: 10^-(digits after the point), times the exponent part. */

@@ -145,7 +145,7 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   return status;
 }
 
-static double log2_upper(const arb_t x) {
+double log2_upper(const arb_t x) {
   mag_t m;
   mag_init(m);
   arb_get_mag(m, x);
@@ -248,6 +248,25 @@ static void compare(struct trial *t, struct comparison *c, const struct sentence
   describe(t->rhs, sizeof t->rhs, rhs, t->entry);
 }
 
+/* What balls at this precision say. */
+static void decide(struct trial *t, const struct comparison *c, slong prec) {
+  if (c->apart)
+    t->outcome = OUTCOME_DIFFERS;
+  else if (!c->open && t->log_diff < -0.5 * (double)prec)
+    t->outcome = OUTCOME_AGREES;
+}
+
+struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs) {
+  struct trial t = {.outcome = OUTCOME_UNDECIDED, .bits = (long)lhs->ctx.prec};
+  struct comparison c;
+  struct sentence s = {.n = lhs->len, .ops = ss_malloc((size_t)lhs->len * sizeof *s.ops)};
+  for (slong i = 0; i < s.n; i++) s.ops[i] = REL_EQ;
+  compare(&t, &c, &s, lhs, rhs);
+  decide(&t, &c, lhs->ctx.prec);
+  free(s.ops);
+  return t;
+}
+
 static struct trial try_once(struct sentence *s, struct comparison *c, const struct point *p, enum variant variant,
                              struct num_ctx ctx, struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = (long)ctx.prec};
@@ -288,10 +307,7 @@ struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum 
     t = try_once(s, &c, p, variant, num_ctx_arb(prec), cache);
     if (t.outcome == OUTCOME_UNBOUND || (t.outcome == OUTCOME_REJECTED && (t.status & SS_DOMAIN))) break;
     if (t.outcome != OUTCOME_UNDECIDED) continue;
-    if (c.apart)
-      t.outcome = OUTCOME_DIFFERS;
-    else if (!c.open && t.log_diff < -0.5 * (double)prec)
-      t.outcome = OUTCOME_AGREES;
+    decide(&t, &c, prec);
     if (t.outcome != OUTCOME_UNDECIDED) break;
   }
   return t;

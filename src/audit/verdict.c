@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "routes.h"
 
 #define VERDICT_STRING(upper, lower) #lower,
 const char *const verdict_name[N_VERDICTS] = {VERDICTS(VERDICT_STRING)};
@@ -15,51 +15,13 @@ enum verdict verdict_parse(const char *name) {
   return (enum verdict)i;
 }
 
-/* Groups of routes that share their reasoning: two routes of one group count as one.  "balls" holds the paper's formulas
-   against the model's closed forms and implicit derivatives. */
-static const struct {
-  const char *route, *group;
-} groups[] = {{"balls", "closed form"},     {"oracle", "model matrices"},        {"exponential", "matrix exponential"},
-              {"taylor", "taylor series"},  {"gsl", "gsl exponential"},          {"ode", "defining equation"},
-              {"fd", "differences"},        {"saltation", "saltation matrices"}, {"newton", "springs and masses"},
-              {"iteration", "iterated map"}};
-
-const char *const route_independence[] = {
-    "balls: the paper's formula on a tape of Arb balls against the suite's own closed forms in (w, r), implicit "
-    "differentiation at the located events, and Arb's matrix exponential; decides",
-    "fd: central differences of the event-located map in MPFR at 256 bits; shares the flow's closed form with balls, "
-    "none "
-    "of its derivatives",
-    "taylor: matrix exponential by the suite's Taylor series in MPFR at 256 bits; shares the first-order system with "
-    "balls",
-    "gsl: matrix exponential by GSL in double; shares the first-order system with balls",
-    "ode: symbolic derivative of the paper's own matrix put into the linear system, and its value at 0; shares the "
-    "first-order system with balls, no exponential",
-    "newton: stiffness from the springs and masses of Fig. 1 by Newton's law; shares nothing with the first-order "
-    "system",
-    "saltation: return Jacobian from vector fields, matrix exponentials and saltation matrices; shares the event times "
-    "and "
-    "states with balls, no derivative and no closed form",
-    "exponential: states carried through the phases by Arb's matrix exponential; shares the event times with balls, "
-    "not "
-    "the closed forms",
-    "oracle: the same sentence with the model's matrices in place of the paper's; shares no formula with the paper",
-    "iteration: the return map iterated in double from points beside the orbit; shares no derivative with balls"};
-const int n_route_independence = sizeof route_independence / sizeof *route_independence;
-
-static const char *group_of(const char *route) {
-  for (size_t i = 0; i < sizeof groups / sizeof *groups; i++)
-    if (strcmp(groups[i].route, route) == 0) return groups[i].group;
-  abort();
-}
-
 int independent_routes(const struct route_word *w, int n) {
   int count = 0;
   for (int i = 0; i < n; i++) {
     if (w[i].says != SAYS_AGREES) continue;
     bool fresh = true;
     for (int k = 0; k < i; k++)
-      if (w[k].says == SAYS_AGREES && strcmp(group_of(w[k].route), group_of(w[i].route)) == 0) fresh = false;
+      if (w[k].says == SAYS_AGREES && !routes_independent(w[k].route, w[i].route)) fresh = false;
     count += fresh;
   }
   return count;
@@ -70,7 +32,7 @@ int independent_routes(const struct route_word *w, int n) {
     differs        | none agrees             | -                     | refuted
     differs        | one agrees              | -                     | unknown (the oracles contradict each other)
     agrees         | none differs, undecided | yes                   | proved
-    agrees         | all agree, two groups   | no                    | supported
+    agrees         | two independent agree   | no                    | supported
     anything else                                                    | unknown                                      */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain) {
   bool certificate = false, agrees = false, agrees_besides = false, differs_besides = false, undecided = false;

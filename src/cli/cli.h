@@ -18,8 +18,9 @@ enum {
   FOR_CHECK = 16,
   FOR_EXPLAIN = 32,
   FOR_SIMULATE = 64,
-  FOR_MUTATE = 128,
-  FOR_REPAIR = 256
+  FOR_READINGS = 128,
+  FOR_MUTATE = 256,
+  FOR_REPAIR = 512
 };
 
 struct options {
@@ -27,8 +28,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *seed, *count, *jobs;
-  bool strict, quiet, json, tape, csv, help;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
+  bool strict, quiet, json, tape, csv, compare, phases, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -50,13 +51,32 @@ void join_path(struct text *out, const char *folder, const char *name);
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
 bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 
+/* As many of the digits as are known; a ball in which not even the first is: 0. */
+void print_known(struct text *out, const arb_struct *x, slong digits);
+/* The radius to two digits, rounded up; 0 when it is. */
+void print_accuracy(struct text *out, const arb_struct *worst);
+/* "orbit:2" or "printed". */
+void print_at(struct text *out, const struct jacobian_request *q);
+/* The eigenvalues of a 2x2 matrix by GSL, two texts: real numbers, or "a+bi" and "a-bi". */
+bool print_eigenvalues(struct text out[2], arb_srcptr j);
+/* jacobian --phases */
+bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+                 const struct jacobian_request *q, struct diag *d);
+
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
+/* orbit --method paper. */
+int run_orbit_paper(const struct options *o, const char *data);
 int run_jacobian(const struct options *o, const char *data);
+/* simulate --compare, over at most the given time. */
+int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
+/* Says that a simulation ended before it was to; the exit status. */
+int ended_early(enum coulomb_end end, const char *route, double t);
 int run_list(const struct options *o, const char *data);
 int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
+int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);

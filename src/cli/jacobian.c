@@ -1,19 +1,22 @@
-/* stickslip jacobian: the 2x2 Jacobian of one period by the method asked for. */
-#include <errno.h>
-#include <stdlib.h>
+/* stickslip jacobian: the 2x2 Jacobian of one period by the method asked for, with its accuracy and its eigenvalues. */
 #include <string.h>
 
 #include "cli.h"
 #include "stickslip/json.h"
 
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
+  enum { TABLE_DIGITS = 8 };
   *q = (struct jacobian_request){.method = METHOD_ANALYTIC, .layer = LAYER_CORRECTED};
   int status = parse_digits(&q->digits, o);
   if (status) return status;
+  if (o->phases && (o->method || o->layer))
+    return usage("--phases shows every method and takes no %s", o->method ? "--method" : "--layer");
+  if (o->phases && !o->digits && !o->json) q->digits = TABLE_DIGITS;
   if (o->method) {
     int k = 0;
     while (k < N_METHODS && strcmp(o->method, method_name[k]) != 0) k++;
-    if (k == N_METHODS) return usage("--method takes analytic, implicit, saltation, fd or ode, not %.200s", o->method);
+    if (k == N_METHODS)
+      return usage("--method takes analytic, implicit, saltation, fd, fd-double or ode, not %.200s", o->method);
     q->method = (enum jacobian_method)k;
   }
   if (o->layer) {
@@ -25,54 +28,111 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   return parse_start(&q->orbit, &q->at_printed, o->at);
 }
 
-/* As many of the digits as are known; 0 when not even the first is. */
-static void print_known(struct text *out, const arb_struct *x, slong digits) {
+void print_known(struct text *out, const arb_struct *x, slong digits) {
   slong n = digits;
   while (n > 0 && num_print(out, x, n) != SS_OK) n = n > 20 ? n / 2 : n - 1;
   if (n == 0) text_add_char(out, '0');
 }
 
-static void print_jacobian(arb_srcptr j, const arb_t trace, const arb_t det, const struct jacobian_request *q,
-                           const struct scene *s, bool as_json) {
-  struct text e[6], at, out;
-  for (int i = 0; i < 6; i++) {
+void print_accuracy(struct text *out, const arb_struct *worst) {
+  arb_t up;
+  arb_init(up);
+  arb_mul_ui(up, worst, 106, 64); /* two digits round down by less than 1/20 */
+  arb_div_ui(up, up, 100, 64);
+  arb_get_mid_arb(up, up);
+  num_print(out, up, 2);
+  arb_clear(up);
+}
+
+void print_at(struct text *out, const struct jacobian_request *q) {
+  if (q->at_printed)
+    text_add(out, "printed");
+  else
+    text_printf(out, "orbit:%ld", (long)q->orbit + 1);
+}
+
+bool print_eigenvalues(struct text out[2], arb_srcptr j) {
+  double m[4], re[2], im[2];
+  for (int i = 0; i < 4; i++) m[i] = num_arb.get_d(j + i);
+  if (dyn_eigenvalues_d(re, im, m) != SS_OK) return false;
+  for (int i = 0; i < 2; i++) {
+    text_printf(&out[i], "%.15g", re[i]);
+    if (im[i] != 0) text_printf(&out[i], "%+.15gi", im[i]);
+  }
+  return true;
+}
+
+/* What is printed about one Jacobian: entries, trace, det. */
+enum { TRACE = 4, DET = 5, N_NUMBERS = 6 };
+
+static void jacobian_json(struct text *out, const struct text e[N_NUMBERS], const char *at, const char *layer,
+                          const struct jacobian_request *q) {
+  struct json w;
+  json_init(&w, out);
+  json_object(&w, NULL);
+  json_array(&w, "J");
+  for (int i = 0; i < 2; i++) {
+    json_array(&w, NULL);
+    for (int k = 0; k < 2; k++) json_string(&w, NULL, text_str(&e[2 * i + k]));
+    json_end_array(&w);
+  }
+  json_end_array(&w);
+  json_string(&w, "trace", text_str(&e[TRACE]));
+  json_string(&w, "det", text_str(&e[DET]));
+  json_string(&w, "method", method_name[q->method]);
+  json_string(&w, "layer", layer);
+  json_string(&w, "at", at);
+  json_end_object(&w);
+}
+
+static void jacobian_text(struct text *out, const struct text e[N_NUMBERS], arb_srcptr x,
+                          const struct jacobian_request *q) {
+  struct text gsl[2];
+  arb_t worst;
+  arb_init(worst);
+  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
+  for (int i = 0; i < 2; i++) text_printf(out, "  %s  %s\n", text_str(&e[2 * i]), text_str(&e[2 * i + 1]));
+  text_printf(out, "trace %s\ndet   %s\naccuracy ", text_str(&e[TRACE]), text_str(&e[DET]));
+  jacobian_accuracy(worst, x, 4);
+  print_accuracy(out, worst);
+  text_printf(out, " (%s)\n", method_accuracy[q->method]);
+  if (arb_is_zero(x + DET)) text_printf(out, "eigenvalues 0 and %s (exactly: 0 and the trace)\n", text_str(&e[TRACE]));
+  if (print_eigenvalues(gsl, x))
+    text_printf(out, "eigenvalues %s and %s (GSL)\n", text_str(&gsl[0]), text_str(&gsl[1]));
+  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
+  arb_clear(worst);
+}
+
+/* x: J, trace and det. */
+static void print_jacobian(arb_srcptr x, const struct jacobian_request *q, const struct scene *s, bool as_json) {
+  struct text e[N_NUMBERS], at, out;
+  for (int i = 0; i < N_NUMBERS; i++) {
     text_init(&e[i]);
-    const arb_struct *x = i < 4 ? j + i : i == 4 ? trace : det;
-    print_known(&e[i], x, q->digits);
+    print_known(&e[i], x + i, q->digits);
   }
   text_init(&at);
   text_init(&out);
-  if (q->at_printed)
-    text_add(&at, "printed");
-  else
-    text_printf(&at, "orbit:%ld", (long)q->orbit + 1);
+  print_at(&at, q);
   const char *layer = q->method == METHOD_ANALYTIC ? layer_name[q->layer] : "model";
   if (as_json) {
-    struct json w;
-    json_init(&w, &out);
-    json_object(&w, NULL);
-    json_array(&w, "J");
-    for (int i = 0; i < 2; i++) {
-      json_array(&w, NULL);
-      for (int k = 0; k < 2; k++) json_string(&w, NULL, text_str(&e[2 * i + k]));
-      json_end_array(&w);
-    }
-    json_end_array(&w);
-    json_string(&w, "trace", text_str(&e[4]));
-    json_string(&w, "det", text_str(&e[5]));
-    json_string(&w, "method", method_name[q->method]);
-    json_string(&w, "layer", layer);
-    json_string(&w, "at", text_str(&at));
-    json_end_object(&w);
+    jacobian_json(&out, e, text_str(&at), layer, q);
   } else {
     text_printf(&out, "%s, %s, method %s, layer %s\n", s->name, text_str(&at), method_name[q->method], layer);
-    for (int i = 0; i < 2; i++) text_printf(&out, "  %s  %s\n", text_str(&e[2 * i]), text_str(&e[2 * i + 1]));
-    text_printf(&out, "trace %s\ndet   %s\n", text_str(&e[4]), text_str(&e[5]));
+    jacobian_text(&out, e, x, q);
   }
   fputs(text_str(&out), stdout);
-  for (int i = 0; i < 6; i++) text_clear(&e[i]);
+  for (int i = 0; i < N_NUMBERS; i++) text_clear(&e[i]);
   text_clear(&at);
   text_clear(&out);
+}
+
+static bool show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
+                          const struct jacobian_request *q, struct diag *d) {
+  arb_ptr x = _arb_vec_init(N_NUMBERS);
+  bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
+  if (ok) print_jacobian(x, q, s, o->json);
+  _arb_vec_clear(x, N_NUMBERS);
+  return ok;
 }
 
 int run_jacobian(const struct options *o, const char *data) {
@@ -85,14 +145,9 @@ int run_jacobian(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   model_init(&m);
-  arb_ptr j = _arb_vec_init(6);
   bool ok = scene_load(&s, o->operand[0], data, &d) && load_model(&m, data, o, &d) &&
-            audit_jacobian(j, j + 4, j + 5, &m, &s, &q, &d);
-  if (ok)
-    print_jacobian(j, j + 4, j + 5, &q, &s, o->json);
-  else
-    status = bad_input(&d);
-  _arb_vec_clear(j, 6);
+            (o->phases ? show_phases : show_jacobian)(o, &m, &s, &q, &d);
+  if (!ok) status = bad_input(&d);
   scene_clear(&s);
   model_clear(&m);
   return status;

@@ -39,17 +39,20 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
-               {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_MUTATE | FOR_REPAIR, NULL, &o->json},
+               {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
+               {"--start", FOR_SIMULATE, &o->start, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--compare", FOR_SIMULATE, NULL, &o->compare},
                {"--seed", FOR_MUTATE, &o->seed, NULL},
                {"--count", FOR_MUTATE, &o->count, NULL},
                {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
-               {"--method", FOR_JACOBIAN, &o->method, NULL},
+               {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
+               {"--phases", FOR_JACOBIAN, NULL, &o->phases},
                {"--help", ~0U, NULL, &o->help}};
   *o = (struct options){.n_operands = 0};
   for (int i = 0; i < argc; i++) {

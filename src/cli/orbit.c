@@ -1,5 +1,6 @@
 /* stickslip orbit: every number to the digits asked for, as a table or as JSON. */
 #include <stddef.h>
+#include <string.h>
 
 #include "cli.h"
 #include "stickslip/dynamics.h"
@@ -162,6 +163,9 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 int run_orbit(const struct options *o, const char *data) {
   enum { ATTEMPTS = 4 };
   slong digits;
+  if (o->method && strcmp(o->method, "paper") == 0) return run_orbit_paper(o, data);
+  if (o->method && strcmp(o->method, "model") != 0)
+    return usage("--method takes model or paper, not %.200s", o->method);
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");

@@ -1,5 +1,5 @@
-/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit or at the printed numbers, integrated by
-   GSL; in the table, held against the closed forms event by event. */
+/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
+   integrated by GSL; in the table, held against the closed forms event by event. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>
@@ -8,7 +8,7 @@
 #include "cli.h"
 #include "stickslip/coulomb.h"
 
-enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100 };
+enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 
 /* What is simulated, and for how long. */
 struct run {
@@ -38,59 +38,30 @@ static bool print_csv_event(void *self, const struct coulomb_event *e) {
   return print_csv_row(self, &e->at);
 }
 
+int ended_early(enum coulomb_end end, const char *route, double t) {
+  fprintf(stderr, "simulate: error: the route %s ended early, at t = %.10g: %s\n", route, t, coulomb_end_name[end]);
+  return EXIT_INTERNAL;
+}
+
+/* A sink that stops does so because standard output is closed, which the end of the program reports. */
+static bool is_early(enum coulomb_end end) {
+  return end != COULOMB_DONE && end != COULOMB_STOPPED;
+}
+
 static int simulate_csv(const struct run *run) {
-  struct coulomb_result r;
+  struct coulomb_result r = {.end = COULOMB_FAILED};
   struct text line;
   text_init(&line);
   struct coulomb_sink sink = {&line, print_csv_event, print_csv_row};
   fputs(coulomb_csv_header, stdout);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
-  if (r.end != COULOMB_DONE && r.end != COULOMB_STOPPED)
-    fprintf(stderr, "simulate: ended early (%s) at t = %.6g\n", coulomb_end_name[r.end], r.at.t);
   text_clear(&line);
-  return EXIT_AS_RECORDED;
-}
-
-/* The word cut after each D, equal pieces in a row counted: (GHCD)^4 (GHCHGHCD)^2. */
-static void fold_word(struct text *out, const char *word) {
-  while (*word) {
-    size_t len = strcspn(word, "D");
-    if (word[len] == 'D') len++;
-    long n = 0;
-    const char *p = word;
-    for (; strncmp(p, word, len) == 0 && strlen(p) >= len; p += len) n++;
-    text_printf(out, "%s(%.*s)^%ld", out->len ? " " : "", (int)len, word, n);
-    word = p;
-  }
-}
-
-/* The largest difference of the times and states of the two logs' events, and how many they share. */
-static double compare_logs(size_t *shared, const struct coulomb_log *a, const struct coulomb_log *b) {
-  double worst = 0;
-  for (*shared = 0; *shared < a->n && *shared < b->n; ++*shared) {
-    const struct coulomb_event *e = &a->event[*shared], *f = &b->event[*shared];
-    if (e->mass != f->mass || e->from != f->from || e->to != f->to) break;
-    worst = fmax(worst, fabs(e->at.t - f->at.t));
-    for (int i = 0; i < 2; i++) worst = fmax(worst, fmax(fabs(e->at.x[i] - f->at.x[i]), fabs(e->at.v[i] - f->at.v[i])));
-  }
-  return worst;
-}
-
-static int run_exact(struct coulomb_result *r, const struct run *run, const struct coulomb_sink *sink) {
-  struct num_vec p, x;
-  num_vec_init(&p, N_COULOMB, num_ctx_double());
-  num_vec_init(&x, N_STATE, num_ctx_double());
-  for (int i = 0; i < N_COULOMB; i++) p.ctx.type->set_d(num_vec_at(&p, i), run->setup.params[i], 53);
-  for (int i = 0; i < N_STATE; i++) x.ctx.type->set_d(num_vec_at(&x, i), run->setup.start[i], 53);
-  int s = coulomb_simulate_exact(r, NULL, &p, &x, &run->plan, sink);
-  num_vec_clear(&x);
-  num_vec_clear(&p);
-  return s;
+  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
 }
 
 static int simulate_table(const struct run *run, const struct scene *s) {
   struct coulomb_log ode, exact;
-  struct coulomb_result r, r_exact;
+  struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
   struct text word, folded;
   coulomb_log_init(&ode);
   coulomb_log_init(&exact);
@@ -98,7 +69,7 @@ static int simulate_table(const struct run *run, const struct scene *s) {
   text_init(&folded);
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
-  run_exact(&r_exact, run, &sink_exact);
+  coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
   printf("%s: u_r1 = %.10g, u_r2 = %.10g%s\n", s->name, run->setup.params[COULOMB_UR1], run->setup.params[COULOMB_UR2],
          run->setup.own_friction ? " (5/4 of what the orbits need, where the scene gives none)" : "");
   printf("%14s  %-4s %-15s %14s %14s %12s %12s\n", "t", "mass", "change", "x1", "x2", "v1", "v2");
@@ -109,18 +80,18 @@ static int simulate_table(const struct run *run, const struct scene *s) {
            e->grazing ? "  grazing" : "");
   }
   coulomb_log_word(&word, &ode);
-  fold_word(&folded, text_str(&word));
+  coulomb_word_fold(&folded, text_str(&word));
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
          coulomb_end_name[r.end], r.at.t, r.returns);
   size_t shared;
-  double worst = compare_logs(&shared, &ode, &exact);
+  double worst = coulomb_log_compare(&shared, &ode, &exact);
   printf("closed forms: the first %zu of %zu events are the same, times and states within %.1e\n", shared, ode.n,
          worst);
   text_clear(&folded);
   text_clear(&word);
   coulomb_log_clear(&exact);
   coulomb_log_clear(&ode);
-  return EXIT_AS_RECORDED;
+  return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
 }
 
 int run_simulate(const struct options *o, const char *data) {
@@ -131,18 +102,27 @@ int run_simulate(const struct options *o, const char *data) {
   int status = parse_count(&periods, o->periods, MAX_PERIODS, "--periods");
   if (!status) status = parse_count(&samples, o->samples, MAX_SAMPLES, "--samples");
   if (!status) status = parse_start(&orbit, &printed, o->at);
+  if (!status && o->at && o->start) status = usage("%s", "--at and --start exclude each other");
   if (status) return status;
+  if (o->compare && (o->csv || o->samples)) return usage("--compare goes with neither %s", "--csv nor --samples");
+  if (o->compare && periods > MAX_COMPARED) return usage("--periods takes at most 10000 with %s", "--compare");
   if (o->n_operands != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   struct run run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  if (scene_load(&s, o->operand[0], data, &d) && audit_coulomb_setup(&run.setup, &s, orbit, printed, &d)) {
+  bool ok = scene_load(&s, o->operand[0], data, &d);
+  ok = ok && (o->start ? audit_coulomb_setup_from(&run.setup, &s, o->start, &d)
+                       : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
+  if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = periods;
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
     if (o->csv) run.plan.sample = period / (double)samples;
-    status = o->csv ? simulate_csv(&run) : simulate_table(&run, &s);
+    if (o->compare)
+      status = compare_routes(&run.setup, &s, periods, run.plan.duration);
+    else
+      status = o->csv ? simulate_csv(&run) : simulate_table(&run, &s);
   } else {
     status = bad_input(&d);
   }

@@ -11,7 +11,7 @@ static void show_progress(void *arg, size_t done, size_t total, const char *id) 
 }
 
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
-  static const char *const names[] = {"audit.json", "audit.md", "run.json"};
+  static const char *const names[] = {"audit.json", "audit.md", "claims.dot", "errata.md", "errata.tex", "run.json"};
   enum { N = sizeof names / sizeof *names };
   struct text path[N], body[N];
   struct file_item item[N];
@@ -21,7 +21,10 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   }
   report_json(&body[0], r);
   report_markdown(&body[1], r);
-  report_run(&body[2], r, seconds);
+  report_dot(&body[2], r);
+  report_errata(&body[3], r);
+  report_errata_tex(&body[4], r);
+  report_run(&body[5], r, seconds);
   for (int i = 0; i < N; i++) {
     join_path(&path[i], folder, names[i]);
     item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
@@ -46,6 +49,13 @@ static void print_surprises(const struct audit_result *r) {
     if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
   }
+  for (size_t i = 0; i < r->n_pairs; i++)
+    if (!r->pairs[i].within)
+      printf("routes %s and %s: %s, beyond %s\n", r->pairs[i].first, r->pairs[i].second, r->pairs[i].quantity,
+             r->pairs[i].stated);
+  for (size_t i = 0; i < r->n_long_runs; i++)
+    if (!r->long_runs[i].obeys || !r->long_runs[i].displaced)
+      printf("long runs beside %s: not as tr J = %s says\n", r->long_runs[i].orbit, r->long_runs[i].multiplier);
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)
       printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);
@@ -73,7 +83,7 @@ static int verify_scene(const struct model *m, const struct claims *claims, cons
   text_init(&folder);
   double start = now();
   bool terminal = isatty(STDERR_FILENO) && !o->quiet;
-  struct audit_options opt = {o->only, o->n_only, terminal ? show_progress : NULL, NULL};
+  struct audit_options opt = {o->only, o->n_only, terminal ? show_progress : NULL, NULL, true};
   int status = EXIT_AS_RECORDED;
   bool ok = scene_load(&s, spec, data, d);
   ok = ok && audit_run(&r, m, claims, controls, &s, &opt, d);

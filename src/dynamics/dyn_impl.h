@@ -195,6 +195,20 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
 /* Newton's iteration in the calc from start, until a step shows that half of the bits are settled. */
 val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start);
 
+/* --- differences.c --- */
+
+/* A map of n_in to n_out doubles, at most N_STATE, smooth but for its noise. */
+struct double_map {
+  int (*run)(double *out, const double *x, const void *self);
+  const void *self;
+  int n_in, n_out;
+  double scale; /* of the arguments; the longest step is a part of it */
+  double floor; /* the error of a value, relative to it and to the scale, is taken to be this at least */
+};
+/* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
+   the change between steps and the measured noise.  The status of the map where it has no value nearby. */
+int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
+
 /* --- arc.c --- */
 
 /* The arc whose events lie near the four given times, which are elements of the arc's own type. */

@@ -1,8 +1,12 @@
-/* Derivatives of event-located maps, by implicit differentiation and by central differences.
+/* Derivatives of event-located maps, by implicit differentiation and by central differences, in MPFR and in double.
 
    A phase that ends at its own event maps Z to (I - f n^T/(n.f)) exp(A t) dZ, with f the phase's vector field and n the
    gradient of its switching function at the end.  The differences share nothing with that but the event-located map
    itself; their step 2^(-prec/3) balances truncation and rounding, and a second step measures the truncation. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
 #include "dyn_impl.h"
 
 /* f = Z' at the state z. */
@@ -196,5 +200,70 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
   if (!status) status = differentiate(j, err, &map, &x);
   num_vec_clear(&x);
   dyn_arc_clear(&arc);
+  return status;
+}
+
+/* --- In hardware arithmetic. --- */
+
+/* The event map on doubles, which are the elements of num_double. */
+static int run_doubles(double *out, const double *x, const void *self) {
+  const struct event_map *map = self;
+  struct num_vec in, end;
+  num_vec_init(&in, map->n, num_ctx_double());
+  num_vec_init(&end, map->n, num_ctx_double());
+  memcpy(in.data, x, (size_t)map->n * sizeof *x);
+  int status = map->run(&end, &in, map);
+  memcpy(out, end.data, (size_t)map->n * sizeof *out);
+  num_vec_clear(&end);
+  num_vec_clear(&in);
+  return status;
+}
+
+static void doubles_of(struct num_vec *v, const double *x, slong n) {
+  num_vec_init(v, n, num_ctx_double());
+  memcpy(v->data, x, (size_t)n * sizeof *x);
+}
+
+/* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
+static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x,
+                                 const double (*dir)[N_STATE], int n_dir) {
+  double scale = *(const double *)num_vec_at(map->params, P_V);
+  for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
+  struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON};
+  int status = SS_OK;
+  for (int k = 0; k < n_dir && !status; k++) status = differences_along(out + map->n * k, err + k, &doubles, x, dir[k]);
+  return status;
+}
+
+int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
+                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
+  struct num_vec p, from;
+  doubles_of(&p, params, N_PARAMS);
+  doubles_of(&from, in, N_STATE);
+  struct event_map map = {run_phase, &p, ph, {.len = 0}, N_STATE};
+  num_vec_init(&map.near, 1, num_ctx_double());
+  int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
+  if (!status) status = differentiate_doubles(out, err, &map, in, dir, n_dir);
+  num_vec_clear(&map.near);
+  num_vec_clear(&from);
+  num_vec_clear(&p);
+  return status;
+}
+
+int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
+                          const double guess[4]) {
+  static const double unit[2][N_STATE] = {{1, 0}, {0, 1}};
+  struct num_vec p;
+  struct dyn_arc arc;
+  double column[4], worst[2];
+  doubles_of(&p, params, N_PARAMS);
+  dyn_arc_init(&arc, num_ctx_double());
+  int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
+  struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
+  if (!status) status = differentiate_doubles(column, worst, &map, start, unit, 2);
+  for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
+  if (!status) *err = fmax(worst[0], worst[1]);
+  dyn_arc_clear(&arc);
+  num_vec_clear(&p);
   return status;
 }

@@ -1,7 +1,10 @@
 /* The return Jacobian by saltation matrices: perturbations are compared at equal times, carried through a phase by the
    matrix exponential and across a switch by S = I + (f+ - f-) n^T / (n.f-), f- and f+ the vector fields before and after
-   it and n the gradient of the switching function.  Only at the end of the period are they projected along the motion
-   to the section z_2' = V.  Nothing is differentiated at the events, and no closed form of a phase is used. */
+   it and n the gradient of the switching function.  Only at the end, of the period or of the one phase that is asked for,
+   are they taken back along the motion from equal times to each motion's own event.  Nothing is differentiated at the
+   events, and no closed form of a phase is used. */
+#include <stdbool.h>
+
 #include "stickslip/dynamics.h"
 
 /* The switching functions are affine, so their gradient applied to v is a difference. */
@@ -27,51 +30,84 @@ static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *
   return s;
 }
 
-/* column += jump (n.column)/(n.before), where jump is f+ - f- at a switch and -f- at the section. */
-static int cross(struct num_vec *column, enum phase ph, const struct num_vec *params, const struct num_vec *before,
-                 const struct num_vec *jump) {
-  const struct num_type *t = params->ctx.type;
-  slong prec = params->ctx.prec;
+/* How much earlier the perturbed motion ends its phase: lead = (n.column)/(n.before). */
+static int delay(void *lead, enum phase ph, const struct num_vec *params, const struct num_vec *column,
+                 const struct num_vec *before) {
+  struct num_vec rate;
+  num_vec_init(&rate, 1, params->ctx);
+  int s = along_gradient(lead, ph, params, column) | along_gradient(num_vec_at(&rate, 0), ph, params, before);
+  s |= params->ctx.type->div(lead, lead, num_vec_at(&rate, 0), params->ctx.prec);
+  num_vec_clear(&rate);
+  return s;
+}
+
+/* column += (to - from) lead; to may be NULL for zero. */
+static int cross(struct num_vec *column, const struct num_vec *to, const struct num_vec *from, const void *lead) {
+  const struct num_type *t = column->ctx.type;
+  slong prec = column->ctx.prec;
   struct num_vec w;
-  num_vec_init(&w, 2, params->ctx);
-  void *lead = num_vec_at(&w, 0), *x = num_vec_at(&w, 1);
-  int s = along_gradient(lead, ph, params, column) | along_gradient(x, ph, params, before);
-  s |= t->div(lead, lead, x, prec);
+  num_vec_init(&w, 1, column->ctx);
+  void *x = num_vec_at(&w, 0);
+  int s = SS_OK;
   for (slong i = 0; i < N_STATE; i++) {
-    s |= t->mul(x, num_vec_at(jump, i), lead, prec);
+    if (to) t->set(x, num_vec_at(to, i));
+    s |= to ? t->sub(x, x, num_vec_at(from, i), prec) : t->neg(x, num_vec_at(from, i), prec);
+    s |= t->mul(x, x, lead, prec);
     s |= t->add(num_vec_at(column, i), num_vec_at(column, i), x, prec);
   }
   num_vec_clear(&w);
   return s;
 }
 
-/* The perturbation that starts as unit vector e_k, at the end of the period. */
-static int carry(struct num_vec *column, slong k, const struct num_vec *params, const struct dyn_arc *arc) {
-  const struct num_type *t = params->ctx.type;
-  slong prec = params->ctx.prec;
-  struct num_vec phi, before, jump;
+/* A perturbation carried through the phase, which ends at the state end after t, and across its end.  home: it is then
+   taken back along the motion that follows, to the perturbed motion's own event. */
+static int carry_phase(struct num_vec *column, enum phase ph, const struct num_vec *params, const struct num_vec *end,
+                       const void *t, bool home) {
+  struct num_vec phi, before, after, lead;
   num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
   num_vec_init(&before, N_STATE, params->ctx);
-  num_vec_init(&jump, N_STATE, params->ctx);
-  int s = SS_OK;
-  for (slong i = 0; i < N_STATE; i++) s |= t->set_d(num_vec_at(column, i), i == k, prec);
-  for (int ph = PHASE_D; ph < N_PHASES; ph++) {
-    struct num_vec end = {params->ctx, N_STATE, num_vec_at(&arc->z, (ph + 1) * N_STATE)};
-    s |= dyn_propagator(&phi, (enum phase)ph, params, num_vec_at(&arc->t, ph));
-    s |= num_mat_mul(column, &phi, column, N_STATE, N_STATE, 1);
-    s |= vector_field(&before, (enum phase)ph, params, &end);
-    if (ph + 1 < N_PHASES) s |= vector_field(&jump, (enum phase)(ph + 1), params, &end);
-    for (slong i = 0; i < N_STATE; i++) {
-      if (ph + 1 < N_PHASES)
-        s |= t->sub(num_vec_at(&jump, i), num_vec_at(&jump, i), num_vec_at(&before, i), prec);
-      else
-        s |= t->neg(num_vec_at(&jump, i), num_vec_at(&before, i), prec);
-    }
-    s |= cross(column, (enum phase)ph, params, &before, &jump);
-  }
-  num_vec_clear(&jump);
+  num_vec_init(&after, N_STATE, params->ctx);
+  num_vec_init(&lead, 1, params->ctx);
+  int s = dyn_propagator(&phi, ph, params, t);
+  s |= num_mat_mul(column, &phi, column, N_STATE, N_STATE, 1);
+  s |= vector_field(&before, ph, params, end);
+  s |= vector_field(&after, (enum phase)((ph + 1) % N_PHASES), params, end);
+  s |= delay(num_vec_at(&lead, 0), ph, params, column, &before);
+  s |= cross(column, &after, &before, num_vec_at(&lead, 0));
+  if (home) s |= cross(column, NULL, &after, num_vec_at(&lead, 0));
+  num_vec_clear(&lead);
+  num_vec_clear(&after);
   num_vec_clear(&before);
   num_vec_clear(&phi);
+  return s;
+}
+
+/* The perturbation that starts as unit vector e_k, at the end of the period. */
+static int carry(struct num_vec *column, slong k, const struct num_vec *params, const struct dyn_arc *arc) {
+  int s = SS_OK;
+  for (slong i = 0; i < N_STATE; i++) s |= params->ctx.type->set_d(num_vec_at(column, i), i == k, params->ctx.prec);
+  for (int ph = PHASE_D; ph < N_PHASES; ph++) {
+    struct num_vec end = {params->ctx, N_STATE, num_vec_at(&arc->z, (ph + 1) * N_STATE)};
+    s |= carry_phase(column, (enum phase)ph, params, &end, num_vec_at(&arc->t, ph), ph == PHASE_C);
+  }
+  return s;
+}
+
+int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
+                                 const struct num_vec *in, const void *t) {
+  struct num_vec column, phi, end;
+  num_vec_init(&column, N_STATE, params->ctx);
+  num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
+  num_vec_init(&end, N_STATE, params->ctx);
+  int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(&end, &phi, in, N_STATE, N_STATE, 1);
+  for (slong k = 0; k < N_STATE; k++) {
+    for (slong i = 0; i < N_STATE; i++) s |= params->ctx.type->set_d(num_vec_at(&column, i), i == k, params->ctx.prec);
+    s |= carry_phase(&column, ph, params, &end, t, true);
+    for (slong i = 0; i < N_STATE; i++) j->ctx.type->set(num_vec_at(j, N_STATE * i + k), num_vec_at(&column, i));
+  }
+  num_vec_clear(&end);
+  num_vec_clear(&phi);
+  num_vec_clear(&column);
   return s;
 }
 

@@ -414,7 +414,18 @@ static bool lay_out(struct job *j) {
   return true;
 }
 
+/* A small symbol of first_order(f; x, y): only another name can stand there. */
+static bool is_listed(const struct job *j, int i) {
+  const struct expr *p = parent_of(j, i);
+  return p && p->kind == EXPR_FIRST_ORDER && j->place[i].arg > 0;
+}
+
 static void edit_node(struct job *j, int i) {
+  if (is_listed(j, i)) {
+    edit_name(j, i, true);
+    edit_name(j, i, false);
+    return;
+  }
   edit_sign(j, i);
   edit_operator(j, i);
   edit_exponent(j, i);

@@ -227,6 +227,9 @@ static void symbols_latex(struct text *out, const struct expr *e, int i, const s
   case EXPR_TRANSPOSE:
     text_add(out, first ? "{" : "}^{\\mathsf{T}}");
     break;
+  case EXPR_FIRST_ORDER: /* [f] with the small symbols and their order at its foot */
+    text_add(out, first ? "\\left[ " : last ? ")^{\\le 1}}" : i == 1 ? " \\right]_{O(" : ", ");
+    break;
   case EXPR_MATRIX:
     if (first)
       text_add(out, "\\begin{pmatrix} ");

@@ -62,6 +62,15 @@ static enum expr_kind function_kind(const struct parser *p, struct token t) {
   return EXPR_SYM;
 }
 
+static bool is_first_order(const struct parser *p, struct token t) {
+  return token_is(p, t, "first_order");
+}
+
+/* A name that the language keeps for itself where an expression stands. */
+static bool is_built_in(const struct parser *p, struct token t) {
+  return function_kind(p, t) != EXPR_SYM || is_first_order(p, t);
+}
+
 static bool is_keyword(const struct parser *p, struct token t) {
   return token_is(p, t, "root") || token_is(p, t, "trajectory") || token_is(p, t, "for") || token_is(p, t, "in");
 }
@@ -247,6 +256,34 @@ static const struct expr *parse_paren(struct parser *p) {
   return node1(p, EXPR_PAREN, open.begin, inner);
 }
 
+/* "first_order" "(" sum ";" name ("," name)* ")" */
+static const struct expr *parse_first_order(struct parser *p) {
+  static const char *const form = "it is written first_order(expression; x, y), with the small symbols after the \";\"";
+  struct token name = p->tok, open;
+  size_t from = p->n_pending;
+  advance(p);
+  open = p->tok;
+  if (!accept(p, '(')) return fail_at(p, name.begin, "first_order is a built-in form and cannot be a name; %s", form);
+  const struct expr *inner = parse_sum(p);
+  if (!inner) return NULL;
+  put_pending(p, inner);
+  if (p->tok.kind != ';') return fail(p, form);
+  do {
+    advance(p);
+    struct token t = p->tok;
+    if (t.kind != TOK_NAME || is_keyword(p, t) || is_built_in(p, t)) return fail(p, form);
+    advance(p);
+    struct expr *symbol = new_node(p, EXPR_SYM, t.begin, 0);
+    if (!symbol) return NULL;
+    symbol->name = copy(p, t);
+    put_pending(p, symbol);
+  } while (p->tok.kind == ',');
+  if (!accept(p, ')')) return fail_unclosed(p, open, "\")\"");
+  struct expr *e = new_node(p, EXPR_FIRST_ORDER, name.begin, (int)(p->n_pending - from));
+  if (e) take_pending(p, from, e->args);
+  return e;
+}
+
 /* "(" sum ")" after the name of a function. */
 static const struct expr *parse_argument(struct parser *p, struct token name) {
   struct token open = p->tok;
@@ -276,6 +313,7 @@ static const struct expr *parse_function(struct parser *p, enum expr_kind kind) 
 static const struct expr *parse_name(struct parser *p) {
   struct token name = p->tok;
   if (is_keyword(p, name)) return fail_reserved(p);
+  if (is_first_order(p, name)) return parse_first_order(p);
   enum expr_kind function = function_kind(p, name);
   if (function != EXPR_SYM) return parse_function(p, function);
   advance(p);
@@ -487,7 +525,7 @@ static const struct expr *parse_sum(struct parser *p) {
 /* A name that the statement introduces, or NULL. */
 static const char *parse_new_name(struct parser *p, const char *what) {
   if (p->tok.kind != TOK_NAME) return fail_at(p, p->tok.begin, "expected %s, found %s", what, show(p, p->tok).text);
-  if (is_keyword(p, p->tok) || function_kind(p, p->tok) != EXPR_SYM) return fail_reserved(p);
+  if (is_keyword(p, p->tok) || is_built_in(p, p->tok)) return fail_reserved(p);
   const char *name = copy(p, p->tok);
   advance(p);
   return name;

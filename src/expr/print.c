@@ -140,6 +140,9 @@ static void print_symbols(struct text *out, const struct expr *e, int i) {
   case EXPR_PAREN:
     text_add(out, first ? "(" : ")");
     break;
+  case EXPR_FIRST_ORDER:
+    text_add(out, first ? "first_order(" : last ? ")" : i == 1 ? "; " : ", ");
+    break;
   case EXPR_MATRIX:
     text_add(out, first ? "[" : last ? "]" : i % e->cols == 0 ? "; " : ", ");
     break;

@@ -424,6 +424,49 @@ static bool apply_entrywise(struct matrix *m, struct elaboration *el, const stru
   return true;
 }
 
+/* The symbol must be free: a definition has a value of its own, and a root depends on symbols that no derivative here
+   sees. */
+static const char *small_symbol(struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
+  struct matrix m;
+  if (!eval(&m, el, e, sc, d)) return NULL;
+  if (is_scalar(&m) && m.e[0]->kind == EXPR_SYM) {
+    const char *name = m.e[0]->name;
+    bool inside = false;
+    for (size_t r = 0; r < el->n_roots; r++)
+      for (int k = 0; k < el->roots[r].n_coeff; k++) {
+        const struct expr *c = el->roots[r].coeff[k];
+        inside = inside || strcmp(el->roots[r].name, name) == 0 ||
+                 expr_subst(&el->pool, c, name, expr_num(&el->pool, "0")) != c;
+      }
+    if (!inside) return name;
+  }
+  fail(sc, e, d, "first_order needs free symbols, of which no root is a function", NULL, NULL);
+  return NULL;
+}
+
+/* f(0) + the sum of s f_s(0) over the small symbols s. */
+static bool apply_first_order(struct matrix *m, struct elaboration *el, const struct expr *e, const struct scope *sc,
+                              struct diag *d) {
+  int n = e->n_args - 1;
+  struct expr_pool *pool = &el->pool;
+  struct matrix a = *m;
+  const char **small = arena_alloc(&pool->arena, (size_t)n * sizeof *small);
+  for (int s = 0; s < n; s++)
+    if (!(small[s] = small_symbol(el, e->args[s + 1], sc, d))) return false;
+  for (int s = 0; s < n; s++)
+    for (int k = 0; k < s; k++)
+      if (strcmp(small[k], small[s]) == 0) return fail(sc, e->args[s + 1], d, "the symbol is named twice", NULL, NULL);
+  *m = matrix_new(el, a.rows, a.cols);
+  for (int i = 0; i < entries(&a); i++)
+    for (int s = -1; s < n && el->pool.n <= MAX_SCALARS; s++) {
+      const struct expr *x = s < 0 ? a.e[i] : expr_diff(pool, a.e[i], small[s]);
+      for (int k = 0; k < n; k++) x = expr_subst(pool, x, small[k], expr_num(pool, "0"));
+      if (s >= 0) x = expr_op2(pool, EXPR_ADD, m->e[i], expr_op2(pool, EXPR_MUL, x, expr_sym(pool, small[s])));
+      m->e[i] = x;
+    }
+  return true;
+}
+
 /* Heights of block rows and widths of block columns; literal zeros fit anything. */
 static bool block_shape(int *height, int *width, const struct matrix *block, const struct expr *e,
                         const struct scope *sc, struct diag *d) {
@@ -522,6 +565,8 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
     return apply_transpose(m, el);
   case EXPR_INDEX:
     return apply_index(m, el, e, sc, d);
+  case EXPR_FIRST_ORDER:
+    return apply_first_order(m, el, e, sc, d);
   default:
     abort();
   }
@@ -720,6 +765,13 @@ static bool check_range(struct elaboration *el, const struct stmt *s, const stru
     if (!is_scalar(&m)) return fail(&sc, ends[i], d, "the end of a range is a scalar", &m, NULL);
   }
   return true;
+}
+
+size_t elaboration_n_used(const struct elaboration *el) {
+  return el->n_memo;
+}
+const struct definition *elaboration_used(const struct elaboration *el, size_t i) {
+  return el->memo[i].def;
 }
 
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,

@@ -61,7 +61,7 @@ static int d_set_q(void *z, const fmpq_t q, slong prec) {
   }
   double v = mpfr_get_d(t, MPFR_RNDN);
   mpfr_clear(t);
-  return held(z, v);
+  return held(z, v == 0 && !fmpq_is_zero(q) ? (double)NAN : v); /* what vanishes must not divide as a zero */
 }
 
 static int d_set_d(void *z, double x, slong prec) {

@@ -1,7 +1,7 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
 #include <string.h>
 
-#include "stickslip/report.h"
+#include "report_impl.h"
 
 static const char *or_dash(const char *s) {
   return s && *s ? s : "-";
@@ -107,17 +107,96 @@ static void add_controls(struct text *out, const struct audit_result *r) {
   text_add_char(out, '\n');
 }
 
+/* --- Routes --- */
+
+static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
+  const char *quantity = "";
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    const struct route_pair *p = &r->pairs[i];
+    if (disagreeing && p->within) continue;
+    if (strcmp(quantity, p->quantity) != 0)
+      text_printf(out,
+                  "%s%c%s:\n\n| routes | both rest on | comparisons | held to | largest disagreement | seen at |\n"
+                  "| --- | --- | ---: | --- | --- | --- |\n",
+                  *quantity ? "\n" : "", p->quantity[0] - 'a' + 'A', p->quantity + 1);
+    quantity = p->quantity;
+    text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
+    text_printf(out, "%s%s | ", p->within ? "" : "**beyond**: ", p->largest ? p->largest : p->within ? "within" : "-");
+    add_cell(out, p->worst);
+    text_add(out, " |\n");
+  }
+  if (*quantity) text_add_char(out, '\n');
+}
+
+static void add_routes(struct text *out, const struct audit_result *r) {
+  text_add(out, "## What the routes share\n\n");
+  if (r->n_pairs)
+    text_add(out,
+             "Every two routes to a quantity, at fixed random points and on orbits: what both use, themselves or in "
+             "locating the events, besides the equations of motion and the point, and the largest disagreement seen, "
+             "relative to max(1, "
+             "largest entry). Differences are held to their own estimate of their error where that is larger. Figures "
+             "of routes in double precision are in run.json.\n\n");
+  add_route_pairs(out, r, false);
+  for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
+  text_add_char(out, '\n');
+}
+
+static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
+  text_add(out,
+           "| orbit | tr J | periods run | 2^-52 becomes 1e-6 after | routes leave MPFR so | a displacement grows so |"
+           "\n| --- | ---: | ---: | --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_long_runs; i++) {
+    const struct long_result *l = &r->long_runs[i];
+    if (failing && l->obeys && l->displaced) continue;
+    text_printf(out, "| %s | %s | %ld | %s | %s | %s |\n", l->orbit, l->multiplier, l->periods, l->expected,
+                l->obeys ? "yes" : "**NO**", l->displaced ? "yes" : "**NO**");
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_long_runs(struct text *out, const struct audit_result *r) {
+  if (r->n_long_runs == 0) return;
+  text_add(out,
+           "## Long runs\n\nGSL's integration and the closed forms, both in double precision, beside the closed "
+           "forms in MPFR, from one start on the orbit under Coulomb's law. Where |tr J| > 1 both must leave MPFR at "
+           "that rate a period, where |tr J| < 1 keep their positions within 1e-9 of it, relative to the state; and a "
+           "displacement of one route from the "
+           "other must grow or shrink at that rate. Rates are held to a tenth of log |tr J|; the measured ones, and "
+           "where the routes part by 1e-6, are in run.json. `stickslip simulate SCENE --compare` shows a run.\n\n");
+  add_long_run_rows(out, r, false);
+}
+
+static void add_disagreeing_long_runs(struct text *out, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_long_runs; i++) any = any || !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  if (!any) return;
+  text_add(out, "## Long runs that the multiplier does not explain\n\n");
+  add_long_run_rows(out, r, true);
+}
+
+static void add_disagreeing_routes(struct text *out, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_pairs; i++) any = any || !r->pairs[i].within;
+  if (!any) return;
+  text_add(out, "## Routes that disagree\n\n");
+  add_route_pairs(out, r, true);
+}
+
 void report_markdown(struct text *out, const struct audit_result *r) {
   text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
   add_counts(out, r);
+  add_disagreeing_routes(out, r);
+  add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", is_unexpected);
   add_section(out, r, "Refuted", is_refuted);
+  report_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
+  if (r->readings) report_readings_markdown(out, r->readings);
   add_overview(out, r);
   add_controls(out, r);
-  text_add(out, "## What the routes share\n\n");
-  for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
-  text_add_char(out, '\n');
+  add_routes(out, r);
+  add_long_runs(out, r);
   if (r->n_skipped) text_add(out, "## Left out\n\n");
   for (size_t i = 0; i < r->n_skipped; i++) text_printf(out, "- %s: %s\n", r->skipped[i].what, r->skipped[i].why);
   if (r->n_skipped) text_add_char(out, '\n');

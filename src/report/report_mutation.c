@@ -8,7 +8,7 @@ static void write_row(struct json *j, const char *key, const struct mutation_row
   json_object(j, key);
   if (!key) json_string(j, "name", r->name);
   json_long(j, "total", mutation_row_total(r));
-  for (int i = 0; i < N_FATES; i++) json_long(j, fate_name[i], r->count[i]);
+  for (int i = 0; i < N_MUTANT_FATES; i++) json_long(j, mutant_fate_name[i], r->count[i]);
   json_end_object(j);
 }
 
@@ -20,7 +20,7 @@ static void write_rows(struct json *j, const char *key, const struct mutation_ro
 
 static void write_survivor(struct json *j, const struct survivor *s) {
   json_object(j, NULL);
-  json_string(j, "fate", fate_name[s->fate]);
+  json_string(j, "fate", mutant_fate_name[s->fate]);
   json_string(j, "kind", s->kind);
   json_string(j, "file", s->file);
   json_long(j, "line", (long)s->line);
@@ -61,7 +61,7 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
 
 /* --- For people --- */
 
-static const char *const fate_says[N_FATES] = {
+static const char *const fate_says[N_MUTANT_FATES] = {
     [FATE_EQUIVALENT] = "Survivors that are equivalent to the original",
     [FATE_UNDECIDED] = "Survivors that may be different: no claim that reads them changes its verdict",
     [FATE_UNREAD] = "Survivors in statements that no claim reads",
@@ -69,7 +69,7 @@ static const char *const fate_says[N_FATES] = {
 
 static void add_row(struct text *out, const struct mutation_row *r) {
   text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
-  for (int i = FATE_UNREADABLE; i < N_FATES; i++) text_printf(out, " %ld |", r->count[i]);
+  for (int i = FATE_UNREADABLE; i < N_MUTANT_FATES; i++) text_printf(out, " %ld |", r->count[i]);
   text_add_char(out, '\n');
 }
 
@@ -92,11 +92,11 @@ static size_t group_end(const struct mutation_result *r, size_t i) {
   return k;
 }
 
-static bool is_chosen(const struct survivor *s, enum fate f, bool corrected) {
+static bool is_chosen(const struct survivor *s, enum mutant_fate f, bool corrected) {
   return s->fate == f && s->corrected == corrected;
 }
 
-static long chosen(const struct mutation_result *r, size_t from, size_t to, enum fate f, bool corrected) {
+static long chosen(const struct mutation_result *r, size_t from, size_t to, enum mutant_fate f, bool corrected) {
   long n = 0;
   for (size_t i = from; i < to; i++) n += is_chosen(&r->survivor[i], f, corrected);
   return n;
@@ -109,7 +109,8 @@ static void add_statement(struct text *out, const struct survivor *s, long n) {
 }
 
 /* Every statement with survivors of one fate, each with their texts when asked for. */
-static void list_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected, bool texts) {
+static void list_survivors(struct text *out, const struct mutation_result *r, enum mutant_fate f, bool corrected,
+                           bool texts) {
   for (size_t i = 0, end; i < r->n_survivors; i = end) {
     end = group_end(r, i);
     long n = chosen(r, i, end, f, corrected);
@@ -136,7 +137,7 @@ static void add_summary(struct text *out, const struct mutation_result *r) {
 }
 
 /* The texts of what no claim reads, and of printed text that is refuted anyway, are in mutation.json alone. */
-static void add_survivors(struct text *out, const struct mutation_result *r, enum fate f, bool corrected) {
+static void add_survivors(struct text *out, const struct mutation_result *r, enum mutant_fate f, bool corrected) {
   long n = chosen(r, 0, r->n_survivors, f, corrected);
   if (n == 0) return;
   text_printf(out, "## %s%s (%ld)\n\n", corrected ? "Printed text that the errata correct: " : "", fate_says[f], n);
@@ -144,7 +145,7 @@ static void add_survivors(struct text *out, const struct mutation_result *r, enu
   text_add_char(out, '\n');
 }
 
-static const enum fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
+static const enum mutant_fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
 enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
 
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
@@ -170,7 +171,7 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
 
 void report_mutation_text(struct text *out, const struct mutation_result *r) {
   for (int i = N_SURVIVOR_FATES; i-- > 0;) {
-    enum fate f = survivor_order[i];
+    enum mutant_fate f = survivor_order[i];
     if (chosen(r, 0, r->n_survivors, f, false) == 0) continue;
     text_printf(out, "%s:\n", fate_says[f]);
     list_survivors(out, r, f, false, f == FATE_UNDECIDED);

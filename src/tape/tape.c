@@ -225,6 +225,20 @@ void tape_clear(struct tape *t) {
   *t = (struct tape){.n = 0};
 }
 
+bool tape_same(const struct tape *a, const struct tape *b) {
+  bool same = a->n == b->n && a->n_consts == b->n_consts && a->n_inputs == b->n_inputs && a->n_links == b->n_links &&
+              a->n_outputs == b->n_outputs;
+  for (slong i = 0; same && i < a->n; i++) {
+    const struct tape_instr *x = &a->code[i], *y = &b->code[i];
+    same = x->op == y->op && x->a == y->a && x->b == y->b && x->k == y->k;
+  }
+  for (slong i = 0; same && i < a->n_consts; i++) same = fmpq_equal(&a->consts[i], &b->consts[i]);
+  for (slong i = 0; same && i < a->n_inputs; i++) same = strcmp(a->inputs[i], b->inputs[i]) == 0;
+  for (slong i = 0; same && i < a->n_links; i++) same = a->links[i] == b->links[i];
+  for (slong i = 0; same && i < a->n_outputs; i++) same = a->outputs[i] == b->outputs[i];
+  return same;
+}
+
 /* --- Looking at it --- */
 
 static int arity(enum tape_op op) {

@@ -1,10 +1,12 @@
 """validate.py SCHEMA FILE: hold an output of the program against its JSON Schema, and against what no schema can say.
 
 For audit.json that is: the counts of the summary are those of the claims and add up to the total, ids are unique, and
-every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  One line for each error on
+every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  For phases: entries row by row,
+each value either there or left out, and only methods that have a value depart.  One line for each error on
 stdout; exit status 0 without errors, 1 with errors, 2 for wrong usage.
 """
 import json
+import pathlib
 import sys
 from decimal import Decimal
 
@@ -40,6 +42,20 @@ def audit_errors(audit):
     for i, c in enumerate(audit["claims"]):
         if c["verdict"] not in ("skipped", "definition") and not c["evidence"]:
             yield "claims/%d: %s is %s without evidence" % (i, c["id"], c["verdict"])
+    if audit.get("readings"):
+        yield from readings_errors(audit["readings"])
+
+
+def readings_errors(readings):
+    for level in readings["levels"]:
+        if level["unrounded"] > level["reproduce"] or level["reproduce"] + level["undetermined"] > level["tried"]:
+            yield "levels: the counts of %d dropped equations do not fit" % level["dropped"]
+    for part, off in (("found", 0), ("near", 1)):
+        for i, r in enumerate(readings[part]):
+            if sum(n["how"] == "off" for n in r["numbers"]) != off or r["given"] != len(r["numbers"]) - off:
+                yield "%s/%d: does not miss %d of its numbers" % (part, i, off)
+            if len(r["solved"]) + len(r["dropped"]) != 6 or len(r["inputs"]) + len(r["solved"]) != 8:
+                yield "%s/%d: inputs and equations do not add up" % (part, i)
 
 
 def orbit_errors(out):
@@ -85,8 +101,36 @@ def repair_errors(out):
             yield "claims/%s: searched and not searched" % c["claim"]
 
 
-EXTRA = {"audit.schema.json": audit_errors, "orbit.schema.json": orbit_errors,
+def phases_errors(out):
+    methods = ("analytic-printed", "analytic-corrected", "implicit", "saltation", "fd", "fd-double", "ode")
+    absent = {(x["name"], x["method"]) for x in out["left_out"]}
+    for m in out["phases"] + [out["period"]]:
+        places = [(e["row"], e["col"]) for e in m["entries"]]
+        if places != [(r + 1, c + 1) for r in range(m["rows"]) for c in range(m["cols"])]:
+            yield m["name"] + ": the entries are not row by row"
+        for e in m["entries"]:
+            where = "%s[%d,%d]" % (m["name"], e["row"], e["col"])
+            for method in methods:
+                if (method in e["values"]) == ((m["name"], method) in absent):
+                    yield "%s: %s is neither there nor left out, or both" % (where, method)
+            for method in e["departs"]:
+                if method not in e["values"]:
+                    yield "%s: %s departs without a value" % (where, method)
+
+
+EXTRA = {"phases.schema.json": phases_errors, "audit.schema.json": audit_errors,
+         "readings.schema.json": lambda out: readings_errors(out["readings"]), "orbit.schema.json": orbit_errors,
          "mutation.schema.json": mutation_errors, "repairs.schema.json": repair_errors}
+
+
+def siblings(schema_file):
+    """The schemas beside this one, by their ids: a part that two outputs share is described once."""
+    store = {}
+    for path in pathlib.Path(schema_file).parent.glob("*.schema.json"):
+        with open(path, encoding="utf-8") as f:
+            schema = json.load(f)
+        store[schema["$id"]] = schema
+    return store
 
 
 def errors(schema_file, file):
@@ -98,8 +142,9 @@ def errors(schema_file, file):
             data = json.load(f, object_pairs_hook=no_twins, parse_constant=no_constant)
     except ValueError as e:
         return [str(e)]
+    resolver = jsonschema.RefResolver(schema["$id"], schema, store=siblings(schema_file))
     found = [("/".join(map(str, e.absolute_path)) or "(top)") + ": " + e.message
-             for e in jsonschema.Draft202012Validator(schema).iter_errors(data)]
+             for e in jsonschema.Draft202012Validator(schema, resolver=resolver).iter_errors(data)]
     return found or list(EXTRA.get(schema["$id"], lambda _: ())(data))
 
 

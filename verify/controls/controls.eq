@@ -92,9 +92,10 @@ equation ctl-charpoly
   section: stability
   P(lambda) = lambda*(lambda + tr(J))
 
-define ctl-criterion
+inequality ctl-criterion
+  replaces: text-criterion
   section: stability
-  J := J_f*J_c*J_b*J_a*3
+  -2 < tr(J) < 2
 
 equation ctl-periodicity
   replaces: eq-44b

@@ -55,8 +55,9 @@ define eq-25
 equation eq-25b
   equation: 25
   tex: dZ_a = Z(t_a + dt_a) - Z(t_a) = D(t_a)dZ_0 + D'(t_a)Z_0 dt_a
-  note: the prime is the derivative
-  dZ_a = D(t_a)*dZ_0 + D'(t_a)*Z_0*dt_a
+  note: the prime is the derivative; the difference is written with (24) and (12), to first order
+  dZ_a = first_order(D(t_a + dt_a)*(Z_0 + dZ_0) - D(t_a)*Z_0; x, y, u, v, dt_a)
+    = D(t_a)*dZ_0 + D'(t_a)*Z_0*dt_a
 
 equation eq-26
   equation: 26
@@ -94,8 +95,9 @@ define eq-30
 equation eq-30b
   equation: 30
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_b + \Gamma'(t_b)Z_b dt_b
-  note: the prime is the derivative
-  dZ_b = Gamma(t_b)*dZ_b + Gamma'(t_b)*Z_b*dt_b
+  note: the prime is the derivative; the difference is written with (29) and (14), to first order
+  dZ_b = first_order(Gamma(t_b + dt_b)*(Z_b + dZ_b) - Gamma(t_b)*Z_a; x_b, y_b, u_b, dt_b)
+    = Gamma(t_b)*dZ_b + Gamma'(t_b)*Z_b*dt_b
 
 equation eq-31
   equation: 31
@@ -149,8 +151,9 @@ define eq-34
 equation eq-34b
   equation: 34
   tex: dZ_c = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) = H(t_c)dZ_b + H'(t_c)Z_b dt_c
-  note: the prime is the derivative
-  dZ_c = H(t_c)*dZ_b + H'(t_c)*Z_b*dt_c
+  note: the prime is the derivative; the difference is written with (33) and (15), to first order
+  dZ_c = first_order(H(t_c + dt_c)*(Z_b + dZ_b) - H(t_c)*Z_b; x_b, y_b, u_b, dt_c)
+    = H(t_c)*dZ_b + H'(t_c)*Z_b*dt_c
 
 equation eq-35
   equation: 35
@@ -215,8 +218,9 @@ equation eq-38b
   equation: 38
   tex: dZ_f = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) - Z(t_a + t_b + t_c + t_d)
     = C(t_d) dZ_c + C'(t_d) Z_c dt_d
-  note: the prime is the derivative
-  dZ_f = C(t_d)*dZ_c + C'(t_d)*Z_c*dt_d
+  note: the prime is the derivative; the difference is written with (37) and (17), to first order
+  dZ_f = first_order(C(t_d + dt_d)*(Z_c + dZ_c) - C(t_d)*Z_c; x_c, y_c, u_c, v_c, dt_d)
+    = C(t_d)*dZ_c + C'(t_d)*Z_c*dt_d
 
 equation eq-39
   equation: 39
@@ -278,3 +282,8 @@ equation text-singular
 equation text-charpoly
   tex: P(\lambda) = \lambda(\lambda - \text{tr}(J))
   P(lambda) = lambda*(lambda - tr(J))
+
+inequality text-criterion
+  tex: |\text{tr}(J) < 1|
+  note: read as |tr(J)| < 1
+  -1 < tr(J) < 1

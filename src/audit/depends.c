@@ -1,0 +1,234 @@
+/* What rests on what.  A claim is about a definition (its value, or what it names by "about") or about a record (its
+   statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
+   that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit_impl.h"
+
+/* What one claim is about and what it reaches. */
+struct reach {
+  const struct definition **about;
+  size_t n_about, cap_about;
+  const char *record, *uses_record; /* the record that it is about; another that it is held against */
+  const char *number;               /* the printed number that it is about */
+  const struct definition **used;
+  size_t n_used, cap_used;
+  char **symbols; /* of a number's formula */
+  size_t n_symbols, cap_symbols;
+};
+
+struct dependences {
+  struct reach *reach;
+  size_t n;
+};
+
+static struct view view_of(const struct model *m, const struct claim *c) {
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
+}
+
+/* --- One claim --- */
+
+static void add_about(struct reach *r, const struct view *v, const char *name, const char *section) {
+  struct diag d;
+  diag_init(&d);
+  const struct definition *def = view_lookup(v, name, section, &d);
+  if (!def) return;
+  r->about = ss_grow(r->about, r->n_about, &r->cap_about, sizeof *r->about);
+  r->about[r->n_about++] = def;
+}
+
+/* The names in a list, each up to a bracket: "phi_1(t), K". */
+static void read_about(struct reach *r, const struct view *v, const char *list, const char *section) {
+  for (const char *p = list; p && *p;) {
+    p += strspn(p, ", ");
+    size_t n = strcspn(p, ",( ");
+    char *name = ss_malloc(n + 1);
+    memcpy(name, p, n);
+    name[n] = '\0';
+    if (n) add_about(r, v, name, section);
+    free(name);
+    p += strcspn(p, ",");
+  }
+}
+
+/* Symbols of a scalar formula, those of its definitions included. */
+static void add_symbols(struct reach *r, const struct elaboration *el, const struct matrix *m) {
+  struct tape t = {.n = 0};
+  struct diag d;
+  diag_init(&d);
+  if (elaboration_tape(&t, el, m->e, m->rows * m->cols, &d))
+    for (slong i = 0; i < t.n_inputs; i++) {
+      r->symbols = ss_grow(r->symbols, r->n_symbols, &r->cap_symbols, sizeof *r->symbols);
+      r->symbols[r->n_symbols++] = t.inputs[i];
+      t.inputs[i] = NULL;
+    }
+  tape_clear(&t);
+}
+
+/* Mistakes in a formula are the judges' to report; what it reaches before them counts. */
+static void reach_text(struct reach *r, struct elaboration *el, const char *text, const char *section) {
+  if (!text) return;
+  struct diag d;
+  struct arena a;
+  struct source src;
+  struct matrix m;
+  diag_init(&d);
+  arena_init(&a);
+  source_from_string(&src, text, text);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  if (e && elaborate(&m, el, e, &src, section, &d) && r->number) add_symbols(r, el, &m);
+  source_clear(&src);
+  arena_clear(&a);
+}
+
+static void reach_record(struct elaboration *el, const struct view *v, const char *id) {
+  const struct statement_record *rec = id ? view_record(v, id) : NULL;
+  for (int k = 0; rec && k < rec->n_stmts; k++) {
+    const struct stmt *s = rec->stmts[k];
+    for (int i = 0; s->kind == STMT_RELATION && i < s->n_sides; i++) {
+      struct matrix m;
+      struct diag d;
+      diag_init(&d);
+      elaborate(&m, el, s->sides[i], rec->src, rec->section, &d);
+    }
+  }
+}
+
+static void reach_claim(struct reach *r, const struct model *m, const struct claim *c) {
+  const char *section = claim_get(c, "section"), *value = claim_get(c, "value");
+  const char *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
+  struct view v = view_of(m, c);
+  struct elaboration el;
+  if (!section) section = "";
+  elaboration_init(&el, v, NULL, 0);
+  r->number = claim_get(c, "number");
+  r->record = bound ? bound : statement;
+  r->uses_record = bound ? statement : NULL;
+  read_about(r, &v, value, section);
+  read_about(r, &v, claim_get(c, "about"), section);
+  reach_text(r, &el, value, section);
+  reach_text(r, &el, claim_get(c, "formula"), section);
+  reach_record(&el, &v, statement);
+  reach_record(&el, &v, bound);
+  for (size_t i = 0; i < elaboration_n_used(&el); i++) {
+    const struct definition *def = elaboration_used(&el, i);
+    if (!def) continue;
+    r->used = ss_grow(r->used, r->n_used, &r->cap_used, sizeof *r->used);
+    r->used[r->n_used++] = def;
+  }
+  elaboration_clear(&el);
+}
+
+struct dependences *dependences_new(const struct model *m, const struct claims *claims) {
+  struct dependences *d = ss_malloc(sizeof *d);
+  *d = (struct dependences){.n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
+  for (size_t i = 0; i < d->n; i++) {
+    d->reach[i] = (struct reach){.n_about = 0};
+    reach_claim(&d->reach[i], m, &claims->claim[i]);
+  }
+  return d;
+}
+
+void dependences_free(struct dependences *d) {
+  for (size_t i = 0; i < d->n; i++) {
+    struct reach *r = &d->reach[i];
+    for (size_t k = 0; k < r->n_symbols; k++) free(r->symbols[k]);
+    free(r->symbols);
+    free(r->about);
+    free(r->used);
+  }
+  free(d->reach);
+  free(d);
+}
+
+/* --- Two claims --- */
+
+/* The same name of the paper, whichever layer wrote the text. */
+static bool same_name(const struct definition *a, const struct definition *b) {
+  return strcmp(a->name, b->name) == 0 && (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
+}
+
+static bool is_about(const struct reach *r, const struct definition *def) {
+  for (size_t i = 0; i < r->n_about; i++)
+    if (same_name(r->about[i], def)) return true;
+  return false;
+}
+
+/* A scene prints e1 and z10 for what the formulas call e_1 and z_10. */
+static bool same_number(const char *number, const char *symbol) {
+  for (;; number++, symbol++) {
+    while (*number == '_') number++;
+    while (*symbol == '_') symbol++;
+    if (*number != *symbol) return false;
+    if (!*number) return true;
+  }
+}
+
+/* Claims about the same thing stand beside each other: neither rests on the other. */
+bool dependences_on(const struct dependences *d, size_t a, size_t b) {
+  const struct reach *ra = &d->reach[a], *rb = &d->reach[b];
+  if (a == b) return false;
+  for (size_t i = 0; i < ra->n_used; i++)
+    if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
+  if (ra->uses_record && rb->record && strcmp(ra->uses_record, rb->record) == 0) return true;
+  if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
+  for (size_t i = 0; i < ra->n_symbols; i++)
+    if (same_number(rb->number, ra->symbols[i])) return true;
+  return false;
+}
+
+bool dependences_corrected(const struct dependences *d, size_t a, const char *equation) {
+  for (size_t i = 0; i < d->reach[a].n_used; i++) {
+    const struct definition *def = d->reach[a].used[i];
+    if (def->rank == RANK_ERRATA && strcmp(def->equation, equation) == 0) return true;
+  }
+  return false;
+}
+
+/* --- The list of a finding --- */
+
+/* Whether a comma-separated list names the id. */
+static bool names_id(const char *list, const char *id) {
+  size_t len = strlen(id);
+  for (const char *p = list; p && *p;) {
+    p += strspn(p, ", ");
+    size_t n = strcspn(p, ", ");
+    if (n == len && strncmp(p, id, n) == 0) return true;
+    p += n;
+  }
+  return false;
+}
+
+bool dependences_named(const struct claim *c, const char *id) {
+  return names_id(claim_get(c, "depends-on"), id);
+}
+
+/* Every id that is named by hand must be that of a claim. */
+static bool check_named(struct judge *j, const struct claim *c, const char *list) {
+  for (const char *p = list; p && *p;) {
+    p += strspn(p, ", ");
+    size_t n = strcspn(p, ", ");
+    bool known = n == 0;
+    for (size_t i = 0; i < j->claims->n; i++)
+      known = known || (strlen(j->claims->claim[i].id) == n && strncmp(j->claims->claim[i].id, p, n) == 0);
+    if (!known) return claim_error(j, c, "depends-on", "depends-on names something that is not a claim");
+    p += n;
+  }
+  return true;
+}
+
+bool dependences_list(struct finding *f, struct judge *j, const struct claim *c) {
+  const char *by_hand = claim_get(c, "depends-on");
+  size_t a = 0;
+  while (a < j->claims->n && strcmp(j->claims->claim[a].id, c->id) != 0) a++;
+  if (!check_named(j, c, by_hand)) return false;
+  f->depends_on = arena_alloc(&j->out->arena, j->claims->n * sizeof *f->depends_on);
+  f->n_depends_on = 0;
+  for (size_t b = 0; b < j->claims->n; b++) {
+    const char *id = j->claims->claim[b].id;
+    if ((a < j->claims->n && dependences_on(j->dependences, a, b)) || dependences_named(c, id))
+      f->depends_on[f->n_depends_on++] = result_str(j->out, "%s", id);
+  }
+  return true;
+}

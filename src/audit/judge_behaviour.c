@@ -1,0 +1,232 @@
+/* Kind behaviour: the table of checks, and motions as both routes tell them.  Whatever depends on rounding (a flat contact,
+   routes that part) is left out and counted, so that a verdict is the same on every machine. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+
+static const struct {
+  const char *name;
+  behaviour_fn run;
+} checks[] = {{"modes", behaviour_modes},
+              {"closed-forms", behaviour_closed_forms},
+              {"configurations", behaviour_configurations},
+              {"dimension", behaviour_dimension},
+              {"linear", behaviour_linear},
+              {"switches", behaviour_switches},
+              {"jumps", behaviour_jumps},
+              {"small", behaviour_small},
+              {"fixed-points", behaviour_fixed_points},
+              {"linearization", behaviour_linearization},
+              {"equality", behaviour_equality},
+              {"perturb", behaviour_perturb},
+              {"long-run", behaviour_long_run},
+              {"patching", behaviour_patching}};
+
+bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct behaviour b = {f, j, c, view};
+  const char *name = claim_get(c, "check");
+  for (size_t i = 0; name && i < sizeof checks / sizeof *checks; i++)
+    if (strcmp(checks[i].name, name) == 0) return checks[i].run(&b) && !j->d->set;
+  return claim_error(j, c, "check", "there is no such check of behaviour");
+}
+
+/* --- Motions --- */
+
+const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
+
+static bool keep_event(void *self, const struct coulomb_event *e) {
+  struct told *t = self;
+  struct coulomb_sink log = coulomb_log_sink(&t->log);
+  return log.event(log.self, e);
+}
+
+static bool keep_row(void *self, const struct coulomb_row *row) {
+  struct told *t = self;
+  t->row = ss_grow(t->row, t->n_rows, &t->cap_rows, sizeof *t->row);
+  t->row[t->n_rows] = *row;
+  t->row[t->n_rows++].exact = NULL;
+  return true;
+}
+
+struct told motion_tell(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
+  struct told t = {.status = SS_OK};
+  struct coulomb_sink sink = {&t, keep_event, keep_row};
+  coulomb_log_init(&t.log);
+  t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
+                                                                                   &sink);
+  return t;
+}
+
+void told_clear(struct told *t) {
+  coulomb_log_clear(&t->log);
+  free(t->row);
+}
+
+bool told_same(const struct told *a, const struct told *b) {
+  size_t shared;
+  double size = 1, apart = coulomb_log_compare(&shared, &a->log, &b->log);
+  for (int i = 0; i < 2; i++) {
+    size = fmax(size, fabs(a->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.x[i] - b->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.v[i] - b->result.at.v[i]));
+  }
+  return a->status == SS_OK && b->status == SS_OK && a->log.n == shared && b->log.n == shared &&
+         a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
+}
+
+/* The shortest piece that the word's tail repeats often enough to believe it. */
+static size_t tail_period(const char *word, size_t len) {
+  enum { LONGEST = 40, TIMES = 4 };
+  for (size_t p = 1; p <= LONGEST && TIMES * p <= len; p++) {
+    size_t k = 1;
+    while (k < TIMES && strncmp(word + len - p, word + len - (k + 1) * p, p) == 0) k++;
+    if (k == TIMES) return p;
+  }
+  return 0;
+}
+
+const char *told_ending(struct behaviour *b, const struct told *t) {
+  struct text word;
+  text_init(&word);
+  coulomb_log_word(&word, &t->log);
+  const char *s = text_str(&word), *out = "no piece that repeats";
+  size_t p = tail_period(s, word.len), last = word.len;
+  while (p && last > word.len - p && s[last - 1] != 'D') last--;
+  if (last <= word.len - p) last = word.len; /* no D in it: as it stands */
+  if (p) out = result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
+  text_clear(&word);
+  return out;
+}
+
+const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
+
+int mode_index(const enum coulomb_mode mode[2]) {
+  return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
+}
+
+static double nearest_dyadic(double x) {
+  return nearbyint(64 * x) / 64;
+}
+
+void motion_params(struct motion *m, struct sampler *s) {
+  struct point p;
+  point_init(&p);
+  sampler_next(&p, s);
+  static const int from[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
+  for (int i = 0; i < 5; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&p.q[from[i]]);
+  for (int i = 0; i < 2; i++) m->params[COULOMB_UR1 + i] = m->params[COULOMB_US1 + i] + fmpq_get_d(&p.q[Q_E1 + i]);
+  point_clear(&p);
+}
+
+void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+  struct point p;
+  double f[2];
+  point_init(&p);
+  sampler_next(&p, s);
+  for (int i = 0; i < 2; i++) {
+    double pull = fmpq_get_d(&p.q[Q_Z1 + i]), speed = fmpq_get_d(&p.q[Q_DZ1 + i]); /* both in eighths, up to 4 */
+    bool sticks = sticking || nearbyint(8 * pull) / 2 == floor(nearbyint(8 * pull) / 2);
+    f[i] = m->params[COULOMB_UR1 + i] * pull / (sticking ? 4.5 : 2);
+    m->start[DZ_1 + i] = m->params[COULOMB_V] * (sticks ? 1 : 1 + speed);
+  }
+  m->start[Z_1] = nearest_dyadic((f[0] + f[1]) / (1 - m->params[COULOMB_CHI]));
+  m->start[Z_2] = nearest_dyadic(m->start[Z_1] + f[1] / m->params[COULOMB_CHI]);
+  point_clear(&p);
+}
+
+void motion_print(struct text *out, const struct motion *m) {
+  const double *p = m->params;
+  text_printf(out, "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; ",
+              p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
+              p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
+  text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
+}
+
+bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
+  struct coulomb_setup sim;
+  bool ok = coulomb_setup_on_orbit(&sim, params->q + Q_CHI, o, factor) == SS_OK;
+  memcpy(m->params, sim.params, sizeof m->params);
+  memcpy(m->start, sim.start, sizeof m->start);
+  return ok;
+}
+
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
+  for (int i = 0; i < set->n; i++)
+    if (set->at[i] == o) return false;
+  if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
+  set->at[set->n++] = o;
+  return true;
+}
+
+/* --- Evidence --- */
+
+struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
+                                bool decisive, long trials, const char *where, const char *note) {
+  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = route;
+  e->layer = layer;
+  e->result = words[says];
+  e->trials = trials;
+  e->worst = where;
+  e->note = note;
+  return (struct route_word){route, says, decisive, trials};
+}
+
+bool behaviour_params(struct point *p, struct behaviour *b, const char *at) {
+  struct text packed;
+  struct diag d;
+  text_init(&packed);
+  diag_init(&d);
+  for (const char *s = at; s && *s && *s != ';'; s++)
+    if (*s != ' ') text_add_char(&packed, *s);
+  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
+  bool ok = at && point_set(p, text_str(&packed), &d);
+  text_clear(&packed);
+  p->kind = POINT_ORBIT;
+  p->orbit = 0;
+  return ok ||
+         claim_error(b->j, b->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+}
+
+/* --- Random motions watched --- */
+
+/* n random motions, each over the given time in units of the free system's; sticking: from starts as in (11). */
+struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
+                               void *self) {
+  struct watched w = {0, 0};
+  struct sampler s;
+  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
+  for (long i = 0; i < n; i++) {
+    struct motion m;
+    struct told told[N_MOTION_ROUTES];
+    struct coulomb_plan plan = coulomb_plan_default;
+    motion_params(&m, &s);
+    motion_start(&m, &s, sticking);
+    plan.duration = duration;
+    plan.sample = sample;
+    for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
+    bool same = told_same(&told[0], &told[1]);
+    w.motions += same;
+    w.apart += !same;
+    if (same) fn(self, &m, told);
+    for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
+  }
+  return w;
+}
+
+/* Both routes' words, alike, and their verdict. */
+void behaviour_conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
+                        const char *note) {
+  struct route_word w[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_say(b, motion_route_name[r], "model", says[r], r == BY_INTEGRATION, trials,
+                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+}
+
+enum says behaviour_count(long good, long bad) {
+  return bad ? SAYS_DIFFERS : good ? SAYS_AGREES : SAYS_NOTHING;
+}

@@ -1,0 +1,104 @@
+/* The orbits of a scene or of a set of parameters, searched once for each precision that is asked for. */
+#include <stdlib.h>
+
+#include "audit_impl.h"
+#include "stickslip/given.h"
+
+/* chi, eta, V and two of e1 ... t_d decide which orbits there are. */
+enum { N_DATA = KEY_TD + 1 };
+
+/* What is given exactly, by scene_key; a value that is not given is not looked at. */
+struct data {
+  const fmpq *value;
+  const bool *given;
+};
+
+static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
+  if (data.given[KEY_E1] && data.given[KEY_E2])
+    return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
+    if (!data.given[k]) continue;
+    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
+    value[n++] = data.value[k]; /* borrowed: neither changed nor cleared */
+  }
+  return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
+}
+
+int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  return find_orbits(list, (struct data){s->value, s->given}, prec);
+}
+
+/* --- Found once --- */
+
+struct cached {
+  fmpq value[N_DATA];
+  bool given[N_DATA];
+  slong prec;
+  struct dyn_orbits list;
+};
+struct orbit_cache {
+  struct cached **item;
+  size_t n, cap;
+};
+
+struct orbit_cache *orbit_cache_new(void) {
+  struct orbit_cache *c = ss_malloc(sizeof *c);
+  *c = (struct orbit_cache){.n = 0};
+  return c;
+}
+
+void orbit_cache_free(struct orbit_cache *c) {
+  for (size_t i = 0; i < c->n; i++) {
+    for (int k = 0; k < N_DATA; k++) fmpq_clear(&c->item[i]->value[k]);
+    dyn_orbits_clear(&c->item[i]->list);
+    free(c->item[i]);
+  }
+  free(c->item);
+  free(c);
+}
+
+static bool is_of(const struct cached *e, struct data data) {
+  for (int k = 0; k < N_DATA; k++) {
+    if (e->given[k] != data.given[k]) return false;
+    if (e->given[k] && !fmpq_equal(&e->value[k], &data.value[k])) return false;
+  }
+  return true;
+}
+
+static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data data, slong prec) {
+  for (size_t i = 0; i < c->n; i++)
+    if (c->item[i]->prec == prec && is_of(c->item[i], data)) return &c->item[i]->list;
+  c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
+  struct cached *e = ss_malloc(sizeof *e);
+  c->item[c->n++] = e;
+  e->prec = prec;
+  for (int k = 0; k < N_DATA; k++) {
+    fmpq_init(&e->value[k]);
+    e->given[k] = data.given[k];
+    if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
+  }
+  find_orbits(&e->list, data, prec);
+  return &e->list;
+}
+
+const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
+  static const bool forces[N_DATA] = {true, true, true, true, true};
+  return cached_orbits(c, (struct data){params, forces}, prec);
+}
+
+/* One enclosure serves every precision up to FD_PREC, so that an orbit is searched once. */
+static slong orbit_prec(slong prec) {
+  return (prec > FD_PREC ? prec : FD_PREC) + 64;
+}
+
+const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec) {
+  if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
+  return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
+}
+
+const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
+  return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
+}

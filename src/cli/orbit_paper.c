@@ -1,0 +1,171 @@
+/* stickslip orbit --method paper: equations (44)-(46) by Newton's iteration in double precision and in MPFR, as a table or
+   as JSON (schema/orbit-paper.schema.json). */
+#include <math.h>
+
+#include "cli.h"
+#include "stickslip/json.h"
+
+enum { MAX_PAPER_DIGITS = 1000, GUARD_BITS = 192 };
+
+static const char *const name[N_ROUTE] = {"t_a", "t_b", "t_c", "t_d", "z10", "z20"};
+
+static void print_number(struct text *out, const struct paper_orbit *p, int i, slong digits) {
+  arb_t x;
+  arb_init(x);
+  num_mpfr.get_arb(x, num_vec_at(&p->route.x, i));
+  text_reset(out);
+  num_print(out, x, digits);
+  arb_clear(x);
+}
+
+static void print_start(struct text *out, const struct paper_orbit *p) {
+  text_reset(out);
+  if (p->from < 0)
+    text_add(out, "printed");
+  else
+    text_printf(out, "orbit:%ld", (long)p->from + 1);
+}
+
+/* --- JSON --- */
+
+static void json_double(struct json *j, const char *key, double x, const char *fmt) {
+  char s[40];
+  snprintf(s, sizeof s, fmt, x);
+  json_string(j, key, isfinite(x) ? s : NULL);
+}
+
+static void write_count(struct json *j, const char *key, bool known, int n) {
+  if (known)
+    json_long(j, key, n);
+  else
+    json_null(j, key);
+}
+
+static void write_steps(struct json *j, const struct paper_orbit *p) {
+  json_object(j, "steps");
+  write_count(j, "double", p->route.status_d == SS_OK, p->route.steps_d);
+  write_count(j, "mpfr", p->status == SS_OK, p->route.steps);
+  json_end_object(j);
+}
+
+static void write_condition(struct json *j, const struct paper_orbit *p) {
+  const struct paper_condition *k = &p->route.condition;
+  if (p->status == SS_OK) {
+    json_object(j, "condition");
+    json_double(j, "equations", k->jacobian, "%.3g");
+    json_double(j, "N1 - I", k->n1, "%.3g");
+    json_double(j, "N3", k->n3, "%.3g");
+    json_end_object(j);
+  } else {
+    json_null(j, "condition");
+  }
+  if (p->status == SS_OK && p->route.status_d == SS_OK)
+    json_double(j, "digits_lost", p->route.digits_lost, "%.1f");
+  else
+    json_null(j, "digits_lost");
+}
+
+static void write_solution(struct json *j, const struct paper_orbit *p, slong digits) {
+  bool found = p->status == SS_OK;
+  struct text t;
+  text_init(&t);
+  json_object(j, NULL);
+  print_start(&t, p);
+  json_string(j, "from", text_str(&t));
+  json_array(j, "start");
+  for (int i = 0; i < ROUTE_Z; i++) json_double(j, NULL, p->guess[i], "%.17g");
+  json_end_array(j);
+  json_bool(j, "converged", found);
+  for (int i = 0; i < N_ROUTE; i++) {
+    if (found) print_number(&t, p, i, digits);
+    json_string(j, name[i], found ? text_str(&t) : NULL);
+  }
+  write_steps(j, p);
+  text_reset(&t);
+  if (p->nearest >= 0) text_printf(&t, "orbit:%ld", (long)p->nearest + 1);
+  json_string(j, "nearest", p->nearest >= 0 ? text_str(&t) : NULL);
+  text_reset(&t);
+  if (p->nearest >= 0) num_print(&t, p->distance, 2);
+  json_string(j, "distance", p->nearest >= 0 ? text_str(&t) : NULL);
+  write_condition(j, p);
+  json_end_object(j);
+  text_clear(&t);
+}
+
+static void write_json(struct text *out, const struct paper_orbits *list, const struct scene *s, slong digits) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "method", "paper");
+  json_array(&j, "solutions");
+  for (size_t i = 0; i < list->n; i++) write_solution(&j, &list->item[i], digits);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+/* --- The table --- */
+
+static void add_solution(struct text *out, const struct paper_orbit *p, slong digits) {
+  const struct paper_route *r = &p->route;
+  struct text t;
+  text_init(&t);
+  if (p->from < 0)
+    text_add(out, "from the printed times");
+  else
+    text_printf(out, "from the times of orbit %ld moved by %d %%", (long)p->from + 1, PAPER_START_MOVED);
+  text_printf(out, " (%.6g, %.6g, %.6g, %.6g)\n", p->guess[0], p->guess[1], p->guess[2], p->guess[3]);
+  if (p->status != SS_OK) {
+    text_add(out, "  the iteration does not converge\n");
+    text_clear(&t);
+    return;
+  }
+  for (int i = 0; i < N_ROUTE; i++) {
+    print_number(&t, p, i, digits);
+    text_printf(out, "  %-9s %s\n", name[i], text_str(&t));
+  }
+  if (r->status_d == SS_OK)
+    text_printf(out, "  steps     %d in double, %d in MPFR at %ld bits\n", r->steps_d, r->steps, (long)r->x.ctx.prec);
+  else
+    text_printf(out, "  steps     no convergence in double, %d in MPFR at %ld bits\n", r->steps, (long)r->x.ctx.prec);
+  text_reset(&t);
+  if (p->nearest >= 0) {
+    num_print(&t, p->distance, 2);
+    text_printf(out, "  nearest   the model's orbit %ld, within %s\n", (long)p->nearest + 1, text_str(&t));
+  } else {
+    text_add(out, "  nearest   the model has no orbit here\n");
+  }
+  text_printf(out, "  condition %.3g of the four equations' Jacobian, %.3g of N_1 - I, %.3g of N_3\n",
+              r->condition.jacobian, r->condition.n1, r->condition.n3);
+  if (r->status_d == SS_OK) text_printf(out, "  digits    %.1f of 16 lost in double\n", r->digits_lost);
+  text_clear(&t);
+}
+
+int run_orbit_paper(const struct options *o, const char *data) {
+  slong digits;
+  int status = parse_digits(&digits, o);
+  if (status) return status;
+  if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with %s", "--method paper");
+  if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");
+  struct diag d;
+  struct scene s;
+  struct paper_orbits list = {.n = 0};
+  struct text out;
+  diag_init(&d);
+  text_init(&out);
+  slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
+  if (scene_load(&s, o->operand[0], data, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+    if (o->json)
+      write_json(&out, &list, &s, digits);
+    else
+      text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
+    for (size_t i = 0; i < list.n && !o->json; i++) add_solution(&out, &list.item[i], digits);
+    fputs(text_str(&out), stdout);
+  } else {
+    status = bad_input(&d);
+  }
+  paper_orbits_clear(&list);
+  text_clear(&out);
+  scene_clear(&s);
+  return status;
+}

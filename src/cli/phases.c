@@ -1,0 +1,331 @@
+/* stickslip jacobian --phases: every entry of the local Jacobians by every method, so that a wrong one is located. */
+#include <string.h>
+
+#include "cli.h"
+#include "stickslip/json.h"
+
+enum { MATRIX_J = N_MATRICES - 1 };
+
+static void matrix_worst(arb_t worst, const struct jacobian_matrix *a, int c) {
+  jacobian_accuracy(worst, a->entry[c], a->rows * a->cols);
+}
+
+/* --- The table --- */
+
+static void pad(struct text *out, size_t from, size_t width) {
+  while (out->len < from + width) text_add_char(out, ' ');
+}
+
+/* A cell: the digits that are known, and a star where the method departs. */
+static void add_cell(struct text *out, const struct jacobian_matrix *a, int c, int e, slong digits) {
+  if (!a->known[c]) {
+    text_add_char(out, '-');
+    return;
+  }
+  print_known(out, a->entry[c] + e, digits);
+  if (a->departs[c][e]) text_add_char(out, '*');
+}
+
+static size_t column_width(const struct jacobian_phases *p, int c, slong digits) {
+  struct text cell;
+  text_init(&cell);
+  size_t width = strlen(jacobian_columns[c].heading);
+  for (int i = 0; i < N_MATRICES; i++)
+    for (int e = 0; e < p->matrix[i].rows * p->matrix[i].cols; e++) {
+      text_reset(&cell);
+      add_cell(&cell, &p->matrix[i], c, e, digits);
+      if (cell.len > width) width = cell.len;
+    }
+  text_clear(&cell);
+  return width + 2;
+}
+
+static void add_rows(struct text *out, const struct jacobian_matrix *a, const size_t *width, slong digits) {
+  for (int e = 0; e < a->rows * a->cols; e++) {
+    size_t from = out->len;
+    text_printf(out, "%s[%d,%d]", a->name, e / a->cols + 1, e % a->cols + 1);
+    pad(out, from, 10);
+    for (int c = 0; c < N_COLUMNS; c++) {
+      from = out->len;
+      add_cell(out, a, c, e, digits);
+      if (c + 1 < N_COLUMNS) pad(out, from, width[c]);
+    }
+    text_add_char(out, '\n');
+  }
+}
+
+/* The worst accuracy of a column over all matrices that it has. */
+static void add_accuracies(struct text *out, const struct jacobian_phases *p, const size_t *width) {
+  arb_t worst, x;
+  arb_init(worst);
+  arb_init(x);
+  text_add(out, "accuracy  ");
+  for (int c = 0; c < N_COLUMNS; c++) {
+    size_t from = out->len;
+    bool any = false;
+    arb_zero(worst);
+    for (int i = 0; i < N_MATRICES; i++) {
+      if (!p->matrix[i].known[c]) continue;
+      any = true;
+      matrix_worst(x, &p->matrix[i], c);
+      arb_max(worst, worst, x, 64);
+    }
+    if (any)
+      print_accuracy(out, worst);
+    else
+      text_add_char(out, '-');
+    if (c + 1 < N_COLUMNS) pad(out, from, width[c]);
+  }
+  text_add_char(out, '\n');
+  arb_clear(x);
+  arb_clear(worst);
+}
+
+/* "printed departs from the others at J_f[1,1], ..." for each method that does. */
+static void add_summary(struct text *out, const struct jacobian_phases *p) {
+  bool any = false;
+  for (int c = 0; c < N_COLUMNS; c++) {
+    const char *sep = " departs from the other methods at ";
+    bool named = false;
+    for (int i = 0; i < N_MATRICES; i++) {
+      const struct jacobian_matrix *a = &p->matrix[i];
+      for (int e = 0; e < a->rows * a->cols; e++) {
+        if (!a->departs[c][e]) continue;
+        text_printf(out, "%s%s%s[%d,%d]", named ? "" : jacobian_columns[c].heading, sep, a->name, e / a->cols + 1,
+                    e % a->cols + 1);
+        sep = ", ";
+        named = any = true;
+      }
+    }
+    if (named) text_add_char(out, '\n');
+  }
+  if (!any) text_add(out, "no entry departs: the methods agree within the accuracies that they state\n");
+}
+
+static const char *why_left_out(int c) {
+  return jacobian_columns[c].method == METHOD_ODE ? "nearby motions under Coulomb's law do otherwise"
+                                                  : "the events or the values could not be had there";
+}
+
+static void add_left_out(struct text *out, const struct jacobian_phases *p) {
+  for (int c = 0; c < N_COLUMNS; c++) {
+    const char *sep = " leaves out ";
+    bool named = false;
+    for (int i = 0; i < N_MATRICES; i++) {
+      if (p->matrix[i].known[c]) continue;
+      text_printf(out, "%s%s%s", named ? "" : jacobian_columns[c].heading, sep, p->matrix[i].name);
+      sep = ", ";
+      named = true;
+    }
+    if (named) text_printf(out, ": %s\n", why_left_out(c));
+  }
+}
+
+/* A method whose J has the eigenvalues: implicit differentiation, or the first that is known. */
+static int column_of_j(const struct jacobian_phases *p) {
+  const struct jacobian_matrix *a = &p->matrix[MATRIX_J];
+  for (int c = 0; c < N_COLUMNS; c++)
+    if (a->known[c] && jacobian_columns[c].method == METHOD_IMPLICIT) return c;
+  for (int c = 0; c < N_COLUMNS; c++)
+    if (a->known[c]) return c;
+  return -1;
+}
+
+static void phases_text(struct text *out, const struct jacobian_phases *p, const struct scene *s,
+                        const struct jacobian_request *q) {
+  size_t width[N_COLUMNS];
+  text_printf(out, "%s, ", s->name);
+  print_at(out, q);
+  text_add(out, ": local Jacobians of the phases and J of the period\n          ");
+  for (int c = 0; c < N_COLUMNS; c++) {
+    size_t from = out->len;
+    width[c] = column_width(p, c, q->digits);
+    text_add(out, jacobian_columns[c].heading);
+    if (c + 1 < N_COLUMNS) pad(out, from, width[c]);
+  }
+  text_add_char(out, '\n');
+  for (int i = 0; i < N_MATRICES; i++) add_rows(out, &p->matrix[i], width, q->digits);
+  add_accuracies(out, p, width);
+  add_summary(out, p);
+  add_left_out(out, p);
+  if (q->at_printed)
+    text_add(out,
+             "printed and corrected stand at the printed times, the others find the events of the printed start\n");
+}
+
+static void add_eigenvalues(struct text *out, const struct jacobian_phases *p, slong digits) {
+  int c = column_of_j(p);
+  if (c < 0) return;
+  struct text gsl[2];
+  arb_ptr x = _arb_vec_init(2);
+  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
+  jacobian_invariants(x, x + 1, p->matrix[MATRIX_J].entry[c]);
+  if (arb_is_zero(x + 1)) {
+    text_add(out, "eigenvalues of J 0 and ");
+    print_known(out, x, digits);
+    text_add(out, " (exactly: 0 and the trace)\n");
+  }
+  if (print_eigenvalues(gsl, p->matrix[MATRIX_J].entry[c]))
+    text_printf(out, "eigenvalues of J %s and %s (GSL)\n", text_str(&gsl[0]), text_str(&gsl[1]));
+  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
+  _arb_vec_clear(x, 2);
+}
+
+/* --- JSON --- */
+
+static void json_number(struct json *w, const char *key, const arb_struct *x, slong digits) {
+  struct text t;
+  text_init(&t);
+  print_known(&t, x, digits);
+  json_string(w, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void json_accuracy(struct json *w, const char *key, const arb_struct *worst) {
+  struct text t;
+  text_init(&t);
+  print_accuracy(&t, worst);
+  json_string(w, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, slong digits) {
+  arb_t radius;
+  arb_init(radius);
+  json_object(w, NULL);
+  json_long(w, "row", e / a->cols + 1);
+  json_long(w, "col", e % a->cols + 1);
+  json_object(w, "values");
+  for (int c = 0; c < N_COLUMNS; c++) {
+    if (!a->known[c]) continue;
+    json_object(w, jacobian_columns[c].name);
+    json_number(w, "value", a->entry[c] + e, digits);
+    jacobian_accuracy(radius, a->entry[c] + e, 1);
+    json_accuracy(w, "accuracy", radius);
+    json_end_object(w);
+  }
+  json_end_object(w);
+  json_array(w, "departs");
+  for (int c = 0; c < N_COLUMNS; c++)
+    if (a->departs[c][e]) json_string(w, NULL, jacobian_columns[c].name);
+  json_end_array(w);
+  json_end_object(w);
+  arb_clear(radius);
+}
+
+/* The members of a matrix's object. */
+static void matrix_json(struct json *w, const struct jacobian_matrix *a, slong digits) {
+  json_string(w, "name", a->name);
+  if (a->phase) json_string(w, "phase", a->phase);
+  json_long(w, "rows", a->rows);
+  json_long(w, "cols", a->cols);
+  json_array(w, "entries");
+  for (int e = 0; e < a->rows * a->cols; e++) entry_json(w, a, e, digits);
+  json_end_array(w);
+}
+
+static void eigenvalues_json(struct json *w, const struct jacobian_phases *p, slong digits) {
+  int c = column_of_j(p);
+  if (c < 0) {
+    json_null(w, "eigenvalues");
+    return;
+  }
+  const arb_struct *j = p->matrix[MATRIX_J].entry[c];
+  struct text gsl[2];
+  arb_ptr x = _arb_vec_init(2);
+  for (int i = 0; i < 2; i++) text_init(&gsl[i]);
+  jacobian_invariants(x, x + 1, j);
+  json_object(w, "eigenvalues");
+  json_string(w, "of", jacobian_columns[c].name);
+  if (arb_is_zero(x + 1)) {
+    json_array(w, "exact");
+    json_string(w, NULL, "0");
+    json_number(w, NULL, x, digits);
+    json_end_array(w);
+  } else {
+    json_null(w, "exact");
+  }
+  if (print_eigenvalues(gsl, j)) {
+    json_array(w, "gsl");
+    for (int i = 0; i < 2; i++) json_string(w, NULL, text_str(&gsl[i]));
+    json_end_array(w);
+  } else {
+    json_null(w, "gsl");
+  }
+  json_end_object(w);
+  for (int i = 0; i < 2; i++) text_clear(&gsl[i]);
+  _arb_vec_clear(x, 2);
+}
+
+static void accuracy_json(struct json *w, const struct jacobian_phases *p) {
+  const struct jacobian_matrix *a = &p->matrix[MATRIX_J];
+  arb_t worst;
+  arb_init(worst);
+  json_object(w, "accuracy");
+  for (int c = 0; c < N_COLUMNS; c++) {
+    if (!a->known[c]) continue;
+    matrix_worst(worst, a, c);
+    json_accuracy(w, jacobian_columns[c].name, worst);
+  }
+  json_end_object(w);
+  arb_clear(worst);
+}
+
+static void left_out_json(struct json *w, const struct jacobian_phases *p) {
+  json_array(w, "left_out");
+  for (int i = 0; i < N_MATRICES; i++)
+    for (int c = 0; c < N_COLUMNS; c++) {
+      if (p->matrix[i].known[c]) continue;
+      json_object(w, NULL);
+      json_string(w, "name", p->matrix[i].name);
+      json_string(w, "method", jacobian_columns[c].name);
+      json_string(w, "why", why_left_out(c));
+      json_end_object(w);
+    }
+  json_end_array(w);
+}
+
+static void phases_json(struct text *out, const struct jacobian_phases *p, const struct scene *s,
+                        const struct jacobian_request *q) {
+  struct text at;
+  struct json w;
+  text_init(&at);
+  print_at(&at, q);
+  json_init(&w, out);
+  json_object(&w, NULL);
+  json_string(&w, "scene", s->name);
+  json_string(&w, "at", text_str(&at));
+  json_array(&w, "phases");
+  for (int i = 0; i < MATRIX_J; i++) {
+    json_object(&w, NULL);
+    matrix_json(&w, &p->matrix[i], q->digits);
+    json_end_object(&w);
+  }
+  json_end_array(&w);
+  json_object(&w, "period");
+  matrix_json(&w, &p->matrix[MATRIX_J], q->digits);
+  json_end_object(&w);
+  eigenvalues_json(&w, p, q->digits);
+  accuracy_json(&w, p);
+  left_out_json(&w, p);
+  json_end_object(&w);
+  text_clear(&at);
+}
+
+bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
+                 const struct jacobian_request *q, struct diag *d) {
+  struct jacobian_phases p;
+  struct text out;
+  jacobian_phases_init(&p);
+  text_init(&out);
+  bool ok = audit_phases(&p, m, s, q, d);
+  if (ok && o->json) phases_json(&out, &p, s, q);
+  if (ok && !o->json) {
+    phases_text(&out, &p, s, q);
+    add_eigenvalues(&out, &p, q->digits);
+  }
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+  jacobian_phases_clear(&p);
+  return ok;
+}

@@ -1,0 +1,34 @@
+/* stickslip readings: how the printed numbers of a scene could have arisen. */
+#include "cli.h"
+#include "stickslip/report.h"
+
+int run_readings(const struct options *o, const char *data) {
+  if (o->n_operands != 1) return usage("readings takes one %s", "SCENE");
+  struct diag d;
+  struct model m;
+  struct scene s;
+  struct audit_result r;
+  struct text out;
+  diag_init(&d);
+  model_init(&m);
+  audit_result_init(&r);
+  text_init(&out);
+  bool ok = scene_load(&s, o->operand[0], data, &d) && load_model(&m, data, o, &d);
+  const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
+  if (why) {
+    diag_set(&d, "%s: error: no readings: %s", s.path, why);
+    ok = false;
+  }
+  r.scene = s.name;
+  if (ok && o->json)
+    report_readings_json(&out, &r);
+  else if (ok)
+    report_readings_markdown(&out, r.readings);
+  int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
+  if (ok) fputs(text_str(&out), stdout);
+  text_clear(&out);
+  audit_result_clear(&r);
+  scene_clear(&s);
+  model_clear(&m);
+  return status;
+}

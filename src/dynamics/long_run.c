@@ -1,0 +1,189 @@
+/* Three simulations of one motion, return by return.  MPFR goes first and keeps its returns as they are, so that the
+   others' distances from it are differences taken in MPFR, not of rounded numbers. */
+#include "stickslip/long_run.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "stickslip/arena.h"
+
+enum { MOST_EVENTS = 200000, KEPT = 3 }; /* kept of a return of MPFR: t, x_1, x_2 */
+
+const char *const long_route_name[N_LONG_ROUTES] = {"ode", "closed", "mpfr"};
+
+/* What listens to one route. */
+struct listener {
+  struct long_run *run;
+  enum long_route route;
+  struct coulomb_sink log;
+  struct num_vec *kept; /* KEPT elements a return */
+  size_t cap;
+};
+
+/* The difference of the double d and the number x. */
+static double difference(double d, const void *x) {
+  mpfr_t z;
+  mpfr_init2(z, 53);
+  mpfr_sub_d(z, x, d, MPFR_RNDN);
+  double off = fabs(mpfr_get_d(z, MPFR_RNDN));
+  mpfr_clear(z);
+  return off;
+}
+
+static void keep(struct listener *l, const struct coulomb_row *row) {
+  struct long_run *run = l->run;
+  size_t n = (size_t)run->n[l->route];
+  struct long_return r = {row->t, {row->x[0], row->x[1]}, 0, 0, run->log[l->route].n};
+  bool known = l->route == LONG_MPFR ? l->kept->len >= (slong)(n + 1) * KEPT : (long)n < run->n[LONG_MPFR];
+  if (!known) return;
+  for (int i = 0; i < KEPT; i++) {
+    void *x = num_vec_at(l->kept, (slong)n * KEPT + i);
+    if (l->route == LONG_MPFR)
+      num_mpfr.set(x, num_vec_at(row->exact, i));
+    else if (i == 0)
+      r.late = difference(r.t, x);
+    else
+      r.off = fmax(r.off, difference(r.x[i - 1], x));
+  }
+  run->at[l->route] = ss_grow(run->at[l->route], n, &l->cap, sizeof r);
+  run->at[l->route][n] = r;
+  run->n[l->route]++;
+}
+
+/* Where both masses begin to stick at once the second report completes the event. */
+static bool listen(void *self, const struct coulomb_event *e) {
+  struct listener *l = self;
+  bool first_of_two = e->simultaneous && e->mass == 0;
+  if (!l->log.event(l->log.self, e)) return false;
+  if (!first_of_two && e->at.mode[0] == MODE_STICK && e->at.mode[1] == MODE_STICK) keep(l, &e->at);
+  return true;
+}
+
+/* One route, in the context given. */
+static int run_closed(struct listener *l, struct num_ctx ctx, const double params[N_COULOMB],
+                      const double start[N_STATE], const struct coulomb_plan *plan) {
+  struct num_vec p, x;
+  struct coulomb_result r;
+  struct coulomb_sink sink = {l, listen, NULL};
+  num_vec_init(&p, N_COULOMB, ctx);
+  num_vec_init(&x, N_STATE, ctx);
+  for (int i = 0; i < N_COULOMB; i++) ctx.type->set_d(num_vec_at(&p, i), params[i], ctx.prec);
+  for (int i = 0; i < N_STATE; i++) ctx.type->set_d(num_vec_at(&x, i), start[i], ctx.prec);
+  int status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
+  l->run->end[l->route] = r.end;
+  num_vec_clear(&x);
+  num_vec_clear(&p);
+  return status;
+}
+
+static int run_ode(struct listener *l, const double params[N_COULOMB], const double start[N_STATE], double displaced,
+                   const struct coulomb_plan *plan) {
+  struct coulomb_result r = {.end = COULOMB_FAILED};
+  struct coulomb_sink sink = {l, listen, NULL};
+  double moved[N_STATE];
+  for (int i = 0; i < N_STATE; i++) moved[i] = start[i];
+  moved[Z_1] += displaced;
+  int status = coulomb_simulate_ode(&r, params, moved, plan, &sink);
+  l->run->end[l->route] = r.end;
+  return status;
+}
+
+int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
+                  double duration, double displaced, slong prec) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct num_vec kept;
+  *run = (struct long_run){.scale = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V]};
+  plan.returns = returns;
+  plan.duration = duration;
+  plan.max_events = MOST_EVENTS;
+  num_vec_init(&kept, KEPT * returns, num_ctx_mpfr(prec));
+  int status = SS_OK;
+  for (int k = N_LONG_ROUTES - 1; k >= 0; k--) {
+    struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
+    if (k == LONG_ODE)
+      status |= run_ode(&l, params, start, displaced, &plan);
+    else
+      status |= run_closed(&l, k == LONG_MPFR ? num_ctx_mpfr(prec) : num_ctx_double(), params, start, &plan);
+  }
+  num_vec_clear(&kept);
+  return status;
+}
+
+void long_run_clear(struct long_run *run) {
+  for (int k = 0; k < N_LONG_ROUTES; k++) {
+    coulomb_log_clear(&run->log[k]);
+    free(run->at[k]);
+  }
+}
+
+long long_run_length(const struct long_run *run, struct long_pair p) {
+  return run->n[p.a] < run->n[p.b] ? run->n[p.a] : run->n[p.b];
+}
+
+double long_run_apart(const struct long_run *run, struct long_pair p, long i) {
+  const struct long_return *a = &run->at[p.a][i], *b = &run->at[p.b][i];
+  if (p.b == LONG_MPFR) return a->off;
+  if (p.a == LONG_MPFR) return b->off;
+  return fmax(fabs(a->x[0] - b->x[0]), fabs(a->x[1] - b->x[1]));
+}
+
+/* In a position or in time. */
+static double anyhow_apart(const struct long_run *run, struct long_pair p, long i) {
+  const struct long_return *a = &run->at[p.a][i], *b = &run->at[p.b][i];
+  double late = p.b == LONG_MPFR ? a->late : p.a == LONG_MPFR ? b->late : fabs(a->t - b->t);
+  return fmax(late, long_run_apart(run, p, i));
+}
+
+double long_run_most(const struct long_run *run, struct long_pair p) {
+  double most = 0;
+  long n = long_run_length(run, p);
+  for (long i = 0; i < n; i++) most = fmax(most, long_run_apart(run, p, i));
+  return most;
+}
+
+long long_run_parting(const struct long_run *run, struct long_pair p, double by) {
+  long n = long_run_length(run, p);
+  for (long i = 0; i < n; i++)
+    if (anyhow_apart(run, p, i) > by) return i + 1;
+  return 0;
+}
+
+/* The slope of the logarithm of the distance over the returns first .. last, counted from 1. */
+static double slope(const struct long_run *run, struct long_pair p, long first, long last) {
+  double middle = 0.5 * (double)(first + last), top = 0, bottom = 0;
+  for (long i = first; i <= last; i++) {
+    double from = (double)i - middle;
+    top += from * log(long_run_apart(run, p, i - 1));
+    bottom += from * from;
+  }
+  return top / bottom;
+}
+
+bool long_run_growth(struct long_growth *growth, const struct long_run *run, struct long_pair p) {
+  enum { FEWEST = 3 };
+  long n = long_run_length(run, p), first = 0;
+  for (long i = 1; i <= n + 1; i++) {
+    double d = i <= n ? long_run_apart(run, p, i - 1) / run->scale : 0;
+    if (d >= 1e-11 && d <= 1e-6) {
+      if (first == 0) first = i;
+    } else if (first > 0 && i - first >= FEWEST) {
+      *growth = (struct long_growth){first, i - 1, slope(run, p, first, i - 1)};
+      return true;
+    } else {
+      first = 0;
+    }
+  }
+  return false;
+}
+
+bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
+                        double multiplier, double duration) {
+  enum { RETURNS = 64, BITS = 128 };
+  struct long_run run;
+  double scale = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
+  double displaced = ldexp(scale, fabs(multiplier) < 1 ? -21 : -34);
+  bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, BITS) != SS_DOMAIN &&
+            long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
+  long_run_clear(&run);
+  return ok;
+}

@@ -1,0 +1,60 @@
+/* Around a motion in double: the closed-form route and its start from plain arrays; and what is read off afterwards, the word
+   in short and whether two routes tell the same story. */
+#include <math.h>
+#include <string.h>
+
+#include "stickslip/coulomb.h"
+
+static int from_array(struct num_vec *v, const double *x, slong n) {
+  int s = SS_OK;
+  num_vec_init(v, n, num_ctx_double());
+  for (slong i = 0; i < n; i++) s |= v->ctx.type->set_d(num_vec_at(v, i), x[i], 53);
+  return s;
+}
+
+int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], double z10, double z20) {
+  const double z[2] = {z10, z20};
+  struct num_vec p, at, x;
+  int s = from_array(&p, params, N_COULOMB) | from_array(&at, z, 2);
+  num_vec_init(&x, N_STATE, num_ctx_double());
+  s |= coulomb_start_set(&x, &p, num_vec_at(&at, 0), num_vec_at(&at, 1));
+  for (int i = 0; i < N_STATE; i++) start[i] = x.ctx.type->get_d(num_vec_at(&x, i));
+  num_vec_clear(&x);
+  num_vec_clear(&at);
+  num_vec_clear(&p);
+  return s;
+}
+
+int coulomb_simulate_d(struct coulomb_result *result, const double params[N_COULOMB], const double start[N_STATE],
+                       const struct coulomb_plan *plan, const struct coulomb_sink *sink) {
+  struct num_vec p, x;
+  int s = from_array(&p, params, N_COULOMB) | from_array(&x, start, N_STATE);
+  *result = (struct coulomb_result){.end = COULOMB_FAILED};
+  s = s ? SS_DOMAIN : coulomb_simulate_exact(result, NULL, &p, &x, plan, sink);
+  num_vec_clear(&x);
+  num_vec_clear(&p);
+  return s;
+}
+
+void coulomb_word_fold(struct text *out, const char *word) {
+  while (*word) {
+    size_t len = strcspn(word, "D");
+    if (word[len] == 'D') len++;
+    long n = 0;
+    const char *p = word;
+    for (; strncmp(p, word, len) == 0 && strlen(p) >= len; p += len) n++;
+    text_printf(out, "%s(%.*s)^%ld", out->len ? " " : "", (int)len, word, n);
+    word = p;
+  }
+}
+
+double coulomb_log_compare(size_t *shared, const struct coulomb_log *a, const struct coulomb_log *b) {
+  double worst = 0;
+  for (*shared = 0; *shared < a->n && *shared < b->n; ++*shared) {
+    const struct coulomb_event *e = &a->event[*shared], *f = &b->event[*shared];
+    if (e->mass != f->mass || e->from != f->from || e->to != f->to) break;
+    worst = fmax(worst, fabs(e->at.t - f->at.t));
+    for (int i = 0; i < 2; i++) worst = fmax(worst, fmax(fabs(e->at.x[i] - f->at.x[i]), fabs(e->at.v[i] - f->at.v[i])));
+  }
+  return worst;
+}

@@ -1,0 +1,662 @@
+/* Behaviour: the return map's Taylor series, chains of masses, and the claims that are judged by motions.
+
+   Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
+   Runge-Kutta in floats), from the return map of carrier.c, which knows no series, from the simulation of two masses, and
+   from a chain integrated here with tiny steps. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "audit/behaviour.h"
+#include "laws_num.h"
+#include "scratch.h"
+#include "stickslip/chain.h"
+#include "suites.h"
+
+/* --- The return map as a series --- */
+
+struct row {
+  double par[N_PARAMS], value, r, c[4];
+  int vary;
+};
+
+static double ratio(const char *s) {
+  double p = 0, q = 1;
+  if (sscanf(s, "%lf/%lf", &p, &q) < 2) q = 1;
+  return p / q;
+}
+
+static void read_equality(struct row row[2]) {
+  FILE *f = fopen("tests/oracle/equality.tsv", "r");
+  ck_assert_ptr_nonnull(f);
+  for (int k = 0; k < 2; k++) {
+    char par[N_PARAMS][32];
+    ck_assert_int_eq(fscanf(f, "%31s %31s %31s %31s %31s %d %lf %lf %lf %lf %lf", par[0], par[1], par[2], par[3],
+                            par[4], &row[k].vary, &row[k].value, &row[k].r, &row[k].c[1], &row[k].c[2], &row[k].c[3]),
+                     11);
+    for (int i = 0; i < N_PARAMS; i++) row[k].par[i] = ratio(par[i]);
+    row[k].par[row[k].vary] = row[k].value;
+  }
+  fclose(f);
+}
+
+/* The series at r, the start lying on w = e1, in balls of 200 bits; radius: of r, as a power of 2, or 0. */
+static int series(arb_ptr c, slong n, const double par[N_PARAMS], double r, slong radius) {
+  struct num_ctx ctx = num_ctx_arb(200);
+  struct num_vec params;
+  struct dyn_arc arc;
+  double t[4], out;
+  arb_ptr z = _arb_vec_init(3);
+  ck_assert_int_eq(dyn_return_map_d(&out, NULL, t, par, r, &dyn_limits_default), SS_OK);
+  num_vec_init(&params, N_PARAMS, ctx);
+  dyn_arc_init(&arc, ctx);
+  for (int i = 0; i < N_PARAMS; i++) ctx.type->set_d(num_vec_at(&params, i), par[i], 200);
+  arb_set_d(z + 2, r);
+  if (radius) mag_set_ui_2exp_si(arb_radref(z + 2), 1, radius);
+  const void *chi = num_vec_at(&params, P_CHI), *e1 = num_vec_at(&params, P_E1);
+  arb_mul(z, chi, z + 2, 200);
+  arb_add(z, z, e1, 200);
+  arb_add(z + 1, z + 2, e1, 200);
+  arb_sub_si(z + 2, chi, 1, 200);
+  arb_neg(z + 2, z + 2);
+  arb_div(z, z, z + 2, 200);
+  arb_div(z + 1, z + 1, z + 2, 200);
+  t[0] = 0;
+  int s = dyn_arc_run(&arc, &params, z, z + 1, t);
+  if (s == SS_OK) s |= dyn_return_jet(c, n, &params, &arc);
+  dyn_arc_clear(&arc);
+  num_vec_clear(&params);
+  _arb_vec_clear(z, 3);
+  return s;
+}
+
+static double middle(const arb_t x) {
+  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+START_TEST(series_of_the_return_map_at_equality) {
+  struct row row[2];
+  arb_ptr c = _arb_vec_init(4);
+  read_equality(row);
+  const struct row *k = &row[_i];
+  ck_assert_int_eq(series(c, 4, k->par, k->r, 0), SS_OK);
+  ck_assert_double_eq_tol(middle(c), k->r, 1e-12 * fabs(k->r));
+  ck_assert_double_eq_tol(middle(c + 1), -1, 1e-12);
+  for (int i = 2; i < 4; i++) ck_assert_double_eq_tol(middle(c + i), k->c[i], 1e-9 * (1 + fabs(k->c[i])));
+  _arb_vec_clear(c, 4);
+}
+END_TEST
+
+START_TEST(series_predicts_the_map_nearby) {
+  struct rng rng = {(uint64_t)_i};
+  struct row row[2];
+  arb_ptr c = _arb_vec_init(6);
+  read_equality(row);
+  double par[N_PARAMS];
+  memcpy(par, row[_i % 2].par, sizeof par);
+  par[P_V] *= 1 + (double)rng_between(&rng, -8, 8) / 64;
+  par[P_ETA] *= 1 + (double)rng_between(&rng, -8, 8) / 64;
+  double r = row[_i % 2].r * (1 + (double)rng_between(&rng, -8, 8) / 256), t[4];
+  if (series(c, 6, par, r, 0) == SS_OK)
+    for (int k = -2; k <= 2; k++) {
+      double s = k * 5e-4, want, got = 0;
+      ck_assert_int_eq(dyn_return_map_d(&want, NULL, t, par, r + s, &dyn_limits_default), SS_OK);
+      for (int i = 5; i >= 0; i--) got = got * s + middle(c + i);
+      ck_assert_msg(fabs(got - want) < 1e-11 * (1 + fabs(want)), "trial %d at s = %g: %.17g, not %.17g", _i, s, got,
+                    want);
+    }
+  _arb_vec_clear(c, 6);
+}
+END_TEST
+
+START_TEST(series_over_a_ball_hold_those_of_its_points) {
+  struct row row[2];
+  arb_ptr c = _arb_vec_init(8);
+  read_equality(row);
+  ck_assert_int_eq(series(c, 4, row[0].par, row[0].r, -60), SS_OK);
+  for (int side = -1; side <= 1; side++) {
+    ck_assert_int_eq(series(c + 4, 4, row[0].par, row[0].r, 0), SS_OK);
+    for (int i = 0; i < 4; i++) ck_assert(arb_overlaps(c + i, c + 4 + i));
+  }
+  ck_assert(arb_rel_accuracy_bits(c + 3) > 20);
+  _arb_vec_clear(c, 8);
+}
+END_TEST
+
+/* --- Chains --- */
+
+static double dyadic(struct rng *r, slong low, slong high) {
+  return (double)rng_between(r, low, high) / 64;
+}
+
+static void random_chain(struct chain *c, double start[2 * CHAIN_MOST], int n, struct rng *r) {
+  *c = (struct chain){.n = n, .V = dyadic(r, 16, 128)};
+  for (int i = 0; i < n; i++) {
+    c->spring[i] = dyadic(r, 8, 64);
+    c->mobility[i] = dyadic(r, 32, 128);
+    c->us[i] = dyadic(r, 0, 100);
+    c->ur[i] = c->us[i] + dyadic(r, 8, 100);
+    start[i] = dyadic(r, -200, 200);
+    start[n + i] = rng_between(r, 0, 1) ? c->V : dyadic(r, -150, 150);
+  }
+}
+
+START_TEST(a_chain_of_two_is_the_papers_system) {
+  struct rng r = {(uint64_t)_i};
+  struct chain c;
+  double x[2 * CHAIN_MOST], p[N_COULOMB];
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result end;
+  struct coulomb_log log;
+  random_chain(&c, x, 2, &r);
+  double chi = dyadic(&r, 6, 58);
+  c.spring[0] = 1 - chi;
+  c.spring[1] = chi;
+  c.mobility[0] = 1;
+  p[COULOMB_CHI] = chi;
+  p[COULOMB_ETA] = c.mobility[1];
+  p[COULOMB_V] = c.V;
+  for (int i = 0; i < 2; i++) {
+    p[COULOMB_US1 + i] = c.us[i];
+    p[COULOMB_UR1 + i] = c.ur[i];
+  }
+  coulomb_log_init(&log);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  plan.duration = 12;
+  ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
+  for (int route = 0; route < N_CHAIN_ROUTES; route++) {
+    struct chain_motion m;
+    ck_assert_int_eq(chain_simulate(&m, (enum chain_route)route, &c, x, 12), SS_OK);
+    ck_assert_msg(m.n_events == (int)log.n, "trial %d route %d: %d events, not %zu", _i, route, m.n_events, log.n);
+    for (size_t k = 0; k < log.n; k++) {
+      ck_assert_int_eq(m.event[k].mass, log.event[k].mass);
+      ck_assert_int_eq((int)m.event[k].to, (int)log.event[k].to);
+      ck_assert_double_eq_tol(m.event[k].t, log.event[k].at.t, 1e-7);
+    }
+    for (int i = 0; i < 2; i++) {
+      ck_assert_double_eq_tol(m.z[i], end.at.x[i], 1e-7);
+      ck_assert_double_eq_tol(m.z[2 + i], end.at.v[i], 1e-7);
+    }
+  }
+  coulomb_log_clear(&log);
+}
+END_TEST
+
+/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds its
+   limit slips.  Error of the order of a step. */
+static void crude_chain(double z[2 * CHAIN_MOST], const struct chain *c, const double *start, double duration) {
+  enum { STEPS = 400000 };
+  int n = c->n, side[CHAIN_MOST];
+  double h = duration / STEPS, f[CHAIN_MOST];
+  memcpy(z, start, 2 * (size_t)n * sizeof *z);
+  for (int i = 0; i < n; i++) side[i] = z[n + i] < c->V ? 1 : z[n + i] > c->V ? -1 : 0;
+  for (int k = 0; k < STEPS; k++) {
+    for (int i = 0; i < n; i++) {
+      f[i] = c->spring[i] * (z[i] - (i ? z[i - 1] : 0));
+      if (i + 1 < n) f[i] += c->spring[i + 1] * (z[i] - z[i + 1]);
+      if (side[i] == 0 && fabs(f[i]) >= c->ur[i]) side[i] = f[i] > 0 ? 1 : -1;
+    }
+    for (int i = 0; i < n; i++) {
+      double v = z[n + i];
+      if (side[i]) {
+        z[n + i] += h * c->mobility[i] * (side[i] * c->us[i] - f[i]);
+        if (side[i] * (z[n + i] - c->V) > 0 && fabs(f[i]) < c->ur[i]) {
+          z[n + i] = c->V;
+          side[i] = 0;
+        } else if (side[i] * (z[n + i] - c->V) > 0) {
+          side[i] = -side[i];
+        }
+      }
+      z[i] += h * 0.5 * (v + z[n + i]);
+    }
+  }
+}
+
+START_TEST(longer_chains_are_those_of_tiny_steps) {
+  struct rng r = {(uint64_t)_i + 100};
+  struct chain c;
+  double x[2 * CHAIN_MOST], crude[2 * CHAIN_MOST];
+  int n = 3 + _i % 3;
+  random_chain(&c, x, n, &r);
+  crude_chain(crude, &c, x, 4);
+  for (int route = 0; route < N_CHAIN_ROUTES; route++) {
+    struct chain_motion m;
+    ck_assert_int_eq(chain_simulate(&m, (enum chain_route)route, &c, x, 4), SS_OK);
+    for (int i = 0; i < 2 * n; i++)
+      ck_assert_msg(fabs(m.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, m.z[i],
+                    crude[i]);
+  }
+}
+END_TEST
+
+START_TEST(chains_outside_the_domain) {
+  struct rng r = {7};
+  struct chain good, c;
+  struct chain_motion m;
+  double x[2 * CHAIN_MOST] = {0};
+  random_chain(&good, x, 3, &r);
+  ck_assert_int_eq(chain_simulate(&m, CHAIN_PATCHED, &good, x, 0), SS_OK);
+  ck_assert_double_eq(m.z[1], x[1]);
+  for (int k = 0; k < 9; k++) {
+    double duration = 1;
+    c = good;
+    if (k == 0) c.n = 0;
+    if (k == 1) c.n = CHAIN_MOST + 1;
+    if (k == 2) c.spring[1] = 0;
+    if (k == 3) c.mobility[2] = -1;
+    if (k == 4) c.V = NAN;
+    if (k == 5) c.us[0] = c.ur[0];
+    if (k == 6) duration = -1;
+    if (k == 7) duration = INFINITY;
+    if (k == 8) c.ur[1] = INFINITY;
+    ck_assert_msg(chain_simulate(&m, CHAIN_INTEGRATED, &c, x, duration) == SS_DOMAIN, "case %d", k);
+  }
+}
+END_TEST
+
+/* --- Claims --- */
+
+static struct scene paper;
+
+static void open_paper(void) {
+  struct diag d;
+  diag_init(&d);
+  scratch_open();
+  ck_assert(scene_load(&paper, "paper", "verify", &d));
+}
+
+static void close_paper(void) {
+  scene_clear(&paper);
+  scratch_close();
+}
+
+/* Judges the claims of a text under the paper's and the corrected files. */
+static bool judge_text(struct audit_result *r, const char *text, struct diag *d) {
+  struct model m;
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  const struct audit_options opt = {.n_only = 0};
+  diag_init(d);
+  audit_result_init(r);
+  model_init(&m);
+  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, d) &&
+            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, d) &&
+            claims_add_file(&claims, scratch_put("case.claim", text), "claim", d) &&
+            audit_run(r, &m, &claims, &none, &paper, &opt, d);
+  claims_clear(&claims);
+  model_clear(&m);
+  return ok;
+}
+
+static const struct finding *judged(struct audit_result *r, const char *text) {
+  struct diag d;
+  bool ok = judge_text(r, text, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  ck_assert_int_eq((int)r->n_findings, 1);
+  return &r->findings[0];
+}
+
+/* The note of some evidence that contains the words. */
+static bool says(const struct finding *f, const char *words) {
+  for (int i = 0; i < f->n_evidence; i++)
+    if (f->evidence[i].note && strstr(f->evidence[i].note, words)) return true;
+  return false;
+}
+
+#define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
+
+START_TEST(dimensions_are_those_of_the_constraints) {
+  static const struct {
+    const char *text;
+    enum verdict want;
+  } cases[] = {{CLAIM("dimension") "  range: 2 4\n", VERDICT_SUPPORTED},
+               {CLAIM("dimension") "  range: 1 4\n", VERDICT_REFUTED},
+               {CLAIM("dimension") "  range: 2 3\n", VERDICT_REFUTED},
+               {CLAIM("dimension") "  range: 3 4\n", VERDICT_REFUTED}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct audit_result r;
+    const struct finding *f = judged(&r, cases[i].text);
+    ck_assert_int_eq((int)f->verdict, (int)cases[i].want);
+    /* a sticking mass has one constraint, x' = V */
+    ck_assert(says(f, "D 2 G 3 H 4 C 3 g 3 h 4 c 3 X 4 x 4"));
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+/* c_2^2 + c_3 of equality.tsv to six digits. */
+START_TEST(the_third_order_decides_at_equality) {
+  static const char *const families[] = {
+      "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
+      "  at: chi = 79/100, eta = 2, V = 1, e1 = 4, e2 = 1/4\n  vary: chi from 79/100 to 78/100\n"};
+  struct row row[2];
+  char text[400], want[64], place[64];
+  struct audit_result r;
+  read_equality(row);
+  snprintf(text, sizeof text, "%s%s", CLAIM("equality"), families[_i]);
+  const struct finding *f = judged(&r, text);
+  double third = row[_i].c[2] * row[_i].c[2] + row[_i].c[3];
+  ck_assert_int_eq((int)f->verdict, third > 0 ? VERDICT_REFUTED : VERDICT_SUPPORTED);
+  snprintf(want, sizeof want, "c_2^2 + c_3 = %.6g", third);
+  ck_assert_msg(says(f, want), "%s is not said", want);
+  snprintf(place, sizeof place, " = %.15g", row[_i].value);
+  ck_assert_msg(strstr(f->evidence[0].worst, place) != NULL, "%s, not %s", f->evidence[0].worst, place);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* Word and period of longrun.tsv. */
+START_TEST(the_long_run_of_the_printed_start) {
+  FILE *f = fopen("tests/oracle/longrun.tsv", "r");
+  char line[600];
+  struct audit_result r;
+  const struct finding *g = judged(&r, CLAIM("long-run") "  friction: 1.25 2\n");
+  ck_assert_int_eq((int)g->verdict, VERDICT_DEFINITION);
+  ck_assert_int_eq(g->n_evidence, 2);
+  ck_assert_ptr_nonnull(f);
+  for (int k = 0; k < 2; k++) {
+    ck_assert_ptr_nonnull(fgets(line, sizeof line, f));
+    char *field[16], *at = line;
+    int n = 0;
+    for (char *tab; n < 15 && (tab = strchr(at, '\t')); at = tab + 1) {
+      *tab = '\0';
+      field[n++] = at;
+    }
+    char period[32];
+    snprintf(period, sizeof period, "the period %.6f", atof(at));
+    ck_assert_msg(strstr(g->evidence[k].note, field[n - 1]) != NULL, "%s, not %s", g->evidence[k].note, field[n - 1]);
+    ck_assert_msg(strstr(g->evidence[k].note, period) != NULL, "%s, not %s", g->evidence[k].note, period);
+    ck_assert(strstr(g->evidence[k].note, "tell the same events") != NULL);
+    char friction[64];
+    snprintf(friction, sizeof friction, "u_r1 = %.6f, u_r2 = %.6f", atof(field[1]), atof(field[2]));
+    ck_assert_str_eq(g->evidence[k].worst, friction);
+  }
+  fclose(f);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* Where a velocity perturbation frees a sticking mass the motion departs, and only there: the program's words, and the two
+   motions of longrun.tsv, of which the slowed one never comes to stick both masses again. */
+START_TEST(a_slowed_sticking_mass_departs) {
+  struct audit_result r;
+  const struct finding *f = judged(&r, CLAIM("perturb") "  at: chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4\n");
+  ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+  ck_assert(says(f, "5 free a sticking mass at once"));
+  ck_assert(says(f, "5 of these depart; of the 91 others 0"));
+  ck_assert(says(f, "(GH)"));
+  audit_result_clear(&r);
+  struct motion m = {{2.0 / 3, 2, 1, 0.5, 0.95279191029 - 0.25, 2.5, 0.95279191029}, {4.447209099, 3.58969638, 1, 1}};
+  for (int slowed = 0; slowed < 2; slowed++) {
+    struct coulomb_plan plan = coulomb_plan_default;
+    plan.returns = 20;
+    plan.duration = 400;
+    if (slowed) m.start[DZ_1] -= 1e-6;
+    for (int route = 0; route < N_MOTION_ROUTES; route++) {
+      struct told t = motion_tell((enum motion_route)route, &m, &plan);
+      ck_assert_int_eq((int)t.result.returns, slowed ? 0 : 20);
+      told_clear(&t);
+    }
+  }
+}
+END_TEST
+
+/* How much the product of the phases' propagators stretches a vector per period in the long run, in double by GSL. */
+static double growth(const struct dyn_orbit *o, const fmpq params[N_PARAMS]) {
+  enum { PERIODS = 4000 };
+  struct num_vec p, step[N_PHASES], z;
+  double log_size = 0;
+  num_vec_init(&p, N_PARAMS, num_ctx_double());
+  num_vec_init(&z, N_STATE, num_ctx_double());
+  for (int i = 0; i < N_PARAMS; i++) p.ctx.type->set_q(num_vec_at(&p, i), &params[i], 53);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    double t = middle(o->t[ph]);
+    num_vec_init(&step[ph], N_STATE * N_STATE, num_ctx_double());
+    ck_assert_int_eq(dyn_propagator(&step[ph], (enum phase)ph, &p, &t), SS_OK);
+  }
+  for (int i = 0; i < N_STATE; i++) z.ctx.type->set_d(num_vec_at(&z, i), 0.3 + i, 53);
+  for (int k = 0; k < PERIODS; k++) {
+    double size = 0;
+    for (int ph = 0; ph < N_PHASES; ph++) num_mat_mul(&z, &step[ph], &z, N_STATE, N_STATE, 1);
+    for (int i = 0; i < N_STATE; i++) size = fmax(size, fabs(z.ctx.type->get_d(num_vec_at(&z, i))));
+    for (int i = 0; i < N_STATE; i++) {
+      double x = z.ctx.type->get_d(num_vec_at(&z, i)) / size;
+      z.ctx.type->set_d(num_vec_at(&z, i), x, 53);
+    }
+    if (k >= PERIODS / 2) log_size += log(size) / (PERIODS - PERIODS / 2);
+  }
+  for (int ph = 0; ph < N_PHASES; ph++) num_vec_clear(&step[ph]);
+  num_vec_clear(&z);
+  num_vec_clear(&p);
+  return exp(log_size);
+}
+
+/* At how many of the orbits that the claim draws the propagators stretch. */
+static long stretched(const char *id) {
+  enum { WANTED = 24, DRAWS = 96 };
+  struct orbit_cache *cache = orbit_cache_new();
+  struct orbit_set seen = {.n = 0};
+  struct sampler s;
+  struct point p;
+  long count = 0;
+  sampler_init(&s, id, POINT_ORBIT, PHASE_D, NULL);
+  point_init(&p);
+  for (int i = 0; i < DRAWS && seen.n < WANTED; i++) {
+    sampler_next(&p, &s);
+    if (!point_settle(&p, cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(cache, p.q, FD_PREC + 64)->orbit[p.orbit];
+    if (!o->grazing && orbit_is_new(&seen, o)) count += growth(o, p.q) > 1.005;
+  }
+  point_clear(&p);
+  orbit_cache_free(cache);
+  return count;
+}
+
+START_TEST(linearization_is_wrong_without_the_jumps_only) {
+  struct audit_result r;
+  const struct finding *f = judged(&r, CLAIM("linearization"));
+  ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+  ck_assert(says(f, "and wrong at 0"));
+  ck_assert_int_eq(f->evidence[0].trials, stretched("text-case"));
+  audit_result_clear(&r);
+  f = judged(&r, "claim text-other\n  kind: behaviour\n  title: a case\n  check: linearization\n");
+  ck_assert_int_eq(f->evidence[0].trials, stretched("text-other"));
+  audit_result_clear(&r);
+  f = judged(&r, CLAIM("linearization") "  jumps: saltation\n");
+  ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
+  audit_result_clear(&r);
+}
+END_TEST
+
+START_TEST(the_criterion_needs_its_threshold) {
+  static const char claim[] = "claim text-case\n  section: stability\n  kind: criterion\n  title: a case\n"
+                              "  statement: text-criterion\n";
+  struct audit_result r;
+  char text[400];
+  const struct finding *f = judged(&r, claim);
+  ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+  audit_result_clear(&r);
+  static const char *const sides[] = {"inside", "outside"};
+  for (int i = 0; i < 2; i++) {
+    snprintf(text, sizeof text, "%s  side: %s\n", claim, sides[i]);
+    f = judged(&r, text);
+    ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+    ck_assert(says(f, i ? "at 0 orbits with |slope| < 1" : "and 0 with |slope| > 1"));
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+/* The scene to reproduce the perturbed motions with is the claim's. */
+START_TEST(the_scene_is_the_claims) {
+  struct claims claims = {.n = 0};
+  struct scene stable;
+  struct diag d;
+  struct point p;
+  char at[200];
+  size_t n = 0;
+  diag_init(&d);
+  point_init(&p);
+  ck_assert(scene_load(&stable, "stable", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d));
+  for (size_t i = 0; i < claims.n; i++) {
+    if (strcmp(claims.claim[i].id, "text-conditionally-stable") != 0) continue;
+    for (const char *s = claim_get(&claims.claim[i], "at"); *s; s++)
+      if (*s != ' ') at[n++] = *s;
+  }
+  at[n] = '\0';
+  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p.q[q]);
+  ck_assert_msg(n > 0 && point_set(&p, at, &d), "%s", d.message);
+  for (int k = 0; k < N_SCENE_PARAMS; k++) ck_assert(fmpq_equal(&p.q[Q_CHI + k], &stable.value[k]));
+  claims_clear(&claims);
+  scene_clear(&stable);
+  point_clear(&p);
+}
+END_TEST
+
+/* Whatever a claim file may say, an answer or a place in the file. */
+START_TEST(hostile_attributes) {
+  static const char *const texts[] = {
+      CLAIM("nothing"),
+      "claim text-case\n  kind: behaviour\n  title: a case\n",
+      CLAIM("dimension"),
+      CLAIM("dimension") "  range: 2\n",
+      CLAIM("dimension") "  range: 4 2\n",
+      CLAIM("dimension") "  range: 2 5\n",
+      CLAIM("dimension") "  range: two four\n",
+      CLAIM("switches"),
+      CLAIM("switches") "  transition: sideways\n",
+      CLAIM("equality"),
+      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n",
+      CLAIM("equality") "  at: chi = 2/3\n  vary: e2 from 3/4 to 1\n",
+      CLAIM("equality") "  at: chi = 3/2, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1\n",
+      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e3 from 3/4 to 1\n",
+      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from x to 1\n",
+      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1/0\n",
+      CLAIM("equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from -3/4 to 1\n",
+      CLAIM(
+          "equality") "  at: chi = 2/3, eta = 1/2, V = 1, e1 = 4, e2 = 3/4\n  vary: e2 from 3/4 to 1; e1 from 1 to 2\n",
+      CLAIM("perturb"),
+      CLAIM("perturb") "  at: chi = , eta\n",
+      CLAIM("perturb") "  at: chi = 4/5, eta = 1, V = 1, e1 = 2.7844, e2 = 0.8587\n",
+      CLAIM("long-run"),
+      CLAIM("long-run") "  friction: 0.5\n",
+      CLAIM("long-run") "  friction: 1.25 x\n",
+      CLAIM("long-run") "  friction: 1e300\n",
+      "claim text-case\n  kind: criterion\n  title: a case\n",
+      "claim text-case\n  kind: criterion\n  title: a case\n  statement: text-criterion\n  side: between\n",
+      "claim text-case\n  kind: criterion\n  title: a case\n  statement: no-such-record\n",
+  };
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    struct audit_result r;
+    struct diag d;
+    ck_assert_msg(!judge_text(&r, texts[i], &d) && d.set, "case %zu was judged", i);
+    ck_assert_msg(strstr(d.message, "case.claim:") || strstr(d.message, "no-such-record"), "case %zu: %s", i,
+                  d.message);
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+/* --- simulate --start --- */
+
+/* Runs the program; its exit status, its standard output in out. */
+static int run(char *out, size_t size, const char *args) {
+  char command[1000];
+  const char *program = getenv("STICKSLIP");
+  snprintf(command, sizeof command, "%s %s 2>%s", program ? program : "build/stickslip", args, scratch_path("err"));
+  FILE *p = popen(command, "r");
+  ck_assert_ptr_nonnull(p);
+  size_t n = fread(out, 1, size - 1, p);
+  out[n] = '\0';
+  char rest[4096];
+  while (fread(rest, 1, sizeof rest, p) > 0) continue;
+  int status = pclose(p);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+/* The slowed mass of longrun.tsv, and values as constant expressions. */
+START_TEST(simulate_from_a_start_of_ones_own) {
+  char out[60000];
+  ck_assert_int_eq(run(out, sizeof out, "simulate stable --start 4.447209099,3.58969638,1,1 --periods 3"), 0);
+  ck_assert_msg(strstr(out, "word (GHCD)^3\n") != NULL, "%s", out);
+  ck_assert_int_eq(run(out, sizeof out, "simulate stable --start '4+0.447209099,3.58969638,1-10^(-6),(1)' --periods 3"),
+                   0);
+  ck_assert_msg(strstr(out, "word (HGHGHG") != NULL && strstr(out, "after 0 returns") != NULL, "%s", out);
+  ck_assert_int_eq(run(out, sizeof out, "simulate stable --start 0,0,0,0 --csv --samples 3"), 0);
+  ck_assert_msg(strstr(out, "\n0,0,0,0,0,below,below,") != NULL, "%s", out);
+}
+END_TEST
+
+START_TEST(hostile_starts) {
+  static const struct {
+    const char *start;
+    int status;
+  } cases[] = {{"1,2,3", 3},          {"1,2,3,4,5", 3},   {",,,", 3},          {"x,1,1,1", 3},
+               {"1,2,3,1/0", 3},      {"1e400,1,1,1", 3}, {"-1e101,1,1,1", 3}, {"1,2,3,", 3},
+               {"0.5.5,1,1,1", 3},    {"1,2,3,(4", 3},    {"''", 2},           {"1,1,1,9^9^9", 3},
+               {"1e99,-1e99,1,1", 0}, {"1,2,3,sin(1)", 3}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char args[200], out[60000];
+    bool quoted = cases[i].start[0] == '\'';
+    snprintf(args, sizeof args, "simulate stable --start %s%s%s", quoted ? "" : "'", cases[i].start, quoted ? "" : "'");
+    int status = run(out, sizeof out, args);
+    ck_assert_msg(status == cases[i].status, "%s: status %d", cases[i].start, status);
+  }
+  char out[60000];
+  ck_assert_int_eq(run(out, sizeof out, "simulate stable --at orbit:1 --start 1,1,1,1"), 2);
+  ck_assert_int_eq(run(out, sizeof out, "orbit stable --start 1,1,1,1"), 2);
+  ck_assert_int_eq(run(out, sizeof out, "simulate stable --start"), 2);
+}
+END_TEST
+
+/* The first motion that the audit names as leaving the paper's four configurations, put into a scene and simulated: some
+   mass goes faster than the belt. */
+START_TEST(a_certificate_can_be_rechecked) {
+  struct audit_result r;
+  const struct finding *f = judged(&r, CLAIM("configurations"));
+  ck_assert_int_eq((int)f->verdict, VERDICT_REFUTED);
+  char scene[1000], args[400], out[60000];
+  const char *where = f->evidence[0].worst, *start = strstr(where, "; --start ");
+  ck_assert_ptr_nonnull(start);
+  size_t n = (size_t)snprintf(scene, sizeof scene, "title: a certificate\n%.*s\n", (int)(start - where), where);
+  for (size_t i = 0; i + 1 < n; i++)
+    if (scene[i] == ',') scene[i + 1] = '\n', scene[i] = ' ';
+  snprintf(args, sizeof args, "simulate %s --start '%s' --periods 50", scratch_put("certificate.scene", scene),
+           start + 10);
+  int status = run(out, sizeof out, args);
+  ck_assert_msg(status == 0, "status %d: %s of %s", status, args, scene);
+  ck_assert_msg(strstr(out, "> above") != NULL, "%s", out);
+  audit_result_clear(&r);
+}
+END_TEST
+
+Suite *behaviour_suite(void) {
+  Suite *s = suite_create("behaviour");
+  TCase *c = tcase_create("return map");
+  tcase_add_loop_test(c, series_of_the_return_map_at_equality, 0, 2);
+  tcase_add_loop_test(c, series_predicts_the_map_nearby, 0, 40);
+  tcase_add_test(c, series_over_a_ball_hold_those_of_its_points);
+  suite_add_tcase(s, c);
+  c = tcase_create("chains");
+  tcase_add_loop_test(c, a_chain_of_two_is_the_papers_system, 0, 40);
+  tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
+  tcase_add_test(c, chains_outside_the_domain);
+  suite_add_tcase(s, c);
+  c = tcase_create("claims");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, dimensions_are_those_of_the_constraints);
+  tcase_add_loop_test(c, the_third_order_decides_at_equality, 0, 2);
+  tcase_add_test(c, the_long_run_of_the_printed_start);
+  tcase_add_test(c, a_slowed_sticking_mass_departs);
+  tcase_add_test(c, linearization_is_wrong_without_the_jumps_only);
+  tcase_add_test(c, the_criterion_needs_its_threshold);
+  tcase_add_test(c, the_scene_is_the_claims);
+  tcase_add_test(c, hostile_attributes);
+  tcase_add_test(c, simulate_from_a_start_of_ones_own);
+  tcase_add_test(c, hostile_starts);
+  tcase_add_test(c, a_certificate_can_be_rechecked);
+  suite_add_tcase(s, c);
+  return s;
+}

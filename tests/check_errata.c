@@ -1,0 +1,678 @@
+/* What rests on what, what falls with a failure, and the sheets that say so.
+
+   Second opinions: tests/oracle/depends.py reads the files' text by itself; tests/oracle/sheets.py knows the grammars of
+   DOT, Markdown and LaTeX; what must change and by how much is worked out here by hand, from where V stands in (10) and
+   (40), and from the matrix exponentials of the model. */
+#include <check.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "audit/audit_impl.h"
+#include "scratch.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+/* --- One audit of the paper, for all tests --- */
+
+static struct model model;
+static struct claims claims, controls;
+static struct scene paper;
+static struct audit_result result;
+
+static void load(struct model *m, const char *overlay, const char *errata) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
+            (!overlay || model_add_file(m, scratch_put("user.eq", overlay), RANK_USER, &d)) &&
+            model_add_file(m, errata ? scratch_put("errata.eq", errata) : "verify/errata.eq", RANK_ERRATA, &d) &&
+            model_add_file(m, "verify/controls/controls.eq", RANK_CONTROL, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+static void open_audit(void) {
+  struct diag d;
+  diag_init(&d);
+  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  scratch_open();
+  load(&model, NULL, NULL);
+  audit_result_init(&result);
+  bool ok = scene_load(&paper, "paper", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d) &&
+            claims_load(&controls, "verify/controls", "control", &d) &&
+            audit_run(&result, &model, &claims, &controls, &paper, &opt, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+static void close_audit(void) {
+  audit_result_clear(&result);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  scene_clear(&paper);
+  model_clear(&model);
+  scratch_close();
+}
+
+static const struct finding *finding_of(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  ck_abort_msg("no finding %s", id);
+}
+
+static const struct derived *derived_of(const char *failure, const char *formula) {
+  const struct consequence *q = audit_result_consequence(&result, failure);
+  ck_assert_msg(q != NULL, "no consequence of %s", failure);
+  for (int i = 0; i < q->n_derived; i++)
+    if (strcmp(q->derived[i].formula, formula) == 0) return &q->derived[i];
+  ck_abort_msg("%s: no result %s", failure, formula);
+}
+
+static const char *joined(const struct id_list *list) {
+  static char line[2000];
+  line[0] = '\0';
+  for (int i = 0; i < list->n; i++)
+    snprintf(line + strlen(line), sizeof line - strlen(line), "%s%s", i ? " " : "", list->id[i]);
+  return line;
+}
+
+/* --- Programs beside the tests --- */
+
+static const char *python(void) {
+  const char *p = getenv("PYTHON");
+  return p && *p ? p : "/usr/bin/python3";
+}
+
+/* The exit status of a command; its output goes to the test's own. */
+static int run(const char *fmt, ...) {
+  char command[2000];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(command, sizeof command, fmt, ap);
+  va_end(ap);
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static void write_text(const char *name, void (*writer)(struct text *, const struct audit_result *),
+                       const struct audit_result *r) {
+  struct text t;
+  text_init(&t);
+  writer(&t, r);
+  scratch_put(name, text_str(&t));
+  text_clear(&t);
+}
+
+static void write_sheets(const struct audit_result *r) {
+  write_text("audit.json", report_json, r);
+  write_text("claims.dot", report_dot, r);
+  write_text("errata.md", report_errata, r);
+  write_text("errata.tex", report_errata_tex, r);
+}
+
+/* --- What rests on what --- */
+
+START_TEST(dependences_are_those_of_the_text) {
+  write_sheets(&result);
+  ck_assert_int_eq(run("%s tests/oracle/depends.py verify '%s'", python(), scratch_path("audit.json")), 0);
+}
+END_TEST
+
+/* A definition that names another claim's value makes the claim rest on it, and the list keeps the order of the files. */
+START_TEST(a_new_use_is_a_new_dependence) {
+  struct model m;
+  load(&m, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
+  struct dependences *d = dependences_new(&m, &claims);
+  size_t ja = 0, k1 = 0, j = 0;
+  for (size_t i = 0; i < claims.n; i++) {
+    if (strcmp(claims.claim[i].id, "eq-27") == 0) ja = i;
+    if (strcmp(claims.claim[i].id, "eq-5") == 0) k1 = i;
+    if (strcmp(claims.claim[i].id, "eq-41") == 0) j = i;
+  }
+  ck_assert(dependences_on(d, ja, k1) && dependences_on(d, j, k1) && !dependences_on(d, k1, ja));
+  dependences_free(d);
+  model_clear(&m);
+  d = dependences_new(&model, &claims);
+  ck_assert(!dependences_on(d, ja, k1) && !dependences_on(d, j, k1));
+  dependences_free(d);
+}
+END_TEST
+
+/* Two claims about one matrix stand beside each other; a third that uses it rests on both. */
+START_TEST(claims_about_the_same) {
+  struct claims own = {.n = 0};
+  struct diag d;
+  diag_init(&d);
+  const char *path = scratch_put("same.claim", "claim a\n  section: stability\n  value: J_a\n  title: a\n"
+                                               "claim b\n  section: stability\n  value: J_a\n  title: b\n"
+                                               "claim c\n  section: stability\n  formula: J_b*J_a\n  title: c\n");
+  ck_assert(claims_add_file(&own, path, "claim", &d));
+  struct dependences *on = dependences_new(&model, &own);
+  for (size_t a = 0; a < 3; a++)
+    for (size_t b = 0; b < 3; b++) ck_assert_int_eq(dependences_on(on, a, b), a == 2 && b < 2);
+  dependences_free(on);
+  claims_clear(&own);
+}
+END_TEST
+
+/* Programs are the same when their formulas are, term by term. */
+START_TEST(the_same_program) {
+  static const char *const formulas[] = {"chi + eta", "chi - eta",  "chi + V",    "2*chi",   "3*chi",     "chi^2",
+                                         "chi^3",     "[chi, eta]", "[eta, chi]", "omega_1", "omega_1*2", "chi"};
+  enum { N = sizeof formulas / sizeof *formulas };
+  struct tape t[N][2];
+  for (int i = 0; i < 2 * N; i++) {
+    struct elaboration el;
+    struct arena a;
+    struct source src;
+    struct matrix m;
+    struct diag d;
+    diag_init(&d);
+    arena_init(&a);
+    elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+    source_from_string(&src, "formula", formulas[i / 2]);
+    const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+    ck_assert_msg(e && elaborate(&m, &el, e, &src, "appendix_a", &d) &&
+                      elaboration_tape(&t[i / 2][i % 2], &el, m.e, m.rows * m.cols, &d),
+                  "%s", d.message);
+    source_clear(&src);
+    elaboration_clear(&el);
+    arena_clear(&a);
+  }
+  for (int i = 0; i < N; i++)
+    for (int k = 0; k < N; k++)
+      ck_assert_msg(tape_same(&t[i][0], &t[k][1]) == (i == k), "%s, %s", formulas[i], formulas[k]);
+  for (int i = 0; i < 2 * N; i++) tape_clear(&t[i / 2][i % 2]);
+}
+END_TEST
+
+START_TEST(what_is_named_by_hand_must_exist) {
+  struct diag d;
+  struct claims own = {.n = 0};
+  struct audit_result r;
+  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  const struct claims none = {.n = 0};
+  diag_init(&d);
+  audit_result_init(&r);
+  const char *path = scratch_put("own.claim", "claim eq-1\n  kind: definition\n  title: a\n  depends-on: eq-9, eq-2\n"
+                                              "claim eq-2\n  kind: definition\n  title: b\n");
+  ck_assert(claims_add_file(&own, path, "claim", &d));
+  ck_assert(!audit_run(&r, &model, &own, &none, &paper, &opt, &d));
+  ck_assert_msg(strstr(d.message, "own.claim:4:15: error: eq-1: depends-on names something that is not a claim"), "%s",
+                d.message);
+  claims_clear(&own);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* --- What falls --- */
+
+/* (10): D enters (12), (20), (23)-(25), N and all that is made of N; (40): the entries of J_f enter (40), (41), but not
+   what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank 1). */
+START_TEST(what_falls_with_a_formula) {
+  static const struct {
+    const char *failure, *falls, *survives;
+  } cases[] = {{"eq-10", "eq-12 eq-20 eq-23 eq-24 eq-25 eq-44 eq-44b eq-44c eq-45 eq-46", ""},
+               {"eq-40", "eq-40b eq-41",
+                "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
+               {"eq-32b", "",
+                "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
+                "text-eigenvalues-inside"},
+               {"eq-29", "", ""},
+               {"num-t_a", "text-periodic num-u_r1", "num-e1"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
+    ck_assert_msg(q != NULL, "%s", cases[i].failure);
+    ck_assert_str_eq(joined(&q->falls), cases[i].falls);
+    ck_assert_str_eq(joined(&q->survives), cases[i].survives);
+    ck_assert_int_eq(q->open.n, 0);
+  }
+}
+END_TEST
+
+/* Results whose formulas do not contain the failed one cannot change, and are the only ones of which that is said. */
+START_TEST(what_provably_does_not_change) {
+  static const struct {
+    const char *failure, *reached;
+  } cases[] = {{"eq-10", " N M M*[1; 1] -inv(N_1 - I)*N_2*z'_0 "},
+               {"eq-40", " J_f J tr(J) det(J) P(lambda) "},
+               {"eq-31", "  "},
+               {"num-t_a", " N M M*[1; 1] -inv(N_1 - I)*N_2*z'_0 t_a + t_b + t_c + t_d V*t_a*(1 - chi)/2 "},
+               {"num-z20", " J_f J tr(J) det(J) P(lambda) (e_2 - chi*(z_20 - z_10))/2 "}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
+    ck_assert_int_eq(q->n_derived, (int)claims.n_results);
+    for (int k = 0; k < q->n_derived; k++) {
+      char padded[100];
+      snprintf(padded, sizeof padded, " %s ", q->derived[k].formula);
+      bool reached = strstr(cases[i].reached, padded) != NULL;
+      ck_assert_msg((q->derived[k].change == CHANGE_SAME_FORMULA) == !reached, "%s: %s: %s", cases[i].failure,
+                    q->derived[k].formula, q->derived[k].verdict);
+    }
+  }
+}
+END_TEST
+
+static double number_after(const char *where, const char *name) {
+  const char *p = strstr(where, name);
+  ck_assert_msg(p != NULL, "%s in %s", name, where);
+  double a = 0, b = 1;
+  ck_assert_int_ge(sscanf(p + strlen(name), " = %lf/%lf", &a, &b), 1);
+  return a / b;
+}
+
+/* (40) prints V in the denominator of k_4 where it belongs in the numerator: k_4 and k_5 = J_f[1,3] are off by V^2. */
+START_TEST(size_of_the_error_in_40) {
+  const struct derived *d = derived_of("eq-40", "J_f");
+  ck_assert_int_eq(d->change, CHANGE_CHANGES);
+  ck_assert_str_eq(d->entry, "[1,3]");
+  double v = number_after(d->where, "V"), ratio = strtod(d->corrected, NULL) / strtod(d->printed, NULL);
+  ck_assert(v != 1);
+  ck_assert_msg(fabs(ratio - v * v) < 1e-8 * v * v, "%g, V^2 = %g", ratio, v * v);
+  ck_assert_int_eq(derived_of("eq-40", "tr(J)")->change, CHANGE_AGREES);
+  ck_assert_int_eq(derived_of("eq-40", "det(J)")->change, CHANGE_AGREES);
+  ck_assert_int_eq(derived_of("eq-40", "P(lambda)")->change, CHANGE_AGREES);
+  ck_assert_str_eq(derived_of("eq-40", "tr(J)")->verdict, "agrees at 10 points"); /* two orbits and eight others */
+  ck_assert(derived_of("eq-40", "J")->chain == NULL);                             /* no other failure reaches J */
+}
+END_TEST
+
+/* (10) prints V t for t: N = C H Gamma D changes by (V - 1) t_a times its first two columns.  Here with the model's matrix
+   exponentials, in double precision, on the orbit of the example. */
+START_TEST(size_of_the_error_in_10) {
+  const struct derived *d = derived_of("eq-10", "N");
+  ck_assert_int_eq(d->change, CHANGE_CHANGES);
+  static const char *const names[] = {"chi", "eta", "V", "e1", "e2"};
+  int row, col;
+  ck_assert_int_eq(sscanf(d->entry, "[%d,%d]", &row, &col), 2);
+  ck_assert_int_ge(col, 3);
+  struct num_ctx ctx = num_ctx_double();
+  struct num_vec params, n, p;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&n, 16, ctx);
+  num_vec_init(&p, 16, ctx);
+  fmpq exact[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) {
+    double x = number_after(d->where, names[i]);
+    ctx.type->set_d(num_vec_at(&params, i), x, 53);
+    fmpq_init(&exact[i]);
+    fmpq_set_si(&exact[i], (slong)ldexp(x, 20), 1);
+    fmpq_div_2exp(&exact[i], &exact[i], 20);
+    ck_assert(fmpq_get_d(&exact[i]) == x);
+  }
+  struct dyn_orbits list;
+  ck_assert_int_eq(dyn_orbits_find(&list, exact, 64, NULL), SS_OK);
+  slong orbit = (slong)strtol(strstr(d->where, "orbit ") + 6, NULL, 10) - 1;
+  double t_a = 0;
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    double t = arf_get_d(arb_midref(list.orbit[orbit].t[ph]), ARF_RND_NEAR);
+    if (ph == 0) t_a = t;
+    ck_assert_int_eq(dyn_propagator(ph ? &p : &n, (enum phase)ph, &params, &t), SS_OK);
+    if (ph) ck_assert_int_eq(num_mat_mul(&n, &p, &n, 4, 4, 4), SS_OK);
+  }
+  double at = ctx.type->get_d(num_vec_at(&n, 4 * (row - 1) + col - 1));
+  double off = (number_after(d->where, "V") - 1) * t_a * ctx.type->get_d(num_vec_at(&n, 4 * (row - 1) + col - 3));
+  double corrected = strtod(d->corrected, NULL), printed = strtod(d->printed, NULL), scale = fmax(1, fabs(at));
+  ck_assert_msg(fabs(corrected - at) < 1e-7 * scale, "%g, not %g", corrected, at);
+  ck_assert_msg(fabs(printed - corrected - off) < 1e-7 * scale, "%g, not %g", printed - corrected, off);
+  ck_assert(fabs(off) > 1e-3);
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&exact[i]);
+  num_vec_clear(&p);
+  num_vec_clear(&n);
+  num_vec_clear(&params);
+}
+END_TEST
+
+/* t_a = 0.6784 in place of the orbit's: by hand, 0.6784 (1 - 0.8)/2 = 0.06784, and the period moves by as much as t_a. */
+START_TEST(size_of_a_misprinted_time) {
+  ck_assert_double_eq_tol(strtod(derived_of("num-t_a", "V*t_a*(1 - chi)/2")->printed, NULL), 0.06784, 1e-12);
+  const struct derived *d = derived_of("num-t_a", "t_a + t_b + t_c + t_d"),
+                       *bound = derived_of("num-t_a", "V*t_a*(1 - chi)/2");
+  double moved = strtod(d->printed, NULL) - strtod(d->corrected, NULL);
+  double t_a = 10 * strtod(bound->corrected, NULL);
+  ck_assert_double_eq_tol(moved, 0.6784 - t_a, 1e-8);
+  ck_assert_int_eq(derived_of("num-z20", "tr(J)")->change, CHANGE_AGREES); /* (40) again: z_200 is in k_4 alone */
+}
+END_TEST
+
+/* A claim is judged alike alone and together, its effect and consequences included. */
+START_TEST(alone_or_together) {
+  static const char *const ids[] = {"eq-10", "eq-40", "num-z10"};
+  for (size_t i = 0; i < sizeof ids / sizeof *ids; i++) {
+    struct diag d;
+    struct audit_result r;
+    const struct claims none = {.n = 0};
+    const struct audit_options opt = {&ids[i], 1, NULL, NULL, false};
+    diag_init(&d);
+    audit_result_init(&r);
+    ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
+    const struct finding *a = finding_of(&r, ids[i]), *b = finding_of(&result, ids[i]);
+    ck_assert_str_eq(a->effect, b->effect);
+    ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
+    const struct consequence *q = audit_result_consequence(&r, ids[i]);
+    char alone[2000];
+    snprintf(alone, sizeof alone, "%s", joined(&q->falls));
+    ck_assert_str_eq(alone, joined(&audit_result_consequence(&result, ids[i])->falls));
+    for (int k = 0; k < q->n_derived; k++) {
+      const struct derived *other = derived_of(ids[i], q->derived[k].formula);
+      ck_assert_str_eq(q->derived[k].verdict, other->verdict);
+      if (other->printed) ck_assert_str_eq(q->derived[k].printed, other->printed);
+    }
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+/* --- Corrections set beside the printed text --- */
+
+static void judge_one(struct audit_result *r, const char *overlay, const char *errata, const char *id) {
+  struct model m;
+  struct diag d;
+  const struct claims none = {.n = 0};
+  const struct audit_options opt = {&id, 1, NULL, NULL, false};
+  diag_init(&d);
+  audit_result_init(r);
+  load(&m, overlay, errata);
+  ck_assert_msg(audit_run(r, &m, &claims, &none, &paper, &opt, &d), "%s", d.message);
+  model_clear(&m);
+}
+
+START_TEST(what_to_replace_by_what) {
+  static const struct {
+    const char *id, *change;
+  } cases[] = {{"eq-10", "replace $V \\, t$ by $t$"},
+               {"eq-29", "replace $Z_{b}$ by $Z_{a}$; $dZ_{b}$ by $dZ_{a}$"},
+               {"eq-30", "replace $Z_{b}$ by $Z_{a}$; $dZ_{b}$ by $dZ_{a}$"},
+               {"eq-31", "replace $u_{r1}$ by $u_{r2}$"},
+               {"eq-32c", "replace $y_{b}$ by $y_{a}$"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
+    ck_assert_str_eq(finding_of(&result, cases[i].id)->change, cases[i].change);
+  ck_assert(finding_of(&result, "eq-32b")->change == NULL); /* one equation for two */
+  struct audit_result r;
+  judge_one(&r, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
+            "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
+  const struct finding *f = finding_of(&r, "eq-27");
+  ck_assert_str_eq(f->change, "replace $1$ by $-1$");
+  ck_assert_int_eq(f->correction_verdict, VERDICT_SUPPORTED);
+  ck_assert(strstr(f->correction_latex, "J_{a} = ") == f->correction_latex && strstr(f->printed_part, "J_{a} = "));
+  const struct consequence *q = audit_result_consequence(&r, "eq-27");
+  ck_assert(q && strstr(joined(&q->falls), "eq-41") && strstr(joined(&q->falls), "text-criterion"));
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* Wrong, and nothing says how to mend it: no consequence can be told. */
+START_TEST(without_a_correction_nothing_is_said) {
+  struct audit_result r;
+  judge_one(&r, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
+  ck_assert_int_eq(finding_of(&r, "eq-27")->verdict, VERDICT_REFUTED);
+  ck_assert(finding_of(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
+  write_sheets(&r);
+  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* z10 = 0.97818..., z20 = -2.12469..., t_a/10 = 0.05322... of the orbit in tests/oracle/orbits.tsv, to four decimals. */
+START_TEST(numbers_are_corrected_to_as_many_digits) {
+  static const char *const want[][2] = {
+      {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 = 0.0532"}};
+  for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
+    const struct finding *f = finding_of(&result, want[i][0]);
+    ck_assert_str_eq(f->correction, want[i][1]);
+    ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
+  }
+}
+END_TEST
+
+/* --- The sheets --- */
+
+/* Worst first: numbers, then (40) with its wider reach, then the notation of (10), then that of the others. */
+START_TEST(worst_first) {
+  struct text t;
+  text_init(&t);
+  report_errata(&t, &result);
+  static const char *const order[] = {"## Numbers",
+                                      "$t_a = 0.6784$",
+                                      "`text-periodic`, section",
+                                      "## Formulas; results derived from them change",
+                                      "**(40), ",
+                                      "## Notation; read literally, results derived from it change",
+                                      "**(10), ",
+                                      "## Notation; results derived from it stay",
+                                      "**(29), ",
+                                      "**(36b), ",
+                                      "## What was checked"};
+  const char *at = t.data;
+  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+    const char *next = strstr(at, order[i]);
+    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
+    at = next + 1;
+  }
+  text_clear(&t);
+}
+END_TEST
+
+/* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they do. */
+enum { MOST_TRAPS = 80 };
+static void hostile(struct audit_result *r, const char *const *traps, size_t n) {
+  static struct finding f[2 * MOST_TRAPS];
+  static struct consequence q[MOST_TRAPS];
+  static struct derived d[MOST_TRAPS];
+  static struct evidence e[MOST_TRAPS];
+  static const char *falls[MOST_TRAPS];
+  static char ids[2 * MOST_TRAPS][16];
+  ck_assert(n <= MOST_TRAPS);
+  for (size_t i = 0; i < n; i++) {
+    const char *trap = traps[i];
+    snprintf(ids[2 * i], sizeof ids[0], "eq-%zu", i + 1);
+    snprintf(ids[2 * i + 1], sizeof ids[0], "text-%zu", i + 1);
+    falls[i] = ids[2 * i + 1];
+    e[i] = (struct evidence){.route = "balls", .result = "differs", .note = trap, .bits = -1, .trials = 1};
+    d[i] = (struct derived){trap, trap, trap, CHANGE_CHANGES, "changes at 1 of 1 point", "1e0", trap, trap,
+                            trap, trap, trap};
+    q[i] = (struct consequence){.failure = ids[2 * i], .falls = {&falls[i], 1}, .derived = &d[i], .n_derived = 1};
+    f[2 * i] = (struct finding){.id = ids[2 * i],
+                                .section = "appendix_a",
+                                .title = trap,
+                                .quote = trap,
+                                .printed = trap,
+                                .verdict = VERDICT_REFUTED,
+                                .fault = "number",
+                                .correction = trap,
+                                .correction_latex = trap,
+                                .change = trap,
+                                .size = trap,
+                                .effect = trap,
+                                .evidence = &e[i],
+                                .n_evidence = 1,
+                                .reproduce = "stickslip",
+                                .recorded = N_VERDICTS};
+    f[2 * i + 1] = f[2 * i];
+    f[2 * i + 1].id = ids[2 * i + 1];
+    f[2 * i + 1].fault = i % 2 ? "formula" : "notation";
+  }
+  *r = (struct audit_result){
+      .scene = traps[0], .title = traps[0], .findings = f, .n_findings = 2 * n, .consequences = q, .n_consequences = n};
+}
+
+/* With what is installed: the checker of the tests, Graphviz, LaTeX. */
+static void check_sheets(const struct audit_result *r) {
+  write_sheets(r);
+  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  if (run("command -v dot >/dev/null") == 0)
+    ck_assert_int_eq(run("dot -Tsvg -o /dev/null '%s'", scratch_path("claims.dot")), 0);
+  if (run("command -v pdflatex >/dev/null") == 0)
+    ck_assert_int_eq(
+        run("cd '%s' && pdflatex -halt-on-error -interaction=batchmode errata.tex >/dev/null 2>&1", scratch_path("")),
+        0);
+}
+
+START_TEST(sheets_follow_their_grammars) {
+  check_sheets(&result);
+}
+END_TEST
+
+START_TEST(nothing_quoted_breaks_a_sheet) {
+  static const char *const traps[] = {"a|b*c_d`e[f](g)<h>#i~j\\k",
+                                      "50% & more {",
+                                      "$\\input{/etc/passwd}$",
+                                      "$\\frac{1}{2$",
+                                      "$x_1$ and $",
+                                      "$a & b$",
+                                      "\"quoted\" \\ line\nbroken",
+                                      "$\\left(x$",
+                                      "\\end{document}",
+                                      "\xcf\x87 and \xe2\x82\xac",
+                                      "$\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$",
+                                      "$\\begin{itemize} \\end{itemize}$",
+                                      "$|a|$ | $b$",
+                                      "",
+                                      "$$",
+                                      "$ $",
+                                      "-1 -- 2",
+                                      "^^5c",
+                                      "$\\end{pmatrix}$",
+                                      "}",
+                                      "$%$",
+                                      "$\\text{a}_{b}^{c}$",
+                                      "{\\bf",
+                                      "$\\verb|x|$",
+                                      "$x^2'$",
+                                      "$x''^2_1$",
+                                      "$x^a^b$",
+                                      "$x_a_b$",
+                                      "$x^$",
+                                      "$\\frac$",
+                                      "$\\frac{1}$",
+                                      "$\\frac{1} {2}$",
+                                      "$\\text{a_b}$",
+                                      "$\\text{\\chi}$",
+                                      "$a \\\\ b$",
+                                      "$x^\\frac{1}{2}$",
+                                      "$\\begin{cases} 1 & 2 & 3 \\end{cases}$",
+                                      "$\\begin{pmatrix} x^ & 2 \\end{pmatrix}$",
+                                      "$\\tilde k$",
+                                      "$\\left( x \\right.$",
+                                      "$x^\\left(y\\right)$",
+                                      "$\\lim\\limits_x$",
+                                      "$\\sqrt[3]{2}$",
+                                      "$x' ^2$",
+                                      "$\\begin{matrix} 1 \\\\ [x] \\end{matrix}$",
+                                      "$\\begin{matrix} 1 \\end{pmatrix}$",
+                                      "$x_\\quad$",
+                                      "$x'_1'$"};
+  struct audit_result r;
+  hostile(&r, traps, sizeof traps / sizeof *traps);
+  check_sheets(&r);
+}
+END_TEST
+
+/* Claims that rest on each other keep both arrows, and the closure is that of the lists (sheets.py). */
+START_TEST(circles_in_the_graph) {
+  static const char *ids[] = {"eq-1", "eq-2", "eq-3", "eq-4"};
+  static struct finding f[4];
+  for (int i = 0; i < 4; i++)
+    f[i] = (struct finding){
+        .id = ids[i], .title = "t", .verdict = VERDICT_PROVED, .reproduce = "r", .recorded = N_VERDICTS};
+  const char *one[] = {"eq-2", "eq-3"}, *two[] = {"eq-3"}, *three[] = {"eq-2"}, *four[] = {"eq-1", "eq-2", "eq-3"};
+  f[0].depends_on = one, f[0].n_depends_on = 2;
+  f[1].depends_on = two, f[1].n_depends_on = 1;
+  f[2].depends_on = three, f[2].n_depends_on = 1;
+  f[3].depends_on = four, f[3].n_depends_on = 3;
+  struct audit_result r = {.scene = "s", .title = "t", .findings = f, .n_findings = 4};
+  write_sheets(&r);
+  ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
+  struct text t;
+  text_init(&t);
+  report_dot(&t, &r);
+  ck_assert(strstr(t.data, "\"eq-1\" -> \"eq-4\"") && !strstr(t.data, "\"eq-2\" -> \"eq-4\""));
+  ck_assert(strstr(t.data, "\"eq-2\" -> \"eq-1\"") && strstr(t.data, "\"eq-3\" -> \"eq-1\""));
+  text_clear(&t);
+}
+END_TEST
+
+/* --- Results as data --- */
+
+START_TEST(mistakes_in_a_list_of_results) {
+  static const struct {
+    const char *text, *says;
+  } cases[] = {
+      {"result a\n  title: b\n", "a result has a title and a formula"},
+      {"result a\n  formula: K\n", "a result has a title and a formula"},
+      {"result a\n  title: b\n  formula: K\n  value: K\n", ":4:3: error: a: a result has section, title and formula"},
+      {"result a\n  title: b\n  formula: K\nresult a\n  title: c\n  formula: K\n", "result a is given twice"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct diag d;
+    diag_init(&d);
+    ck_assert(!audit_check_file(scratch_put("r.claim", cases[i].text), "verify", &d));
+    ck_assert_msg(strstr(d.message, cases[i].says) != NULL, "%s", d.message);
+  }
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(audit_check_file("verify/claims/results.claim", "verify", &d), "%s", d.message);
+}
+END_TEST
+
+/* A result that the paper at hand cannot be asked for is left out; one that the printed form spoils is said to be. */
+START_TEST(results_that_cannot_be_read) {
+  struct audit_result r;
+  struct model m;
+  struct diag d;
+  struct claims own = {.n = 0};
+  const struct claims none = {.n = 0};
+  const char *only = "eq-27";
+  const struct audit_options opt = {&only, 1, NULL, NULL, false};
+  diag_init(&d);
+  audit_result_init(&r);
+  load(&m, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",
+       "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n");
+  ck_assert(claims_load(&own, "verify/claims", "claim", &d));
+  ck_assert(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
+                            "claim", &d));
+  ck_assert_msg(audit_run(&r, &m, &own, &none, &paper, &opt, &d), "%s", d.message);
+  ck_assert_int_eq(finding_of(&r, "eq-27")->verdict, VERDICT_REFUTED);
+  const struct consequence *q = audit_result_consequence(&r, "eq-27");
+  if (q) ck_assert_int_eq(q->n_derived, (int)own.n_results - 1);
+  for (int i = 0; q && i < q->n_derived; i++)
+    if (strcmp(q->derived[i].formula, "tr(J)") == 0) ck_assert_int_eq(q->derived[i].change, CHANGE_UNDEFINED);
+  ck_assert_ptr_nonnull(q);
+  claims_clear(&own);
+  model_clear(&m);
+  audit_result_clear(&r);
+}
+END_TEST
+
+Suite *errata_suite(void) {
+  Suite *s = suite_create("errata");
+  TCase *c = tcase_create("paper");
+  tcase_add_unchecked_fixture(c, open_audit, close_audit);
+  tcase_add_test(c, dependences_are_those_of_the_text);
+  tcase_add_test(c, a_new_use_is_a_new_dependence);
+  tcase_add_test(c, claims_about_the_same);
+  tcase_add_test(c, the_same_program);
+  tcase_add_test(c, what_is_named_by_hand_must_exist);
+  tcase_add_test(c, what_falls_with_a_formula);
+  tcase_add_test(c, what_provably_does_not_change);
+  tcase_add_test(c, size_of_the_error_in_40);
+  tcase_add_test(c, size_of_the_error_in_10);
+  tcase_add_test(c, size_of_a_misprinted_time);
+  tcase_add_test(c, alone_or_together);
+  tcase_add_test(c, what_to_replace_by_what);
+  tcase_add_test(c, without_a_correction_nothing_is_said);
+  tcase_add_test(c, numbers_are_corrected_to_as_many_digits);
+  tcase_add_test(c, sheets_follow_their_grammars);
+  tcase_add_test(c, worst_first);
+  tcase_add_test(c, results_that_cannot_be_read);
+  suite_add_tcase(s, c);
+  TCase *w = tcase_create("writers");
+  tcase_add_checked_fixture(w, scratch_open, scratch_close);
+  tcase_add_test(w, nothing_quoted_breaks_a_sheet);
+  tcase_add_test(w, circles_in_the_graph);
+  tcase_add_test(w, mistakes_in_a_list_of_results);
+  suite_add_tcase(s, w);
+  return s;
+}

@@ -1,0 +1,667 @@
+/* Jacobians by every method: each states an accuracy and is held to it, of the period and of each phase; a wrong entry is
+   located; scenes that give other quantities than e1 and e2.
+
+   Independent data: orbits.tsv, jacobian.tsv and times.tsv of tests/oracle (mpmath: matrix exponentials, findroot, central
+   differences at 150 digits). */
+#include <check.h>
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit/audit_impl.h"
+#include "scratch.h"
+#include "suites.h"
+
+enum { N_ORBITS = 60, N_SETS = 40, N_FIELDS = 16 };
+/* Fields of an orbit's line in orbits.tsv. */
+enum { F_NAME = 1, F_INDEX = 2, F_Z10 = 3, F_TA = 5, F_TB = 6, F_TC = 7, F_TD = 8, F_TRACE = 10, F_ADMISSIBLE = 13 };
+
+struct set {
+  char name[32], chi[16], eta[16], v[16], e[2][16];
+  struct scene scene;
+};
+struct sample {
+  struct set *set;
+  char line[4000], *field[N_FIELDS];
+};
+static struct set sets[N_SETS];
+static struct sample samples[N_ORBITS];
+static int n_sets, n_samples;
+static struct model model;
+static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
+
+static int split(char **field, char *line) {
+  int n = 0;
+  line[strcspn(line, "\n")] = '\0';
+  for (char *p = line; p && n < N_FIELDS; n++) {
+    field[n] = p;
+    p = strchr(p, '\t');
+    if (p) *p++ = '\0';
+  }
+  return n;
+}
+
+static void load_scene(struct scene *s, const char *text) {
+  static int serial;
+  char name[40];
+  struct diag d;
+  diag_init(&d);
+  snprintf(name, sizeof name, "s%d.scene", ++serial);
+  ck_assert_msg(scene_load(s, scratch_put(name, text), "verify", &d), "%s", d.message);
+}
+
+static void read_line(char *line) {
+  char copy[4000], *field[N_FIELDS], text[400];
+  if (line[0] == '#') return;
+  snprintf(copy, sizeof copy, "%s", line);
+  ck_assert_int_ge(split(field, copy), 10);
+  if (strcmp(field[0], "set") == 0) {
+    struct set *s = &sets[n_sets++];
+    ck_assert_int_le(n_sets, N_SETS);
+    snprintf(s->name, sizeof s->name, "%s", field[1]);
+    snprintf(s->chi, sizeof s->chi, "%s", field[2]);
+    snprintf(s->eta, sizeof s->eta, "%s", field[3]);
+    snprintf(s->v, sizeof s->v, "%s", field[4]);
+    for (int i = 0; i < 2; i++) snprintf(s->e[i], sizeof s->e[i], "%s", field[5 + i]);
+    snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\ne1 = %s\ne2 = %s\n", s->chi, s->eta, s->v, s->e[0],
+             s->e[1]);
+    load_scene(&s->scene, text);
+    return;
+  }
+  struct sample *o = &samples[n_samples++];
+  ck_assert_int_le(n_samples, N_ORBITS);
+  o->set = &sets[n_sets - 1];
+  snprintf(o->line, sizeof o->line, "%s", line);
+  ck_assert_int_ge(split(o->field, o->line), 14);
+}
+
+static void load_model(struct model *m, const char *overlay) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
+            (!overlay || model_add_file(m, scratch_put("overlay.eq", overlay), RANK_USER, &d)) &&
+            model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+static void open_data(void) {
+  static char line[4000];
+  scratch_open();
+  n_sets = n_samples = 0;
+  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  while (fgets(line, sizeof line, f)) read_line(line);
+  fclose(f);
+  ck_assert_int_eq(n_samples, N_ORBITS);
+  load_model(&model, NULL);
+  load_model(&damaged, "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n");
+}
+
+static void close_data(void) {
+  model_clear(&damaged);
+  model_clear(&model);
+  for (int i = 0; i < n_sets; i++) scene_clear(&sets[i].scene);
+  scratch_close();
+}
+
+/* A ball around a printed number, half a unit of the digits-th significant digit wide. */
+static void ball_from(arb_t x, const char *decimal, int digits) {
+  ck_assert_int_eq(arb_set_str(x, decimal, 400), 0);
+  arb_t size;
+  arb_init(size);
+  arb_set_d(size, pow(10, 1 - digits));
+  arb_mul(size, size, x, 64);
+  arb_add_error(x, size);
+  arb_clear(size);
+}
+
+static struct jacobian_request at(enum jacobian_method method, const struct sample *o, slong digits) {
+  return (struct jacobian_request){method, LAYER_CORRECTED, false, atoi(o->field[F_INDEX]), digits};
+}
+
+static bool jacobian(arb_ptr x, const struct model *m, struct scene *s, struct jacobian_request q, struct diag *d) {
+  diag_init(d);
+  return audit_jacobian(x, x + 4, x + 5, m, s, &q, d);
+}
+
+static double mid(const arb_struct *x) {
+  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
+}
+
+static double radius(const arb_struct *x) {
+  return mag_get_d(arb_radref(x));
+}
+
+/* --- The period --- */
+
+static double size_of(arb_srcptr j) {
+  double most = 0;
+  for (int i = 0; i < 4; i++) most = fmax(most, fabs(mid(j + i)));
+  return most;
+}
+
+/* On every orbit the differences in double are within the accuracy they state, and it is an accuracy worth having. */
+START_TEST(fd_double_keeps_its_word_on_every_orbit) {
+  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  arb_t trace;
+  arb_init(trace);
+  struct diag d;
+  int sharp = 0;
+  for (int i = 0; i < n_samples; i++) {
+    struct sample *o = &samples[i];
+    ck_assert_msg(jacobian(x, &model, &o->set->scene, at(METHOD_FD_DOUBLE, o, 15), &d), "%s", d.message);
+    ck_assert_msg(jacobian(y, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 30), &d), "%s", d.message);
+    for (int k = 0; k < 4; k++) {
+      ck_assert_msg(arb_contains(x + k, y + k), "%s %s, entry %d: off by %.2g, stated %.2g", o->set->name,
+                    o->field[F_INDEX], k, fabs(mid(x + k) - mid(y + k)), radius(x + k));
+      ck_assert(radius(x + k) < 1e-6 * fmax(1, size_of(y)));
+      sharp += radius(x + k) < 1e-8 * fmax(1, size_of(y));
+    }
+    ball_from(trace, o->field[F_TRACE], 59);
+    ck_assert_msg(arb_contains(x + 4, trace), "%s %s: the trace", o->set->name, o->field[F_INDEX]);
+    ck_assert_msg(arb_overlaps(y + 4, trace), "%s %s: the trace", o->set->name, o->field[F_INDEX]);
+  }
+  ck_assert_int_ge(sharp, 4 * (N_ORBITS - 3));
+  arb_clear(trace);
+  _arb_vec_clear(y, 6);
+  _arb_vec_clear(x, 6);
+}
+END_TEST
+
+/* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the largest
+   error as a part of the stated accuracy. */
+static double strain(enum phase ph, const double *params, const double *in, double t) {
+  static const double axes[N_STATE][N_STATE] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
+  struct num_ctx ctx = num_ctx_arb(200);
+  struct num_vec p, z, j, when;
+  double column[16], err[N_STATE], worst = 0;
+  num_vec_init(&p, N_PARAMS, ctx);
+  num_vec_init(&z, N_STATE, ctx);
+  num_vec_init(&j, 16, ctx);
+  num_vec_init(&when, 1, ctx);
+  for (int i = 0; i < N_PARAMS; i++) arb_set_d(num_vec_at(&p, i), params[i]);
+  for (int i = 0; i < N_STATE; i++) arb_set_d(num_vec_at(&z, i), in[i]);
+  ck_assert_int_eq(dyn_event(num_vec_at(&when, 0), ph, &p, &z, t), SS_OK);
+  ck_assert_int_eq(dyn_local_jacobian(&j, ph, &p, &z, num_vec_at(&when, 0)), SS_OK);
+  ck_assert_int_eq(dyn_local_differences_d(column, err, ph, params, in, t, axes, N_STATE), SS_OK);
+  for (int i = 0; i < 16; i++) {
+    ck_assert(err[i % 4] > 0 && isfinite(err[i % 4]));
+    worst = fmax(worst, fabs(column[4 * (i % 4) + i / 4] - mid(num_vec_at(&j, i))) / err[i % 4]);
+  }
+  num_vec_clear(&when);
+  num_vec_clear(&j);
+  num_vec_clear(&z);
+  num_vec_clear(&p);
+  return worst;
+}
+
+/* Two cases that once stated too little.  A long phase Gamma: the times of close neighbours met the sawtooth of their
+   roundings on one slope, which hid the noise.  And a phase H that starts on its own switching surface, where the root at t = 0
+   is there on both sides of the start and the long steps went to it together. */
+START_TEST(cases_that_stated_too_little) {
+  static const struct {
+    enum phase phase;
+    double params[N_PARAMS], z[N_STATE];
+  } cases[] = {{PHASE_GAMMA,
+                {0.24946933263763788, 3.2430160627641391, 0.23018042422312607, 0.43438564255428591, 1.0911480123339898},
+                {2.2526127164882199, -1.8315970743449033, 0.23018042422312607, 0.0271745039993069}},
+               {PHASE_H, {0.09643, 19.57, 4.4283, 2.2775, 1.0656}, {-0.14831, -0.90453, 4.4283, 1.2185}}};
+  double near;
+  bool grazing;
+  ck_assert_int_eq(dyn_first_event_d(&near, &grazing, cases[_i].phase, cases[_i].params, cases[_i].z, NULL), SS_OK);
+  ck_assert(near > 0.02);
+  double s = strain(cases[_i].phase, cases[_i].params, cases[_i].z, near);
+  ck_assert_msg(s < 1, "%g of what is stated", s);
+}
+END_TEST
+
+/* Random states and parameters, half a thousand phases: never more than is stated. */
+START_TEST(fd_double_keeps_its_word_on_random_phases) {
+  uint64_t seed = 12345;
+  double most = 0;
+  int tried = 0;
+  for (int n = 0; n < 200; n++) {
+    double u[10], near;
+    for (int i = 0; i < 10; i++) {
+      seed = seed * 6364136223846793005U + 1442695040888963407U;
+      u[i] = (double)(seed >> 11) * 0x1p-53;
+    }
+    double params[] = {0.05 + 0.9 * u[0], exp(3 - 6 * u[1]), exp(1.5 - 3 * u[2]), 0.1 + 4 * u[3], 0.05 + 2 * u[4]};
+    double z[] = {6 * u[5] - 3, 6 * u[6] - 3, params[P_V] * (1 - u[7]), params[P_V] * (1 - u[8])};
+    for (int ph = PHASE_D; ph < N_PHASES; ph++) {
+      bool grazing;
+      if (ph == PHASE_D || ph == PHASE_C) z[DZ_1] = params[P_V];
+      if (dyn_first_event_d(&near, &grazing, (enum phase)ph, params, z, NULL) != SS_OK || grazing) continue;
+      if (ph != PHASE_D && near < 1e-3) continue; /* starts on its own switching surface, or nearly */
+      double s = strain((enum phase)ph, params, z, near);
+      ck_assert_msg(s < 1, "set %d, phase %s: %g of what is stated", n, phase_name[ph], s);
+      most = fmax(most, s);
+      tried++;
+    }
+  }
+  ck_assert_int_ge(tried, 500);
+  ck_assert_msg(most > 0.01, "the accuracy stated is a hundred times too large: %g", most);
+}
+END_TEST
+
+/* The integration of (1)-(2), wherever Coulomb's law follows the orbit. */
+START_TEST(ode_keeps_its_word_on_every_admissible_orbit) {
+  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  struct diag d;
+  int held = 0;
+  for (int i = 0; i < n_samples; i++) {
+    struct sample *o = &samples[i];
+    bool ok = jacobian(x, &model, &o->set->scene, at(METHOD_ODE, o, 15), &d);
+    if (strcmp(o->field[F_ADMISSIBLE], "yes") != 0) continue;
+    ck_assert_msg(ok, "%s %s: %s", o->set->name, o->field[F_INDEX], d.message);
+    ck_assert_msg(jacobian(y, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 30), &d), "%s", d.message);
+    for (int k = 0; k < 4; k++) {
+      ck_assert_msg(arb_contains(x + k, y + k), "%s %s, entry %d: off by %.2g, stated %.2g", o->set->name,
+                    o->field[F_INDEX], k, fabs(mid(x + k) - mid(y + k)), radius(x + k));
+      ck_assert(radius(x + k) < 1e-6 * fmax(1, size_of(y)));
+    }
+    held++;
+  }
+  ck_assert_int_ge(held, 15);
+  _arb_vec_clear(y, 6);
+  _arb_vec_clear(x, 6);
+}
+END_TEST
+
+/* --- Phase by phase --- */
+
+static bool is_column(int c, const char *name) {
+  return strcmp(jacobian_columns[c].name, name) == 0;
+}
+
+/* Every two methods agree to the accuracies they state, but for the printed (40), wrong where V is not 1. */
+static void check_agreement(const struct jacobian_phases *p, const char *where, bool v_is_one) {
+  for (int m = 0; m < N_MATRICES; m++) {
+    const struct jacobian_matrix *a = &p->matrix[m];
+    for (int e = 0; e < a->rows * a->cols; e++)
+      for (int c = 0; c < N_COLUMNS; c++) {
+        bool wrong = !v_is_one && is_column(c, "analytic-printed") && (m == PHASE_C || m == N_PHASES);
+        if (!a->known[c]) continue;
+        ck_assert_msg(a->departs[c][e] == wrong, "%s, %s[%d] by %s", where, a->name, e, jacobian_columns[c].name);
+        for (int o = 0; o < N_COLUMNS; o++) {
+          bool other_wrong = !v_is_one && is_column(o, "analytic-printed");
+          if (wrong || other_wrong || !a->known[o]) continue;
+          ck_assert_msg(arb_overlaps(a->entry[c] + e, a->entry[o] + e), "%s, %s[%d] by %s and %s", where, a->name, e,
+                        jacobian_columns[c].name, jacobian_columns[o].name);
+        }
+        ck_assert_msg(radius(a->entry[c] + e) < 1e-4 * (1 + fabs(mid(a->entry[c] + e))), "%s, %s[%d] by %s: %.2g",
+                      where, a->name, e, jacobian_columns[c].name, radius(a->entry[c] + e));
+      }
+  }
+}
+
+static const struct jacobian_matrix *matrix_of(const struct jacobian_phases *p, const char *name) {
+  for (int m = 0; m < N_MATRICES; m++)
+    if (strcmp(p->matrix[m].name, name) == 0) return &p->matrix[m];
+  ck_abort_msg("no matrix %s", name);
+}
+
+START_TEST(methods_agree_phase_by_phase_on_every_orbit) {
+  struct jacobian_phases p;
+  struct diag d;
+  int admissible = 0, with_ode = 0;
+  for (int i = _i; i < n_samples; i += 4) {
+    struct sample *o = &samples[i];
+    struct jacobian_request q = at(METHOD_IMPLICIT, o, 12);
+    char where[60];
+    snprintf(where, sizeof where, "%s %s", o->set->name, o->field[F_INDEX]);
+    diag_init(&d);
+    jacobian_phases_init(&p);
+    ck_assert_msg(audit_phases(&p, &model, &o->set->scene, &q, &d), "%s: %s", where, d.message);
+    bool v_is_one = strcmp(o->set->v, "1") == 0, yes = strcmp(o->field[F_ADMISSIBLE], "yes") == 0;
+    check_agreement(&p, where, v_is_one);
+    for (int m = 0; m < N_MATRICES; m++)
+      for (int c = 0; c < N_COLUMNS; c++) {
+        if (is_column(c, "ode") && !yes)
+          with_ode += p.matrix[m].known[c];
+        else
+          ck_assert_msg(p.matrix[m].known[c], "%s, %s by %s", where, p.matrix[m].name, jacobian_columns[c].name);
+      }
+    if (!yes) ck_assert(!matrix_of(&p, "J")->known[N_COLUMNS - 1]);
+    admissible += yes;
+    jacobian_phases_clear(&p);
+  }
+  ck_assert_int_ge(admissible, 3);
+  ck_assert_int_ge(with_ode, 10); /* some phases of an orbit that breaks a condition elsewhere */
+}
+END_TEST
+
+/* The kinds of orbits that must be among those with V and eta different from 1 on which all methods agree. */
+START_TEST(the_orbits_are_of_many_kinds) {
+  int all = 0, stable = 0, above_one = 0, beyond_pi = 0, coexisting = 0, long_slip = 0;
+  for (int i = 0; i < n_samples; i++) {
+    const struct sample *o = &samples[i];
+    if (strcmp(o->set->v, "1") == 0 || strcmp(o->set->eta, "1") == 0 || strcmp(o->field[F_ADMISSIBLE], "yes") != 0)
+      continue;
+    double trace = strtod(o->field[F_TRACE], NULL), chi = strtod(o->set->chi, NULL), eta = strtod(o->set->eta, NULL);
+    all++;
+    stable += fabs(trace) < 1;
+    above_one += trace > 1;
+    beyond_pi += strtod(o->field[F_TB], NULL) > acos(-1);
+    coexisting +=
+        i + 1 < n_samples && samples[i + 1].set == o->set && strcmp(samples[i + 1].field[F_ADMISSIBLE], "yes") == 0;
+    /* the faster mode of phase H has a frequency of at least sqrt(1 + chi eta)/sqrt 2 */
+    long_slip += strtod(o->field[F_TC], NULL) * sqrt((1 + chi * eta) / 2) > 4 * acos(-1);
+  }
+  ck_assert_int_ge(all, 10);
+  ck_assert(stable >= 1 && above_one >= 1 && beyond_pi >= 1 && coexisting >= 1 && long_slip >= 1);
+}
+END_TEST
+
+/* The entries of the paper's local Jacobians in terms of the 4x4 derivatives l of jacobian.tsv, by hand from the sentences
+   around (27), (32), (36) and (40). */
+static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
+  for (int k = 0; k < 2; k++) want[PHASE_D][k] = l[PHASE_D][1][k];
+  want[PHASE_GAMMA][0] = chi * l[PHASE_GAMMA][1][0] + l[PHASE_GAMMA][1][1];
+  want[PHASE_GAMMA][1] = chi * l[PHASE_GAMMA][2][0] + l[PHASE_GAMMA][2][1];
+  static const int rows_c[] = {0, 1, 3}, cols_f[] = {0, 1, 3};
+  for (int i = 0; i < 3; i++) {
+    want[PHASE_H][2 * i] = l[PHASE_H][rows_c[i]][0] + l[PHASE_H][rows_c[i]][1];
+    want[PHASE_H][2 * i + 1] = l[PHASE_H][rows_c[i]][2];
+  }
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 3; k++) want[PHASE_C][3 * i + k] = l[PHASE_C][i][cols_f[k]];
+}
+
+static void read_locals(double (*l)[4][4], const struct sample *o) {
+  static char line[400];
+  char *field[N_FIELDS];
+  int n = 0;
+  FILE *f = fopen("tests/oracle/jacobian.tsv", "r");
+  ck_assert(f != NULL);
+  while (fgets(line, sizeof line, f)) {
+    if (line[0] == '#' || split(field, line) != 6) continue;
+    if (strcmp(field[0], o->set->name) != 0 || strcmp(field[1], o->field[F_INDEX]) != 0) continue;
+    for (int ph = 0; ph < N_PHASES; ph++) {
+      if (strcmp(field[2], phase_name[ph]) != 0) continue;
+      l[ph][atoi(field[3]) - 1][atoi(field[4]) - 1] = strtod(field[5], NULL);
+      n++;
+    }
+  }
+  fclose(f);
+  ck_assert_int_eq(n, 64);
+}
+
+START_TEST(local_jacobians_are_those_made_elsewhere) {
+  static const char *const names[] = {"paper", "stable", "long-slip", "beyond-tstar2"};
+  static const int index[] = {1, 0, 1, 1};
+  for (int i = 0; i < n_samples; i++) {
+    struct sample *o = &samples[i];
+    if (strcmp(o->set->name, names[_i]) != 0 || atoi(o->field[F_INDEX]) != index[_i]) continue;
+    double l[N_PHASES][4][4], want[N_PHASES][6];
+    struct jacobian_phases p;
+    struct jacobian_request q = at(METHOD_IMPLICIT, o, 15);
+    struct diag d;
+    diag_init(&d);
+    read_locals(l, o);
+    corners(want, l, strtod(o->set->chi, NULL));
+    jacobian_phases_init(&p);
+    ck_assert_msg(audit_phases(&p, &model, &o->set->scene, &q, &d), "%s", d.message);
+    for (int ph = 0; ph < N_PHASES; ph++)
+      for (int c = 1; c < N_COLUMNS; c++) {
+        const struct jacobian_matrix *a = &p.matrix[ph];
+        for (int e = 0; a->known[c] && e < a->rows * a->cols; e++) {
+          double off = fabs(mid(a->entry[c] + e) - want[ph][e]);
+          ck_assert_msg(off <= radius(a->entry[c] + e) + 1e-14 * (1 + fabs(want[ph][e])), "%s, %s[%d] by %s: off by %g",
+                        names[_i], a->name, e, jacobian_columns[c].name, off);
+        }
+      }
+    jacobian_phases_clear(&p);
+    return;
+  }
+  ck_abort_msg("no orbit %s", names[_i]);
+}
+END_TEST
+
+/* "analytic-printed:J_f[1,1] ..." */
+static void departures(struct text *out, const struct jacobian_phases *p) {
+  for (int c = 0; c < N_COLUMNS; c++)
+    for (int m = 0; m < N_MATRICES; m++) {
+      const struct jacobian_matrix *a = &p->matrix[m];
+      for (int e = 0; e < a->rows * a->cols; e++)
+        if (a->departs[c][e])
+          text_printf(out, "%s:%s[%d,%d] ", jacobian_columns[c].name, a->name, e / a->cols + 1, e % a->cols + 1);
+    }
+}
+
+static void departs_at(const struct model *m, const char *v, const char *want) {
+  char text[200];
+  struct scene s;
+  struct jacobian_phases p;
+  struct jacobian_request q = {METHOD_IMPLICIT, LAYER_CORRECTED, false, 0, 12};
+  struct diag d;
+  struct text found;
+  diag_init(&d);
+  text_init(&found);
+  jacobian_phases_init(&p);
+  snprintf(text, sizeof text, "chi = 0.59\neta = 3.1\nV = %s\ne1 = 3.54\ne2 = 0.0657\n", v);
+  load_scene(&s, text);
+  ck_assert_msg(audit_phases(&p, m, &s, &q, &d), "%s", d.message);
+  departures(&found, &p);
+  ck_assert_str_eq(text_str(&found), want);
+  jacobian_phases_clear(&p);
+  text_clear(&found);
+  scene_clear(&s);
+}
+
+#define ALL_OF_J(method) method ":J[1,1] " method ":J[1,2] " method ":J[2,1] " method ":J[2,2] "
+#define ALL_OF_J_F(method)                                                                                             \
+  method ":J_f[1,1] " method ":J_f[1,2] " method ":J_f[1,3] " method ":J_f[2,1] " method ":J_f[2,2] " method           \
+         ":J_f[2,3] "
+
+/* ktilde_4 of (40) is printed with V below and not above: every entry of J_f holds it, and no other matrix. */
+START_TEST(the_wrong_entries_are_located) {
+  departs_at(&model, "2", ALL_OF_J_F("analytic-printed") ALL_OF_J("analytic-printed"));
+  departs_at(&model, "1", "");
+}
+END_TEST
+
+/* An error of ours in ktilde_2, which stands in the second row of J_c alone; the errata do not mend it. */
+START_TEST(another_wrong_entry_is_located_too) {
+#define ROW(method) method ":J_c[2,1] " method ":J_c[2,2] " ALL_OF_J(method)
+  departs_at(&damaged, "1", ROW("analytic-printed") ROW("analytic-corrected"));
+#undef ROW
+}
+END_TEST
+
+/* --- Eigenvalues --- */
+
+START_TEST(eigenvalues_of_known_matrices) {
+  static const struct {
+    double m[4], re[2], im[2];
+  } cases[] = {{{2, 1, 1, 2}, {1, 3}, {0, 0}},
+               {{0, -1, 1, 0}, {0, 0}, {-1, 1}},
+               {{-3, 3, -2, 2}, {-1, 0}, {0, 0}},
+               {{5, 0, 0, -7}, {-7, 5}, {0, 0}},
+               {{0, 0, 0, 0}, {0, 0}, {0, 0}}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    double re[2], im[2];
+    ck_assert_int_eq(dyn_eigenvalues_d(re, im, cases[i].m), SS_OK);
+    for (int k = 0; k < 2; k++) {
+      ck_assert_double_eq_tol(re[k], cases[i].re[k], 1e-14);
+      ck_assert_double_eq_tol(im[k], cases[i].im[k], 1e-14);
+    }
+  }
+  double re[2], im[2];
+  ck_assert_int_eq(dyn_eigenvalues_d(re, im, (const double[]){1, NAN, 0, 1}), SS_UNABLE);
+  ck_assert_int_eq(dyn_eigenvalues_d(re, im, (const double[]){1, 0, INFINITY, 1}), SS_UNABLE);
+}
+END_TEST
+
+/* GSL, which knows of no vanishing determinant, finds 0 and the trace on every orbit. */
+START_TEST(eigenvalues_both_ways) {
+  arb_ptr x = _arb_vec_init(6);
+  struct diag d;
+  for (int i = 0; i < n_samples; i++) {
+    struct sample *o = &samples[i];
+    double m[4], re[2], im[2], trace = strtod(o->field[F_TRACE], NULL);
+    ck_assert(jacobian(x, &model, &o->set->scene, at(METHOD_IMPLICIT, o, 17), &d));
+    ck_assert(arb_is_zero(x + 5));
+    for (int k = 0; k < 4; k++) m[k] = mid(x + k);
+    ck_assert_int_eq(dyn_eigenvalues_d(re, im, m), SS_OK);
+    double tolerance = 1e-13 * fmax(1, size_of(x));
+    ck_assert_double_eq_tol(re[0], fmin(0, trace), tolerance);
+    ck_assert_double_eq_tol(re[1], fmax(0, trace), tolerance);
+    ck_assert_double_eq_tol(fabs(im[0]) + fabs(im[1]), 0, tolerance);
+  }
+  _arb_vec_clear(x, 6);
+}
+END_TEST
+
+/* --- Scenes that give other quantities than e1 and e2 --- */
+
+/* A value of times.tsv as a ball. */
+static void from_times(arb_t x, const char *name) {
+  char line[200], *field[N_FIELDS];
+  FILE *f = fopen("tests/oracle/times.tsv", "r");
+  bool found = false;
+  ck_assert(f != NULL);
+  while (!found && fgets(line, sizeof line, f)) {
+    found = line[0] != '#' && split(field, line) == 2 && strcmp(field[0], name) == 0;
+    if (found) ball_from(x, field[1], 39);
+  }
+  fclose(f);
+  ck_assert_msg(found, "%s", name);
+}
+
+START_TEST(every_method_at_given_times) {
+  static const char *const entry[] = {"J11", "J12", "J21", "J22"};
+  struct scene s;
+  struct diag d;
+  arb_ptr x = _arb_vec_init(6);
+  arb_t want;
+  arb_init(want);
+  diag_init(&d);
+  ck_assert_msg(scene_load(&s, "paper-times", "verify", &d), "%s", d.message);
+  for (int m = 0; m < N_METHODS; m++) {
+    struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, 0, 30};
+    ck_assert_msg(jacobian(x, &model, &s, q, &d), "%s: %s", method_name[m], d.message);
+    for (int k = 0; k < 4; k++) {
+      from_times(want, entry[k]);
+      ck_assert_msg(arb_overlaps(x + k, want), "%s, %s: %.17g +- %g", method_name[m], entry[k], mid(x + k),
+                    radius(x + k));
+      ck_assert(radius(x + k) < (method_is_double((enum jacobian_method)m) ? 1e-7 : 1e-30));
+    }
+  }
+  arb_clear(want);
+  _arb_vec_clear(x, 6);
+  scene_clear(&s);
+}
+END_TEST
+
+/* The orbit of the file from two others of its numbers, cut to 40 digits: the same trace to 30. */
+START_TEST(any_two_quantities_make_the_same_jacobian) {
+  static const int pairs[][2] = {{0, 3}, {1, 4}, {3, 4}, {2, 3}, {4, 5}, {0, 2}};
+  static const char *const names[] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
+  const struct sample *o = NULL;
+  for (int i = 0; i < n_samples && !o; i++)
+    if (strcmp(samples[i].set->name, "stable") == 0) o = &samples[i];
+  char text[600];
+  int n = snprintf(text, sizeof text, "chi = %s\neta = %s\nV = %s\n", o->set->chi, o->set->eta, o->set->v);
+  for (int k = 0; k < 2; k++) {
+    int quantity = pairs[_i][k];
+    const char *value = quantity < 2 ? o->set->e[quantity] : o->field[F_TA + quantity - 2];
+    n += snprintf(text + n, sizeof text - (size_t)n, "%s = %.42s\n", names[quantity], value);
+  }
+  struct scene s;
+  struct diag d;
+  struct dyn_orbits list;
+  arb_ptr x = _arb_vec_init(6);
+  arb_t want, z;
+  arb_init(want);
+  arb_init(z);
+  load_scene(&s, text);
+  ball_from(want, o->field[F_TRACE], 36);
+  ball_from(z, o->field[F_Z10], 36);
+  audit_orbits(&list, &s, 320);
+  slong index = -1;
+  for (slong i = 0; i < list.n; i++)
+    if (arb_overlaps(list.orbit[i].z10, z)) index = i;
+  ck_assert_msg(index >= 0, "%s", text);
+  for (int m = 0; m < N_METHODS; m++) {
+    struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, false, index, 30};
+    ck_assert_msg(jacobian(x, &model, &s, q, &d), "%s: %s", method_name[m], d.message);
+    ck_assert_msg(arb_overlaps(x + 4, want), "%s at\n%s%.17g, not %s", method_name[m], text, mid(x + 4),
+                  o->field[F_TRACE]);
+  }
+  arb_clear(z);
+  arb_clear(want);
+  dyn_orbits_clear(&list);
+  _arb_vec_clear(x, 6);
+  scene_clear(&s);
+}
+END_TEST
+
+/* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given ones. */
+START_TEST(printed_numbers_stand_in_for_what_is_not_given) {
+  static const char printed[] = "printed: t_a = 0.6784\nprinted: t_b = 2\nprinted: t_c = 1.5\nprinted: t_d = 2.34\n"
+                                "printed: z10 = 0.8921\nprinted: z20 = -2.1958\n";
+  static const char *const given[] = {"e1 = 2.7844\ne2 = 0.8587\n",
+                                      "t_b = 2\nt_c = 1.5\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\n",
+                                      "t_b = 2\ne2 = 0.8587\nprinted: e1 = 2.7844\n"};
+  arb_ptr x = _arb_vec_init(6), y = _arb_vec_init(6);
+  struct scene s;
+  struct diag d;
+  char text[600];
+  for (int m = 0; m < N_METHODS; m++)
+    for (int i = 0; i < 3; i++) {
+      struct jacobian_request q = {(enum jacobian_method)m, LAYER_CORRECTED, true, 0, 20};
+      snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\n%s%s", given[i], printed);
+      load_scene(&s, text);
+      ck_assert_msg(jacobian(i == 0 ? x : y, &model, &s, q, &d), "%s: %s", method_name[m], d.message);
+      for (int k = 0; i > 0 && k < 4; k++) {
+        double most = fmax(radius(x + k), radius(y + k));
+        ck_assert_msg(arb_overlaps(x + k, y + k) && (m == METHOD_ODE || mid(x + k) == mid(y + k)),
+                      "%s, %d: %g, %g +- %g", method_name[m], i, mid(x + k), mid(y + k), most);
+      }
+      scene_clear(&s);
+    }
+  snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\nprinted: e1 = 2.7844\n%s", printed);
+  load_scene(&s, text);
+  struct jacobian_request q = {METHOD_IMPLICIT, LAYER_CORRECTED, true, 0, 20};
+  ck_assert(!jacobian(x, &model, &s, q, &d));
+  ck_assert_msg(strstr(d.message, "--at printed needs") != NULL, "%s", d.message);
+  scene_clear(&s);
+  _arb_vec_clear(y, 6);
+  _arb_vec_clear(x, 6);
+}
+END_TEST
+
+Suite *jacobian_suite(void) {
+  Suite *s = suite_create("jacobian");
+  TCase *c = tcase_create("period");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_data, close_data);
+  tcase_add_test(c, fd_double_keeps_its_word_on_every_orbit);
+  tcase_add_loop_test(c, cases_that_stated_too_little, 0, 2);
+  tcase_add_test(c, fd_double_keeps_its_word_on_random_phases);
+  tcase_add_test(c, ode_keeps_its_word_on_every_admissible_orbit);
+  tcase_add_test(c, eigenvalues_of_known_matrices);
+  tcase_add_test(c, eigenvalues_both_ways);
+  suite_add_tcase(s, c);
+  c = tcase_create("phases");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_data, close_data);
+  tcase_add_loop_test(c, methods_agree_phase_by_phase_on_every_orbit, 0, 4);
+  tcase_add_test(c, the_orbits_are_of_many_kinds);
+  tcase_add_loop_test(c, local_jacobians_are_those_made_elsewhere, 0, 4);
+  tcase_add_test(c, the_wrong_entries_are_located);
+  tcase_add_test(c, another_wrong_entry_is_located_too);
+  suite_add_tcase(s, c);
+  c = tcase_create("given");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_data, close_data);
+  tcase_add_test(c, every_method_at_given_times);
+  tcase_add_loop_test(c, any_two_quantities_make_the_same_jacobian, 0, 6);
+  tcase_add_test(c, printed_numbers_stand_in_for_what_is_not_given);
+  suite_add_tcase(s, c);
+  return s;
+}

@@ -1,0 +1,444 @@
+/* The routes: what they share, that the study of them notices what is wrong, and how the report says it.
+
+   The second opinions: sets worked out by hand, a paper whose formulas are left uncorrected, and results made up. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit/routes.h"
+#include "scratch.h"
+#include "stickslip/long_run.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+/* --- The table. --- */
+
+static const struct route_info *row_of(const char *quantity, const char *name) {
+  for (int i = 0; i < N_ROUTE_ROWS; i++)
+    if (strcmp(route_quantity_name[route_table[i].quantity], quantity) == 0 && strcmp(route_table[i].name, name) == 0)
+      return &route_table[i];
+  ck_abort_msg("no route %s to %s", name, quantity);
+}
+
+START_TEST(every_row_is_one_route) {
+  for (int i = 0; i < N_ROUTE_ROWS; i++) {
+    const struct route_info *r = &route_table[i];
+    ck_assert_msg(r->name && r->does && r->means, "row %d", i);
+    ck_assert_msg((r->digits > 0) == (r->quantity < N_STUDIED), "%s", r->name);
+    ck_assert(i == 0 || r->quantity >= route_table[i - 1].quantity);
+    for (int k = 0; k < i; k++)
+      ck_assert_msg(route_table[k].quantity != r->quantity || strcmp(route_table[k].name, r->name) != 0, "%s", r->name);
+  }
+}
+END_TEST
+
+/* What two routes share, from what is known of how they are programmed. */
+START_TEST(shared_means) {
+  static const struct {
+    const char *quantity, *a, *b;
+    unsigned want;
+  } cases[] = {{"propagator D, Gamma, H, C", "taylor", "gsl", MEANS_SYSTEM},
+               {"propagator D, Gamma, H, C", "closed form", "gsl", 0},
+               {"propagator D, Gamma, H, C", "paper", "closed form", 0},
+               {"times and states of the events", "closed form", "exponential", MEANS_EVENTS},
+               {"times and states of the events", "closed form", "integration", 0},
+               {"times and states of the events", "simulation", "integration", MEANS_COULOMB},
+               {"return Jacobian", "implicit", "saltation", MEANS_ENDS | MEANS_EVENTS},
+               {"return Jacobian", "implicit", "integration", 0},
+               {"return Jacobian", "fd", "integration", MEANS_DIFFERENCES}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    unsigned both = row_of(cases[i].quantity, cases[i].a)->means & row_of(cases[i].quantity, cases[i].b)->means;
+    ck_assert_msg(both == cases[i].want, "%s, %s: %x", cases[i].a, cases[i].b, both);
+  }
+  struct text t;
+  text_init(&t);
+  route_means_print(&t, 0);
+  ck_assert_str_eq(text_str(&t), "nothing");
+  text_reset(&t);
+  route_means_print(&t, MEANS_COULOMB | MEANS_DIFFERENCES);
+  ck_assert_str_eq(text_str(&t), "central differences, Coulomb's law in x");
+  text_clear(&t);
+}
+END_TEST
+
+static void ask_for_a_route_that_does_not_exist(void) {
+  routes_independent("balls", "guess");
+}
+
+START_TEST(an_unknown_route_is_a_broken_invariant) {
+  ck_assert_int_lt(child_end(ask_for_a_route_that_does_not_exist), 0);
+}
+END_TEST
+
+/* --- The study. --- */
+
+static struct scene scene;
+
+static void open_study(void) {
+  struct diag d;
+  scratch_open();
+  diag_init(&d);
+  ck_assert_msg(scene_load(&scene, "paper", "verify", &d), "%s", d.message);
+}
+
+static void close_study(void) {
+  scene_clear(&scene);
+  scratch_close();
+}
+
+/* An audit of no claim: the study alone, under the errata (or none) and a text of our own (or none). */
+static void study(struct audit_result *r, const char *folder, const char *errata, const char *over) {
+  struct model m;
+  struct claims none = {.n = 0};
+  struct diag d;
+  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  diag_init(&d);
+  model_init(&m);
+  audit_result_init(r);
+  bool ok = model_add_folder(&m, folder, RANK_PAPER, &d) && (!errata || model_add_file(&m, errata, RANK_ERRATA, &d)) &&
+            (!over || model_add_file(&m, scratch_put("over.eq", over), RANK_ERRATA, &d)) &&
+            audit_run(r, &m, &none, &none, &scene, &opt, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  model_clear(&m);
+}
+
+static bool concerns(const struct route_pair *p, const char *route) {
+  return strcmp(p->first, route) == 0 || strcmp(p->second, route) == 0;
+}
+
+/* Exactly the pairs of the paper's formulas for the given quantities disagree. */
+static void check_pairs(const struct audit_result *r, const char *const *wrong, int n_wrong) {
+  long bad = 0;
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    const struct route_pair *p = &r->pairs[i];
+    bool want = true;
+    for (int k = 0; k < n_wrong; k++) want = want && !(concerns(p, "paper") && strcmp(p->quantity, wrong[k]) == 0);
+    ck_assert_msg(p->within == want, "%s: %s, %s: %s", p->quantity, p->first, p->second, p->within ? "in" : "out");
+    bad += !p->within;
+  }
+  ck_assert_int_eq(audit_result_unexpected(r), bad);
+}
+
+/* Pairs of five routes to a propagator, two to its derivative, four to the events, five to the Jacobian. */
+START_TEST(all_pairs_agree_on_enough_points) {
+  struct audit_result r;
+  study(&r, "verify/paper", "verify/errata.eq", NULL);
+  ck_assert_uint_eq(r.n_pairs, 10 + 1 + 6 + 10);
+  check_pairs(&r, NULL, 0);
+  for (size_t i = 0; i < r.n_pairs; i++) {
+    const struct route_pair *p = &r.pairs[i];
+    bool machine = concerns(p, "gsl") || concerns(p, "integration") || concerns(p, "simulation");
+    ck_assert_msg(p->comparisons >= 10 + 1, "%s, %s: %ld", p->first, p->second, p->comparisons);
+    ck_assert_msg((p->largest == NULL) == machine && (p->worst == NULL) == machine, "%s, %s", p->first, p->second);
+    ck_assert(p->machine_largest < 1e-5 && p->machine_worst);
+  }
+  ck_assert_uint_eq(r.n_skipped, 0);
+  ck_assert_uint_eq(r.n_controls, 2);
+  for (size_t i = 0; i < r.n_controls; i++)
+    ck_assert(r.controls[i].noticed && r.controls[i].verdict == VERDICT_REFUTED);
+  ck_assert_uint_eq(r.n_long_runs, 4);
+  for (size_t i = 0; i < r.n_long_runs; i++) {
+    const struct long_result *l = &r.long_runs[i];
+    bool unstable = fabs(strtod(l->multiplier, NULL)) > 1;
+    ck_assert_msg(l->obeys && l->displaced && (strcmp(l->expected, "never") != 0) == unstable, "%s", l->orbit);
+  }
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* Uncorrected, (10) is wrong in D(t) and several of (26)-(40) in J; each spoils its own quantities and no other. */
+START_TEST(an_uncorrected_formula_disagrees_with_every_route) {
+  static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
+  struct audit_result r;
+  study(&r, "verify/paper", NULL, NULL);
+  check_pairs(&r, wrong, 3);
+  audit_result_clear(&r);
+  study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
+  check_pairs(&r, wrong, 1);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* The set beyond-pi has an orbit whose phase H is so short that the ODE map is smooth only very near to it: differences
+   must find a step that suits. */
+START_TEST(differences_near_a_jump) {
+  struct audit_result r;
+  struct diag d;
+  const char *path = scratch_put("short.scene", "chi = 0.71\neta = 7.7\nV = 0.28\ne1 = 1.07\ne2 = 0.852\n");
+  diag_init(&d);
+  scene_clear(&scene);
+  ck_assert_msg(scene_load(&scene, path, "verify", &d), "%s", d.message);
+  study(&r, "verify/paper", "verify/errata.eq", NULL);
+  check_pairs(&r, NULL, 0);
+  for (size_t i = 0; i < r.n_pairs; i++)
+    if (concerns(&r.pairs[i], "integration") && strcmp(r.pairs[i].quantity, "return Jacobian") == 0)
+      ck_assert_msg(r.pairs[i].machine_largest < 1e-5, "%g %ld", r.pairs[i].machine_largest, r.pairs[i].comparisons);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* A formula without a value is no agreement. */
+START_TEST(a_route_without_an_answer_disagrees) {
+  static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
+  struct audit_result r;
+  study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
+  check_pairs(&r, wrong, 3);
+  ck_assert(r.pairs[0].largest && strcmp(r.pairs[0].largest, "no answer") == 0 &&
+            strncmp(r.pairs[0].worst, "D, ", 3) == 0);
+  audit_result_clear(&r);
+}
+END_TEST
+
+START_TEST(a_paper_that_cannot_be_read_is_left_out) {
+  struct audit_result r;
+  scratch_put("one.eq", "symbol chi\n");
+  study(&r, scratch_path(""), NULL, NULL);
+  for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
+  ck_assert_uint_eq(r.n_pairs, 6 + 6 + 6);
+  check_pairs(&r, NULL, 0);
+  ck_assert_uint_eq(r.n_skipped, 1);
+  ck_assert(strstr(r.skipped[0].what, "paper's formulas") != NULL);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* --- The paper's route. --- */
+
+static void check_close(mpfr_srcptr x, const char *decimal, double within) {
+  mpfr_t y;
+  mpfr_init2(y, 300);
+  ck_assert_int_eq(mpfr_set_str(y, decimal, 10, MPFR_RNDN), 0);
+  mpfr_sub(y, y, x, MPFR_RNDN);
+  ck_assert_msg(fabs(mpfr_get_d(y, MPFR_RNDN)) < within, "off %s by %g", decimal, mpfr_get_d(y, MPFR_RNDN));
+  mpfr_clear(y);
+}
+
+/* The second orbit of the set paper in tests/oracle/orbits.tsv. */
+static const char *const orbit[N_ROUTE] = {"0.532280741275724036821558978701536823153989128774234316971725",
+                                           "2.00533270228679336080953182635890157559023897974584130104824",
+                                           "1.48988478276059911674981184551588091311647967397465475181375",
+                                           "2.34730065501095188644119110092849215125335509810305300856438",
+                                           "0.978188144190098574451142940838784644240642700934563377954489",
+                                           "-2.12469463444344577273068157927613498891069934163823719831396"};
+
+START_TEST(the_papers_route_from_any_two_quantities) {
+  struct scene s;
+  struct diag d;
+  struct paper_orbits list;
+  char text[400];
+  diag_init(&d);
+  snprintf(text, sizeof text, "chi = 0.8\neta = 1\nV = 1\nt_b = %s\nt_c = %s\n", orbit[1], orbit[2]);
+  ck_assert_msg(scene_load(&s, scratch_put("times.scene", text), "verify", &d), "%s", d.message);
+  ck_assert_msg(audit_paper_orbits(&list, &s, 280, &d), "%s", d.message);
+  bool found = false;
+  for (size_t i = 0; i < list.n; i++) {
+    const struct paper_orbit *p = &list.item[i];
+    ck_assert(p->from == (slong)i && p->status == SS_OK);
+    if (fabs(mpfr_get_d(num_vec_at(&p->route.x, 0), MPFR_RNDN) - 0.53228) > 1e-3) continue;
+    for (int k = 0; k < N_ROUTE; k++) check_close(num_vec_at(&p->route.x, k), orbit[k], 1e-55);
+    ck_assert(p->nearest == p->from && arf_cmpabs_2exp_si(arb_midref(p->distance), -200) < 0);
+    found = true;
+  }
+  ck_assert(found);
+  paper_orbits_clear(&list);
+  scene_clear(&s);
+}
+END_TEST
+
+/* The set long-slip: from 2 % beside its first orbit the iteration leads nowhere, beside its fourth it comes back. */
+START_TEST(the_papers_route_may_not_converge) {
+  struct scene s;
+  struct diag d;
+  struct paper_orbits list;
+  diag_init(&d);
+  const char *path = scratch_put("long.scene", "chi = 0.87\neta = 0.32\nV = 0.45\ne1 = 0.242\ne2 = 0.279\n");
+  ck_assert_msg(scene_load(&s, path, "verify", &d), "%s", d.message);
+  ck_assert_msg(audit_paper_orbits(&list, &s, 128, &d), "%s", d.message);
+  ck_assert_uint_eq(list.n, 4);
+  for (size_t i = 0; i < list.n; i++) ck_assert((list.item[i].status == SS_OK) == (list.item[i].nearest >= 0));
+  ck_assert(list.item[0].status != SS_OK && list.item[3].nearest == 3);
+  paper_orbits_clear(&list);
+  scene_clear(&s);
+}
+END_TEST
+
+/* --- Long runs. --- */
+
+/* Admissible orbits of orbits.tsv with their trace and period. */
+static const struct {
+  const char *params[N_PARAMS];
+  int index;
+  double trace, period;
+} beside[] = {{{"0.8", "1", "1", "2.7844", "0.8587"}, 1, -1.02322618938757005, 6.37479888133},
+              {{"0.71", "1.2", "1.9", "5.9", "0.158"}, 0, -0.366862014459978281, 15.9523111543},
+              {{"0.95", "1.5", "1.2", "5.19", "0.201"}, 1, -1.808422, 53.307829},
+              {{"0.94", "0.72", "0.94", "0.879", "0.106"}, 1, 2.2287053, 39.411698}};
+enum { PAPER, STABLE, FLIPPING, SHEDDING, N_BESIDE };
+
+static void setup_beside(struct coulomb_setup *sim, int which) {
+  fmpq params[N_PARAMS];
+  struct dyn_orbits list;
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(params + i);
+    num_parse_decimal(params + i, beside[which].params[i], strlen(beside[which].params[i]));
+  }
+  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  ck_assert_int_gt(list.n, beside[which].index);
+  ck_assert_int_eq(coulomb_setup_on_orbit(sim, params, &list.orbit[beside[which].index], OWN_FRICTION), SS_OK);
+  dyn_orbits_clear(&list);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+}
+
+static const struct long_pair pairs[N_LONG_PAIRS] = {
+    {LONG_ODE, LONG_CLOSED}, {LONG_ODE, LONG_MPFR}, {LONG_CLOSED, LONG_MPFR}};
+
+/* A displacement is multiplied by the trace, whatever the orbit. */
+START_TEST(a_displacement_grows_by_the_multiplier) {
+  struct coulomb_setup sim;
+  struct long_growth g;
+  setup_beside(&sim, _i);
+  ck_assert(fabs(sim.trace - beside[_i].trace) < 1e-6 && fabs(sim.period - beside[_i].period) < 1e-5);
+  ck_assert(long_run_displaced(&g, sim.params, sim.start, sim.trace, 300 * sim.period));
+  ck_assert_msg(fabs(g.log - log(fabs(beside[_i].trace))) < 1e-3, "%g", exp(g.log));
+}
+END_TEST
+
+/* Rounding alone: from MPFR, which has 160 bits, the routes depart at the rate of the trace. */
+START_TEST(routes_leave_an_unstable_orbit_at_its_rate) {
+  struct coulomb_setup sim;
+  struct long_run run;
+  struct long_growth g;
+  long periods = _i == PAPER ? 900 : 40;
+  setup_beside(&sim, _i);
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, periods, 4 * (double)periods * sim.period, 0, 160),
+                   SS_OK);
+  for (int k = 1; k < N_LONG_PAIRS; k++) {
+    ck_assert(long_run_growth(&g, &run, pairs[k]));
+    double want = log(fabs(beside[_i].trace));
+    ck_assert_msg(fabs(g.log - want) < 0.02 * want, "%g", exp(g.log));
+    long near = long_run_parting(&run, pairs[k], 1e-9), far = long_run_parting(&run, pairs[k], 1e-6);
+    ck_assert_int_gt(near, 0);
+    ck_assert_msg(fabs((double)(far - near) * want - log(1000)) < 2 * want + 0.2, "from %ld to %ld", near, far);
+    ck_assert(long_run_most(&run, pairs[k]) > 1e-6 && long_run_parting(&run, pairs[k], 1e9) == 0);
+  }
+  long_run_clear(&run);
+}
+END_TEST
+
+START_TEST(routes_stay_on_a_stable_orbit) {
+  struct coulomb_setup sim;
+  struct long_run run;
+  struct long_growth g;
+  setup_beside(&sim, STABLE);
+  ck_assert_int_eq(long_run_make(&run, sim.params, sim.start, 50, 1e4, 0, 128), SS_OK);
+  for (int k = 0; k < N_LONG_PAIRS; k++) {
+    ck_assert_int_eq(long_run_length(&run, pairs[k]), 50);
+    ck_assert(long_run_most(&run, pairs[k]) < 1e-9 && long_run_parting(&run, pairs[k], 1e-9) == 0);
+    ck_assert(!long_run_growth(&g, &run, pairs[k]));
+  }
+  for (int k = 0; k < N_LONG_ROUTES; k++) {
+    ck_assert_int_eq(run.end[k], COULOMB_DONE);
+    for (long i = 0; i < 50; i++) {
+      ck_assert_uint_eq(run.at[k][i].events, 4 * (size_t)(i + 1));
+      ck_assert(fabs(run.at[k][i].t - (double)(i + 1) * beside[STABLE].period) < 1e-6);
+    }
+  }
+  long_run_clear(&run);
+}
+END_TEST
+
+START_TEST(a_run_outside_the_domain) {
+  struct coulomb_setup sim;
+  struct long_run run;
+  struct long_growth g;
+  setup_beside(&sim, STABLE);
+  sim.params[COULOMB_CHI] = 1;
+  ck_assert(long_run_make(&run, sim.params, sim.start, 3, 100, 0, 128) & SS_DOMAIN);
+  ck_assert(long_run_length(&run, pairs[0]) == 0 && long_run_parting(&run, pairs[0], 0) == 0);
+  ck_assert(!long_run_growth(&g, &run, pairs[0]) && long_run_most(&run, pairs[0]) == 0);
+  long_run_clear(&run);
+  ck_assert(!long_run_displaced(&g, sim.params, sim.start, 2, 100));
+}
+END_TEST
+
+/* --- The report. --- */
+
+START_TEST(a_disagreement_comes_first) {
+  struct route_pair made_up[] = {
+      {"return Jacobian", "fd", "implicit", "the flow", 3, "1e-40", true, "1e-48", "chi = 1/2", 1e-48, "chi = 1/2"},
+      {"return Jacobian", "fd", "integration", "nothing", 4, "1e-5", false, NULL, NULL, 0.25, "chi = 1/3"}};
+  struct audit_result r;
+  struct text md, json, run, line;
+  audit_result_init(&r);
+  r.scene = r.title = "made up";
+  r.pairs = ss_malloc(sizeof made_up);
+  memcpy(r.pairs, made_up, sizeof made_up);
+  r.n_pairs = r.cap_pairs = 2;
+  struct long_result runs[] = {
+      {.orbit = "kept", .multiplier = "-0.5", .expected = "never", .obeys = true, .displaced = true},
+      {.orbit = "lost", .multiplier = "2", .expected = "about 35 periods", .displaced = true}};
+  r.long_runs = ss_malloc(sizeof runs);
+  memcpy(r.long_runs, runs, sizeof runs);
+  r.n_long_runs = r.cap_long_runs = 2;
+  ck_assert_int_eq(audit_result_unexpected(&r), 2);
+  text_init(&md);
+  text_init(&json);
+  text_init(&run);
+  text_init(&line);
+  report_markdown(&md, &r);
+  report_json(&json, &r);
+  report_run(&run, &r, 1);
+  report_line(&line, &r);
+  const char *first = strstr(text_str(&md), "\n## ");
+  const char *row = "| fd, integration | nothing | 4 | 1e-5 | **beyond**: - | - |\n";
+  ck_assert(first && strncmp(first, "\n## Routes that disagree\n", 25) == 0);
+  const char *again = strstr(first, row);
+  ck_assert_msg(again && strstr(again + 1, row) && again < strstr(first, "| fd, implicit |"), "%s", text_str(&md));
+  ck_assert(strstr(text_str(&md), "| fd, implicit | the flow | 3 | 1e-40 | 1e-48 | chi = 1/2 |\n") != NULL);
+  ck_assert(strstr(text_str(&json), "\"within\": false") && !strstr(text_str(&json), "0.25"));
+  ck_assert(strstr(text_str(&run), "\"largest\": \"0.25\"") && strstr(text_str(&run), "\"worst\": \"chi = 1/3\""));
+  ck_assert(strstr(text_str(&line), "2 NOT as recorded") != NULL);
+  const char *lost = strstr(first, "\n## Long runs that the multiplier does not explain\n");
+  ck_assert(lost && strstr(lost, "| lost | 2 | 0 | about 35 periods | **NO** | yes |\n") < strstr(lost, "| kept |"));
+  ck_assert(strstr(text_str(&json), "\"obeys\": false") && !strstr(text_str(&json), "growth"));
+  text_clear(&line);
+  text_clear(&run);
+  text_clear(&json);
+  text_clear(&md);
+  audit_result_clear(&r);
+}
+END_TEST
+
+Suite *routes_suite(void) {
+  Suite *s = suite_create("routes");
+  TCase *c = tcase_create("table");
+  tcase_add_test(c, every_row_is_one_route);
+  tcase_add_test(c, shared_means);
+  tcase_add_test(c, an_unknown_route_is_a_broken_invariant);
+  suite_add_tcase(s, c);
+  c = tcase_create("study");
+  tcase_add_unchecked_fixture(c, open_study, close_study);
+  tcase_add_test(c, all_pairs_agree_on_enough_points);
+  tcase_add_test(c, an_uncorrected_formula_disagrees_with_every_route);
+  tcase_add_test(c, differences_near_a_jump);
+  tcase_add_test(c, a_route_without_an_answer_disagrees);
+  tcase_add_test(c, a_paper_that_cannot_be_read_is_left_out);
+  suite_add_tcase(s, c);
+  c = tcase_create("paper route");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, the_papers_route_from_any_two_quantities);
+  tcase_add_test(c, the_papers_route_may_not_converge);
+  suite_add_tcase(s, c);
+  c = tcase_create("long run");
+  tcase_add_loop_test(c, a_displacement_grows_by_the_multiplier, 0, N_BESIDE);
+  tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, PAPER, STABLE);
+  tcase_add_loop_test(c, routes_leave_an_unstable_orbit_at_its_rate, FLIPPING, N_BESIDE);
+  tcase_add_test(c, routes_stay_on_a_stable_orbit);
+  tcase_add_test(c, a_run_outside_the_domain);
+  suite_add_tcase(s, c);
+  c = tcase_create("report");
+  tcase_add_test(c, a_disagreement_comes_first);
+  suite_add_tcase(s, c);
+  return s;
+}
