@@ -366,6 +366,7 @@ static const struct {
     {"eq-48b", "psi_1 := -[1; lambda_1]", FATE_EQUIVALENT},
     {"eq-20", "[z_1a; z_2a; z'_2a; z'_1a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_EQUIVALENT},
     {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
+    {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT},                   /* its two halves change places */
     {"eq-56", "z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1*2", FATE_NOTICED}, /* true, but has slack */
     {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_UNDECIDED},                      /* true, and (60) has slack itself */
     {"eq-1", "-x_1''(t) + x_1(t) - chi*x_2(t) = u_1", FATE_UNREAD},
@@ -381,7 +382,8 @@ START_TEST(fates_known_beforehand) {
     if (fates[_i].fate == FATE_NOTICED)
       ck_assert_msg(!s, "%s survives", fates[_i].text);
     else
-      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? mutant_fate_name[s->fate] : "noticed");
+      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text,
+                    s ? mutant_fate_name[s->fate] : "noticed");
   } else {
     ck_assert_msg(r.n_survivors == 0, "%s survives", r.n_survivors ? r.survivor[0].text : "");
     ck_assert_int_gt(mutation_row_noticed(&r.total), 10);
@@ -599,7 +601,8 @@ START_TEST(every_repair_passes_a_run_of_its_own) {
       for (const char *p = c->repair[k].text; p && *p;) {
         const char *end = p;
         int open = 0;
-        while (*end && !(*end == ';' && open == 0)) open += (*end == '[') - (*end == ']'), end++;
+        while (*end && !(*end == ';' && open == 0))
+          open += (*end == '[' || *end == '(') - (*end == ']' || *end == ')'), end++;
         text_printf(&t, "  %.*s\n", (int)(end - p), p);
         p = *end ? end + 2 : end;
       }

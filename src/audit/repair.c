@@ -1,6 +1,7 @@
 /* Which small edits of its printed text would make a refuted claim true?  The same edits that damage formulas, tried the
    other way round: each is put in place as if the paper had printed it, and the claim is judged by the checks that
-   refuted it.  Where no edit helps, or not the correction on file, pairs of exchanged names are tried, within a budget. */
+   refuted it.  Where no edit helps, or not the correction on file, pairs of exchanged names are tried, within a budget, and
+   then the steps of a chain a = b = c one by one. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -83,6 +84,7 @@ static const char *printed(struct arena *a, const struct stmt *s) {
 }
 
 static void single_edits(struct search *s) {
+  s->n = 0;
   for (size_t t = 0; t < s->n_targets; t++) {
     const struct target *x = &s->target[t];
     const struct statement_record *r = &s->model->records[x->record];
@@ -284,11 +286,55 @@ static bool try_all(struct repairs *found, struct repair_result *out, struct sea
 
 /* --- One claim --- */
 
-/* Something passes and, when a correction is on file, that one does. */
-static bool has_erratum(const struct repairs *found) {
-  bool has = !found->erratum && found->n > 0;
-  for (size_t i = 0; i < found->n; i++) has = has || found->repair[i].erratum;
+/* Something passes of what was found from there on and, when a correction is on file, that one does. */
+static bool has_erratum(const struct repairs *found, size_t from) {
+  bool has = !found->erratum && found->n > from;
+  for (size_t i = from; i < found->n; i++) has = has || found->repair[i].erratum;
   return has;
+}
+
+/* Every edit; then pairs of exchanged names, where no edit helps or not the correction on file. */
+static bool search_targets(struct repairs *found, struct repair_result *out, struct search *s, int jobs,
+                           struct diag *d) {
+  size_t from = found->n;
+  single_edits(s);
+  found->singles += (long)s->n;
+  if (!try_all(found, out, s, jobs, d)) return false;
+  if (has_erratum(found, from)) return true;
+  bool complete = pair_edits(s, true);
+  if (!complete) complete = pair_edits(s, false);
+  found->pairs_complete = complete && (found->pairs_complete || found->pairs == 0);
+  found->pairs += (long)s->n;
+  return try_all(found, out, s, jobs, d);
+}
+
+/* Steps a = b of a chain a = ... = b, each as the whole statement. */
+static bool search_pieces(struct repairs *found, struct repair_result *out, struct search *s, size_t t, int jobs,
+                          struct diag *d) {
+  const struct stmt *chain = s->model->records[s->target[t].record].stmts[s->target[t].stmt];
+  bool ok = true;
+  for (int k = 1; ok && chain->kind == STMT_RELATION && chain->n_sides > 2 && k < chain->n_sides; k++) {
+    struct stmt *piece = arena_alloc(&s->arena, sizeof *piece);
+    struct edits edits = {.n = 0};
+    *piece = *chain;
+    piece->n_sides = 2;
+    piece->sides = arena_alloc(&s->arena, 2 * sizeof *piece->sides);
+    piece->ops = &chain->ops[k - 1];
+    piece->sides[0] = chain->sides[0];
+    piece->sides[1] = chain->sides[k];
+    lexicon_edits(&edits, &s->arena, s->words, piece);
+    struct search part = *s;
+    part.target = &s->target[t];
+    part.n_targets = 1;
+    part.edits = &edits;
+    part.candidate = NULL;
+    part.n = part.cap = 0;
+    ok = search_targets(found, out, &part, jobs, d);
+    s->arena = part.arena;
+    free(part.candidate);
+    edits_clear(&edits);
+  }
+  return ok;
 }
 
 static bool search_claim(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
@@ -300,15 +346,9 @@ static bool search_claim(struct repairs *found, struct repair_result *out, struc
   add_statements(&t, s, s->model, NULL);
   found->printed = keep(out, &t);
   text_clear(&t);
-  single_edits(s);
-  found->singles = (long)s->n;
-  bool ok = try_all(found, out, s, jobs, d);
-  if (ok && !has_erratum(found)) {
-    found->pairs_complete = pair_edits(s, true);
-    if (!found->pairs_complete) found->pairs_complete = pair_edits(s, false);
-    found->pairs = (long)s->n;
-    ok = try_all(found, out, s, jobs, d);
-  }
+  bool ok = search_targets(found, out, s, jobs, d);
+  bool enough = has_erratum(found, 0);
+  for (size_t i = 0; ok && !enough && i < s->n_targets; i++) ok = search_pieces(found, out, s, i, jobs, d);
   if (found->n) qsort(found->repair, found->n, sizeof *found->repair, smallest_first);
   return ok;
 }

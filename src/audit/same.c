@@ -228,66 +228,48 @@ static enum relop mirrored(enum relop op) {
   return other[op];
 }
 
-/* Entry i of two sentences without an oracle: their differences of sides, up to what is positive. */
-static bool same_relation(struct exact_field *f, const struct exact_vec *a, const struct exact_vec *b, slong n, slong i,
-                          enum relop op_a, enum relop op_b) {
+/* Entries i of a and k of b, of sentences without an oracle: their differences of sides, up to what is positive. */
+static bool same_relation(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a, slong i,
+                          const struct sentence *sb, const struct exact_vec *b, slong k) {
   fmpz_mpoly_q_struct x, y;
   exact_init(&x, f);
   exact_init(&y, f);
   int sign = 0;
-  if (exact_sub(&x, f, &a->x[i], &a->x[n + i]) && exact_sub(&y, f, &b->x[i], &b->x[n + i]))
+  if (exact_sub(&x, f, &a->x[i], &a->x[sa->n + i]) && exact_sub(&y, f, &b->x[k], &b->x[sb->n + k]))
     sign = exact_ratio_sign(f, &x, &y, positive, N_POSITIVE);
   bool both_zero = exact_is_zero(f, &x) && exact_is_zero(f, &y);
   exact_clear(&y, f);
   exact_clear(&x, f);
+  enum relop op_a = sa->ops[i], op_b = sb->ops[k];
   if (sign == 0 || (both_zero && op_a != op_b)) return false;
   return op_a == REL_EQ ? op_b == REL_EQ : op_b == (sign > 0 ? op_a : mirrored(op_a));
 }
 
-/* Whether both say the same: of sentences with an oracle, and of values, that the left sides are equal. */
+/* Is every relation of a one of b? */
+static bool has_relations(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a,
+                          const struct sentence *sb, const struct exact_vec *b) {
+  for (slong i = 0; i < sa->n; i++) {
+    bool found = i < sb->n && same_relation(f, sa, a, i, sb, b, i);
+    for (slong k = 0; !found && k < sb->n; k++) found = same_relation(f, sa, a, i, sb, b, k);
+    if (!found) return false;
+  }
+  return true;
+}
+
+/* Whether both say the same: of values, and of sentences with an oracle, that the left sides are equal; else that the sets
+   of relations are. */
 static bool same_sentences(const struct sentence *a, const struct sentence *b, bool values, const struct facts *facts,
                            const struct claim *c) {
-  if (a->n != b->n || a->cols != b->cols || a->oracle != b->oracle) return false;
+  values = values || a->oracle;
+  if (a->oracle != b->oracle || (values && (a->n != b->n || a->cols != b->cols))) return false;
   struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS];
   struct exact_field *f = exact_field_new(fact, collect_facts(fact, facts, c));
   struct exact_vec x, y;
   int s = exact_eval(&x, f, &a->tape);
   s |= exact_eval(&y, f, &b->tape);
   bool same = s == SS_OK;
-  for (slong i = 0; same && i < a->n; i++)
-    same = values || a->oracle ? exact_equal(f, &x.x[i], &y.x[i])
-                               : same_relation(f, &x, &y, a->n, i, a->ops[i], b->ops[i]);
-  exact_vec_clear(&y);
-  exact_vec_clear(&x);
-  exact_field_free(f);
-  return same;
-}
-
-/* Entry i of a among the entries of b. */
-static bool has_relation(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a, slong i,
-                         const struct sentence *sb, const struct exact_vec *b) {
-  struct exact_vec x = {a->field, 2, NULL}, y = {b->field, 2, NULL};
-  fmpz_mpoly_q_struct left[2], right[2];
-  x.x = left;
-  y.x = right;
-  left[0] = a->x[i], left[1] = a->x[sa->n + i]; /* borrowed */
-  for (slong k = 0; k < sb->n; k++) {
-    right[0] = b->x[k], right[1] = b->x[sb->n + k];
-    if (same_relation(f, &x, &y, 1, 0, sa->ops[i], sb->ops[k])) return true;
-  }
-  return false;
-}
-
-static bool same_sets(const struct sentence *a, const struct sentence *b, const struct facts *facts,
-                      const struct claim *c) {
-  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS];
-  struct exact_field *f = exact_field_new(fact, collect_facts(fact, facts, c));
-  struct exact_vec x, y;
-  int s = exact_eval(&x, f, &a->tape);
-  s |= exact_eval(&y, f, &b->tape);
-  bool same = s == SS_OK;
-  for (slong i = 0; same && i < a->n; i++) same = has_relation(f, a, &x, i, b, &y);
-  for (slong i = 0; same && i < b->n; i++) same = has_relation(f, b, &y, i, a, &x);
+  for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, &x.x[i], &y.x[i]);
+  if (!values) same = same && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
   exact_vec_clear(&y);
   exact_vec_clear(&x);
   exact_field_free(f);
@@ -300,7 +282,7 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
   diag_init(&d);
   bool ok = sentence_from_claim(&x, claim_view(a, c), c, NULL, 0, &d);
   ok = sentence_from_claim(&y, (struct view){b, LAYER_CORRECTED, NULL, NULL}, c, NULL, 0, &d) && ok;
-  ok = ok && (x.oracle ? same_sentences(&x, &y, false, f, c) : same_sets(&x, &y, f, c));
+  ok = ok && same_sentences(&x, &y, false, f, c);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
