@@ -61,7 +61,7 @@ verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a v
 	$(B)/stickslip verify
 
 mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
-	$(B)/stickslip mutate --out reports/mutation
+	$(B)/stickslip mutate --count all --out reports/mutation
 
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
