@@ -364,7 +364,9 @@ static const struct {
     {"eq-47", "Lambda := [1, 1; lambda_1, lambda_2]*2", FATE_EQUIVALENT},
     {"eq-48", "root omega_1: det(K - I*omega_1^2)*V, smallest positive", FATE_EQUIVALENT},
     {"eq-48b", "psi_1 := -[1; lambda_1]", FATE_EQUIVALENT},
-    {"eq-20", "[z_1a; z_2a; z'_2a; z'_1a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_EQUIVALENT},
+    {"eq-20", "[z_1a; z_2a; z'_2a; z'_1a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_ON_MOTIONS},
+    {"eq-31b", "y_b = y_b", FATE_ON_MOTIONS}, /* says nothing, and is true where (31) holds */
+    {"eq-31b", "-x_b = y_b", FATE_NOTICED},
     {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
     {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT},                   /* its two halves change places */
     {"eq-56", "z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1*2", FATE_NOTICED}, /* true, but has slack */

@@ -7,11 +7,14 @@
 #include "stickslip/arena.h"
 
 /* What became of a mutant.  Noticed: a verdict changed, or the damaged text cannot be read or evaluated.  Else it
-   survived: equivalent (proved to say the same), undecided, or read by no claim that asserts anything. */
+   survived: equivalent (proved to say the same, by algebra alone); on_motions (proved to say the same on every motion of
+   the word, by what defines its phases, so that nothing tried on motions can tell); undecided; or read by no claim that
+   asserts anything. */
 #define FATES(X)                                                                                                       \
   X(NOTICED, noticed)                                                                                                  \
   X(UNREADABLE, unreadable)                                                                                            \
   X(EQUIVALENT, equivalent)                                                                                            \
+  X(ON_MOTIONS, on_motions)                                                                                            \
   X(UNDECIDED, undecided)                                                                                              \
   X(UNREAD, unread)
 

@@ -61,6 +61,8 @@ extern const int n_motion_facts;
 struct facts;
 struct facts *facts_new(const struct model *m);
 void facts_free(struct facts *f);
+/* Whether exact algebra uses them from now on; it does at first. */
+void facts_use(struct facts *f, bool use);
 
 /* Proves that a claim says the same in two models that differ in one statement, with its own text as printed and with
    everything corrected: its sides are equal as rational functions on every motion, or its statement is the other's times

@@ -159,6 +159,16 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
 
 /* --- One mutant --- */
 
+/* By exact algebra: the statement and what uses it, or every claim that reads it. */
+static bool says_the_same(struct run *r, const struct target *t) {
+  const struct model *damaged = &r->overlay.model;
+  bool all = true;
+  if (target_same_in(t, r->model, damaged, r->claims, r->facts)) return true;
+  for (size_t i = 0; all && i < r->n_readers; i++)
+    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
+  return all;
+}
+
 static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
   bool any = false;
   for (size_t i = 0; i < r->n_readers; i++) {
@@ -170,10 +180,10 @@ static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
     if (n == CHANGED) return FATE_NOTICED;
   }
   if (!any) return FATE_UNREAD;
-  bool same = target_same_in(t, r->model, &r->overlay.model, r->claims, r->facts), all = true;
-  for (size_t i = 0; !same && all && i < r->n_readers; i++)
-    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, t, r->model, &r->overlay.model, r->facts);
-  if (same || all) return FATE_EQUIVALENT;
+  for (int facts = 0; facts < 2; facts++) {
+    facts_use(r->facts, facts);
+    if (says_the_same(r, t)) return facts ? FATE_ON_MOTIONS : FATE_EQUIVALENT;
+  }
   for (size_t i = 0; i < r->n_readers; i++) {
     enum notice n = reads(&r->reader[i], t) ? ask_in_full(r, &r->reader[i]) : SAME;
     if (n != SAME) return n == BROKEN ? FATE_UNREADABLE : FATE_NOTICED;

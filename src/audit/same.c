@@ -86,6 +86,7 @@ struct opaque {
 struct facts {
   struct exact_fact fact[N_MOTION_FACTS];
   int n;
+  bool unused;
   struct tape velocity; /* V */
   struct opaque *opaque;
   size_t n_opaque, cap_opaque;
@@ -179,6 +180,10 @@ struct facts *facts_new(const struct model *m) {
   return f;
 }
 
+void facts_use(struct facts *f, bool use) {
+  f->unused = !use;
+}
+
 void facts_free(struct facts *f) {
   for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
   tape_clear(&f->velocity);
@@ -214,6 +219,7 @@ static bool on_motions(const struct claim *c) {
 /* The facts that hold where a claim is tried; c NULL: the statement itself, wherever it is read. */
 static int collect_facts(struct exact_fact *out, const struct facts *f, const struct claim *c) {
   int n = 0, phase = c ? phase_of(c) : -1;
+  if (f->unused) return 0;
   for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
   for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
     if (phase_facts[i].holds[phase]) out[n++] = (struct exact_fact){phase_facts[i].name, f->velocity};

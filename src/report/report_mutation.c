@@ -63,6 +63,7 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
 
 static const char *const fate_says[N_MUTANT_FATES] = {
     [FATE_EQUIVALENT] = "Survivors that are equivalent to the original",
+    [FATE_ON_MOTIONS] = "Survivors that say the same on every motion of the word",
     [FATE_UNDECIDED] = "Survivors that may be different: no claim that reads them changes its verdict",
     [FATE_UNREAD] = "Survivors in statements that no claim reads",
 };
@@ -75,8 +76,8 @@ static void add_row(struct text *out, const struct mutation_row *r) {
 
 static void add_table(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
   text_printf(out,
-              "| %s | mutants | noticed | of them unreadable | equivalent | undecided | unread |\n"
-              "| --- | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+              "| %s | mutants | noticed | of them unreadable | equivalent | same on motions | undecided | unread |\n"
+              "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
               heading);
   for (size_t i = 0; i < n; i++)
     if (mutation_row_total(&row[i])) add_row(out, &row[i]);
@@ -128,8 +129,9 @@ static void list_survivors(struct text *out, const struct mutation_result *r, en
 static void add_summary(struct text *out, const struct mutation_result *r) {
   long total = mutation_row_total(&r->total), noticed = mutation_row_noticed(&r->total);
   text_printf(out, "%ld of %ld mutants noticed", noticed, total);
-  text_printf(out, "; survivors: %ld equivalent, %ld undecided, %ld read by no claim", r->total.count[FATE_EQUIVALENT],
-              r->total.count[FATE_UNDECIDED], r->total.count[FATE_UNREAD]);
+  text_printf(out, "; survivors: %ld equivalent, %ld the same on every motion, %ld undecided, %ld read by no claim",
+              r->total.count[FATE_EQUIVALENT], r->total.count[FATE_ON_MOTIONS], r->total.count[FATE_UNDECIDED],
+              r->total.count[FATE_UNREAD]);
   long printed = mutation_row_total(&r->printed);
   if (printed)
     text_printf(out, "; of the printed text that the errata correct %ld of %ld", mutation_row_noticed(&r->printed),
@@ -145,7 +147,7 @@ static void add_survivors(struct text *out, const struct mutation_result *r, enu
   text_add_char(out, '\n');
 }
 
-static const enum mutant_fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_EQUIVALENT};
+static const enum mutant_fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_ON_MOTIONS, FATE_EQUIVALENT};
 enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
 
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
@@ -157,8 +159,10 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
       "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
       "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
       "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
-      "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same on "
-      "every motion of the word, by rational functions in which sines and roots are unknowns. The text of every "
+      "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
+      "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
+      "put in (velocities that are V, forces at their limits, perturbations that are zero), so that nothing tried "
+      "on motions can tell. The text of every "
       "survivor is in mutation.json.\n\n",
       r->tried, r->population, r->scene, r->seed);
   add_table(out, "file", r->file, r->n_files);

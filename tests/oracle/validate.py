@@ -64,7 +64,7 @@ def orbit_errors(out):
         yield "orbits: not by increasing z10"
 
 
-FATES = ("noticed", "unreadable", "equivalent", "undecided", "unread")
+FATES = ("noticed", "unreadable", "equivalent", "on_motions", "undecided", "unread")
 
 
 def mutation_errors(out):
