@@ -953,8 +953,8 @@ START_TEST(the_markdown_holds_every_claim) {
     snprintf(heading, sizeof heading, "\n### %s: ", member(p, "id"));
     const char *h = strstr(full_md, heading);
     ck_assert_msg(h && !strstr(h + 1, heading), "%s stands not once in audit.md", heading + 1);
-    bool refuted = strcmp(member(p, "verdict"), "refuted") == 0;
-    ck_assert_msg((h < strstr(full_md, "\n## Every claim")) == refuted, "%s", heading + 1);
+    bool attention = strcmp(member(p, "verdict"), "refuted") == 0 || strcmp(member(p, "verdict"), "unknown") == 0;
+    ck_assert_msg((h < strstr(full_md, "\n## Every claim")) == attention, "%s", heading + 1);
     claims++;
   }
   ck_assert_int_eq(claims, atoi(member(full_json, "total")));

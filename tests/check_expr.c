@@ -106,9 +106,9 @@ static struct expr *power(const struct expr *a, int n) {
 
 /* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
 static void spell(struct text *out, const struct expr *e) {
-  static const char *const names[] = {"num", "sym", "call", "neg",       "+",           "-",      "*",
-                                      "/",   "^",   "sin",  "cos",       "cot",         "sqrt",   "paren",
-                                      "inv", "det", "tr",   "transpose", "first_order", "matrix", "index"};
+  static const char *const names[] = {"num", "sym", "call",      "neg",         "+",      "-",    "*",     "/",
+                                      "^",   "sin", "cos",       "cot",         "sqrt",   "abs",  "paren", "inv",
+                                      "det", "tr",  "transpose", "first_order", "matrix", "index"};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
     text_add(out, e->name);
     return;
@@ -172,6 +172,7 @@ static const struct {
     {"smallest*positive*largest", "(* (* smallest positive) largest)"},
     /* functions */
     {"sin(a)*cos(b) + cot(c) - sqrt(d)", "(- (+ (* (sin a) (cos b)) (cot c)) (sqrt d))"},
+    {"abs(tr(a) - 1)", "(abs (- (tr a) 1))"},
     {"inv(A)*det(B) + tr(transpose(C))", "(+ (* (inv A) (det B)) (tr (transpose C)))"},
     {"first_order(f(a + x)*b; x)*y", "(* (first_order (* (call f 0 (+ a x)) b) x) y)"},
     {"first_order([a, b]; x, y) + first_ordered", "(+ (first_order (matrix 1x2 a b) x y) first_ordered)"},
@@ -561,14 +562,14 @@ static struct expr *random_matrix(int depth) {
 }
 
 static struct expr *random_primary(int depth) {
-  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT,
+  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT,     EXPR_ABS,
                                              EXPR_INV, EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE};
   if (depth <= 0) return random_leaf();
   switch (below(6)) {
   case 0:
     return one(EXPR_PAREN, random_sum(depth - 1));
   case 1:
-    return one(functions[below(8)], random_sum(depth - 1));
+    return one(functions[below(9)], random_sum(depth - 1));
   case 2:
     return random_matrix(depth - 1);
   case 3: {
@@ -692,12 +693,12 @@ START_TEST(test_same) {
 END_TEST
 
 static const struct expr *random_scalar(int depth) {
-  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT};
+  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT, EXPR_ABS};
   static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV};
   if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
   switch (below(8)) {
   case 0:
-    return expr_op1(&pool, unary[below(5)], random_scalar(depth - 1));
+    return expr_op1(&pool, unary[below(6)], random_scalar(depth - 1));
   case 1:
     return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
   case 2:
@@ -932,6 +933,7 @@ static const struct {
     {"(a + b)/2 + (c)", "\\frac{a + b}{2} + \\left(c\\right)"},
     {"sin(omega*t_d)/omega", "\\frac{\\sin\\left(\\omega \\, t_{d}\\right)}{\\omega}"},
     {"sin(x)^2 + cos(x^2)", "\\sin^{2}\\left(x\\right) + \\cos\\left(x^{2}\\right)"},
+    {"abs(tr(J)) ", "\\left|\\operatorname{tr}\\left(J\\right)\\right|"},
     {"cot(x)^(-1)", "\\left(\\cot\\left(x\\right)\\right)^{-1}"},
     {"(sin(x))^2", "\\left(\\sin\\left(x\\right)\\right)^{2}"},
     {"sqrt(1 - chi)", "\\sqrt{1 - \\chi}"},
@@ -1129,6 +1131,8 @@ static long double node_value(const struct expr *e, long double a, long double b
     return cosl(a) / sinl(a);
   case EXPR_SQRT:
     return a > 0 ? sqrtl(a) : NAN; /* not differentiable at 0 */
+  case EXPR_ABS:
+    return a == 0 ? NAN : fabsl(a);
   default:
     return NAN;
   }
@@ -1196,6 +1200,8 @@ START_TEST(test_diff_table) {
       {"cos(x^2)", "-2*x*sin(x^2)"},
       {"cot(x)", "-1 - cot(x)^2"},
       {"sqrt(x)", "1/(2*sqrt(x))"},
+      {"abs(x)", "x/abs(x)"},
+      {"abs(x^2 - y)", "2*x*(x^2 - y)/abs(x^2 - y)"},
       {"sqrt(1 + x^2)", "x/sqrt(1 + x^2)"},
       {"f(x)", "f'(x)"},
       {"f''(x^2)", "2*x*f'''(x^2)"},

@@ -150,6 +150,8 @@ static double number(const struct expr *e, const struct named *env) {
     return 1 / tan(a);
   case EXPR_SQRT:
     return sqrt(a);
+  case EXPR_ABS:
+    return fabs(a);
   default:
     ck_abort_msg("not a scalar");
   }

@@ -14,6 +14,7 @@ Suite *dynamics_suite(void);
 Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
+Suite *argument_suite(void);
 Suite *readings_suite(void);
 Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);

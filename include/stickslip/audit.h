@@ -26,6 +26,22 @@
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
+     premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first statement,
+                 D the phase of the time t where the record names none
+     over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
+     friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
+     increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
+     repair      (argument) premises that the corrected argument has besides
+     reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
+     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the place,
+                 "quote" or a record, that prints it
+     scaled      (scaling) prefixes of the names that are multiplied
+     statements, absent    (reach) records, and the symbols that they must not contain
+     unknowns, rank        (rank) of the statement's equations
+     word, conditions      (sequence) phases of one period; inequalities along it
+     given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the start
+     constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
+     needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
 
      about       names of definitions that the sentence asserts something of, besides its value; (number) another
@@ -35,7 +51,8 @@
    failed formula as printed and as corrected.
 
    Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
-   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, report. */
+   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
+   notation, scaling, reach, rank, sequence, existence, constraints, outside, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 

@@ -22,8 +22,8 @@
                  | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt inv det tr transpose are functions of one argument and take no prime.  first_order(f; x, y) is f to
-   the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
+   sin cos cot sqrt abs inv det tr transpose are functions of one argument and take no prime; the paper's |x| is abs(x).
+   first_order(f; x, y) is f to the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
    that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
    v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
    formulas beyond 100000 nodes are refused. */
@@ -47,6 +47,7 @@ enum expr_kind {
   EXPR_COS,
   EXPR_COT,
   EXPR_SQRT,
+  EXPR_ABS,
   /* trees only, from here on */
   EXPR_PAREN, /* parentheses as written; args[0] */
   EXPR_INV,

@@ -4,13 +4,14 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "orbit_pool.h"
 #include "routes.h"
 
 static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-  bool slow;            /* simulates: asked last when formulas are damaged */
+  bool slow;            /* searches or simulates: asked last when formulas are damaged */
 } kinds[] = {{"definition", judge_definition, false, false},
              {"matrix", judge_points, true, false},
              {"identity", judge_points, true, false},
@@ -22,7 +23,16 @@ static const struct {
              {"closure", judge_closure, false, false},
              {"criterion", judge_criterion, false, true},
              {"behaviour", judge_behaviour, false, true},
-             {"report", judge_report, false, true}};
+             {"report", judge_report, false, true},
+             {"argument", judge_argument, false, true},
+             {"notation", judge_notation, false, false},
+             {"scaling", judge_scaling, false, false},
+             {"reach", judge_reach, false, true},
+             {"rank", judge_rank, false, true},
+             {"constraints", judge_constraints, false, true},
+             {"sequence", judge_sequence, false, true},
+             {"existence", judge_existence, false, true},
+             {"outside", judge_outside, false, true}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
@@ -390,6 +400,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
   ok = ok && studies(&j, opt);
   if (ok) run_readings(&j, claims, opt);
+  orbit_pool_free(j.pool);
   orbit_cache_free(j.cache);
   dependences_free(rests);
   return ok;

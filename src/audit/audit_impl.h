@@ -14,11 +14,12 @@ enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };
 /* --- Points: exact data at which a sentence is tried --- */
 
 enum point_kind {
-  POINT_PARAMS, /* parameters and a time */
-  POINT_FLOW,   /* a motion of one phase from an exact state over an exact time */
-  POINT_ARC,    /* one pass through the word from an exact state, with its events */
-  POINT_ORBIT,  /* a periodic orbit */
-  POINT_PRINTED /* the printed state carried over the printed times, events or not */
+  POINT_PARAMS,  /* parameters and a time */
+  POINT_FLOW,    /* a motion of one phase from an exact state over an exact time */
+  POINT_ARC,     /* one pass through the word from an exact state, with its events */
+  POINT_ORBIT,   /* a periodic orbit */
+  POINT_PRINTED, /* the printed state carried over the printed times, events or not */
+  POINT_GIVEN    /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
 };
 
 /* Exact quantities of a point. */
@@ -52,7 +53,8 @@ struct point {
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
-  slong orbit;               /* POINT_ORBIT: index in the list of its parameters */
+  slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
+  const struct dyn_orbit *known; /* POINT_GIVEN: that orbit at hand, or NULL to find it through the cache */
   const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
@@ -80,6 +82,12 @@ void orbit_cache_free(struct orbit_cache *c);
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
 /* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
+
+/* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
+
+/* The orbit's arc in the context of arc and params; params are the orbit's own. */
+int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
 
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
@@ -234,6 +242,7 @@ struct judge {
   const struct dependences *dependences; /* of these claims; NULL where no finding is described */
   const struct scene *scene;
   struct orbit_cache *cache;
+  struct orbit_pool *pool; /* made when first asked for */
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
@@ -266,6 +275,15 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_notation(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
 /* Is the id that of a claim which a restriction of this one makes? */

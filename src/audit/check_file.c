@@ -42,11 +42,15 @@ static bool check_equations(const char *path, const char *data, struct diag *d) 
 
 static bool known_attribute(const char *key) {
   static const char *const known[] = {
-      "equation",     "section",        "own",          "kind",  "value",   "statement",  "bound", "points",
-      "routes",       "oracle",         "number",       "from",  "formula", "fault",      "title", "quote",
-      "depends-on",   "record",         "restricted",   "claim", "shift",   "letter",     "range", "perturbation",
-      "record-scene", "repaired-range", "also-printed", "check", "at",      "transition", "limit", "jumps",
-      "side",         "vary",           "friction",     "about"};
+      "equation", "section",    "own",         "kind",         "value",        "statement",      "bound",
+      "points",   "routes",     "oracle",      "number",       "from",         "formula",        "fault",
+      "title",    "quote",      "depends-on",  "record",       "effect",       "restricted",     "claim",
+      "shift",    "letter",     "range",       "perturbation", "record-scene", "repaired-range", "also-printed",
+      "premises", "conclusion", "over",        "friction",     "increasing",   "repair",         "reads",
+      "repaired", "symbols",    "stands-for",  "found-in",     "scaled",       "statements",     "absent",
+      "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",           "conditions",
+      "given",    "through",    "needs",       "check",        "at",           "transition",     "limit",
+      "jumps",    "side",       "vary",        "about"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;

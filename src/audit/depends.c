@@ -11,6 +11,7 @@ struct reach {
   const struct definition **about;
   size_t n_about, cap_about;
   const char *record, *uses_record; /* the record that it is about; another that it is held against */
+  const char *premises[2];          /* lists of the records that it argues from */
   const char *number;               /* the printed number that it is about */
   const struct definition **used;
   size_t n_used, cap_used;
@@ -95,6 +96,30 @@ static void reach_record(struct elaboration *el, const struct view *v, const cha
   }
 }
 
+/* The id at the head of an item of a list, "eq-52#1.2 D", into id; the rest of the list, or NULL at its end. */
+static const char *next_record(char id[64], const char *list) {
+  list += strspn(list, ", ");
+  size_t n = strcspn(list, "#, ");
+  if (n == 0) return NULL;
+  snprintf(id, 64, "%.*s", (int)(n < 64 ? n : 63), list);
+  return list + strcspn(list, ",");
+}
+
+static bool lists_record(const char *list, const char *record) {
+  char id[64];
+  while (list && (list = next_record(id, list)) != NULL)
+    if (strcmp(id, record) == 0) return true;
+  return false;
+}
+
+/* What arguments, counts and sequences are made of. */
+static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
+  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "conditions", "statements"};
+  char id[64];
+  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+    for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
+}
+
 static void reach_claim(struct reach *r, const struct model *m, const struct claim *c) {
   const char *section = claim_get(c, "section"), *value = claim_get(c, "value");
   const char *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
@@ -111,6 +136,9 @@ static void reach_claim(struct reach *r, const struct model *m, const struct cla
   reach_text(r, &el, claim_get(c, "formula"), section);
   reach_record(&el, &v, statement);
   reach_record(&el, &v, bound);
+  reach_lists(&el, &v, c);
+  r->premises[0] = claim_get(c, "premises");
+  r->premises[1] = claim_get(c, "constraints");
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
     const struct definition *def = elaboration_used(&el, i);
     if (!def) continue;
@@ -172,6 +200,8 @@ bool dependences_on(const struct dependences *d, size_t a, size_t b) {
   for (size_t i = 0; i < ra->n_used; i++)
     if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
   if (ra->uses_record && rb->record && strcmp(ra->uses_record, rb->record) == 0) return true;
+  for (int i = 0; i < 2 && rb->record; i++)
+    if (lists_record(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
   if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
   for (size_t i = 0; i < ra->n_symbols; i++)
     if (same_number(rb->number, ra->symbols[i])) return true;

@@ -39,9 +39,17 @@ struct cached {
   slong prec;
   struct dyn_orbits list;
 };
+/* An orbit followed in one number type at one precision. */
+struct followed {
+  const struct dyn_orbit *orbit;
+  int status;
+  struct dyn_arc arc;
+};
 struct orbit_cache {
   struct cached **item;
   size_t n, cap;
+  struct followed *followed;
+  size_t n_followed, cap_followed;
 };
 
 struct orbit_cache *orbit_cache_new(void) {
@@ -56,6 +64,8 @@ void orbit_cache_free(struct orbit_cache *c) {
     dyn_orbits_clear(&c->item[i]->list);
     free(c->item[i]);
   }
+  for (size_t i = 0; i < c->n_followed; i++) dyn_arc_clear(&c->followed[i].arc);
+  free(c->followed);
   free(c->item);
   free(c);
 }
@@ -89,16 +99,59 @@ const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq param
   return cached_orbits(c, (struct data){params, forces}, prec);
 }
 
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec) {
+  static const bool times[N_DATA] = {
+      [KEY_CHI] = true, [KEY_ETA] = true, [KEY_V] = true, [KEY_TB] = true, [KEY_TC] = true};
+  const fmpq value[N_DATA] = {[KEY_CHI] = q[Q_CHI],
+                              [KEY_ETA] = q[Q_ETA],
+                              [KEY_V] = q[Q_V],
+                              [KEY_TB] = q[Q_TB],
+                              [KEY_TC] = q[Q_TC]}; /* borrowed */
+  return cached_orbits(c, (struct data){value, times}, prec);
+}
+
 /* One enclosure serves every precision up to FD_PREC, so that an orbit is searched once. */
 static slong orbit_prec(slong prec) {
   return (prec > FD_PREC ? prec : FD_PREC) + 64;
 }
 
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec) {
+  if (p->kind == POINT_GIVEN) return orbit_cache_given(c, p->q, orbit_prec(prec));
   if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
   return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
 }
 
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
   return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
+}
+
+static const struct followed *find_followed(const struct orbit_cache *c, const struct dyn_orbit *o,
+                                            struct num_ctx ctx) {
+  for (size_t i = 0; i < c->n_followed; i++) {
+    const struct followed *f = &c->followed[i];
+    if (f->orbit == o && f->arc.t.ctx.type == ctx.type && f->arc.t.ctx.prec == ctx.prec) return f;
+  }
+  return NULL;
+}
+
+/* Many claims are tried on the same orbits. */
+int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {
+  struct num_ctx ctx = params->ctx;
+  const struct followed *known = find_followed(c, o, ctx);
+  if (!known) {
+    struct num_vec z;
+    num_vec_init(&z, 2, ctx);
+    c->followed = ss_grow(c->followed, c->n_followed, &c->cap_followed, sizeof *c->followed);
+    struct followed *f = &c->followed[c->n_followed++];
+    f->orbit = o;
+    dyn_arc_init(&f->arc, ctx);
+    f->status = ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
+    f->status |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
+    f->status |= dyn_arc_run(&f->arc, params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+    num_vec_clear(&z);
+    known = f;
+  }
+  num_vec_set(&arc->t, &known->arc.t);
+  num_vec_set(&arc->z, &known->arc.z);
+  return known->status;
 }

@@ -24,8 +24,8 @@ void point_print(struct text *out, const struct point *p) {
     const char *name;
     int q;
     unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 31},  {"eta", Q_ETA, 31},  {"V", Q_V, 31},        {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 16},     {"t_c", Q_TC, 16},
+  } shown[] = {{"chi", Q_CHI, 63},  {"eta", Q_ETA, 63},  {"V", Q_V, 63},        {"e1", Q_E1, 28},
+               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 48},     {"t_c", Q_TC, 48},
                {"t_d", Q_TD, 16},   {"t", Q_T, 3},       {"z_10", Q_Z1, 20},    {"z_20", Q_Z2, 20},
                {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
@@ -42,7 +42,7 @@ void point_print(struct text *out, const struct point *p) {
     num_print_q(out, &p->q[shown[i].q]);
     sep = ", ";
   }
-  if (p->kind == POINT_ORBIT) text_printf(out, ", orbit %ld", (long)p->orbit + 1);
+  if (p->kind == POINT_ORBIT || p->kind == POINT_GIVEN) text_printf(out, ", orbit %ld", (long)p->orbit + 1);
 }
 
 /* --- Which orbit --- */
@@ -275,25 +275,39 @@ static int set_limits(struct values *v, const struct dyn_orbit *o) {
   return s;
 }
 
+static const struct dyn_orbit *orbit_of(const struct point *p, struct orbit_cache *cache, slong prec) {
+  if (p->known) return p->known;
+  const struct dyn_orbits *list = point_orbits(p, cache, prec);
+  return p->orbit < list->n ? &list->orbit[p->orbit] : NULL;
+}
+
+/* e1 and e2 of an orbit that is given by its times; its point holds u_r1 and u_r2 where others hold u_s1 and u_s2. */
+static int take_forces(struct values *v, const struct dyn_orbit *o) {
+  const struct num_type *t = v->ctx.type;
+  int s = t->set_arb(num_vec_at(&v->q, Q_E1), o->e1, v->ctx.prec);
+  s |= t->set_arb(num_vec_at(&v->q, Q_E2), o->e2, v->ctx.prec);
+  for (int i = 0; i < 2; i++) {
+    void *u = num_vec_at(&v->q, Q_US1 + i), *e = num_vec_at(&v->q, Q_E1 + i);
+    s |= t->sub(u, u, e, v->ctx.prec);
+    t->set(num_vec_at(&v->params, P_E1 + i), e);
+  }
+  return s;
+}
+
 static int init_arc(struct values *v, struct orbit_cache *cache) {
   int s = SS_OK;
-  struct num_vec z;
-  num_vec_init(&z, 2, v->ctx);
   if (v->point->kind == POINT_ARC) {
     s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
   } else {
-    const struct dyn_orbits *list = point_orbits(v->point, cache, v->ctx.prec);
-    const struct dyn_orbit *o = v->point->orbit < list->n ? &list->orbit[v->point->orbit] : NULL;
+    const struct dyn_orbit *o = orbit_of(v->point, cache, v->ctx.prec);
     if (!o || o->grazing) {
       s = SS_DOMAIN;
     } else {
       if (v->point->scene) s |= set_limits(v, o);
-      s |= v->ctx.type->set_arb(num_vec_at(&z, 0), o->z10, v->ctx.prec);
-      s |= v->ctx.type->set_arb(num_vec_at(&z, 1), o->z20, v->ctx.prec);
-      s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+      if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
+      s |= orbit_arc(&v->arc, cache, o, &v->params);
     }
   }
-  num_vec_clear(&z);
   if (s == SS_OK && v->point->finite) s |= init_perturbed(v);
   if (s == SS_OK && v->variant == VARIANT_EXPONENTIAL) {
     s |= carry_by_exponentials(&v->arc, v);
@@ -320,7 +334,7 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   for (int i = 0; i < N_PARAMS; i++) ctx.type->set(num_vec_at(&v->params, i), num_vec_at(&v->q, Q_CHI + i));
   if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
   if (s == SS_OK && p->kind == POINT_PRINTED) s |= init_printed(v);
-  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT)) s |= init_arc(v, cache);
+  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
   return s;
 }
 

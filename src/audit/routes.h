@@ -29,7 +29,8 @@
   X(INTEGRATOR, "GSL's integrator")                                                                                    \
   X(RETURN_MAP, "the one-dimensional return map in double")                                                            \
   X(MATRICES, "the model's matrices in place of the paper's")                                                          \
-  X(SPRINGS, "the springs and masses of Fig. 1")
+  X(SPRINGS, "the springs and masses of Fig. 1")                                                                       \
+  X(ALGEBRA, "exact algebra over the symbols")
 
 enum route_mean {
 #define MEAN_BIT(name, text) BIT_##name,
@@ -80,6 +81,7 @@ enum route_row {
   ROUTE_K_NEWTON,
   ROUTE_S_PAPER,
   ROUTE_S_ORACLE,
+  ROUTE_S_ALGEBRA,
   ROUTE_F_BALLS,
   ROUTE_F_ITERATION,
   ROUTE_F_INTEGRATION,

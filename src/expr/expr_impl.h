@@ -24,6 +24,7 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
   F(EXPR_COS, "cos")                                                                                                   \
   F(EXPR_COT, "cot")                                                                                                   \
   F(EXPR_SQRT, "sqrt")                                                                                                 \
+  F(EXPR_ABS, "abs")                                                                                                   \
   F(EXPR_INV, "inv")                                                                                                   \
   F(EXPR_DET, "det")                                                                                                   \
   F(EXPR_TR, "tr")                                                                                                     \

@@ -221,6 +221,9 @@ static void symbols_latex(struct text *out, const struct expr *e, int i, const s
   case EXPR_SQRT:
     text_add(out, first ? "\\sqrt{" : "}");
     break;
+  case EXPR_ABS:
+    text_add(out, first ? "\\left|" : "\\right|");
+    break;
   case EXPR_INV:
     text_add(out, first ? "{" : "}^{-1}");
     break;

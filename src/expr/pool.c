@@ -98,7 +98,7 @@ const struct expr *expr_call(struct expr_pool *p, const char *name, int order, c
 }
 
 const struct expr *expr_op1(struct expr_pool *p, enum expr_kind k, const struct expr *a) {
-  if (k != EXPR_NEG && k != EXPR_SIN && k != EXPR_COS && k != EXPR_COT && k != EXPR_SQRT) abort();
+  if (k != EXPR_NEG && k != EXPR_SIN && k != EXPR_COS && k != EXPR_COT && k != EXPR_SQRT && k != EXPR_ABS) abort();
   return intern(p, &(struct expr){.kind = k, .n_args = 1, .args = &a});
 }
 

@@ -556,6 +556,7 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
   case EXPR_COS:
   case EXPR_COT:
   case EXPR_SQRT:
+  case EXPR_ABS:
     return apply_entrywise(m, el, e, sc, d);
   case EXPR_INV:
   case EXPR_DET:

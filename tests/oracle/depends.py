@@ -88,6 +88,18 @@ class View:
         return seen
 
 
+def without_ranges(body):
+    return re.sub(r" for \w+ in [(\[{][^)\]}]*[)\]}]", "", body)
+
+
+LISTS = ("premises", "conclusion", "repair", "constraints", "conditions", "statements")
+
+
+def cited(attributes, key):
+    """The records of a list such as "eq-52#1.2, eq-56 D"."""
+    return [re.split(r"[# ]", item.strip())[0] for item in attributes.get(key, "").split(",") if item.strip()]
+
+
 def main():
     verify, audit = sys.argv[1], json.load(open(sys.argv[2]))
     definitions, statements = load(sorted(glob.glob(verify + "/paper/*.eq")), 0)
@@ -107,7 +119,10 @@ def main():
             view.reach(text, section, seen)
         for rec in (view.statement(a.get("statement", "")), view.statement(a.get("bound", ""))):
             if rec:
-                view.reach(rec["body"].split(" for t in ")[0], rec["section"], seen)
+                view.reach(without_ranges(rec["body"]), rec["section"], seen)
+        for rec in (view.statement(i) for key in LISTS for i in cited(a, key)):
+            if rec:
+                view.reach(without_ranges(rec["body"]), rec["section"], seen)
         reach[ident] = seen
     bad = 0
     judged = {c["id"]: c for c in audit["claims"]}
@@ -117,6 +132,9 @@ def main():
             if other == ident:
                 continue
             if (reach[ident] & about[other]) - about[ident]:
+                want.add(other)
+            about_record = b.get("bound", b.get("statement"))
+            if about_record in cited(a, "premises") + cited(a, "constraints") and about_record != a.get("statement"):
                 want.add(other)
             if "bound" in a and a["statement"] == b.get("bound", b.get("statement")):
                 want.add(other)

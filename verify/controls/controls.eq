@@ -116,3 +116,20 @@ inequality ctl-threshold
   section: appendix_b
   u_r1 > V*t_a*(1 + chi)/2
   u_r2 > (e_2 - chi*(z_20 - z_10))/2
+
+# half of the upper bound
+inequality ctl-argument
+  replaces: eq-54
+  section: appendix_b
+  e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1/2 for t in (0, t_a)
+
+inequality ctl-argument-example
+  replaces: eq-57
+  section: appendix_b
+  z_1'(t) < V/2 for t in (t_a, t_a + t_b)
+
+# a displacement and a time
+equation ctl-scaling
+  replaces: eq-12b
+  section: periodic
+  z_1a - chi*z_2a = e_1 + t_a

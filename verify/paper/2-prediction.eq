@@ -82,3 +82,15 @@ define eq-10
     I = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}
   D(t) := [I, V*t*I; 0, I]
   I := [1, 0; 0, 1]
+
+relation eq-10b
+  equation: 10
+  tex: Z(t) = D(t)Z_0
+  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = D(t)*[z_1(0); z_2(0); z_1'(0); z_2'(0)]
+
+# The restoring forces in x and the same in z, which (2) and the conditions of (5), (7), (9) and (11) limit.
+equation text-shift
+  tex: z_i = x_i - d_{0i}
+  note: (3), as an equation between the motions
+  x_1(t) = z_1(t) + d_01
+  x_2(t) = z_2(t) + d_02

@@ -96,3 +96,28 @@ equation eq-61
   equation: 61
   tex: \bar{h}(t_a + t_b + t_c + t_d) = z_{10} - \chi z_{20}
   hbar(t_a + t_b + t_c + t_d) = z_10 - chi*z_20
+
+# What the text of the appendix says between its numbered lines.
+equation text-h-start
+  tex: h(t_a) = \chi(z_{20} - z_{10})
+  note: (55) at t_a, where the stick phase ends and h begins
+  h(t_a) = chi*(z_20 - z_10)
+
+equation text-hbar-start
+  tex: \bar{h}(t_a + t_b + t_c) = z_{1c} - \chi z_{2c}
+  note: (60) at the start of its interval
+  hbar(t_a + t_b + t_c) = z_1c - chi*z_2c
+
+inequality text-h-phase
+  tex: z'_1 < V, z'_2 < V
+  z_1'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
+  z_2'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
+
+inequality text-first
+  tex: u_{r1} > e_1
+  u_r1 > e_1
+
+equation text-start-w
+  tex: z_{10} - \chi z_{20} = e_1 - V t_a (1 - \chi)
+  note: (55) at t = 0
+  z_10 - chi*z_20 = e_1 - V*t_a*(1 - chi)

@@ -1,0 +1,486 @@
+/* Conditions along the phases of an orbit, see condition.h.
+
+   The rest of a tape's inputs are bound once for an orbit; only what moves is set anew for each time. */
+#include "condition.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)", "z_2'(t)", "t",
+                                                  "x_1(t)", "x_2(t)", "x_1'(t)", "x_2'(t)"};
+
+/* --- Reading --- */
+
+static bool phase_of_range(enum phase *ph, const struct stmt *st) {
+  static const char *const ends[N_PHASES] = {"t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
+  struct text t;
+  text_init(&t);
+  expr_print(&t, st->range_hi);
+  int i = 0;
+  while (i < N_PHASES && strcmp(text_str(&t), ends[i]) != 0) i++;
+  text_clear(&t);
+  *ph = (enum phase)i;
+  return i < N_PHASES;
+}
+
+/* The scalar, with the motion's values as plain symbols. */
+static bool build(struct condition *c, bool *scalar, struct judge *j, const struct statement_record *r,
+                  const struct stmt *st, int k, struct view view) {
+  struct matrix a, b;
+  c->s = (struct sentence){.n = 1, .cols = 1};
+  elaboration_init(&c->s.el, view, NULL, 0);
+  if (!elaborate_sides(&a, &b, &c->s.el, st, k, r->src, r->section, j->d)) return false;
+  *scalar = a.rows * a.cols == 1;
+  if (!*scalar) return false;
+  bool less = st->ops[k] == REL_LT || st->ops[k] == REL_LE;
+  const struct expr *margin = expr_op2(&c->s.el.pool, EXPR_SUB, less ? b.e[0] : a.e[0], less ? a.e[0] : b.e[0]);
+  if (!elaboration_tape(&c->s.tape, &c->s.el, &margin, 1, j->d)) return false;
+  c->equality = st->ops[k] == REL_EQ;
+  for (int m = 0; m < N_MOVING; m++) {
+    c->input[m] = -1;
+    for (slong i = 0; i < c->s.tape.n_inputs; i++)
+      if (strcmp(c->s.tape.inputs[i], moving_name[m]) == 0) c->input[m] = i;
+    c->moving = c->moving || c->input[m] >= 0;
+    c->in_x = c->in_x || (m >= MOVING_X && c->input[m] >= 0);
+  }
+  c->friction[0] = c->friction[1] = c->in_x;
+  for (slong i = 0; i < c->s.tape.n_inputs; i++)
+    for (int m = 0; m < 2; m++) {
+      const char *names[] = {m ? "u_r2" : "u_r1", m ? "u_s2" : "u_s1"};
+      for (int q = 0; q < 2; q++)
+        if (strcmp(c->s.tape.inputs[i], names[q]) == 0) c->friction[m] = true;
+    }
+  return true;
+}
+
+/* The steps of statement `only` (from 0; -1: all), of its chain the step `step` (-1: all). */
+static bool add_record(struct conditions *list, struct judge *j, const struct claim *claim, const char *attribute,
+                       const struct statement_record *r, int only, int step, int phase, struct view view) {
+  bool any = false;
+  for (int i = 0; i < r->n_stmts; i++) {
+    const struct stmt *st = r->stmts[i];
+    if (st->kind != STMT_RELATION || (only >= 0 && i != only)) continue;
+    for (int k = 0; k + 1 < st->n_sides; k++) {
+      if (step >= 0 && k != step) continue;
+      if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
+      struct condition *c = &list->at[list->n++];
+      *c = (struct condition){.phase = (enum phase)(phase < 0 ? 0 : phase)};
+      bool scalar = true;
+      if (!build(c, &scalar, j, r, st, k, view))
+        return scalar ? false : claim_error(j, claim, attribute, "a condition needs scalars");
+      struct text t;
+      text_init(&t);
+      static const char *const ops[] = {" = ", " < ", " <= ", " > ", " >= "};
+      expr_print(&t, st->sides[k]);
+      text_add(&t, ops[st->ops[k]]);
+      expr_print(&t, st->sides[k + 1]);
+      c->text = result_str(j->out, "%s", text_str(&t));
+      text_clear(&t);
+      bool ranged = st->range_hi && phase_of_range(&c->phase, st);
+      if (c->moving && !ranged && phase < 0)
+        return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
+      any = true;
+    }
+  }
+  return any || claim_error(j, claim, attribute, "there is no such statement or step in the record");
+}
+
+static int phase_named(const char *name) {
+  for (int ph = 0; ph < N_PHASES; ph++)
+    if (strcmp(phase_name[ph], name) == 0) return ph;
+  return -1;
+}
+
+bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
+                     struct view view) {
+  const char *p = claim_get(c, attribute);
+  list->n = 0;
+  while (p && *p) {
+    char item[64], id[48], phase[16] = "";
+    size_t n = strcspn(p, ",");
+    snprintf(item, sizeof item, "%.*s", (int)(n < sizeof item ? n : sizeof item - 1), p);
+    p += n + (p[n] == ',');
+    if (sscanf(item, " %47s %15s", id, phase) < 1) return claim_error(j, c, attribute, "an empty item");
+    int only = 0, step = 0;
+    char *mark = strchr(id, '#');
+    if (mark) {
+      if (sscanf(mark, "#%d.%d", &only, &step) < 1 || only < 1)
+        return claim_error(j, c, attribute, "a statement of a record reads ID#1 or ID#1.2");
+      *mark = '\0';
+    }
+    if (*phase && phase_named(phase) < 0) return claim_error(j, c, attribute, "no such phase");
+    const struct statement_record *r = view_record(&view, id);
+    if (!r) return claim_error(j, c, attribute, "there is no such record in the equation files");
+    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, *phase ? phase_named(phase) : -1, view)) return false;
+  }
+  return true;
+}
+
+void conditions_clear(struct conditions *list) {
+  for (int i = 0; i < list->n; i++) sentence_clear(&list->at[i].s);
+  list->n = 0;
+}
+
+/* --- Evaluating --- */
+
+/* A condition at an orbit: everything bound but what moves. */
+struct bound {
+  struct values *v;
+  struct condition *c;
+  struct num_vec in, out;
+};
+
+static int bind(struct bound *b, struct condition *c, struct values *v) {
+  *b = (struct bound){.v = v, .c = c};
+  num_vec_init(&b->in, c->s.tape.n_inputs, v->ctx);
+  num_vec_init(&b->out, 1, v->ctx);
+  int s = SS_OK;
+  for (slong i = 0; i < c->s.tape.n_inputs; i++) {
+    bool moves = false, known;
+    for (int m = 0; m < N_MOVING; m++) moves = moves || c->input[m] == i;
+    if (!moves) s |= values_bind(num_vec_at(&b->in, i), &known, v, c->s.tape.inputs[i]);
+  }
+  return s;
+}
+
+static void unbind(struct bound *b) {
+  num_vec_clear(&b->out);
+  num_vec_clear(&b->in);
+}
+
+/* The margin with the moving inputs x (N_MOVING), or those bound alone. */
+static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
+  for (int m = 0; x && m < N_MOVING; m++)
+    if (b->c->input[m] >= 0) b->v->ctx.type->set(num_vec_at(&b->in, b->c->input[m]), num_vec_at(x, m));
+  int s = tape_eval(&b->out, NULL, &b->c->s.tape, &b->in);
+  b->v->ctx.type->set(z, num_vec_at(&b->out, 0));
+  return s;
+}
+
+/* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
+static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
+  struct num_vec z, m;
+  num_vec_init(&z, 4, v->ctx);
+  num_vec_init(&m, 16, v->ctx);
+  const struct num_type *t = v->ctx.type;
+  for (int i = 0; i < 4; i++) t->set(num_vec_at(&z, i), num_vec_at(&v->arc.z, 4 * (int)ph + i));
+  int s = SS_OK;
+  if (v->variant == VARIANT_EXPONENTIAL) {
+    s |= dyn_propagator(&m, ph, &v->params, tau);
+    s |= num_mat_mul(&z, &m, &z, 4, 4, 1);
+  } else {
+    s |= dyn_flow(&z, ph, &v->params, &z, tau);
+  }
+  for (int i = 0; i < 4; i++) {
+    void *there = num_vec_at(x, MOVING_X + i);
+    t->set(num_vec_at(x, i), num_vec_at(&z, i));
+    t->set(there, num_vec_at(&z, i));
+    if (i >= 2) continue;
+    struct num_vec d;
+    num_vec_init(&d, 1, v->ctx);
+    s |= oracle_eval(&d, oracle_find(i == 0 ? "d_01" : "d_02"), v);
+    s |= t->add(there, there, num_vec_at(&d, 0), v->ctx.prec);
+    num_vec_clear(&d);
+  }
+  void *time = num_vec_at(x, MOVING_T);
+  t->set(time, tau);
+  for (int k = 0; k < (int)ph; k++) s |= t->add(time, time, num_vec_at(&v->arc.t, k), v->ctx.prec);
+  num_vec_clear(&m);
+  num_vec_clear(&z);
+  return s;
+}
+
+/* --- Sampling in double --- */
+
+static const double fractions[] = {1 / 128., 1 / 16.,  2 / 16.,  3 / 16.,  4 / 16.,   5 / 16.,
+                                   6 / 16.,  7 / 16.,  8 / 16.,  9 / 16.,  10 / 16.,  11 / 16.,
+                                   12 / 16., 13 / 16., 14 / 16., 15 / 16., 127 / 128.};
+enum { N_FRACTIONS = sizeof fractions / sizeof *fractions };
+
+/* The states at the fractions of each phase, made when first asked for. */
+struct samples {
+  struct num_vec x[N_PHASES][N_FRACTIONS];
+  bool have[N_PHASES];
+};
+
+static int samples_of(struct samples *s, struct values *v, enum phase ph) {
+  int status = SS_OK;
+  if (s->have[ph]) return SS_OK;
+  s->have[ph] = true;
+  for (int i = 0; i < N_FRACTIONS; i++) {
+    double tau = fractions[i] * v->ctx.type->get_d(num_vec_at(&v->arc.t, (int)ph));
+    num_vec_init(&s->x[ph][i], N_MOVING, v->ctx);
+    status |= moving_at(&s->x[ph][i], v, ph, &tau);
+  }
+  return status;
+}
+
+static void samples_clear(struct samples *s) {
+  for (int ph = 0; ph < N_PHASES; ph++)
+    for (int i = 0; s->have[ph] && i < N_FRACTIONS; i++) num_vec_clear(&s->x[ph][i]);
+}
+
+static int least_margin(double *least, struct bound *b, struct samples *x) {
+  int s = b->c->moving ? samples_of(x, b->v, b->c->phase) : SS_OK;
+  *least = INFINITY;
+  for (int i = 0; s == SS_OK && i < (b->c->moving ? N_FRACTIONS : 1); i++) {
+    double m = 0;
+    s |= margin_at(&m, b, b->c->moving ? &x->x[b->c->phase][i] : NULL);
+    *least = fmin(*least, b->c->equality ? -fabs(m) : m);
+  }
+  return s;
+}
+
+/* The friction is set in the point's values, which the next binding reads. */
+static int least_with_friction(double *least, struct condition *c, struct values *v, struct samples *x, double us1,
+                               double us2) {
+  struct bound b;
+  v->ctx.type->set_d(num_vec_at(&v->q, Q_US1), us1, 53);
+  v->ctx.type->set_d(num_vec_at(&v->q, Q_US2), us2, 53);
+  struct samples own = {.have = {false}};
+  int s = bind(&b, c, v);
+  if (s == SS_OK) s |= least_margin(least, &b, c->in_x ? &own : x);
+  unbind(&b);
+  samples_clear(&own);
+  return s;
+}
+
+int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache) {
+  struct values v;
+  struct samples x = {.have = {false}};
+  int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_double(), cache);
+  if (s == SS_OK) {
+    double belt = v.ctx.type->get_d(num_vec_at(&v.params, P_V));
+    for (int i = 0; s == SS_OK && i < list->n; i++) {
+      struct condition *c = &list->at[i];
+      s |= least_with_friction(&out[i].least, c, &v, &x, 0, 0);
+      for (int m = 0; m < 2; m++) {
+        double with = out[i].least;
+        if (c->friction[m]) s |= least_with_friction(&with, c, &v, &x, m == 0 ? belt : 0, m == 1 ? belt : 0);
+        out[i].slope[m] = (with - out[i].least) / belt;
+      }
+      out[i].least /= belt;
+    }
+    samples_clear(&x);
+  }
+  values_clear(&v);
+  return s;
+}
+
+/* --- Deciding in balls --- */
+
+/* The margin as c0 + c . x, and its rate c . x', at a stretch of time. */
+struct affine {
+  struct num_vec c; /* N_MOVING + 1, the constant last */
+};
+
+static int affine_init(struct affine *f, struct bound *b) {
+  const struct num_type *t = b->v->ctx.type;
+  struct num_vec x, sum;
+  num_vec_init(&f->c, N_MOVING + 1, b->v->ctx);
+  num_vec_init(&x, N_MOVING, b->v->ctx);
+  num_vec_init(&sum, 2, b->v->ctx);
+  void *constant = num_vec_at(&f->c, N_MOVING), *total = num_vec_at(&sum, 0), *all = num_vec_at(&sum, 1);
+  int s = margin_at(constant, b, &x);
+  t->set(total, constant);
+  for (int m = 0; m < N_MOVING; m++) {
+    s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
+    s |= margin_at(num_vec_at(&f->c, m), b, &x);
+    s |= t->sub(num_vec_at(&f->c, m), num_vec_at(&f->c, m), constant, b->v->ctx.prec);
+    s |= t->add(total, total, num_vec_at(&f->c, m), b->v->ctx.prec);
+    s |= t->set_d(num_vec_at(&x, m), 0, b->v->ctx.prec);
+  }
+  for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
+  s |= margin_at(all, b, &x);
+  if (!arb_overlaps(all, total)) s |= SS_UNABLE; /* not affine */
+  num_vec_clear(&sum);
+  num_vec_clear(&x);
+  return s;
+}
+
+/* The margin and its rate for every time of the ball tau. */
+static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
+                     const arb_t tau) {
+  struct num_vec x, a, z;
+  num_vec_init(&x, N_MOVING, v->ctx);
+  num_vec_init(&a, 16, v->ctx);
+  num_vec_init(&z, 4, v->ctx);
+  slong prec = v->ctx.prec;
+  int s = moving_at(&x, v, ph, tau);
+  s |= dyn_system(&a, ph, &v->params);
+  arb_set(value, num_vec_at(&f->c, N_MOVING));
+  for (int m = 0; m < N_MOVING; m++) arb_addmul(value, num_vec_at(&f->c, m), num_vec_at(&x, m), prec);
+  for (int m = 0; m < 4; m++) arb_set(num_vec_at(&z, m), num_vec_at(&x, m));
+  s |= num_mat_mul(&z, &a, &z, 4, 4, 1);
+  arb_set(rate, num_vec_at(&f->c, MOVING_T));
+  for (int m = 0; m < 4; m++) {
+    arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
+    arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
+  }
+  num_vec_clear(&z);
+  num_vec_clear(&a);
+  num_vec_clear(&x);
+  return s;
+}
+
+struct along {
+  struct affine f;
+  struct values *v;
+  enum phase phase;
+  arb_srcptr length;
+  bool zero[2]; /* the margin is zero, as far as enclosures tell, at the start, at the end */
+  double where;
+  arb_ptr value;
+  bool any;
+  long budget; /* of pieces; a margin that hugs zero would have no end of them */
+};
+
+static void fraction_time(arb_t tau, const struct along *a, double lo, double hi) {
+  arb_set_d(tau, 0.5 * (lo + hi));
+  mag_set_d(arb_radref(tau), 0.5 * (hi - lo));
+  arb_mul(tau, tau, a->length, a->v->ctx.prec);
+}
+
+static truth piece_holds(struct along *a, double lo, double hi, int depth);
+
+static truth both_halves(struct along *a, double lo, double hi, int depth) {
+  double mid = 0.5 * (lo + hi);
+  truth left = piece_holds(a, lo, mid, depth + 1);
+  return left == TRUTH_FALSE ? TRUTH_FALSE : truth_and(left, piece_holds(a, mid, hi, depth + 1));
+}
+
+/* Keeps the least margin met at the middle of a piece. */
+static void remember(struct along *a, const arb_t value, double where) {
+  if (a->any && arf_cmp(arb_midref(value), arb_midref(a->value)) >= 0) return;
+  a->any = true;
+  a->where = where;
+  arb_set(a->value, value);
+}
+
+static truth piece_holds(struct along *a, double lo, double hi, int depth) {
+  enum { MAX_DEPTH = 28 };
+  arb_ptr w = _arb_vec_init(6);
+  arb_ptr tau = w, at = w + 1, rate_at = w + 2, all = w + 3, rate = w + 4, shift = w + 5;
+  bool at_zero = (lo == 0 && a->zero[0]) || (hi == 1 && a->zero[1]);
+  truth holds = TRUTH_UNKNOWN;
+  fraction_time(tau, a, 0.5 * (lo + hi), 0.5 * (lo + hi));
+  int s = affine_at(at, rate_at, &a->f, a->v, a->phase, tau);
+  if (s == SS_OK && arb_is_negative(at)) {
+    a->any = false;
+    holds = TRUTH_FALSE;
+  }
+  if (s == SS_OK) remember(a, at, 0.5 * (lo + hi));
+  if (s == SS_OK && holds == TRUTH_UNKNOWN) {
+    fraction_time(tau, a, lo, hi);
+    s |= affine_at(all, rate, &a->f, a->v, a->phase, tau);
+    fraction_time(shift, a, -0.5 * (hi - lo), 0.5 * (hi - lo));
+    arb_mul(shift, shift, rate, a->v->ctx.prec);
+    arb_add(shift, shift, at, a->v->ctx.prec);
+    if (arb_is_positive(shift) || arb_is_positive(all)) holds = TRUTH_TRUE;
+    if (at_zero && !(lo == 0 && hi == 1)) /* from zero at the one end the margin only grows */
+      if (lo == 0 ? arb_is_positive(rate) : arb_is_negative(rate)) holds = TRUTH_TRUE;
+  }
+  _arb_vec_clear(w, 6);
+  if (s != SS_OK || holds != TRUTH_UNKNOWN || depth >= MAX_DEPTH || a->budget-- <= 0) return holds;
+  return both_halves(a, lo, hi, depth);
+}
+
+static truth holds_along(double *where, arb_t value, struct bound *b, slong prec) {
+  struct along a = {
+      .budget = 5000, .v = b->v, .phase = b->c->phase, .length = num_vec_at(&b->v->arc.t, (int)b->c->phase)};
+  if (!arb_is_positive(a.length)) return arb_is_nonpositive(a.length) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  truth holds = TRUTH_UNKNOWN;
+  int s = affine_init(&a.f, b);
+  arb_ptr w = _arb_vec_init(4);
+  a.value = w;
+  for (int end = 0; s == SS_OK && end < 2; end++) {
+    if (end) arb_set(w + 1, a.length);
+    s |= affine_at(w + 2, w + 3, &a.f, b->v, a.phase, w + 1);
+    a.zero[end] = arb_contains_zero(w + 2) && mag_cmp_2exp_si(arb_radref(w + 2), -prec / 2) < 0;
+  }
+  if (s == SS_OK) holds = piece_holds(&a, 0, 1, 0);
+  *where = a.where;
+  arb_set(value, a.value);
+  _arb_vec_clear(w, 4);
+  num_vec_clear(&a.f.c);
+  return holds;
+}
+
+static truth sign_of(const struct condition *c, const arb_t m, slong prec) {
+  if (c->equality && !arb_contains_zero(m)) return TRUTH_FALSE;
+  if (c->equality) return mag_cmp_2exp_si(arb_radref(m), -prec / 2) < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  return arb_is_positive(m) ? TRUTH_TRUE : arb_is_nonpositive(m) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+/* At a fraction of the phase, or at the one moment that the condition names. */
+static truth holds_at(struct bound *b, double where, slong prec) {
+  struct num_vec x, tau;
+  num_vec_init(&x, N_MOVING, b->v->ctx);
+  num_vec_init(&tau, 2, b->v->ctx);
+  arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
+  int s = SS_OK;
+  if (b->c->moving) {
+    arb_set_d(time, where);
+    arb_mul(time, time, num_vec_at(&b->v->arc.t, (int)b->c->phase), prec);
+    s |= moving_at(&x, b->v, b->c->phase, time);
+  }
+  s |= margin_at(m, b, b->c->moving ? &x : NULL);
+  truth holds = s == SS_OK ? sign_of(b->c, m, prec) : TRUTH_UNKNOWN;
+  num_vec_clear(&tau);
+  num_vec_clear(&x);
+  return holds;
+}
+
+static truth holds_at_samples(struct bound *b, slong prec) {
+  truth holds = TRUTH_TRUE;
+  for (int i = 1; i < (b->c->moving ? 16 : 2); i++) holds = truth_and(holds, holds_at(b, i / 16.0, prec));
+  return holds;
+}
+
+truth condition_holds(double *where, arb_t value, struct condition *c, const struct point *p, slong prec,
+                      struct orbit_cache *cache) {
+  struct values v;
+  struct bound b;
+  truth holds = TRUTH_UNKNOWN;
+  *where = 0;
+  int s = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), cache);
+  if (s == SS_OK) {
+    s |= bind(&b, c, &v);
+    if (s == SS_OK && c->moving && !c->equality) {
+      holds = holds_along(where, value, &b, prec);
+    } else if (s == SS_OK && c->moving) {
+      holds = holds_at_samples(&b, prec);
+    } else if (s == SS_OK && margin_at(value, &b, NULL) == SS_OK) {
+      holds = sign_of(c, value, prec);
+    }
+    unbind(&b);
+  }
+  values_clear(&v);
+  return holds;
+}
+
+/* where < 0: the inner sixteenths. */
+static truth try_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
+                    struct orbit_cache *cache) {
+  struct values v;
+  struct bound b;
+  truth holds = TRUTH_UNKNOWN;
+  int s = values_init(&v, p, variant, num_ctx_arb(prec), cache);
+  if (s == SS_OK) {
+    s |= bind(&b, c, &v);
+    if (s == SS_OK) holds = where < 0 ? holds_at_samples(&b, prec) : holds_at(&b, where, prec);
+    unbind(&b);
+  }
+  values_clear(&v);
+  return holds;
+}
+
+truth condition_holds_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
+                         struct orbit_cache *cache) {
+  return try_at(c, p, variant, where, prec, cache);
+}
+
+truth condition_holds_at_samples(struct condition *c, const struct point *p, slong prec, struct orbit_cache *cache) {
+  return try_at(c, p, VARIANT_EXPONENTIAL, -1, prec, cache);
+}

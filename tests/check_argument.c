@@ -1,0 +1,498 @@
+/* Sentences about conditions, counts, symbols and scaling: each kind of claim on small cases whose answer is known by hand,
+   by another module (the margins of an orbit) or by tests/oracle/argument.py; hostile attributes; and the claims on file as
+   a whole: nothing of the paper's numbering left out, counts that add up. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit/condition.h"
+#include "audit/orbit_pool.h"
+#include "scratch.h"
+#include "stickslip/margins.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+static struct model model;
+static struct scene paper;
+static struct orbit_cache *cache;
+
+static void load(struct model *m, const char *overlay) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
+            (!overlay || model_add_file(m, scratch_put("overlay.eq", overlay), RANK_USER, &d)) &&
+            model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d) &&
+            model_add_folder(m, "verify/controls", RANK_CONTROL, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+static void open_all(void) {
+  struct diag d;
+  diag_init(&d);
+  scratch_open();
+  load(&model, NULL);
+  cache = orbit_cache_new();
+  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+}
+
+static void close_all(void) {
+  scene_clear(&paper);
+  orbit_cache_free(cache);
+  model_clear(&model);
+  scratch_close();
+}
+
+/* Judges claims of the test's own; false with d set when they are at fault. */
+static bool judge_text(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  const struct audit_options opt = {.n_only = 0};
+  diag_init(d);
+  audit_result_init(r);
+  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
+            audit_run(r, m, &claims, &none, &paper, &opt, d);
+  claims_clear(&claims);
+  return ok;
+}
+
+static enum verdict verdict_under(const struct model *m, const char *text) {
+  struct audit_result r;
+  struct diag d;
+  ck_assert_msg(judge_text(&r, m, text, &d), "%s", d.message);
+  ck_assert_int_eq((int)r.n_findings, 1);
+  enum verdict v = r.findings[0].verdict;
+  audit_result_clear(&r);
+  return v;
+}
+
+#define HEAD "claim own\n  section: appendix_b\n  title: of the test\n"
+
+/* --- Arguments --- */
+
+static const struct {
+  const char *what, *claim;
+  enum verdict want;
+} arguments[] = {
+    {"a conclusion among the premises", "  kind: argument\n  premises: eq-52\n  conclusion: eq-52#1\n", VERDICT_PROVED},
+    {"a premise of another phase proves nothing of this one",
+     "  kind: argument\n  over: orbits\n  premises: eq-57#1\n  conclusion: text-h-phase#1\n", VERDICT_SUPPORTED},
+    {"nor does one without its equation", "  kind: argument\n  premises: eq-52#1.2\n  conclusion: eq-56 D\n",
+     VERDICT_SUPPORTED},
+    {"twice the bound (53) is the bound (52)",
+     "  kind: argument\n  premises: text-start-w, eq-53#1\n  conclusion: eq-52#1.1\n", VERDICT_PROVED},
+    {"the rate alone without the mean value theorem",
+     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  conclusion: eq-57#2.1\n",
+     VERDICT_SUPPORTED},
+    {"with it",
+     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  increasing: h Gamma\n  "
+     "conclusion: eq-57#2.1\n",
+     VERDICT_PROVED},
+    {"increasing in one phase says nothing of another",
+     "  kind: argument\n  over: orbits\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  increasing: "
+     "h H\n "
+     " conclusion: eq-57#2.1\n",
+     VERDICT_SUPPORTED},
+    {"but not where the rate is not known to be positive",
+     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h Gamma\n  conclusion: "
+     "eq-57#2.1\n",
+     VERDICT_SUPPORTED},
+    {"an identity that double precision cannot tell from a true one",
+     "  kind: argument\n  premises: eq-52#1.2\n  conclusion: text-nearly\n", VERDICT_SUPPORTED},
+    {"static friction need not exceed e where it is free",
+     "  kind: argument\n  friction: free\n  conclusion: text-first\n", VERDICT_REFUTED},
+    {"but does where sliding friction is positive", "  kind: argument\n  conclusion: text-first\n", VERDICT_PROVED},
+    {"e_2 is no bound for u_r2 as e_1 nearly is for u_r1", "  kind: argument\n  conclusion: eq-53#2\n",
+     VERDICT_REFUTED},
+    {"the second orbit of the scene overruns the belt, the nearest does not",
+     "  kind: argument\n  over: scene\n  conclusion: text-h-phase\n", VERDICT_PROVED},
+    {"premises that never hold", "  kind: argument\n  premises: text-never\n  conclusion: eq-51\n", VERDICT_UNKNOWN},
+    {"a margin that is zero throughout", "  kind: argument\n  conclusion: text-zero D\n", VERDICT_UNKNOWN},
+};
+
+START_TEST(what_follows_and_what_does_not) {
+  struct model m;
+  struct text t;
+  load(&m, "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+           "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n");
+  text_init(&t);
+  text_printf(&t, HEAD "%s", arguments[_i].claim);
+  enum verdict v = verdict_under(&m, text_str(&t));
+  ck_assert_msg(v == arguments[_i].want, "%s: %s", arguments[_i].what, verdict_name[v]);
+  text_clear(&t);
+  model_clear(&m);
+}
+END_TEST
+
+/* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2 and (e1 - (z_1c - chi z_2c))/2 there. */
+static const struct {
+  const char *q[N_DRAW];
+  double e1, e2, stick, late;
+} certificates[] = {{{"3/64", "55/8", "3/4", "221/64", "269/32"},
+                     0.12444089340845,
+                     0.11157838365975,
+                     0.1476106643216,
+                     0.217547533378131},
+                    {{"11/64", "83/16", "1", "193/32", "89/16"},
+                     0.00571375410074917,
+                     0.775012748955643,
+                     0.429491811665637,
+                     0.874991864192924}};
+
+static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, double u_r2) {
+  static const int where[N_DRAW] = {Q_CHI, Q_ETA, Q_V, Q_TB, Q_TC};
+  point_init(p);
+  p->kind = POINT_GIVEN;
+  for (int i = 0; i < N_DRAW; i++) ck_assert_int_eq(fmpq_set_str(&p->q[where[i]], q[i], 10), 0);
+  const double u[2] = {u_r1, u_r2};
+  for (int i = 0; i < 2; i++) fmpq_set_si(&p->q[Q_US1 + i], (slong)ldexp(u[i], 30), 1 << 30);
+}
+
+/* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59). */
+START_TEST(bounds_of_an_independent_program) {
+  struct audit_result r;
+  struct diag d;
+  struct claims claims = {.n = 0};
+  struct judge j = {.out = &r, .model = &model, .scene = &paper, .cache = cache, .d = &d};
+  struct conditions list = {.n = 0};
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(claims_add_file(&claims, scratch_put("own.claim", HEAD "  conclusion: eq-53#1, eq-59#1.1, eq-16b#1.1\n"),
+                            "claim", &d));
+  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
+  ck_assert_int_eq(list.n, 3);
+  const double bound[3] = {certificates[_i].stick, certificates[_i].late, certificates[_i].late};
+  for (int k = 0; k < 3; k++)
+    for (int side = -1; side <= 1; side += 2) {
+      struct point p;
+      arb_t value;
+      double where;
+      arb_init(value);
+      ck_assert(bound[k] > certificates[_i].e1);
+      point_of(&p, certificates[_i].q, bound[k] + side * 1e-7, 10);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, FIRST_PREC, cache);
+      ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
+      point_clear(&p);
+      arb_clear(value);
+    }
+  conditions_clear(&list);
+  claims_clear(&claims);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* The margins module works from closed forms of the extremes, the conditions from the paper's text by subdivision. */
+START_TEST(conditions_are_the_margins_of_the_orbit) {
+  static const struct {
+    const char *item;
+    int margin;
+  } pairs[] = {{"eq-51#1", COND_TA},          {"eq-57#1", COND_GAMMA_V1}, {"text-h-phase#1", COND_H_V1},
+               {"text-h-phase#2", COND_H_V2}, {"eq-59#2", COND_C_V2},     {"eq-59#1.2", COND_C_W},
+               {"eq-54#2.2", COND_D_R},       {"eq-57#2.2", COND_GAMMA_R}};
+  enum { PAIRS = sizeof pairs / sizeof *pairs, ORBITS = 40 };
+  struct audit_result r;
+  struct diag d;
+  struct claims claims = {.n = 0};
+  struct text t;
+  struct conditions list = {.n = 0};
+  struct judge j = {.out = &r, .model = &model, .scene = &paper, .cache = cache, .d = &d};
+  diag_init(&d);
+  audit_result_init(&r);
+  text_init(&t);
+  text_add(&t, HEAD "  conclusion: ");
+  for (int k = 0; k < PAIRS; k++) text_printf(&t, "%s%s", k ? ", " : "", pairs[k].item);
+  text_add(&t, "\n");
+  ck_assert(claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", &d));
+  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
+  ck_assert_int_eq(list.n, PAIRS);
+  const struct orbit_pool *pool = orbit_pool_get(&j);
+  long said[3] = {0}, done = 0;
+  for (size_t i = 0; i < pool->n && done < ORBITS; i++) {
+    const struct dyn_orbit *o = &pool->item[i]->list.orbit[0];
+    if (o->grazing || !arb_is_positive(o->t[0])) continue; /* a stick phase that runs backwards has no interval */
+    struct point p;
+    point_init(&p);
+    pool_point(&p, pool->item[i], 0);
+    p.known = NULL;
+    done++;
+    for (int k = 0; k < PAIRS; k++) {
+      arb_t value;
+      double where;
+      arb_init(value);
+      truth holds = condition_holds(&where, value, &list.at[k], &p, FIRST_PREC, cache);
+      ck_assert_msg(holds == o->holds[pairs[k].margin], "%s on %zu: %d, not %d", pairs[k].item, i, (int)holds,
+                    (int)o->holds[pairs[k].margin]);
+      said[holds]++;
+      arb_clear(value);
+    }
+    point_clear(&p);
+  }
+  ck_assert(done == ORBITS && said[TRUTH_TRUE] > 100 && said[TRUTH_FALSE] > 20 && said[TRUTH_UNKNOWN] == 0);
+  orbit_pool_free(j.pool);
+  conditions_clear(&list);
+  text_clear(&t);
+  claims_clear(&claims);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
+START_TEST(a_certificate_is_a_scene) {
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  struct audit_result r;
+  struct diag d;
+  const char *id = "text-59-concluded";
+  const struct audit_options opt = {.only = &id, .n_only = 1};
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(claims_load(&claims, "verify/claims", "claim", &d) &&
+            audit_run(&r, &model, &claims, &none, &paper, &opt, &d));
+  const char *from = strstr(r.findings[0].evidence[0].note, "scene \"");
+  ck_assert(r.findings[0].verdict == VERDICT_REFUTED && from);
+  struct text t;
+  text_init(&t);
+  for (from += strlen("scene \""); *from != '"'; from++) {
+    text_add_char(&t, *from == ';' ? '\n' : *from);
+    if (*from == ';') from++; /* the blank */
+  }
+  struct scene s;
+  struct dyn_orbits list;
+  ck_assert_msg(scene_load(&s, scratch_put("found.scene", text_str(&t)), "verify", &d), "%s", d.message);
+  ck_assert(s.given[KEY_U_R1] && s.given[KEY_TB] && !scene_has_forces(&s));
+  audit_orbits(&list, &s, 128);
+  ck_assert(list.n >= 1 && list.orbit[0].admissible == TRUTH_TRUE);
+  double u = fmpq_get_d(&s.value[KEY_U_R1]), e1 = arf_get_d(arb_midref(list.orbit[0].e1), ARF_RND_NEAR);
+  double least = arf_get_d(arb_midref(list.orbit[0].u_r1_min), ARF_RND_NEAR);
+  ck_assert(e1 < u && u < least);
+  dyn_orbits_clear(&list);
+  scene_clear(&s);
+  text_clear(&t);
+  claims_clear(&claims);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* --- Symbols and readings --- */
+
+#define USES(symbols, meanings)                                                                                        \
+  "  kind: notation\n  quote: K_1 and $u_{si}, u_{ri}$ of \\Sigma_0 and P\n  symbols: " symbols                        \
+  "\n  stands-for: " meanings "\n"
+
+static const struct {
+  const char *claim;
+  enum verdict want;
+} symbols[] = {
+    {USES("K_1; u_{si}", "one; another") "  found-in: quote; quote\n", VERDICT_PROVED},
+    {USES("u_{si}; u_{si}", "one; another") "  found-in: quote; quote\n", VERDICT_REFUTED},
+    {USES("u_{si}; u_{ri}", "one; one") "  found-in: quote; quote\n", VERDICT_REFUTED},
+    {USES("u_{si}; u_{si}", "one; one") "  found-in: quote; quote\n", VERDICT_PROVED},
+    {USES("\\Sigma; \\Sigma", "one; another") "  found-in: quote; eq-49\n", VERDICT_REFUTED},
+    {"  kind: notation\n  reads: 1 + abs(chi - 1) < 2\n", VERDICT_PROVED},
+    {"  kind: notation\n  reads: |chi| < 1\n", VERDICT_REFUTED},
+    {"  kind: notation\n  reads: nobody = 1\n", VERDICT_REFUTED},
+    {"  kind: notation\n  reads: K[3,1] = 0\n", VERDICT_REFUTED},
+    {"  kind: notation\n  reads: a := K + 1\n", VERDICT_REFUTED},
+};
+
+START_TEST(symbols_and_readings) {
+  struct text t;
+  text_init(&t);
+  text_printf(&t, HEAD "%s", symbols[_i].claim);
+  enum verdict v = verdict_under(&model, text_str(&t));
+  ck_assert_msg(v == symbols[_i].want, "%s: %s", symbols[_i].claim, verdict_name[v]);
+  text_clear(&t);
+}
+END_TEST
+
+/* --- Scaling --- */
+
+/* The records at fault as the note names them. */
+static void faults_of(struct text *out, const char *overlay) {
+  struct model m;
+  struct audit_result r;
+  struct diag d;
+  load(&m, overlay);
+  ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &d), "%s", d.message);
+  const char *note = r.findings[0].evidence[0].note;
+  for (const char *p = note; p && *p;) {
+    size_t n = strcspn(p, ":");
+    if (strncmp(p, "eq-", 3) != 0 && strncmp(p, "user", 4) != 0) break;
+    text_printf(out, "%.*s ", (int)n, p);
+    p = strstr(p, ". ");
+    if (p) p += 2;
+  }
+  ck_assert(r.findings[0].verdict == (out->len ? VERDICT_REFUTED : VERDICT_PROVED));
+  audit_result_clear(&r);
+  model_clear(&m);
+}
+
+/* Dimensions by hand: V t z' in (10), 1 + sin/(V omega z) in (40); all else is homogeneous.  Repaired, none is left; a time
+   added to a displacement, a displacement as an angle, or a root of unlike coefficients is found. */
+START_TEST(formulas_without_a_degree) {
+  static const struct {
+    const char *overlay, *want;
+  } cases[] = {
+      {NULL, "eq-10b eq-40 eq-40b eq-40c "},
+      {"define user\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n", "eq-40 eq-40b eq-40c "},
+      {"equation user\n  section: periodic\n  z_10 = t_a\n", "eq-10b eq-40 eq-40b eq-40c user "},
+      {"equation user\n  section: periodic\n  sin(z_10) = 1\n", "eq-10b eq-40 eq-40b eq-40c user "},
+      {"equation user\n  section: periodic\n  z_10^2/z_20 = sqrt(V^2)*abs(t) + 0\n", "eq-10b eq-40 eq-40b eq-40c "}};
+  struct text got;
+  text_init(&got);
+  faults_of(&got, cases[_i].overlay);
+  ck_assert_str_eq(text_str(&got), cases[_i].want);
+  text_clear(&got);
+}
+END_TEST
+
+/* --- Counting --- */
+
+/* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 at t_a in general one. */
+START_TEST(ranks_by_hand) {
+  static const struct {
+    const char *statements, *unknowns, *rank;
+    enum verdict want;
+  } cases[] = {{"  z_10 = 1\n  2*z_10 = 2\n  z_20 = z_10^2\n", "z_10, z_20", "2", VERDICT_SUPPORTED},
+               {"  z_10 = 1\n  2*z_10 = 2\n  z_20 = z_10^2\n", "z_10, z_20", "3", VERDICT_REFUTED},
+               {"  z_10 = 1\n  2*z_10 = 2\n  z_20 = z_10^2\n", "z_10", "1", VERDICT_SUPPORTED},
+               {"  V*t_a = 1\n  t_a = t_a^2\n", "t_a", "1", VERDICT_SUPPORTED},
+               {"  z_10 - z_20 = z_10 - z_20 + 0*t_a\n", "z_10, z_20, t_a", "0", VERDICT_SUPPORTED},
+               {"  sin(t_b)^2 + cos(t_b)^2 = 1\n  t_c = t_b\n", "t_b, t_c", "1", VERDICT_SUPPORTED}};
+  struct model m;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "equation user\n  section: periodic\n%s", cases[_i].statements);
+  load(&m, text_str(&t));
+  text_reset(&t);
+  text_printf(&t, HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n", cases[_i].unknowns,
+              cases[_i].rank);
+  enum verdict v = verdict_under(&m, text_str(&t));
+  ck_assert_msg(v == cases[_i].want, "%s%s: %s", cases[_i].statements, cases[_i].rank, verdict_name[v]);
+  text_clear(&t);
+  model_clear(&m);
+}
+END_TEST
+
+/* --- Hostile attributes --- */
+
+static const struct {
+  const char *claim, *says;
+} hostile[] = {
+    {"  kind: argument\n  premises: eq-52\n", "conclusion is missing"},
+    {"  kind: argument\n  conclusion: eq-999\n", "no such record"},
+    {"  kind: argument\n  conclusion: eq-52#9\n", "no such statement or step"},
+    {"  kind: argument\n  conclusion: eq-52#1.7\n", "no such statement or step"},
+    {"  kind: argument\n  conclusion: eq-52#0\n", "ID#1"},
+    {"  kind: argument\n  conclusion: eq-52#x\n", "ID#1"},
+    {"  kind: argument\n  conclusion: ,\n", "empty item"},
+    {"  kind: argument\n  conclusion: eq-56\n", "needs a phase"},
+    {"  kind: argument\n  conclusion: eq-56 Q\n", "no such phase"},
+    {"  kind: argument\n  conclusion: eq-52\n  over: everything\n", "admissible, orbits, scene"},
+    {"  kind: argument\n  conclusion: eq-52\n  friction: none\n", "free, or nothing"},
+    {"  kind: argument\n  conclusion: eq-52\n  increasing: h\n", "NAME PHASE"},
+    {"  kind: argument\n  conclusion: eq-52\n  increasing: h Z\n", "no such phase"},
+    {"  kind: argument\n  conclusion: eq-52\n  increasing: nobody C\n", "nobody"},
+    {"  kind: argument\n  conclusion: eq-3c\n", "needs scalars"},
+    {"  kind: notation\n  symbols: a\n  stands-for: b\n  found-in: quote\n", "at least two uses"},
+    {USES("Q; K_1", "one; another") "  found-in: quote; quote\n", "not printed at its place"},
+    {USES("K; K_1", "one; another") "  found-in: quote; nowhere\n", "not printed at its place"},
+    {"  kind: scaling\n", "scaled is missing"},
+    {"  kind: reach\n  statements: eq-52\n", "absent are needed"},
+    {"  kind: reach\n  statements: eq-999\n  absent: V\n", "no such record"},
+    {"  kind: rank\n  statement: eq-999\n  unknowns: V\n  rank: 1\n", "a record and its unknowns"},
+    {"  kind: rank\n  statement: eq-12b\n  unknowns: nobody\n  rank: 1\n", "do not contain"},
+    {"  kind: rank\n  statement: eq-12b\n  unknowns: e_1\n", "rank is missing"},
+    {"  kind: sequence\n  word: D Q\n", "names of phases"},
+    {"  kind: existence\n  through: D\n  given: t_a = 0\n", "NAME = VALUE"},
+    {"  kind: existence\n  given: t_a = 0, t_b = 2\n", "names of phases"},
+    {"  kind: constraints\n  constraints: eq-51\n", "least-first"},
+    {"  kind: outside\n", "needs is missing"},
+};
+
+START_TEST(hostile_attributes_are_shown_where_they_are) {
+  struct audit_result r;
+  struct diag d;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, HEAD "%s", hostile[_i].claim);
+  ck_assert_msg(!judge_text(&r, &model, text_str(&t), &d), "%s was judged", hostile[_i].claim);
+  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
+  audit_result_clear(&r);
+  text_clear(&t);
+}
+END_TEST
+
+/* --- The claims on file --- */
+
+START_TEST(every_number_of_the_paper_is_covered) {
+  struct claims claims = {.n = 0};
+  struct diag d;
+  long prose = 0;
+  bool equation[62] = {false};
+  diag_init(&d);
+  ck_assert(claims_load(&claims, "verify/claims", "claim", &d));
+  for (size_t i = 0; i < claims.n; i++) {
+    const char *id = claims.claim[i].id, *number = claim_get(&claims.claim[i], "equation");
+    prose += strncmp(id, "text-", 5) == 0 || strncmp(id, "fig-", 4) == 0;
+    if (strncmp(id, "eq-", 3) != 0) continue;
+    long n = strtol(id + 3, NULL, 10);
+    ck_assert_msg(number && strtol(number, NULL, 10) == n, "%s is filed under equation %s", id, number);
+    if (n >= 1 && n <= 61) equation[n] = true;
+  }
+  for (int n = 1; n <= 61; n++) ck_assert_msg(equation[n], "no claim for (%d)", n);
+  ck_assert_int_ge(prose, 25);
+  claims_clear(&claims);
+}
+END_TEST
+
+/* All claims of these kinds on the scene: as recorded, their sum the total, every control noticed. */
+START_TEST(the_text_is_as_recorded) {
+  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct audit_result r;
+  struct diag d;
+  static const char *const only[] = {"text", "fig", "eq-54", "eq-57", "eq-58", "eq-59", "eq-16", "eq-10"};
+  const struct audit_options opt = {.only = only, .n_only = 8};
+  diag_init(&d);
+  audit_result_init(&r);
+  bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
+            claims_load(&controls, "verify/controls", "control", &d) &&
+            audit_run(&r, &model, &claims, &controls, &paper, &opt, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  long count[N_VERDICTS], sum = 0;
+  audit_result_count(&r, count);
+  for (int i = 0; i < N_VERDICTS; i++) sum += count[i];
+  ck_assert_int_eq(sum, (long)r.n_findings);
+  for (size_t i = 0; i < r.n_findings; i++) {
+    const struct finding *f = &r.findings[i];
+    ck_assert_msg(f->recorded == N_VERDICTS || f->recorded == f->verdict, "%s: %s", f->id, verdict_name[f->verdict]);
+  }
+  for (size_t i = 0; i < r.n_controls; i++) ck_assert_msg(r.controls[i].noticed, "%s", r.controls[i].id);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  audit_result_clear(&r);
+}
+END_TEST
+
+Suite *argument_suite(void) {
+  Suite *s = suite_create("argument");
+  TCase *c = tcase_create("argument");
+  tcase_set_timeout(c, 60);
+  tcase_add_unchecked_fixture(c, open_all, close_all);
+#define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
+  LOOP(what_follows_and_what_does_not, arguments);
+  LOOP(bounds_of_an_independent_program, certificates);
+  tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
+  tcase_add_test(c, a_certificate_is_a_scene);
+  LOOP(symbols_and_readings, symbols);
+  tcase_add_loop_test(c, formulas_without_a_degree, 0, 5);
+  tcase_add_loop_test(c, ranks_by_hand, 0, 6);
+  LOOP(hostile_attributes_are_shown_where_they_are, hostile);
+  tcase_add_test(c, every_number_of_the_paper_is_covered);
+  tcase_add_test(c, the_text_is_as_recorded);
+#undef LOOP
+  suite_add_tcase(s, c);
+  return s;
+}
