@@ -29,7 +29,7 @@ static const struct {
              {"scaling", judge_scaling, false, false},
              {"reach", judge_reach, false, true},
              {"rank", judge_rank, false, true},
-             {"constraints", judge_constraints, false, true},
+             {"constraints", judge_constraints, false, false},
              {"sequence", judge_sequence, false, true},
              {"existence", judge_existence, false, true},
              {"outside", judge_outside, false, true}};

@@ -246,6 +246,7 @@ struct judge {
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
+  bool only_proved; /* a verdict other than proved will do as unknown: what was proved is judged again */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */

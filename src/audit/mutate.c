@@ -152,6 +152,7 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_FULL, &d);
   enum notice n = BROKEN;
+  j.only_proved = rd->said.findings[0].verdict == VERDICT_PROVED;
   if (judge_claim(&j, rd->claim)) n = same_findings(&rd->said, &out) ? SAME : CHANGED;
   audit_result_clear(&out);
   return n;
