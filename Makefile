@@ -15,7 +15,9 @@ STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
 SO    = libstickslip.so.0
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
-LIBS  = $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
+# Calcium too (rational functions over Q in several variables)
+CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /dev/null 2>/dev/null && echo -lcalcium)
+LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(sort $(wildcard src/cli/*.c))
@@ -24,9 +26,9 @@ TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema
-OLD   = libflint-arb-dev
+OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify lint asan cover format install uninstall clean help
+.PHONY: deps all check verify mutate lint asan cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) ## build the program and the library (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -58,6 +60,9 @@ $(B)/%.o: %.c Makefile
 verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
 	$(B)/stickslip verify
 
+mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
+	$(B)/stickslip mutate --count all --out reports/mutation
+
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
 	STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check
@@ -83,7 +88,7 @@ install: all ## install program, library, headers, man page and data (PREFIX, DE
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
 	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(ARB)|' tools/stickslip.pc.in \
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 

@@ -50,6 +50,14 @@ static const char help[] =
     "      every claim with its kind, the verdict on record and its title\n"
     "  stickslip check FILE...\n"
     "      read equation (.eq), claim (.claim) and scene (.scene) files and report what is wrong with them\n"
+    "  stickslip mutate [--seed N] [--count N|all] [--jobs N] [--only FILE|RECORD[,...]] [--json] [--out DIR]\n"
+    "      would the audit notice?  Damages the paper's formulas one token at a time and asks the claims that read "
+    "them;\n"
+    "      by default 400 damages drawn with seed 1, on all processors; --out writes mutation.json and mutation.md\n"
+    "  stickslip repair [ID...] [--jobs N] [--json] [--out DIR]\n"
+    "      for each refuted claim about a formula (or those named), the smallest edits of its printed text with which "
+    "it\n"
+    "      passes its checks; --out writes repairs.json and repairs.md\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -84,7 +92,9 @@ static const struct command {
                 {"readings", FOR_READINGS, run_readings},
                 {"explain", FOR_EXPLAIN, run_explain},
                 {"list", FOR_LIST, run_list},
-                {"check", FOR_CHECK, run_check}};
+                {"check", FOR_CHECK, run_check},
+                {"mutate", FOR_MUTATE, run_mutate},
+                {"repair", FOR_REPAIR, run_repair}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -125,7 +135,8 @@ static void on_abort(int signal) {
 int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
-    return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list or check");
+    return usage("a command is needed: %s",
+                 "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate or repair");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

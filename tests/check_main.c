@@ -10,6 +10,7 @@ int main(void) {
   SRunner *r = srunner_create(base_suite());
   srunner_add_suite(r, num_suite());
   srunner_add_suite(r, expr_suite());
+  srunner_add_suite(r, edit_suite());
   srunner_add_suite(r, tape_suite());
   srunner_add_suite(r, model_suite());
   srunner_add_suite(r, dynamics_suite());
@@ -23,6 +24,7 @@ int main(void) {
   srunner_add_suite(r, routes_suite());
   srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, cli_suite());
+  srunner_add_suite(r, mutate_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);
   srunner_free(r);

@@ -7,6 +7,7 @@
 Suite *base_suite(void);
 Suite *num_suite(void);
 Suite *expr_suite(void);
+Suite *edit_suite(void);
 Suite *tape_suite(void);
 Suite *model_suite(void);
 Suite *dynamics_suite(void);
@@ -20,5 +21,6 @@ Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *cli_suite(void);
+Suite *mutate_suite(void);
 
 #endif

@@ -6,7 +6,7 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, threshold, criterion) the record of the equation files that is judged
+     statement   (identity, inequality, threshold, sharp, criterion) the record of the equation files that is judged
      bound       (threshold) the record whose right-hand sides are the bounds
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
@@ -51,13 +51,15 @@
    Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
    failed formula as printed and as corrected.
 
-   Kinds: definition, matrix, identity, inequality, threshold, index-range, number, closure, criterion, behaviour,
-   argument, notation, scaling, reach, rank, sequence, existence, constraints, outside, report. */
+   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
+   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
+   notation, scaling, reach, rank, sequence, existence, constraints, outside, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
 #include "stickslip/coulomb.h"
 #include "stickslip/model.h"
+#include "stickslip/mutation.h"
 #include "stickslip/paper_route.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
@@ -106,6 +108,32 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
 
+/* --- The audit of the audit --- */
+
+struct mutation_options {
+  unsigned long long seed;
+  long count;              /* mutants drawn, in the order of the files; 0: all */
+  int jobs;                /* processes, 1 to 64 */
+  const char *const *only; /* equation files or records */
+  int n_only;
+  void (*progress)(size_t n, size_t of); /* or NULL */
+};
+
+/* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the claims
+   that read it, those with the fewest definitions first, until a verdict changes: that of the claim, of its correction or
+   of a restricted claim.  The text damaged is the one that everything reads, the errata's where they correct the paper;
+   the printed text that they correct is damaged too and counted apart.  What survives is compared with the original by
+   exact algebra, then judged in full.  The result is the same for any number of processes.  false with d set when the
+   files are at fault or a process ended early. */
+bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
+                  const struct scene *scene, const struct mutation_options *opt, struct diag *d);
+
+/* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every one
+   edit, and where none helps, or the correction on file is not among those that do, with pairs of exchanged names within a
+   budget; those with which the claim passes the checks that
+   refuted it, the smallest first. */
+bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
+                   const struct scene *scene, const struct audit_options *opt, int jobs, struct diag *d);
 /* How the printed numbers of the scene could have arisen: which of them were inputs, exactly as printed, which equations
    were solved and which dropped, how numbers were carried from one formula into the next.  The equations are the paper's,
    (12), (14), (16), (18), (44)-(46), with its matrices in the corrected layer, and in the printed one where that gives

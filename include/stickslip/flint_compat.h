@@ -15,6 +15,7 @@
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
 #include <flint/arf.h>
+#include <flint/fmpz_mpoly_q.h>
 #include <flint/mag.h>
 #else
 #include <acb_poly.h>
@@ -24,6 +25,11 @@
 #include <arb_poly.h>
 #include <arf.h>
 #include <mag.h>
+#if __has_include(<calcium/fmpz_mpoly_q.h>)
+#include <calcium/fmpz_mpoly_q.h>
+#else
+#include <fmpz_mpoly_q.h>
+#endif
 #endif
 
 #endif

@@ -51,6 +51,11 @@ struct statement_record {
   int n_stmts;
 };
 
+/* What look-ups have returned so far, by index in the model's arrays. */
+struct model_use {
+  bool *def, *record;
+};
+
 struct model {
   struct arena arena;
   struct record_file **files;
@@ -61,6 +66,7 @@ struct model {
   size_t n_records, cap_records;
   const char **symbols;
   size_t n_symbols, cap_symbols;
+  struct model_use *use; /* NULL: nobody asks */
 };
 
 void model_init(struct model *m);

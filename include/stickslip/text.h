@@ -60,6 +60,8 @@ bool source_read(struct source *s, const char *path, size_t max, struct diag *d)
 /* The same from memory; copies both. */
 void source_from_string(struct source *s, const char *name, const char *text);
 void source_clear(struct source *s);
+/* Line and column of a place, counted as diag_at counts them. */
+void source_place(size_t *line, size_t *column, const struct source *s, size_t offset);
 
 /* Writes path with len bytes of data through a temporary file in the same folder and a rename, so that a reader sees
    the old file or the new one and a failure leaves the old one.  What stands there already must be a regular file.

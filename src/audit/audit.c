@@ -11,26 +11,28 @@ static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-} kinds[] = {{"definition", judge_definition, false},
-             {"matrix", judge_points, true},
-             {"identity", judge_points, true},
-             {"threshold", judge_threshold, false},
-             {"inequality", judge_inequality, false},
-             {"index-range", judge_index_range, false},
-             {"number", judge_number, false},
-             {"closure", judge_closure, false},
-             {"criterion", judge_criterion, false},
-             {"behaviour", judge_behaviour, false},
-             {"report", judge_report, false},
-             {"argument", judge_argument, false},
-             {"notation", judge_notation, false},
-             {"scaling", judge_scaling, false},
-             {"reach", judge_reach, false},
-             {"rank", judge_rank, false},
-             {"constraints", judge_constraints, false},
-             {"sequence", judge_sequence, false},
-             {"existence", judge_existence, false},
-             {"outside", judge_outside, false}};
+  bool slow;            /* searches or simulates: asked last when formulas are damaged */
+} kinds[] = {{"definition", judge_definition, false, false},
+             {"matrix", judge_points, true, false},
+             {"identity", judge_points, true, false},
+             {"threshold", judge_threshold, false, false},
+             {"sharp", judge_sharp, false, false},
+             {"inequality", judge_inequality, false, false},
+             {"index-range", judge_index_range, false, false},
+             {"number", judge_number, false, false},
+             {"closure", judge_closure, false, false},
+             {"criterion", judge_criterion, false, true},
+             {"behaviour", judge_behaviour, false, true},
+             {"report", judge_report, false, true},
+             {"argument", judge_argument, false, true},
+             {"notation", judge_notation, false, false},
+             {"scaling", judge_scaling, false, false},
+             {"reach", judge_reach, false, true},
+             {"rank", judge_rank, false, true},
+             {"constraints", judge_constraints, false, false},
+             {"sequence", judge_sequence, false, true},
+             {"existence", judge_existence, false, true},
+             {"outside", judge_outside, false, true}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
@@ -41,6 +43,16 @@ static int kind_index(const char *name) {
 kind_fn claim_kind(const char *name) {
   int k = kind_index(name);
   return k < 0 ? NULL : kinds[k].judge;
+}
+
+bool claim_tried_at_points(const struct claim *c) {
+  int k = kind_index(claim_get(c, "kind"));
+  return k >= 0 && kinds[k].tried_at_points;
+}
+
+bool claim_slow(const struct claim *c) {
+  int k = kind_index(claim_get(c, "kind"));
+  return k >= 0 && kinds[k].slow;
 }
 
 /* --- The result record --- */
@@ -145,9 +157,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
 
 /* --- One claim --- */
 
-/* Whether a record of the paper's files is what the claim is about: its statement; or, for a value, every definition under
-   the claim's equation number, since a formula is printed together with its parts. */
-static bool is_subject(const struct statement_record *r, const struct claim *c) {
+bool claim_subject(const struct statement_record *r, const struct claim *c) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
              *equation = claim_get(c, "equation");
   if (r->rank > RANK_USER) return false;
@@ -163,7 +173,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   text_init(&parsed);
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    if (!is_subject(r, c)) continue;
+    if (!claim_subject(r, c)) continue;
     if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
     for (int k = 0; k < r->n_stmts; k++) {
       text_add(&parsed, parsed.len ? ", \\quad " : "");
@@ -193,7 +203,7 @@ static bool describe(struct finding *f, struct judge *j, const struct claim *c) 
                         .recorded = N_VERDICTS};
   if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
   quote_and_formula(f, j, c);
-  if (!c->control && !dependences_list(f, j, c)) return false;
+  if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
   f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->name, c->id);
   const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
@@ -234,13 +244,20 @@ static bool notation_fault(struct finding *f, struct judge *j) {
   return true;
 }
 
-static bool judge_claim(struct judge *j, const struct claim *c) {
-  int k = kind_index(claim_get(c, "kind"));
-  if (k < 0) return claim_error(j, c, "kind", "unknown kind of claim");
+struct view claim_view(const struct model *m, const struct claim *c) {
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
+}
+
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
+  kind_fn judge = claim_kind(claim_get(c, "kind"));
+  if (!judge) return claim_error(j, c, "kind", "unknown kind of claim");
+  return describe(f, j, c) && (judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+}
+
+bool judge_claim(struct judge *j, const struct claim *c) {
   struct finding f;
-  if (!describe(&f, j, c)) return false;
-  struct view view = {j->model, LAYER_CORRECTED, claim_own(c), NULL};
-  if (!kinds[k].judge(&f, j, c, view) && !notation_fault(&f, j)) return false;
+  if (!judge_verdict(&f, j, c)) return false;
+  int k = kind_index(claim_get(c, "kind"));
   if (f.verdict == VERDICT_REFUTED) {
     const char *fault = claim_get(c, "fault");
     if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
@@ -252,7 +269,7 @@ static bool judge_claim(struct judge *j, const struct claim *c) {
   out->findings[out->n_findings++] = f;
   bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
   if (f.verdict != VERDICT_REFUTED || !kinds[k].tried_at_points || !readable) return true;
-  return judge_restrictions(j, c, view, &f);
+  return judge_restrictions(j, c, claim_view(j->model, c), &f);
 }
 
 /* --- Controls --- */
@@ -299,14 +316,14 @@ static bool selects(const char *item, const struct claim *c) {
   return claim_selected(c->id, item) || claim_makes(c, item);
 }
 
-static bool selected(const struct audit_options *opt, const struct claim *c) {
+bool claims_selects(const struct audit_options *opt, const struct claim *c) {
   if (opt->n_only == 0) return true;
   for (int i = 0; i < opt->n_only; i++)
     if (selects(opt->only[i], c)) return true;
   return false;
 }
 
-static bool check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
   for (int i = 0; i < opt->n_only; i++) {
     bool any = false;
     for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
@@ -325,7 +342,7 @@ static bool run_controls(struct judge *j, const struct claims *claims, const str
     const char *of = record_get(control->record, "claim");
     const struct claim *claim = find_claim(claims, of);
     if (!claim) return claim_error(j, control, "claim", "a control names the claim that it damages");
-    if (!selected(opt, claim)) continue;
+    if (!claims_selects(opt, claim)) continue;
     if (!judge_control(j, control, claim)) return false;
   }
   return true;
@@ -338,7 +355,7 @@ static void run_readings(struct judge *j, const struct claims *claims, const str
   for (size_t i = 0; i < claims->n; i++) {
     const char *kind = claim_get(&claims->claim[i], "kind");
     bool about = kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
-    wanted = wanted || (about && selected(opt, &claims->claim[i]));
+    wanted = wanted || (about && claims_selects(opt, &claims->claim[i]));
   }
   const char *why = !wanted ? "no claim about printed numbers is selected" : audit_readings(j->out, j->model, j->scene);
   if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
@@ -357,7 +374,7 @@ static bool studies(struct judge *j, const struct audit_options *opt) {
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d) {
-  if (!check_selection(claims, opt, d)) return false;
+  if (!claims_check_selection(claims, opt, d)) return false;
   struct dependences *rests = dependences_new(m, claims);
   struct judge j = {.out = out,
                     .model = m,
@@ -372,7 +389,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   bool ok = true;
   size_t left_out = 0;
   for (size_t i = 0; ok && i < claims->n; i++) {
-    if (!selected(opt, &claims->claim[i])) {
+    if (!claims_selects(opt, &claims->claim[i])) {
       left_out++;
       continue;
     }

@@ -194,13 +194,16 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
 /* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
 bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
                           int n_overrides, struct diag *d);
+/* The same of a record at hand. */
+bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
+                             const struct override *overrides, int n_overrides, struct diag *d);
 /* What a matrix or identity claim says: by its statement or its value. */
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d);
 void sentence_clear(struct sentence *s);
 /* Both sides (s->n each, in the context of lhs and rhs). */
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    struct orbit_cache *cache);
+                    enum variant variant, struct orbit_cache *cache);
 
 enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
 
@@ -228,6 +231,10 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 
 /* --- A claim being judged --- */
 
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
+   A kind that takes long should know it, since mutants are tried by the thousand; others may pass over it. */
+enum effort { EFFORT_FULL, EFFORT_REFUTE };
+
 struct judge {
   struct audit_result *out;
   const struct model *model;
@@ -238,6 +245,8 @@ struct judge {
   struct orbit_pool *pool; /* made when first asked for */
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
+  enum effort effort;
+  bool only_proved; /* a verdict other than proved will do as unknown: what was proved is judged again */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -259,6 +268,7 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
 
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
@@ -284,6 +294,23 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
 
 /* The kind of that name; NULL when there is none. */
 kind_fn claim_kind(const char *name);
+
+/* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
+bool claim_tried_at_points(const struct claim *c);
+/* Does it take long, so that it is asked last when a formula is damaged? */
+bool claim_slow(const struct claim *c);
+
+/* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
+   select some claim? */
+bool claims_selects(const struct audit_options *opt, const struct claim *c);
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d);
+
+/* How a claim is read: its own text as printed, the rest corrected. */
+struct view claim_view(const struct model *m, const struct claim *c);
+/* The claim's own finding, without its correction and restrictions. */
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c);
+/* All findings of a claim, added to the result: its own, with the correction, and those that its restrictions make. */
+bool judge_claim(struct judge *j, const struct claim *c);
 
 /* --- Evidence and verdicts --- */
 
@@ -312,6 +339,9 @@ double log2_upper(const arb_t x);
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
+/* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
+   equation number, since a formula is printed together with its parts? */
+bool claim_subject(const struct statement_record *r, const struct claim *c);
 /* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
    the claim's equation number. */
 bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);

@@ -101,7 +101,7 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
     struct num_vec lhs, rhs;
     num_vec_init(&lhs, s->n, types[i]);
     num_vec_init(&rhs, s->n, types[i]);
-    int status = sentence_values(&lhs, &rhs, s, p, cache);
+    int status = sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache);
     if (status) {
       text_printf(out, "%-11s %s at this point\n", types[i].type->name,
                   status & SS_DOMAIN ? "undefined" : "cannot be told");

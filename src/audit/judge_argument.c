@@ -389,7 +389,7 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   int n = 0;
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
-  if (a->j->d->set) return;
+  if (a->j->d->set || (!proved && a->j->only_proved)) return;
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,

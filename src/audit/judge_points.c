@@ -149,6 +149,7 @@ static bool read_routes(struct run *r) {
   char item[32];
   const char *list = claim_get(r->c, "routes");
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
+  if (r->j->effort == EFFORT_REFUTE) return true;
   while (list && (list = next_item(item, sizeof item, list)) != NULL) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
@@ -345,6 +346,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   bool ok = true;
   long done = 0;
   for (long draws = 0; ok && done < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
+    if (r->j->effort == EFFORT_REFUTE && r->tally[0].differs) break;
     bool accepted = false;
     sampler_next(&p, &s);
     if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
@@ -464,7 +466,8 @@ static void describe_effect(struct finding *f, struct run *r) {
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct run r;
   bool ok = run_all(f, &r, j, c, view, NULL);
-  if (ok && f->verdict == VERDICT_REFUTED && view.own) describe_effect(f, &r);
+  bool explained = view.own && j->effort == EFFORT_FULL;
+  if (ok && f->verdict == VERDICT_REFUTED && explained) describe_effect(f, &r);
   run_clear(&r);
   return ok;
 }

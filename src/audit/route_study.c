@@ -98,7 +98,7 @@ static int paper_side(arb_ptr out, struct study *s, struct sentence *sentence) {
   struct num_vec lhs, rhs;
   num_vec_init(&lhs, sentence->n, num_ctx_arb(PREC));
   num_vec_init(&rhs, sentence->n, num_ctx_arb(PREC));
-  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, s->j->cache);
+  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
   get_all(out, &lhs);
   num_vec_clear(&rhs);
   num_vec_clear(&lhs);

@@ -79,15 +79,10 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
   return *n > 0;
 }
 
-bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
-                          int n_overrides, struct diag *d) {
+bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
+                             const struct override *overrides, int n_overrides, struct diag *d) {
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, overrides, n_overrides);
-  const struct statement_record *r = view_record(&v, id);
-  if (!r) {
-    diag_set(d, "there is no record %s in the equation files", id);
-    return false;
-  }
   const struct expr **lhs = NULL, **rhs = NULL;
   bool ok = collect(&lhs, &rhs, &s->n, s, r, d);
   if (ok) {
@@ -100,6 +95,16 @@ bool sentence_from_record(struct sentence *s, struct view v, const char *id, con
   free(lhs);
   free(rhs);
   return ok;
+}
+
+bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
+                          int n_overrides, struct diag *d) {
+  const struct statement_record *r = view_record(&v, id);
+  if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, NULL, 0);
+  diag_set(d, "there is no record %s in the equation files", id);
+  return false;
 }
 
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
@@ -285,10 +290,10 @@ static struct trial try_once(struct sentence *s, struct comparison *c, const str
 }
 
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
-                    struct orbit_cache *cache) {
+                    enum variant variant, struct orbit_cache *cache) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
   struct values v;
-  int status = values_init(&v, p, VARIANT_CLOSED, lhs->ctx, cache);
+  int status = values_init(&v, p, variant, lhs->ctx, cache);
   if (status == SS_OK) status = evaluate(lhs, rhs, &t, s, &v);
   values_clear(&v);
   return status;

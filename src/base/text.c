@@ -141,16 +141,30 @@ static void add_excerpt(struct text *out, const char *line, size_t len, size_t a
   text_add_char(out, '^');
 }
 
+/* The number of the line that holds a place, and where it begins. */
+static void line_of(size_t *line, size_t *begin, const struct source *s, size_t offset) {
+  *line = 1;
+  *begin = 0;
+  for (size_t i = 0; i < offset; i++)
+    if (s->text[i] == '\n') {
+      ++*line;
+      *begin = i + 1;
+    }
+}
+
+void source_place(size_t *line, size_t *column, const struct source *s, size_t offset) {
+  size_t begin;
+  if (offset > s->len) offset = s->len;
+  line_of(line, &begin, s, offset);
+  *column = count_characters(s->text + begin, offset - begin) + 1;
+}
+
 void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
   if (!d || d->set) return;
   if (offset > s->len) offset = s->len;
-  size_t line = 1, begin = 0;
-  for (size_t i = 0; i < offset; i++)
-    if (s->text[i] == '\n') {
-      line++;
-      begin = i + 1;
-    }
-  size_t end = begin;
+  size_t line, begin, end;
+  line_of(&line, &begin, s, offset);
+  end = begin;
   while (end < s->len && s->text[end] != '\n') end++;
 
   const size_t longest_name = 200;

@@ -18,7 +18,9 @@ enum {
   FOR_CHECK = 16,
   FOR_EXPLAIN = 32,
   FOR_SIMULATE = 64,
-  FOR_READINGS = 128
+  FOR_READINGS = 128,
+  FOR_MUTATE = 256,
+  FOR_REPAIR = 512
 };
 
 struct options {
@@ -26,7 +28,7 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
   bool strict, quiet, json, tape, csv, compare, phases, help;
 };
 
@@ -76,5 +78,7 @@ int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
 int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
+int run_mutate(const struct options *o, const char *data);
+int run_repair(const struct options *o, const char *data);
 
 #endif

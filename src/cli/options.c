@@ -34,20 +34,23 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
     unsigned commands;
     const char **value;
     bool *flag;
-  } table[] = {{"--only", FOR_VERIFY, NULL, NULL},
+  } table[] = {{"--only", FOR_VERIFY | FOR_MUTATE, NULL, NULL},
                {"--paper", FOR_VERIFY, &o->paper, NULL},
                {"--overlay", FOR_VERIFY, &o->overlay, NULL},
-               {"--out", FOR_VERIFY, &o->out, NULL},
+               {"--out", FOR_VERIFY | FOR_MUTATE | FOR_REPAIR, &o->out, NULL},
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
-               {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS, NULL, &o->json},
+               {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--start", FOR_SIMULATE, &o->start, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
                {"--compare", FOR_SIMULATE, NULL, &o->compare},
+               {"--seed", FOR_MUTATE, &o->seed, NULL},
+               {"--count", FOR_MUTATE, &o->count, NULL},
+               {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
@@ -77,7 +80,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
     if (table[k].value)
       *table[k].value = value;
     else if (!add_only(o, value))
-      return usage("--only takes 1 to 256 claim ids, not %.200s", value);
+      return usage("--only takes 1 to 256 names, not %.200s", value);
   }
   return EXIT_AS_RECORDED;
 }

@@ -255,7 +255,7 @@ static bool hides(const struct definition *def, const struct definition *earlier
   return !earlier || def->rank >= earlier->rank;
 }
 
-const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d) {
+static const struct definition *look_up(const struct view *v, const char *name, const char *section, struct diag *d) {
   const struct model *m = v->model;
   const struct definition *here = NULL, *anywhere = NULL, *elsewhere = NULL;
   bool ambiguous = false;
@@ -282,6 +282,12 @@ const struct definition *view_lookup(const struct view *v, const char *name, con
   return elsewhere;
 }
 
+const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d) {
+  const struct definition *def = look_up(v, name, section, d);
+  if (def && v->model->use) v->model->use->def[def - v->model->defs] = true;
+  return def;
+}
+
 const struct statement_record *view_record(const struct view *v, const char *id) {
   const struct model *m = v->model;
   const struct statement_record *best = NULL;
@@ -290,5 +296,6 @@ const struct statement_record *view_record(const struct view *v, const char *id)
     if (strcmp(r->id, id) == 0 && sees(v, r->rank, r->equation, r->record->id_name) && (!best || r->rank > best->rank))
       best = r;
   }
+  if (best && m->use) m->use->record[best - m->records] = true;
   return best;
 }

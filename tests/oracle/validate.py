@@ -64,6 +64,43 @@ def orbit_errors(out):
         yield "orbits: not by increasing z10"
 
 
+FATES = ("noticed", "unreadable", "equivalent", "on_motions", "undecided", "unread")
+
+
+def mutation_errors(out):
+    def adds_up(where, row):
+        if sum(row[f] for f in FATES) != row["total"]:
+            yield "%s: the fates do not add up to %d" % (where, row["total"])
+
+    yield from adds_up("total", out["total"])
+    yield from adds_up("corrected_elsewhere", out["corrected_elsewhere"])
+    for part in ("files", "kinds"):
+        for row in out[part]:
+            yield from adds_up(part + "/" + row["name"], row)
+        for f in FATES + ("total",):
+            if sum(row[f] for row in out[part]) != out["total"][f]:
+                yield "%s: %s does not add up to the total" % (part, f)
+    if out["total"]["total"] + out["corrected_elsewhere"]["total"] != out["tried"] or out["tried"] > out["population"]:
+        yield "tried: %d, which the rows or the population contradict" % out["tried"]
+    for f in FATES[2:]:
+        for corrected, row in ((False, out["total"]), (True, out["corrected_elsewhere"])):
+            n = sum(s["fate"] == f and s["corrected_elsewhere"] == corrected for s in out["survivors"])
+            if n != row[f]:
+                yield "survivors: %d %s, the row says %d" % (n, f, row[f])
+    for i, s in enumerate(out["survivors"]):
+        if s["text"] == s["original"] or (s["fate"] == "unread") != (s["read_by"] == ""):
+            yield "survivors/%d: undamaged, or read by somebody and by nobody" % i
+
+
+def repair_errors(out):
+    for c in out["claims"]:
+        sizes = [(r["edits"], r["distance"]) for r in c["repairs"]]
+        if sizes != sorted(sizes):
+            yield "claims/%s: not the smallest first" % c["claim"]
+        if c["not_searched"] is not None and (c["repairs"] or c["singles"]):
+            yield "claims/%s: searched and not searched" % c["claim"]
+
+
 def phases_errors(out):
     methods = ("analytic-printed", "analytic-corrected", "implicit", "saltation", "fd", "fd-double", "ode")
     absent = {(x["name"], x["method"]) for x in out["left_out"]}
@@ -82,7 +119,8 @@ def phases_errors(out):
 
 
 EXTRA = {"phases.schema.json": phases_errors, "audit.schema.json": audit_errors,
-         "readings.schema.json": lambda out: readings_errors(out["readings"]), "orbit.schema.json": orbit_errors}
+         "readings.schema.json": lambda out: readings_errors(out["readings"]), "orbit.schema.json": orbit_errors,
+         "mutation.schema.json": mutation_errors, "repairs.schema.json": repair_errors}
 
 
 def siblings(schema_file):

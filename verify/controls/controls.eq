@@ -46,6 +46,12 @@ inequality ctl-inequality
   section: appendix_b
   z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_2
 
+# true in the phase, and not the best that can be said
+inequality ctl-sharp
+  replaces: eq-56
+  section: appendix_b
+  z_10 - chi*z_20 - V < z_1(t) - chi*z_2(t) < e_1
+
 equation ctl-switching
   replaces: eq-26
   section: stability

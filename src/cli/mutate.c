@@ -1,0 +1,143 @@
+/* stickslip mutate and repair: damage to formulas, and edits that undo it. */
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "cli.h"
+#include "stickslip/report_mutation.h"
+
+enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000, MAX_JOBS = 64 };
+
+static void show_progress(size_t n, size_t of) {
+  fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);
+}
+
+/* A whole number from 1 (or 0) to most; false otherwise. */
+static bool whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
+  char *end;
+  errno = 0;
+  *n = strtoull(text, &end, 10);
+  return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
+}
+
+static int parse_jobs(int *jobs, const char *text) {
+  unsigned long long n;
+  long cores = sysconf(_SC_NPROCESSORS_ONLN);
+  *jobs = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : (int)cores;
+  if (!text) return EXIT_AS_RECORDED;
+  if (!whole(&n, text, false, MAX_JOBS)) return usage("--jobs takes a whole number from 1 to 64, not %.200s", text);
+  *jobs = (int)n;
+  return EXIT_AS_RECORDED;
+}
+
+static int parse_mutation(struct mutation_options *q, const struct options *o) {
+  unsigned long long n = DEFAULT_COUNT;
+  *q = (struct mutation_options){.seed = 1, .only = o->only, .n_only = o->n_only};
+  if (o->seed && !whole(&q->seed, o->seed, true, ~0ULL))
+    return usage("--seed takes a whole number from 0 to 18446744073709551615, not %.200s", o->seed);
+  if (o->count && strcmp(o->count, "all") == 0)
+    n = 0;
+  else if (o->count && !whole(&n, o->count, false, MAX_COUNT))
+    return usage("--count takes a whole number from 1 to 1000000, or all, not %.200s", o->count);
+  q->count = (long)n;
+  return parse_jobs(&q->jobs, o->jobs);
+}
+
+/* Both files or neither. */
+static bool write_pair(const char *folder, const char *const name[2], const struct text body[2], struct diag *d) {
+  struct text path[2];
+  struct file_item item[2];
+  for (int i = 0; i < 2; i++) {
+    text_init(&path[i]);
+    join_path(&path[i], folder, name[i]);
+    item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
+  }
+  bool ok = folder_make(folder, d) && files_write(item, 2, d);
+  for (int i = 0; i < 2; i++) text_clear(&path[i]);
+  return ok;
+}
+
+/* body: JSON, Markdown, text. */
+static bool deliver(const struct text body[3], const char *const name[2], const struct options *o, struct diag *d) {
+  if (o->out && !write_pair(o->out, name, body, d)) return false;
+  fputs(text_str(&body[o->json ? 0 : 2]), stdout);
+  return true;
+}
+
+/* Everything that a search reads. */
+struct inputs {
+  struct model model;
+  struct claims claims;
+  struct scene scene;
+};
+
+static bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
+  *in = (struct inputs){.claims = {.n = 0}};
+  model_init(&in->model);
+  bool ok = scene_load(&in->scene, "paper", data, d);
+  return ok && load_model(&in->model, data, o, d) && load_claims(&in->claims, data, "claims", "claim", d);
+}
+
+static void inputs_clear(struct inputs *in) {
+  claims_clear(&in->claims);
+  model_clear(&in->model);
+  scene_clear(&in->scene);
+}
+
+int run_mutate(const struct options *o, const char *data) {
+  static const char *const names[] = {"mutation.json", "mutation.md"};
+  struct mutation_options q;
+  int status = parse_mutation(&q, o);
+  if (status) return status;
+  if (o->n_operands) return usage("mutate takes no operand, not %.200s", o->operand[0]);
+  struct diag d;
+  struct inputs in;
+  struct mutation_result r;
+  struct text body[3];
+  diag_init(&d);
+  mutation_result_init(&r);
+  for (int i = 0; i < 3; i++) text_init(&body[i]);
+  bool terminal = isatty(STDERR_FILENO);
+  q.progress = terminal ? show_progress : NULL;
+  bool ok = inputs_load(&in, data, o, &d) && audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
+  if (terminal) fputs("\r\033[K", stderr);
+  if (ok) {
+    report_mutation_json(&body[0], &r);
+    report_mutation_markdown(&body[1], &r);
+    report_mutation_text(&body[2], &r);
+    ok = deliver(body, names, o, &d);
+  }
+  if (!ok) status = bad_input(&d);
+  if (r.broken) status = EXIT_INTERNAL;
+  for (int i = 0; i < 3; i++) text_clear(&body[i]);
+  mutation_result_clear(&r);
+  inputs_clear(&in);
+  return status;
+}
+int run_repair(const struct options *o, const char *data) {
+  static const char *const names[] = {"repairs.json", "repairs.md"};
+  int jobs, status = parse_jobs(&jobs, o->jobs);
+  if (status) return status;
+  struct diag d;
+  struct inputs in;
+  struct repair_result r;
+  struct text body[3];
+  diag_init(&d);
+  repair_result_init(&r);
+  for (int i = 0; i < 3; i++) text_init(&body[i]);
+  struct audit_options opt = {.only = o->operand, .n_only = o->n_operands};
+  bool ok = inputs_load(&in, data, o, &d) && audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
+  if (ok) {
+    report_repairs_json(&body[0], &r);
+    report_repairs_markdown(&body[1], &r);
+    report_repairs_text(&body[2], &r);
+    ok = deliver(body, names, o, &d);
+  }
+  if (!ok) status = bad_input(&d);
+  if (r.broken) status = EXIT_INTERNAL;
+  for (int i = 0; i < 3; i++) text_clear(&body[i]);
+  repair_result_clear(&r);
+  inputs_clear(&in);
+  return status;
+}

@@ -1,0 +1,111 @@
+/* Which edits of the printed text repair a refuted claim, the smallest first. */
+#include <string.h>
+
+#include "stickslip/json.h"
+#include "stickslip/report_mutation.h"
+
+static void write_repair(struct json *j, const struct repair *r) {
+  json_object(j, NULL);
+  json_long(j, "edits", r->edits);
+  json_long(j, "distance", r->distance);
+  json_string(j, "kinds", r->kinds);
+  json_string(j, "change", r->change);
+  json_string(j, "text", r->text);
+  json_string(j, "verdict", r->verdict);
+  json_string(j, "erratum", r->erratum);
+  json_end_object(j);
+}
+
+void report_repairs_json(struct text *out, const struct repair_result *r) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-repairs-1");
+  json_string(&j, "scene", r->scene);
+  json_array(&j, "claims");
+  for (size_t i = 0; i < r->n; i++) {
+    const struct repairs *c = &r->claim[i];
+    json_object(&j, NULL);
+    json_string(&j, "claim", c->claim);
+    json_string(&j, "equation", c->equation);
+    json_string(&j, "title", c->title);
+    json_string(&j, "printed", c->printed);
+    json_string(&j, "erratum", c->erratum);
+    json_string(&j, "not_searched", c->why_none);
+    json_long(&j, "singles", c->singles);
+    json_long(&j, "pairs", c->pairs);
+    json_bool(&j, "pairs_complete", c->pairs_complete);
+    json_array(&j, "repairs");
+    for (size_t k = 0; k < c->n; k++) write_repair(&j, &c->repair[k]);
+    json_end_array(&j);
+    json_end_object(&j);
+  }
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+/* What was searched and what it gave, as one sentence. */
+static void add_summary(struct text *out, const struct repairs *c) {
+  if (c->why_none) {
+    text_printf(out, "not searched: %s", c->why_none);
+    return;
+  }
+  size_t single = 0;
+  while (single < c->n && c->repair[single].edits == 1) single++;
+  text_printf(out, "%zu of %ld edits pass the checks", single, c->singles);
+  if (c->pairs)
+    text_printf(out, ", %zu of %ld pairs of exchanged names%s", c->n - single, c->pairs,
+                c->pairs_complete ? "" : " (the budget; there are more)");
+  if (!c->erratum) return;
+  size_t text = 0, values = 0;
+  for (size_t k = 0; k < c->n; k++) {
+    text += c->repair[k].erratum && strcmp(c->repair[k].erratum, "same text") == 0;
+    values += c->repair[k].erratum && strcmp(c->repair[k].erratum, "same values") == 0;
+  }
+  text_printf(out, "; the correction on file is %s",
+              text     ? "among them"
+              : values ? "equal in value to one of them"
+                       : "not among them");
+}
+
+void report_repairs_markdown(struct text *out, const struct repair_result *r) {
+  text_printf(
+      out,
+      "# Repairs\n\nEvery one-token edit of the printed text of a refuted claim is tried; where none helps, or not the "
+      "correction on file, pairs of exchanged names; and then the steps of a chain a = b = c one by one. A repair is "
+      "listed "
+      "when the claim passes, with it in place of the printed text, the checks that refuted it. Scene %s.\n\n",
+      r->scene);
+  for (size_t i = 0; i < r->n; i++) {
+    const struct repairs *c = &r->claim[i];
+    text_printf(out, "## %s: %s\n\n", c->claim, c->title);
+    if (c->printed) text_printf(out, "- printed: `%s`\n", c->printed);
+    if (c->erratum) text_printf(out, "- correction on file: `%s`\n", c->erratum);
+    text_add(out, "- ");
+    add_summary(out, c);
+    text_add(out, "\n\n");
+    if (c->n)
+      text_add(out, "| edits | characters | change | repaired text | verdict | correction on file |\n"
+                    "| ---: | ---: | --- | --- | --- | --- |\n");
+    for (size_t k = 0; k < c->n; k++) {
+      const struct repair *p = &c->repair[k];
+      text_printf(out, "| %d | %ld | `%s` | `%s` | %s | %s |\n", p->edits, p->distance, p->change, p->text, p->verdict,
+                  p->erratum ? p->erratum : "-");
+    }
+    if (c->n) text_add_char(out, '\n');
+  }
+}
+
+void report_repairs_text(struct text *out, const struct repair_result *r) {
+  for (size_t i = 0; i < r->n; i++) {
+    const struct repairs *c = &r->claim[i];
+    text_printf(out, "%s: ", c->claim);
+    add_summary(out, c);
+    text_add_char(out, '\n');
+    for (size_t k = 0; k < c->n; k++) {
+      const struct repair *p = &c->repair[k];
+      text_printf(out, "  %s (%s)%s%s\n    %s\n", p->change, p->kinds, p->erratum ? ", the correction on file: " : "",
+                  p->erratum ? p->erratum : "", p->text);
+    }
+  }
+}

@@ -1,0 +1,294 @@
+/* One-token edits: those of small statements, written down by hand from the list in edit.h; and what must hold of the
+   edits of any statement, on every statement of the paper. */
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit/mutants.h"
+#include "suites.h"
+
+static const struct edit_word some_words[] = {
+    {.name = "a", .rows = 1, .cols = 1, .plain = true},
+    {.name = "b", .rows = 1, .cols = 1, .plain = true},
+    {.name = "z_1a", .rows = 1, .cols = 1},
+    {.name = "z_2a", .rows = 1, .cols = 1},
+    {.name = "z'_1a", .rows = 1, .cols = 1},
+    {.name = "M", .rows = 2, .cols = 2},
+    {.name = "H", .rows = 2, .cols = 2, .function = true},
+};
+enum { N_WORDS = sizeof some_words / sizeof *some_words };
+static const char *const some_factors[] = {"b"};
+
+/* The texts of one kind of edit, joined by " | ". */
+static char *edits_as_text(const char *statement, enum edit_kind kind, bool with_factors) {
+  struct source src;
+  struct arena a;
+  struct diag d;
+  struct edits e = {.n = 0};
+  struct edit_word word[N_WORDS];
+  struct text t;
+  source_from_string(&src, "test", statement);
+  arena_init(&a);
+  diag_init(&d);
+  text_init(&t);
+  text_add(&t, "");
+  memcpy(word, some_words, sizeof word);
+  const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
+  ck_assert_msg(s != NULL, "%s", d.message);
+  for (int i = 0; i < N_WORDS; i++)
+    for (int k = 0; k < s->n_sides; k++) word[i].here = word[i].here || stands_in_statement(s, word[i].name);
+  struct edit_vocabulary v = {word, N_WORDS, some_factors, with_factors};
+  stmt_edits(&e, &a, s, &v);
+  for (size_t i = 0; i < e.n; i++)
+    if (e.edit[i].kind == kind) text_printf(&t, "%s%s", t.len ? " | " : "", e.edit[i].text);
+  edits_clear(&e);
+  arena_clear(&a);
+  source_clear(&src);
+  return t.data;
+}
+
+static const struct {
+  enum edit_kind kind;
+  const char *statement, *want;
+} by_hand[] = {
+    {EDIT_SIGN, "a = -b", "-a = -b | a = b"},
+    {EDIT_SIGN, "a + b - a = 0", "a + b + a = 0 | a - b - a = 0 | -a + b - a = 0"},
+    {EDIT_SIGN, "sin(a) = 0", "-sin(a) = 0 | sin(-a) = 0"},
+    {EDIT_SIGN, "[a, 0; 0, b] = M", "-[a, 0; 0, b] = M | [-a, 0; 0, b] = M | [a, 0; 0, -b] = M | [a, 0; 0, b] = -M"},
+    {EDIT_OPERATOR, "a*b = a/b", "a/b = a/b | a*b = a*b"},
+    {EDIT_EXPONENT, "a^2 = b^5", "a = b^5 | a^3 = b^5 | a^2 = b^4 | a^2 = b^6"},
+    {EDIT_EXPONENT, "a^(-1) = b", "a^(-2) = b"},
+    {EDIT_NUMBER, "a = 2*b + 0", "a = 1*b + 0 | a = 3*b + 0 | a = 2*b + 1"},
+    {EDIT_NUMBER, "a = 0.5", ""},
+    {EDIT_INDEX, "z_1a = a", "z_2a = a"},
+    {EDIT_INDEX, "M[1,2] = a", "M[1,1] = a | M[1,3] = a | M[2,2] = a"},
+    {EDIT_INDEX, "M[3:4,1:2] = a",
+     "M[1:2,1:2] = a | M[2:3,1:2] = a | M[3:4,2:3] = a | M[3:4,3:4] = a | "
+     "M[4:5,1:2] = a | M[5:6,1:2] = a"},
+    {EDIT_SYMBOL, "a = z_1a", "b = z_1a | z_1a = z_1a | a = a"},
+    {EDIT_SYMBOL, "M = H(a)", "M = H(b)"},
+    {EDIT_SYMBOL, "z_1a = first_order(z_1a; a)",
+     "a = first_order(z_1a; a) | z_1a = first_order(a; a) | "
+     "z_1a = first_order(z_1a; b) | z_1a = first_order(z_1a; z_1a)"},
+    {EDIT_SIGN, "a = first_order(b; a)", "-a = first_order(b; a) | a = -first_order(b; a) | a = first_order(-b; a)"},
+    {EDIT_FUNCTION, "sin(a) = 0", "cos(a) = 0 | cot(a) = 0"},
+    {EDIT_FUNCTION, "det(M) = a", "tr(M) = a"},
+    {EDIT_FUNCTION, "inv(M) = transpose(M)", "(M) = transpose(M) | inv(M) = (M)"},
+    {EDIT_PRIME, "H(a) = M", "H'(a) = M"},
+    {EDIT_PRIME, "H''(a) = M", "H'(a) = M"},
+    {EDIT_PRIME, "z_1a = z'_1a", "z'_1a = z'_1a | z_1a = z_1a"},
+    {EDIT_DROPPED, "a*b*a = b", "a*b = b | a*a = b | b*a = b"},
+    {EDIT_DROPPED, "a - b = 0", "-b = 0 | a = 0"},
+    {EDIT_DROPPED, "a/b = 0", "1/b = 0 | a = 0"},
+    {EDIT_DROPPED, "1/b = 0", "1 = 0"},
+    {EDIT_MOVED, "a*b/M = 0", "a/(M*b) = 0 | b/(M*a) = 0"},
+    {EDIT_MOVED, "a/(b*M) = 0", "1/(b*M*a) = 0 | a*M/b = 0 | a*b/M = 0 | a/(M/b) = 0"},
+    {EDIT_MOVED, "a*b = 0", "b/a = 0"},
+    /* a/b: an operator */
+    {EDIT_TRANSPOSED, "[a, b] = 0", "[a; b] = 0 | [b, a] = 0"},
+    {EDIT_TRANSPOSED, "[a, b; 0, a] = M", "[0, a; a, b] = M | [a, 0; b, a] = M | [b, a; a, 0] = M"},
+    {EDIT_RELATION, "0 < a <= b", "0 < a >= b | 0 > a <= b"},
+    {EDIT_RELATION, "a = b", ""},
+    {EDIT_RELATION, "root z: z^2 - a, smallest positive", "root z: z^2 - a, largest positive"},
+};
+
+static int by_text(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* The items of a list in alphabetical order. */
+static char *sorted(const char *list) {
+  char *copy = strdup(list), *item[64];
+  size_t n = 0;
+  for (char *p = *copy ? copy : NULL; p; n++) {
+    char *sep = strstr(p, " | ");
+    ck_assert(n < 64);
+    item[n] = p;
+    if (sep) *sep = '\0';
+    p = sep ? sep + 3 : NULL;
+  }
+  qsort(item, n, sizeof *item, by_text);
+  struct text t;
+  text_init(&t);
+  text_add(&t, "");
+  for (size_t i = 0; i < n; i++) text_printf(&t, "%s%s", i ? " | " : "", item[i]);
+  free(copy);
+  return t.data;
+}
+
+START_TEST(edits_written_down_by_hand) {
+  char *found = edits_as_text(by_hand[_i].statement, by_hand[_i].kind, false);
+  char *got = sorted(found), *want = sorted(by_hand[_i].want);
+  ck_assert_msg(strcmp(got, want) == 0, "%s, %s:\n  %s\nnot\n  %s", by_hand[_i].statement,
+                edit_kind_name[by_hand[_i].kind], got, want);
+  free(want);
+  free(got);
+  free(found);
+}
+END_TEST
+
+START_TEST(factors_are_put_into_terms) {
+  static const struct {
+    const char *statement, *want;
+  } rows[] = {
+      {"a = 0", "a*b = 0"},
+      {"a + z_1a = 0", "a + z_1a*b = 0 | a*b + z_1a = 0"},
+      {"a/z_1a = 0", "a*b/z_1a = 0"},
+      {"-a = 1", "-a = b | -a*b = 1"},
+      {"(a + a)*a = 0", "(a + a)*a*b = 0 | (a + a*b)*a = 0 | (a*b + a)*a = 0"},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    char *found = edits_as_text(rows[i].statement, EDIT_FACTOR, true), *got = sorted(found),
+         *want = sorted(rows[i].want);
+    ck_assert_msg(strcmp(got, want) == 0, "%s:\n  %s\nnot\n  %s", rows[i].statement, got, want);
+    free(want);
+    free(got);
+    free(found);
+  }
+}
+END_TEST
+
+START_TEST(families_of_names) {
+  static const struct {
+    const char *a, *b;
+    bool same;
+  } rows[] = {{"z_1b", "z_2b", true},   {"z_1b", "z_1a", true},  {"z_1b", "z_2a", false},      {"t_a", "t_b", true},
+              {"u_r1", "u_s1", true},   {"Z_a", "Z_b", true},    {"Z_a", "z_a", false},        {"dZ_a", "Z_a", false},
+              {"z_10", "z_100", false}, {"chi", "eta", false},   {"z'_1b", "z'_2b", true},     {"z'_1b", "z_1b", false},
+              {"H_11", "H_12", true},   {"chi_b", "chi", false}, {"omega_1", "omega_2", true}, {"t_a", "t_a", false}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    ck_assert_msg(edit_same_family(rows[i].a, rows[i].b) == rows[i].same, "%s %s", rows[i].a, rows[i].b);
+    ck_assert(edit_same_family(rows[i].b, rows[i].a) == rows[i].same);
+  }
+}
+END_TEST
+
+/* --- What holds of every edit --- */
+
+static struct model paper_model;
+static struct mutants population;
+
+static void open_population(void) {
+  struct diag d;
+  diag_init(&d);
+  model_init(&paper_model);
+  ck_assert_msg(model_add_folder(&paper_model, "verify/paper", RANK_PAPER, &d) &&
+                    model_add_file(&paper_model, "verify/errata.eq", RANK_ERRATA, &d),
+                "%s", d.message);
+  mutants_init(&population, &paper_model, NULL, 0);
+}
+
+static void close_population(void) {
+  mutants_clear(&population);
+  model_clear(&paper_model);
+}
+
+static const struct expr *bare(const struct expr *e) {
+  while (e->kind == EXPR_PAREN) e = e->args[0];
+  return e;
+}
+
+/* Equality but for brackets, which printing puts in where a tree has none. */
+static bool same_but_brackets(const struct expr *a, const struct expr *b) {
+  a = bare(a);
+  b = bare(b);
+  bool same = a->kind == b->kind && a->order == b->order && a->exponent == b->exponent && a->rows == b->rows &&
+              a->cols == b->cols && a->n_args == b->n_args && memcmp(a->index, b->index, sizeof a->index) == 0;
+  if (same && a->name) same = strcmp(a->name, b->name) == 0;
+  for (int i = 0; same && i < a->n_args; i++) same = same_but_brackets(a->args[i], b->args[i]);
+  return same;
+}
+
+static bool same_statement(const struct stmt *a, const struct stmt *b,
+                           bool (*same)(const struct expr *, const struct expr *)) {
+  bool ok = a->n_sides == b->n_sides && a->largest == b->largest && !a->range_lo == !b->range_lo;
+  for (int i = 0; ok && i < a->n_sides; i++) ok = same(a->sides[i], b->sides[i]);
+  for (int i = 0; ok && i + 1 < a->n_sides; i++) ok = a->ops[i] == b->ops[i];
+  return ok && (!a->range_lo || (same(a->range_lo, b->range_lo) && same(a->range_hi, b->range_hi)));
+}
+
+START_TEST(every_edit_is_a_statement_of_its_own) {
+  long kinds[N_EDIT_KINDS] = {0};
+  ck_assert_uint_gt(population.n, 5000);
+  for (size_t i = 0; i < population.n; i++) {
+    const struct mutant *m = &population.mutant[i];
+    const struct target *t = &population.target[m->target];
+    const struct statement_record *r = &paper_model.records[t->record];
+    const struct stmt *original = r->stmts[t->stmt];
+    kinds[m->edit.kind]++;
+    ck_assert_msg(!same_statement(original, m->edit.stmt, expr_same), "%s", m->edit.text);
+    ck_assert(m->edit.place.begin >= original->span.begin && m->edit.place.end <= original->span.end);
+    ck_assert(m->edit.place.begin < m->edit.place.end && strcmp(m->edit.was, m->edit.now) != 0);
+    struct arena a;
+    struct source src;
+    struct diag d;
+    arena_init(&a);
+    diag_init(&d);
+    source_from_string(&src, "edit", m->edit.text);
+    const struct stmt *again = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
+    ck_assert_msg(again != NULL, "%s", d.message);
+    ck_assert_msg(same_statement(again, m->edit.stmt, same_but_brackets), "%s", m->edit.text);
+    source_clear(&src);
+    arena_clear(&a);
+  }
+  for (int k = 0; k < N_EDIT_KINDS; k++) ck_assert_msg(kinds[k] > 0, "no %s", edit_kind_name[k]);
+}
+END_TEST
+
+START_TEST(no_edit_comes_twice_and_the_order_is_fixed) {
+  struct mutants again;
+  mutants_init(&again, &paper_model, NULL, 0);
+  ck_assert_uint_eq(again.n, population.n);
+  for (size_t i = 0; i < population.n; i++) {
+    ck_assert_str_eq(again.mutant[i].edit.text, population.mutant[i].edit.text);
+    for (size_t k = i + 1; k < population.n && population.mutant[k].target == population.mutant[i].target; k++)
+      ck_assert_str_ne(population.mutant[k].edit.text, population.mutant[i].edit.text);
+  }
+  mutants_clear(&again);
+}
+END_TEST
+
+/* Long statements: edits within the bounds, or none. */
+START_TEST(long_statements_are_bounded) {
+  static const int terms[] = {100, 199, 201, 20000};
+  for (size_t i = 0; i < sizeof terms / sizeof *terms; i++) {
+    struct text t;
+    struct source src;
+    struct arena a;
+    struct diag d;
+    struct edits e = {.n = 0};
+    text_init(&t);
+    text_add(&t, "a");
+    for (int k = 1; k < terms[i]; k++) text_add(&t, " + a");
+    text_add(&t, " = b");
+    source_from_string(&src, "long", t.data);
+    arena_init(&a);
+    diag_init(&d);
+    struct edit_vocabulary v = {some_words, N_WORDS, some_factors, 1};
+    const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, &d);
+    ck_assert_msg(s != NULL, "%s", d.message);
+    stmt_edits(&e, &a, s, &v);
+    ck_assert((e.n > 0) == (2 * terms[i] <= EDIT_MAX_NODES) && e.n <= EDIT_MAX);
+    edits_clear(&e);
+    arena_clear(&a);
+    source_clear(&src);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+Suite *edit_suite(void) {
+  Suite *s = suite_create("edit");
+  TCase *c = tcase_create("by hand");
+  tcase_add_loop_test(c, edits_written_down_by_hand, 0, (int)(sizeof by_hand / sizeof *by_hand));
+  tcase_add_test(c, factors_are_put_into_terms);
+  tcase_add_test(c, families_of_names);
+  tcase_add_test(c, long_statements_are_bounded);
+  suite_add_tcase(s, c);
+  c = tcase_create("paper");
+  tcase_add_unchecked_fixture(c, open_population, close_population);
+  tcase_add_test(c, every_edit_is_a_statement_of_its_own);
+  tcase_add_test(c, no_edit_comes_twice_and_the_order_is_fixed);
+  suite_add_tcase(s, c);
+  return s;
+}

@@ -1,0 +1,818 @@
+/* The audit of the audit: exact algebra that only ever proves, facts about motions held against motions, processes that
+   share work, mutants whose fate is known beforehand, repairs held against a run of their own; and damage to the
+   oracles, entry by entry. */
+#include <check.h>
+#include <errno.h>
+#include <math.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "audit/mutants.h"
+#include "audit/workers.h"
+#include "scratch.h"
+#include "stickslip/exact.h"
+#include "stickslip/report_mutation.h"
+#include "suites.h"
+
+static struct model model;
+static struct claims claims;
+static struct scene paper;
+static struct orbit_cache *cache;
+
+static void open_paper(void) {
+  struct diag d;
+  scratch_open();
+  diag_init(&d);
+  model_init(&model);
+  claims = (struct claims){.n = 0};
+  cache = orbit_cache_new();
+  ck_assert_msg(model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
+                    model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
+                    claims_load(&claims, "verify/claims", "claim", &d) && scene_load(&paper, "paper", "verify", &d),
+                "%s", d.message);
+}
+
+static void close_paper(void) {
+  orbit_cache_free(cache);
+  claims_clear(&claims);
+  model_clear(&model);
+  scene_clear(&paper);
+  scratch_close();
+}
+
+static const struct claim *claim_of(const char *id) {
+  for (size_t i = 0; i < claims.n; i++)
+    if (strcmp(claims.claim[i].id, id) == 0) return &claims.claim[i];
+  ck_abort_msg("no claim %s", id);
+}
+
+/* --- Exact algebra --- */
+
+static uint64_t random_state;
+
+static unsigned below(unsigned n) {
+  random_state = random_state * 6364136223846793005U + 1442695040888963407U;
+  return (unsigned)(random_state >> 33) % n;
+}
+
+static void build(struct tape *t, struct elaboration *el, struct arena *a, struct source *src, const char *text) {
+  struct diag d;
+  struct matrix m;
+  diag_init(&d);
+  source_from_string(src, "test", text);
+  elaboration_init(el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  const struct expr *e = expr_parse(a, src, (struct span){0, src->len}, &d);
+  ck_assert_msg(e && elaborate(&m, el, e, src, "appendix_a", &d) && elaboration_tape(t, el, m.e, m.rows * m.cols, &d),
+                "%s", d.message);
+}
+
+/* Whether the two texts are proved equal; status: of both evaluations together. */
+static bool proved_equal(const char *x, const char *y, int *status) {
+  struct tape t[2];
+  struct elaboration el[2];
+  struct source src[2];
+  struct arena a;
+  struct exact_vec v[2];
+  arena_init(&a);
+  struct exact_field *f = exact_field_new(NULL, 0);
+  *status = SS_OK;
+  for (int i = 0; i < 2; i++) {
+    build(&t[i], &el[i], &a, &src[i], i ? y : x);
+    *status |= exact_eval(&v[i], f, &t[i]);
+  }
+  bool equal = *status == SS_OK && v[0].len == v[1].len;
+  for (slong i = 0; equal && i < v[0].len; i++) equal = exact_equal(f, &v[0].x[i], &v[1].x[i]);
+  for (int i = 0; i < 2; i++) {
+    exact_vec_clear(&v[i]);
+    tape_clear(&t[i]);
+    elaboration_clear(&el[i]);
+    source_clear(&src[i]);
+  }
+  exact_field_free(f);
+  arena_clear(&a);
+  return equal;
+}
+
+START_TEST(identities_are_proved) {
+  static const char *const rows[][2] = {
+      {"(chi + eta)^2", "chi^2 + 2*chi*eta + eta^2"},
+      {"(chi^2 - eta^2)/(chi - eta)", "chi + eta"},
+      {"1/(1 + 1/(1 + chi))", "(1 + chi)/(2 + chi)"},
+      {"chi^(-2)", "1/(chi*chi)"},
+      {"0.8*chi", "(4/5)*chi"},
+      {"sin(chi - eta)", "-sin(eta - chi)"},
+      {"cos(2*V*t)", "cos(-V*(t + t))"},
+      {"cot(chi)*sin(chi)", "cos(chi)"},
+      {"sin(0)", "0"},
+      {"cos(chi - chi)", "1"},
+      {"sqrt(chi*eta + 0)", "sqrt(eta*chi)"},
+      {"inv([chi, eta; 1, V])*[chi, eta; 1, V]", "[1, 0; 0, 1]"},
+      {"det([1, chi; eta, V])", "V - chi*eta"},
+      {"H(-t)[1,1]", "H(t)[1,1]"},
+      {"H(-t)[1,3]", "-H(t)[1,3]"},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    int s;
+    ck_assert_msg(proved_equal(rows[i][0], rows[i][1], &s), "%s = %s: status %d", rows[i][0], rows[i][1], s);
+  }
+}
+END_TEST
+
+/* What is false, and what is true but beyond it. */
+START_TEST(nothing_else_is_proved) {
+  static const char *const rows[][2] = {
+      {"chi", "eta"},
+      {"sin(chi)", "cos(chi)"},
+      {"sin(chi)", "-sin(eta)"},
+      {"cos(-chi)", "-cos(chi)"},
+      {"omega_1", "omega_2"},
+      {"sqrt(chi)", "chi"},
+      {"H(t)[1,1]", "H(t)[2,2]"},
+      {"chi^2", "chi^3"},
+      {"sin(chi)^2 + cos(chi)^2", "1"},
+      {"sqrt(chi)^2", "chi"},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    int s;
+    ck_assert_msg(!proved_equal(rows[i][0], rows[i][1], &s) && s == SS_OK, "%s = %s", rows[i][0], rows[i][1]);
+  }
+}
+END_TEST
+
+START_TEST(what_is_undefined_or_too_large_is_said) {
+  static const struct {
+    const char *text;
+    int status;
+  } rows[] = {{"1/(chi - chi)", SS_DOMAIN},
+              {"(chi - chi)^(-1)", SS_DOMAIN},
+              {"cot(t - t)", SS_DOMAIN},
+              {"(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", SS_UNABLE},
+              {"chi^500", SS_UNABLE}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    int s;
+    ck_assert(!proved_equal(rows[i].text, "chi", &s));
+    ck_assert_msg(s == rows[i].status, "%s: %d", rows[i].text, s);
+  }
+}
+END_TEST
+
+static void random_expression(struct text *t, int depth) {
+  static const char *const leaf[] = {"chi", "eta", "V", "1", "2"};
+  static const char *const op[] = {" + ", " - ", "*", "/"};
+  unsigned kind = depth > 0 ? below(8) : 7;
+  if (kind == 7) {
+    text_add(t, leaf[below(5)]);
+  } else if (kind >= 5) {
+    text_add(t, kind == 5 ? "sin(" : "cos(");
+    random_expression(t, depth - 1);
+    text_add(t, ")");
+  } else {
+    text_add(t, "(");
+    random_expression(t, depth - 1);
+    text_add(t, op[below(4)]);
+    random_expression(t, depth - 1);
+    text_add(t, ")");
+  }
+}
+
+/* The value of a text at chi = 3/7, eta = 11/5, V = 2/3; NaN where it has none. */
+static double value_of(const char *text) {
+  struct point p;
+  struct diag d;
+  arb_ptr v = _arb_vec_init(16);
+  int n;
+  diag_init(&d);
+  point_init(&p);
+  fmpq_set_si(&p.q[Q_CHI], 3, 7);
+  fmpq_set_si(&p.q[Q_ETA], 11, 5);
+  fmpq_set_si(&p.q[Q_V], 2, 3);
+  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  double x = NAN;
+  if (expression_at(v, &n, view, text, "", &p, 256, cache, &d) == SS_OK) x = arf_get_d(arb_midref(v), ARF_RND_NEAR);
+  point_clear(&p);
+  _arb_vec_clear(v, 16);
+  return x;
+}
+
+/* Random expressions: rewritten by the laws of a field they stay equal; and whatever is called equal has equal values. */
+START_TEST(equality_obeys_the_laws_and_never_lies) {
+  static const char *const rewritten[] = {"((%s) + (%s)) - (%s)", "-(-(%s)) + ((%s) - (%s))",
+                                          "(%s)*(1 + (%s)^2)/(1 + (%s)^2)"};
+  long equal = 0;
+  random_state = 20260101;
+  for (int i = 0; i < 300; i++) {
+    struct text a, b, c;
+    int s;
+    text_init(&a);
+    text_init(&b);
+    text_init(&c);
+    random_expression(&a, 3);
+    random_expression(&b, 2);
+    const char *form = rewritten[below(3)];
+    text_printf(&c, form, a.data, b.data, b.data); /* NOLINT: the forms are above */
+    bool same = proved_equal(a.data, c.data, &s);
+    ck_assert_msg(same || s != SS_OK, "%s and %s", a.data, c.data);
+    equal += same;
+    double x = value_of(a.data), y = value_of(b.data);
+    if (proved_equal(a.data, b.data, &s) && !isnan(x) && !isnan(y))
+      ck_assert_msg(fabs(x - y) <= 1e-12 * (1 + fabs(x)), "%s is not %s", a.data, b.data);
+    text_clear(&c);
+    text_clear(&b);
+    text_clear(&a);
+  }
+  ck_assert_int_gt(equal, 200);
+}
+END_TEST
+
+/* --- What holds on every motion --- */
+
+static void try_facts(long *held, enum point_kind kind, bool finite) {
+  struct sampler s;
+  struct point p;
+  sampler_init(&s, "facts", kind, PHASE_H, NULL);
+  s.finite = finite;
+  point_init(&p);
+  struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
+  for (int done = 0, draws = 0; done < 4 && draws < 40; draws++) {
+    sampler_next(&p, &s);
+    if (!point_settle(&p, cache)) continue;
+    bool any = false;
+    for (int i = 0; i < n_motion_facts; i++) {
+      struct diag d;
+      arb_ptr v = _arb_vec_init(32);
+      int n;
+      diag_init(&d);
+      int left = expression_at(v, &n, view, motion_facts[i][0], "", &p, 192, cache, &d);
+      int right = expression_at(v + 16, &n, view, motion_facts[i][1], "", &p, 192, cache, &d);
+      ck_assert_msg(!d.set, "%s", d.message);
+      if (left == SS_OK && right == SS_OK) {
+        arb_sub(v, v, v + 16, 192);
+        ck_assert_msg(arb_contains_zero(v) && mag_cmp_2exp_si(arb_radref(v), -40) < 0, "%s is not %s",
+                      motion_facts[i][0], motion_facts[i][1]);
+        held[i]++;
+        any = true;
+      }
+      _arb_vec_clear(v, 32);
+    }
+    done += any;
+  }
+  point_clear(&p);
+}
+
+START_TEST(facts_hold_on_motions) {
+  long *held = calloc((size_t)n_motion_facts, sizeof *held);
+  try_facts(held, POINT_ARC, false);
+  try_facts(held, POINT_ARC, true);
+  try_facts(held, POINT_ORBIT, false);
+  for (int i = 0; i < n_motion_facts; i++)
+    ck_assert_msg(held[i] >= 4, "%s was tried %ld times", motion_facts[i][0], held[i]);
+  free(held);
+}
+END_TEST
+
+/* --- Processes --- */
+
+struct answer {
+  size_t item;
+  int twice;
+};
+
+static void double_it(void *result, size_t i, void *arg) {
+  struct answer a = {i, 2 * *(const int *)arg + (int)i};
+  memcpy(result, &a, sizeof a);
+}
+
+static void die_at_seven(void *result, size_t i, void *arg) {
+  if (i == 7) raise(SIGKILL);
+  double_it(result, i, arg);
+}
+
+static void leave_at_seven(void *result, size_t i, void *arg) {
+  if (i == 7) _exit(0);
+  double_it(result, i, arg);
+}
+
+static void no_child_is_left(void) {
+  ck_assert(waitpid(-1, NULL, WNOHANG) == -1 && errno == ECHILD);
+}
+
+START_TEST(work_is_shared_in_order) {
+  static const int jobs[] = {1, 2, 3, 7, 64};
+  struct answer a[20];
+  int ten = 10;
+  struct diag d;
+  for (size_t k = 0; k < sizeof jobs / sizeof *jobs; k++)
+    for (size_t n = 0; n <= 20; n += 5) {
+      diag_init(&d);
+      memset(a, 0, sizeof a);
+      ck_assert_msg(workers_run(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
+      for (size_t i = 0; i < n; i++) ck_assert(a[i].item == i && a[i].twice == 20 + (int)i);
+      no_child_is_left();
+    }
+}
+END_TEST
+
+START_TEST(a_process_that_ends_early_is_noticed) {
+  static work_fn *const bad[] = {die_at_seven, leave_at_seven};
+  struct answer a[20];
+  int ten = 10;
+  for (int k = 0; k < 2; k++)
+    for (int jobs = 1; jobs <= 4; jobs++) {
+      struct diag d;
+      diag_init(&d);
+      ck_assert(!workers_run(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
+      ck_assert_msg(strstr(d.message, "a worker process ended after"), "%s", d.message);
+      no_child_is_left();
+    }
+}
+END_TEST
+
+/* --- Mutants whose fate is known --- */
+
+static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
+  struct diag d;
+  diag_init(&d);
+  mutation_result_init(r);
+  const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = &record, .n_only = record != NULL};
+  ck_assert_msg(audit_mutate(r, &model, asked, &paper, &opt, &d), "%s", d.message);
+}
+
+static const struct survivor *survivor_of(const struct mutation_result *r, const char *text) {
+  for (size_t i = 0; i < r->n_survivors; i++)
+    if (strcmp(r->survivor[i].text, text) == 0) return &r->survivor[i];
+  return NULL;
+}
+
+/* text NULL: nothing survives. */
+static const struct {
+  const char *record, *text;
+  enum mutant_fate fate;
+} fates[] = {
+    {"eq-27", NULL, FATE_NOTICED},
+    {"eq-41", NULL, FATE_NOTICED},
+    {"eq-44", NULL, FATE_NOTICED},
+    {"err-10", NULL, FATE_NOTICED},
+    {"eq-30b", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b", FATE_NOTICED}, /* by the correction's verdict */
+    {"eq-40b", "ktilde_6 := cos(-omega*t_d) - ktilde_4", FATE_EQUIVALENT},
+    {"eq-40b", "omega := -sqrt(chi*eta)", FATE_EQUIVALENT}, /* every term is even in it */
+    {"eq-47", "Lambda := [1, 1; lambda_1, lambda_2]*2", FATE_EQUIVALENT},
+    {"eq-48", "root omega_1: det(K - I*omega_1^2)*V, smallest positive", FATE_EQUIVALENT},
+    {"eq-48b", "psi_1 := -[1; lambda_1]", FATE_EQUIVALENT},
+    {"eq-20", "[z_1a; z_2a; z'_2a; z'_1a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_ON_MOTIONS},
+    {"eq-31b", "y_b = y_b", FATE_ON_MOTIONS}, /* says nothing, and is true where (31) holds */
+    {"eq-31b", "-x_b = y_b", FATE_NOTICED},
+    {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
+    {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT},                   /* its two halves change places */
+    {"eq-56", "z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1*2", FATE_NOTICED}, /* true, but has slack */
+    {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_UNDECIDED},                      /* true, and (60) has slack itself */
+    {"eq-1", "-x_1''(t) + x_1(t) - chi*x_2(t) = u_1", FATE_UNREAD},
+};
+
+START_TEST(fates_known_beforehand) {
+  struct mutation_result r;
+  mutate(&r, fates[_i].record, &claims, 2);
+  ck_assert_int_eq(r.tried, r.population);
+  ck_assert_int_eq(mutation_row_total(&r.total) + mutation_row_total(&r.printed), r.tried);
+  if (fates[_i].text) {
+    const struct survivor *s = survivor_of(&r, fates[_i].text);
+    if (fates[_i].fate == FATE_NOTICED)
+      ck_assert_msg(!s, "%s survives", fates[_i].text);
+    else
+      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text,
+                    s ? mutant_fate_name[s->fate] : "noticed");
+  } else {
+    ck_assert_msg(r.n_survivors == 0, "%s survives", r.n_survivors ? r.survivor[0].text : "");
+    ck_assert_int_gt(mutation_row_noticed(&r.total), 10);
+  }
+  mutation_result_clear(&r);
+}
+END_TEST
+
+/* A claim about corrected text is compared as corrected too: damage to an erratum does not show in its own printed text. */
+START_TEST(a_correction_that_differs_is_not_called_the_same) {
+  const struct claim *c = claim_of("eq-30");
+  struct overlay o;
+  struct arena a;
+  struct source src;
+  struct diag d;
+  struct facts *f = facts_new(&model);
+  size_t at = 0;
+  diag_init(&d);
+  arena_init(&a);
+  overlay_init(&o, &model);
+  source_from_string(&src, "damaged", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b");
+  while (model.records[at].rank != RANK_ERRATA || strcmp(model.records[at].id, "eq-30b") != 0) at++;
+  struct target t = target_of(&model, at, 0);
+  ck_assert(claim_same_in(c, &t, &model, &o.model, f) && target_same_in(&t, &model, &o.model, &claims, f));
+  overlay_set(&o, &t, stmt_parse(&a, &src, (struct span){0, src.len}, &d));
+  ck_assert(!claim_same_in(c, &t, &model, &o.model, f) && !target_same_in(&t, &model, &o.model, &claims, f));
+  overlay_set(&o, &t, NULL);
+  ck_assert(claim_same_in(c, &t, &model, &o.model, f));
+  source_clear(&src);
+  overlay_clear(&o);
+  arena_clear(&a);
+  facts_free(f);
+}
+END_TEST
+
+/* Fewer claims notice less: those that are asked read (26), and nothing reads J_a. */
+START_TEST(a_missing_check_shows) {
+  struct claim few[] = {*claim_of("eq-26b")};
+  struct claims asked = claims;
+  asked.claim = few;
+  asked.n = 1;
+  struct mutation_result r;
+  mutate(&r, "eq-27", &asked, 1);
+  ck_assert_int_eq(r.total.count[FATE_UNREAD], r.tried);
+  for (size_t i = 0; i < r.n_survivors; i++) ck_assert_str_eq(r.survivor[i].read_by, "");
+  mutation_result_clear(&r);
+  mutate(&r, "eq-26b", &asked, 1);
+  ck_assert_int_gt(mutation_row_noticed(&r.total), 10);
+  ck_assert_int_eq(r.total.count[FATE_UNDECIDED] + r.total.count[FATE_UNREAD], 0);
+  mutation_result_clear(&r);
+  mutate(&r, "eq-27", &claims, 1);
+  ck_assert(r.n_survivors == 0);
+  mutation_result_clear(&r);
+}
+END_TEST
+
+/* Damage to printed text that is refuted anyway shows in its restricted claim alone, and is counted apart. */
+START_TEST(printed_text_that_is_corrected_is_counted_apart) {
+  struct mutation_result r;
+  mutate(&r, "eq-10", &claims, 2);
+  ck_assert_int_gt(mutation_row_total(&r.printed), 20);
+  ck_assert_int_gt(r.printed.count[FATE_NOTICED], 5);
+  for (size_t i = 0; i < r.n_survivors; i++)
+    ck_assert(r.survivor[i].corrected == !strncmp(r.survivor[i].text, "D(", 2));
+  mutation_result_clear(&r);
+}
+END_TEST
+
+/* --- Damage to the oracles: each entry of each matrix that a claim holds against the model --- */
+
+/* The claim's value with 10^-20 added to one entry, as a statement in its place. */
+static void offset_value(struct overlay *o, struct arena *a, const struct claim *c, int rows, int cols, int entry) {
+  const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  struct view v = claim_view(&model, c);
+  struct diag d;
+  struct text t, name;
+  diag_init(&d);
+  text_init(&t);
+  text_init(&name);
+  text_add_n(&name, value, strcspn(value, "("));
+  const struct definition *def = view_lookup(&v, name.data, section, &d);
+  ck_assert_msg(def != NULL, "%s", value);
+  text_printf(&t, "%s := (", value);
+  expr_print(&t, def->stmt->sides[0]);
+  text_add(&t, ") + [");
+  for (int i = 0; i < rows * cols; i++)
+    text_printf(&t, "%s%s", i == 0 ? "" : i % cols ? ", " : "; ", i == entry ? "1e-20" : "0");
+  text_add(&t, "]");
+  struct source *src = arena_alloc(a, sizeof *src);
+  source_from_string(src, "offset", t.data);
+  struct stmt *s = (struct stmt *)(uintptr_t)stmt_parse(a, src, (struct span){0, src->len}, &d);
+  ck_assert_msg(s != NULL, "%s", d.message);
+  for (size_t i = 0; i < model.n_records; i++)
+    for (int k = 0; k < model.records[i].n_stmts; k++)
+      if (model.records[i].stmts[k] == def->stmt) {
+        struct target target = target_of(&model, i, k);
+        overlay_set(o, &target, s);
+      }
+  source_clear(src);
+  text_clear(&name);
+  text_clear(&t);
+}
+
+START_TEST(every_entry_is_held_against_the_model) {
+  long tried = 0;
+  for (size_t i = 0; i < claims.n; i++) {
+    const struct claim *c = &claims.claim[i];
+    const char *value = claim_get(c, "value");
+    if (strcmp(claim_get(c, "kind"), "matrix") != 0 || strncmp(value, "omega_", 6) == 0) continue; /* roots */
+    const struct oracle *q = oracle_find(value);
+    for (int e = 0; e < oracle_rows(q) * oracle_cols(q); e++, tried++) {
+      struct overlay o;
+      struct arena a;
+      struct audit_result out;
+      struct finding f;
+      struct diag d;
+      arena_init(&a);
+      diag_init(&d);
+      audit_result_init(&out);
+      overlay_init(&o, &model);
+      offset_value(&o, &a, c, oracle_rows(q), oracle_cols(q), e);
+      struct judge j = {.out = &out,
+                        .model = &o.model,
+                        .claims = &claims,
+                        .scene = &paper,
+                        .cache = cache,
+                        .d = &d,
+                        .effort = EFFORT_REFUTE};
+      ck_assert_msg(judge_verdict(&f, &j, c), "%s", d.message);
+      ck_assert_msg(f.verdict == VERDICT_REFUTED, "%s: entry %d may be off by 1e-20", c->id, e + 1);
+      overlay_clear(&o);
+      audit_result_clear(&out);
+      arena_clear(&a);
+    }
+  }
+  ck_assert_int_gt(tried, 100);
+}
+END_TEST
+
+/* A formula held against another quantity of the model is refuted, on every pair of the same shape. */
+START_TEST(oracles_are_not_interchangeable) {
+  static const char *const names[] = {"D(t)", "Gamma(t)", "H(t)", "C(t)", "K", "K_1", "K_2"};
+  enum { N = sizeof names / sizeof *names };
+  for (int i = 0; i < N; i++)
+    for (int k = 0; k < N; k++) {
+      struct sentence s;
+      struct sampler sampler;
+      struct point p;
+      struct diag d;
+      diag_init(&d);
+      const struct oracle *other = oracle_find(names[k]);
+      if (oracle_rows(other) != oracle_rows(oracle_find(names[i]))) continue;
+      struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
+      ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", &d), "%s", d.message);
+      s.oracle = other;
+      sampler_init(&sampler, "oracles", POINT_PARAMS, PHASE_H, NULL);
+      point_init(&p);
+      sampler_next(&p, &sampler);
+      struct trial t = sentence_try_balls(&s, &p, VARIANT_CLOSED, cache);
+      ck_assert_msg((t.outcome == OUTCOME_DIFFERS) == (i != k), "%s against %s", names[i], names[k]);
+      point_clear(&p);
+      sentence_clear(&s);
+    }
+}
+END_TEST
+
+/* --- Repairs --- */
+
+static struct repair_result all_repairs;
+
+static void open_repairs(void) {
+  struct diag d;
+  open_paper();
+  diag_init(&d);
+  repair_result_init(&all_repairs);
+  const struct audit_options opt = {.n_only = 0};
+  ck_assert_msg(audit_repairs(&all_repairs, &model, &claims, &paper, &opt, 2, &d), "%s", d.message);
+}
+
+static void close_repairs(void) {
+  repair_result_clear(&all_repairs);
+  close_paper();
+}
+
+/* Whether a record of the errata is the correction of some claim for which it was found. */
+START_TEST(every_erratum_is_found) {
+  long found = 0;
+  for (size_t i = 0; i < all_repairs.n; i++) {
+    const struct repairs *c = &all_repairs.claim[i];
+    ck_assert_msg(c->why_none == NULL || (c->n == 0 && c->singles == 0), "%s", c->claim);
+    if (!c->erratum || c->why_none) continue;
+    bool has = false;
+    for (size_t k = 0; k < c->n; k++) has = has || c->repair[k].erratum;
+    ck_assert_msg(has, "%s: %s is not found", c->claim, c->erratum);
+    found++;
+  }
+  long errata = 0;
+  for (size_t i = 0; i < model.n_records; i++) errata += model.records[i].rank == RANK_ERRATA;
+  ck_assert_int_eq(found, errata);
+}
+END_TEST
+
+/* The repaired text written into a file of its own and judged by a whole run: the verdict is the one that was promised. */
+START_TEST(every_repair_passes_a_run_of_its_own) {
+  long tried = 0;
+  for (size_t i = 0; i < all_repairs.n; i++)
+    for (size_t k = 0; k < all_repairs.claim[i].n; k++, tried++) {
+      const struct repairs *c = &all_repairs.claim[i];
+      const struct claim *claim = claim_of(c->claim);
+      const char *statement = claim_get(claim, "statement");
+      struct text t;
+      text_init(&t);
+      text_printf(&t, "%s %s\n  section: %s\n  equation: %s\n", statement ? "equation" : "define",
+                  statement ? statement : "repaired", claim_get(claim, "section"), claim_get(claim, "equation"));
+      for (const char *p = c->repair[k].text; p && *p;) {
+        const char *end = p;
+        int open = 0;
+        while (*end && !(*end == ';' && open == 0))
+          open += (*end == '[' || *end == '(') - (*end == ']' || *end == ')'), end++;
+        text_printf(&t, "  %.*s\n", (int)(end - p), p);
+        p = *end ? end + 2 : end;
+      }
+      struct model m;
+      struct audit_result r;
+      struct claims none = {.n = 0};
+      struct diag d;
+      diag_init(&d);
+      model_init(&m);
+      audit_result_init(&r);
+      const struct audit_options opt = {.only = &c->claim, .n_only = 1};
+      ck_assert_msg(model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
+                        model_add_file(&m, scratch_put("repaired.eq", t.data), RANK_USER, &d) &&
+                        model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
+                        audit_run(&r, &m, &claims, &none, &paper, &opt, &d),
+                    "%s\n%s", d.message, t.data);
+      const char *verdict = NULL;
+      for (size_t f = 0; f < r.n_findings; f++)
+        if (strcmp(r.findings[f].id, c->claim) == 0) verdict = verdict_name[r.findings[f].verdict];
+      ck_assert_msg(verdict && strcmp(verdict, c->repair[k].verdict) == 0, "%s: %s\n%s", c->claim, verdict, t.data);
+      audit_result_clear(&r);
+      model_clear(&m);
+      text_clear(&t);
+    }
+  ck_assert_int_ge(tried, 7);
+}
+END_TEST
+
+START_TEST(the_smallest_repair_comes_first) {
+  for (size_t i = 0; i < all_repairs.n; i++)
+    for (size_t k = 1; k < all_repairs.claim[i].n; k++) {
+      const struct repair *a = &all_repairs.claim[i].repair[k - 1], *b = &all_repairs.claim[i].repair[k];
+      ck_assert(a->edits < b->edits || (a->edits == b->edits && a->distance <= b->distance));
+    }
+}
+END_TEST
+
+/* --- The commands --- */
+
+static int shell(const char *fmt, ...) SS_PRINTF(1, 2);
+static int shell(const char *fmt, ...) {
+  char command[2000];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(command, sizeof command, fmt, ap);
+  va_end(ap);
+  fflush(NULL);
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static const char *program(void) {
+  const char *p = getenv("STICKSLIP");
+  return p && *p ? p : "build/stickslip";
+}
+
+static const char *python(void) {
+  const char *p = getenv("PYTHON");
+  return p && *p ? p : "/usr/bin/python3";
+}
+
+START_TEST(any_number_of_processes_gives_the_same_bytes) {
+  static const int jobs[] = {1, 2, 5};
+  for (int i = 0; i < 3; i++)
+    ck_assert_int_eq(shell("%s mutate --count 120 --seed 3 --jobs %d --out %s/j%d >%s/t%d", program(), jobs[i],
+                           scratch_path(""), i, scratch_path(""), i),
+                     0);
+  for (int i = 1; i < 3; i++) {
+    ck_assert_int_eq(shell("diff -r %s/j0 %s/j%d && diff %s/t0 %s/t%d", scratch_path(""), scratch_path(""), i,
+                           scratch_path(""), scratch_path(""), i),
+                     0);
+  }
+  ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
+  /* the sample reaches from the first file to the last */
+  ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q errata.eq %s/t0", scratch_path(""), scratch_path("")), 0);
+  ck_assert_int_eq(shell("%s mutate --count 120 --seed 4 --out %s/other >/dev/null", program(), scratch_path("")), 0);
+  ck_assert_int_ne(shell("diff -q %s/j0 %s/other >/dev/null", scratch_path(""), scratch_path("")), 0);
+}
+END_TEST
+
+START_TEST(output_obeys_its_schemas) {
+  const char *dir = scratch_path("");
+  ck_assert_int_eq(shell("%s mutate --only eq-10,eq-56,1-model --count all --json >%s/m.json", program(), dir), 0);
+  ck_assert_int_eq(shell("%s repair eq-10 eq-36b eq-27 num-t_a --json >%s/r.json", program(), dir), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/m.json", python(), dir), 0);
+  ck_assert_int_eq(shell("%s tests/oracle/validate.py schema/repairs.schema.json %s/r.json", python(), dir), 0);
+  ck_assert_int_eq(shell("sed 's/\"noticed\": [1-9]/&1/' %s/m.json >%s/bad.json", dir, dir), 0);
+  ck_assert_int_eq(
+      shell("%s tests/oracle/validate.py schema/mutation.schema.json %s/bad.json >/dev/null", python(), dir), 1);
+}
+END_TEST
+
+static const struct {
+  const char *args;
+  int status;
+  const char *says;
+} refusals[] = {
+    {"mutate --count 0", 2, "--count takes"},
+    {"mutate --count -5", 2, "--count takes"},
+    {"mutate --count 1e3", 2, "--count takes"},
+    {"mutate --count 99999999999999999999999", 2, "--count takes"},
+    {"mutate --count ''", 2, "--count needs a value"},
+    {"mutate --seed -1", 2, "--seed takes"},
+    {"mutate --seed x", 2, "--seed takes"},
+    {"mutate --seed 18446744073709551616", 2, "--seed takes"},
+    {"mutate --jobs 0", 2, "--jobs takes"},
+    {"mutate --jobs 65", 2, "--jobs takes"},
+    {"mutate --jobs 2x", 2, "--jobs takes"},
+    {"mutate paper", 2, "mutate takes no operand"},
+    {"mutate --only eq-9999", 3, "eq-9999"},
+    {"mutate --only eq-27,eq-9999", 3, "record named eq-9999"},
+    {"mutate --only 0-nomenclature", 3, "record named 0-nomenclature"},
+    {"mutate --only eq-27 --out /dev/null/x", 3, "/dev/null"},
+    {"mutate --digits 5", 2, "does not belong"},
+    {"repair --jobs 1.5", 2, "--jobs takes"},
+    {"repair eq-9999", 3, "no claim is named eq-9999"},
+    {"repair --count 3", 2, "does not belong"},
+};
+
+START_TEST(what_is_refused) {
+  const char *err = scratch_path("err");
+  ck_assert_int_eq(shell("%s %s >/dev/null 2>%s", program(), refusals[_i].args, err), refusals[_i].status);
+  ck_assert_msg(shell("grep -qe '%s' %s", refusals[_i].says, err) == 0, "%s", refusals[_i].args);
+}
+END_TEST
+
+START_TEST(extreme_options_are_taken) {
+  ck_assert_int_eq(
+      shell("%s mutate --only eq-27 --count 1000000 --jobs 64 --seed 18446744073709551615 >/dev/null", program()), 0);
+  ck_assert_int_eq(shell("%s mutate --only eq-27 --count 1 --seed 0 >/dev/null", program()), 0);
+}
+END_TEST
+
+static bool group_is_gone(pid_t group) {
+  for (int i = 0; i < 100; i++) {
+    while (waitpid(-group, NULL, WNOHANG) > 0) continue;
+    if (kill(-group, 0) != 0) return true;
+    nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
+  }
+  return false;
+}
+
+/* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is left. */
+START_TEST(an_interrupted_run_leaves_nothing) {
+  const char *out = scratch_path("interrupted");
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert(pid >= 0);
+  if (pid == 0) {
+    setpgid(0, 0);
+    freopen("/dev/null", "w", stdout);
+    freopen("/dev/null", "w", stderr);
+    execl(program(), program(), "mutate", "--count", "all", "--jobs", "3", "--out", out, (char *)NULL);
+    _exit(127);
+  }
+  setpgid(pid, pid);
+  nanosleep(&(struct timespec){.tv_sec = 3}, NULL);
+  ck_assert(kill(_i ? pid : -pid, _i ? SIGKILL : SIGINT) == 0);
+  int s = 0;
+  ck_assert(waitpid(pid, &s, 0) == pid && WIFSIGNALED(s));
+  ck_assert(group_is_gone(pid));
+  struct stat st;
+  ck_assert(stat(out, &st) != 0);
+}
+END_TEST
+
+Suite *mutate_suite(void) {
+  Suite *s = suite_create("mutate");
+  TCase *c = tcase_create("exact");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, identities_are_proved);
+  tcase_add_test(c, nothing_else_is_proved);
+  tcase_add_test(c, what_is_undefined_or_too_large_is_said);
+  tcase_add_test(c, equality_obeys_the_laws_and_never_lies);
+  tcase_add_test(c, facts_hold_on_motions);
+  suite_add_tcase(s, c);
+  c = tcase_create("workers");
+  tcase_add_test(c, work_is_shared_in_order);
+  tcase_add_test(c, a_process_that_ends_early_is_noticed);
+  suite_add_tcase(s, c);
+  c = tcase_create("mutants");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_loop_test(c, fates_known_beforehand, 0, (int)(sizeof fates / sizeof *fates));
+  tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
+  tcase_add_test(c, a_missing_check_shows);
+  tcase_add_test(c, printed_text_that_is_corrected_is_counted_apart);
+  suite_add_tcase(s, c);
+  c = tcase_create("oracles");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, every_entry_is_held_against_the_model);
+  tcase_add_test(c, oracles_are_not_interchangeable);
+  suite_add_tcase(s, c);
+  c = tcase_create("repairs");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_repairs, close_repairs);
+  tcase_add_test(c, every_erratum_is_found);
+  tcase_add_test(c, every_repair_passes_a_run_of_its_own);
+  tcase_add_test(c, the_smallest_repair_comes_first);
+  suite_add_tcase(s, c);
+  c = tcase_create("commands");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
+  tcase_add_test(c, output_obeys_its_schemas);
+  tcase_add_loop_test(c, what_is_refused, 0, (int)(sizeof refusals / sizeof *refusals));
+  tcase_add_test(c, extreme_options_are_taken);
+  tcase_add_loop_test(c, an_interrupted_run_leaves_nothing, 0, 2);
+  suite_add_tcase(s, c);
+  return s;
+}
