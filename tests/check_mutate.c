@@ -785,6 +785,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, a_process_that_ends_early_is_noticed);
   suite_add_tcase(s, c);
   c = tcase_create("mutants");
+  tcase_set_tags(c, "long");
   tcase_set_timeout(c, 300);
   tcase_add_unchecked_fixture(c, open_paper, close_paper);
   tcase_add_loop_test(c, fates_known_beforehand, 0, (int)(sizeof fates / sizeof *fates));
@@ -798,6 +799,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, oracles_are_not_interchangeable);
   suite_add_tcase(s, c);
   c = tcase_create("repairs");
+  tcase_set_tags(c, "long");
   tcase_set_timeout(c, 300);
   tcase_add_unchecked_fixture(c, open_repairs, close_repairs);
   tcase_add_test(c, every_erratum_is_found);
@@ -805,6 +807,7 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, the_smallest_repair_comes_first);
   suite_add_tcase(s, c);
   c = tcase_create("commands");
+  tcase_set_tags(c, "long");
   tcase_set_timeout(c, 300);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);

@@ -11,7 +11,7 @@ static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-  bool slow;            /* searches or simulates: asked last when formulas are damaged */
+  bool slow;            /* searches, simulates or reads everything: not asked when formulas are damaged */
 } kinds[] = {{"definition", judge_definition, false, false},
              {"matrix", judge_points, true, false},
              {"identity", judge_points, true, false},
@@ -26,10 +26,10 @@ static const struct {
              {"report", judge_report, false, true},
              {"argument", judge_argument, false, true},
              {"notation", judge_notation, false, false},
-             {"scaling", judge_scaling, false, false},
+             {"scaling", judge_scaling, false, true},
              {"reach", judge_reach, false, true},
              {"rank", judge_rank, false, true},
-             {"constraints", judge_constraints, false, false},
+             {"constraints", judge_constraints, false, true},
              {"sequence", judge_sequence, false, true},
              {"existence", judge_existence, false, true},
              {"outside", judge_outside, false, true}};

@@ -297,7 +297,7 @@ kind_fn claim_kind(const char *name);
 
 /* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
 bool claim_tried_at_points(const struct claim *c);
-/* Does it take long, so that it is asked last when a formula is damaged? */
+/* Does it take long, so that it is not asked when a formula is damaged? */
 bool claim_slow(const struct claim *c);
 
 /* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only

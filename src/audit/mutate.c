@@ -186,7 +186,8 @@ static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
     if (says_the_same(r, t)) return facts ? FATE_ON_MOTIONS : FATE_EQUIVALENT;
   }
   for (size_t i = 0; i < r->n_readers; i++) {
-    enum notice n = reads(&r->reader[i], t) ? ask_in_full(r, &r->reader[i]) : SAME;
+    bool asked = reads(&r->reader[i], t) && !claim_slow(r->reader[i].claim);
+    enum notice n = asked ? ask_in_full(r, &r->reader[i]) : SAME;
     if (n != SAME) return n == BROKEN ? FATE_UNREADABLE : FATE_NOTICED;
   }
   return FATE_UNDECIDED;
