@@ -197,8 +197,9 @@ START_TEST(a_paper_that_cannot_be_read_is_left_out) {
   for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
   ck_assert_uint_eq(r.n_pairs, 6 + 6 + 6);
   check_pairs(&r, NULL, 0);
-  ck_assert_uint_eq(r.n_skipped, 1);
-  ck_assert(strstr(r.skipped[0].what, "paper's formulas") != NULL);
+  bool said = false;
+  for (size_t i = 0; i < r.n_skipped; i++) said = said || strstr(r.skipped[i].what, "paper's formulas") != NULL;
+  ck_assert(said);
   audit_result_clear(&r);
 }
 END_TEST
