@@ -232,7 +232,7 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 /* --- A claim being judged --- */
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
-   A kind that takes long should know it, since mutants are tried by the thousand; others may pass over it. */
+   Kinds that know it are tried sooner on mutants; others may pass over it. */
 enum effort { EFFORT_FULL, EFFORT_REFUTE };
 
 struct judge {
@@ -246,7 +246,6 @@ struct judge {
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
-  bool only_proved; /* a verdict other than proved will do as unknown: what was proved is judged again */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -315,9 +314,6 @@ bool judge_claim(struct judge *j, const struct claim *c);
 /* --- Evidence and verdicts --- */
 
 struct evidence *finding_add(struct finding *f, struct audit_result *out);
-/* Evidence that only states something, from one computation in balls. */
-void finding_state(struct finding *f, struct audit_result *out, const char *layer, long bits, const char *where,
-                   const char *note);
 /* Does x op y hold?  UNKNOWN for an equality. */
 truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y);
 
@@ -329,6 +325,12 @@ struct route_word {
   bool decisive; /* its difference is a certificate */
   long trials;
 };
+/* The word as evidence.  bits is -1, where and note are NULL, when they do not apply. */
+struct evidence *finding_say(struct finding *f, struct audit_result *out, struct route_word w, const char *layer,
+                             long bits, const char *where, const char *note);
+/* Evidence that only states something. */
+void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
+                   long trials, const char *where, const char *note);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
 /* How many of the routes agree and are pairwise independent by the table of routes.h. */

@@ -146,7 +146,7 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct equali
   mpq_clear(exact);
   mpfr_clear(x);
   const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
-  double r = arf_get_d(arb_midref(q->r), ARF_RND_NEAR);
+  double r = num_arb.get_d(q->r);
   for (slong i = 0; i < list->n; i++)
     if (list->orbit[i].admissible == TRUTH_TRUE && fabs(orbit_r(&list->orbit[i]) - r) < 1e-9 * fabs(r))
       return &list->orbit[i];
@@ -178,7 +178,7 @@ static const struct dyn_orbit *family_start(struct family *f, struct behaviour *
   const struct dyn_orbit *best = NULL;
   double least = 0.25;
   for (slong i = 0; i < list->n; i++) {
-    double off = fabs(arf_get_d(arb_midref(list->orbit[i].trace), ARF_RND_NEAR) + 1);
+    double off = fabs(num_arb.get_d(list->orbit[i].trace) + 1);
     if (list->orbit[i].admissible != TRUTH_TRUE || off >= least) continue;
     best = &list->orbit[i];
     least = off;
@@ -198,7 +198,7 @@ struct found {
 /* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
 static void iterate(struct found *t, const struct equality *q, const struct point *at) {
   enum { STEPS = 100000 };
-  double params[N_PARAMS], r0 = arf_get_d(arb_midref(q->r), ARF_RND_NEAR);
+  double params[N_PARAMS], r0 = num_arb.get_d(q->r);
   for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&at->q[i]);
   for (int side = -1; side <= 1; side += 2) {
     int fate = return_map_fate(params, r0, side * 0.03 * fabs(r0), STEPS);
@@ -211,8 +211,8 @@ static void iterate(struct found *t, const struct equality *q, const struct poin
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   struct motion m;
   struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, at, o, 1.25)) return;
-  double r0 = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
+  if (!motion_on_orbit(&m, at, o, OWN_FRICTION)) return;
+  double r0 = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
   double x0 = m.start[Z_2] - m.start[Z_1], offset = 0.01 * fabs(r0);
   m.start[Z_2] += offset;
   plan.returns = 200;
@@ -244,7 +244,7 @@ static void add_family(struct found *t, struct behaviour *b, const struct family
   ++*(stable ? &t->stable : unstable ? &t->unstable : &t->open);
   if (stable && !t->where) t->where = place;
   finding_state(
-      b->f, b->j->out, "model", f->prec, place,
+      b->f, b->j->out, "balls", "model", f->prec, 1, place,
       result_str(b->j->out,
                  "tr J passes -1 inside an interval of width 2^-59 there%s, and over the whole of it c_2^2 + c_3 = "
                  "%s: the orbit with |tr J| = 1 is %s; it is %s",

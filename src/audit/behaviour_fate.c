@@ -154,12 +154,8 @@ static void say_table(struct behaviour *b, const struct table *t) {
       if (c[FATE_OPEN]) text_printf(&line, " (%ld open)", c[FATE_OPEN]);
       for (int k = 0; k < N_FATES; k++) trials += c[k];
     }
-    struct evidence *e = finding_add(b->f, b->j->out);
-    e->route = "integration";
-    e->layer = "model";
-    e->result = "states";
-    e->trials = trials;
-    e->note = result_str(b->j->out, "%s", text_str(&line));
+    finding_state(b->f, b->j->out, "integration", "model", -1, trials, NULL,
+                  result_str(b->j->out, "%s", text_str(&line)));
     text_clear(&line);
   }
 }
@@ -208,12 +204,7 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
     text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
     for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
   }
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "motion";
-  e->layer = "model";
-  e->result = "states";
-  e->trials = trials;
-  e->note = result_str(b->j->out, "%s", text_str(&line));
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
   text_clear(&line);
 }
 
@@ -230,7 +221,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   if (scene_has_forces(s)) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
     const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_FALSE);
-    if (orbit && orbit_motion_make(&o, &p, orbit, 1.25))
+    if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
       for (int ph = 0; ph < N_PHASES; ph++)
         for (int d = 0; d < 2 * N_STATE; d++) {
           struct motion m;
@@ -258,12 +249,7 @@ static void scene_orbit_fates(struct behaviour *b) {
               "each of eight directions; after %d returns the motion goes",
               PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "motion";
-  e->layer = "model";
-  e->result = "states";
-  e->trials = trials;
-  e->note = result_str(b->j->out, "%s", text_str(&line));
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
   text_clear(&line);
 }
 
@@ -296,7 +282,7 @@ static void judge_table(struct route_word w[N_MOTION_ROUTES], struct behaviour *
 
 bool behaviour_perturb(struct behaviour *b) {
   enum { FRICTIONS = 2 };
-  static const double friction[FRICTIONS] = {1.25, 2};
+  static const double friction[FRICTIONS] = {OWN_FRICTION, 2};
   struct orbit_motion o;
   struct table t[FRICTIONS];
   struct route_word w[FRICTIONS * N_MOTION_ROUTES];
@@ -307,7 +293,7 @@ bool behaviour_perturb(struct behaviour *b) {
   const struct dyn_orbit *orbit = ok ? pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
-    double slope = fabs(arf_get_d(arb_midref(orbit->trace), ARF_RND_NEAR));
+    double slope = fabs(num_arb.get_d(orbit->trace));
     ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
          claim_error(b->j, b->c, "at", "the orbit at these parameters cannot be simulated");
     o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));

@@ -43,7 +43,7 @@ static bool paper_value(double *out, int n, struct arcs *a, const char *expressi
   bool ok =
       expression_at(v, &got, a->b->view, expression, section, p, FIRST_PREC, a->b->j->cache, a->b->j->d) == SS_OK &&
       got == n;
-  for (int i = 0; i < n; i++) out[i] = arf_get_d(arb_midref(v + i), ARF_RND_NEAR);
+  for (int i = 0; i < n; i++) out[i] = num_arb.get_d(v + i);
   _arb_vec_clear(v, 16);
   return ok;
 }
@@ -119,14 +119,13 @@ static void state_overrun(struct behaviour *b, const struct arcs *a) {
     differ += a->printed[i][1];
   }
   finding_state(
-      b->f, b->j->out, "model", -1, a->where,
+      b->f, b->j->out, motion_route_name[BY_INTEGRATION], "model", -1, 1, a->where,
       result_str(b->j->out,
                  "of phases in which a mass is faster than the belt, %ld agree and %ld differ: its friction has "
                  "the other sign; with d_01 = (eps_1*u_s1 + eps_2*u_s2)/(1 - chi), d_02 = (eps_1*u_s1*chi + "
                  "eps_2*u_s2)/((1 - chi)*chi), eps_i = sign(V - x'_i) for a slipping mass, %ld of all %ld phases "
                  "agree",
                  agree, differ, a->with_signs[0], a->with_signs[0] + a->with_signs[1]));
-  b->f->evidence[b->f->n_evidence - 1].route = motion_route_name[BY_INTEGRATION];
 }
 
 bool behaviour_closed_forms(struct behaviour *b) {

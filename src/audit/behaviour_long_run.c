@@ -17,7 +17,7 @@ static bool long_run_motion(struct motion *m, struct behaviour *b, double factor
   for (int i = 0; i < 2 && setup.own_friction; i++) {
     double e = m->params[COULOMB_UR1 + i] - m->params[COULOMB_US1 + i];
     if (s->given[KEY_U_R1 + i]) continue;
-    m->params[COULOMB_UR1 + i] *= factor / 1.25;
+    m->params[COULOMB_UR1 + i] *= factor / OWN_FRICTION;
     m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
   }
   return coulomb_start_set_d(m->start, m->params, fmpq_get_d(&z[0]->value), fmpq_get_d(&z[1]->value)) == SS_OK;
@@ -54,20 +54,17 @@ static bool long_run_once(struct behaviour *b, double factor) {
   coulomb_log_word(&word, &told[0].log);
   coulomb_word_fold(&folded, text_str(&word));
   last_returns(&period, &change, &told[0].log);
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = "integration";
-  e->layer = "model";
-  e->result = "states";
-  e->trials = 1;
-  e->worst = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   bool steady = change < 1e-8;
   const char *end = told_ending(b, &told[0]);
-  e->note = result_str(b->j->out,
-                       "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
-                       "closed forms %s",
-                       RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
-                       steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
-                       same ? "tell the same events" : "part from this by then");
+  const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
+  const char *note =
+      result_str(b->j->out,
+                 "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
+                 "closed forms %s",
+                 RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
+                 steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
+                 same ? "tell the same events" : "part from this by then");
+  finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   text_clear(&folded);
   text_clear(&word);
   for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);

@@ -97,7 +97,7 @@ static void watch_orbits(long count[2], struct behaviour *b) {
     sampler_next(&p, &s);
     if (!point_settle(&p, b->j->cache)) continue;
     const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
-    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, 1.25)) continue;
+    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, OWN_FRICTION)) continue;
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 1;
     plan.max_events = 64;

@@ -226,7 +226,7 @@ typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
 static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) {
-  static const double friction[] = {1.25, 2};
+  static const double friction[] = {OWN_FRICTION, 2};
   struct sampler s;
   struct point p;
   struct orbit_set seen = {.n = 0};

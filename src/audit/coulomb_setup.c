@@ -4,20 +4,16 @@
 
 #include "audit_impl.h"
 
-static double middle(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 /* e_i of the scene, at printed numbers the printed one, or else that of the orbit. */
 static double limit_above_sliding(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
   const fmpq *e = printed || s->given[KEY_E1 + i] ? scene_number(s, (enum scene_key)(KEY_E1 + i)) : NULL;
   if (e) return fmpq_get_d(e);
-  return o ? middle(i == 0 ? o->e1 : o->e2) : 0;
+  return o ? num_arb.get_d(i == 0 ? o->e1 : o->e2) : 0;
 }
 
 /* Friction enough for a limit e above sliding and for the orbit, unless NULL: factor max(e_i, u_ri_min). */
 static double own_friction(double factor, double e, int i, const struct dyn_orbit *o) {
-  return factor * fmax(e, o ? middle(i == 0 ? o->u_r1_min : o->u_r2_min) : 0);
+  return factor * fmax(e, o ? num_arb.get_d(i == 0 ? o->u_r1_min : o->u_r2_min) : 0);
 }
 
 static double static_friction(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
@@ -39,20 +35,21 @@ static void set_params(struct coulomb_setup *sim, const struct scene *s, const s
     sim->own_friction = sim->own_friction || !s->given[KEY_U_R1 + i];
   }
   for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
-  sim->period = o ? middle(o->period) : 0;
-  sim->trace = printed || !o ? (double)NAN : middle(o->trace);
+  sim->period = o ? num_arb.get_d(o->period) : 0;
+  sim->trace = printed || !o ? (double)NAN : num_arb.get_d(o->trace);
 }
 
 int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
                            double factor) {
-  *sim = (struct coulomb_setup){.own_friction = true, .period = middle(o->period), .trace = middle(o->trace)};
+  *sim = (struct coulomb_setup){
+      .own_friction = true, .period = num_arb.get_d(o->period), .trace = num_arb.get_d(o->trace)};
   for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(params + P_CHI + i);
   for (int i = 0; i < 2; i++) {
     double e = fmpq_get_d(params + P_E1 + i);
     sim->params[COULOMB_UR1 + i] = own_friction(factor, e, i, o);
     sim->params[COULOMB_US1 + i] = sim->params[COULOMB_UR1 + i] - e;
   }
-  return coulomb_start_set_d(sim->start, sim->params, middle(o->z10), middle(o->z20));
+  return coulomb_start_set_d(sim->start, sim->params, num_arb.get_d(o->z10), num_arb.get_d(o->z20));
 }
 
 /* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */
@@ -68,8 +65,8 @@ bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong
     diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list.n);
   if (ok) {
     set_params(sim, s, &list, o, printed);
-    double z10 = printed ? fmpq_get_d(&z[0]->value) : middle(o->z10);
-    double z20 = printed ? fmpq_get_d(&z[1]->value) : middle(o->z20);
+    double z10 = printed ? fmpq_get_d(&z[0]->value) : num_arb.get_d(o->z10);
+    double z20 = printed ? fmpq_get_d(&z[1]->value) : num_arb.get_d(o->z20);
     ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
     if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
   }

@@ -75,10 +75,6 @@ static double least_margin(fmpq u_r[2], struct argument *a, const struct point *
   return margin;
 }
 
-static double middle(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 static void weigh(struct candidate *c, struct argument *a) {
   struct point at;
   const struct dyn_orbit *o = &c->item.list.orbit[c->index];
@@ -86,7 +82,7 @@ static void weigh(struct candidate *c, struct argument *a) {
   if (o->grazing || (a->admissible && o->admissible != TRUTH_TRUE)) return;
   point_init(&at);
   pool_point(&at, &c->item, c->index);
-  const double e[2] = {middle(o->e1), middle(o->e2)};
+  const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
   c->margin = least_margin(c->u_r, a, &at, fmpq_get_d(&c->item.q[DRAW_V]), e);
   a->tried += isfinite(c->margin);
   point_clear(&at);
@@ -345,8 +341,6 @@ static void search(struct tally *t, struct argument *a, bool proved) {
 
 /* --- Evidence --- */
 
-static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-
 static enum says said(const long decided[3]) {
   if (decided[TRUTH_FALSE]) return SAYS_DIFFERS;
   if (decided[TRUTH_UNKNOWN]) return SAYS_UNDECIDED;
@@ -356,13 +350,7 @@ static enum says said(const long decided[3]) {
 static struct route_word add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
                                    bool decisive, const char *note) {
   struct route_word w = {route, said(decided), decisive, decided[0] + decided[1] + decided[2]};
-  struct evidence *e = finding_add(f, a->j->out);
-  e->route = route;
-  e->layer = "corrected";
-  e->result = words[w.says];
-  e->bits = FIRST_PREC;
-  e->trials = w.trials;
-  e->note = note;
+  finding_say(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
   return w;
 }
 
@@ -371,13 +359,8 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
   text_init(&t);
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
   if (proved) {
-    struct evidence *e = finding_add(f, a->j->out);
-    e->route = "algebra";
-    e->layer = "corrected";
-    e->result = "agrees";
-    e->trials = a->part[CONCLUSION].n;
-    e->note = result_str(a->j->out, "%s", text_str(&t));
-    *w = (struct route_word){"algebra", SAYS_AGREES, true, e->trials};
+    *w = (struct route_word){"algebra", SAYS_AGREES, true, a->part[CONCLUSION].n};
+    finding_say(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));
   }
   text_clear(&t);
   return proved;
@@ -389,7 +372,7 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   int n = 0;
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
-  if (a->j->d->set || (!proved && a->j->only_proved)) return;
+  if (a->j->d->set) return;
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,

@@ -164,15 +164,9 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
 
 struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
                                 bool decisive, long trials, const char *where, const char *note) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  struct evidence *e = finding_add(b->f, b->j->out);
-  e->route = route;
-  e->layer = layer;
-  e->result = words[says];
-  e->trials = trials;
-  e->worst = where;
-  e->note = note;
-  return (struct route_word){route, says, decisive, trials};
+  struct route_word w = {route, says, decisive, trials};
+  finding_say(b->f, b->j->out, w, layer, -1, where, note);
+  return w;
 }
 
 bool behaviour_params(struct point *p, struct behaviour *b, const char *at) {

@@ -80,7 +80,7 @@ static void closure_by_times(struct finding *f, struct judge *j) {
     if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
       arb_ptr d = _arb_vec_init(2);
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
-      finding_state(f, j->out, "model", FIRST_PREC, "the printed state and times, taken exactly",
+      finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed state and times, taken exactly",
                     result_str(j->out,
                                "Over the printed times the motion ends at z_1, z_2 off its start by %s and %s, with "
                                "velocities %s and %s.",
@@ -99,7 +99,7 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
   if (closing_gap(gap, slope, t, j, start) == SS_OK) {
-    finding_state(f, j->out, "model", FIRST_PREC, "the printed start, taken exactly",
+    finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed start, taken exactly",
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
     if (apart)

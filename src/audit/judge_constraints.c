@@ -78,7 +78,6 @@ static void by_balls(struct constraints *x) {
   for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
-      if (x->j->effort == EFFORT_REFUTE && x->other + x->forms_other > 0) break;
       long *count = o->admissible == TRUTH_TRUE ? &good : &bad;
       if (o->grazing || *count == EACH) continue;
       ++*count;
@@ -135,10 +134,6 @@ static const char *table(struct constraints *x) {
 
 /* --- Simulation --- */
 
-static double middle(const arb_t v) {
-  return arf_get_d(arb_midref(v), ARF_RND_NEAR);
-}
-
 /* Does the motion close after one period of the word D Gamma H C?  UNKNOWN between closed and clearly not. */
 static truth closes(const struct pool_item *item, slong index, const double u_r[2]) {
   struct scene s = {.name = NULL};
@@ -187,12 +182,12 @@ static void book(struct constraints *x, truth got, truth want) {
 static void simulate(struct constraints *x, const struct pool_item *item, slong index, const struct point *p,
                      truth listed) {
   const struct dyn_orbit *o = &item->list.orbit[index];
-  const double e[2] = {middle(o->e1), middle(o->e2)};
+  const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
   double least[2], above[2];
   arb_t form;
   arb_init(form);
   for (int i = 0; i < 2; i++) {
-    least[i] = form_at(form, x, i, p) ? middle(form) : 0;
+    least[i] = form_at(form, x, i, p) ? num_arb.get_d(form) : 0;
     above[i] = fmax(least[i], e[i]) * 1.03125;
   }
   arb_clear(form);
@@ -220,7 +215,7 @@ static void by_simulation(struct constraints *x) {
   for (size_t i = 0; i < pool->n && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
-      if (o->grazing || middle(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */
+      if (o->grazing || num_arb.get_d(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */
       pool_point(&p, pool->item[i], k);
       if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
       p.known = NULL;
@@ -241,15 +236,9 @@ static enum says says_of(long as_said, long against, long undecided) {
 
 static struct route_word add(struct finding *f, struct constraints *x, const char *route, enum says says, bool decisive,
                              long trials, const char *note) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  struct evidence *e = finding_add(f, x->j->out);
-  e->route = route;
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = words[says];
-  e->bits = decisive ? FIRST_PREC : -1;
-  e->trials = trials;
-  e->note = note;
-  return (struct route_word){route, says, decisive, trials};
+  struct route_word w = {route, says, decisive, trials};
+  finding_say(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
+  return w;
 }
 
 static void describe(struct finding *f, struct constraints *x) {
@@ -268,7 +257,7 @@ static void describe(struct finding *f, struct constraints *x) {
       x->as_said, x->against, x->undecided);
   w[1] = add(f, x, "integration", says_of(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
-  finding_state(f, x->j->out, "model", 64, "the pool of orbits", table(x));
+  finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
   f->verdict = verdict_of(w, 2, false);
 }
 
@@ -279,7 +268,7 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
     ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
   if (ok) {
     by_balls(&x);
-    if (j->effort == EFFORT_FULL) by_simulation(&x);
+    by_simulation(&x);
     describe(f, &x);
   }
   conditions_clear(&x.paper);

@@ -51,14 +51,10 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
   bool ok = symbols_of(&found, &all, j, c, view);
   if (ok) {
     struct route_word w = {"algebra", found.len ? SAYS_DIFFERS : SAYS_AGREES, true, 1};
-    struct evidence *e = finding_add(f, j->out);
-    e->route = "algebra";
-    e->layer = layer_name[LAYER_CORRECTED];
-    e->result = found.len ? "differs" : "agrees";
-    e->trials = 1;
     if (all.len) all.data[all.len - 1] = '\0';
-    e->note = found.len ? result_str(j->out, "%s", text_str(&found))
-                        : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all));
+    finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
+                found.len ? result_str(j->out, "%s", text_str(&found))
+                          : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
     f->verdict = verdict_of(&w, 1, true);
   }
   text_clear(&all);
@@ -223,17 +219,11 @@ static void count_at(struct count *n, struct system *y, const struct point *p, i
 
 static struct route_word add_count(struct finding *f, struct judge *j, const char *route, const struct system *y,
                                    const struct count *n, long bits, bool decisive) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
   struct route_word w = {route, SAYS_NOTHING, decisive, n->as_said + n->other + n->open};
   if (w.trials) w.says = n->other ? SAYS_DIFFERS : n->open ? SAYS_UNDECIDED : SAYS_AGREES;
-  struct evidence *e = finding_add(f, j->out);
-  e->route = route;
-  e->layer = layer_name[LAYER_CORRECTED];
-  e->result = words[w.says];
-  e->bits = bits;
-  e->trials = w.trials;
-  e->note =
-      result_str(j->out, "%d scalar equations in %d unknowns; their derivative has rank %d", y->rows, y->cols, n->rank);
+  finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
+              result_str(j->out, "%d scalar equations in %d unknowns; their derivative has rank %d", y->rows, y->cols,
+                         n->rank));
   return w;
 }
 

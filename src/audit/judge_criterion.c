@@ -67,14 +67,14 @@ int return_map_fate(const double params[N_PARAMS], double r0, double offset, lon
 }
 
 double orbit_r(const struct dyn_orbit *o) {
-  return arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) - arf_get_d(arb_midref(o->z10), ARF_RND_NEAR);
+  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
 }
 
 /* The same under Coulomb's law, integrated from positions beside an admissible orbit. */
 static int motion_fate(const struct point *p, const struct dyn_orbit *o, long periods) {
   struct motion m;
   struct coulomb_plan plan = coulomb_plan_default;
-  if (!motion_on_orbit(&m, p, o, 1.25)) return 0;
+  if (!motion_on_orbit(&m, p, o, OWN_FRICTION)) return 0;
   double r0 = m.start[Z_2] - m.start[Z_1], offset = 1e-5 * fabs(r0);
   m.start[Z_2] += offset;
   plan.returns = periods;
@@ -233,7 +233,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
-    finding_state(f, j->out, "model", FD_PREC,
+    finding_state(f, j->out, "balls", "model", FD_PREC, 1,
                   result_str(j->out, "orbit %ld of %ld found: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
                              (long)list->n, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                              ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
@@ -249,7 +249,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     arb_ptr tr = _arb_vec_init(16);
     int n;
     if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
-      finding_state(f, j->out, layer_name[layer], FIRST_PREC, "the printed numbers, taken exactly",
+      finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, "the printed numbers, taken exactly",
                     result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
     }
     _arb_vec_clear(tr, 16);

@@ -106,14 +106,8 @@ static void threshold_route(struct route_word *w, struct finding *f, struct judg
   point_clear(&p);
   enum says says = !accepted ? SAYS_NOTHING : no ? SAYS_DIFFERS : yes == accepted ? SAYS_AGREES : SAYS_UNDECIDED;
   *w = (struct route_word){route, says, variant == VARIANT_CLOSED, accepted};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = route;
-  e->layer = "own text printed, the rest corrected";
-  e->result = says == SAYS_AGREES ? "agrees" : says == SAYS_DIFFERS ? "differs" : "undecided";
-  e->bits = FIRST_PREC;
-  e->trials = accepted;
-  e->worst = where;
-  e->note = "zero at the bound, false one below it, true one above";
+  finding_say(f, j->out, *w, "own text printed, the rest corrected", FIRST_PREC, where,
+              "zero at the bound, false one below it, true one above");
 }
 
 bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

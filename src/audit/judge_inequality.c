@@ -86,15 +86,9 @@ static bool try_inequalities(struct route_word *w, struct finding *f, struct jud
                            : unknown || !tried ? SAYS_UNDECIDED
                                                : SAYS_AGREES,
                            true, tried};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = layer_name[view.layer];
-  e->result = failed ? "differs" : unknown || !tried ? "undecided" : "agrees";
-  e->bits = FIRST_PREC;
-  e->trials = tried;
-  e->worst = where;
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
-  e->note = note.len ? result_str(j->out, "%s", text_str(&note)) : NULL;
+  finding_say(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
+              note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);
   text_clear(&note);
   return ok;
 }

@@ -175,19 +175,14 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
     for (int k = 0; k < 2; k++) fmpq_clear(&at_corner.value[KEY_E1 + k]);
     point_clear(&p);
   }
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = "corrected";
-  e->result = "states";
-  e->bits = FIRST_PREC;
-  e->trials = found;
-  if (found)
-    e->note =
-        result_str(j->out,
-                   "At the corners of what the printed digits of e1 and e2 allow (from half a unit below to one unit "
-                   "above) it runs from %s to %s: %s.",
-                   ball_text(j, lo, 6), ball_text(j, hi, 6),
-                   fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
+  const char *note =
+      !found ? NULL
+             : result_str(j->out,
+                          "At the corners of what the printed digits of e1 and e2 allow (from half a unit below to one "
+                          "unit above) it runs from %s to %s: %s.",
+                          ball_text(j, lo, 6), ball_text(j, hi, 6),
+                          fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
+  finding_state(f, j->out, "balls", "corrected", FIRST_PREC, found, NULL, note);
   arb_clear(hi);
   arb_clear(lo);
   arb_clear(x);

@@ -364,21 +364,15 @@ static enum says says(const struct tally *t) {
   return t->undecided ? SAYS_UNDECIDED : SAYS_AGREES;
 }
 
-static void add_evidence(struct finding *f, struct run *r, const struct tally *t) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
+static void add_evidence(struct finding *f, struct run *r, const struct tally *t, struct route_word w) {
   struct audit_result *out = r->j->out;
-  struct evidence *e = finding_add(f, out);
   bool is_double = t->route->type == &num_double;
-  e->route = t->route->name;
-  e->layer = r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
-                                                             : layer_name[r->view.layer];
-  e->result = words[says(t)];
-  e->bits = is_double ? 53 : t->bits;
-  e->trials = t->trials;
+  const char *layer = r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
+                                                                      : layer_name[r->view.layer];
+  struct evidence *e = finding_say(f, out, w, layer, is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
-  e->worst = is_double ? NULL : t->worst;
   struct text note;
   text_init(&note);
   if (t->trials == 0) text_add(&note, "no accepted point");
@@ -394,7 +388,7 @@ static void conclude(struct finding *f, struct run *r) {
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
     w[i] = (struct route_word){t->route->name, says(t), i == 0, t->trials};
-    add_evidence(f, r, t);
+    add_evidence(f, r, t, w[i]);
   }
   f->verdict = verdict_of(w, r->n_routes, false);
 }

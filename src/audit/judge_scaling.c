@@ -207,13 +207,9 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     bool own = pass == 0;
     text_reset(&faults);
     check_all(&faults, &checked, j, view, own, scaled);
-    struct evidence *e = finding_add(f, j->out);
     struct route_word w = {"algebra", faults.len ? SAYS_DIFFERS : SAYS_AGREES, true, checked};
-    e->route = "algebra";
-    e->layer = own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED];
-    e->result = faults.len ? "differs" : "agrees";
-    e->trials = checked;
-    e->note = faults.len ? result_str(j->out, "%s", text_str(&faults)) : "every record is homogeneous";
+    finding_say(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1, NULL,
+                faults.len ? result_str(j->out, "%s", text_str(&faults)) : "every record is homogeneous");
     if (own || view.control)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {

@@ -9,15 +9,9 @@
 
 static struct route_word add(struct finding *f, struct judge *j, const char *route, enum says says, bool decisive,
                              long trials, const char *note) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = route;
-  e->layer = "model";
-  e->result = words[says];
-  e->bits = decisive ? FIRST_PREC : -1;
-  e->trials = trials;
-  e->note = note;
-  return (struct route_word){route, says, decisive, trials};
+  struct route_word w = {route, says, decisive, trials};
+  finding_say(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
+  return w;
 }
 
 /* --- The order of the phases --- */

@@ -73,21 +73,16 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
 
 static struct route_word conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
                                   bool decisive) {
-  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
   long trials = t->reached + t->apart + t->open;
   enum says says = !trials ? SAYS_NOTHING : t->apart ? SAYS_DIFFERS : t->open ? SAYS_UNDECIDED : SAYS_AGREES;
-  struct evidence *e = finding_add(f, j->out);
-  e->route = route;
-  e->layer = "corrected";
-  e->result = words[says];
-  e->bits = FIRST_PREC;
-  e->trials = trials;
-  e->worst = t->where;
-  e->note = t->apart ? result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase",
-                                  t->apart, trials)
-                     : "each step becomes an equality at one end of the phase";
-  if (!trials) e->note = "no accepted point";
-  return (struct route_word){route, says, decisive, trials};
+  struct route_word w = {route, says, decisive, trials};
+  const char *note =
+      !trials ? "no accepted point"
+      : t->apart
+          ? result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", t->apart, trials)
+          : "each step becomes an equality at one end of the phase";
+  finding_say(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
+  return w;
 }
 
 bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -17,10 +17,6 @@ static const struct {
     {"an orbit that sheds its neighbours on one side", {"0.97", "0.87", "0.94", "0.82", "0.086"}, false},
     {"an orbit that throws its neighbours from side to side", {"0.95", "1.5", "1.2", "5.19", "0.201"}, false}};
 
-static double middle(const arb_t x) {
-  return arf_get_d(arb_midref(x), ARF_RND_NEAR);
-}
-
 /* Within a tenth of log|m|. */
 static bool as_predicted(const struct long_growth *g, double multiplier) {
   double want = log(fabs(multiplier));
@@ -113,7 +109,7 @@ static slong pick(const struct dyn_orbits *list, bool least) {
   for (slong k = 0; k < list->n; k++) {
     const struct dyn_orbit *o = &list->orbit[k];
     if (o->admissible != TRUTH_TRUE || o->grazing) continue;
-    bool less = best < list->n && fabs(middle(o->trace)) < fabs(middle(list->orbit[best].trace));
+    bool less = best < list->n && fabs(num_arb.get_d(o->trace)) < fabs(num_arb.get_d(list->orbit[best].trace));
     if (best == list->n || less == least) best = k;
   }
   return best;

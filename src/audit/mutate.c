@@ -1,6 +1,6 @@
 /* Would the audit have noticed?  Every claim is judged once as things stand, and what it reads is recorded; then each
-   mutant is put in place and the claims that read it are asked again, in three passes: with the least effort that can
-   refute; by exact algebra, whether the mutant says anything else at all; and in full. */
+   mutant is put in place and the claims that read it are asked again, but for the kinds that take long, in three passes:
+   with the least effort that can refute; by exact algebra, whether the mutant says anything else at all; and in full. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -152,7 +152,6 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_FULL, &d);
   enum notice n = BROKEN;
-  j.only_proved = rd->said.findings[0].verdict == VERDICT_PROVED;
   if (judge_claim(&j, rd->claim)) n = same_findings(&rd->said, &out) ? SAME : CHANGED;
   audit_result_clear(&out);
   return n;

@@ -119,7 +119,7 @@ static double distance(const struct dyn_orbit *o, const struct scene *s) {
     const struct printed_number *p = scene_printed(s, of[i].name);
     if (!p) continue;
     double want = fmpq_get_d(&p->value), unit = fmpq_get_d(&p->unit);
-    double rel = (arf_get_d(arb_midref(of[i].value), ARF_RND_NEAR) - want) / fmax(fabs(want), unit);
+    double rel = (num_arb.get_d(of[i].value) - want) / fmax(fabs(want), unit);
     sum += rel * rel;
   }
   return sum;

@@ -126,8 +126,7 @@ static void judge_candidate(struct candidate *c, const struct example *e) {
   }
   readings_bounds(x + N_X, x, e->scene);
   for (int i = N_X; i < N_PRINTED; i++)
-    if (e->printed[i] && !gives(&v, arf_get_d(arb_midref(x + i), ARF_RND_NEAR), e->printed[i], e->unit[i]))
-      c->off |= 1U << i;
+    if (e->printed[i] && !gives(&v, num_arb.get_d(x + i), e->printed[i], e->unit[i])) c->off |= 1U << i;
   _arb_vec_clear(x, N_X + N_BOUNDS);
   c->assumed[ASSUME_MIXED] = v.not_rounded < v.not_truncated ? v.not_rounded : v.not_truncated;
 }

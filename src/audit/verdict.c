@@ -61,16 +61,28 @@ struct evidence *finding_add(struct finding *f, struct audit_result *out) {
   return e;
 }
 
-void finding_state(struct finding *f, struct audit_result *out, const char *layer, long bits, const char *where,
-                   const char *note) {
+static struct evidence *put(struct finding *f, struct audit_result *out, const char *route, const char *layer,
+                            const char *result, long bits, long trials, const char *where, const char *note) {
   struct evidence *e = finding_add(f, out);
-  e->route = "balls";
+  e->route = route;
   e->layer = layer;
-  e->result = "states";
+  e->result = result;
   e->bits = bits;
-  e->trials = 1;
+  e->trials = trials;
   e->worst = where;
   e->note = note;
+  return e;
+}
+
+struct evidence *finding_say(struct finding *f, struct audit_result *out, struct route_word w, const char *layer,
+                             long bits, const char *where, const char *note) {
+  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
+  return put(f, out, w.route, layer, words[w.says], bits, w.trials, where, note);
+}
+
+void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
+                   long trials, const char *where, const char *note) {
+  put(f, out, route, layer, "states", bits, trials, where, note);
 }
 
 const char *order_of_magnitude(struct audit_result *r, double log2x) {

@@ -26,17 +26,6 @@ struct worker {
   size_t done, share;
 };
 
-static bool write_all(int fd, const char *data, size_t len) {
-  while (len > 0) {
-    ssize_t n = write(fd, data, len);
-    if (n < 0 && errno == EINTR) continue;
-    if (n <= 0) return false;
-    data += n;
-    len -= (size_t)n;
-  }
-  return true;
-}
-
 /* Never returns. */
 static void be_worker(int fd, int which, size_t size, size_t n, int jobs, work_fn *work, void *arg) {
   struct message m;

@@ -85,7 +85,7 @@ void source_clear(struct source *s) {
   *s = (struct source){NULL, NULL, 0};
 }
 
-static bool write_all(int fd, const char *data, size_t len) {
+bool write_all(int fd, const char *data, size_t len) {
   while (len > 0) {
     ssize_t n = write(fd, data, len);
     if (n < 0 && errno == EINTR) continue;
