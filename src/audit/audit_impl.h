@@ -179,7 +179,8 @@ int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v);
 
 /* --- Two sides at points --- */
 
-/* A sentence ready to be tried: paper's expressions on one or both sides, the model's quantity perhaps on the other. */
+/* A sentence ready to be tried: paper's expressions on one or both sides, the model's quantity perhaps on the other.
+   It must be cleared whether or not it could be made. */
 struct sentence {
   struct elaboration el;
   struct tape tape;

@@ -30,8 +30,8 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
   for (int i = 0; i < n; i++) {
     struct sentence s;
     if (!view_record(&view, ids[i])) return claim_error(j, c, "statements", "there is no such record");
-    if (!sentence_from_record(&s, view, ids[i], NULL, 0, j->d)) return false;
-    for (slong k = 0; k < s.tape.n_inputs; k++) {
+    bool ok = sentence_from_record(&s, view, ids[i], NULL, 0, j->d);
+    for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
       const char *name = s.tape.inputs[k];
       char word[80];
       snprintf(word, sizeof word, " %s,", name);
@@ -40,6 +40,7 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
         if (strcmp(absent[a], name) == 0) text_printf(found, "%s%s in %s", found->len ? ", " : "", name, ids[i]);
     }
     sentence_clear(&s);
+    if (!ok) return false;
   }
   return true;
 }
