@@ -348,6 +348,53 @@ START_TEST(formulas_without_a_degree) {
 }
 END_TEST
 
+/* By hand: u = F/(k + k) has the degree of F; a name that is no prefix stays out of it. */
+static const struct {
+  const char *claim;
+  enum verdict want, repaired;
+} units[] = {
+    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_\n  repaired: F_ u_\n", VERDICT_REFUTED, VERDICT_PROVED},
+    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_\n  repaired: F_ k_\n", VERDICT_REFUTED, VERDICT_REFUTED},
+    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_ u_\n", VERDICT_PROVED, VERDICT_UNKNOWN},
+    {"  kind: scaling\n  statement: eq-1b\n  scaled: F_ k_ m_\n", VERDICT_PROVED, VERDICT_UNKNOWN},
+};
+
+START_TEST(units_of_one_record) {
+  struct audit_result r;
+  struct diag d;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, HEAD "%s", units[_i].claim);
+  ck_assert_msg(judge_text(&r, &model, text_str(&t), &d), "%s", d.message);
+  const struct finding *f = &r.findings[0];
+  ck_assert_int_eq((int)f->verdict, (int)units[_i].want);
+  if (f->verdict == VERDICT_REFUTED) ck_assert_int_eq((int)f->correction_verdict, (int)units[_i].repaired);
+  audit_result_clear(&r);
+  text_clear(&t);
+}
+END_TEST
+
+/* --- Decimals under one rule --- */
+
+/* The orbit's times by tests/oracle/orbits.py: 2.00533, 1.48988, 2.34730 for 2, 1.5, 2.34 (and 0.53 for 0.6784). */
+static const struct {
+  const char *numbers;
+  enum verdict want;
+} decimals[] = {
+    {"t_b, t_c", VERDICT_PROVED},  {"t_b, t_d", VERDICT_PROVED}, {"t_b, t_c, t_d", VERDICT_REFUTED},
+    {"t_c, t_d", VERDICT_REFUTED}, {"t_a", VERDICT_REFUTED},     {"t_b, nobody", VERDICT_SKIPPED},
+};
+
+START_TEST(numbers_printed_by_one_rule) {
+  struct text t;
+  text_init(&t);
+  text_printf(&t, HEAD "  kind: rounding\n  numbers: %s\n", decimals[_i].numbers);
+  enum verdict v = verdict_under(&model, text_str(&t));
+  ck_assert_msg(v == decimals[_i].want, "%s: %s", decimals[_i].numbers, verdict_name[v]);
+  text_clear(&t);
+}
+END_TEST
+
 /* --- Counting --- */
 
 /* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 at t_a in general one. */
@@ -400,6 +447,8 @@ static const struct {
     {USES("Q; K_1", "one; another") "  found-in: quote; quote\n", "not printed at its place"},
     {USES("K; K_1", "one; another") "  found-in: quote; nowhere\n", "not printed at its place"},
     {"  kind: scaling\n", "scaled is missing"},
+    {"  kind: scaling\n  scaled: V\n  statement: eq-999\n", "no such record"},
+    {"  kind: rounding\n", "names of printed numbers"},
     {"  kind: reach\n  statements: eq-52\n", "absent are needed"},
     {"  kind: reach\n  statements: eq-999\n  absent: V\n", "no such record"},
     {"  kind: rank\n  statement: eq-999\n  unknowns: V\n  rank: 1\n", "a record and its unknowns"},
@@ -488,6 +537,8 @@ Suite *argument_suite(void) {
   tcase_add_test(c, a_certificate_is_a_scene);
   LOOP(symbols_and_readings, symbols);
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 5);
+  LOOP(units_of_one_record, units);
+  LOOP(numbers_printed_by_one_rule, decimals);
   tcase_add_loop_test(c, ranks_by_hand, 0, 6);
   LOOP(hostile_attributes_are_shown_where_they_are, hostile);
   tcase_add_test(c, every_number_of_the_paper_is_covered);

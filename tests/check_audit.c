@@ -683,7 +683,7 @@ START_TEST(flows_solve_their_equations) {
 END_TEST
 
 START_TEST(names_without_a_value_are_told_apart) {
-  static const char *const strangers[] = {"foo",  "z_3a",     "x_e",      "z_1(t_b)", "z_1'''(t)",
+  static const char *const strangers[] = {"foo",  "z_3a",     "x_e",      "z_1(t_c)", "z_1'''(t)",
                                           "chi2", "foo[1,1]", "J_a[1,3]", "J_a[2,1]", "z_100"};
   struct values v;
   struct point p;

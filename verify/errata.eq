@@ -36,6 +36,13 @@ equation eq-32c
   tex: \chi_b = z'_{1b} / V
   chi_b = z'_1b/V
 
+equation eq-32e
+  section: stability
+  equation: 32
+  tex: \chi_b = z'_1(t_a + t_b) / V
+  note: as in (14), the slip-stick phase ends at t_a + t_b
+  chi_b = z_1'(t_a + t_b)/V
+
 equation eq-32d
   section: stability
   equation: 32

@@ -20,6 +20,7 @@ static const struct {
              {"inequality", judge_inequality, false, false},
              {"index-range", judge_index_range, false, false},
              {"number", judge_number, false, false},
+             {"rounding", judge_rounding, false, false},
              {"closure", judge_closure, false, false},
              {"criterion", judge_criterion, false, true},
              {"behaviour", judge_behaviour, false, true},

@@ -65,7 +65,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       if (step >= 0 && k != step) continue;
       if (list->n == MAX_CONDITIONS) return claim_error(j, claim, attribute, "too many conditions");
       struct condition *c = &list->at[list->n++];
-      *c = (struct condition){.phase = (enum phase)(phase < 0 ? 0 : phase)};
+      *c = (struct condition){.equation = r->equation, .phase = (enum phase)(phase < 0 ? 0 : phase)};
       bool scalar = true;
       if (!build(c, &scalar, j, r, st, k, view))
         return scalar ? false : claim_error(j, claim, attribute, "a condition needs scalars");

@@ -13,8 +13,9 @@
 enum { MOVING_T = 4, MOVING_X = 5, N_MOVING = 9, MAX_CONDITIONS = 24 };
 
 struct condition {
-  struct sentence s; /* its tape gives the margin */
-  const char *text;  /* as written */
+  struct sentence s;    /* its tape gives the margin */
+  const char *text;     /* as written */
+  const char *equation; /* the paper's number of it, or NULL */
   bool equality;
   bool moving; /* along `phase`; else at the switching times alone */
   enum phase phase;

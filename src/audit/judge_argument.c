@@ -498,7 +498,11 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   if (ok) judge_everywhere(&again, a, view);
   struct text t;
   text_init(&t);
-  for (int k = 0; ok && k < more.n; k++) text_printf(&t, "%s%s", k ? "; " : "premises besides: ", more.at[k].text);
+  for (int k = 0; ok && k < more.n; k++) {
+    text_add(&t, k ? "; " : "premises besides: ");
+    if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
+    text_add(&t, more.at[k].text);
+  }
   if (ok) {
     f->correction = result_str(a->j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;

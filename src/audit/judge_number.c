@@ -263,3 +263,75 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   }
   return !j->d->set;
 }
+
+/* --- Several numbers under one rule --- */
+
+/* The next name of a list separated by commas. */
+static const char *next_name(char *buf, size_t size, const char *list) {
+  list += strspn(list, " ,");
+  size_t n = strcspn(list, " ,");
+  snprintf(buf, size, "%.*s", (int)(n < size ? n : size - 1), list);
+  return n ? list + n : NULL;
+}
+
+/* What one number prints as under each reading, and whether that is what is printed; the note says it. */
+static bool try_rounding(truth all[N_READINGS], struct text *note, struct number_job *n, const struct point *at,
+                         const char *name) {
+  struct printed_number own;
+  n->p = scene_printed(n->j->scene, name);
+  if (!n->p) return false;
+  bool owned = printed_replace(&own, &n->p, n->c);
+  arb_t x;
+  arb_init(x);
+  n->formula = name;
+  bool ok = number_at(x, n, at) == SS_OK;
+  text_printf(note, "%s%s = %s is printed %s:", note->len ? "; " : "", name, ok ? ball_text(n->j, x, 8) : "?",
+              n->p->decimal);
+  const char *sep = " ";
+  for (int r = 0; r < N_READINGS; r++) {
+    truth fits = ok ? printed_fits_as(x, n->p, (enum reading)r) : TRUTH_UNKNOWN;
+    all[r] = truth_and(all[r], fits);
+    if (fits == TRUTH_TRUE) text_printf(note, "%s%s", sep, reading_name[r]), sep = " or ";
+  }
+  if (*sep == ' ' && !sep[1]) text_add(note, " by neither");
+  arb_clear(x);
+  if (owned) {
+    fmpq_clear(&own.value);
+    fmpq_clear(&own.unit);
+  }
+  return true;
+}
+
+bool judge_rounding(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct number_job n = {j, c, view, NULL, NULL, claim_get(c, "section"), "="};
+  const char *list = claim_get(c, "numbers");
+  char name[32];
+  truth all[N_READINGS] = {TRUTH_TRUE, TRUTH_TRUE};
+  long trials = 0;
+  bool printed = true;
+  n.view.layer = LAYER_CORRECTED;
+  if (!list) return claim_error(j, c, "numbers", "the names of printed numbers are needed");
+  struct point p;
+  struct text note;
+  text_init(&note);
+  point_init(&p);
+  if (nearest_orbit_point(&p, j->scene, j->cache))
+    for (; printed && (list = next_name(name, sizeof name, list)) != NULL; trials++)
+      printed = try_rounding(all, &note, &n, &p, name);
+  truth one = truth_or(all[READ_ROUNDED], all[READ_TRUNCATED]);
+  if (!printed || trials == 0) {
+    finding_skip(f, j, "the scene does not print all of these numbers, or has no orbit");
+  } else {
+    struct route_word w = {"balls",
+                           one == TRUTH_TRUE    ? SAYS_AGREES
+                           : one == TRUTH_FALSE ? SAYS_DIFFERS
+                                                : SAYS_UNDECIDED,
+                           true, trials};
+    finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, "the orbit nearest to the printed numbers",
+                result_str(j->out, "%s", text_str(&note)));
+    f->verdict = verdict_of(&w, 1, true);
+  }
+  point_clear(&p);
+  text_clear(&note);
+  return !j->d->set;
+}

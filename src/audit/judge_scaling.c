@@ -177,12 +177,13 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
   return ok;
 }
 
-/* All records of the paper, each with its own text printed (or corrected: own is false). */
+/* All records of the paper, or the one that is named, each with its own text printed (or corrected: own is false). */
 static void check_all(struct text *faults, long *checked, struct judge *j, struct view view, bool own,
-                      const char *scaled) {
+                      const char *scaled, const char *only) {
   *checked = 0;
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
+    if (only && strcmp(r->id, only) != 0) continue;
     if (r->rank > RANK_USER && !(view.control && strcmp(r->record->id_name, view.control) == 0)) continue;
     struct view v = {j->model, LAYER_CORRECTED, own ? r->equation : NULL, view.control};
     const struct statement_record *seen = own ? r : view_record(&v, r->id);
@@ -197,8 +198,9 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
 }
 
 bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *scaled = claim_get(c, "scaled");
+  const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
+  if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
   struct text faults;
   text_init(&faults);
   for (int pass = view.control ? 1 : 0; pass < 2;
@@ -206,14 +208,17 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     long checked;
     bool own = pass == 0;
     text_reset(&faults);
-    check_all(&faults, &checked, j, view, own, scaled);
+    check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
     struct route_word w = {"algebra", faults.len ? SAYS_DIFFERS : SAYS_AGREES, true, checked};
     finding_say(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1, NULL,
-                faults.len ? result_str(j->out, "%s", text_str(&faults)) : "every record is homogeneous");
+                faults.len ? result_str(j->out, "%s", text_str(&faults))
+                : only     ? "the record is homogeneous"
+                           : "every record is homogeneous");
     if (own || view.control)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
-      f->correction = "the same records under errata.eq";
+      f->correction = repaired ? result_str(j->out, "homogeneous when these scale: %s", repaired)
+                               : "the same records under errata.eq";
       f->correction_verdict = verdict_of(&w, 1, true);
     }
     if (f->verdict != VERDICT_REFUTED) break;

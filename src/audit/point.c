@@ -475,6 +475,22 @@ static bool parse_motion(const char *name, bool *in_x, int *component, int *prim
   return *p == '(' && *primes <= 2;
 }
 
+/* The motion t_b after its start: still in the stick phase where t_b < t_a, then in the slip-stick phase. */
+static int state_at_tb(struct num_vec *z, struct values *v) {
+  const struct num_type *t = v->ctx.type;
+  struct num_vec w;
+  num_vec_init(&w, 2, v->ctx);
+  void *rest = num_vec_at(&w, 0), *zero = num_vec_at(&w, 1);
+  const void *ta = num_vec_at(&v->arc.t, 0), *tb = num_vec_at(&v->arc.t, 1);
+  int s = t->set_d(zero, 0, v->ctx.prec) | t->sub(rest, tb, ta, v->ctx.prec);
+  bool sticks = t->lt(rest, zero) == TRUTH_TRUE;
+  if (t->lt(zero, ta) != TRUTH_TRUE || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
+  for (int i = 0; i < 4; i++) t->set(num_vec_at(z, i), num_vec_at(&v->arc.z, 4 * !sticks + i));
+  if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, z, sticks ? tb : rest);
+  num_vec_clear(&w);
+  return s;
+}
+
 /* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At the
    perturbed switching times the motion is the perturbed one; for tangents, its limit. */
 static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
@@ -491,6 +507,14 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
   if (v->point->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0) {
     t->set(z, primes == 2 ? num_vec_at(&v->azt, component + 2) : num_vec_at(&v->zt, component + 2 * primes));
     return SS_OK;
+  }
+  if (has_arc(v) && primes < 2 && strcmp(argument, "(t_b)") == 0) {
+    struct num_vec at;
+    num_vec_init(&at, 4, v->ctx);
+    int s = state_at_tb(&at, v);
+    t->set(z, num_vec_at(&at, component + 2 * primes));
+    num_vec_clear(&at);
+    return s;
   }
   for (int k = 0; has_arc(v) && primes < 2 && k < 8; k++)
     if (strcmp(argument, times[k / 4][k % 4]) == 0) {

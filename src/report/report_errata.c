@@ -346,7 +346,9 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   text_add(s->out, "Each was judged as printed with all that it uses corrected; what is said to change was evaluated "
                    "with this one formula as printed and everything else corrected. Examples are at exact "
                    "parameters, so that both sides can be evaluated there by anybody: left is the paper's formula "
-                   "or the left side of its equation, right what the equations of motion give or the right side.");
+                   "or the left side of its equation, right what the equations of motion give or the right side. The "
+                   "text judged is a machine "
+                   "conversion of the printed page: a slip of one symbol can be the conversion's.");
   if (id) {
     text_add(s->out, " A letter after a number tells apart what is said under that number: ");
     add_claim(s, id);
@@ -357,6 +359,46 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
     text_add_char(s->out, '.');
   }
   text_add_char(s->out, '\n');
+}
+
+/* What a claim that asserts nothing states about the paper's data; once where two layers state the same. */
+static void add_statement(const struct sheet *s, const struct finding *f) {
+  const char *last = "";
+  begin_item(s);
+  add_place(s, f);
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    if (strcmp(e->result, "states") != 0 || !e->note || strcmp(e->note, last) == 0) continue;
+    last = e->note;
+    line(s);
+    if (e->worst) {
+      sheet_text(s, e->worst);
+      text_add(s->out, ": ");
+    }
+    sheet_text(s, e->note);
+    stop(s);
+  }
+  text_add(s->out, s->tex ? "\n" : "\n\n");
+}
+
+static bool states(const struct finding *f) {
+  bool any = false;
+  for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
+  return any && f->verdict == VERDICT_DEFINITION;
+}
+
+static void add_statements(const struct sheet *s, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    if (!states(&r->findings[i])) continue;
+    if (!any) {
+      heading(s, "What the paper does not say");
+      begin_items(s);
+    }
+    any = true;
+    add_statement(s, &r->findings[i]);
+  }
+  if (any) end_items(s);
 }
 
 static void add_closing(const struct sheet *s, const struct audit_result *r) {
@@ -397,6 +439,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
 static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_opening(s, r);
   for (int g = 0; g < N_GRADES; g++) add_grade(s, r, (enum grade)g);
+  add_statements(s, r);
   add_closing(s, r);
 }
 

@@ -11,7 +11,7 @@ relation eq-1
 equation eq-1b
   equation: 1
   tex: \chi = \frac{k_2}{k_1 + k_2}, \quad \eta = \frac{m_1}{m_2}, \quad u_i = \frac{F_i}{k_1 + k_2} \quad (i=1,2),
-    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}
+    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}, \quad (o') = \frac{d(o)}{dt}
   chi = k_2/(k_1 + k_2)
   eta = m_1/m_2
   u_1 = F_1/(k_1 + k_2)

@@ -91,6 +91,12 @@ equation text-periodicity-alone
   tex: Z(t_a + t_b + t_c + t_d) = Z_0
   S_f = S_0
 
+equation eq-16c
+  equation: 16
+  tex: z_{ic} = z_i(t_a + t_b + t_c), (i=1,2)
+  z_1c = z_1(t_a + t_b + t_c)
+  z_2c = z_2(t_a + t_b + t_c)
+
 equation text-constant-force
   tex: z_2 - z_1 = z_{20} - z_{10}
   z_2(t) - z_1(t) = z_20 - z_10

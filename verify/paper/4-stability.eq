@@ -131,6 +131,12 @@ equation eq-32c
   chi_b = z'_1b/V
   chi_b = z'_2b/V
 
+equation eq-32e
+  equation: 32
+  tex: \chi_b = z'_i(t_b) / V
+  note: the velocity at the time t_b of the motion, which starts at t = 0
+  chi_b = z_1'(t_b)/V
+
 equation eq-32d
   equation: 32
   tex: \begin{pmatrix} y_b \\ u_b \end{pmatrix} = J_b y_b
@@ -140,6 +146,14 @@ equation eq-33
   equation: 33
   tex: Z(t) = H(t - t_a - dt_a - t_b - dt_b)(Z_b + dZ_b)
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
+
+inequality text-denominators
+  tex: 1 - \chi_b > 0, \quad z_{1c} - \chi z_{2c} < 0, \quad z_{20} - z_{10} < 0, \quad \sin(\omega t_d) > 0
+  note: what (32), (36) and (40) divide by, cot(omega t_d) included
+  1 - chi_b > 0
+  z_1c - chi*z_2c < 0
+  z_20 - z_10 < 0
+  sin(omega*t_d) > 0
 
 define eq-34
   equation: 34

@@ -34,6 +34,24 @@ equation eq-45b
   M[1,1] + M[1,2] = 0
   M[2,1] + M[2,2] = 0
 
+equation text-45-suffices
+  tex: N_3 z_0 + (N_4 - I)z'_0 = -N_3 M z'_0 \text{ with } z_0 \text{ of (46)}
+  note: the right side is zero where (45) holds, since z'_0 = (V, V)'
+  N_3*(-inv(N_1 - I)*N_2*z'_0) + (N_4 - I)*z'_0 = -N_3*M*z'_0
+
+inequality text-inverses
+  tex: (\det(N_1 - I))^2 > 0, (\det N_3)^2 > 0
+  note: M and (46) contain the inverses
+  det(N_1 - I)^2 > 0
+  det(N_3)^2 > 0
+
+equation text-times-alone
+  tex: M_{11} + M_{12} = 0, M_{21} + M_{22} = 0, (12), (14) \text{ with } z_0 = -(N_1 - I)^{-1} N_2 z'_0
+  M[1,1] + M[1,2] = 0
+  M[2,1] + M[2,2] = 0
+  [1, -chi, 0, 0]*D(t_a)*[-inv(N_1 - I)*N_2*z'_0; z'_0] = e_1
+  [-chi, chi, 0, 0]*Gamma(t_b)*D(t_a)*[-inv(N_1 - I)*N_2*z'_0; z'_0] = e_2
+
 equation eq-46
   equation: 46
   tex: z_0 = -(N_1 - I)^{-1} N_2 z'_0

@@ -32,11 +32,15 @@ define eq-48
 define eq-48b
   equation: 48
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
-  note: lambda_i from the first row of (K - I omega_i^2) psi_i = 0; the second row is claim eq-48b
+  note: lambda_i from the first row of (K - I omega_i^2) psi_i = 0; the second row is claim eq-48c
   lambda_1 := (1 - omega_1^2)/chi
   lambda_2 := (1 - omega_2^2)/chi
   psi_1 := [1; lambda_1]
   psi_2 := [1; lambda_2]
+
+inequality text-frequencies
+  tex: 0 < \omega_1 < \omega_2
+  0 < omega_1 < omega_2
 
 equation eq-48c
   equation: 48
