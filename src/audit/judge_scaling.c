@@ -217,8 +217,8 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     if (own || view.control)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
-      f->correction = repaired ? result_str(j->out, "homogeneous when these scale: %s", repaired)
-                               : "the same records under errata.eq";
+      f->correction =
+          repaired ? result_str(j->out, "what has the unit: %s", repaired) : "the same records under errata.eq";
       f->correction_verdict = verdict_of(&w, 1, true);
     }
     if (f->verdict != VERDICT_REFUTED) break;

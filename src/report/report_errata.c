@@ -57,9 +57,9 @@ static void end_items(const struct sheet *s) {
 static void begin_item(const struct sheet *s) {
   text_add(s->out, s->tex ? "\\item " : "- ");
 }
-/* The next line of an item. */
+/* The next line of an item; {} keeps a bracket or a star that follows from being an argument. */
 static void line(const struct sheet *s) {
-  text_add(s->out, s->tex ? "\\\\\n" : "  \n  ");
+  text_add(s->out, s->tex ? "\\\\{}\n" : "  \n  ");
 }
 
 /* Begins a line of an item with a word and a colon. */
@@ -106,14 +106,7 @@ static void add_place(const struct sheet *s, const struct finding *f) {
   stop(s);
 }
 
-static void add_texts(const struct sheet *s, const struct finding *f) {
-  const char *quote = f->quote_part ? f->quote_part : f->quote;
-  if (quote) {
-    label(s, "Printed");
-    sheet_text(s, quote);
-  }
-  if (!f->correction) return;
-  label(s, "Should read");
+static void add_correction(const struct sheet *s, const struct finding *f) {
   bool whole = !f->change || !f->correction_latex || strlen(f->correction_latex) < LONG_FORMULA;
   if (whole && f->correction_latex)
     sheet_math(s, f->correction_latex);
@@ -125,6 +118,17 @@ static void add_texts(const struct sheet *s, const struct finding *f) {
     text_add(s->out, whole ? ")" : "");
   }
   text_printf(s->out, "; checked in the same way: %s.", verdict_name[f->correction_verdict]);
+}
+
+static void add_texts(const struct sheet *s, const struct finding *f) {
+  const char *quote = f->quote_part ? f->quote_part : f->quote;
+  if (quote) {
+    label(s, "Printed");
+    sheet_text(s, quote);
+  }
+  if (!f->correction) return;
+  label(s, "Should read");
+  add_correction(s, f);
 }
 
 /* What decided: the first route that differs; the first piece of evidence where none is said to. */
@@ -222,11 +226,47 @@ static void add_consequence(const struct sheet *s, const struct consequence *q) 
   text_add_char(s->out, '.');
 }
 
+/* A slip that changes no result, in one paragraph. */
+static void add_slip(const struct sheet *s, const struct finding *f) {
+  const char *quote = f->quote_part ? f->quote_part : f->quote;
+  const struct evidence *e = deciding(f);
+  begin_item(s);
+  add_place(s, f);
+  if (quote) {
+    line(s);
+    sheet_text(s, quote);
+  }
+  if (f->correction) {
+    label(s, "Should read");
+    add_correction(s, f);
+  } else if (e && e->note) {
+    label(s, "Wrong");
+    sheet_text(s, e->note);
+    stop(s);
+  }
+  text_add(s->out, s->tex ? "\n" : "\n\n");
+}
+
+/* The failure before this one that the same correction mends; NULL when there is none. */
+static const struct finding *mended_with(const struct audit_result *r, const struct finding *f) {
+  for (const struct finding *g = r->findings; f->correction_latex && g < f; g++)
+    if (report_is_failure(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
+  return NULL;
+}
+
 static void add_failure(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(r, f->id);
   const char *size = q ? f->size : f->effect;
+  const struct finding *first = mended_with(r, f);
   begin_item(s);
   add_place(s, f);
+  if (first) {
+    line(s);
+    text_add(s->out, "The same correction as that of ");
+    add_claim(s, first->id);
+    text_add(s->out, s->tex ? " mends it.\n" : " mends it.\n\n");
+    return;
+  }
   add_texts(s, f);
   add_fault(s, f);
   add_restrictions(s, r, f);
@@ -314,7 +354,10 @@ static void add_grade(const struct sheet *s, const struct audit_result *r, enum 
     if (is_number(f)) continue;
     if (!items) begin_items(s);
     items = true;
-    add_failure(s, r, f);
+    if (g == GRADE_NOTATION)
+      add_slip(s, f);
+    else
+      add_failure(s, r, f);
   }
   if (items) end_items(s);
 }
