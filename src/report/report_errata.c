@@ -57,9 +57,9 @@ static void end_items(const struct sheet *s) {
 static void begin_item(const struct sheet *s) {
   text_add(s->out, s->tex ? "\\item " : "- ");
 }
-/* The next line of an item; {} keeps a bracket or a star that follows from being an argument. */
+/* The next line of an item. */
 static void line(const struct sheet *s) {
-  text_add(s->out, s->tex ? "\\\\{}\n" : "  \n  ");
+  text_add(s->out, s->tex ? "\\\\\n" : "  \n  ");
 }
 
 /* Begins a line of an item with a word and a colon. */
@@ -233,7 +233,7 @@ static void add_slip(const struct sheet *s, const struct finding *f) {
   begin_item(s);
   add_place(s, f);
   if (quote) {
-    line(s);
+    label(s, "Printed");
     sheet_text(s, quote);
   }
   if (f->correction) {
@@ -413,7 +413,7 @@ static void add_statement(const struct sheet *s, const struct finding *f) {
     const struct evidence *e = &f->evidence[i];
     if (strcmp(e->result, "states") != 0 || !e->note || strcmp(e->note, last) == 0) continue;
     last = e->note;
-    line(s);
+    label(s, "Computed");
     if (e->worst) {
       sheet_text(s, e->worst);
       text_add(s->out, ": ");
