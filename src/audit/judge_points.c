@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "judge_exact.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
 
@@ -47,6 +47,7 @@ struct run {
   int n_routes;
   struct point_spec spec[MAX_SPECS];
   int n_specs;
+  struct exact_proof proof;
   struct point example; /* the first point at which the sentence fails, else the last accepted */
   bool have_example;
 };
@@ -364,12 +365,15 @@ static enum says says(const struct tally *t) {
   return t->undecided ? SAYS_UNDECIDED : SAYS_AGREES;
 }
 
+static const char *layer_of(const struct run *r) {
+  return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
+                                                         : layer_name[r->view.layer];
+}
+
 static void add_evidence(struct finding *f, struct run *r, const struct tally *t, struct route_word w) {
   struct audit_result *out = r->j->out;
   bool is_double = t->route->type == &num_double;
-  const char *layer = r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
-                                                                      : layer_name[r->view.layer];
-  struct evidence *e = finding_say(f, out, w, layer, is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  struct evidence *e = finding_say(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
@@ -383,6 +387,21 @@ static void add_evidence(struct finding *f, struct run *r, const struct tally *t
   text_clear(&note);
 }
 
+static void add_proof(struct finding *f, struct run *r) {
+  struct audit_result *out = r->j->out;
+  const struct exact_proof *p = &r->proof;
+  const char *layer = layer_of(r);
+  struct evidence *e;
+  if (p->proved || p->differs) {
+    e = finding_add(f, out);
+    *e = (struct evidence){.route = "exact", .layer = layer, .bits = -1, .trials = -1, .machine_residual = NAN};
+    e->result = p->proved ? "proved" : "differs";
+    e->note = p->proved ? p->note : p->differs;
+  } else if (p->why_not && !r->tally[0].differs) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
+  }
+}
+
 static void conclude(struct finding *f, struct run *r) {
   struct route_word w[MAX_ROUTES];
   for (int i = 0; i < r->n_routes; i++) {
@@ -390,7 +409,8 @@ static void conclude(struct finding *f, struct run *r) {
     w[i] = (struct route_word){t->route->name, says(t), i == 0, t->trials};
     add_evidence(f, r, t, w[i]);
   }
-  f->verdict = verdict_of(w, r->n_routes, false);
+  add_proof(f, r);
+  f->verdict = verdict_of(w, r->n_routes, r->proof.proved);
 }
 
 static bool run_init(struct run *r, struct judge *j, const struct claim *c, struct view view,
@@ -415,6 +435,7 @@ static bool run_all(struct finding *f, struct run *r, struct judge *j, const str
   struct override o[MAX_ROUTES];
   char names[MAX_ROUTES][16];
   bool ok = run_init(r, j, c, view, restriction, o, names);
+  if (ok && j->effort == EFFORT_FULL) r->proof = exact_prove(j, c, view, restriction);
   for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
   if (ok) conclude(f, r);
   return ok;
@@ -506,7 +527,7 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     run_clear(&r);
     if (!ok) return false;
     f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
-    if (f.verdict != VERDICT_SUPPORTED && f.recorded == N_VERDICTS) continue;
+    if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
     f.condition = restrictions[i].text;
     const char **dep = arena_alloc(&j->out->arena, sizeof *dep);

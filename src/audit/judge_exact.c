@@ -1,0 +1,290 @@
+/* Proofs by exact algebra: both sides of a sentence as elements of one field, the paper's from its formulas, the model's
+   from exact_motion.h.  An entry is proved when the difference of its sides is zero; more of what holds on motions is used
+   only as far as needed.  What remains is said in words: why a sentence is not proved. */
+#include "judge_exact.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact_motion.h"
+
+enum { MAX_SPECS = 4, MAX_NAMES = 8, MAX_ENTRIES = 64 };
+
+/* The sentence at one kind of point, and what has been found about its entries. */
+struct job {
+  struct judge *j;
+  const char *value; /* what the sentence's oracle is called */
+  const struct restriction *restriction;
+  struct point_spec spec;
+  bool finite;
+  struct sentence *s;
+  bool done[MAX_ENTRIES];  /* proved */
+  bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
+  slong largest;
+  char unbound[64];
+  bool wants_modes, undefined, uses_matrices;
+  struct text field, witness;
+  const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
+};
+
+/* --- One attempt --- */
+
+/* Both sides of entry i, as far as they could be computed. */
+struct sides {
+  struct exact_vec paper;
+  struct num_vec model;
+  int *status, model_status;
+};
+
+static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
+  struct sentence *s = b->s;
+  v->status = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *v->status);
+  num_vec_init(&v->model, s->n, num_ctx_exact());
+  v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
+  exact_eval_each(&v->paper, v->status, m->field, &s->tape);
+}
+
+static void sides_clear(struct sides *v) {
+  exact_vec_clear(&v->paper);
+  num_vec_clear(&v->model);
+  free(v->status);
+}
+
+/* left - right of an entry; SS_OK when that is known. */
+static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion *m, struct sides *v, slong i) {
+  int s = v->status[i] | (b->s->oracle ? v->model_status : v->status[b->s->n + i]);
+  if (s != SS_OK) return s;
+  const fmpz_mpoly_q_struct *right = b->s->oracle ? num_vec_at(&v->model, i) : &v->paper.x[b->s->n + i];
+  return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
+}
+
+static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
+  static const char *const names[] = {"chi", "eta", "V"};
+  fmpq_t value;
+  fmpq_init(value);
+  bool zero = r->quantity <= Q_V && num_parse_decimal(value, r->value, strlen(r->value)) == SS_OK &&
+              exact_vanishes_at(f, d, names[r->quantity - Q_CHI], value);
+  fmpq_clear(value);
+  return zero;
+}
+
+/* Books the difference of an entry that is not zero. */
+static void book_difference(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d, bool *keep) {
+  b->apart[i] = true;
+  for (int r = 0; r < n_restrictions; r++) keep[r] = keep[r] && vanishes(&restrictions[r], m->field, d);
+  if (b->witness.len) return;
+  const char *place = entry_place(b->j->out, b->s->n, b->s->cols, i);
+  text_printf(&b->witness, "the difference of the sides%s%s has %ld terms and is ", *place ? " in entry " : "", place,
+              (long)fmpz_mpoly_length(&d->num, num_exact_ctx()));
+  if (!exact_witness(&b->witness, m->field, d)) text_add(&b->witness, "not zero");
+}
+
+static void try_attempt(struct job *b, const struct exact_attempt *a) {
+  enum { MAX_RESTRICTIONS = 8 };
+  struct exact_motion m;
+  struct sides v;
+  bool keep[MAX_RESTRICTIONS], apart = false;
+  fmpz_mpoly_q_struct d;
+  for (int r = 0; r < n_restrictions; r++) keep[r] = true;
+  exact_motion_init(&m, a, &b->spec, b->finite, b->restriction, &b->s->tape);
+  sides_make(&v, b, &m);
+  exact_init(&d, m.field);
+  text_reset(&b->witness);
+  for (slong i = 0; i < b->s->n; i++) {
+    if (b->done[i]) continue;
+    b->apart[i] = false;
+    int s = difference(&d, b, &m, &v, i);
+    if (s == SS_OK && exact_is_zero(m.field, &d))
+      b->done[i] = true;
+    else if (s == SS_OK)
+      book_difference(b, &m, i, &d, keep);
+    apart = apart || b->apart[i];
+    b->undefined = s & SS_DOMAIN;
+  }
+  b->holds_at = NULL;
+  for (int r = n_restrictions; apart && r > 0; r--)
+    if (keep[r - 1]) b->holds_at = &restrictions[r - 1];
+  if (exact_largest(m.field) > b->largest) b->largest = exact_largest(m.field);
+  text_reset(&b->field);
+  exact_print_generators(&b->field, m.field);
+  b->wants_modes = m.wants_modes;
+  b->uses_matrices = b->uses_matrices || m.used_matrix;
+  memcpy(b->unbound, m.unbound, sizeof b->unbound);
+  exact_clear(&d, m.field);
+  sides_clear(&v);
+  exact_motion_clear(&m);
+}
+
+static bool all_done(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i]) return false;
+  return true;
+}
+
+static bool has_root(const struct tape *t) {
+  for (slong i = 0; i < t->n; i++)
+    if (t->code[i].op == TAPE_ROOT) return true;
+  return false;
+}
+
+/* From little to all of what holds on motions. */
+static void try_all(struct job *b) {
+  bool modes = has_root(&b->s->tape), word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT;
+  for (int k = 0; k < 2 * N_EXACT_TANGENTS && !all_done(b); k++) {
+    struct exact_attempt a = {modes, k >= N_EXACT_TANGENTS, (enum exact_tangents)(k % N_EXACT_TANGENTS)};
+    if (k > 0 && !word) break;
+    if (b->finite && a.tangents == TANGENTS_LOCATED) continue;
+    try_attempt(b, &a);
+    if (!b->wants_modes || modes) continue;
+    modes = a.modes = true;
+    try_attempt(b, &a);
+  }
+}
+
+/* --- One claim --- */
+
+/* The matrices that the claim names as unknowns; their number. */
+static int read_unknowns(struct override *o, char names[][16], const struct claim *c) {
+  const char *list = claim_get(c, "oracle");
+  int n = 0;
+  while (list && *list && n < MAX_NAMES) {
+    while (*list == ' ' || *list == ',') list++;
+    size_t len = strcspn(list, ", ");
+    if (len == 0 || len >= sizeof names[n]) break;
+    memcpy(names[n], list, len);
+    names[n][len] = '\0';
+    list += len;
+    const struct oracle *q = oracle_find(names[n]);
+    if (!q) break;
+    o[n] = (struct override){names[n], oracle_rows(q), oracle_cols(q)};
+    n++;
+  }
+  return n;
+}
+
+static bool equalities_only(const struct sentence *s) {
+  for (slong i = 0; i < s->n; i++)
+    if (s->ops[i] != REL_EQ) return false;
+  return true;
+}
+
+/* Is a kind of point among others of which it is a special case? */
+static bool covered(const struct point_spec *spec, int n, int i) {
+  for (int k = 0; k < n; k++)
+    if (k != i && spec[i].kind == POINT_ORBIT && spec[k].kind == POINT_ARC && spec[k].phase == spec[i].phase) return true;
+  return false;
+}
+
+static const char *why_open(struct job *b) {
+  struct audit_result *out = b->j->out;
+  slong open = 0, apart = 0;
+  for (slong i = 0; i < b->s->n; i++) {
+    open += !b->done[i];
+    apart += b->apart[i];
+  }
+  if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
+  if (apart == open)
+    return result_str(out, "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
+                           "these motions would be needed",
+                      (long)apart, (long)b->s->n, text_str(&b->field));
+  if (b->undefined) return "a divisor is zero for all parameters";
+  return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);
+}
+
+/* Is what is free in an attempt really free, so that a difference refutes?  The parameters, the time and the start of a
+   motion are. */
+static bool is_complete(const struct job *b) {
+  return b->spec.kind == POINT_PARAMS || b->spec.kind == POINT_FLOW;
+}
+
+static void prove_spec(struct exact_proof *p, struct job *b) {
+  text_init(&b->field);
+  text_init(&b->witness);
+  try_all(b);
+  if (b->largest > p->largest) p->largest = b->largest;
+  p->uses_matrices = p->uses_matrices || b->uses_matrices;
+  if (all_done(b)) {
+    p->field = result_str(b->j->out, "%s", text_str(&b->field));
+  } else {
+    p->proved = false;
+    p->why_not = why_open(b);
+    p->holds_at = b->holds_at;
+    if (is_complete(b) && b->witness.len) p->differs = result_str(b->j->out, "%s", text_str(&b->witness));
+  }
+  text_clear(&b->witness);
+  text_clear(&b->field);
+}
+
+/* What is to be proved: a claim's sentence, or a value of which a proof makes use. */
+struct question {
+  const struct claim *c; /* NULL: value */
+  const char *value, *section;
+  struct point_spec spec[MAX_SPECS];
+  int n_specs;
+  bool finite;
+};
+
+/* With n matrices held as unknowns. */
+static struct exact_proof prove_with(struct judge *j, const struct question *q, struct view view,
+                                     const struct restriction *r, const struct override *o, int n) {
+  struct exact_proof p = {.proved = true};
+  struct sentence s;
+  struct diag d;
+  diag_init(&d);
+  bool ok = q->c ? sentence_from_claim(&s, view, q->c, o, n, &d) : sentence_from_value(&s, view, q->value, q->section, &d);
+  if (!ok || s.n > MAX_ENTRIES)
+    p = (struct exact_proof){.why_not = "the sentence cannot be read"};
+  else if (!equalities_only(&s))
+    p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
+  for (int i = 0; p.proved && i < q->n_specs; i++) {
+    if (covered(q->spec, q->n_specs, i)) continue;
+    struct job b = {.j = j, .value = q->value, .restriction = r, .spec = q->spec[i], .finite = q->finite, .s = &s};
+    prove_spec(&p, &b);
+  }
+  sentence_clear(&s);
+  return p;
+}
+
+/* What a matrix held as unknowns is known to do is known of the model's: so the paper's must be the model's. */
+static bool are_the_models(struct judge *j, const struct question *q, struct view view, const struct override *o, int n) {
+  bool ok = true;
+  for (int i = 0; ok && i < n; i++) {
+    const struct question lemma = {
+        .value = o[i].name, .section = q->section, .spec = {{.kind = POINT_ARC}}, .n_specs = 1};
+    ok = prove_with(j, &lemma, view, NULL, NULL, 0).proved;
+  }
+  return ok;
+}
+
+static const char *describe(struct judge *j, const struct exact_proof *p, const struct question *q, int unknowns) {
+  return result_str(j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
+                    q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
+                             : "both sides, on motions made from the first-order systems, are equal",
+                    p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest);
+}
+
+struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
+  struct override o[MAX_NAMES];
+  char names[MAX_NAMES][16];
+  struct diag d;
+  diag_init(&d);
+  struct judge quiet = *j;
+  quiet.d = &d;
+  const char *perturbation = claim_get(c, "perturbation"), *section = claim_get(c, "section");
+  struct question q = {.c = c,
+                       .value = claim_get(c, "value"),
+                       .section = section ? section : "",
+                       .finite = perturbation && strcmp(perturbation, "finite") == 0};
+  q.n_specs = claim_points(q.spec, MAX_SPECS, &quiet, c);
+  if (q.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
+  if (!exact_propagators_proved()) return (struct exact_proof){.why_not = "the model's propagators were not confirmed"};
+  int n = q.value ? 0 : read_unknowns(o, names, c);
+  struct exact_proof p = prove_with(j, &q, view, r, o, n);
+  if (n && p.proved && p.uses_matrices && !are_the_models(j, &q, view, o, n)) p.proved = false;
+  if (n && !p.proved) {
+    p = prove_with(j, &q, view, r, NULL, 0);
+    n = 0;
+  }
+  if (p.proved) p.note = describe(j, &p, &q, n);
+  return p;
+}
