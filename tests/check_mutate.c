@@ -538,7 +538,7 @@ START_TEST(oracles_are_not_interchangeable) {
       const struct oracle *other = oracle_find(names[k]);
       if (oracle_rows(other) != oracle_rows(oracle_find(names[i]))) continue;
       struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
-      ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", &d), "%s", d.message);
+      ck_assert_msg(sentence_from_value(&s, v, names[i], "prediction", NULL, 0, &d), "%s", d.message);
       s.oracle = other;
       sampler_init(&sampler, "oracles", POINT_PARAMS, PHASE_H, NULL);
       point_init(&p);

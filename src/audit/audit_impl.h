@@ -199,8 +199,9 @@ struct sentence {
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
 };
 
-/* value = oracle of the same name. */
-bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section, struct diag *d);
+/* value = oracle of the same name, with names in it replaced by the model's quantities. */
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
+                         const struct override *overrides, int n_overrides, struct diag *d);
 /* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
 bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
                           int n_overrides, struct diag *d);

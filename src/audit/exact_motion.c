@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { TERMS = 6000 };
+enum { TERMS = 1500 };
 
 typedef fmpz_mpoly_q_struct element;
 
@@ -691,15 +691,14 @@ static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
   return s;
 }
 
-/* The product of a matrix for each phase, the last phase leftmost. */
-static int product(struct num_vec *out, struct exact_motion *m, bool jacobians) {
+static int period_matrix(struct num_vec *out, struct exact_motion *m) {
   struct num_vec p, u;
   vec_init(&p, 16);
   vec_init(&u, 1);
   int s = SS_OK;
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s = length(at(&u, 0), m, ph);
-    if (s == SS_OK) s = jacobians ? local_jacobian(&p, m, ph) : exact_propagator(&p, m, (enum phase)ph, at(&u, 0));
+    if (s == SS_OK) s = exact_propagator(&p, m, (enum phase)ph, at(&u, 0));
     if (ph == 0)
       num_vec_set(out, &p);
     else if (s == SS_OK)
@@ -710,12 +709,74 @@ static int product(struct num_vec *out, struct exact_motion *m, bool jacobians) 
   return s;
 }
 
-static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
-  struct num_vec j;
+/* --- The Jacobian of the period, from its corners --- */
+
+/* Column k of what a corner takes in, as a perturbation. */
+static int direction(struct num_vec *v, struct exact_motion *m, int phase, int k) {
+  int s = SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    enum entering in = local_maps[phase].in[k][i];
+    s |= num_exact.set_d(at(v, i), in != STAYS_OUT, 0);
+    if (in == ENTERS_BY_CHI) num_exact.set(at(v, i), at(&m->params, P_CHI));
+  }
+  return s;
+}
+
+/* Does the phase carry the perturbations of its corner's columns to those of the next corner's, as the corner says? */
+static bool hands_over(struct exact_motion *m, int phase) {
+  const struct local_map *map = &local_maps[phase];
+  struct num_vec j, c, v, w;
   vec_init(&j, 16);
-  int s = product(&j, m, true);
-  for (int i = 0; i < 4; i++) num_exact.set(at(out, i), at(&j, 4 * (i / 2) + i % 2));
+  vec_init(&c, map->rows * map->cols);
+  vec_init(&v, 4);
+  vec_init(&w, 4);
+  int s = local_jacobian(&j, m, phase);
+  if (s == SS_OK) s = corner(&c, m, phase);
+  for (int k = 0; s == SS_OK && k < map->cols; k++) {
+    s = direction(&v, m, phase, k);
+    if (s == SS_OK) s = multiply(&v, m, &j, &v, 4, 4, 1);
+    for (int r = 0; s == SS_OK && r < map->rows; r++) {
+      s = direction(&w, m, phase + 1, r);
+      for (int i = 0; s == SS_OK && i < 4; i++) {
+        s = op(num_exact.mul, at(&w, i), m, at(&w, i), at(&c, r * map->cols + k));
+        if (s == SS_OK) s = op(num_exact.sub, at(&v, i), m, at(&v, i), at(&w, i));
+      }
+    }
+    for (int i = 0; i < 4; i++)
+      if (!exact_is_zero(m->field, at(&v, i))) s |= SS_UNABLE;
+  }
+  num_vec_clear(&w);
+  num_vec_clear(&v);
+  num_vec_clear(&c);
   num_vec_clear(&j);
+  return s == SS_OK;
+}
+
+/* The product of the corners, held as unknowns, once it is known that each phase hands over to the next. */
+static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
+  struct num_vec c, sum;
+  char name[32];
+  int s = SS_OK;
+  m->used_matrix = true;
+  for (int ph = 0; ph + 1 < N_PHASES; ph++)
+    if (!hands_over(m, ph)) return SS_UNABLE;
+  vec_init(&sum, 6);
+  for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
+    const struct local_map *map = &local_maps[ph];
+    vec_init(&c, map->rows * map->cols);
+    for (int i = 0; i < map->rows * map->cols; i++) {
+      snprintf(name, sizeof name, "%s[%d,%d]", map->name, i / map->cols + 1, i % map->cols + 1);
+      s |= exact_symbol(at(&c, i), m->field, name);
+    }
+    struct num_vec before = part(&sum, 0, map->cols * 2), after = part(&sum, 0, map->rows * 2);
+    if (ph == 0)
+      num_vec_set(&after, &c);
+    else if (s == SS_OK)
+      s = multiply(&after, m, &c, &before, map->rows, map->cols, 2);
+    num_vec_clear(&c);
+  }
+  for (int i = 0; i < 4; i++) num_exact.set(at(out, i), at(&sum, i));
+  num_vec_clear(&sum);
   return s;
 }
 
@@ -748,7 +809,7 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     num_vec_clear(&u);
     return s;
   }
-  if (strcmp(name, "N") == 0) return product(out, m, false);
+  if (strcmp(name, "N") == 0) return period_matrix(out, m);
   if (strcmp(name, "J") == 0) return return_jacobian(out, m);
   if (strcmp(name, "omega_1") == 0 || strcmp(name, "omega_2") == 0) {
     m->wants_modes = !m->attempt.modes;

@@ -143,22 +143,18 @@ static void try_all(struct job *b) {
 
 /* --- One claim --- */
 
-/* The matrices that the claim names as unknowns; their number. */
-static int read_unknowns(struct override *o, char names[][16], const struct claim *c) {
-  const char *list = claim_get(c, "oracle");
+static void add_unknown(struct override *o, int *n, const char *name) {
+  const struct oracle *q = oracle_find(name);
+  if (q && *n < MAX_NAMES) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
+}
+
+/* The matrix of the period, where the claim is about it, else the local Jacobians, of which J is made. */
+static int choose_unknowns(struct override *o, const struct claim *c) {
+  const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
   int n = 0;
-  while (list && *list && n < MAX_NAMES) {
-    while (*list == ' ' || *list == ',') list++;
-    size_t len = strcspn(list, ", ");
-    if (len == 0 || len >= sizeof names[n]) break;
-    memcpy(names[n], list, len);
-    names[n][len] = '\0';
-    list += len;
-    const struct oracle *q = oracle_find(names[n]);
-    if (!q) break;
-    o[n] = (struct override){names[n], oracle_rows(q), oracle_cols(q)};
-    n++;
-  }
+  if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
+  bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
+  for (int ph = 0; about && ph < N_PHASES; ph++) add_unknown(o, &n, local_maps[ph].name);
   return n;
 }
 
@@ -231,7 +227,8 @@ static struct exact_proof prove_with(struct judge *j, const struct question *q, 
   struct sentence s;
   struct diag d;
   diag_init(&d);
-  bool ok = q->c ? sentence_from_claim(&s, view, q->c, o, n, &d) : sentence_from_value(&s, view, q->value, q->section, &d);
+  bool ok = q->c ? sentence_from_claim(&s, view, q->c, o, n, &d)
+                 : sentence_from_value(&s, view, q->value, q->section, o, n, &d);
   if (!ok || s.n > MAX_ENTRIES)
     p = (struct exact_proof){.why_not = "the sentence cannot be read"};
   else if (!equalities_only(&s))
@@ -246,12 +243,14 @@ static struct exact_proof prove_with(struct judge *j, const struct question *q, 
 }
 
 /* What a matrix held as unknowns is known to do is known of the model's: so the paper's must be the model's. */
-static bool are_the_models(struct judge *j, const struct question *q, struct view view, const struct override *o, int n) {
+static bool are_the_models(struct judge *j, const struct question *q, struct view view, const struct restriction *r,
+                           const struct override *o, int n) {
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
-    const struct question lemma = {
-        .value = o[i].name, .section = q->section, .spec = {{.kind = POINT_ARC}}, .n_specs = 1};
-    ok = prove_with(j, &lemma, view, NULL, NULL, 0).proved;
+    struct question lemma = *q;
+    lemma.c = NULL;
+    lemma.value = o[i].name;
+    ok = prove_with(j, &lemma, view, r, NULL, 0).proved;
   }
   return ok;
 }
@@ -265,7 +264,6 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
   struct override o[MAX_NAMES];
-  char names[MAX_NAMES][16];
   struct diag d;
   diag_init(&d);
   struct judge quiet = *j;
@@ -278,12 +276,11 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   q.n_specs = claim_points(q.spec, MAX_SPECS, &quiet, c);
   if (q.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
   if (!exact_propagators_proved()) return (struct exact_proof){.why_not = "the model's propagators were not confirmed"};
-  int n = q.value ? 0 : read_unknowns(o, names, c);
+  int n = choose_unknowns(o, c);
   struct exact_proof p = prove_with(j, &q, view, r, o, n);
-  if (n && p.proved && p.uses_matrices && !are_the_models(j, &q, view, o, n)) p.proved = false;
-  if (n && !p.proved) {
-    p = prove_with(j, &q, view, r, NULL, 0);
-    n = 0;
+  if (n && p.proved && p.uses_matrices && !are_the_models(j, &q, view, r, o, n)) {
+    p.proved = false;
+    p.why_not = "a matrix in it is not the model's";
   }
   if (p.proved) p.note = describe(j, &p, &q, n);
   return p;

@@ -135,8 +135,8 @@ bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
 
 /* Products are refused before they are made. */
 static bool fits(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
-  slong most = 16 * f->limit < NUM_EXACT_PRODUCT ? 16 * f->limit : NUM_EXACT_PRODUCT;
-  return num_exact_terms(x) * num_exact_terms(y) <= most;
+  slong most = f->limit * f->limit / 16;
+  return num_exact_terms(x) * num_exact_terms(y) <= (most < NUM_EXACT_PRODUCT ? most : NUM_EXACT_PRODUCT);
 }
 
 static int apply(num_binary op, fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
