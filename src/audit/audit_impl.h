@@ -344,6 +344,8 @@ void finding_state(struct finding *f, struct audit_result *out, const char *rout
                    long trials, const char *where, const char *note);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
+/* Of a sentence with that verdict, judged again under a condition. */
+enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
 /* How many of the routes agree and are pairwise independent by the table of routes.h. */
 int independent_routes(const struct route_word *w, int n);
 

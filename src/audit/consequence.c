@@ -273,9 +273,9 @@ static void judge_downstream(struct consequence *q, struct failure *f, size_t at
     bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
     if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
     enum verdict v = touched ? judge_again(j, c, own) : judge_as_is(j, c);
-    if (v == VERDICT_REFUTED && !touched && !f->number) continue; /* for a reason of its own */
+    if (verdict_fails(v) && !touched && !f->number) continue; /* for a reason of its own */
     bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
-    add_id(j->out, v == VERDICT_REFUTED ? &q->falls : holds ? &q->survives : &q->open, c->id);
+    add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
   }
 }
 
@@ -342,7 +342,7 @@ static void consequence_of(struct judge *j, struct finding *finding, size_t at) 
 bool judge_consequences(struct judge *j) {
   for (size_t i = 0; i < j->out->n_findings; i++) {
     struct finding *f = &j->out->findings[i];
-    if (f->verdict != VERDICT_REFUTED || !f->correction) continue;
+    if (!verdict_fails(f->verdict) || !f->correction) continue;
     for (size_t k = 0; k < j->claims->n; k++)
       if (strcmp(j->claims->claim[k].id, f->id) == 0) consequence_of(j, f, k);
   }

@@ -292,12 +292,11 @@ static const struct {
   const char *name[N_STATE], *small[N_STATE];
   int decided;
   bool sticks[N_STATE];
-} ends[5] = {
-    {{"z_10", "z_20", NULL, NULL}, {"x", "y", NULL, NULL}, -1, {[DZ_1] = true, [DZ_2] = true}},
-    {{NULL, "z_2a", NULL, NULL}, {NULL, "y_a", NULL, NULL}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
-    {{"z_1b", NULL, "z'_1b", NULL}, {"x_b", NULL, "u_b", NULL}, Z_2, {[DZ_2] = true}},
-    {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
-    {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
+} ends[5] = {{{"z_10", "z_20", NULL, NULL}, {"x", "y", NULL, NULL}, -1, {[DZ_1] = true, [DZ_2] = true}},
+             {{NULL, "z_2a", NULL, NULL}, {NULL, "y_a", NULL, NULL}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
+             {{"z_1b", NULL, "z'_1b", NULL}, {"x_b", NULL, "u_b", NULL}, Z_2, {[DZ_2] = true}},
+             {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
+             {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
 
 static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool perturbation) {
   int s = SS_OK;

@@ -37,9 +37,9 @@ struct exact_motion {
   struct num_vec shift;           /* dt_a ... dt_d */
   bool have_state[5], have_tangent[5];
   int state_status, tangent_status;
-  bool used_matrix;     /* what a matrix held as unknowns does to the motion was used */
-  bool wants_modes;     /* SS_UNABLE came from phase H without modes */
-  char unbound[64];     /* or from this name */
+  bool used_matrix; /* what a matrix held as unknowns does to the motion was used */
+  bool wants_modes; /* SS_UNABLE came from phase H without modes */
+  char unbound[64]; /* or from this name */
 };
 
 /* The motion for a sentence at such points; reads: the inputs of its tape. */

@@ -167,7 +167,8 @@ static bool equalities_only(const struct sentence *s) {
 /* Is a kind of point among others of which it is a special case? */
 static bool covered(const struct point_spec *spec, int n, int i) {
   for (int k = 0; k < n; k++)
-    if (k != i && spec[i].kind == POINT_ORBIT && spec[k].kind == POINT_ARC && spec[k].phase == spec[i].phase) return true;
+    if (k != i && spec[i].kind == POINT_ORBIT && spec[k].kind == POINT_ARC && spec[k].phase == spec[i].phase)
+      return true;
   return false;
 }
 
@@ -180,8 +181,9 @@ static const char *why_open(struct job *b) {
   }
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
-    return result_str(out, "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
-                           "these motions would be needed",
+    return result_str(out,
+                      "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
+                      "these motions would be needed",
                       (long)apart, (long)b->s->n, text_str(&b->field));
   if (b->undefined) return "a divisor is zero for all parameters";
   return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);

@@ -5,10 +5,10 @@
 #include "audit_impl.h"
 
 struct exact_proof {
-  bool proved;         /* on the claim's whole domain, wherever both sides are defined */
-  const char *note;    /* what was shown equal, and where; when proved */
-  const char *why_not; /* when not */
-  const char *differs; /* a difference and a rational point, where that refutes; else NULL */
+  bool proved;                        /* on the claim's whole domain, wherever both sides are defined */
+  const char *note;                   /* what was shown equal, and where; when proved */
+  const char *why_not;                /* when not */
+  const char *differs;                /* a difference and a rational point, where that refutes; else NULL */
   const struct restriction *holds_at; /* under which every difference vanishes, by its factors; or NULL */
   const char *field;
   slong largest;

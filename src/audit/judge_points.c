@@ -48,6 +48,7 @@ struct run {
   struct point_spec spec[MAX_SPECS];
   int n_specs;
   struct exact_proof proof;
+  bool proof_tried;
   struct point example; /* the first point at which the sentence fails, else the last accepted */
   bool have_example;
 };
@@ -334,6 +335,16 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
   return true;
 }
 
+/* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
+   transcription of the model's side. */
+static long points_wanted(struct run *r, const struct point_spec *spec, long done) {
+  if (done == 1 && r->j->effort == EFFORT_FULL && !r->proof_tried && !r->tally[0].differs) {
+    r->proof_tried = true;
+    r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
+  }
+  return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
+}
+
 static bool try_spec(struct run *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
@@ -346,7 +357,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   point_init(&p);
   bool ok = true;
   long done = 0;
-  for (long draws = 0; ok && done < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
+  for (long draws = 0; ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * spec->n; draws++) {
     if (r->j->effort == EFFORT_REFUTE && r->tally[0].differs) break;
     bool accepted = false;
     sampler_next(&p, &s);
@@ -391,13 +402,17 @@ static void add_proof(struct finding *f, struct run *r) {
   struct audit_result *out = r->j->out;
   const struct exact_proof *p = &r->proof;
   const char *layer = layer_of(r);
-  struct evidence *e;
+  const char *where =
+      p->holds_at ? result_str(out, "every difference has a factor that is zero where %s", p->holds_at->text) : NULL;
   if (p->proved || p->differs) {
-    e = finding_add(f, out);
-    *e = (struct evidence){.route = "exact", .layer = layer, .bits = -1, .trials = -1, .machine_residual = NAN};
+    struct evidence *e = finding_add(f, out);
+    e->route = "exact";
+    e->layer = layer;
     e->result = p->proved ? "proved" : "differs";
-    e->note = p->proved ? p->note : p->differs;
-  } else if (p->why_not && !r->tally[0].differs) {
+    e->note = p->proved ? p->note : where ? result_str(out, "%s; %s", p->differs, where) : p->differs;
+  } else if (where) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, where);
+  } else if (p->why_not && !(r->n_routes && r->tally[0].differs)) {
     finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
   }
 }
@@ -435,7 +450,6 @@ static bool run_all(struct finding *f, struct run *r, struct judge *j, const str
   struct override o[MAX_ROUTES];
   char names[MAX_ROUTES][16];
   bool ok = run_init(r, j, c, view, restriction, o, names);
-  if (ok && j->effort == EFFORT_FULL) r->proof = exact_prove(j, c, view, restriction);
   for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
   if (ok) conclude(f, r);
   return ok;
@@ -478,11 +492,30 @@ static void describe_effect(struct finding *f, struct run *r) {
   text_clear(&t);
 }
 
+/* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */
+static bool judge_by_algebra(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct run r = {.j = j, .c = c, .view = view, .proof = exact_prove(j, c, view, NULL)};
+  struct route_word w = {"exact",
+                         r.proof.proved    ? SAYS_AGREES
+                         : r.proof.differs ? SAYS_DIFFERS
+                                           : SAYS_UNDECIDED,
+                         true, 1};
+  add_proof(f, &r);
+  f->verdict = verdict_of(&w, 1, true);
+  return true;
+}
+
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct run r;
+  const char *routes_asked = claim_get(c, "routes");
+  if (routes_asked && strcmp(routes_asked, "exact") == 0) return judge_by_algebra(f, j, c, view);
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
-  if (ok && f->verdict == VERDICT_REFUTED && explained) describe_effect(f, &r);
+  if (ok && f->verdict == VERDICT_REFUTED && explained) {
+    describe_effect(f, &r);
+    if (strcmp(view.own, claim_own(c)) == 0) r.proof = exact_prove(j, c, view, NULL);
+    add_proof(f, &r);
+  }
   run_clear(&r);
   return ok;
 }

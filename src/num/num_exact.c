@@ -124,7 +124,8 @@ static int e_pow_si(void *z, const void *x, slong n, slong prec) {
   e_init(&base, prec);
   e_set(&base, x);
   int s = e_set_d(&r, 1, prec);
-  for (slong i = 0; s == SS_OK && i < (n < 0 ? -n : n); i++) s = n < 0 ? e_div(&r, &r, &base, prec) : e_mul(&r, &r, &base, prec);
+  for (slong i = 0; s == SS_OK && i < (n < 0 ? -n : n); i++)
+    s = n < 0 ? e_div(&r, &r, &base, prec) : e_mul(&r, &r, &base, prec);
   if (s == SS_OK) e_swap(z, &r);
   e_clear(&base);
   e_clear(&r);

@@ -649,7 +649,8 @@ bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpo
 }
 
 /* q g - p divides the numerator. */
-bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name, const fmpq_t value) {
+bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name,
+                       const fmpq_t value) {
   slong i = 0;
   while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, name) == 0)) i++;
   if (i == f->n) return exact_is_zero(f, x);
