@@ -6,9 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "exact_motion.h"
-
-enum { MAX_SPECS = 4, MAX_NAMES = 8, MAX_ENTRIES = 64 };
+enum { MAX_ENTRIES = 64 };
 
 /* The sentence at one kind of point, and what has been found about its entries. */
 struct job {
@@ -20,6 +18,7 @@ struct job {
   struct sentence *s;
   bool done[MAX_ENTRIES];  /* proved */
   bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
+  struct exact_attempt by[MAX_ENTRIES];
   slong largest;
   char unbound[64];
   bool wants_modes, undefined, uses_matrices;
@@ -94,10 +93,12 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
     if (b->done[i]) continue;
     b->apart[i] = false;
     int s = difference(&d, b, &m, &v, i);
-    if (s == SS_OK && exact_is_zero(m.field, &d))
+    if (s == SS_OK && exact_is_zero(m.field, &d)) {
       b->done[i] = true;
-    else if (s == SS_OK)
+      b->by[i] = *a;
+    } else if (s == SS_OK) {
       book_difference(b, &m, i, &d, keep);
+    }
     apart = apart || b->apart[i];
     b->undefined = s & SS_DOMAIN;
   }
@@ -145,7 +146,7 @@ static void try_all(struct job *b) {
 
 static void add_unknown(struct override *o, int *n, const char *name) {
   const struct oracle *q = oracle_find(name);
-  if (q && *n < MAX_NAMES) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
+  if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
 }
 
 /* The matrix of the period, where the claim is about it, else the local Jacobians, of which J is made. */
@@ -195,6 +196,17 @@ static bool is_complete(const struct job *b) {
   return b->spec.kind == POINT_PARAMS || b->spec.kind == POINT_FLOW;
 }
 
+/* The last part of the proof. */
+static void record_part(struct exact_proof *p, struct job *b, const struct exact_question *q, const struct override *o,
+                        int n) {
+  if (p->n_parts == EXACT_PARTS) abort();
+  struct exact_attempt *by = arena_alloc(&b->j->out->arena, (size_t)b->s->n * sizeof *by);
+  memcpy(by, b->by, (size_t)b->s->n * sizeof *by);
+  struct exact_part *part = &p->part[p->n_parts++];
+  *part = (struct exact_part){.question = q, .n_unknowns = n, .spec = b->spec, .n = b->s->n, .by = by};
+  if (n) memcpy(part->unknown, o, (size_t)n * sizeof *o);
+}
+
 static void prove_spec(struct exact_proof *p, struct job *b) {
   text_init(&b->field);
   text_init(&b->witness);
@@ -213,51 +225,53 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
   text_clear(&b->field);
 }
 
-/* What is to be proved: a claim's sentence, or a value of which a proof makes use. */
-struct question {
-  const struct claim *c; /* NULL: value */
-  const char *value, *section;
-  struct point_spec spec[MAX_SPECS];
-  int n_specs;
-  bool finite;
-};
+bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
+                    int n, struct diag *d) {
+  if (q->c) return sentence_from_claim(s, view, q->c, o, n, d);
+  return sentence_from_value(s, view, q->value, q->section, o, n, d);
+}
 
-/* With n matrices held as unknowns. */
-static struct exact_proof prove_with(struct judge *j, const struct question *q, struct view view,
-                                     const struct restriction *r, const struct override *o, int n) {
-  struct exact_proof p = {.proved = true};
+/* With n matrices held as unknowns; adds to the proof, which stays one. */
+static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
+                       const struct restriction *r, const struct override *o, int n) {
   struct sentence s;
   struct diag d;
   diag_init(&d);
-  bool ok = q->c ? sentence_from_claim(&s, view, q->c, o, n, &d)
-                 : sentence_from_value(&s, view, q->value, q->section, o, n, &d);
-  if (!ok || s.n > MAX_ENTRIES)
-    p = (struct exact_proof){.why_not = "the sentence cannot be read"};
+  if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
+    *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
   else if (!equalities_only(&s))
-    p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
-  for (int i = 0; p.proved && i < q->n_specs; i++) {
+    *p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
+  for (int i = 0; p->proved && i < q->n_specs; i++) {
     if (covered(q->spec, q->n_specs, i)) continue;
     struct job b = {.j = j, .value = q->value, .restriction = r, .spec = q->spec[i], .finite = q->finite, .s = &s};
-    prove_spec(&p, &b);
+    prove_spec(p, &b);
+    if (p->proved) record_part(p, &b, q, o, n);
   }
   sentence_clear(&s);
-  return p;
+}
+
+static struct exact_question *keep_question(struct judge *j, const struct exact_question *q) {
+  struct exact_question *kept = arena_alloc(&j->out->arena, sizeof *kept);
+  *kept = *q;
+  return kept;
 }
 
 /* What a matrix held as unknowns is known to do is known of the model's: so the paper's must be the model's. */
-static bool are_the_models(struct judge *j, const struct question *q, struct view view, const struct restriction *r,
-                           const struct override *o, int n) {
-  bool ok = true;
-  for (int i = 0; ok && i < n; i++) {
-    struct question lemma = *q;
-    lemma.c = NULL;
-    lemma.value = o[i].name;
-    ok = prove_with(j, &lemma, view, r, NULL, 0).proved;
+static void are_the_models(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
+                           const struct restriction *r, const struct override *o, int n) {
+  const char *field = p->field;
+  for (int i = 0; p->proved && i < n; i++) {
+    struct exact_question *lemma = keep_question(j, q);
+    lemma->c = NULL;
+    lemma->value = o[i].name;
+    prove_with(p, j, lemma, view, r, NULL, 0);
+    if (!p->proved) p->why_not = result_str(j->out, "%s in it is not the model's", o[i].name);
   }
-  return ok;
+  p->field = field;
 }
 
-static const char *describe(struct judge *j, const struct exact_proof *p, const struct question *q, int unknowns) {
+static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
+                            int unknowns) {
   return result_str(j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
                     q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
                              : "both sides, on motions made from the first-order systems, are equal",
@@ -265,25 +279,24 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
-  struct override o[MAX_NAMES];
+  struct override o[EXACT_UNKNOWNS];
   struct diag d;
   diag_init(&d);
   struct judge quiet = *j;
   quiet.d = &d;
   const char *perturbation = claim_get(c, "perturbation"), *section = claim_get(c, "section");
-  struct question q = {.c = c,
-                       .value = claim_get(c, "value"),
-                       .section = section ? section : "",
-                       .finite = perturbation && strcmp(perturbation, "finite") == 0};
-  q.n_specs = claim_points(q.spec, MAX_SPECS, &quiet, c);
-  if (q.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
+  struct exact_question asked = {.c = c,
+                                 .value = claim_get(c, "value"),
+                                 .section = section ? section : "",
+                                 .finite = perturbation && strcmp(perturbation, "finite") == 0};
+  asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
+  if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
   if (!exact_propagators_proved()) return (struct exact_proof){.why_not = "the model's propagators were not confirmed"};
+  const struct exact_question *q = keep_question(j, &asked);
   int n = choose_unknowns(o, c);
-  struct exact_proof p = prove_with(j, &q, view, r, o, n);
-  if (n && p.proved && p.uses_matrices && !are_the_models(j, &q, view, r, o, n)) {
-    p.proved = false;
-    p.why_not = "a matrix in it is not the model's";
-  }
-  if (p.proved) p.note = describe(j, &p, &q, n);
+  struct exact_proof p = {.proved = true};
+  prove_with(&p, j, q, view, r, o, n);
+  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
+  if (p.proved) p.note = describe(j, &p, q, n);
   return p;
 }

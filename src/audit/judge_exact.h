@@ -2,7 +2,28 @@
 #ifndef STICKSLIP_AUDIT_JUDGE_EXACT_H
 #define STICKSLIP_AUDIT_JUDGE_EXACT_H
 
-#include "audit_impl.h"
+#include "exact_motion.h"
+
+enum { EXACT_SPECS = 4, EXACT_UNKNOWNS = 8, EXACT_PARTS = 24 };
+
+/* What is to be proved: a claim's sentence, or a value of which a proof makes use. */
+struct exact_question {
+  const struct claim *c; /* NULL: value */
+  const char *value, *section;
+  struct point_spec spec[EXACT_SPECS];
+  int n_specs;
+  bool finite;
+};
+
+/* A sentence that was proved at one kind of point: with which matrices as unknowns, and by which attempt each entry. */
+struct exact_part {
+  const struct exact_question *question;
+  struct override unknown[EXACT_UNKNOWNS];
+  int n_unknowns;
+  struct point_spec spec;
+  slong n;
+  const struct exact_attempt *by;
+};
 
 struct exact_proof {
   bool proved;                        /* on the claim's whole domain, wherever both sides are defined */
@@ -13,8 +34,12 @@ struct exact_proof {
   const char *field;
   slong largest;
   bool uses_matrices;
+  struct exact_part part[EXACT_PARTS]; /* a proof is all of them */
+  int n_parts;
 };
 
+bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
+                    int n, struct diag *d);
 /* The sentence of a claim that is tried at points, under a restriction or (NULL) without. */
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
 

@@ -525,25 +525,31 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
 
 /* --- Points --- */
 
-static void print_generator(struct text *out, const struct exact_field *f, slong i) {
+void exact_print(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   char label[EXACT_GENERATORS][8];
   const char *names[EXACT_GENERATORS];
+  for (slong k = 0; k < EXACT_GENERATORS; k++) {
+    slong i = variable(k);
+    snprintf(label[k], sizeof label[k], "g%ld", (long)i);
+    names[k] = i < f->n && f->gen[i].op == TAPE_INPUT ? f->gen[i].name : label[k];
+  }
+  char *num = fmpz_mpoly_get_str_pretty(&x->num, names, ring());
+  char *den = fmpz_mpoly_get_str_pretty(&x->den, names, ring());
+  text_printf(out, strcmp(den, "1") == 0 ? "%s" : "(%s)/(%s)", num, den);
+  flint_free(den);
+  flint_free(num);
+}
+
+static void print_generator(struct text *out, const struct exact_field *f, slong i) {
   const struct generator *g = &f->gen[i];
   if (g->op == TAPE_INPUT) {
     text_add(out, g->name);
     return;
   }
-  for (slong k = 0; k < EXACT_GENERATORS; k++) {
-    snprintf(label[k], sizeof label[k], "g%ld", (long)variable(k));
-    names[k] = variable(k) < f->n && f->gen[variable(k)].op == TAPE_INPUT ? f->gen[variable(k)].name : label[k];
-  }
   text_add(out, g->op == TAPE_sin ? "sin(" : g->op == TAPE_cos ? "cos(" : g->op == TAPE_sqrt ? "sqrt(" : "root(");
   for (slong k = 0; k < g->n_args; k++) {
-    char *num = fmpz_mpoly_get_str_pretty(&g->args[k].num, names, ring());
-    char *den = fmpz_mpoly_get_str_pretty(&g->args[k].den, names, ring());
-    text_printf(out, strcmp(den, "1") == 0 ? "%s%s" : "%s(%s)/(%s)", k ? "; " : "", num, den);
-    flint_free(den);
-    flint_free(num);
+    if (k) text_add(out, "; ");
+    exact_print(out, f, &g->args[k]);
   }
   text_add(out, ")");
 }
