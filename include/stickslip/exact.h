@@ -4,11 +4,12 @@
    polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u),
    cos(-u) = cos(u), cot = cos/sin.  The relations cos^2 = 1 - sin^2, and sqrt(u)^2 = u where u is a polynomial, rewrite
    the generator with the square by generators that are older; their leading terms are coprime, so they are a Groebner
-   basis, the ideal is prime, and an element is zero exactly when its numerator, so rewritten, is zero.  Numerators and
-   denominators are kept rewritten.  Symbols may be defined by facts or by a binder.
+   basis, and a numerator is in their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept
+   rewritten.  Symbols may be defined by facts or by a binder.
 
    Equal elements are equal functions wherever both are defined.  Elements that differ are different functions of their
-   generators; that says something about the formulas only when the generators themselves are free of each other.
+   generators; that says something about the formulas only when these know of no relation but those used
+   (exact_independent).
 
    A computation that would hold more than the field's limit of terms (EXACT_TERMS unless set) in a numerator or
    denominator, or need more than EXACT_GENERATORS generators, is given up: SS_UNABLE.  Elements are those of num_exact. */
@@ -56,8 +57,10 @@ struct exact_vec {
 };
 /* SS_OK, SS_DOMAIN (a division by zero) or SS_UNABLE; then the values mean nothing, but must be cleared all the same. */
 int exact_eval(struct exact_vec *out, struct exact_field *f, const struct tape *t);
-/* The same with the status of each output (its value means nothing unless SS_OK); returns their union. */
-int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t);
+/* The same with the status of each output (its value means nothing unless SS_OK); returns their union.  Only the wanted
+   outputs (NULL: all) are computed, the others are SS_UNABLE. */
+int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t,
+                    const bool *wanted);
 void exact_vec_clear(struct exact_vec *v);
 /* The largest number of terms that any register has had. */
 slong exact_largest(const struct exact_field *f);
@@ -82,6 +85,10 @@ void exact_clear(fmpz_mpoly_q_struct *x, const struct exact_field *f);
 /* Rational values of the generators, which obey the relations, at which x is defined and not zero, as "chi = 1/2, ...", and
    x there.  false when none was found among a few hundred. */
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x);
+/* Whether the generators obey no relations but those used, so that elements that differ are different functions of the free
+   symbols: no roots, at most one square root, and that not of a square, and angles whose arguments are distinct monomials
+   (then linearly independent, and so their sines algebraically).  false: it cannot be told. */
+bool exact_independent(const struct exact_field *f);
 /* Is x zero where the free symbol has the value (which must be of the form p/q)? */
 bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name, const fmpq_t value);
 

@@ -344,7 +344,7 @@ static int state(struct num_vec *z, struct exact_motion *m, int k) {
   *z = part(&m->state, 4 * k, 4);
   if (m->have_state[k]) return m->state_status;
   m->have_state[k] = true;
-  if (!m->attempt.chained || k <= m->first_state || (k == 0 && is_periodic(m)))
+  if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
     return m->state_status |= free_end(z, m, k, false);
   struct num_vec before;
   int s = state(&before, m, k - 1);
@@ -445,13 +445,18 @@ static bool has_word(const struct exact_motion *m) {
   return m->kind == POINT_ARC || m->kind == POINT_ORBIT;
 }
 
+/* The last switch before the time t, or at it. */
+static int end_now(const struct exact_motion *m) {
+  return (int)m->phase + (m->attempt.time == TIME_END);
+}
+
 /* The time t: on an arc that of the phases before, of the perturbed motion where there is one, and tau. */
 static int time_now(element *z, struct exact_motion *m) {
   if (!has_word(m)) return exact_symbol(z, m->field, "t");
   struct num_vec w, dz;
   vec_init(&w, 1);
-  int s = exact_symbol(z, m->field, "tau");
-  for (int k = 0; s == SS_OK && k < (int)m->phase; k++) {
+  int s = m->attempt.time == TIME_INSIDE ? exact_symbol(z, m->field, "tau") : num_exact.set_d(z, 0, 0);
+  for (int k = 0; s == SS_OK && k < end_now(m); k++) {
     s = length(at(&w, 0), m, k);
     if (s == SS_OK) s = op(num_exact.add, z, m, z, at(&w, 0));
     if (s != SS_OK || !m->finite) continue;
@@ -469,7 +474,8 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   vec_init(&p, 16);
   vec_init(&u, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
-  if (has_word(m)) s |= some_state(out, m, (int)m->phase, m->finite);
+  if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
+  if (has_word(m)) s |= some_state(out, m, end_now(m), m->finite);
   for (int i = 0; !has_word(m) && i < 4; i++) s |= exact_symbol(at(out, i), m->field, start[i]);
   s |= exact_propagator(&p, m, m->phase, at(&u, 0));
   if (s == SS_OK) s = multiply(out, m, &p, out, 4, 4, 1);
@@ -536,7 +542,7 @@ static int bind_arc(element *z, struct exact_motion *m, int index) {
 static int bind_param(element *z, struct exact_motion *m, int i) {
   struct num_vec v;
   int s = SS_OK, end = i == P_E1 ? 1 : 2;
-  if (i >= P_E1 && has_word(m) && m->attempt.chained && m->first_state < end) s = state(&v, m, end);
+  if (i >= P_E1 && has_word(m) && m->attempt.anchor < end && m->first_state < end) s = state(&v, m, end);
   num_exact.set(z, at(&m->params, i));
   return s;
 }
@@ -603,7 +609,7 @@ static void note(int *first, int k) {
 
 static void note_motion(struct exact_motion *m, const char *argument) {
   int k = name_of_switching_time(argument);
-  int end = k >= 0 ? k % 4 + 1 : (int)m->phase;
+  int end = k >= 0 ? k % 4 + 1 : end_now(m);
   note(&m->first_state, end);
   if (m->finite) note(&m->first_tangent, end);
 }

@@ -16,11 +16,15 @@ enum exact_tangents {
   N_EXACT_TANGENTS
 };
 
+/* Of sentences about both ends of a phase: the time t is its start or its end. */
+enum exact_time { TIME_INSIDE, TIME_START, TIME_END };
+
 /* How much is asked to hold.  Less is quicker, and a proof with less is a proof. */
 struct exact_attempt {
   bool modes; /* chi and eta by the frequencies of phase H, which free generators stand for */
-  bool chained;
+  int anchor; /* the states after this one (0 to 4) follow each from the one before, the others are free */
   enum exact_tangents tangents;
+  enum exact_time time;
 };
 
 struct exact_motion {

@@ -14,14 +14,14 @@ struct job {
   const char *value; /* what the sentence's oracle is called */
   const struct restriction *restriction;
   struct point_spec spec;
-  bool finite;
+  bool finite, sharp, has_tangents;
   struct sentence *s;
   bool done[MAX_ENTRIES];  /* proved */
   bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
   struct exact_attempt by[MAX_ENTRIES];
   slong largest;
   char unbound[64];
-  bool wants_modes, undefined, uses_matrices;
+  bool wants_modes, undefined, uses_matrices, independent;
   struct text field, witness;
   const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
 };
@@ -40,7 +40,10 @@ static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
   v->status = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *v->status);
   num_vec_init(&v->model, s->n, num_ctx_exact());
   v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
-  exact_eval_each(&v->paper, v->status, m->field, &s->tape);
+  bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
+  for (slong i = 0; i < s->tape.n_outputs; i++) wanted[i] = !b->done[i % s->n];
+  exact_eval_each(&v->paper, v->status, m->field, &s->tape, wanted);
+  free(wanted);
 }
 
 static void sides_clear(struct sides *v) {
@@ -109,6 +112,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   text_reset(&b->field);
   exact_print_generators(&b->field, m.field);
   b->wants_modes = m.wants_modes;
+  b->independent = exact_independent(m.field);
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
   exact_clear(&d, m.field);
@@ -122,24 +126,39 @@ static bool all_done(const struct job *b) {
   return true;
 }
 
+static bool has_tangents(const struct tape *t) {
+  bool any = false;
+  int index;
+  for (slong i = 0; i < t->n_inputs; i++) any = any || name_of_tangent(t->inputs[i], &index);
+  return any;
+}
+
 static bool has_root(const struct tape *t) {
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == TAPE_ROOT) return true;
   return false;
 }
 
+/* Once with the frequencies of phase H more when they are asked for. */
+static void try_with_modes(struct job *b, struct exact_attempt *a) {
+  try_attempt(b, a);
+  if (!b->wants_modes || a->modes) return;
+  a->modes = true;
+  try_attempt(b, a);
+}
+
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
-  bool modes = has_root(&b->s->tape), word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT;
-  for (int k = 0; k < 2 * N_EXACT_TANGENTS && !all_done(b); k++) {
-    struct exact_attempt a = {modes, k >= N_EXACT_TANGENTS, (enum exact_tangents)(k % N_EXACT_TANGENTS)};
-    if (k > 0 && !word) break;
-    if (b->finite && a.tangents == TANGENTS_LOCATED) continue;
-    try_attempt(b, &a);
-    if (!b->wants_modes || modes) continue;
-    modes = a.modes = true;
-    try_attempt(b, &a);
-  }
+  bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT;
+  struct exact_attempt a = {.modes = has_root(&b->s->tape)};
+  for (a.anchor = 4; a.anchor >= (word ? 0 : 4); a.anchor--)
+    for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
+      for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {
+        a.tangents = (enum exact_tangents)k;
+        a.time = (enum exact_time)time;
+        bool useless = (b->finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
+        if (!useless && !all_done(b)) try_with_modes(b, &a);
+      }
 }
 
 /* --- One claim --- */
@@ -180,6 +199,7 @@ static const char *why_open(struct job *b) {
     open += !b->done[i];
     apart += b->apart[i];
   }
+  if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
     return result_str(out,
@@ -191,9 +211,9 @@ static const char *why_open(struct job *b) {
 }
 
 /* Is what is free in an attempt really free, so that a difference refutes?  The parameters, the time and the start of a
-   motion are. */
+   motion are; of motions over the whole word not everything is used. */
 static bool is_complete(const struct job *b) {
-  return b->spec.kind == POINT_PARAMS || b->spec.kind == POINT_FLOW;
+  return (b->spec.kind == POINT_PARAMS || b->spec.kind == POINT_FLOW) && b->independent;
 }
 
 /* The last part of the proof. */
@@ -239,11 +259,18 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
   diag_init(&d);
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
-  else if (!equalities_only(&s))
+  else if (!q->sharp && !equalities_only(&s))
     *p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
   for (int i = 0; p->proved && i < q->n_specs; i++) {
     if (covered(q->spec, q->n_specs, i)) continue;
-    struct job b = {.j = j, .value = q->value, .restriction = r, .spec = q->spec[i], .finite = q->finite, .s = &s};
+    struct job b = {.j = j,
+                    .value = q->value,
+                    .restriction = r,
+                    .spec = q->spec[i],
+                    .finite = q->finite,
+                    .sharp = q->sharp,
+                    .has_tangents = has_tangents(&s.tape) || q->finite,
+                    .s = &s};
     prove_spec(p, &b);
     if (p->proved) record_part(p, &b, q, o, n);
   }
@@ -272,10 +299,13 @@ static void are_the_models(struct exact_proof *p, struct judge *j, const struct 
 
 static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
                             int unknowns) {
-  return result_str(j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
-                    q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
-                             : "both sides, on motions made from the first-order systems, are equal",
-                    p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest);
+  return result_str(
+      j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
+      q->sharp   ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
+                   "the phase"
+      : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
+                 : "both sides, on motions made from the first-order systems, are equal",
+      p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest);
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
@@ -288,7 +318,8 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   struct exact_question asked = {.c = c,
                                  .value = claim_get(c, "value"),
                                  .section = section ? section : "",
-                                 .finite = perturbation && strcmp(perturbation, "finite") == 0};
+                                 .finite = perturbation && strcmp(perturbation, "finite") == 0,
+                                 .sharp = claim_kind(claim_get(c, "kind")) == judge_sharp};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
   if (!exact_propagators_proved()) return (struct exact_proof){.why_not = "the model's propagators were not confirmed"};
@@ -299,4 +330,21 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
   if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
   if (p.proved) p.note = describe(j, &p, q, n);
   return p;
+}
+
+void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
+                       bool refuted) {
+  const char *where =
+      p->holds_at ? result_str(out, "every difference has a factor that is zero where %s", p->holds_at->text) : NULL;
+  if (p->proved || p->differs) {
+    struct evidence *e = finding_add(f, out);
+    e->route = "exact";
+    e->layer = layer;
+    e->result = p->proved ? "proved" : "differs";
+    e->note = p->proved ? p->note : where ? result_str(out, "%s; %s", p->differs, where) : p->differs;
+  } else if (refuted && where) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, where);
+  } else if (!refuted && p->why_not) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
+  }
 }

@@ -12,7 +12,7 @@ struct exact_question {
   const char *value, *section;
   struct point_spec spec[EXACT_SPECS];
   int n_specs;
-  bool finite;
+  bool finite, sharp; /* sharp: each step is an equality at one end of the phase */
 };
 
 /* A sentence that was proved at one kind of point: with which matrices as unknowns, and by which attempt each entry. */
@@ -40,7 +40,11 @@ struct exact_proof {
 
 bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
                     int n, struct diag *d);
-/* The sentence of a claim that is tried at points, under a restriction or (NULL) without. */
+/* The sentence of a claim that is tried at points, or is sharp, under a restriction or (NULL) without. */
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
+
+/* As evidence; refuted: another route has refuted the sentence. */
+void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
+                       bool refuted);
 
 #endif

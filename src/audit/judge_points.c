@@ -398,25 +398,6 @@ static void add_evidence(struct finding *f, struct run *r, const struct tally *t
   text_clear(&note);
 }
 
-static void add_proof(struct finding *f, struct run *r) {
-  struct audit_result *out = r->j->out;
-  const struct exact_proof *p = &r->proof;
-  const char *layer = layer_of(r);
-  const char *where =
-      p->holds_at ? result_str(out, "every difference has a factor that is zero where %s", p->holds_at->text) : NULL;
-  if (p->proved || p->differs) {
-    struct evidence *e = finding_add(f, out);
-    e->route = "exact";
-    e->layer = layer;
-    e->result = p->proved ? "proved" : "differs";
-    e->note = p->proved ? p->note : where ? result_str(out, "%s; %s", p->differs, where) : p->differs;
-  } else if (where) {
-    finding_state(f, out, "exact", layer, -1, -1, NULL, where);
-  } else if (p->why_not && !(r->n_routes && r->tally[0].differs)) {
-    finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
-  }
-}
-
 static void conclude(struct finding *f, struct run *r) {
   struct route_word w[MAX_ROUTES];
   for (int i = 0; i < r->n_routes; i++) {
@@ -424,7 +405,7 @@ static void conclude(struct finding *f, struct run *r) {
     w[i] = (struct route_word){t->route->name, says(t), i == 0, t->trials};
     add_evidence(f, r, t, w[i]);
   }
-  add_proof(f, r);
+  finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
   f->verdict = verdict_of(w, r->n_routes, r->proof.proved);
 }
 
@@ -500,7 +481,7 @@ static bool judge_by_algebra(struct finding *f, struct judge *j, const struct cl
                          : r.proof.differs ? SAYS_DIFFERS
                                            : SAYS_UNDECIDED,
                          true, 1};
-  add_proof(f, &r);
+  finding_add_proof(f, j->out, &r.proof, layer_of(&r), false);
   f->verdict = verdict_of(&w, 1, true);
   return true;
 }
@@ -514,7 +495,7 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
     if (strcmp(view.own, claim_own(c)) == 0) r.proof = exact_prove(j, c, view, NULL);
-    add_proof(f, &r);
+    finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
   }
   run_clear(&r);
   return ok;

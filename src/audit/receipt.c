@@ -5,15 +5,14 @@
 
 #include "judge_exact.h"
 
-/* --- The paper's side --- */
+/* --- The paper's side: each value when it is asked for --- */
 
 static void add_instruction(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
-  static const char *const infix[] = {
-      [TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/", [TAPE_POW] = "**"};
+  static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
   static const char *const functions[] = {
       [TAPE_sin] = "sin", [TAPE_cos] = "cos", [TAPE_cot] = "cot", [TAPE_sqrt] = "sqrt"};
-  text_printf(out, "    v%ld = ", (long)i);
+  text_printf(out, "        %ld: lambda: ", (long)i);
   switch (in->op) {
   case TAPE_CONST:
     text_add(out, "f.number(\"");
@@ -25,34 +24,32 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
     break;
   case TAPE_ROOT:
     text_printf(out, "f.root(%s", in->k < 0 ? "True" : "False");
-    for (slong k = 0; k < in->b; k++) text_printf(out, ", v%ld", (long)t->links[in->a + k]);
+    for (slong k = 0; k < in->b; k++) text_printf(out, ", v(%ld)", (long)t->links[in->a + k]);
     text_add(out, ")");
     break;
   case TAPE_POW:
-    text_printf(out, "v%ld ** %ld", (long)in->a, (long)in->k);
+    text_printf(out, "v(%ld) ** %ld", (long)in->a, (long)in->k);
     break;
   case TAPE_neg:
-    text_printf(out, "-v%ld", (long)in->a);
+    text_printf(out, "-v(%ld)", (long)in->a);
     break;
   case TAPE_sin:
   case TAPE_cos:
   case TAPE_cot:
   case TAPE_sqrt:
-    text_printf(out, "f.%s(v%ld)", functions[in->op], (long)in->a);
+    text_printf(out, "f.%s(v(%ld))", functions[in->op], (long)in->a);
     break;
   default:
-    text_printf(out, "v%ld %s v%ld", (long)in->a, infix[in->op], (long)in->b);
+    text_printf(out, "v(%ld) %s v(%ld)", (long)in->a, infix[in->op], (long)in->b);
     break;
   }
-  text_add_char(out, '\n');
+  text_add(out, ",\n");
 }
 
 static void add_sides(struct text *out, const struct tape *t, int part) {
-  text_printf(out, "\n\ndef sides_%d(f, x):\n", part);
+  text_printf(out, "\n\ndef values_%d(f, x, v):\n    return {\n", part);
   for (slong i = 0; i < t->n; i++) add_instruction(out, t, i);
-  text_add(out, "    return [");
-  for (slong i = 0; i < t->n_outputs; i++) text_printf(out, "%sv%ld", i ? ", " : "", (long)t->outputs[i]);
-  text_add(out, "]\n");
+  text_add(out, "    }\n");
 }
 
 /* --- The model's side --- */
@@ -81,11 +78,17 @@ static void add_system(struct text *out) {
   exact_field_free(f);
 }
 
+static bool same_attempt(const struct exact_attempt *a, const struct exact_attempt *b) {
+  return a->modes == b->modes && a->anchor == b->anchor && a->tangents == b->tangents && a->time == b->time;
+}
+
 static void add_part(struct text *out, const struct exact_part *p, const struct tape *t, int i,
                      const struct restriction *r) {
   static const char *const kinds[] = {
       [POINT_PARAMS] = "params", [POINT_FLOW] = "flow", [POINT_ARC] = "arcs", [POINT_ORBIT] = "orbits"};
-  text_printf(out, "PARTS.append(dict(\n    sides=sides_%d,\n    oracle=", i);
+  text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
+  for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
+  text_add(out, "],\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    fixed={", kinds[p->spec.kind],
               phase_name[p->spec.phase], p->question->finite ? "True" : "False");
@@ -96,9 +99,9 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
                 "located (2)\n"
                 "    by=");
   for (slong k = 0, run = 1; k < p->n; k += run, run = 1) {
-    while (k + run < p->n && memcmp(&p->by[k], &p->by[k + run], sizeof *p->by) == 0) run++;
-    text_printf(out, "%s[(%s, %s, %d)] * %ld", k ? " + " : "", p->by[k].modes ? "True" : "False",
-                p->by[k].chained ? "True" : "False", (int)p->by[k].tangents, (long)run);
+    while (k + run < p->n && same_attempt(&p->by[k], &p->by[k + run])) run++;
+    text_printf(out, "%s[(%s, %d, %d, %d)] * %ld", k ? " + " : "", p->by[k].modes ? "True" : "False", p->by[k].anchor,
+                (int)p->by[k].tangents, (int)p->by[k].time, (long)run);
   }
   text_add(out, ",\n))\n");
 }
@@ -152,7 +155,7 @@ static void add_head(struct text *out, const struct claim *c, const char *id, co
       text_add_char(out, '\n');
     }
   }
-  text_printf(out, "import re\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS = []\n", id,
+  text_printf(out, "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS = []\n", id,
               corrected ? " as corrected" : "");
 }
 
@@ -164,7 +167,7 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
     return false;
   }
-  if (!claim_tried_at_points(c)) {
+  if (!claim_tried_at_points(c) && claim_kind(claim_get(c, "kind")) != judge_sharp) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }

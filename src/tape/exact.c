@@ -387,11 +387,32 @@ static int operands(const struct tape *t, const struct tape_instr *in, const int
   return s;
 }
 
-int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t) {
+/* What the wanted outputs reach. */
+static bool *reached(const struct tape *t, const bool *wanted) {
+  bool *needed = ss_malloc((size_t)(t->n + 1) * sizeof *needed);
+  for (slong i = 0; i < t->n; i++) needed[i] = false;
+  for (slong i = 0; i < t->n_outputs; i++)
+    if (!wanted || wanted[i]) needed[t->outputs[i]] = true;
+  for (slong i = t->n; i-- > 0;) {
+    const struct tape_instr *in = &t->code[i];
+    if (!needed[i] || in->op == TAPE_CONST || in->op == TAPE_INPUT) continue;
+    for (slong k = 0; in->op == TAPE_ROOT && k < in->b; k++) needed[t->links[in->a + k]] = true;
+    if (in->op == TAPE_ROOT) continue;
+    if (in->a >= 0) needed[in->a] = true;
+    if (in->b >= 0) needed[in->b] = true;
+  }
+  return needed;
+}
+
+int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, const struct tape *t,
+                    const bool *wanted) {
   fmpz_mpoly_q_struct *reg = ss_malloc((size_t)(t->n + 1) * sizeof *reg);
   int *s = ss_malloc((size_t)(t->n + 1) * sizeof *s), all = SS_OK;
+  bool *needed = reached(t, wanted);
   for (slong i = 0; i < t->n; i++) {
     exact_init(&reg[i], f);
+    s[i] = SS_UNABLE;
+    if (!needed[i]) continue;
     s[i] = operands(t, &t->code[i], s);
     if (s[i] == SS_OK) s[i] = run(t, i, reg, f);
     slong terms = num_exact_terms(&reg[i]);
@@ -406,6 +427,7 @@ int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, c
     if (status[i] == SS_OK) fmpz_mpoly_q_set(&out->x[i], &reg[t->outputs[i]], ring());
   }
   for (slong i = 0; i < t->n; i++) exact_clear(&reg[i], f);
+  free(needed);
   free(s);
   free(reg);
   return all;
@@ -413,7 +435,7 @@ int exact_eval_each(struct exact_vec *out, int *status, struct exact_field *f, c
 
 int exact_eval(struct exact_vec *out, struct exact_field *f, const struct tape *t) {
   int *status = ss_malloc((size_t)(t->n_outputs + 1) * sizeof *status);
-  int s = exact_eval_each(out, status, f, t);
+  int s = exact_eval_each(out, status, f, t, NULL);
   free(status);
   return s;
 }
@@ -521,6 +543,34 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
     s = unit_sign(f, &k.num, positive, n_positive) * unit_sign(f, &k.den, positive, n_positive);
   exact_clear(&k, f);
   return s;
+}
+
+/* --- Independence --- */
+
+/* A rational number times a product of powers of free symbols and square roots. */
+static bool is_monomial(const fmpz_mpoly_q_struct *x) {
+  return fmpz_mpoly_length(&x->num, ring()) == 1 && fmpz_mpoly_is_one(&x->den, ring());
+}
+
+static bool same_monomial(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
+  slong a[EXACT_GENERATORS], b[EXACT_GENERATORS];
+  fmpz_mpoly_get_term_exp_si(a, &x->num, 0, ring());
+  fmpz_mpoly_get_term_exp_si(b, &y->num, 0, ring());
+  return memcmp(a, b, sizeof a) == 0;
+}
+
+bool exact_independent(const struct exact_field *f) {
+  int roots = 0;
+  for (slong i = 0; i < f->n; i++) {
+    const struct generator *g = &f->gen[i];
+    if (g->op == TAPE_ROOT) return false;
+    if (g->op == TAPE_sqrt && (roots++ || !g->squared || fmpz_mpoly_is_square(g->square, ring()))) return false;
+    if (g->op != TAPE_sin) continue;
+    if (!is_monomial(&g->args[0])) return false;
+    for (slong k = 0; k < i; k++)
+      if (f->gen[k].op == TAPE_sin && same_monomial(&g->args[0], &f->gen[k].args[0])) return false;
+  }
+  return true;
 }
 
 /* --- Points --- */
