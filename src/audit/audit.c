@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge_exact.h"
 #include "orbit_pool.h"
 #include "routes.h"
 
@@ -276,6 +277,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   }
   struct audit_result *out = j->out;
   out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
+  if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL) finding_why_not(&f, out, c);
   size_t at = out->n_findings++;
   out->findings[at] = f;
   bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;

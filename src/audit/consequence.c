@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "judge_exact.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 
@@ -205,6 +205,17 @@ static void try_everywhere(struct failure *f) {
 
 /* --- Summing up --- */
 
+/* By exact algebra, for every value that a misprinted number could have. */
+static bool proved_unchanged(const struct failure *f, const struct result *r) {
+  const struct model *m = f->j->model;
+  const char *section = claim_get(r->c, "section");
+  struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
+                           {m, LAYER_CORRECTED, NULL, NULL},
+                           {f->symbol, f->alias},
+                           f->number ? 1 + (f->alias != NULL) : 0};
+  return exact_unchanged(&c, claim_get(r->c, "formula"), section ? section : "");
+}
+
 static void conclude_result(struct failure *f, struct result *r) {
   struct audit_result *out = f->j->out;
   struct derived *d = &r->out;
@@ -222,7 +233,8 @@ static void conclude_result(struct failure *f, struct result *r) {
     d->verdict = "cannot be read with the printed form";
   } else if (points && r->agrees == points) {
     d->change = CHANGE_AGREES;
-    d->verdict = result_str(out, "agrees at %ld point%s", points, points == 1 ? "" : "s");
+    d->verdict = result_str(out, "%s at %ld point%s", proved_unchanged(f, r) ? "proved equal, and agrees" : "agrees",
+                            points, points == 1 ? "" : "s");
   } else {
     d->verdict = "undecided";
   }
@@ -288,16 +300,21 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
               {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
               {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
               {CHANGE_UNDECIDED, "Derived results left undecided: "}};
+  bool proved = true;
+  for (int i = 0; i < q->n_derived; i++)
+    proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
   struct text t;
   text_init(&t);
   f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-    const char *sep = rows[k].words;
+    const char *words =
+        rows[k].change == CHANGE_AGREES && proved ? "Derived results proved to keep their value: " : rows[k].words;
+    const char *sep = words;
     for (int i = 0; i < q->n_derived; i++) {
       const struct derived *d = &q->derived[i];
       if (d->change != rows[k].change) continue;
-      if (t.len && sep == rows[k].words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
+      if (t.len && sep == words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
       text_printf(&t, "%s%s", sep, d->formula);
       if (d->chain) text_printf(&t, " (%s with the whole paper as printed)", d->chain);
       sep = ", ";

@@ -348,3 +348,24 @@ void finding_add_proof(struct finding *f, struct audit_result *out, const struct
     finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
   }
 }
+
+void finding_why_not(struct finding *f, struct audit_result *out, const struct claim *c) {
+  static const struct {
+    kind_fn kind;
+    const char *why;
+  } reasons[] = {{judge_threshold, "the bounds are held against the inequalities at points"},
+                 {judge_criterion, "about where motions beside an orbit go, which is tried on orbits"},
+                 {judge_behaviour, "about simulated motions"},
+                 {judge_sequence, "about simulated motions"},
+                 {judge_argument, "no counterexample was found, and no combination of the premises that proves it"},
+                 {judge_rank, "the rank is computed at points"},
+                 {judge_constraints, "inequalities along whole phases are held against each other on orbits"},
+                 {judge_existence, "solutions are found at points"}};
+  const kind_fn kind = claim_kind(claim_get(c, "kind"));
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].route, "exact") == 0) return;
+  for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)
+    if (reasons[i].kind == kind)
+      finding_state(f, out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                    result_str(out, "not proved: %s", reasons[i].why));
+}

@@ -43,8 +43,19 @@ bool exact_sentence(struct sentence *s, const struct exact_question *q, struct v
 /* The sentence of a claim that is tried at points, or is sharp, under a restriction or (NULL) without. */
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
 
+/* Two readings of the paper, in the first of which some quantities have other values. */
+struct exact_change {
+  struct view first, second;
+  const char *moved[2];
+  int n_moved;
+};
+/* Is the formula proved to have one value in both, whatever those values are? */
+bool exact_unchanged(const struct exact_change *c, const char *formula, const char *section);
 /* As evidence; refuted: another route has refuted the sentence. */
 void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
                        bool refuted);
+
+/* Says why a claim that is supported is not proved, where nothing has said so yet. */
+void finding_why_not(struct finding *f, struct audit_result *out, const struct claim *c);
 
 #endif
