@@ -1086,13 +1086,15 @@ static void close_claims(void) {
   close_values();
 }
 
-/* As written the claim is supported; one wrong glyph refutes it, and the certificate names a point. */
+/* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point. */
 START_TEST(a_damaged_formula_is_refuted) {
   const struct finding *f = finding_of(&undamaged, damages[_i].claim);
-  ck_assert_msg(f->verdict == VERDICT_SUPPORTED, "%s: %s", f->id, verdict_name[f->verdict]);
-  ck_assert_int_ge(f->n_evidence, 2);
-  for (int i = 0; i < f->n_evidence; i++)
+  ck_assert_msg(f->verdict == VERDICT_PROVED, "%s: %s", f->id, verdict_name[f->verdict]);
+  ck_assert_int_ge(f->n_evidence, 3);
+  for (int i = 0; i + 1 < f->n_evidence; i++)
     ck_assert(strcmp(f->evidence[i].result, "agrees") == 0 && f->evidence[i].trials > 0);
+  ck_assert(strcmp(f->evidence[f->n_evidence - 1].route, "exact") == 0);
+  ck_assert(strcmp(f->evidence[f->n_evidence - 1].result, "proved") == 0);
   struct audit_result r;
   judge(&r, damages[_i].overlay, true, damages[_i].claim);
   f = finding_of(&r, damages[_i].claim);
@@ -1104,15 +1106,15 @@ START_TEST(a_damaged_formula_is_refuted) {
 }
 END_TEST
 
-/* As printed the claim is refuted; written right by a user it is supported. */
+/* As printed the claim fails; written right by a user it is proved. */
 START_TEST(a_repaired_formula_is_supported) {
   const struct finding *f = finding_of(&undamaged, repairs[_i].claim);
-  ck_assert_msg(f->verdict == VERDICT_REFUTED, "%s: %s", f->id, verdict_name[f->verdict]);
-  ck_assert(f->correction && f->correction_verdict == VERDICT_SUPPORTED);
+  ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
+  ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
   struct audit_result r;
   judge(&r, repairs[_i].overlay, true, repairs[_i].claim);
   f = finding_of(&r, repairs[_i].claim);
-  ck_assert_msg(f->verdict == VERDICT_SUPPORTED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
+  ck_assert_msg(f->verdict == VERDICT_PROVED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
   audit_result_clear(&r);
 }
 END_TEST
@@ -1124,13 +1126,15 @@ START_TEST(what_holds_when_v_is_one_is_said) {
     struct audit_result r;
     int restricted = 0;
     judge(&r, NULL, true, ids[i]);
-    ck_assert(finding_of(&r, ids[i])->verdict == VERDICT_REFUTED);
+    ck_assert(finding_of(&r, ids[i])->verdict == VERDICT_CONDITIONAL);
+    ck_assert_str_eq(finding_of(&r, ids[i])->condition, "V = 1");
     for (size_t k = 0; k < r.n_findings; k++) {
       const struct finding *f = &r.findings[k];
       if (!f->condition || strcmp(f->condition, "V = 1") != 0) continue;
-      ck_assert(f->verdict == VERDICT_SUPPORTED && strcmp(f->id, ids[i]) != 0);
+      if (f->verdict == VERDICT_CONDITIONAL) continue; /* "eq-10" selects eq-10c too */
+      ck_assert(f->verdict == VERDICT_PROVED && strcmp(f->id, ids[i]) != 0);
       ck_assert(f->n_depends_on == 1);
-      restricted += strcmp(f->depends_on[0], ids[i]) == 0; /* "eq-10" selects eq-10c too */
+      restricted += strcmp(f->depends_on[0], ids[i]) == 0;
     }
     ck_assert_int_eq(restricted, 1);
     audit_result_clear(&r);
@@ -1165,11 +1169,11 @@ START_TEST(an_undamaged_control_is_a_failure) {
     judge(&r, NULL, damaged, "eq-27");
     report_line(&line, &r);
     ck_assert(r.n_controls == 1 && strcmp(r.controls[0].claim, "eq-27") == 0);
-    ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_SUPPORTED));
+    ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_PROVED));
     ck_assert(r.controls[0].noticed == damaged && audit_result_unexpected(&r) == !damaged);
     ck_assert_str_eq(text_str(&line), damaged
-                                          ? "paper: 1 claims: 1 supported; 1 of 1 controls noticed; as recorded"
-                                          : "paper: 1 claims: 1 supported; 0 of 1 controls noticed; 1 NOT as recorded");
+                                          ? "paper: 1 claims: 1 proved; 1 of 1 controls noticed; as recorded"
+                                          : "paper: 1 claims: 1 proved; 0 of 1 controls noticed; 1 NOT as recorded");
     text_clear(&line);
     audit_result_clear(&r);
   }

@@ -278,8 +278,9 @@ START_TEST(size_of_the_error_in_40) {
   ck_assert_int_eq(derived_of("eq-40", "tr(J)")->change, CHANGE_AGREES);
   ck_assert_int_eq(derived_of("eq-40", "det(J)")->change, CHANGE_AGREES);
   ck_assert_int_eq(derived_of("eq-40", "P(lambda)")->change, CHANGE_AGREES);
-  ck_assert_str_eq(derived_of("eq-40", "tr(J)")->verdict, "agrees at 10 points"); /* two orbits and eight others */
-  ck_assert(derived_of("eq-40", "J")->chain == NULL);                             /* no other failure reaches J */
+  ck_assert_str_eq(derived_of("eq-40", "tr(J)")->verdict,
+                   "proved equal, and agrees at 10 points"); /* two orbits and eight others */
+  ck_assert(derived_of("eq-40", "J")->chain == NULL);        /* no other failure reaches J */
 }
 END_TEST
 
@@ -400,7 +401,7 @@ START_TEST(what_to_replace_by_what) {
             "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
   const struct finding *f = finding_of(&r, "eq-27");
   ck_assert_str_eq(f->change, "replace $1$ by $-1$");
-  ck_assert_int_eq(f->correction_verdict, VERDICT_SUPPORTED);
+  ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
   ck_assert(strstr(f->correction_latex, "J_{a} = ") == f->correction_latex && strstr(f->printed_part, "J_{a} = "));
   const struct consequence *q = audit_result_consequence(&r, "eq-27");
   ck_assert(q && strstr(joined(&q->falls), "eq-41") && strstr(joined(&q->falls), "text-criterion"));

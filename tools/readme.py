@@ -15,10 +15,11 @@ def table():
     lines += [f"| {k} | {v} |" for k, v in summary.items() if v]
     lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Refuted:", ""]
     for c in audit["claims"]:
-        if c["verdict"] != "refuted":
+        if c["verdict"] not in ("refuted", "conditional"):
             continue
         fix = c["correction"]
-        lines.append(f"- `{c['id']}`: {c['title']}" + (f"; corrected: `{fix['text']}` ({fix['verdict']})" if fix else ""))
+        holds = f" (proved where {c['condition']})" if c["verdict"] == "conditional" else ""
+        lines.append(f"- `{c['id']}`: {c['title']}{holds}" + (f"; corrected: `{fix['text']}` ({fix['verdict']})" if fix else ""))
     return "\n".join(lines)
 
 

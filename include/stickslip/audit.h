@@ -145,6 +145,10 @@ const char *audit_readings(struct audit_result *out, const struct model *m, cons
 /* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
    evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the
    tape when asked for. */
+/* A proof as a Python script that needs SymPy alone, ends with the text of verify/receipt/model.py and prints "ID: proved".
+   false with d set when the claim is not proved by exact algebra, neither as printed nor as corrected. */
+bool audit_receipt(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
+                   const char *id, const char *model_py, struct diag *d);
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d);
 

@@ -6,6 +6,7 @@
 #include <flint/flint.h>
 #include <flint/fmpq.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_mpoly_factor.h>
 #include <mpfr.h>
 #include <stdio.h> /* before FLINT: its headers declare their FILE functions only then */
 #if __FLINT_RELEASE >= 30000

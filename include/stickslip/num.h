@@ -6,6 +6,9 @@
      num_double   IEEE binary64.  Rounded to nearest; the precision argument is ignored.
      num_mpfr     MPFR, rounded to nearest at prec bits (element precision is fixed by init).
      num_arb      Arb balls.  Every operation returns an enclosure of the exact result on the exact inputs.
+     num_exact    rational functions over Q in generators that are given a meaning elsewhere (exact.h).  Exact; what is not
+                  rational (sines, roots, pi, balls) is SS_UNABLE, and so is what could grow beyond NUM_EXACT_PRODUCT terms;
+                  after a failure the output means nothing, it has no NaN.  get_d only tells zero from the rest.
 
    Conventions.  Output first, then inputs, then the precision in bits.  An output may alias any input.  Elements are
    initialised by init and released by clear; init leaves the value 0.  Every arithmetic method returns status flags
@@ -55,7 +58,7 @@ struct num_type {
   truth (*lt)(const void *x, const void *y);
 };
 
-extern const struct num_type num_double, num_mpfr, num_arb;
+extern const struct num_type num_double, num_mpfr, num_arb, num_exact;
 
 /* A number type with a precision in bits (double: 53). */
 struct num_ctx {
@@ -66,6 +69,13 @@ struct num_ctx {
 struct num_ctx num_ctx_double(void);
 struct num_ctx num_ctx_mpfr(slong prec);
 struct num_ctx num_ctx_arb(slong prec);
+struct num_ctx num_ctx_exact(void);
+
+/* Elements of num_exact are fmpz_mpoly_q_struct in this ring, ordered lexicographically. */
+enum { NUM_EXACT_GENERATORS = 64, NUM_EXACT_PRODUCT = 1 << 17 };
+const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
+/* The larger of the numbers of terms of numerator and denominator. */
+slong num_exact_terms(const fmpz_mpoly_q_struct *x);
 
 /* An array of elements with the context they were made in. */
 struct num_vec {

@@ -25,6 +25,8 @@ enum verdict {
 extern const char *const verdict_name[N_VERDICTS];
 /* The verdict of that name; N_VERDICTS when there is none. */
 enum verdict verdict_parse(const char *name);
+/* Does the text fail as printed: refuted, be it that it holds under a condition? */
+bool verdict_fails(enum verdict v);
 
 /* What one route found.  Strings may be NULL; bits and trials are -1 when they do not apply. */
 struct evidence {

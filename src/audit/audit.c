@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge_exact.h"
 #include "orbit_pool.h"
 #include "routes.h"
 
@@ -255,6 +256,16 @@ bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
   return describe(f, j, c) && (judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
 }
 
+/* The findings after the one at `at` are those of its restrictions. */
+static bool take_condition(struct audit_result *out, size_t at) {
+  struct finding *f = &out->findings[at];
+  for (size_t i = at + 1; i < out->n_findings && f->verdict == VERDICT_REFUTED; i++) {
+    f->verdict = verdict_under_condition(f->verdict, out->findings[i].verdict);
+    if (f->verdict == VERDICT_CONDITIONAL) f->condition = out->findings[i].condition;
+  }
+  return true;
+}
+
 bool judge_claim(struct judge *j, const struct claim *c) {
   struct finding f;
   if (!judge_verdict(&f, j, c)) return false;
@@ -267,10 +278,12 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   }
   struct audit_result *out = j->out;
   out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
-  out->findings[out->n_findings++] = f;
+  if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL) finding_why_not(&f, out, c);
+  size_t at = out->n_findings++;
+  out->findings[at] = f;
   bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
   if (f.verdict != VERDICT_REFUTED || !kinds[k].tried_at_points || !readable) return true;
-  return judge_restrictions(j, c, claim_view(j->model, c), &f);
+  return judge_restrictions(j, c, claim_view(j->model, c), &f) && take_condition(out, at);
 }
 
 /* --- Controls --- */

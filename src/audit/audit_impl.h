@@ -134,6 +134,16 @@ void values_clear(struct values *v);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 
+/* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
+   "t_a" ... "t_d": 100 and more; -1 for another name. */
+int name_of_arc(const char *name);
+/* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
+bool name_of_tangent(const char *name, int *index);
+/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
+bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
+/* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
+int name_of_switching_time(const char *argument);
+
 /* --- What the paper keeps of a phase's derivative --- */
 
 enum entering { STAYS_OUT, ENTERS, ENTERS_BY_CHI };
@@ -190,8 +200,9 @@ struct sentence {
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
 };
 
-/* value = oracle of the same name. */
-bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section, struct diag *d);
+/* value = oracle of the same name, with names in it replaced by the model's quantities. */
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
+                         const struct override *overrides, int n_overrides, struct diag *d);
 /* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
 bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
                           int n_overrides, struct diag *d);
@@ -335,6 +346,8 @@ void finding_state(struct finding *f, struct audit_result *out, const char *rout
                    long trials, const char *where, const char *note);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
+/* Of a sentence with that verdict, judged again under a condition. */
+enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
 /* How many of the routes agree and are pairwise independent by the table of routes.h. */
 int independent_routes(const struct route_word *w, int n);
 

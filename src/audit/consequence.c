@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "judge_exact.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 
@@ -205,6 +205,17 @@ static void try_everywhere(struct failure *f) {
 
 /* --- Summing up --- */
 
+/* By exact algebra, for every value that a misprinted number could have. */
+static bool proved_unchanged(const struct failure *f, const struct result *r) {
+  const struct model *m = f->j->model;
+  const char *section = claim_get(r->c, "section");
+  struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
+                           {m, LAYER_CORRECTED, NULL, NULL},
+                           {f->symbol, f->alias},
+                           f->number ? 1 + (f->alias != NULL) : 0};
+  return exact_unchanged(&c, claim_get(r->c, "formula"), section ? section : "");
+}
+
 static void conclude_result(struct failure *f, struct result *r) {
   struct audit_result *out = f->j->out;
   struct derived *d = &r->out;
@@ -222,7 +233,8 @@ static void conclude_result(struct failure *f, struct result *r) {
     d->verdict = "cannot be read with the printed form";
   } else if (points && r->agrees == points) {
     d->change = CHANGE_AGREES;
-    d->verdict = result_str(out, "agrees at %ld point%s", points, points == 1 ? "" : "s");
+    d->verdict = result_str(out, "%s at %ld point%s", proved_unchanged(f, r) ? "proved equal, and agrees" : "agrees",
+                            points, points == 1 ? "" : "s");
   } else {
     d->verdict = "undecided";
   }
@@ -273,9 +285,9 @@ static void judge_downstream(struct consequence *q, struct failure *f, size_t at
     bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
     if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
     enum verdict v = touched ? judge_again(j, c, own) : judge_as_is(j, c);
-    if (v == VERDICT_REFUTED && !touched && !f->number) continue; /* for a reason of its own */
+    if (verdict_fails(v) && !touched && !f->number) continue; /* for a reason of its own */
     bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
-    add_id(j->out, v == VERDICT_REFUTED ? &q->falls : holds ? &q->survives : &q->open, c->id);
+    add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
   }
 }
 
@@ -288,16 +300,21 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
               {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
               {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
               {CHANGE_UNDECIDED, "Derived results left undecided: "}};
+  bool proved = true;
+  for (int i = 0; i < q->n_derived; i++)
+    proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
   struct text t;
   text_init(&t);
   f->size = f->effect;
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
-    const char *sep = rows[k].words;
+    const char *words =
+        rows[k].change == CHANGE_AGREES && proved ? "Derived results proved to keep their value: " : rows[k].words;
+    const char *sep = words;
     for (int i = 0; i < q->n_derived; i++) {
       const struct derived *d = &q->derived[i];
       if (d->change != rows[k].change) continue;
-      if (t.len && sep == rows[k].words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
+      if (t.len && sep == words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
       text_printf(&t, "%s%s", sep, d->formula);
       if (d->chain) text_printf(&t, " (%s with the whole paper as printed)", d->chain);
       sep = ", ";
@@ -342,7 +359,7 @@ static void consequence_of(struct judge *j, struct finding *finding, size_t at) 
 bool judge_consequences(struct judge *j) {
   for (size_t i = 0; i < j->out->n_findings; i++) {
     struct finding *f = &j->out->findings[i];
-    if (f->verdict != VERDICT_REFUTED || !f->correction) continue;
+    if (!verdict_fails(f->verdict) || !f->correction) continue;
     for (size_t k = 0; k < j->claims->n; k++)
       if (strcmp(j->claims->claim[k].id, f->id) == 0) consequence_of(j, f, k);
   }

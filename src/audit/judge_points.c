@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "judge_exact.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
 
@@ -47,6 +47,8 @@ struct run {
   int n_routes;
   struct point_spec spec[MAX_SPECS];
   int n_specs;
+  struct exact_proof proof;
+  bool proof_tried;
   struct point example; /* the first point at which the sentence fails, else the last accepted */
   bool have_example;
 };
@@ -333,6 +335,16 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
   return true;
 }
 
+/* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
+   transcription of the model's side. */
+static long points_wanted(struct run *r, const struct point_spec *spec, long done) {
+  if (done == 1 && r->j->effort == EFFORT_FULL && !r->proof_tried && !r->tally[0].differs) {
+    r->proof_tried = true;
+    r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
+  }
+  return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
+}
+
 static bool try_spec(struct run *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
@@ -345,7 +357,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   point_init(&p);
   bool ok = true;
   long done = 0;
-  for (long draws = 0; ok && done < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
+  for (long draws = 0; ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * spec->n; draws++) {
     if (r->j->effort == EFFORT_REFUTE && r->tally[0].differs) break;
     bool accepted = false;
     sampler_next(&p, &s);
@@ -364,12 +376,15 @@ static enum says says(const struct tally *t) {
   return t->undecided ? SAYS_UNDECIDED : SAYS_AGREES;
 }
 
+static const char *layer_of(const struct run *r) {
+  return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
+                                                         : layer_name[r->view.layer];
+}
+
 static void add_evidence(struct finding *f, struct run *r, const struct tally *t, struct route_word w) {
   struct audit_result *out = r->j->out;
   bool is_double = t->route->type == &num_double;
-  const char *layer = r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
-                                                                      : layer_name[r->view.layer];
-  struct evidence *e = finding_say(f, out, w, layer, is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  struct evidence *e = finding_say(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
@@ -390,7 +405,8 @@ static void conclude(struct finding *f, struct run *r) {
     w[i] = (struct route_word){t->route->name, says(t), i == 0, t->trials};
     add_evidence(f, r, t, w[i]);
   }
-  f->verdict = verdict_of(w, r->n_routes, false);
+  finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
+  f->verdict = verdict_of(w, r->n_routes, r->proof.proved);
 }
 
 static bool run_init(struct run *r, struct judge *j, const struct claim *c, struct view view,
@@ -457,11 +473,30 @@ static void describe_effect(struct finding *f, struct run *r) {
   text_clear(&t);
 }
 
+/* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */
+static bool judge_by_algebra(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct run r = {.j = j, .c = c, .view = view, .proof = exact_prove(j, c, view, NULL)};
+  struct route_word w = {"exact",
+                         r.proof.proved    ? SAYS_AGREES
+                         : r.proof.differs ? SAYS_DIFFERS
+                                           : SAYS_UNDECIDED,
+                         true, 1};
+  finding_add_proof(f, j->out, &r.proof, layer_of(&r), false);
+  f->verdict = verdict_of(&w, 1, true);
+  return true;
+}
+
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct run r;
+  const char *routes_asked = claim_get(c, "routes");
+  if (routes_asked && strcmp(routes_asked, "exact") == 0) return judge_by_algebra(f, j, c, view);
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
-  if (ok && f->verdict == VERDICT_REFUTED && explained) describe_effect(f, &r);
+  if (ok && f->verdict == VERDICT_REFUTED && explained) {
+    describe_effect(f, &r);
+    if (strcmp(view.own, claim_own(c)) == 0) r.proof = exact_prove(j, c, view, NULL);
+    finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
+  }
   run_clear(&r);
   return ok;
 }
@@ -506,7 +541,7 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     run_clear(&r);
     if (!ok) return false;
     f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
-    if (f.verdict != VERDICT_SUPPORTED && f.recorded == N_VERDICTS) continue;
+    if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
     f.condition = restrictions[i].text;
     const char **dep = arena_alloc(&j->out->arena, sizeof *dep);

@@ -3,7 +3,7 @@
    this one. */
 #include <string.h>
 
-#include "audit_impl.h"
+#include "judge_exact.h"
 
 /* What a route saw: points at which every step becomes an equality, at which some step stays apart, and neither. */
 struct tally {
@@ -103,7 +103,12 @@ bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, stru
     run_route(&t[i], j, c, &s, &spec, i ? VARIANT_EXPONENTIAL : VARIANT_CLOSED);
     w[i] = conclude(f, j, &t[i], i ? "exponential" : "balls", i == 0);
   }
-  if (ok) f->verdict = verdict_of(w, n, false);
+  struct exact_proof proof = {.proved = false};
+  if (ok && j->effort == EFFORT_FULL && t[0].apart == 0) {
+    proof = exact_prove(j, c, view, NULL);
+    finding_add_proof(f, j->out, &proof, layer_name[LAYER_CORRECTED], false);
+  }
+  if (ok) f->verdict = verdict_of(w, n, proof.proved);
   sentence_clear(&s);
   return ok;
 }

@@ -110,7 +110,7 @@ static bool same_findings(const struct audit_result *a, const struct audit_resul
 }
 
 static bool passes(enum verdict v) {
-  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED || v == VERDICT_CONDITIONAL;
+  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
 }
 
 /* A refuted claim: whether what passed besides, its correction or a restricted claim, is refuted now. */
@@ -134,13 +134,13 @@ static enum notice ask_quickly(struct run *r, const struct reader *rd) {
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
   enum notice n = OPEN;
-  if (before == VERDICT_REFUTED && claim_tried_at_points(rd->claim)) {
+  if (verdict_fails(before) && claim_tried_at_points(rd->claim)) {
     n = judge_claim(&j, rd->claim) ? quick_besides(rd, &out) : BROKEN;
   } else {
     struct finding f;
     if (!judge_verdict(&f, &j, rd->claim))
       n = BROKEN;
-    else if (f.verdict == VERDICT_REFUTED && before != VERDICT_REFUTED)
+    else if (f.verdict == VERDICT_REFUTED && !verdict_fails(before))
       n = is_diagnostic(&f, rd->claim) ? BROKEN : CHANGED;
   }
   audit_result_clear(&out);

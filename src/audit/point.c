@@ -357,17 +357,22 @@ static bool has_arc(const struct values *v) {
   return v->point->kind >= POINT_ARC;
 }
 
-/* A value of the arc's states or times by its name in the paper. */
-static const void *arc_symbol(const struct values *v, const char *name) {
+int name_of_arc(const char *name) {
   static const struct {
     const char *name;
-    int at; /* index in arc.z, or 100 + index in arc.t */
+    int at;
   } table[] = {{"t_a", 100},  {"t_b", 101},  {"t_c", 102}, {"t_d", 103}, {"z_10", 0},   {"z_20", 1},  {"z'_10", 2},
                {"z'_20", 3},  {"z_1a", 4},   {"z_2a", 5},  {"z'_1a", 6}, {"z'_2a", 7},  {"z_1b", 8},  {"z_2b", 9},
                {"z'_1b", 10}, {"z'_2b", 11}, {"z_1c", 12}, {"z_2c", 13}, {"z'_1c", 14}, {"z'_2c", 15}};
   for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-    if (strcmp(table[i].name, name) == 0)
-      return table[i].at >= 100 ? num_vec_at(&v->arc.t, table[i].at - 100) : num_vec_at(&v->arc.z, table[i].at);
+    if (strcmp(table[i].name, name) == 0) return table[i].at;
+  return -1;
+}
+
+/* A value of the arc's states or times by its name in the paper. */
+static const void *arc_symbol(const struct values *v, const char *name) {
+  int at = name_of_arc(name);
+  if (at >= 0) return at >= 100 ? num_vec_at(&v->arc.t, at - 100) : num_vec_at(&v->arc.z, at);
   if (v->point->kind == POINT_ARC) return NULL; /* of the periodic solution */
   if (strcmp(name, "z_100") == 0) return num_vec_at(&v->arc.z, 0);
   if (strcmp(name, "z_200") == 0) return num_vec_at(&v->arc.z, 1);
@@ -447,8 +452,7 @@ static int make_tangents(struct values *v) {
   return s;
 }
 
-/* "x_a" ... "v_f", "u" and "v": an index into tangent; "dt_a" ... "dt_d": 100 and more. */
-static bool is_tangent(const char *name, int *index) {
+bool name_of_tangent(const char *name, int *index) {
   static const char components[] = "xyuv", ends[] = "abcf", times[] = "abcd";
   const char *c = name[0] ? strchr(components, name[0]) : NULL;
   if (c && !name[1]) {
@@ -464,8 +468,7 @@ static bool is_tangent(const char *name, int *index) {
   return true;
 }
 
-/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument. */
-static bool parse_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument) {
+bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument) {
   if ((name[0] != 'z' && name[0] != 'x') || name[1] != '_' || (name[2] != '1' && name[2] != '2')) return false;
   *in_x = name[0] == 'x';
   *component = name[2] - '1';
@@ -491,13 +494,23 @@ static int state_at_tb(struct num_vec *z, struct values *v) {
   return s;
 }
 
+int name_of_switching_time(const char *argument) {
+  static const char *const times[8] = {"(t_a)",
+                                       "(t_a + t_b)",
+                                       "(t_a + t_b + t_c)",
+                                       "(t_a + t_b + t_c + t_d)",
+                                       "(t_a + dt_a)",
+                                       "(t_a + dt_a + t_b + dt_b)",
+                                       "(t_a + dt_a + t_b + dt_b + t_c + dt_c)",
+                                       "(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)"};
+  for (int k = 0; k < 8; k++)
+    if (strcmp(argument, times[k]) == 0) return k;
+  return -1;
+}
+
 /* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At the
    perturbed switching times the motion is the perturbed one; for tangents, its limit. */
 static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
-  static const char *const times[2][4] = {{"(t_a)", "(t_a + t_b)", "(t_a + t_b + t_c)", "(t_a + t_b + t_c + t_d)"},
-                                          {"(t_a + dt_a)", "(t_a + dt_a + t_b + dt_b)",
-                                           "(t_a + dt_a + t_b + dt_b + t_c + dt_c)",
-                                           "(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)"}};
   const struct num_type *t = v->ctx.type;
   *known = true;
   if (v->point->kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2) {
@@ -516,12 +529,12 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
     num_vec_clear(&at);
     return s;
   }
-  for (int k = 0; has_arc(v) && primes < 2 && k < 8; k++)
-    if (strcmp(argument, times[k / 4][k % 4]) == 0) {
-      const struct dyn_arc *arc = k >= 4 && v->point->finite ? &v->perturbed : &v->arc;
-      t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + component + 2 * primes));
-      return SS_OK;
-    }
+  int k = name_of_switching_time(argument);
+  if (has_arc(v) && primes < 2 && k >= 0) {
+    const struct dyn_arc *arc = k >= 4 && v->point->finite ? &v->perturbed : &v->arc;
+    t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + component + 2 * primes));
+    return SS_OK;
+  }
   *known = false;
   return SS_UNABLE;
 }
@@ -571,7 +584,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   if (strcmp(name, "u_r1") == 0) return t->add(z, num_vec_at(&v->q, Q_US1), num_vec_at(&v->q, Q_E1), v->ctx.prec);
   if (strcmp(name, "u_r2") == 0) return t->add(z, num_vec_at(&v->q, Q_US2), num_vec_at(&v->q, Q_E2), v->ctx.prec);
   int index, component, primes;
-  if (has_arc(v) && is_tangent(name, &index)) {
+  if (has_arc(v) && name_of_tangent(name, &index)) {
     int s = make_tangents(v);
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
@@ -579,7 +592,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
   bool in_x;
   const char *argument, *bracket = strchr(name, '[');
   if (bracket) return bind_entry(z, known, v, name, bracket);
-  if (parse_motion(name, &in_x, &component, &primes, &argument))
+  if (name_of_motion(name, &in_x, &component, &primes, &argument))
     return bind_motion(z, known, v, in_x, component, primes, argument);
   *known = false;
   return SS_UNABLE;

@@ -499,11 +499,11 @@ static void read_paper(struct study *s) {
   struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
   struct diag d;
   diag_init(&d);
-  s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", &d);
+  s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", NULL, 0, &d);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char name[16];
     snprintf(name, sizeof name, "%s(t)", matrix_name[ph]);
-    if (!sentence_from_value(&s->propagator[ph], view, name, "", &d)) s->readable = false;
+    if (!sentence_from_value(&s->propagator[ph], view, name, "", NULL, 0, &d)) s->readable = false;
   }
   if (!s->readable)
     audit_leave_out(s->j->out, "the paper's formulas in the study of the routes", "corrected, they cannot be read");

@@ -24,9 +24,10 @@ static void wrong_shape(const struct view *v, const char *value, const char *sec
             m->cols, oracle_rows(o), oracle_cols(o));
 }
 
-bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section, struct diag *d) {
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
+                         const struct override *overrides, int n_overrides, struct diag *d) {
   *s = (struct sentence){.n = 0};
-  elaboration_init(&s->el, v, NULL, 0);
+  elaboration_init(&s->el, v, overrides, n_overrides);
   s->oracle = oracle_find(value);
   if (!s->oracle) {
     diag_set(d, "the model has no quantity named %s", value);
@@ -111,7 +112,7 @@ bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *
                          int n_overrides, struct diag *d) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
   if (statement) return sentence_from_record(s, v, statement, overrides, n_overrides, d);
-  return sentence_from_value(s, v, value ? value : "", section ? section : "", d);
+  return sentence_from_value(s, v, value ? value : "", section ? section : "", overrides, n_overrides, d);
 }
 
 void sentence_clear(struct sentence *s) {

@@ -15,6 +15,10 @@ enum verdict verdict_parse(const char *name) {
   return (enum verdict)i;
 }
 
+bool verdict_fails(enum verdict v) {
+  return v == VERDICT_REFUTED || v == VERDICT_CONDITIONAL;
+}
+
 int independent_routes(const struct route_word *w, int n) {
   int count = 0;
   for (int i = 0; i < n; i++) {
@@ -50,6 +54,14 @@ enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain) {
   if (!agrees || differs_besides || undecided) return VERDICT_UNKNOWN;
   if (whole_domain) return VERDICT_PROVED;
   return independent_routes(w, n) >= 2 ? VERDICT_SUPPORTED : VERDICT_UNKNOWN;
+}
+
+/*  on the whole domain | under a condition | verdict
+    --------------------+-------------------+------------
+    refuted             | proved            | conditional
+    anything else                           | that of the whole domain */
+enum verdict verdict_under_condition(enum verdict whole, enum verdict under) {
+  return whole == VERDICT_REFUTED && under == VERDICT_PROVED ? VERDICT_CONDITIONAL : whole;
 }
 
 struct evidence *finding_add(struct finding *f, struct audit_result *out) {

@@ -30,8 +30,24 @@ int run_check(const struct options *o, const char *data) {
   return status;
 }
 
+static bool print_receipt(struct text *out, const struct model *m, const struct claims *c, const struct scene *s,
+                          const char *id, const char *data, struct diag *d) {
+  enum { MAX_SCRIPT = 1 << 20 };
+  struct text path;
+  struct source src;
+  text_init(&path);
+  join_path(&path, data, "receipt/model.py");
+  bool ok = source_read(&src, text_str(&path), MAX_SCRIPT, d);
+  text_clear(&path);
+  if (!ok) return false;
+  ok = audit_receipt(out, m, c, s, id, src.text, d);
+  source_clear(&src);
+  return ok;
+}
+
 int run_explain(const struct options *o, const char *data) {
   if (o->n_operands != 1) return usage("explain takes one %s", "claim id");
+  if (o->receipt && (o->at || o->tape)) return usage("--receipt stands alone, not with %s", o->at ? "--at" : "--tape");
   struct diag d;
   struct model m;
   struct scene s;
@@ -42,7 +58,8 @@ int run_explain(const struct options *o, const char *data) {
   text_init(&out);
   bool ok = scene_load(&s, "paper", data, &d) && load_model(&m, data, o, &d) &&
             load_claims(&c, data, "claims", "claim", &d) &&
-            audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d);
+            (o->receipt ? print_receipt(&out, &m, &c, &s, o->operand[0], data, &d)
+                        : audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d));
   int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
   if (ok) fputs(text_str(&out), stdout);
   text_clear(&out);

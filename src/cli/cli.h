@@ -29,7 +29,7 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
-  bool strict, quiet, json, tape, csv, compare, phases, help;
+  bool strict, quiet, json, tape, receipt, csv, compare, phases, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */

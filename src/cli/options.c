@@ -52,6 +52,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--count", FOR_MUTATE, &o->count, NULL},
                {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
+               {"--receipt", FOR_EXPLAIN, NULL, &o->receipt},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},
                {"--phases", FOR_JACOBIAN, NULL, &o->phases},

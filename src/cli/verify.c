@@ -67,8 +67,8 @@ static void print_result(const struct audit_result *r, bool quiet) {
   report_line(&line, r);
   if (!quiet)
     for (size_t i = 0; i < r->n_findings; i++)
-      if (r->findings[i].verdict == VERDICT_REFUTED || r->findings[i].verdict == VERDICT_UNKNOWN)
-        printf("%-8s %-16s %s\n", verdict_name[r->findings[i].verdict], r->findings[i].id, r->findings[i].title);
+      if (verdict_fails(r->findings[i].verdict) || r->findings[i].verdict == VERDICT_UNKNOWN)
+        printf("%-11s %-16s %s\n", verdict_name[r->findings[i].verdict], r->findings[i].id, r->findings[i].title);
   print_surprises(r);
   puts(text_str(&line));
   text_clear(&line);

@@ -157,7 +157,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
     sheet_text(s, e->note);
   }
   if (f->condition) {
-    text_add(s->out, "; it holds under the condition ");
+    text_add(s->out, "; proved under the condition ");
     sheet_text(s, f->condition);
   }
   stop(s);
@@ -167,7 +167,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
 static void add_restrictions(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *o = &r->findings[i];
-    if (!o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) continue;
+    if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) continue;
     if (o->verdict != VERDICT_PROVED && o->verdict != VERDICT_SUPPORTED) continue;
     text_add(s->out, " As printed it holds when ");
     sheet_text(s, o->condition);

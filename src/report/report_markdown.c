@@ -68,7 +68,7 @@ static bool is_unexpected(const struct finding *f) {
   return unexpected(f) != 0;
 }
 static bool is_refuted(const struct finding *f) {
-  return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
+  return verdict_fails(f->verdict);
 }
 static bool is_unknown(const struct finding *f) {
   return f->verdict == VERDICT_UNKNOWN;

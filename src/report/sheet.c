@@ -5,7 +5,7 @@
 #include "report_impl.h"
 
 bool report_is_failure(const struct finding *f) {
-  return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
+  return verdict_fails(f->verdict);
 }
 
 /* --- Escapes --- */

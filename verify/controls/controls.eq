@@ -14,6 +14,23 @@ define ctl-stiffness
   section: prediction
   K := [1, -chi; chi*eta, chi*eta]
 
+# exact algebra: wrong by one part in 10^90
+define ctl-exact-matrix
+  section: prediction
+  K := [1, -chi; -chi*eta, chi*eta + 1e-90*(1 - chi)]
+
+define ctl-exact-propagator
+  section: appendix_a
+  gamma_1(t) := [cos(t), 0; 0, 1 + 1e-90*t]
+
+define ctl-exact-modes
+  section: appendix_a
+  s_2(t) := sin(omega_2*t)*(1 + 1e-90*eta)
+
+define ctl-exact-motion
+  section: appendix_a
+  A_2(t) := [t, 0; 0, sin(omega*t)/omega + 1e-90*(1 - cos(omega*t))]
+
 define ctl-equilibrium
   section: prediction
   d_02 := (u_s1*chi - u_s2)/((1 - chi)*chi)

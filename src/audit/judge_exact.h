@@ -1,0 +1,61 @@
+/* Proofs by exact algebra of what claims say. */
+#ifndef STICKSLIP_AUDIT_JUDGE_EXACT_H
+#define STICKSLIP_AUDIT_JUDGE_EXACT_H
+
+#include "exact_motion.h"
+
+enum { EXACT_SPECS = 4, EXACT_UNKNOWNS = 8, EXACT_PARTS = 24 };
+
+/* What is to be proved: a claim's sentence, or a value of which a proof makes use. */
+struct exact_question {
+  const struct claim *c; /* NULL: value */
+  const char *value, *section;
+  struct point_spec spec[EXACT_SPECS];
+  int n_specs;
+  bool finite, sharp; /* sharp: each step is an equality at one end of the phase */
+};
+
+/* A sentence that was proved at one kind of point: with which matrices as unknowns, and by which attempt each entry. */
+struct exact_part {
+  const struct exact_question *question;
+  struct override unknown[EXACT_UNKNOWNS];
+  int n_unknowns;
+  struct point_spec spec;
+  slong n;
+  const struct exact_attempt *by;
+};
+
+struct exact_proof {
+  bool proved;                        /* on the claim's whole domain, wherever both sides are defined */
+  const char *note;                   /* what was shown equal, and where; when proved */
+  const char *why_not;                /* when not */
+  const char *differs;                /* a difference and a rational point, where that refutes; else NULL */
+  const struct restriction *holds_at; /* under which every difference vanishes, by its factors; or NULL */
+  const char *field;
+  slong largest;
+  bool uses_matrices;
+  struct exact_part part[EXACT_PARTS]; /* a proof is all of them */
+  int n_parts;
+};
+
+bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
+                    int n, struct diag *d);
+/* The sentence of a claim that is tried at points, or is sharp, under a restriction or (NULL) without. */
+struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r);
+
+/* Two readings of the paper, in the first of which some quantities have other values. */
+struct exact_change {
+  struct view first, second;
+  const char *moved[2];
+  int n_moved;
+};
+/* Is the formula proved to have one value in both, whatever those values are? */
+bool exact_unchanged(const struct exact_change *c, const char *formula, const char *section);
+/* As evidence; refuted: another route has refuted the sentence. */
+void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
+                       bool refuted);
+
+/* Says why a claim that is supported is not proved, where nothing has said so yet. */
+void finding_why_not(struct finding *f, struct audit_result *out, const struct claim *c);
+
+#endif

@@ -1,0 +1,182 @@
+/* Rational functions over Q as a number type: Calcium's fmpz_mpoly_q in one ring of NUM_EXACT_GENERATORS generators, which
+   have no meaning here.  An operation that could make more than NUM_EXACT_PRODUCT terms is not begun. */
+#include <math.h>
+
+#include "stickslip/num.h"
+
+const fmpz_mpoly_ctx_struct *num_exact_ctx(void) {
+  static fmpz_mpoly_ctx_t ctx;
+  static bool made;
+  if (!made) fmpz_mpoly_ctx_init(ctx, NUM_EXACT_GENERATORS, ORD_LEX);
+  made = true;
+  return ctx;
+}
+
+slong num_exact_terms(const fmpz_mpoly_q_struct *x) {
+  slong n = fmpz_mpoly_length(&x->num, num_exact_ctx()), d = fmpz_mpoly_length(&x->den, num_exact_ctx());
+  return n > d ? n : d;
+}
+
+static void e_init(void *x, slong prec) {
+  (void)prec;
+  fmpz_mpoly_q_init(x, num_exact_ctx());
+}
+
+static void e_clear(void *x) {
+  fmpz_mpoly_q_clear(x, num_exact_ctx());
+}
+
+static void e_set(void *z, const void *x) {
+  fmpz_mpoly_q_set(z, x, num_exact_ctx());
+}
+
+static void e_swap(void *x, void *y) {
+  fmpz_mpoly_q_swap(x, y, num_exact_ctx());
+}
+
+static int e_set_q(void *z, const fmpq_t q, slong prec) {
+  (void)prec;
+  fmpz_mpoly_q_set_fmpq(z, q, num_exact_ctx());
+  return SS_OK;
+}
+
+static int e_set_d(void *z, double x, slong prec) {
+  (void)prec;
+  if (!isfinite(x)) return SS_UNABLE;
+  arf_t exact;
+  fmpq_t q;
+  arf_init(exact);
+  fmpq_init(q);
+  arf_set_d(exact, x);
+  arf_get_fmpq(q, exact);
+  fmpz_mpoly_q_set_fmpq(z, q, num_exact_ctx());
+  fmpq_clear(q);
+  arf_clear(exact);
+  return SS_OK;
+}
+
+static int e_set_arb(void *z, const arb_t x, slong prec) {
+  (void)z, (void)x, (void)prec;
+  return SS_UNABLE;
+}
+
+static void e_get_arb(arb_t z, const void *x) {
+  (void)x;
+  arb_indeterminate(z);
+}
+
+/* Elimination asks for the size of a pivot: any that is not zero will do. */
+static double e_get_d(const void *x) {
+  return fmpz_mpoly_q_is_zero(x, num_exact_ctx()) ? 0 : 1;
+}
+
+static int e_neg(void *z, const void *x, slong prec) {
+  (void)prec;
+  fmpz_mpoly_q_neg(z, x, num_exact_ctx());
+  return SS_OK;
+}
+
+static bool fits(const void *x, const void *y) {
+  return num_exact_terms(x) * num_exact_terms(y) <= NUM_EXACT_PRODUCT;
+}
+
+#define EXACT_BINARY(name)                                                                                             \
+  static int e_##name(void *z, const void *x, const void *y, slong prec) {                                             \
+    (void)prec;                                                                                                        \
+    if (!fits(x, y)) return SS_UNABLE;                                                                                 \
+    fmpz_mpoly_q_##name(z, x, y, num_exact_ctx());                                                                     \
+    return SS_OK;                                                                                                      \
+  }
+EXACT_BINARY(add)
+EXACT_BINARY(sub)
+EXACT_BINARY(mul)
+#undef EXACT_BINARY
+
+static int e_div(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  if (fmpz_mpoly_q_is_zero(y, num_exact_ctx())) return SS_DOMAIN;
+  if (!fits(x, y)) return SS_UNABLE;
+  fmpz_mpoly_q_div(z, x, y, num_exact_ctx());
+  return SS_OK;
+}
+
+/* What is not rational is a generator of a field (exact.h), not a function here. */
+static int e_unary(void *z, const void *x, slong prec) {
+  (void)z, (void)x, (void)prec;
+  return SS_UNABLE;
+}
+
+static int e_atan2(void *z, const void *y, const void *x, slong prec) {
+  (void)z, (void)y, (void)x, (void)prec;
+  return SS_UNABLE;
+}
+
+static int e_sin_cos(void *s, void *c, const void *x, slong prec) {
+  (void)s, (void)c, (void)x, (void)prec;
+  return SS_UNABLE;
+}
+
+static int e_pow_si(void *z, const void *x, slong n, slong prec) {
+  enum { MAX_POWER = 16 };
+  fmpz_mpoly_q_struct r, base;
+  if (n < -MAX_POWER || n > MAX_POWER) return SS_UNABLE;
+  e_init(&r, prec);
+  e_init(&base, prec);
+  e_set(&base, x);
+  int s = e_set_d(&r, 1, prec);
+  for (slong i = 0; s == SS_OK && i < (n < 0 ? -n : n); i++)
+    s = n < 0 ? e_div(&r, &r, &base, prec) : e_mul(&r, &r, &base, prec);
+  if (s == SS_OK) e_swap(z, &r);
+  e_clear(&base);
+  e_clear(&r);
+  return s;
+}
+
+static int e_pi(void *z, slong prec) {
+  (void)z, (void)prec;
+  return SS_UNABLE;
+}
+
+static truth e_is_zero(const void *x) {
+  return e_get_d(x) == 0 ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+static truth e_lt(const void *x, const void *y) {
+  (void)x, (void)y;
+  return TRUTH_UNKNOWN;
+}
+
+const struct num_type num_exact = {
+    .name = "exact",
+    .size = sizeof(fmpz_mpoly_q_struct),
+    .rigorous = true,
+    .init = e_init,
+    .clear = e_clear,
+    .set = e_set,
+    .swap = e_swap,
+    .set_q = e_set_q,
+    .set_d = e_set_d,
+    .set_arb = e_set_arb,
+    .get_arb = e_get_arb,
+    .get_d = e_get_d,
+    .neg = e_neg,
+    .abs = e_unary,
+    .sqrt = e_unary,
+    .sin = e_unary,
+    .cos = e_unary,
+    .cot = e_unary,
+    .add = e_add,
+    .sub = e_sub,
+    .mul = e_mul,
+    .div = e_div,
+    .atan2 = e_atan2,
+    .sin_cos = e_sin_cos,
+    .pow_si = e_pow_si,
+    .pi = e_pi,
+    .is_zero = e_is_zero,
+    .lt = e_lt,
+};
+
+struct num_ctx num_ctx_exact(void) {
+  return (struct num_ctx){&num_exact, 0};
+}

@@ -1,0 +1,709 @@
+/* Proofs by exact algebra: the arithmetic against balls at random points, derivatives by the rules, the model's motions as
+   elements against the same motions in balls, that nothing is proved of damaged formulas that balls refute, and receipts
+   run by another algebra system. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "audit/judge_exact.h"
+#include "audit/mutants.h"
+#include "laws_num.h"
+#include "scratch.h"
+#include "suites.h"
+
+enum { PREC = 400 };
+
+typedef fmpz_mpoly_q_struct element;
+
+/* --- Elements against balls: values of the generators, by the ring's variables --- */
+
+struct values_of {
+  arb_ptr x;
+  bool known[EXACT_GENERATORS];
+};
+
+static void values_open(struct values_of *v) {
+  *v = (struct values_of){.x = _arb_vec_init(EXACT_GENERATORS)};
+}
+
+static void values_close(struct values_of *v) {
+  _arb_vec_clear(v->x, EXACT_GENERATORS);
+}
+
+/* g is a generator, perhaps with a sign. */
+static void assign(struct values_of *v, const element *g, const arb_t x) {
+  int used[EXACT_GENERATORS];
+  fmpz_t sign;
+  fmpz_init(sign);
+  fmpz_mpoly_q_used_vars(used, g, num_exact_ctx());
+  if (fmpz_mpoly_length(&g->num, num_exact_ctx()) == 1) {
+    fmpz_mpoly_get_term_coeff_fmpz(sign, &g->num, 0, num_exact_ctx());
+    for (int i = 0; i < EXACT_GENERATORS; i++) {
+      if (!used[i]) continue;
+      arb_mul_fmpz(v->x + i, x, sign, PREC);
+      v->known[i] = true;
+    }
+  }
+  fmpz_clear(sign);
+}
+
+static void poly_at(arb_t z, const fmpz_mpoly_struct *p, const struct values_of *v) {
+  slong e[EXACT_GENERATORS];
+  arb_t term, power;
+  fmpz_t c;
+  arb_init(term);
+  arb_init(power);
+  fmpz_init(c);
+  arb_zero(z);
+  for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()); i++) {
+    fmpz_mpoly_get_term_coeff_fmpz(c, p, i, num_exact_ctx());
+    fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
+    arb_set_fmpz(term, c);
+    for (int k = 0; k < EXACT_GENERATORS; k++) {
+      if (e[k] == 0) continue;
+      ck_assert_msg(v->known[k], "generator %d has no value", k);
+      arb_pow_ui(power, v->x + k, (ulong)e[k], PREC);
+      arb_mul(term, term, power, PREC);
+    }
+    arb_add(z, z, term, PREC);
+  }
+  fmpz_clear(c);
+  arb_clear(power);
+  arb_clear(term);
+}
+
+static void element_at(arb_t z, const element *x, const struct values_of *v) {
+  arb_t den;
+  arb_init(den);
+  poly_at(z, &x->num, v);
+  poly_at(den, &x->den, v);
+  arb_div(z, z, den, PREC);
+  arb_clear(den);
+}
+
+/* --- Laws --- */
+
+enum { ATOMS = 8 };
+
+/* chi, eta, V, t, sin t, cos t, sqrt(chi eta), 2/3 as elements and as balls. */
+static void make_atoms(element *atom, arb_ptr ball, struct values_of *v, struct exact_field *f, struct rng *r) {
+  static const char *const names[] = {"chi", "eta", "V", "t"};
+  for (int i = 0; i < ATOMS; i++) exact_init(&atom[i], f);
+  for (int i = 0; i < 4; i++) {
+    ck_assert_int_eq(exact_symbol(&atom[i], f, names[i]), SS_OK);
+    arb_set_si(ball + i, rng_between(r, 1, 60));
+    arb_div_si(ball + i, ball + i, rng_between(r, 7, 31), PREC);
+    assign(v, &atom[i], ball + i);
+  }
+  ck_assert_int_eq(exact_sin_cos(&atom[4], &atom[5], f, &atom[3]), SS_OK);
+  arb_sin_cos(ball + 4, ball + 5, ball + 3, PREC);
+  ck_assert_int_eq(num_exact.mul(&atom[7], &atom[0], &atom[1], 0), SS_OK);
+  ck_assert_int_eq(exact_sqrt(&atom[6], f, &atom[7]), SS_OK);
+  arb_mul(ball + 6, ball + 0, ball + 1, PREC);
+  arb_sqrt(ball + 6, ball + 6, PREC);
+  for (int i = 4; i < 7; i++) assign(v, &atom[i], ball + i);
+  fmpq_t q;
+  fmpq_init(q);
+  fmpq_set_si(q, 2, 3);
+  num_exact.set_q(&atom[7], q, 0);
+  arb_set_fmpq(ball + 7, q, PREC);
+  fmpq_clear(q);
+}
+
+static int random_op(element *z, arb_t ball, struct exact_field *f, const element *x, const arb_t bx, const element *y,
+                     const arb_t by, slong which) {
+  num_binary op = which == 0 ? num_exact.add : which == 1 ? num_exact.sub : which == 2 ? num_exact.mul : num_exact.div;
+  (which == 0 ? arb_add : which == 1 ? arb_sub : which == 2 ? arb_mul : arb_div)(ball, bx, by, PREC);
+  int s = op(z, x, y, 0);
+  return s ? s : exact_reduce(z, f);
+}
+
+/* A random element with its value. */
+static void random_element(element *z, arb_t ball, struct exact_field *f, const element *atom, arb_srcptr balls,
+                           struct rng *r) {
+  slong i = rng_between(r, 0, ATOMS - 1);
+  num_exact.set(z, &atom[i]);
+  arb_set(ball, balls + i);
+  element next;
+  arb_t b;
+  exact_init(&next, f);
+  arb_init(b);
+  for (slong k = rng_between(r, 1, 4); k > 0; k--) {
+    i = rng_between(r, 0, ATOMS - 1);
+    if (random_op(&next, b, f, z, ball, &atom[i], balls + i, rng_between(r, 0, 3)) != SS_OK) continue;
+    num_exact.swap(z, &next);
+    arb_swap(ball, b);
+  }
+  arb_clear(b);
+  exact_clear(&next, f);
+}
+
+static void calculate(element *z, struct exact_field *f, num_binary op, const element *x, const element *y) {
+  ck_assert_int_eq(op(z, x, y, 0), SS_OK);
+  ck_assert_int_eq(exact_reduce(z, f), SS_OK);
+}
+
+/* Commutative, associative, distributive, inverses; and each element has the value that its making has in balls. */
+START_TEST(a_field_and_its_values) {
+  struct rng r = {2026};
+  for (int trial = 0; trial < 60; trial++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    struct values_of v;
+    element atom[ATOMS], x[3], a, b;
+    arb_ptr balls = _arb_vec_init(ATOMS + 4);
+    values_open(&v);
+    make_atoms(atom, balls, &v, f, &r);
+    exact_init(&a, f);
+    exact_init(&b, f);
+    for (int i = 0; i < 3; i++) {
+      exact_init(&x[i], f);
+      random_element(&x[i], balls + ATOMS + i, f, atom, balls, &r);
+      element_at(balls + ATOMS + 3, &x[i], &v);
+      ck_assert_msg(arb_overlaps(balls + ATOMS + 3, balls + ATOMS + i), "trial %d: the element has another value",
+                    trial);
+    }
+    const num_binary ops[] = {num_exact.add, num_exact.mul};
+    for (int k = 0; k < 2; k++) {
+      calculate(&a, f, ops[k], &x[0], &x[1]);
+      calculate(&b, f, ops[k], &x[1], &x[0]);
+      ck_assert(exact_equal(f, &a, &b));
+      calculate(&a, f, ops[k], &a, &x[2]);
+      calculate(&b, f, ops[k], &x[1], &x[2]);
+      calculate(&b, f, ops[k], &x[0], &b);
+      ck_assert(exact_equal(f, &a, &b));
+    }
+    calculate(&a, f, num_exact.add, &x[0], &x[1]);
+    calculate(&a, f, num_exact.mul, &a, &x[2]);
+    calculate(&b, f, num_exact.mul, &x[0], &x[2]);
+    calculate(&x[1], f, num_exact.mul, &x[1], &x[2]);
+    calculate(&b, f, num_exact.add, &b, &x[1]);
+    ck_assert(exact_equal(f, &a, &b));
+    ck_assert(exact_sub(&b, f, &a, &b) && exact_is_zero(f, &b));
+    if (exact_is_zero(f, &a))
+      ck_assert_int_eq(num_exact.div(&b, &x[0], &a, 0), SS_DOMAIN);
+    else
+      calculate(&b, f, num_exact.div, &a, &a);
+    if (!exact_is_zero(f, &a)) ck_assert(exact_sub(&b, f, &b, &b) && exact_is_zero(f, &b));
+    for (int i = 0; i < 3; i++) exact_clear(&x[i], f);
+    for (int i = 0; i < ATOMS; i++) exact_clear(&atom[i], f);
+    exact_clear(&b, f);
+    exact_clear(&a, f);
+    values_close(&v);
+    _arb_vec_clear(balls, ATOMS + 4);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
+/* --- Formulas --- */
+
+static struct model model;
+static struct claims claims, controls;
+static struct scene paper;
+static struct orbit_cache *cache;
+
+static void open_paper(void) {
+  struct diag d;
+  scratch_open();
+  diag_init(&d);
+  model_init(&model);
+  claims = controls = (struct claims){.n = 0};
+  cache = orbit_cache_new();
+  ck_assert_msg(model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
+                    model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
+                    model_add_folder(&model, "verify/controls", RANK_CONTROL, &d) &&
+                    claims_load(&claims, "verify/claims", "claim", &d) &&
+                    claims_load(&controls, "verify/controls", "control", &d) &&
+                    scene_load(&paper, "paper", "verify", &d),
+                "%s", d.message);
+}
+
+static void close_paper(void) {
+  orbit_cache_free(cache);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&model);
+  scene_clear(&paper);
+  scratch_close();
+}
+
+static const struct claim *claim_of(const char *id) {
+  for (size_t i = 0; i < claims.n; i++)
+    if (strcmp(claims.claim[i].id, id) == 0) return &claims.claim[i];
+  ck_abort_msg("no claim %s", id);
+}
+
+/* The value of a text in a field, as a function of free symbols. */
+static int value_in(element *z, struct exact_field *f, const char *text) {
+  struct elaboration el;
+  struct arena a;
+  struct source src;
+  struct matrix m;
+  struct tape t;
+  struct diag d;
+  struct exact_vec v;
+  diag_init(&d);
+  arena_init(&a);
+  source_from_string(&src, "test", text);
+  elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  ck_assert_msg(e && elaborate(&m, &el, e, &src, "", &d) && elaboration_tape(&t, &el, m.e, 1, &d), "%s", d.message);
+  int s = exact_eval(&v, f, &t);
+  if (s == SS_OK) num_exact.set(z, &v.x[0]);
+  exact_vec_clear(&v);
+  tape_clear(&t);
+  elaboration_clear(&el);
+  source_clear(&src);
+  arena_clear(&a);
+  return s;
+}
+
+START_TEST(derivatives_by_the_rules) {
+  static const char *const rows[][2] = {
+      {"chi", "0"},
+      {"t^3 + chi*t", "3*t^2 + chi"},
+      {"sin(V*t)", "V*cos(V*t)"},
+      {"cos(t)^2", "-2*sin(t)*cos(t)"},
+      {"t^2/(1 + t)", "(2*t + t^2)/(1 + t)^2"},
+      {"cot(t)", "-1/sin(t)^2"},
+      {"sqrt(chi*eta)*cos(sqrt(chi*eta)*t)", "-chi*eta*sin(sqrt(chi*eta)*t)"},
+      {"sin(t^2/chi)", "(2*t/chi)*cos(t^2/chi)"},
+      {"sin(t)/(1 + cos(t))", "1/(1 + cos(t))"},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    element x, y;
+    exact_init(&x, f);
+    exact_init(&y, f);
+    ck_assert(value_in(&x, f, rows[i][0]) == SS_OK && value_in(&y, f, rows[i][1]) == SS_OK);
+    ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_OK);
+    ck_assert_msg(exact_equal(f, &x, &y), "the derivative of %s is %s", rows[i][0], rows[i][1]);
+    ck_assert(value_in(&x, f, "sqrt(t)*chi") == SS_OK);
+    ck_assert_int_eq(exact_derivative(&x, f, &x, "t"), SS_UNABLE);
+    exact_clear(&y, f);
+    exact_clear(&x, f);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
+/* When a difference is one of functions, and at which rational point; and when that cannot be told. */
+START_TEST(differences_with_a_rational_point) {
+  static const struct {
+    const char *text;
+    bool independent, at_one; /* at_one: zero where V = 1 */
+  } rows[] = {{"V - 1", true, true},
+              {"(V - 1)*sin(V*t)*chi", true, true},
+              {"V^2 - 1 + 1e-40", true, false},
+              {"sqrt(chi*eta) - chi", true, false},
+              {"cos(t) - 1 + 1e-50*sin(chi*t)", true, false},
+              {"sin(2*t) - sin(t)", false, false},
+              {"sin(t + chi) - sin(t)", false, false},
+              {"sqrt(chi) - sqrt(eta)", false, false},
+              {"sqrt(chi^2) - chi", false, false}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    struct text t;
+    element x;
+    fmpq_t one;
+    fmpq_init(one);
+    fmpq_one(one);
+    text_init(&t);
+    exact_init(&x, f);
+    ck_assert(value_in(&x, f, rows[i].text) == SS_OK && !exact_is_zero(f, &x));
+    ck_assert_msg(exact_independent(f) == rows[i].independent, "%s", rows[i].text);
+    ck_assert_msg(exact_vanishes_at(f, &x, "V", one) == rows[i].at_one, "%s", rows[i].text);
+    ck_assert_msg(!rows[i].independent || (exact_witness(&t, f, &x) && strstr(text_str(&t), " at ")), "%s",
+                  rows[i].text);
+    exact_clear(&x, f);
+    text_clear(&t);
+    fmpq_clear(one);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
+/* Far beyond the budget: an answer, at once. */
+START_TEST(the_budget_ends_it) {
+  static const char *const texts[] = {
+      "(chi + eta + V + t + x + y + u + v + lambda + e_1 + e_2)^16", "det(H(t)*H(t_a)*H(t_b)*H(t_c))",
+      "(((((chi + 1/(eta + 1/(V + 1/t)))^9 + x)^9 + y)^9 + u)^9 + v)^9", "chi^17", "J[1,1]*J[1,2]*J[2,1]"};
+  for (size_t i = 0; i < sizeof texts / sizeof *texts; i++) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    element x;
+    exact_init(&x, f);
+    ck_assert_msg(value_in(&x, f, texts[i]) == SS_UNABLE, "%s", texts[i]);
+    exact_clear(&x, f);
+    exact_field_free(f);
+  }
+}
+END_TEST
+
+/* --- The model's motions as elements and in balls --- */
+
+static const char *const motion_names[] = {"chi",    "eta",     "V",        "e_1",    "e_2",
+                                           "u_r1",   "u_r2",    "t_a",      "t_b",    "t_c",
+                                           "t_d",    "z_10",    "z_20",     "z'_10",  "z_1a",
+                                           "z_2a",   "z'_1a",   "z'_2a",    "z_1b",   "z_2b",
+                                           "z'_1b",  "z'_2b",   "z_1c",     "z_2c",   "z'_1c",
+                                           "z'_2c",  "x",       "y",        "u",      "v",
+                                           "x_a",    "y_a",     "u_a",      "v_a",    "x_b",
+                                           "y_b",    "u_b",     "v_b",      "x_c",    "y_c",
+                                           "u_c",    "v_c",     "x_f",      "y_f",    "u_f",
+                                           "v_f",    "dt_a",    "dt_b",     "dt_c",   "dt_d",
+                                           "z_1(t)", "z_2'(t)", "z_1''(t)", "x_2(t)", "z_2(t_a + t_b + t_c + t_d)",
+                                           "t"};
+enum { N_MOTION_NAMES = sizeof motion_names / sizeof *motion_names };
+
+static void bind_ball(arb_t z, struct values *v, const char *name) {
+  bool known;
+  ck_assert_msg(values_bind(z, &known, v, name) == SS_OK && known, "%s", name);
+}
+
+static void assign_symbol(struct values_of *g, struct exact_motion *m, const char *name, const arb_t x) {
+  element e;
+  exact_init(&e, m->field);
+  ck_assert_int_eq(exact_symbol(&e, m->field, name), SS_OK);
+  assign(g, &e, x);
+  exact_clear(&e, m->field);
+}
+
+/* sin and cos of w u, where w and u are generators or 1. */
+static void assign_angle(struct values_of *g, struct exact_motion *m, const element *w, const arb_t w_ball,
+                         const char *time, const arb_t u) {
+  element e[3];
+  arb_t x, s, c;
+  arb_init(x);
+  arb_init(s);
+  arb_init(c);
+  for (int i = 0; i < 3; i++) exact_init(&e[i], m->field);
+  ck_assert_int_eq(exact_symbol(&e[0], m->field, time), SS_OK);
+  if (w) ck_assert_int_eq(num_exact.mul(&e[0], &e[0], w, 0), SS_OK);
+  arb_mul(x, u, w_ball, PREC);
+  arb_sin_cos(s, c, x, PREC);
+  ck_assert_int_eq(exact_sin_cos(&e[1], &e[2], m->field, &e[0]), SS_OK);
+  assign(g, &e[1], s);
+  assign(g, &e[2], c);
+  for (int i = 0; i < 3; i++) exact_clear(&e[i], m->field);
+  arb_clear(c);
+  arb_clear(s);
+  arb_clear(x);
+}
+
+/* Every generator that a motion may use, from the motion in balls. */
+static void assign_all(struct values_of *g, struct exact_motion *m, struct values *v, const arb_t tau) {
+  static const char *const free_names[] = {"V",     "e_1",  "e_2",  "u_s1", "u_s2", "t_a",   "t_b",  "t_c",
+                                           "t_d",   "z_10", "z_20", "z_2a", "z_1b", "z'_1b", "z_1c", "z_2c",
+                                           "z'_2c", "x",    "y",    "y_a",  "x_b",  "u_b",   "x_c",  "y_c",
+                                           "v_c",   "x_f",  "y_f",  "dt_a", "dt_b", "dt_c",  "dt_d"};
+  static const char *const times[] = {"t_a", "t_b", "t_c", "t_d", "tau"};
+  arb_t x, w[4];
+  arb_init(x);
+  for (int i = 0; i < 4; i++) arb_init(w[i]);
+  for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++) {
+    bind_ball(x, v, free_names[i]);
+    assign_symbol(g, m, free_names[i], x);
+  }
+  for (int i = 0; i < 2; i++) {
+    bind_ball(x, v, i ? "z_2(t_a + t_b + t_c + t_d)" : "z_1(t_a + t_b + t_c + t_d)");
+    assign_symbol(g, m, i ? "z_2f" : "z_1f", x);
+    struct num_vec o = {v->ctx, 1, (char *)w[i]};
+    ck_assert_int_eq(oracle_eval(&o, oracle_find(i ? "omega_2" : "omega_1"), v), SS_OK);
+    assign_symbol(g, m, i ? "w_2" : "w_1", w[i]);
+  }
+  assign_symbol(g, m, "tau", tau);
+  arb_mul(w[2], num_vec_at(&v->params, P_CHI), num_vec_at(&v->params, P_ETA), PREC);
+  arb_sqrt(w[2], w[2], PREC);
+  arb_one(w[3]);
+  element omega;
+  exact_init(&omega, m->field);
+  ck_assert_int_eq(num_exact.mul(&omega, num_vec_at(&m->params, P_CHI), num_vec_at(&m->params, P_ETA), 0), SS_OK);
+  ck_assert_int_eq(exact_sqrt(&omega, m->field, &omega), SS_OK);
+  assign(g, &omega, w[2]);
+  const element *frequency[4] = {num_vec_at(&m->frequency, 0), num_vec_at(&m->frequency, 1), &omega, NULL};
+  for (int k = 0; k < 5; k++) { /* frequencies 1; w_1, w_2; omega in the phases Gamma, H, C and at tau */
+    int phase = k < 4 ? k : (int)m->phase;
+    if (k < 4)
+      bind_ball(x, v, times[k]);
+    else
+      arb_set(x, tau);
+    for (int i = 0; i < 4; i++)
+      if ((phase == PHASE_GAMMA && i == 3) || (phase == PHASE_H && i < 2) || (phase == PHASE_C && i == 2))
+        assign_angle(g, m, frequency[i], w[i], times[k], x);
+  }
+  exact_clear(&omega, m->field);
+  for (int i = 0; i < 4; i++) arb_clear(w[i]);
+  arb_clear(x);
+}
+
+static void compare_motion(struct values *v, const struct exact_attempt *a, enum phase ph, const arb_t tau) {
+  struct point_spec spec = {.kind = POINT_ARC, .phase = ph};
+  struct tape reads = {.inputs = (char **)(size_t)motion_names, .n_inputs = N_MOTION_NAMES};
+  struct exact_motion m;
+  struct values_of g;
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  values_open(&g);
+  exact_motion_init(&m, a, &spec, false, NULL, &reads);
+  assign_all(&g, &m, v, tau);
+  int compared = 0;
+  for (int i = 0; i < N_MOTION_NAMES; i++) {
+    element e;
+    exact_init(&e, m.field);
+    int s = exact_motion_bind(&e, m.field, motion_names[i], &m);
+    if (s == SS_OK) {
+      element_at(x, &e, &g);
+      bind_ball(y, v, motion_names[i]);
+      ck_assert_msg(arb_overlaps(x, y), "%s, phase %s, anchor %d, tangents %d", motion_names[i], phase_name[ph],
+                    a->anchor, (int)a->tangents);
+      compared++;
+    }
+    exact_clear(&e, m.field);
+  }
+  ck_assert_int_ge(compared, N_MOTION_NAMES - 6); /* tangents by L from a chain outgrow the budget towards the end */
+  exact_motion_clear(&m);
+  values_close(&g);
+  arb_clear(y);
+  arb_clear(x);
+}
+
+START_TEST(motions_have_the_values_of_motions) {
+  int done = 0;
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    struct sampler s;
+    struct point p;
+    point_init(&p);
+    sampler_init(&s, "exact motions", POINT_ARC, (enum phase)ph, NULL);
+    for (int draws = 0, accepted = 0; draws < 12 && accepted < 2; draws++) {
+      struct values v;
+      sampler_next(&p, &s);
+      if (values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache) == SS_OK) {
+        arb_t tau;
+        arb_init(tau);
+        arb_set(tau, num_vec_at(&v.t, 0));
+        for (int k = 0; k < ph; k++) arb_sub(tau, tau, num_vec_at(&v.arc.t, k), PREC);
+        static const struct exact_attempt attempts[] = {{true, 4, TANGENTS_FREE, TIME_INSIDE},
+                                                        {true, 4, TANGENTS_LOCATED, TIME_INSIDE},
+                                                        {true, 2, TANGENTS_SHIFTED, TIME_INSIDE},
+                                                        {true, 3, TANGENTS_LOCATED, TIME_INSIDE},
+                                                        {true, 0, TANGENTS_FREE, TIME_INSIDE}};
+        for (size_t i = 0; i < sizeof attempts / sizeof *attempts; i++)
+          compare_motion(&v, &attempts[i], (enum phase)ph, tau);
+        accepted++;
+        done++;
+        arb_clear(tau);
+      }
+      values_clear(&v);
+    }
+    point_clear(&p);
+  }
+  ck_assert_int_eq(done, 2 * N_PHASES);
+}
+END_TEST
+
+START_TEST(propagators_solve_their_systems) {
+  ck_assert(exact_propagators_proved());
+}
+END_TEST
+
+/* --- What is not proved --- */
+
+static struct exact_proof prove(const struct model *m, const struct claim *c, struct view view,
+                                struct audit_result *out) {
+  struct diag d;
+  diag_init(&d);
+  struct judge j = {.out = out, .model = m, .claims = &claims, .scene = &paper, .cache = cache, .d = &d};
+  return exact_prove(&j, c, view, NULL);
+}
+
+/* No control that damages a formula is proved; those of exact algebra differ at a rational point. */
+START_TEST(no_control_is_proved) {
+  int tried = 0;
+  for (size_t i = 0; i < controls.n; i++) {
+    struct claim c = *claim_of(record_get(controls.claim[i].record, "claim"));
+    if (!claim_tried_at_points(&c)) continue;
+    c.control = controls.claim[i].record;
+    struct audit_result out;
+    audit_result_init(&out);
+    struct exact_proof p = prove(&model, &c, (struct view){&model, LAYER_CORRECTED, NULL, controls.claim[i].id}, &out);
+    ck_assert_msg(!p.proved, "%s", controls.claim[i].id);
+    if (strncmp(controls.claim[i].id, "ctl-exact-", 10) == 0)
+      ck_assert_msg(p.differs && strstr(p.differs, " at "), "%s", controls.claim[i].id);
+    audit_result_clear(&out);
+    tried++;
+  }
+  ck_assert_int_ge(tried, 20);
+}
+END_TEST
+
+static bool refuted_by_balls(const struct model *m, const struct claim *c, struct audit_result *out) {
+  struct finding f;
+  struct diag d;
+  diag_init(&d);
+  struct judge j = {
+      .out = out, .model = m, .claims = &claims, .scene = &paper, .cache = cache, .d = &d, .effort = EFFORT_REFUTE};
+  return judge_verdict(&f, &j, c) && f.verdict == VERDICT_REFUTED && f.n_evidence > 0 &&
+         strcmp(f.evidence[0].route, "balls") == 0;
+}
+
+/* Every so many one-token damages, and the claims under the same equation: what is proved must not be refuted. */
+START_TEST(what_balls_refute_is_not_proved) {
+  enum { STRIDE = 41 };
+  struct overlay o;
+  struct mutants all;
+  int refuted = 0;
+  overlay_init(&o, &model);
+  mutants_init(&all, &model, NULL, 0);
+  for (size_t i = 0; i < all.n; i += STRIDE) {
+    const struct target *t = &all.target[all.mutant[i].target];
+    const char *equation = model.records[t->record].equation;
+    if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
+    overlay_set(&o, t, all.mutant[i].edit.stmt);
+    for (size_t k = 0; k < claims.n; k++) {
+      const struct claim *c = &claims.claim[k];
+      const char *own = claim_get(c, "equation");
+      if (!own || strcmp(own, equation) != 0 || !claim_tried_at_points(c)) continue;
+      struct audit_result out;
+      audit_result_init(&out);
+      if (refuted_by_balls(&o.model, c, &out)) {
+        refuted++;
+        ck_assert_msg(!prove(&o.model, c, claim_view(&o.model, c), &out).proved, "%s with mutant %zu", c->id, i);
+      }
+      audit_result_clear(&out);
+    }
+    overlay_set(&o, t, NULL);
+  }
+  mutants_clear(&all);
+  overlay_clear(&o);
+  ck_assert_int_ge(refuted, 20);
+}
+END_TEST
+
+/* tr J, det J and P do not feel the misprint in (40) nor the printed z_10; J itself does, and all of them feel (36). */
+START_TEST(what_the_trace_does_not_feel) {
+  const struct exact_change misprint = {
+      {&model, LAYER_CORRECTED, "40", NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {NULL}, 0};
+  const struct exact_change number = {
+      {&model, LAYER_CORRECTED, NULL, NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {"z_10", "z_100"}, 2};
+  const struct exact_change time = {
+      {&model, LAYER_CORRECTED, NULL, NULL}, {&model, LAYER_CORRECTED, NULL, NULL}, {"t_d", NULL}, 1};
+  static const char *const kept[] = {"tr(J)", "det(J)", "P(lambda)", "J_a", "J_c*J_b"};
+  for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+    ck_assert_msg(exact_unchanged(&misprint, kept[i], "stability"), "%s", kept[i]);
+    ck_assert_msg(exact_unchanged(&number, kept[i], "stability"), "%s", kept[i]);
+  }
+  ck_assert(!exact_unchanged(&misprint, "J", "stability") && !exact_unchanged(&number, "J_f", "stability"));
+  ck_assert(!exact_unchanged(&time, "tr(J)", "stability") && exact_unchanged(&time, "det(J)", "stability"));
+}
+END_TEST
+
+/* --- Receipts --- */
+
+static int run(const char *command) {
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static bool has_sympy(const char *python) {
+  char command[600];
+  snprintf(command, sizeof command, "%s -c 'import sympy' 2>/dev/null", python);
+  return run(command) == 0;
+}
+
+static void receipt(struct text *out, const char *id) {
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  ck_assert(source_read(&src, "verify/receipt/model.py", 1 << 20, &d));
+  ck_assert_msg(audit_receipt(out, &model, &claims, &paper, id, src.text, &d), "%s", d.message);
+  source_clear(&src);
+}
+
+/* The status of the script; damage: the first " - " between two values becomes " + ". */
+static int run_receipt(const char *python, const char *id, bool damage) {
+  struct text t;
+  char command[1200];
+  text_init(&t);
+  receipt(&t, id);
+  if (damage) {
+    char *at = strstr(t.data, ") - v(");
+    ck_assert_msg(at != NULL && at < strstr(t.data, "PARTS.append"), "%s has no difference to damage", id);
+    at[2] = '+';
+  }
+  scratch_put("receipt.py", text_str(&t));
+  text_clear(&t);
+  snprintf(command, sizeof command, "%s '%s' > '%s' 2>/dev/null", python, scratch_path("receipt.py"),
+           scratch_path("receipt.out"));
+  return run(command);
+}
+
+START_TEST(receipts_hold_and_damaged_ones_do_not) {
+  static const struct {
+    const char *id, *says;
+    bool damage;
+  } rows[] = {{"eq-32", "eq-32: proved\n", true},
+              {"eq-10b", "eq-10b: proved\n", false},
+              {"eq-40", "eq-40 as corrected: proved\n", true},
+              {"eq-48c", "eq-48c: proved\n", true},
+              {"eq-25", "eq-25: proved\n", true},
+              {"eq-56b", "eq-56b: proved\n", true},
+              {"eq-43", "eq-43: proved\n", true}};
+  const char *python = getenv("PYTHON") ? getenv("PYTHON") : "/usr/bin/python3";
+  if (!has_sympy(python)) return;
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    ck_assert_msg(run_receipt(python, rows[i].id, false) == 0, "%s", rows[i].id);
+    struct source out;
+    struct diag d;
+    diag_init(&d);
+    ck_assert(source_read(&out, scratch_path("receipt.out"), 1000, &d));
+    ck_assert_str_eq(out.text, rows[i].says);
+    source_clear(&out);
+    if (rows[i].damage) ck_assert_msg(run_receipt(python, rows[i].id, true) != 0, "damaged %s", rows[i].id);
+  }
+}
+END_TEST
+
+START_TEST(no_receipt_without_a_proof) {
+  static const char *const rows[][2] = {{"nobody", "no claim is named"},
+                                        {"eq-3e", "an inequality"},
+                                        {"fig-4", "not of a kind"},
+                                        {"eq-36b", "not of a kind"}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct text t;
+    struct diag d;
+    text_init(&t);
+    diag_init(&d);
+    ck_assert(!audit_receipt(&t, &model, &claims, &paper, rows[i][0], "", &d));
+    ck_assert_msg(strstr(d.message, rows[i][1]) != NULL, "%s", d.message);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+Suite *exact_suite(void) {
+  Suite *s = suite_create("exact");
+  TCase *c = tcase_create("algebra");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, a_field_and_its_values);
+  tcase_add_test(c, derivatives_by_the_rules);
+  tcase_add_test(c, differences_with_a_rational_point);
+  tcase_add_test(c, the_budget_ends_it);
+  suite_add_tcase(s, c);
+  c = tcase_create("motions");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, propagators_solve_their_systems);
+  tcase_add_test(c, motions_have_the_values_of_motions);
+  suite_add_tcase(s, c);
+  c = tcase_create("proofs");
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, no_control_is_proved);
+  tcase_add_test(c, what_balls_refute_is_not_proved);
+  tcase_add_test(c, what_the_trace_does_not_feel);
+  tcase_add_test(c, receipts_hold_and_damaged_ones_do_not);
+  tcase_add_test(c, no_receipt_without_a_proof);
+  suite_add_tcase(s, c);
+  return s;
+}
