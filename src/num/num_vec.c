@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct num_ctx num_ctx_double(void) {
   return (struct num_ctx){&num_double, 53};
@@ -24,20 +25,19 @@ struct num_ctx num_ctx_arb(slong prec) {
 
 void num_vec_init(struct num_vec *v, slong len, struct num_ctx ctx) {
   if (len < 0 || (size_t)len > SIZE_MAX / ctx.type->size) abort();
-  *v = (struct num_vec){ctx, len, ss_malloc((size_t)len * ctx.type->size)};
-  for (slong i = 0; i < len; i++) ctx.type->init(num_vec_at(v, i), ctx.prec);
+  size_t bytes = (size_t)len * ctx.type->size;
+  *v = (struct num_vec){ctx, len, ss_malloc(bytes)};
+  if (ctx.type->zeroed)
+    memset(v->data, 0, bytes);
+  else
+    for (slong i = 0; i < len; i++) ctx.type->init(num_vec_at(v, i), ctx.prec);
 }
 
 void num_vec_clear(struct num_vec *v) {
-  for (slong i = 0; i < v->len; i++) v->ctx.type->clear(num_vec_at(v, i));
+  for (slong i = 0; !v->ctx.type->plain && i < v->len; i++) v->ctx.type->clear(num_vec_at(v, i));
   free(v->data);
   v->data = NULL;
   v->len = 0;
-}
-
-void *num_vec_at(const struct num_vec *v, slong i) {
-  if (i < 0 || i >= v->len) abort();
-  return v->data + (size_t)i * v->ctx.type->size;
 }
 
 void num_vec_set(struct num_vec *z, const struct num_vec *x) {
