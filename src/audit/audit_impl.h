@@ -118,19 +118,26 @@ struct values {
   struct num_vec params;    /* N_PARAMS */
   struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
   struct dyn_arc perturbed; /* finite perturbations */
-  struct num_vec t;         /* the time t */
+  struct num_vec t;         /* the time t; on arcs made when first asked for, as the next two */
   struct num_vec zt, azt;   /* Z(t) and its derivative */
+  bool have_t;
+  struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
+  bool have_phi[N_PHASES];
   struct num_vec local;     /* four local Jacobians, 16 each; made when first asked for */
   bool have_local;
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
   bool have_tangent;
+  struct oracle_matrix *matrices; /* whose entries were asked for */
+  size_t n_matrices, cap_matrices;
 };
 
 /* Status flags; anything but SS_OK means that the point is not accepted in this type. */
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache);
 void values_clear(struct values *v);
+/* exp(A t) of a phase over its time on the arc. */
+int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 
