@@ -89,6 +89,17 @@ const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N
 /* The orbit's arc in the context of arc and params; params are the orbit's own. */
 int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
 
+/* What the return map and motions do beside an orbit, whatever a sentence says of it (judge_criterion.c). */
+struct orbit_slope {
+  const struct dyn_orbit *orbit;
+  bool have_slope, have_iterates, have_motion;
+  int status; /* of the slope */
+  double slope, margin;
+  int iterates, motion; /* fates */
+};
+/* What is known so far, at first nothing; lives until another is asked for. */
+struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o);
+
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 
@@ -123,7 +134,7 @@ struct values {
   bool have_t;
   struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
   bool have_phi[N_PHASES];
-  struct num_vec local;     /* four local Jacobians, 16 each; made when first asked for */
+  struct num_vec local; /* four local Jacobians, 16 each; made when first asked for */
   bool have_local;
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
@@ -239,8 +250,10 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 /* --- A claim being judged --- */
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
-   Kinds that know it are tried sooner on mutants; others may pass over it. */
-enum effort { EFFORT_FULL, EFFORT_REFUTE };
+   EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
+   nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them are
+   done sooner; others may pass over them. */
+enum effort { EFFORT_FULL, EFFORT_REFUTE, EFFORT_VERDICT, EFFORT_DIFFERENCE };
 
 struct judge {
   struct audit_result *out;

@@ -333,6 +333,15 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
   return true;
 }
 
+/* Nothing that further points could say is asked for. */
+static bool enough(const struct run *r) {
+  enum effort effort = r->j->effort;
+  bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
+  for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
+    settled = settled && r->tally[i].differs + r->tally[i].undecided > 0;
+  return settled;
+}
+
 static bool try_spec(struct run *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
@@ -346,7 +355,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   bool ok = true;
   long done = 0;
   for (long draws = 0; ok && done < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
-    if (r->j->effort == EFFORT_REFUTE && r->tally[0].differs) break;
+    if (enough(r)) break;
     bool accepted = false;
     sampler_next(&p, &s);
     if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
@@ -502,10 +511,12 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     f.evidence = NULL;
     f.n_evidence = 0;
     f.correction = f.effect = f.fault = NULL;
-    bool ok = run_all(&f, &r, j, c, view, &restrictions[i]);
+    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
+    struct judge as_wanted = *j; /* unless it is on record, only support counts */
+    if (f.recorded == N_VERDICTS) as_wanted.effort = EFFORT_DIFFERENCE;
+    bool ok = run_all(&f, &r, &as_wanted, c, view, &restrictions[i]);
     run_clear(&r);
     if (!ok) return false;
-    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
     if (f.verdict != VERDICT_SUPPORTED && f.recorded == N_VERDICTS) continue;
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
     f.condition = restrictions[i].text;
