@@ -239,9 +239,8 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   struct point p;
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
-  if (!sentence_from_record(&y.sentence, view, statement, NULL, 0, j->d)) return false;
   point_init(&p);
-  bool ok = try_given(&y, &p);
+  bool ok = sentence_from_record(&y.sentence, view, statement, NULL, 0, j->d) && try_given(&y, &p);
   if (ok) try_pool(&y, &p);
   point_clear(&p);
   sentence_clear(&y.sentence);
