@@ -453,7 +453,7 @@ START_TEST(a_root_asked_again_is_the_same) {
     put(&c, 0, (i + 1) * 3.25);
     put(&c, 1, -(i + 1) - 3.25);
     put(&c, 2, 1);
-    arb_add_error_2exp_si(num_vec_at(&c, 0), -90 - i % 3);
+    if (i % 3) arb_add_error_2exp_si(num_vec_at(&c, 0), -90);
     struct num_vec coeffs = {c.ctx, 3, c.data};
     bool aliased = n % 5 == 4; /* the output is a coefficient */
     void *z = num_vec_at(&c, aliased ? 0 : 3);
@@ -461,7 +461,7 @@ START_TEST(a_root_asked_again_is_the_same) {
     arb_ptr x = z;
     if (n < 2 * N) arb_set(first[i][p], x);
     ck_assert_msg(arb_equal(x, first[i][p]), "question %d", n);
-    ck_assert_msg(arb_contains_si(x, i + 1) && arb_rel_accuracy_bits(x) > 70, "question %d", n);
+    ck_assert_msg(arb_contains_si(x, i + 1) && arb_rel_accuracy_bits(x) > (i % 3 || !p ? 70 : 120), "question %d", n);
     num_vec_clear(&c);
   }
   for (int i = 0; i < 2 * N; i++) arb_clear(first[i / 2][i % 2]);
