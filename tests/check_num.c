@@ -200,6 +200,22 @@ START_TEST(solutions_and_determinants) {
 }
 END_TEST
 
+/* An entry that overflows on the way is lost whatever it would come to, and no other entry is. */
+START_TEST(products_that_cannot_be_held) {
+  struct num_vec x, y, z;
+  num_vec_init(&x, 4, num_ctx_double());
+  num_vec_init(&y, 2, num_ctx_double());
+  num_vec_init(&z, 2, num_ctx_double());
+  fill(&x, (const double[]){1e300, -1e300, 1, 2});
+  fill(&y, (const double[]){1e300, 1e300});
+  ck_assert_int_eq(num_mat_mul(&z, &x, &y, 2, 2, 1), SS_UNABLE);
+  ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
+  num_vec_clear(&z);
+  num_vec_clear(&y);
+  num_vec_clear(&x);
+}
+END_TEST
+
 static void fill(struct num_vec *v, const double *x) {
   for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
 }
@@ -985,6 +1001,7 @@ static TCase *matrix_tcase(void) {
     tcase_add_loop_test_raise_signal(tc, out_of_range_aborts, SIGABRT, 0, 2);
   tcase_add_loop_test(tc, products, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, solutions_and_determinants, 0, LAW_CONTEXTS);
+  tcase_add_test(tc, products_that_cannot_be_held);
   tcase_add_loop_test(tc, singular_matrices, 0, LAW_CONTEXTS);
   tcase_add_test(tc, pivots_that_cannot_be_told);
   return tc;

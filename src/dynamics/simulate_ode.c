@@ -21,6 +21,7 @@ struct ode {
   gsl_odeiv2_control *control;
   gsl_odeiv2_evolve *evolve;
   enum coulomb_mode mode[2];
+  double u[2], gain[2];                  /* x_i'' = gain_i (u_i - f_i) in this pair of modes */
   double began;                          /* when this pair of modes began */
   double since, y[N_STATE];              /* the present */
   double step_since, step_from[N_STATE]; /* the step being looked into */
@@ -36,9 +37,15 @@ static void forces(double f[2], const double p[N_COULOMB], const double y[N_STAT
 static void accelerations(double a[2], const struct ode *o, const double y[N_STATE]) {
   double f[2];
   forces(f, o->p, y);
+  for (int i = 0; i < 2; i++) a[i] = o->gain[i] * (o->u[i] - f[i]);
+}
+
+static void set_modes(struct ode *o, const enum coulomb_mode mode[2]) {
   for (int i = 0; i < 2; i++) {
-    double us = o->p[COULOMB_US1 + i], u = o->mode[i] == MODE_BELOW ? us : -us;
-    a[i] = o->mode[i] == MODE_STICK ? 0 : (i == 0 ? 1 : o->p[COULOMB_ETA]) * (u - f[i]);
+    double us = o->p[COULOMB_US1 + i];
+    o->mode[i] = mode[i];
+    o->u[i] = mode[i] == MODE_BELOW ? us : -us;
+    o->gain[i] = mode[i] == MODE_STICK ? 0 : i == 0 ? 1 : o->p[COULOMB_ETA];
   }
 }
 
@@ -219,7 +226,7 @@ static void settle(struct ode *o, int mass) {
 static enum move ode_move(void *self, struct run *run) {
   struct ode *o = self;
   const double duration = run->plan->duration;
-  memcpy(o->mode, run->mode, sizeof o->mode);
+  set_modes(o, run->mode);
   o->began = ode_time(o);
   o->since = 0;
   gsl_odeiv2_evolve_reset(o->evolve);

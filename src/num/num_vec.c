@@ -57,6 +57,23 @@ static void check_shape(const struct num_vec *x, slong rows, slong cols) {
   if (rows < 0 || cols < 0 || x->len != rows * cols) abort();
 }
 
+/* In double precision the calls would cost more than the arithmetic.  What is not finite on the way is not finite at the
+   end, so that the status is that of the steps. */
+static int double_mat_mul(double *z, const double *x, const double *y, slong m, slong n, slong p) {
+  int status = SS_OK;
+  double *sum = ss_malloc((size_t)(m * p) * sizeof *sum);
+  for (slong i = 0; i < m; i++)
+    for (slong j = 0; j < p; j++) {
+      double s = 0;
+      for (slong k = 0; k < n; k++) s += x[i * n + k] * y[k * p + j];
+      if (!isfinite(s)) status |= SS_UNABLE;
+      sum[i * p + j] = isfinite(s) ? s : (double)NAN;
+    }
+  memcpy(z, sum, (size_t)(m * p) * sizeof *sum);
+  free(sum);
+  return status;
+}
+
 int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec *y, slong m, slong n, slong p) {
   const struct num_type *f = z->ctx.type;
   slong prec = z->ctx.prec;
@@ -65,6 +82,7 @@ int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec
   check_shape(z, m, p);
   check_shape(x, m, n);
   check_shape(y, n, p);
+  if (f == &num_double) return double_mat_mul((void *)z->data, (void *)x->data, (void *)y->data, m, n, p);
   num_vec_init(&sum, m * p, z->ctx);
   num_vec_init(&term, 1, z->ctx);
   void *t = num_vec_at(&term, 0);
