@@ -277,7 +277,8 @@ static void close_paper(void) {
 static bool judge_text(struct audit_result *r, const char *text, struct diag *d) {
   struct model m;
   struct claims claims = {.n = 0}, none = {.n = 0};
-  const struct audit_options opt = {.n_only = 0};
+  static const char *const own = "text"; /* without the studies of a whole audit */
+  const struct audit_options opt = {.only = &own, .n_only = 1};
   diag_init(d);
   audit_result_init(r);
   model_init(&m);

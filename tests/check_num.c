@@ -200,6 +200,22 @@ START_TEST(solutions_and_determinants) {
 }
 END_TEST
 
+/* An entry that overflows on the way is lost whatever it would come to, and no other entry is. */
+START_TEST(products_that_cannot_be_held) {
+  struct num_vec x, y, z;
+  num_vec_init(&x, 4, num_ctx_double());
+  num_vec_init(&y, 2, num_ctx_double());
+  num_vec_init(&z, 2, num_ctx_double());
+  fill(&x, (const double[]){1e300, -1e300, 1, 2});
+  fill(&y, (const double[]){1e300, 1e300});
+  ck_assert_int_eq(num_mat_mul(&z, &x, &y, 2, 2, 1), SS_UNABLE);
+  ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
+  num_vec_clear(&z);
+  num_vec_clear(&y);
+  num_vec_clear(&x);
+}
+END_TEST
+
 static void fill(struct num_vec *v, const double *x) {
   for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
 }
@@ -401,6 +417,70 @@ START_TEST(even_quartic) {
   num_vec_clear(&z);
   arb_clear(exact);
   arb_clear(x);
+}
+END_TEST
+
+/* Sine and cosine in MPFR are correctly rounded, so that MPFR's own functions are the oracle, bit for bit: at ordinary
+   arguments, near zeros of either, at tiny and at large ones, for every precision on the way. */
+START_TEST(sines_are_rounded_as_mpfr_does) {
+  static const slong precs[] = {2, 53, 64, 128, 160, 256, 500, 1100};
+  flint_rand_t random;
+  flint_randinit(random);
+  for (int n = 0; n < 2400; n++) {
+    slong prec = precs[n % 8];
+    struct num_vec v;
+    mpfr_t x, s, c;
+    arb_t ball;
+    num_vec_init(&v, 3, num_ctx_mpfr(prec));
+    mpfr_inits2(prec, x, s, c, (mpfr_ptr)NULL);
+    arb_init(ball);
+    if (n % 3 == 0) { /* a multiple of pi/2, rounded */
+      arb_const_pi(ball, prec + 40);
+      arb_mul_ui(ball, ball, 1 + n_randlimb(random) % 1000, prec + 40);
+      arb_mul_2exp_si(ball, ball, -1);
+    } else {
+      arb_randtest_exact(ball, random, prec, n % 3 == 1 ? 3 : 9);
+    }
+    arf_get_mpfr(x, arb_midref(ball), MPFR_RNDN);
+    num_mpfr.set(num_vec_at(&v, 0), x);
+    ck_assert_int_eq(num_mpfr.sin_cos(num_vec_at(&v, 1), num_vec_at(&v, 2), num_vec_at(&v, 0), prec), SS_OK);
+    mpfr_sin_cos(s, c, x, MPFR_RNDN);
+    bool same = mpfr_equal_p(s, (mpfr_srcptr)num_vec_at(&v, 1)) && mpfr_equal_p(c, (mpfr_srcptr)num_vec_at(&v, 2));
+    ck_assert_msg(same, "case %d at %ld bits: sines %g %g, cosines %g %g", n, (long)prec, mpfr_get_d(s, MPFR_RNDN),
+                  num_mpfr.get_d(num_vec_at(&v, 1)), mpfr_get_d(c, MPFR_RNDN), num_mpfr.get_d(num_vec_at(&v, 2)));
+    arb_clear(ball);
+    mpfr_clears(x, s, c, (mpfr_ptr)NULL);
+    num_vec_clear(&v);
+  }
+  flint_randclear(random);
+}
+END_TEST
+
+/* (x - a)(x - b) of different a and b, at two precisions, in an order that brings each back before and after others have
+   pushed it out: a root that is kept is the one that a first question gets, and no other polynomial's. */
+START_TEST(a_root_asked_again_is_the_same) {
+  enum { N = 7, ROUNDS = 5 };
+  arb_t first[N][2];
+  for (int i = 0; i < 2 * N; i++) arb_init(first[i / 2][i % 2]);
+  for (int n = 0; n < ROUNDS * 2 * N; n++) {
+    int i = n < 2 * N ? n / 2 : (n * n + 3 * n) % N, p = n % 2;
+    struct num_vec c;
+    num_vec_init(&c, 4, num_ctx_arb(p ? 128 : 96));
+    put(&c, 0, (i + 1) * 3.25);
+    put(&c, 1, -(i + 1) - 3.25);
+    put(&c, 2, 1);
+    if (i % 3) arb_add_error_2exp_si(num_vec_at(&c, 0), -90);
+    struct num_vec coeffs = {c.ctx, 3, c.data};
+    bool aliased = n % 5 == 4; /* the output is a coefficient */
+    void *z = num_vec_at(&c, aliased ? 0 : 3);
+    ck_assert_int_eq(num_poly_root(z, &coeffs, i < 3 ? 1 : -1), SS_OK);
+    arb_ptr x = z;
+    if (n < 2 * N) arb_set(first[i][p], x);
+    ck_assert_msg(arb_equal(x, first[i][p]), "question %d", n);
+    ck_assert_msg(arb_contains_si(x, i + 1) && arb_rel_accuracy_bits(x) > (i % 3 || !p ? 70 : 120), "question %d", n);
+    num_vec_clear(&c);
+  }
+  for (int i = 0; i < 2 * N; i++) arb_clear(first[i / 2][i % 2]);
 }
 END_TEST
 
@@ -921,6 +1001,7 @@ static TCase *matrix_tcase(void) {
     tcase_add_loop_test_raise_signal(tc, out_of_range_aborts, SIGABRT, 0, 2);
   tcase_add_loop_test(tc, products, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, solutions_and_determinants, 0, LAW_CONTEXTS);
+  tcase_add_test(tc, products_that_cannot_be_held);
   tcase_add_loop_test(tc, singular_matrices, 0, LAW_CONTEXTS);
   tcase_add_test(tc, pivots_that_cannot_be_told);
   return tc;
@@ -931,6 +1012,8 @@ static TCase *root_tcase(void) {
   tcase_add_loop_test(tc, known_roots, 0, 5);
   tcase_add_loop_test(tc, even_quartic, 0, LAW_CONTEXTS);
   tcase_add_test(tc, roots_of_balls);
+  tcase_add_test(tc, a_root_asked_again_is_the_same);
+  tcase_add_test(tc, sines_are_rounded_as_mpfr_does);
   tcase_add_test(tc, close_and_distant_roots);
   tcase_add_test(tc, many_roots);
   tcase_add_loop_test(tc, polynomials_without_roots, 0, LAW_CONTEXTS);

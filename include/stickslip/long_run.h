@@ -34,7 +34,7 @@ struct long_run {
 };
 
 /* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come.  The
-   ODE route starts further in x_1 by displaced.  SS_DOMAIN outside the domain of coulomb.h; what became of each route
+   ODE route starts further in x_1 by displaced; with prec 0 MPFR is left out.  SS_DOMAIN outside the domain of coulomb.h; what became of each route
    stands in end.  The run is valid in every case and is to be cleared. */
 int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
                   double duration, double displaced, slong prec);

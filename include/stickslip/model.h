@@ -114,6 +114,8 @@ struct elaboration {
   size_t n_roots, cap_roots;
   struct elab_memo *memo;
   size_t n_memo, cap_memo;
+  struct elab_call *calls; /* functions at arguments met last */
+  size_t n_calls, next_call;
   int depth;
 };
 

@@ -19,6 +19,8 @@
 #ifndef STICKSLIP_NUM_H
 #define STICKSLIP_NUM_H
 
+#include <stdlib.h>
+
 #include "stickslip/flint_compat.h"
 #include "stickslip/status.h"
 #include "stickslip/text.h"
@@ -31,6 +33,8 @@ struct num_type {
   const char *name;
   size_t size;   /* bytes of an element */
   bool rigorous; /* elements are enclosures */
+  bool zeroed;   /* zero bytes are an initialised element of value 0 */
+  bool plain;    /* elements own no memory, and need no clear */
 
   void (*init)(void *x, slong prec);
   void (*clear)(void *x);
@@ -86,7 +90,11 @@ struct num_vec {
 
 void num_vec_init(struct num_vec *v, slong len, struct num_ctx ctx); /* zeros */
 void num_vec_clear(struct num_vec *v);
-void *num_vec_at(const struct num_vec *v, slong i);           /* aborts when i is out of range */
+/* The element; aborts when i is out of range.  Here, since every access to a number goes through it. */
+static inline void *num_vec_at(const struct num_vec *v, slong i) {
+  if (i < 0 || i >= v->len) abort();
+  return v->data + (size_t)i * v->ctx.type->size;
+}
 void num_vec_set(struct num_vec *z, const struct num_vec *x); /* same length, same type */
 
 /* Dense matrices as vectors in row-major order.  mul: z = x y with x m by n and y n by p; z may alias x or y.

@@ -314,7 +314,10 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
   if (k < 0 || !describe(&f, j, &c)) return false;
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
   struct audit_result *out = j->out;
-  if (!kinds[k].judge(&f, j, &c, view)) {
+  j->effort = EFFORT_VERDICT;
+  bool readable = kinds[k].judge(&f, j, &c, view);
+  j->effort = EFFORT_FULL;
+  if (!readable) {
     if (!notation_fault(&f, j)) return false;
     audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
     return true;

@@ -89,6 +89,17 @@ const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N
 /* The orbit's arc in the context of arc and params; params are the orbit's own. */
 int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
 
+/* What the return map and motions do beside an orbit, whatever a sentence says of it (judge_criterion.c). */
+struct orbit_slope {
+  const struct dyn_orbit *orbit;
+  bool have_slope, have_iterates, have_motion;
+  int status; /* of the slope */
+  double slope, margin;
+  int iterates, motion; /* fates */
+};
+/* What is known so far, at first nothing; lives until another is asked for. */
+struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o);
+
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 
@@ -118,19 +129,26 @@ struct values {
   struct num_vec params;    /* N_PARAMS */
   struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
   struct dyn_arc perturbed; /* finite perturbations */
-  struct num_vec t;         /* the time t */
+  struct num_vec t;         /* the time t; on arcs made when first asked for, as the next two */
   struct num_vec zt, azt;   /* Z(t) and its derivative */
-  struct num_vec local;     /* four local Jacobians, 16 each; made when first asked for */
+  bool have_t;
+  struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
+  bool have_phi[N_PHASES];
+  struct num_vec local; /* four local Jacobians, 16 each; made when first asked for */
   bool have_local;
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
   bool have_tangent;
+  struct oracle_matrix *matrices; /* whose entries were asked for */
+  size_t n_matrices, cap_matrices;
 };
 
 /* Status flags; anything but SS_OK means that the point is not accepted in this type. */
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache);
 void values_clear(struct values *v);
+/* exp(A t) of a phase over its time on the arc. */
+int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 
@@ -244,8 +262,10 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 /* --- A claim being judged --- */
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
-   Kinds that know it are tried sooner on mutants; others may pass over it. */
-enum effort { EFFORT_FULL, EFFORT_REFUTE };
+   EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
+   nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them are
+   done sooner; others may pass over them. */
+enum effort { EFFORT_FULL, EFFORT_REFUTE, EFFORT_VERDICT, EFFORT_DIFFERENCE };
 
 struct judge {
   struct audit_result *out;

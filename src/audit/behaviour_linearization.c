@@ -35,9 +35,9 @@ static truth unstable_by_propagators(struct values *v) {
   struct num_vec step, product;
   num_vec_init(&step, N_STATE * N_STATE, v->ctx);
   num_vec_init(&product, N_STATE * N_STATE, v->ctx);
-  int s = dyn_propagator(&product, PHASE_D, &v->params, num_vec_at(&v->arc.t, PHASE_D));
+  int s = values_propagator(&product, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
-    s |= dyn_propagator(&step, (enum phase)ph, &v->params, num_vec_at(&v->arc.t, ph));
+    s |= values_propagator(&step, v, (enum phase)ph);
     s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
   }
   truth t = s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;

@@ -247,6 +247,17 @@ static void add_id(struct audit_result *out, struct id_list *list, const char *i
   list->id = ids;
 }
 
+/* What judge_again said; two failures may be about one equation. */
+struct said {
+  const char *own;
+  size_t claim;
+  enum verdict verdict;
+};
+struct memory {
+  struct said *said;
+  size_t n, cap;
+};
+
 /* The claim judged with this equation as printed.  Routes that replace the paper's formulas by the model's say nothing
    here: balls that differ are enough. */
 static enum verdict judge_again(struct judge *j, const struct claim *c, const char *own) {
@@ -255,11 +266,20 @@ static enum verdict judge_again(struct judge *j, const struct claim *c, const ch
   diag_init(&d);
   struct judge again = *j;
   again.d = &d;
+  again.effort = EFFORT_DIFFERENCE;
   kind_fn judge = claim_kind(claim_get(c, "kind"));
   bool readable = judge && judge(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
   bool differs = f.n_evidence && strcmp(f.evidence[0].route, "balls") == 0 && f.evidence[0].trials > 0 &&
                  strcmp(f.evidence[0].result, "differs") == 0;
   return !readable || differs ? VERDICT_REFUTED : f.verdict;
+}
+
+static enum verdict judge_again_once(struct memory *m, struct judge *j, size_t claim, const char *own) {
+  for (size_t i = 0; i < m->n; i++)
+    if (m->said[i].claim == claim && strcmp(m->said[i].own, own) == 0) return m->said[i].verdict;
+  m->said = ss_grow(m->said, m->n, &m->cap, sizeof *m->said);
+  m->said[m->n] = (struct said){own, claim, judge_again(j, &j->claims->claim[claim], own)};
+  return m->said[m->n++].verdict;
 }
 
 /* The verdict of this run, or what it would be. */
@@ -276,7 +296,7 @@ static bool asserts_nothing(const struct claim *c) {
 
 /* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with the
    printed one; what rests on a notation keeps its own formula, and its verdict. */
-static void judge_downstream(struct consequence *q, struct failure *f, size_t at) {
+static void judge_downstream(struct consequence *q, struct memory *m, struct failure *f, size_t at) {
   struct judge *j = f->j;
   const char *own = claim_own(f->c);
   for (size_t i = 0; i < j->claims->n; i++) {
@@ -284,7 +304,7 @@ static void judge_downstream(struct consequence *q, struct failure *f, size_t at
     bool touched = !f->number && dependences_corrected(j->dependences, i, own);
     bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
     if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
-    enum verdict v = touched ? judge_again(j, c, own) : judge_as_is(j, c);
+    enum verdict v = touched ? judge_again_once(m, j, i, own) : judge_as_is(j, c);
     if (verdict_fails(v) && !touched && !f->number) continue; /* for a reason of its own */
     bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
     add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
@@ -325,7 +345,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   text_clear(&t);
 }
 
-static void consequence_of(struct judge *j, struct finding *finding, size_t at) {
+static void consequence_of(struct judge *j, struct memory *m, struct finding *finding, size_t at) {
   const struct claim *c = &j->claims->claim[at];
   struct audit_result *out = j->out;
   struct failure f = {.j = j, .c = c, .n = j->claims->n_results};
@@ -350,18 +370,20 @@ static void consequence_of(struct judge *j, struct finding *finding, size_t at) 
     free(r->latex);
   }
   free(f.result);
-  judge_downstream(&q, &f, at);
+  judge_downstream(&q, m, &f, at);
   describe_derived(finding, &q, out);
   out->consequences = ss_grow(out->consequences, out->n_consequences, &out->cap_consequences, sizeof q);
   out->consequences[out->n_consequences++] = q;
 }
 
 bool judge_consequences(struct judge *j) {
+  struct memory m = {.n = 0};
   for (size_t i = 0; i < j->out->n_findings; i++) {
     struct finding *f = &j->out->findings[i];
     if (!verdict_fails(f->verdict) || !f->correction) continue;
     for (size_t k = 0; k < j->claims->n; k++)
-      if (strcmp(j->claims->claim[k].id, f->id) == 0) consequence_of(j, f, k);
+      if (strcmp(j->claims->claim[k].id, f->id) == 0) consequence_of(j, &m, f, k);
   }
+  free(m.said);
   return !j->d->set;
 }

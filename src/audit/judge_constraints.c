@@ -207,12 +207,17 @@ static bool clearly_fails(struct constraints *x, const struct point *p) {
   return fails;
 }
 
+/* Only the verdict is asked for, and it is refuted whatever further orbits say. */
+static bool enough(const struct constraints *x) {
+  return x->j->effort == EFFORT_VERDICT && x->other + x->forms_other && x->against + x->undecided;
+}
+
 static void by_simulation(struct constraints *x) {
   const struct orbit_pool *pool = orbit_pool_get(x->j);
   struct point p;
   long count[3] = {0}; /* orbits on which the list fails, holds */
   point_init(&p);
-  for (size_t i = 0; i < pool->n && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
+  for (size_t i = 0; i < pool->n && !enough(x) && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
       if (o->grazing || num_arb.get_d(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */

@@ -97,12 +97,38 @@ static void note_near(struct tried *t, double slope, int side) {
   if (!(t->nearest[near][side] != 0 && fabs(fabs(t->nearest[near][side]) - 1) <= off)) t->nearest[near][side] = slope;
 }
 
+/* The slope, and what iterates and motions do in so many steps, worked out once for all sentences. */
+static int slope_of(double *margin, double *slope, struct judge *j, const struct point *p, const struct dyn_orbit *o) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  if (!k->have_slope) k->status = slope_by_difference(&k->margin, &k->slope, p, o);
+  k->have_slope = true;
+  *margin = k->margin;
+  *slope = k->slope;
+  return k->status;
+}
+
+static int iterates_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  double r0 = orbit_r(o), params[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
+  if (!k->have_iterates) k->iterates = return_map_fate(params, r0, 1e-5 * fabs(r0), steps);
+  k->have_iterates = true;
+  return k->iterates;
+}
+
+static int motion_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  if (!k->have_motion) k->motion = motion_fate(p, o, steps);
+  k->have_motion = true;
+  return k->motion;
+}
+
 /* only: the side that the claim speaks of, or N_SIDES. */
 static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, const struct point *p, int only) {
   enum { MOTIONS = 6 };
   const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
-  double margin, slope, params[N_PARAMS];
-  if (o->grazing || slope_by_difference(&margin, &slope, p, o) != SS_OK || fabs(margin) < 1e-9) return;
+  double margin, slope;
+  if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
   int side = margin < 0 ? INSIDE : OUTSIDE;
   if (only != N_SIDES && only != side) return;
   struct trial said = sentence_try_balls(s, p, VARIANT_CLOSED, j->cache);
@@ -120,11 +146,9 @@ static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, cons
   }
   if (fabs(margin) < 0.002) return; /* the iterates would need too long */
   long steps = 8 + (long)(1.5 / fabs(margin));
-  double r0 = orbit_r(o);
-  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
-  book(&t->fate_as_said, &t->fate_against, &t->fate_open, return_map_fate(params, r0, 1e-5 * fabs(r0), steps), stable);
+  book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
-  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_fate(p, o, steps), stable);
+  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
 }
 
 static enum says says_of(long as_said, long against, long open) {

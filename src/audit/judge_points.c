@@ -338,11 +338,21 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
 /* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
    transcription of the model's side. */
 static long points_wanted(struct run *r, const struct point_spec *spec, long done) {
-  if (done == 1 && r->j->effort == EFFORT_FULL && !r->proof_tried && !r->tally[0].differs) {
+  bool wants_proof = r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE;
+  if (done == 1 && wants_proof && !r->proof_tried && !r->tally[0].differs) {
     r->proof_tried = true;
     r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
   }
   return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
+}
+
+/* Nothing that further points could say is asked for. */
+static bool enough(const struct run *r) {
+  enum effort effort = r->j->effort;
+  bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
+  for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
+    settled = settled && r->tally[i].differs + r->tally[i].undecided > 0;
+  return settled;
 }
 
 static bool try_spec(struct run *r, const struct point_spec *spec) {
@@ -358,7 +368,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   bool ok = true;
   long done = 0;
   for (long draws = 0; ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * spec->n; draws++) {
-    if (r->j->effort == EFFORT_REFUTE && r->tally[0].differs) break;
+    if (enough(r)) break;
     bool accepted = false;
     sampler_next(&p, &s);
     if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
@@ -537,10 +547,12 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
     f.evidence = NULL;
     f.n_evidence = 0;
     f.correction = f.effect = f.fault = NULL;
-    bool ok = run_all(&f, &r, j, c, view, &restrictions[i]);
+    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
+    struct judge as_wanted = *j; /* unless it is on record, only support counts */
+    if (f.recorded == N_VERDICTS) as_wanted.effort = EFFORT_DIFFERENCE;
+    bool ok = run_all(&f, &r, &as_wanted, c, view, &restrictions[i]);
     run_clear(&r);
     if (!ok) return false;
-    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
     if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;
     f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
     f.condition = restrictions[i].text;

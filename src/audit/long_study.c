@@ -90,7 +90,7 @@ static void add_run(struct judge *j, const fmpq params[N_PARAMS], const struct d
 static void beside_scene(struct judge *j) {
   struct point p;
   point_init(&p);
-  if (nearest_orbit_point(&p, j->scene, j->cache)) {
+  if (scene_has_forces(j->scene) && nearest_orbit_point(&p, j->scene, j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
     const char *name = result_str(j->out, "the scene's orbit %ld", (long)p.orbit + 1);
     if (o->admissible == TRUTH_TRUE && !o->grazing)

@@ -81,9 +81,9 @@ static int eval_c(struct num_vec *out, struct values *v) {
 static int eval_n(struct num_vec *out, struct values *v) {
   struct num_vec p;
   num_vec_init(&p, 16, v->ctx);
-  int s = dyn_propagator(out, PHASE_D, &v->params, num_vec_at(&v->arc.t, 0));
+  int s = values_propagator(out, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
-    s |= dyn_propagator(&p, (enum phase)ph, &v->params, num_vec_at(&v->arc.t, ph));
+    s |= values_propagator(&p, v, (enum phase)ph);
     s |= num_mat_mul(out, &p, out, 4, 4, 4);
   }
   num_vec_clear(&p);

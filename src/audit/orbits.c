@@ -50,6 +50,8 @@ struct orbit_cache {
   size_t n, cap;
   struct followed *followed;
   size_t n_followed, cap_followed;
+  struct orbit_slope *slope;
+  size_t n_slopes, cap_slopes;
 };
 
 struct orbit_cache *orbit_cache_new(void) {
@@ -65,6 +67,7 @@ void orbit_cache_free(struct orbit_cache *c) {
     free(c->item[i]);
   }
   for (size_t i = 0; i < c->n_followed; i++) dyn_arc_clear(&c->followed[i].arc);
+  free(c->slope);
   free(c->followed);
   free(c->item);
   free(c);
@@ -154,4 +157,12 @@ int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit
   num_vec_set(&arc->t, &known->arc.t);
   num_vec_set(&arc->z, &known->arc.z);
   return known->status;
+}
+
+struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o) {
+  for (size_t i = 0; i < c->n_slopes; i++)
+    if (c->slope[i].orbit == o) return &c->slope[i];
+  c->slope = ss_grow(c->slope, c->n_slopes, &c->cap_slopes, sizeof *c->slope);
+  c->slope[c->n_slopes] = (struct orbit_slope){.orbit = o};
+  return &c->slope[c->n_slopes++];
 }

@@ -160,6 +160,13 @@ void sampler_next(struct point *p, struct sampler *s) {
 
 /* --- Values --- */
 
+/* One of the model's matrices, made once. */
+struct oracle_matrix {
+  const struct oracle *of;
+  struct num_vec entry;
+  int status;
+};
+
 /* Z(t) after time tau of the phase from z0, and its derivative. */
 static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
   struct num_vec a;
@@ -188,7 +195,9 @@ static int init_flow(struct values *v) {
 }
 
 /* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
-static int init_time(struct values *v) {
+static int ensure_time(struct values *v) {
+  bool on_arc = v->point->kind == POINT_ARC || v->point->kind == POINT_ORBIT || v->point->kind == POINT_GIVEN;
+  if (!on_arc || v->have_t) return SS_OK;
   const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
   const struct num_type *t = v->ctx.type;
   struct num_vec z0, tau;
@@ -203,6 +212,7 @@ static int init_time(struct values *v) {
   s |= flow_from(v, &z0, num_vec_at(&tau, 0));
   num_vec_clear(&tau);
   num_vec_clear(&z0);
+  v->have_t = s == SS_OK;
   return s;
 }
 
@@ -226,15 +236,24 @@ static int init_perturbed(struct values *v) {
   return s;
 }
 
+int values_propagator(struct num_vec *out, struct values *v, enum phase ph) {
+  struct num_vec kept = {v->ctx, 16, num_vec_at(&v->phi, 16 * (slong)ph)};
+  int s = v->have_phi[ph] ? SS_OK : dyn_propagator(&kept, ph, &v->params, num_vec_at(&v->arc.t, (slong)ph));
+  v->have_phi[ph] = s == SS_OK;
+  num_vec_set(out, &kept);
+  return s;
+}
+
 /* The states of an arc once more, each from the one before by the matrix exponential over the same times. */
-static int carry_by_exponentials(struct dyn_arc *arc, const struct values *v) {
+static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
   struct num_vec p, z;
   num_vec_init(&p, 16, v->ctx);
   num_vec_init(&z, 4, v->ctx);
   int s = SS_OK;
   for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z, i), num_vec_at(&arc->z, i));
   for (int ph = 0; ph < N_PHASES; ph++) {
-    s |= dyn_propagator(&p, (enum phase)ph, &v->params, num_vec_at(&arc->t, ph));
+    s |= arc == &v->arc ? values_propagator(&p, v, (enum phase)ph)
+                        : dyn_propagator(&p, (enum phase)ph, &v->params, num_vec_at(&arc->t, ph));
     s |= num_mat_mul(&z, &p, &z, 4, 4, 1);
     for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&arc->z, 4 * (ph + 1) + i), num_vec_at(&z, i));
   }
@@ -313,7 +332,7 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
     s |= carry_by_exponentials(&v->arc, v);
     if (v->point->finite) s |= carry_by_exponentials(&v->perturbed, v);
   }
-  return s == SS_OK ? init_time(v) : s;
+  return s;
 }
 
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
@@ -326,6 +345,7 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   num_vec_init(&v->zt, 4, ctx);
   num_vec_init(&v->azt, 4, ctx);
   num_vec_init(&v->local, 64, ctx);
+  num_vec_init(&v->phi, 16 * N_PHASES, ctx);
   num_vec_init(&v->tangent, 20, ctx);
   dyn_arc_init(&v->arc, ctx);
   dyn_arc_init(&v->perturbed, ctx);
@@ -346,6 +366,9 @@ void values_clear(struct values *v) {
   num_vec_clear(&v->zt);
   num_vec_clear(&v->azt);
   num_vec_clear(&v->local);
+  num_vec_clear(&v->phi);
+  for (size_t i = 0; i < v->n_matrices; i++) num_vec_clear(&v->matrices[i].entry);
+  free(v->matrices);
   num_vec_clear(&v->tangent);
   dyn_arc_clear(&v->arc);
   dyn_arc_clear(&v->perturbed);
@@ -403,7 +426,7 @@ static int event_shift(void *dt, struct values *v, int ph, const struct num_vec 
   num_vec_init(&w, 2, v->ctx);
   void *at_zero = num_vec_at(&w, 0), *rate = num_vec_at(&w, 1);
   int s = dyn_switching(at_zero, (enum phase)ph, &v->params, &end);
-  s |= dyn_propagator(&phi, (enum phase)ph, &v->params, num_vec_at(&v->arc.t, ph));
+  s |= values_propagator(&phi, v, (enum phase)ph);
   s |= num_mat_mul(&end, &phi, dz, 4, 4, 1);
   s |= dyn_switching(dt, (enum phase)ph, &v->params, &end);
   s |= t->sub(dt, dt, at_zero, p);
@@ -518,8 +541,9 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
     return SS_OK;
   }
   if (v->point->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0) {
+    int s = ensure_time(v);
     t->set(z, primes == 2 ? num_vec_at(&v->azt, component + 2) : num_vec_at(&v->zt, component + 2 * primes));
-    return SS_OK;
+    return s;
   }
   if (has_arc(v) && primes < 2 && strcmp(argument, "(t_b)") == 0) {
     struct num_vec at;
@@ -552,6 +576,18 @@ static int bind_motion(void *z, bool *known, struct values *v, bool in_x, int co
   return s;
 }
 
+/* Made once for all of its entries. */
+static const struct oracle_matrix *oracle_matrix(struct values *v, const struct oracle *o) {
+  for (size_t i = 0; i < v->n_matrices; i++)
+    if (v->matrices[i].of == o) return &v->matrices[i];
+  v->matrices = ss_grow(v->matrices, v->n_matrices, &v->cap_matrices, sizeof *v->matrices);
+  struct oracle_matrix *m = &v->matrices[v->n_matrices++];
+  m->of = o;
+  num_vec_init(&m->entry, oracle_rows(o) * oracle_cols(o), v->ctx);
+  m->status = oracle_eval(&m->entry, o, v);
+  return m;
+}
+
 /* "J_a[1,2]": an entry of one of the model's matrices. */
 static int bind_entry(void *z, bool *known, struct values *v, const char *name, const char *bracket) {
   char base[32];
@@ -564,22 +600,20 @@ static int bind_entry(void *z, bool *known, struct values *v, const char *name, 
   int i = atoi(bracket + 1), j = atoi(strchr(bracket, ',') + 1);
   if (!o || i > oracle_rows(o) || j > oracle_cols(o)) return SS_UNABLE;
   *known = true;
-  struct num_vec m;
-  num_vec_init(&m, oracle_rows(o) * oracle_cols(o), v->ctx);
-  int s = oracle_eval(&m, o, v);
-  v->ctx.type->set(z, num_vec_at(&m, (i - 1) * oracle_cols(o) + j - 1));
-  num_vec_clear(&m);
-  return s;
+  const struct oracle_matrix *m = oracle_matrix(v, o);
+  v->ctx.type->set(z, num_vec_at(&m->entry, (i - 1) * oracle_cols(o) + j - 1));
+  return m->status;
 }
 
 int values_bind(void *z, bool *known, struct values *v, const char *name) {
   const struct num_type *t = v->ctx.type;
   *known = true;
+  int status = strcmp(name, "t") == 0 ? ensure_time(v) : SS_OK;
   const void *p = exact_symbol(v, name);
   if (!p && has_arc(v)) p = arc_symbol(v, name);
   if (p) {
     t->set(z, p);
-    return SS_OK;
+    return status;
   }
   if (strcmp(name, "u_r1") == 0) return t->add(z, num_vec_at(&v->q, Q_US1), num_vec_at(&v->q, Q_E1), v->ctx.prec);
   if (strcmp(name, "u_r2") == 0) return t->add(z, num_vec_at(&v->q, Q_US2), num_vec_at(&v->q, Q_E2), v->ctx.prec);

@@ -55,8 +55,10 @@ struct motion {
 struct system {
   struct num_ctx ctx;
   const struct formulas *formulas;
-  struct num_vec model;       /* chi, eta, V */
-  struct num_vec x;           /* N_X: set before each evaluation */
+  struct num_vec model; /* chi, eta, V */
+  struct num_vec x;     /* N_X: set before each evaluation */
+  struct num_vec in;    /* what the tape read last, if anything: p and dp are its values */
+  bool have_in;
   struct num_vec p[4], dp[4]; /* D, Gamma, H, C at their times, and their derivatives */
   struct motion own, from_solved;
   struct num_vec value, slope; /* N_EQ; N_EQ by N_X */

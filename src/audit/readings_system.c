@@ -85,9 +85,11 @@ static void motion_clear(struct motion *m) {
 void system_init(struct system *s, const struct formulas *f, const struct scene *scene, struct num_ctx ctx) {
   s->ctx = ctx;
   s->formulas = f;
+  s->have_in = false;
   num_vec_init(&s->model, 3, ctx);
   for (int i = 0; i < 3; i++) ctx.type->set_q(num_vec_at(&s->model, i), &scene->value[KEY_CHI + i], ctx.prec);
   num_vec_init(&s->x, N_X, ctx);
+  num_vec_init(&s->in, f->own_model ? 0 : f->tape.n_inputs, ctx);
   for (int k = 0; k < 4; k++) {
     num_vec_init(&s->p[k], 16, ctx);
     num_vec_init(&s->dp[k], 16, ctx);
@@ -107,26 +109,48 @@ void system_clear(struct system *s) {
     num_vec_clear(&s->dp[k]);
     num_vec_clear(&s->p[k]);
   }
+  num_vec_clear(&s->in);
   num_vec_clear(&s->x);
   num_vec_clear(&s->model);
 }
 
 /* --- Propagators --- */
 
-static int from_tape(struct system *s) {
+static bool same_number(const struct num_type *t, const void *x, const void *y) {
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  t->get_arb(a, x);
+  t->get_arb(b, y);
+  bool same = arb_equal(a, b);
+  arb_clear(b);
+  arb_clear(a);
+  return same;
+}
+
+/* What the tape reads, into s->in; whether it is what was read last. */
+static bool same_inputs(struct system *s) {
   const struct formulas *f = s->formulas;
   const struct num_type *t = s->ctx.type;
-  struct num_vec in, out;
-  num_vec_init(&in, f->tape.n_inputs, s->ctx);
-  num_vec_init(&out, f->tape.n_outputs, s->ctx);
-  for (slong i = 0; i < in.len; i++)
-    t->set(num_vec_at(&in, i),
-           f->input[i] < 3 ? num_vec_at(&s->model, f->input[i]) : num_vec_at(&s->x, f->input[i] - 3));
-  int status = tape_eval(&out, NULL, &f->tape, &in);
+  bool same = s->have_in;
+  for (slong i = 0; i < s->in.len; i++) {
+    const void *x = f->input[i] < 3 ? num_vec_at(&s->model, f->input[i]) : num_vec_at(&s->x, f->input[i] - 3);
+    same = same && same_number(t, x, num_vec_at(&s->in, i));
+    t->set(num_vec_at(&s->in, i), x);
+  }
+  return same;
+}
+
+static int from_tape(struct system *s) {
+  const struct num_type *t = s->ctx.type;
+  struct num_vec out;
+  if (same_inputs(s)) return SS_OK;
+  num_vec_init(&out, s->formulas->tape.n_outputs, s->ctx);
+  int status = tape_eval(&out, NULL, &s->formulas->tape, &s->in);
   for (int k = 0; k < 8; k++)
     for (int i = 0; i < 16; i++) t->set(num_vec_at(k < 4 ? &s->p[k] : &s->dp[k - 4], i), num_vec_at(&out, 16 * k + i));
+  s->have_in = status == SS_OK;
   num_vec_clear(&out);
-  num_vec_clear(&in);
   return status;
 }
 
@@ -160,6 +184,20 @@ int system_propagators(struct system *s) {
 
 /* --- Motions --- */
 
+/* out = p in for the first n columns of 4x6 tangents; those for later times are still zero. */
+static int carry_tangents(struct num_vec *out, const struct num_vec *p, const struct num_vec *in, int n) {
+  const struct num_type *t = out->ctx.type;
+  struct num_vec part;
+  num_vec_init(&part, 4 * n, out->ctx);
+  for (int i = 0; i < 4; i++)
+    for (int c = 0; c < n; c++) t->set(num_vec_at(&part, n * i + c), num_vec_at(in, 6 * i + c));
+  int status = num_mat_mul(&part, p, &part, 4, 4, n);
+  for (int i = 0; i < 4; i++)
+    for (int c = 0; c < n; c++) t->set(num_vec_at(out, 6 * i + c), num_vec_at(&part, n * i + c));
+  num_vec_clear(&part);
+  return status;
+}
+
 /* From the positions in state[0], velocities V. */
 static int motion_run(struct motion *m, const struct system *s) {
   const struct num_type *t = s->ctx.type;
@@ -170,7 +208,7 @@ static int motion_run(struct motion *m, const struct system *s) {
   for (int i = 0; i < 24; i++) status |= t->set_d(num_vec_at(&m->tangent[0], i), i == 0 || i == 7, s->ctx.prec);
   for (int k = 0; k < 4; k++) {
     status |= num_mat_mul(&m->state[k + 1], &s->p[k], &m->state[k], 4, 4, 1);
-    status |= num_mat_mul(&m->tangent[k + 1], &s->p[k], &m->tangent[k], 4, 4, 6);
+    status |= carry_tangents(&m->tangent[k + 1], &s->p[k], &m->tangent[k], 2 + k);
     status |= num_mat_mul(&rate, &s->dp[k], &m->state[k], 4, 4, 1);
     for (int i = 0; i < 4; i++) t->set(num_vec_at(&m->tangent[k + 1], 6 * i + 2 + k), num_vec_at(&rate, i));
   }

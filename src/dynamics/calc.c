@@ -9,12 +9,17 @@
 
 enum { CALC_CHUNK = 32 };
 
+static void *element(const struct calc *c, slong i) {
+  return c->pool[i / CALC_CHUNK] + (size_t)(i % CALC_CHUNK) * c->ctx.type->size;
+}
+
 void calc_init(struct calc *c, struct num_ctx ctx) {
   *c = (struct calc){.ctx = ctx};
 }
 
 void calc_clear(struct calc *c) {
-  for (slong i = 0; i < c->cap; i++) num_vec_clear(&c->pool[i]);
+  for (slong i = 0; i < c->made && !c->ctx.type->plain; i++) c->ctx.type->clear(element(c, i));
+  for (slong i = 0; i < c->cap; i++) free(c->pool[i]);
   free(c->pool);
 }
 
@@ -29,10 +34,14 @@ void calc_release(struct calc *c, slong mark) {
 void *calc_new(struct calc *c) {
   if (c->used == c->cap * CALC_CHUNK) {
     c->pool = ss_realloc(c->pool, (size_t)(c->cap + 1) * sizeof *c->pool);
-    num_vec_init(&c->pool[c->cap++], CALC_CHUNK, c->ctx);
+    c->pool[c->cap++] = ss_malloc(CALC_CHUNK * c->ctx.type->size);
   }
-  slong i = c->used++;
-  return num_vec_at(&c->pool[i / CALC_CHUNK], i % CALC_CHUNK);
+  void *x = element(c, c->used++);
+  if (c->used > c->made) {
+    c->ctx.type->init(x, c->ctx.prec);
+    c->made++;
+  }
+  return x;
 }
 
 val calc_d(struct calc *c, double x) {

@@ -107,8 +107,8 @@ typedef const void *val;
 struct calc {
   struct num_ctx ctx;
   int status;
-  slong used, cap;
-  struct num_vec *pool; /* of CALC_CHUNK elements each */
+  slong used, made, cap; /* elements in use, initialised ones, chunks */
+  char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
 };
 void calc_init(struct calc *c, struct num_ctx ctx);
 void calc_clear(struct calc *c);

@@ -34,9 +34,10 @@ static void keep(struct listener *l, const struct coulomb_row *row) {
   struct long_run *run = l->run;
   size_t n = (size_t)run->n[l->route];
   struct long_return r = {row->t, {row->x[0], row->x[1]}, 0, 0, run->log[l->route].n};
+  bool beside = l->kept->ctx.prec > 0; /* MPFR */
   bool known = l->route == LONG_MPFR ? l->kept->len >= (slong)(n + 1) * KEPT : (long)n < run->n[LONG_MPFR];
-  if (!known) return;
-  for (int i = 0; i < KEPT; i++) {
+  if (beside && !known) return;
+  for (int i = 0; beside && i < KEPT; i++) {
     void *x = num_vec_at(l->kept, (slong)n * KEPT + i);
     if (l->route == LONG_MPFR)
       num_mpfr.set(x, num_vec_at(row->exact, i));
@@ -96,9 +97,9 @@ int long_run_make(struct long_run *run, const double params[N_COULOMB], const do
   plan.returns = returns;
   plan.duration = duration;
   plan.max_events = MOST_EVENTS;
-  num_vec_init(&kept, KEPT * returns, num_ctx_mpfr(prec));
+  num_vec_init(&kept, prec ? KEPT * returns : 0, num_ctx_mpfr(prec));
   int status = SS_OK;
-  for (int k = N_LONG_ROUTES - 1; k >= 0; k--) {
+  for (int k = prec ? LONG_MPFR : LONG_CLOSED; k >= 0; k--) {
     struct listener l = {run, (enum long_route)k, coulomb_log_sink(&run->log[k]), &kept, 0};
     if (k == LONG_ODE)
       status |= run_ode(&l, params, start, displaced, &plan);
@@ -178,11 +179,11 @@ bool long_run_growth(struct long_growth *growth, const struct long_run *run, str
 
 bool long_run_displaced(struct long_growth *growth, const double params[N_COULOMB], const double start[N_STATE],
                         double multiplier, double duration) {
-  enum { RETURNS = 64, BITS = 128 };
+  enum { RETURNS = 64 };
   struct long_run run;
   double scale = fabs(start[Z_1]) + fabs(start[Z_2]) + params[COULOMB_V];
   double displaced = ldexp(scale, fabs(multiplier) < 1 ? -21 : -34);
-  bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, BITS) != SS_DOMAIN &&
+  bool ok = long_run_make(&run, params, start, RETURNS, duration, displaced, 0) != SS_DOMAIN &&
             long_run_growth(growth, &run, (struct long_pair){LONG_ODE, LONG_CLOSED});
   long_run_clear(&run);
   return ok;

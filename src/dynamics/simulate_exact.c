@@ -44,23 +44,54 @@ static val sided(struct calc *c, val x, int side) {
 
 /* --- Curves. --- */
 
-/* Value, rate and second derivative. */
-static void curve_at(val out[3], struct calc *c, const struct curve *f, val t) {
-  val half = calc_d(c, 0.5), two = calc_d(c, 2), one = calc_d(c, 1);
-  out[0] = calc_add(c, f->start, calc_mul(c, f->drift, t));
-  out[1] = f->drift;
-  out[2] = calc_d(c, 0);
+/* An oscillation at a moment: the sine and the versine, 1 minus the cosine. */
+struct angle {
+  val sine, versine;
+};
+
+/* Those of a curve at t; all four curves of a pair of modes share them. */
+static void angles_at(struct angle angle[2], struct calc *c, const struct curve *f, val t) {
+  val half = calc_d(c, 0.5), two = calc_d(c, 2);
   for (int k = 0; k < f->n; k++) {
-    val s, co, om = f->om[k];
-    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, om, t)));
-    val sine = calc_mul(c, two, calc_mul(c, s, co)), versine = calc_mul(c, two, calc_mul(c, s, s));
-    val cosine = calc_sub(c, one, versine);
-    out[0] = calc_add(c, out[0], calc_sub(c, calc_mul(c, f->sn[k], sine), calc_mul(c, f->cs[k], versine)));
-    val swing = calc_sub(c, calc_mul(c, f->sn[k], cosine), calc_mul(c, f->cs[k], sine));
-    out[1] = calc_add(c, out[1], calc_mul(c, om, swing));
-    val crest = calc_dot(c, f->sn[k], sine, f->cs[k], cosine);
-    out[2] = calc_sub(c, out[2], calc_mul(c, calc_mul(c, om, om), crest));
+    val s, co;
+    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, f->om[k], t)));
+    angle[k] = (struct angle){calc_mul(c, two, calc_mul(c, s, co)), calc_mul(c, two, calc_mul(c, s, s))};
   }
+}
+
+static val curve_value(struct calc *c, const struct curve *f, const struct angle angle[2], val t) {
+  val z = calc_add(c, f->start, calc_mul(c, f->drift, t));
+  for (int k = 0; k < f->n; k++)
+    z = calc_add(c, z, calc_sub(c, calc_mul(c, f->sn[k], angle[k].sine), calc_mul(c, f->cs[k], angle[k].versine)));
+  return z;
+}
+
+static val curve_rate(struct calc *c, const struct curve *f, const struct angle angle[2]) {
+  val z = f->drift;
+  for (int k = 0; k < f->n; k++) {
+    val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
+    val swing = calc_sub(c, calc_mul(c, f->sn[k], cosine), calc_mul(c, f->cs[k], angle[k].sine));
+    z = calc_add(c, z, calc_mul(c, f->om[k], swing));
+  }
+  return z;
+}
+
+static val curve_bend(struct calc *c, const struct curve *f, const struct angle angle[2]) {
+  val z = calc_d(c, 0);
+  for (int k = 0; k < f->n; k++) {
+    val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
+    val crest = calc_dot(c, f->sn[k], angle[k].sine, f->cs[k], cosine);
+    z = calc_sub(c, z, calc_mul(c, calc_mul(c, f->om[k], f->om[k]), crest));
+  }
+  return z;
+}
+
+/* The derivatives of the order given and of the next one (0 and 1, or 1 and 2). */
+static void curve_at(val out[2], struct calc *c, const struct curve *f, val t, int order) {
+  struct angle angle[2];
+  angles_at(angle, c, f, t);
+  out[0] = order == 0 ? curve_value(c, f, angle, t) : curve_rate(c, f, angle);
+  out[1] = order == 0 ? curve_rate(c, f, angle) : curve_bend(c, f, angle);
 }
 
 /* How the speeds x_1', x_2' oscillate and the forces drift in the present pair of modes: a sticking mass moves evenly;
@@ -141,12 +172,11 @@ static void advance(struct exact *e, val t) {
   struct calc *c = &e->c;
   const struct num_type *type = c->ctx.type;
   slong mark = calc_mark(c);
-  val at[3];
+  struct angle angle[2];
+  angles_at(angle, c, &e->force[0], t);
   for (int i = 0; i < 2; i++) {
-    curve_at(at, c, &e->force[i], t);
-    type->set(num_vec_at(&e->moved, F_1 + i), at[0]);
-    curve_at(at, c, &e->speed[i], t);
-    type->set(num_vec_at(&e->moved, P_1 + i), at[0]);
+    type->set(num_vec_at(&e->moved, F_1 + i), curve_value(c, &e->force[i], angle, t));
+    type->set(num_vec_at(&e->moved, P_1 + i), curve_value(c, &e->speed[i], angle, t));
   }
   type->set(num_vec_at(&e->moved, TIME), calc_add(c, element(&e->now, TIME), t));
   calc_release(c, mark);
@@ -206,9 +236,9 @@ static val newton(struct calc *c, const struct curve *f, val start, int order) {
   val small = calc_two_to(c, -c->ctx.prec / 2 - 6);
   slong mark = calc_mark(c);
   for (int i = 0; i < 100 && !c->status; i++) {
-    val at[3];
-    curve_at(at, c, f, t);
-    val step = calc_div(c, at[order], at[order + 1]);
+    val at[2];
+    curve_at(at, c, f, t, order);
+    val step = calc_div(c, at[0], at[1]);
     bool settled = !calc_lt(c, calc_mul(c, small, calc_abs(c, t)), calc_abs(c, step));
     type->set(t, calc_sub(c, t, step));
     calc_release(c, mark);
@@ -222,13 +252,15 @@ enum contact { CONTACT_MISS, CONTACT_TOUCH, CONTACT_CROSS };
 /* What happens near the flat contact at *t: the highest value near it decides, and *t becomes the root or its place. */
 static enum contact judge_flat(val *t, struct exact *e, const struct curve *f) {
   struct calc *c = &e->c;
-  val at[3], crest = newton(c, f, *t, 1);
-  curve_at(at, c, f, crest);
-  int sign = sign_of(c, at[0], e->tol);
+  struct angle angle[2];
+  val crest = newton(c, f, *t, 1);
+  angles_at(angle, c, f, crest);
+  val top = curve_value(c, f, angle, crest);
+  int sign = sign_of(c, top, e->tol);
   if (c->status || sign < 0) return CONTACT_MISS;
   *t = crest;
   if (sign == 0) return CONTACT_TOUCH;
-  val before = calc_sqrt(c, calc_div(c, calc_mul(c, calc_d(c, -2), at[0]), at[2]));
+  val before = calc_sqrt(c, calc_div(c, calc_mul(c, calc_d(c, -2), top), curve_bend(c, f, angle)));
   *t = newton(c, f, calc_sub(c, crest, before), 0);
   return CONTACT_CROSS;
 }

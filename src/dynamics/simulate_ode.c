@@ -21,6 +21,7 @@ struct ode {
   gsl_odeiv2_control *control;
   gsl_odeiv2_evolve *evolve;
   enum coulomb_mode mode[2];
+  double u[2], gain[2];                  /* x_i'' = gain_i (u_i - f_i) in this pair of modes */
   double began;                          /* when this pair of modes began */
   double since, y[N_STATE];              /* the present */
   double step_since, step_from[N_STATE]; /* the step being looked into */
@@ -36,9 +37,15 @@ static void forces(double f[2], const double p[N_COULOMB], const double y[N_STAT
 static void accelerations(double a[2], const struct ode *o, const double y[N_STATE]) {
   double f[2];
   forces(f, o->p, y);
+  for (int i = 0; i < 2; i++) a[i] = o->gain[i] * (o->u[i] - f[i]);
+}
+
+static void set_modes(struct ode *o, const enum coulomb_mode mode[2]) {
   for (int i = 0; i < 2; i++) {
-    double us = o->p[COULOMB_US1 + i], u = o->mode[i] == MODE_BELOW ? us : -us;
-    a[i] = o->mode[i] == MODE_STICK ? 0 : (i == 0 ? 1 : o->p[COULOMB_ETA]) * (u - f[i]);
+    double us = o->p[COULOMB_US1 + i];
+    o->mode[i] = mode[i];
+    o->u[i] = mode[i] == MODE_BELOW ? us : -us;
+    o->gain[i] = mode[i] == MODE_STICK ? 0 : i == 0 ? 1 : o->p[COULOMB_ETA];
   }
 }
 
@@ -66,9 +73,9 @@ struct point {
   double s, value, rate;
 };
 
-static struct point margin_at(struct ode *o, struct margin m, double s) {
-  double y[N_STATE], f[2], a[2];
-  state_at(y, o, s);
+/* In the state y, s after the beginning of the step. */
+static struct point margin_in(const struct ode *o, struct margin m, double s, const double y[N_STATE]) {
+  double f[2], a[2];
   if (o->mode[m.mass] != MODE_STICK) {
     accelerations(a, o, y);
     return (struct point){s, m.side * (y[DZ_1 + m.mass] - o->p[COULOMB_V]), m.side * a[m.mass]};
@@ -76,6 +83,12 @@ static struct point margin_at(struct ode *o, struct margin m, double s) {
   forces(f, o->p, y);
   double pull = m.mass == 0 ? y[DZ_1] - o->p[COULOMB_CHI] * y[DZ_2] : o->p[COULOMB_CHI] * (y[DZ_2] - y[DZ_1]);
   return (struct point){s, m.side * f[m.mass] - o->p[COULOMB_UR1 + m.mass], m.side * pull};
+}
+
+static struct point margin_at(struct ode *o, struct margin m, double s) {
+  double y[N_STATE];
+  state_at(y, o, s);
+  return margin_in(o, m, s, y);
 }
 
 /* Bounds of a margin's second and third derivatives over a step of length h.  Speeds stay below W and accelerations
@@ -135,7 +148,8 @@ static bool seek(double *s, struct ode *o, struct margin m, struct bounds lim, s
   return seek(s, o, m, lim, a, mid) || seek(s, o, m, lim, mid, b);
 }
 
-/* The first event within the step of length h: its place *s, and the mass that has it, or -1. */
+/* The first event within the step of length h, which ends in the present state: its place *s, and the mass that has it,
+   or -1.  The present state goes back to the event. */
 static int first_event(double *s, bool *flat, struct ode *o, double h) {
   int first = -1;
   *s = h;
@@ -148,9 +162,10 @@ static int first_event(double *s, bool *flat, struct ode *o, double h) {
       if (!sticks && side != (o->mode[mass] == MODE_BELOW ? 1 : -1)) continue;
       struct margin m = {mass, side};
       double at;
-      if (!seek(&at, o, m, lim, margin_at(o, m, 0), margin_at(o, m, *s))) continue;
-      struct point found = margin_at(o, m, at);
-      *flat = found.rate * found.rate <= 16 * lim.second * o->tol;
+      if (!seek(&at, o, m, lim, margin_in(o, m, 0, o->step_from), margin_in(o, m, *s, o->y))) continue;
+      state_at(o->y, o, at);
+      double rate = margin_in(o, m, at, o->y).rate;
+      *flat = rate * rate <= 16 * lim.second * o->tol;
       *s = at;
       first = mass;
     }
@@ -211,7 +226,7 @@ static void settle(struct ode *o, int mass) {
 static enum move ode_move(void *self, struct run *run) {
   struct ode *o = self;
   const double duration = run->plan->duration;
-  memcpy(o->mode, run->mode, sizeof o->mode);
+  set_modes(o, run->mode);
   o->began = ode_time(o);
   o->since = 0;
   gsl_odeiv2_evolve_reset(o->evolve);
@@ -231,10 +246,7 @@ static enum move ode_move(void *self, struct run *run) {
       return MOVE_FAILED;
     bool flat;
     int mass = first_event(&s, &flat, o, o->since - o->step_since);
-    if (mass >= 0) {
-      state_at(o->y, o, s);
-      o->since = o->step_since + s;
-    }
+    if (mass >= 0) o->since = o->step_since + s;
     if (o->touched || flat) run->result->touches++;
     if (!run_samples(run, ode_time(o), false)) return MOVE_STOPPED;
     if (mass < 0) continue;

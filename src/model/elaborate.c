@@ -42,6 +42,7 @@ void elaboration_init(struct elaboration *el, struct view view, const struct ove
 void elaboration_clear(struct elaboration *el) {
   free(el->roots);
   free(el->memo);
+  free(el->calls);
   expr_pool_clear(&el->pool);
 }
 
@@ -236,6 +237,35 @@ static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct
   return true;
 }
 
+/* A function, or a derivative of it, at an argument: entries of one matrix are asked for one by one.  The last few are
+   kept. */
+enum { KEPT_CALLS = 64 };
+struct elab_call {
+  size_t of; /* in memo */
+  int order;
+  const struct expr *arg;
+  struct matrix value;
+};
+
+static struct matrix call_value(struct elaboration *el, size_t of, int order, const struct expr *arg) {
+  for (size_t i = 0; i < el->n_calls; i++) {
+    const struct elab_call *c = &el->calls[i];
+    if (c->of == of && c->order == order && c->arg == arg) return c->value;
+  }
+  struct matrix body = el->memo[of].value, value = matrix_new(el, body.rows, body.cols);
+  const char *param = el->memo[of].param;
+  for (int i = 0; i < entries(&body); i++) {
+    const struct expr *x = body.e[i];
+    for (int k = 0; k < order && el->pool.n <= MAX_SCALARS; k++) x = expr_diff(&el->pool, x, param);
+    value.e[i] = expr_subst(&el->pool, x, param, arg);
+  }
+  if (!el->calls) el->calls = ss_malloc(KEPT_CALLS * sizeof *el->calls);
+  el->calls[el->next_call] = (struct elab_call){of, order, arg, value};
+  el->next_call = (el->next_call + 1) % KEPT_CALLS;
+  if (el->n_calls < KEPT_CALLS) el->n_calls++;
+  return value;
+}
+
 static bool eval_call(struct matrix *out, struct elaboration *el, const struct expr *e, const struct scope *sc,
                       struct diag *d) {
   const struct expr *tree = e->args[0];
@@ -260,14 +290,7 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
   }
   size_t m;
   if (!define(&m, el, def, d)) return false;
-  struct matrix value = el->memo[m].value;
-  const char *param = el->memo[m].param;
-  *out = matrix_new(el, value.rows, value.cols);
-  for (int i = 0; i < entries(&value); i++) {
-    const struct expr *x = value.e[i];
-    for (int k = 0; k < e->order && el->pool.n <= MAX_SCALARS; k++) x = expr_diff(&el->pool, x, param);
-    out->e[i] = expr_subst(&el->pool, x, param, arg.e[0]);
-  }
+  *out = call_value(el, m, e->order, arg.e[0]);
   return is_small(el, e, sc, d);
 }
 

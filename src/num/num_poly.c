@@ -414,16 +414,21 @@ static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
   return status;
 }
 
-/* In double a root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the
-   last few are kept. */
+/* A root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the last few
+   are kept, in double and in balls that own no memory, up to 128 bits or so. */
 enum { KEPT = 4, KEPT_LENGTH = 8 };
 struct kept_root {
   double coeff[KEPT_LENGTH], root;
   slong len, k;
   int status;
 };
+struct kept_ball {
+  arb_struct coeff[KEPT_LENGTH], root;
+  slong len, k, prec;
+};
 static _Thread_local struct kept_root kept[KEPT];
-static _Thread_local int next_kept;
+static _Thread_local struct kept_ball kept_balls[KEPT];
+static _Thread_local int next_kept, next_ball;
 
 static struct kept_root *find_kept(const struct kept_root *wanted) {
   for (int i = 0; i < KEPT; i++)
@@ -433,9 +438,7 @@ static struct kept_root *find_kept(const struct kept_root *wanted) {
   return NULL;
 }
 
-int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
-  if (coeffs->ctx.type != &num_double || coeffs->len < 1 || coeffs->len > KEPT_LENGTH)
-    return isolated_root(z, coeffs, k);
+static int double_root(void *z, const struct num_vec *coeffs, slong k) {
   struct kept_root wanted = {.len = coeffs->len, .k = k};
   for (slong i = 0; i < coeffs->len; i++) wanted.coeff[i] = num_double.get_d(num_vec_at(coeffs, i));
   struct kept_root *found = find_kept(&wanted);
@@ -447,4 +450,42 @@ int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
   }
   num_double.set(z, &found->root);
   return found->status;
+}
+
+static bool owns_memory(arb_srcptr x) {
+  return ARF_HAS_PTR(arb_midref(x)) || COEFF_IS_MPZ(ARF_EXP(arb_midref(x))) || COEFF_IS_MPZ(MAG_EXP(arb_radref(x)));
+}
+
+static bool is_kept(const struct kept_ball *kept_ball, const struct num_vec *coeffs, slong k) {
+  bool same = kept_ball->len == coeffs->len && kept_ball->k == k && kept_ball->prec == coeffs->ctx.prec;
+  for (slong i = 0; same && i < coeffs->len; i++) same = arb_equal(&kept_ball->coeff[i], num_vec_at(coeffs, i));
+  return same;
+}
+
+static int ball_root(void *z, const struct num_vec *coeffs, slong k) {
+  for (int i = 0; i < KEPT; i++)
+    if (is_kept(&kept_balls[i], coeffs, k)) {
+      arb_set(z, &kept_balls[i].root);
+      return SS_OK;
+    }
+  struct kept_ball found = {.len = coeffs->len, .k = k, .prec = coeffs->ctx.prec};
+  bool light = true;
+  for (slong i = 0; light && i < coeffs->len; i++) {
+    light = !owns_memory(num_vec_at(coeffs, i));
+    if (light) arb_set(&found.coeff[i], num_vec_at(coeffs, i));
+  }
+  int status = isolated_root(z, coeffs, k); /* z may be a coefficient */
+  if (status == SS_OK && light && !owns_memory(z)) {
+    arb_set(&found.root, z);
+    kept_balls[next_ball] = found;
+    next_ball = (next_ball + 1) % KEPT;
+  }
+  return status;
+}
+
+int num_poly_root(void *z, const struct num_vec *coeffs, slong k) {
+  bool short_enough = coeffs->len >= 1 && coeffs->len <= KEPT_LENGTH;
+  if (short_enough && coeffs->ctx.type == &num_double) return double_root(z, coeffs, k);
+  if (short_enough && coeffs->ctx.type == &num_arb) return ball_root(z, coeffs, k);
+  return isolated_root(z, coeffs, k);
 }

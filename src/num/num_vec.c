@@ -9,6 +9,7 @@
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 struct num_ctx num_ctx_double(void) {
   return (struct num_ctx){&num_double, 53};
@@ -24,20 +25,19 @@ struct num_ctx num_ctx_arb(slong prec) {
 
 void num_vec_init(struct num_vec *v, slong len, struct num_ctx ctx) {
   if (len < 0 || (size_t)len > SIZE_MAX / ctx.type->size) abort();
-  *v = (struct num_vec){ctx, len, ss_malloc((size_t)len * ctx.type->size)};
-  for (slong i = 0; i < len; i++) ctx.type->init(num_vec_at(v, i), ctx.prec);
+  size_t bytes = (size_t)len * ctx.type->size;
+  *v = (struct num_vec){ctx, len, ss_malloc(bytes)};
+  if (ctx.type->zeroed)
+    memset(v->data, 0, bytes);
+  else
+    for (slong i = 0; i < len; i++) ctx.type->init(num_vec_at(v, i), ctx.prec);
 }
 
 void num_vec_clear(struct num_vec *v) {
-  for (slong i = 0; i < v->len; i++) v->ctx.type->clear(num_vec_at(v, i));
+  for (slong i = 0; !v->ctx.type->plain && i < v->len; i++) v->ctx.type->clear(num_vec_at(v, i));
   free(v->data);
   v->data = NULL;
   v->len = 0;
-}
-
-void *num_vec_at(const struct num_vec *v, slong i) {
-  if (i < 0 || i >= v->len) abort();
-  return v->data + (size_t)i * v->ctx.type->size;
 }
 
 void num_vec_set(struct num_vec *z, const struct num_vec *x) {
@@ -57,6 +57,23 @@ static void check_shape(const struct num_vec *x, slong rows, slong cols) {
   if (rows < 0 || cols < 0 || x->len != rows * cols) abort();
 }
 
+/* In double precision the calls would cost more than the arithmetic.  What is not finite on the way is not finite at the
+   end, so that the status is that of the steps. */
+static int double_mat_mul(double *z, const double *x, const double *y, slong m, slong n, slong p) {
+  int status = SS_OK;
+  double *sum = ss_malloc((size_t)(m * p) * sizeof *sum);
+  for (slong i = 0; i < m; i++)
+    for (slong j = 0; j < p; j++) {
+      double s = 0;
+      for (slong k = 0; k < n; k++) s += x[i * n + k] * y[k * p + j];
+      if (!isfinite(s)) status |= SS_UNABLE;
+      sum[i * p + j] = isfinite(s) ? s : (double)NAN;
+    }
+  memcpy(z, sum, (size_t)(m * p) * sizeof *sum);
+  free(sum);
+  return status;
+}
+
 int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec *y, slong m, slong n, slong p) {
   const struct num_type *f = z->ctx.type;
   slong prec = z->ctx.prec;
@@ -65,6 +82,7 @@ int num_mat_mul(struct num_vec *z, const struct num_vec *x, const struct num_vec
   check_shape(z, m, p);
   check_shape(x, m, n);
   check_shape(y, n, p);
+  if (f == &num_double) return double_mat_mul((void *)z->data, (void *)x->data, (void *)y->data, m, n, p);
   num_vec_init(&sum, m * p, z->ctx);
   num_vec_init(&term, 1, z->ctx);
   void *t = num_vec_at(&term, 0);
