@@ -231,8 +231,8 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 
 /* --- A claim being judged --- */
 
-/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
-   Kinds that know it are tried sooner on mutants; others may pass over it. */
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference.  A verdict other than refuted means nothing then,
+   but that arguments, scaling and reach are proved just where the full effort proves them. */
 enum effort { EFFORT_FULL, EFFORT_REFUTE };
 
 struct judge {
@@ -246,6 +246,7 @@ struct judge {
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
+  const bool *touched; /* by record of the model: what may say something else than it did; NULL: everything may */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -296,8 +297,10 @@ kind_fn claim_kind(const char *name);
 
 /* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
 bool claim_tried_at_points(const struct claim *c);
-/* Does it take long, so that it is not asked when a formula is damaged? */
-bool claim_slow(const struct claim *c);
+/* When is it asked about a damaged formula: at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates
+   and reads no formula that others do not read, or asserts nothing? */
+enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
+enum asked claim_asked(const struct claim *c);
 
 /* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
    select some claim? */

@@ -219,6 +219,11 @@ static void decide(struct decision *d, struct argument *a, const struct point *p
       arb_set(d->value, value);
     }
     d->conclusion = truth_and(d->conclusion, holds);
+    if (a->j->effort == EFFORT_REFUTE) { /* the second route decides nothing */
+      d->by_exponentials = TRUTH_UNKNOWN;
+      arb_clear(value);
+      continue;
+    }
     truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
                                        : condition_holds_at_samples(c, p, FIRST_PREC, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
@@ -319,19 +324,21 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
   }
 }
 
-/* Where there is a proof already, the search only checks it, on few orbits. */
+/* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
+   nothing goes downhill. */
 static void search(struct tally *t, struct argument *a, bool proved) {
   enum { CHECK = 24 };
+  bool few = proved || a->j->effort == EFFORT_REFUTE;
   struct candidate best[STRATA];
   bool have[STRATA] = {false}, found = false;
-  best_of_pool(best, have, a, proved ? CHECK : LONG_MAX);
+  best_of_pool(best, have, a, few ? CHECK : LONG_MAX);
   for (int s = 0; s < STRATA; s++) { /* those that fail already need no descent */
     if (!found && have[s] && best[s].margin < -1e-3) found = settle(t, a, &best[s]);
   }
   for (int s = 0; s < STRATA; s++) {
     if (found || !have[s]) continue;
     found = settle(t, a, &best[s]);
-    if (proved || found) continue;
+    if (few || found) continue;
     descend(&best[s], a);
     found = settle(t, a, &best[s]);
   }
@@ -373,6 +380,10 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
   if (a->j->d->set) return;
+  if (proved && a->j->effort == EFFORT_REFUTE) {
+    f->verdict = VERDICT_PROVED;
+    return;
+  }
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
@@ -518,13 +529,14 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
   else if (ok)
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;
-  if (ok && f->verdict == VERDICT_REFUTED && !view.control) {
+  if (ok && f->verdict == VERDICT_REFUTED && !view.control && j->effort == EFFORT_FULL) {
     if (a.uses_friction)
       describe_effect(f, &a);
     else
       describe_scene(f, &a);
-    ok = judge_repair(f, &a, view);
   }
+  if (ok && (f->verdict == VERDICT_REFUTED || j->effort == EFFORT_REFUTE) && !view.control)
+    ok = judge_repair(f, &a, view);
   for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);
   return ok;
 }

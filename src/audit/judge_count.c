@@ -242,8 +242,10 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     point_init(&p);
     for (int i = 0; i < DRAWS && balls.as_said + balls.other + balls.open < ORBITS; i++) {
       sampler_next(&p, &s);
+      if (j->effort == EFFORT_REFUTE && balls.other) break;
       if (!point_settle(&p, j->cache)) continue;
-      long before = differences.as_said + differences.other + differences.open;
+      long before =
+          j->effort == EFFORT_REFUTE ? DIFFERENCES : differences.as_said + differences.other + differences.open;
       count_at(&balls, &y, &p, wanted, num_ctx_arb(FD_PREC), j->cache);
       if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
     }

@@ -294,6 +294,40 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
   return ok;
 }
 
+/* --- What can be told apart --- */
+
+static bool same_end(const struct expr *x, const struct expr *y, const struct statement_record *r,
+                     const struct model *m) {
+  struct elaboration el;
+  struct tape tape = {.n = 0};
+  struct exact_vec v = {.len = 0};
+  struct matrix a, b;
+  struct diag d;
+  bool same = false;
+  diag_init(&d);
+  if (!x || !y || expr_same(x, y)) return !x == !y;
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  struct exact_field *f = exact_field_new(NULL, 0);
+  if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
+      a.rows * a.cols == 1 && b.rows * b.cols == 1) {
+    const struct expr *both[] = {a.e[0], b.e[0]};
+    if (elaboration_tape(&tape, &el, both, 2, &d))
+      same = exact_eval(&v, f, &tape) == SS_OK && exact_equal(f, &v.x[0], &v.x[1]);
+    exact_vec_clear(&v);
+  }
+  exact_field_free(f);
+  tape_clear(&tape);
+  elaboration_clear(&el);
+  return same;
+}
+
+/* Whether the damaged statement speaks of the same times as before. */
+static bool same_range(const struct target *t, const struct model *a, const struct model *b) {
+  const struct statement_record *r = &a->records[t->record];
+  const struct stmt *x = r->stmts[t->stmt], *y = b->records[t->record].stmts[t->stmt];
+  return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a);
+}
+
 enum { MAX_UNKNOWNS = 32 };
 
 static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
@@ -314,6 +348,7 @@ bool claim_same_in(const struct claim *c, const struct target *t, const struct m
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
   struct override o[MAX_UNKNOWNS];
   int most = claim_get(c, "value") ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
     if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
       return true;
@@ -352,6 +387,7 @@ static bool statement_same_in(const struct target *t, const struct target *damag
   struct override o[MAX_UNKNOWNS];
   int most = unknowns(o, MAX_UNKNOWNS, f, damaged);
   bool ok = false;
+  if (t == damaged && !same_range(t, a, b)) return false;
   for (int n = 0; !ok && n <= most; n += most ? most : 1) {
     struct sentence x, y;
     ok = target_sentence(&x, t, a, o, n);
