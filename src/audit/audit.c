@@ -32,6 +32,7 @@ static const struct {
              {"constraints", judge_constraints, false, ASKED_LATE},
              {"sequence", judge_sequence, false, ASKED_LATE},
              {"existence", judge_existence, false, ASKED_NEVER},
+             {"law", judge_law, false, ASKED_EARLY},
              {"outside", judge_outside, false, ASKED_NEVER}};
 
 static int kind_index(const char *name) {

@@ -51,6 +51,7 @@ struct point {
   enum point_kind kind;
   enum phase phase; /* of the time t: POINT_FLOW, and arcs */
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
+  bool realistic;   /* and u_s1, u_s2 for which each u_ri is 5/4 of what they ask of it, or a little more */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
   slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
@@ -97,7 +98,7 @@ struct sampler {
   uint64_t state;
   enum point_kind kind;
   enum phase phase;
-  bool admissible, finite;
+  bool admissible, realistic, finite;
   const struct restriction *restriction;
 };
 void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
@@ -133,6 +134,8 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
 void values_clear(struct values *v);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
+/* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
+bool blocks_bind(int *status, void *z, struct values *v, const char *name);
 
 /* --- What the paper keeps of a phase's derivative --- */
 
@@ -260,7 +263,7 @@ int expression_at(arb_ptr out, int *n, struct view v, const char *expression, co
 struct point_spec {
   enum point_kind kind;
   enum phase phase;
-  bool admissible;
+  bool admissible, realistic;
   long n;
 };
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
@@ -284,6 +287,7 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 

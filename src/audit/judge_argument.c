@@ -22,7 +22,8 @@ struct argument {
   bool admissible;    /* only orbits that break none of the model's conditions */
   bool free_friction; /* u_s1 and u_s2 need not be positive, so u_r1 and u_r2 are free */
   bool uses_friction;
-  long tried; /* orbits on which the premises hold, as far as double precision tells */
+  bool converse; /* the premises must follow from the conclusion too */
+  long tried;    /* orbits on which the premises hold, as far as double precision tells */
 };
 
 /* A point with the least margin of the conclusion there. */
@@ -373,27 +374,50 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
   return proved;
 }
 
-static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
-  struct route_word w[3];
+/* Proof and search in one direction; the words are added, and whether it is proved is returned. */
+static bool try_direction(struct route_word w[], int *n, struct finding *f, struct argument *a, struct view view) {
   struct tally t = {.certificate = NULL};
-  int n = 0;
-  bool proved = add_proof(&w[0], f, a, view);
-  n += proved;
-  if (a->j->d->set) return;
-  if (proved && a->j->effort == EFFORT_REFUTE) {
-    f->verdict = VERDICT_PROVED;
-    return;
-  }
+  bool proved = add_proof(&w[*n], f, a, view);
+  *n += proved;
+  if (a->j->d->set || (proved && a->j->effort == EFFORT_REFUTE)) return proved;
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
                                                 "no counterexample on %ld orbits of the search on which the premises "
                                                 "hold; the nearest to one were decided",
                                                 a->tried);
-  w[n++] = add_route(f, a, "balls", t.decided[0], true, note);
+  struct route_word found[2] = {add_route(f, a, "balls", t.decided[0], true, note)};
   f->evidence[f->n_evidence - 1].worst = t.nearest;
-  w[n++] = add_route(f, a, "exponential", t.decided[1], false, NULL);
-  if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
+  found[1] = add_route(f, a, "exponential", t.decided[1], false, NULL);
+  bool nothing_tried = !t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2];
+  for (int i = 0; !(proved && nothing_tried) && i < 2; i++) w[(*n)++] = found[i];
+  return proved;
+}
+
+/* The argument turned round: what is an equation among the premises stays one. */
+static struct argument converse_of(const struct argument *a) {
+  struct argument b = *a;
+  const struct conditions *p = &a->part[PREMISES], *q = &a->part[CONCLUSION];
+  b.tried = 0;
+  b.part[CONCLUSION].n = 0;
+  b.part[PREMISES] = *q;
+  for (int k = 0; k < p->n; k++) {
+    struct conditions *to = &b.part[p->at[k].equality ? PREMISES : CONCLUSION];
+    if (to->n < MAX_CONDITIONS) to->at[to->n++] = p->at[k];
+  }
+  return b;
+}
+
+static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
+  struct route_word w[6];
+  int n = 0;
+  bool proved = try_direction(w, &n, f, a, view);
+  if (a->converse && !a->j->d->set) {
+    struct argument b = converse_of(a); /* its conditions are borrowed */
+    bool again = try_direction(w, &n, f, &b, view);
+    proved = proved && again;
+  }
+  if (a->j->d->set) return;
   f->verdict = verdict_of(w, n, proved);
 }
 
@@ -483,6 +507,9 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   a->free_friction = friction && strcmp(friction, "free") == 0;
   if (over && !a->admissible && strcmp(over, "orbits") != 0 && strcmp(over, "scene") != 0)
     return claim_error(j, c, "over", "one of admissible, orbits, scene");
+  const char *converse = claim_get(c, "converse");
+  a->converse = converse && strcmp(converse, "yes") == 0;
+  if (converse && !a->converse) return claim_error(j, c, "converse", "yes, or nothing");
   if (friction && !a->free_friction) return claim_error(j, c, "friction", "free, or nothing");
   if (!conditions_read(&a->part[PREMISES], j, c, "premises", view)) return false;
   if (!conditions_read(&a->part[CONCLUSION], j, c, "conclusion", view)) return false;

@@ -198,14 +198,23 @@ static enum notice ask_late(struct run *r, const struct reader *rd) {
 
 /* --- One mutant --- */
 
+/* Degrees and symbols: such a claim decides of itself whether it says the same, once it has been asked. */
+static bool decides_exactly(const struct claim *c) {
+  kind_fn kind = claim_kind(claim_get(c, "kind"));
+  return kind == judge_scaling || kind == judge_notation;
+}
+
 /* By exact algebra: the statement and what uses it, or every claim that reads it. */
 static bool says_the_same(struct run *r, const struct target *t) {
   const struct model *damaged = &r->overlay.model;
-  bool all = true;
+  bool all = true, any = false;
   if (target_same_in(t, r->model, damaged, r->claims, r->facts)) return true;
-  for (size_t i = 0; all && i < r->n_readers; i++)
-    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
-  return all;
+  for (size_t i = 0; all && i < r->n_readers; i++) {
+    if (!reads(&r->reader[i], t) || decides_exactly(r->reader[i].claim)) continue;
+    any = true;
+    all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
+  }
+  return all && any;
 }
 
 /* Asks the claims of one turn that read the target, until one notices: the fate then, else FATE_UNDECIDED. */
@@ -225,14 +234,15 @@ static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
   for (size_t i = 0; !any && i < r->n_readers; i++) any = reads(&r->reader[i], t);
   if (!any) return FATE_UNREAD;
   enum mutant_fate f = ask_all(r, t, ASKED_EARLY, ask_quickly);
-  for (int facts = 0; f == FATE_UNDECIDED && facts < 2; facts++) {
-    facts_use(r->facts, facts);
-    if (says_the_same(r, t)) f = facts ? FATE_ON_MOTIONS : FATE_EQUIVALENT;
-  }
-  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_EARLY, ask_in_full);
-  if (f != FATE_UNDECIDED) return f;
+  facts_use(r->facts, false);
   target_reaches(r->touched, r->model, t);
-  return ask_all(r, t, ASKED_LATE, ask_late);
+  if (f == FATE_UNDECIDED && target_same_in(t, r->model, &r->overlay.model, r->claims, r->facts)) f = FATE_EQUIVALENT;
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_EARLY, ask_in_full);
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_LATE, ask_late);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_EQUIVALENT;
+  facts_use(r->facts, true);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_ON_MOTIONS;
+  return f;
 }
 
 static void try_mutant(void *result, size_t i, void *arg) {

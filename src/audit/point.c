@@ -47,6 +47,27 @@ void point_print(struct text *out, const struct point *p) {
 
 /* --- Which orbit --- */
 
+/* u_ri = 5/4 max(e_i, u_ri_min), upwards to a 1024th. */
+static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
+  fmpz_t k;
+  arb_t least, e;
+  fmpz_init(k);
+  arb_init(least);
+  arb_init(e);
+  for (int i = 0; i < 2; i++) {
+    arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
+    arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
+    arb_mul_si(least, least, 1280, FIRST_PREC);
+    arf_get_fmpz(k, arb_midref(least), ARF_RND_CEIL);
+    fmpq_set_fmpz(&p->q[Q_US1 + i], k);
+    fmpq_div_2exp(&p->q[Q_US1 + i], &p->q[Q_US1 + i], 10);
+    fmpq_sub(&p->q[Q_US1 + i], &p->q[Q_US1 + i], &p->q[Q_E1 + i]);
+  }
+  arb_clear(e);
+  arb_clear(least);
+  fmpz_clear(k);
+}
+
 bool point_settle(struct point *p, struct orbit_cache *c) {
   if (p->kind != POINT_ORBIT) return true;
   const struct dyn_orbits *list = point_orbits(p, c, FIRST_PREC);
@@ -59,6 +80,7 @@ bool point_settle(struct point *p, struct orbit_cache *c) {
     if (wanted-- == 0) at = i;
   }
   p->orbit = at;
+  if (p->realistic) take_realistic_friction(p, &list->orbit[at]);
   return true;
 }
 
@@ -136,6 +158,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->phase = s->phase;
   p->finite = s->finite;
   p->admissible = s->admissible;
+  p->realistic = s->realistic;
   p->scene = NULL;
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
@@ -552,6 +575,8 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
   }
+  int status;
+  if (blocks_bind(&status, z, v, name)) return status;
   bool in_x;
   const char *argument, *bracket = strchr(name, '[');
   if (bracket) return bind_entry(z, known, v, name, bracket);
