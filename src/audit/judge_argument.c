@@ -374,24 +374,25 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
   return proved;
 }
 
-/* Proof and search in one direction; the words are added, and whether it is proved is returned. */
-static bool try_direction(struct route_word w[], int *n, struct finding *f, struct argument *a, struct view view) {
+/* Proof and search in one direction. */
+static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view) {
+  struct route_word w[3];
   struct tally t = {.certificate = NULL};
-  bool proved = add_proof(&w[*n], f, a, view);
-  *n += proved;
-  if (a->j->d->set || (proved && a->j->effort == EFFORT_REFUTE)) return proved;
+  int n = 0;
+  bool proved = add_proof(&w[0], f, a, view);
+  n += proved;
+  if (a->j->d->set || (proved && a->j->effort == EFFORT_REFUTE)) return verdict_of(w, n, true);
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
                                                 "no counterexample on %ld orbits of the search on which the premises "
                                                 "hold; the nearest to one were decided",
                                                 a->tried);
-  struct route_word found[2] = {add_route(f, a, "balls", t.decided[0], true, note)};
+  w[n++] = add_route(f, a, "balls", t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
-  found[1] = add_route(f, a, "exponential", t.decided[1], false, NULL);
-  bool nothing_tried = !t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2];
-  for (int i = 0; !(proved && nothing_tried) && i < 2; i++) w[(*n)++] = found[i];
-  return proved;
+  w[n++] = add_route(f, a, "exponential", t.decided[1], false, NULL);
+  if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
+  return verdict_of(w, n, proved);
 }
 
 /* The argument turned round: what is an equation among the premises stays one. */
@@ -408,17 +409,14 @@ static struct argument converse_of(const struct argument *a) {
   return b;
 }
 
+/* Both directions, when the claim says so, are worth what the weaker one is. */
 static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
-  struct route_word w[6];
-  int n = 0;
-  bool proved = try_direction(w, &n, f, a, view);
-  if (a->converse && !a->j->d->set) {
-    struct argument b = converse_of(a); /* its conditions are borrowed */
-    bool again = try_direction(w, &n, f, &b, view);
-    proved = proved && again;
-  }
-  if (a->j->d->set) return;
-  f->verdict = verdict_of(w, n, proved);
+  static const int weakness[N_VERDICTS] = {[VERDICT_SUPPORTED] = 1, [VERDICT_UNKNOWN] = 2, [VERDICT_REFUTED] = 3};
+  f->verdict = judge_direction(f, a, view);
+  if (!a->converse || a->j->d->set) return;
+  struct argument b = converse_of(a); /* its conditions are borrowed */
+  enum verdict again = judge_direction(f, &b, view);
+  if (weakness[again] > weakness[f->verdict]) f->verdict = again;
 }
 
 /* At the scene alone: the orbit nearest to the printed numbers.  Where u_r1 or u_r2 enters, the least that the premises

@@ -119,7 +119,7 @@ static truth text_agrees(const struct law *l, const struct state *s, enum branch
   return ok;
 }
 
-/* In sixteenths; limits at half or twice the restoring force where the mass has the belt's velocity. */
+/* Limits a sixteenth above or below the restoring force where the mass has the belt's velocity. */
 static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   double u[8];
   for (int i = 0; i < 8; i++) {
@@ -131,7 +131,7 @@ static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   s->speed = nth % 4 < 2 ? 0 : nth % 4 == 2 ? 1 : -1;
   for (int i = 0; i < 2; i++) {
     double f = fabs(pull(s, i)) + 0.0625 * (pull(s, i) == 0);
-    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 2 : 0.5);
+    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 1.0625 : 0.9375);
     s->slide[i] = s->limit[i] * u[5 + i] / 64;
   }
 }

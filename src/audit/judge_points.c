@@ -94,6 +94,8 @@ static bool parse_spec(struct point_spec *s, const char *item) {
     s->kind = POINT_PARAMS;
   else if (strcmp(word, "arcs") == 0)
     s->kind = POINT_ARC;
+  else if (strcmp(word, "patched") == 0)
+    s->kind = POINT_PATCHED;
   else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
     s->kind = POINT_ORBIT;
   else

@@ -24,9 +24,10 @@ void point_print(struct text *out, const struct point *p) {
     const char *name;
     int q;
     unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 63},  {"eta", Q_ETA, 63},  {"V", Q_V, 63},        {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 48},     {"t_c", Q_TC, 48},
-               {"t_d", Q_TD, 16},   {"t", Q_T, 3},       {"z_10", Q_Z1, 20},    {"z_20", Q_Z2, 20},
+  } shown[] = {{"chi", Q_CHI, 127}, {"eta", Q_ETA, 127}, {"V", Q_V, 127},       {"e1", Q_E1, 28},
+               {"e2", Q_E2, 28},    {"t_a", Q_TA, 80},   {"t_b", Q_TB, 112},    {"t_c", Q_TC, 112},
+               {"t_d", Q_TD, 80},   {"t", Q_T, 3},       {"z_10", Q_Z1, 84},    {"z_20", Q_Z2, 84},
+               {"z'_10", Q_DZ1, 64}, {"z'_20", Q_DZ2, 64},
                {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
@@ -179,6 +180,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   draw(&p->q[Q_S], st, 1, 15, 16);
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
   if (s->kind == POINT_ARC) draw_arc(p, st);
+  for (int i = Q_TA; s->kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
 }
 
 /* --- Values --- */
@@ -266,15 +268,16 @@ static int carry_by_exponentials(struct dyn_arc *arc, const struct values *v) {
   return s;
 }
 
-/* The states at the printed times, whatever the switching functions are there. */
-static int init_printed(struct values *v) {
+/* The states at given times, whatever the switching functions are there. */
+static int init_over_times(struct values *v) {
   struct num_vec z;
   num_vec_init(&z, 4, v->ctx);
   const struct num_type *t = v->ctx.type;
   t->set(num_vec_at(&z, 0), num_vec_at(&v->q, Q_Z1));
   t->set(num_vec_at(&z, 1), num_vec_at(&v->q, Q_Z2));
-  t->set(num_vec_at(&z, 2), num_vec_at(&v->params, P_V));
-  t->set(num_vec_at(&z, 3), num_vec_at(&v->params, P_V));
+  for (int i = 0; i < 2; i++)
+    t->set(num_vec_at(&z, 2 + i),
+           v->point->kind == POINT_PATCHED ? num_vec_at(&v->q, Q_DZ1 + i) : num_vec_at(&v->params, P_V));
   int s = SS_OK;
   for (int ph = 0; ph <= N_PHASES; ph++) {
     for (int i = 0; i < 4; i++) t->set(num_vec_at(&v->arc.z, 4 * ph + i), num_vec_at(&z, i));
@@ -356,7 +359,9 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   for (int i = 0; i < N_Q; i++) s |= ctx.type->set_q(num_vec_at(&v->q, i), &p->q[i], ctx.prec);
   for (int i = 0; i < N_PARAMS; i++) ctx.type->set(num_vec_at(&v->params, i), num_vec_at(&v->q, Q_CHI + i));
   if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
-  if (s == SS_OK && p->kind == POINT_PRINTED) s |= init_printed(v);
+  if (s == SS_OK && (p->kind == POINT_PRINTED || p->kind == POINT_PATCHED)) s |= init_over_times(v);
+  if (s == SS_OK && p->kind == POINT_PATCHED && variant == VARIANT_EXPONENTIAL) s |= carry_by_exponentials(&v->arc, v);
+  if (s == SS_OK && p->kind == POINT_PATCHED) s |= init_time(v);
   if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
   return s;
 }
@@ -456,12 +461,30 @@ static int carry_tangent(struct values *v) {
   return s;
 }
 
+/* Any numbers but x and y, and but for the velocities of masses that stick before and after. */
+static int free_tangents(struct values *v) {
+  static const bool zero[20] = {[6] = true, [7] = true, [11] = true, [18] = true};
+  const struct num_type *t = v->ctx.type;
+  int s = SS_OK;
+  for (int i = 0; i < 20; i++) {
+    void *z = num_vec_at(&v->tangent, i);
+    s |= t->set_d(z, zero[i] ? 0 : 0.8125 + 0.71875 * i, v->ctx.prec);
+    if (!zero[i]) s |= t->mul(z, z, num_vec_at(&v->q, i % 2 ? Q_Y : Q_X), v->ctx.prec);
+    if (i < 2) t->set(z, num_vec_at(&v->q, Q_X + i));
+  }
+  for (int i = 0; i < 4; i++) s |= t->set_d(num_vec_at(&v->dt, i), 0.40625 + 0.34375 * i, v->ctx.prec);
+  return s;
+}
+
 /* The perturbations x_a ... v_f and dt_a ... dt_d: tangents, or differences between the two motions. */
 static int make_tangents(struct values *v) {
   if (v->have_tangent) return SS_OK;
   const struct num_type *t = v->ctx.type;
   int s = SS_OK;
-  if (!v->point->finite) s |= carry_tangent(v);
+  if (v->point->kind == POINT_PATCHED)
+    s |= free_tangents(v);
+  else if (!v->point->finite)
+    s |= carry_tangent(v);
   for (int i = 0; v->point->finite && i < 20; i++)
     s |= t->sub(num_vec_at(&v->tangent, i), num_vec_at(&v->perturbed.z, i), num_vec_at(&v->arc.z, i), v->ctx.prec);
   for (int i = 0; v->point->finite && i < 4; i++)

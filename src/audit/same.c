@@ -68,9 +68,12 @@ const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
 /* At the time t, which lies in one phase for a claim: behind the others, and taken by phase. */
 static const struct {
   const char *name;
+  bool rate; /* zero, not V */
   bool holds[N_PHASES];
-} phase_facts[] = {{"z_1'(t)", {[PHASE_D] = true, [PHASE_C] = true}},
-                   {"z_2'(t)", {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
+} phase_facts[] = {{"z_1'(t)", false, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2'(t)", false, {[PHASE_D] = true, [PHASE_GAMMA] = true}},
+                   {"z_1''(t)", true, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2''(t)", true, {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
 enum {
   N_MOTION_FACTS = sizeof motion_facts / sizeof *motion_facts,
   N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
@@ -87,7 +90,8 @@ struct facts {
   struct exact_fact fact[N_MOTION_FACTS];
   int n;
   bool unused;
-  struct tape velocity; /* V */
+  struct tape velocity, zero; /* V, 0 */
+  struct tape sign[2];        /* -1, 1: what a sign such as eps may be */
   struct opaque *opaque;
   size_t n_opaque, cap_opaque;
 };
@@ -176,7 +180,9 @@ struct facts *facts_new(const struct model *m) {
     else
       tape_clear(&x->tape);
   }
-  if (!tape_of(&f->velocity, m, "V")) f->n = 0;
+  if (!tape_of(&f->velocity, m, "V") || !tape_of(&f->zero, m, "0")) f->n = 0;
+  for (int i = 0; i < 2; i++)
+    if (!tape_of(&f->sign[i], m, i ? "1" : "-1")) f->n = 0;
   return f;
 }
 
@@ -187,6 +193,8 @@ void facts_use(struct facts *f, bool use) {
 void facts_free(struct facts *f) {
   for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
   tape_clear(&f->velocity);
+  tape_clear(&f->zero);
+  for (int i = 0; i < 2; i++) tape_clear(&f->sign[i]);
   for (size_t i = 0; i < f->n_opaque; i++) {
     free(f->opaque[i].use.def);
     free(f->opaque[i].use.record);
@@ -213,7 +221,7 @@ static int phase_of(const struct claim *c) {
 
 static bool on_motions(const struct claim *c) {
   const char *points = claim_get(c, "points");
-  return points && !strstr(points, "params") && !strstr(points, "flow");
+  return points && !strstr(points, "params") && !strstr(points, "flow") && !strstr(points, "patched");
 }
 
 /* The facts that hold where a claim is tried; c NULL: the statement itself, wherever it is read. */
@@ -222,7 +230,7 @@ static int collect_facts(struct exact_fact *out, const struct facts *f, const st
   if (f->unused) return 0;
   for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
   for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
-    if (phase_facts[i].holds[phase]) out[n++] = (struct exact_fact){phase_facts[i].name, f->velocity};
+    if (phase_facts[i].holds[phase]) out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
   return n;
 }
 
@@ -262,14 +270,16 @@ static bool has_relations(struct exact_field *f, const struct sentence *sa, cons
   return true;
 }
 
-/* Whether both say the same: of values, and of sentences with an oracle, that the left sides are equal; else that the sets
+/* Whether both say the same (with a sign known, if given): of values, and of sentences with an oracle, that the left sides are equal; else that the sets
    of relations are. */
 static bool same_sentences(const struct sentence *a, const struct sentence *b, bool values, const struct facts *facts,
-                           const struct claim *c) {
+                           const struct claim *c, const struct exact_fact *sign) {
   values = values || a->oracle;
   if (a->oracle != b->oracle || (values && (a->n != b->n || a->cols != b->cols))) return false;
-  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS];
-  struct exact_field *f = exact_field_new(fact, collect_facts(fact, facts, c));
+  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS + 1];
+  int n = collect_facts(fact, facts, c);
+  if (sign) fact[n++] = *sign;
+  struct exact_field *f = exact_field_new(fact, n);
   struct exact_vec x, y;
   int s = exact_eval(&x, f, &a->tape);
   s |= exact_eval(&y, f, &b->tape);
@@ -288,7 +298,7 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
   diag_init(&d);
   bool ok = sentence_from_claim(&x, claim_view(a, c), c, NULL, 0, &d);
   ok = sentence_from_claim(&y, (struct view){b, LAYER_CORRECTED, NULL, NULL}, c, NULL, 0, &d) && ok;
-  ok = ok && same_sentences(&x, &y, false, f, c);
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
@@ -337,7 +347,7 @@ static bool same_in_views(const struct claim *c, struct view a, struct view b, c
   diag_init(&d);
   bool ok = sentence_from_claim(&x, a, c, o, n, &d);
   ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
-  ok = ok && same_sentences(&x, &y, false, f, c);
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
@@ -392,7 +402,10 @@ static bool statement_same_in(const struct target *t, const struct target *damag
     struct sentence x, y;
     ok = target_sentence(&x, t, a, o, n);
     ok = target_sentence(&y, t, b, o, n) && ok;
-    ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL);
+    const struct stmt *st = a->records[t->record].stmts[t->stmt];
+    struct exact_fact sign[] = {{st->range_var, f->sign[0]}, {st->range_var, f->sign[1]}};
+    for (int i = 0; ok && i <= st->range_signs; i++)
+      ok = same_sentences(&x, &y, t->def >= 0, f, NULL, st->range_signs ? &sign[i] : NULL);
     sentence_clear(&x);
     sentence_clear(&y);
   }
