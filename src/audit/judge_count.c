@@ -95,7 +95,8 @@ static bool system_build(struct system *y, struct judge *j, const struct claim *
     y->input[k] = -1;
     for (slong i = 0; i < y->s.tape.n_inputs; i++)
       if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
-    if (y->input[k] < 0) return claim_error(j, c, "unknowns", "an unknown that the equations do not contain");
+    if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
+      return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
   }
   return true;
 }
@@ -121,6 +122,7 @@ static int system_matrix(struct num_vec *m, struct system *y, const struct point
   void *h = num_vec_at(&w, 0), *kept = num_vec_at(&w, 1);
   s |= t->set_d(h, ldexp(1, -(int)ctx.prec / 3), ctx.prec);
   for (int k = 0; s == SS_OK && !t->rigorous && k < y->cols; k++) {
+    if (y->input[k] < 0) continue; /* the equations do not contain it: its column is zero */
     void *x = num_vec_at(&in, y->input[k]);
     t->set(kept, x);
     s |= t->add(x, kept, h, ctx.prec) | tape_eval(&out, NULL, &y->s.tape, &in);

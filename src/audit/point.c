@@ -24,11 +24,11 @@ void point_print(struct text *out, const struct point *p) {
     const char *name;
     int q;
     unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 127}, {"eta", Q_ETA, 127}, {"V", Q_V, 127},       {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},    {"t_a", Q_TA, 80},   {"t_b", Q_TB, 112},    {"t_c", Q_TC, 112},
-               {"t_d", Q_TD, 80},   {"t", Q_T, 3},       {"z_10", Q_Z1, 84},    {"z_20", Q_Z2, 84},
-               {"z'_10", Q_DZ1, 64}, {"z'_20", Q_DZ2, 64},
-               {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
+  } shown[] = {{"chi", Q_CHI, 127},   {"eta", Q_ETA, 127},  {"V", Q_V, 127},     {"e1", Q_E1, 28},
+               {"e2", Q_E2, 28},      {"t_a", Q_TA, 80},    {"t_b", Q_TB, 112},  {"t_c", Q_TC, 112},
+               {"t_d", Q_TD, 80},     {"t", Q_T, 3},        {"z_10", Q_Z1, 84},  {"z_20", Q_Z2, 84},
+               {"z'_10", Q_DZ1, 64},  {"z'_20", Q_DZ2, 64}, {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2},
+               {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
   for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "condition.h"
 #include "mutants.h"
 #include "stickslip/exact.h"
 
@@ -212,7 +213,7 @@ static int phase_of(const struct claim *c) {
   struct judge j = {.d = &d};
   int n = claim_points(spec, MAX, &j, c), phase = -1;
   for (int i = 0; i < n; i++) {
-    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT;
+    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT || spec[i].kind == POINT_PATCHED;
     if (!arc || (i > 0 && (int)spec[i].phase != phase)) return -1;
     phase = (int)spec[i].phase;
   }
@@ -221,7 +222,7 @@ static int phase_of(const struct claim *c) {
 
 static bool on_motions(const struct claim *c) {
   const char *points = claim_get(c, "points");
-  return points && !strstr(points, "params") && !strstr(points, "flow") && !strstr(points, "patched");
+  return points && !strstr(points, "params") && !strstr(points, "flow");
 }
 
 /* The facts that hold where a claim is tried; c NULL: the statement itself, wherever it is read. */
@@ -230,7 +231,8 @@ static int collect_facts(struct exact_fact *out, const struct facts *f, const st
   if (f->unused) return 0;
   for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
   for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
-    if (phase_facts[i].holds[phase]) out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
+    if (phase_facts[i].holds[phase])
+      out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
   return n;
 }
 
@@ -353,11 +355,48 @@ static bool same_in_views(const struct claim *c, struct view a, struct view b, c
   return ok;
 }
 
+static bool same_condition(const struct condition *x, const struct condition *y) {
+  struct exact_field *f = exact_field_new(NULL, 0);
+  struct exact_vec v, w;
+  bool same = x->equality == y->equality && x->phase == y->phase;
+  same = exact_eval(&v, f, &x->s.tape) == SS_OK && same;
+  same = exact_eval(&w, f, &y->s.tape) == SS_OK && same;
+  same = same && exact_equal(f, &v.x[0], &w.x[0]);
+  exact_vec_clear(&w);
+  exact_vec_clear(&v);
+  exact_field_free(f);
+  return same;
+}
+
+/* Whether an argument has the same premises and conclusions: it may name a part of the damaged record that is sound. */
+static bool argument_same_in(const struct claim *c, const struct model *a, const struct model *b) {
+  static const char *const part[] = {"premises", "conclusion", "repair"};
+  struct conditions *list = ss_malloc(2 * sizeof *list);
+  struct audit_result out;
+  bool same = true;
+  audit_result_init(&out);
+  for (int i = 0; same && i < 3; i++) {
+    for (int k = 0; k < 2; k++) {
+      struct diag d;
+      diag_init(&d);
+      struct judge j = {.out = &out, .d = &d};
+      same = conditions_read(&list[k], &j, c, part[i], claim_view(k ? b : a, c)) && same;
+    }
+    same = same && list[0].n == list[1].n;
+    for (int k = 0; same && k < list[0].n; k++) same = same_condition(&list[0].at[k], &list[1].at[k]);
+    for (int k = 0; k < 2; k++) conditions_clear(&list[k]);
+  }
+  audit_result_clear(&out);
+  free(list);
+  return same;
+}
+
 bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
                    const struct facts *f) {
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
   struct override o[MAX_UNKNOWNS];
   int most = claim_get(c, "value") ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  if (claim_kind(claim_get(c, "kind")) == judge_argument) return argument_same_in(c, a, b);
   if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
     if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
