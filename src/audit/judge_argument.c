@@ -328,11 +328,11 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
 /* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
    nothing goes downhill. */
 static void search(struct tally *t, struct argument *a, bool proved) {
-  enum { CHECK = 24 };
+  enum { CHECK = 24, CHECK_REPEATED = 6 }; /* what is proved both ways is a repetition */
   bool few = proved || a->j->effort == EFFORT_REFUTE;
   struct candidate best[STRATA];
   bool have[STRATA] = {false}, found = false;
-  best_of_pool(best, have, a, few ? CHECK : LONG_MAX);
+  best_of_pool(best, have, a, !few ? LONG_MAX : a->converse ? CHECK_REPEATED : CHECK);
   for (int s = 0; s < STRATA; s++) { /* those that fail already need no descent */
     if (!found && have[s] && best[s].margin < -1e-3) found = settle(t, a, &best[s]);
   }
@@ -374,14 +374,14 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
   return proved;
 }
 
-/* Proof and search in one direction. */
-static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view) {
+/* Proof and search in one direction; proof_alone: what is proved is not tried besides. */
+static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view, bool proof_alone) {
   struct route_word w[3];
   struct tally t = {.certificate = NULL};
   int n = 0;
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
-  if (a->j->d->set || (proved && a->j->effort == EFFORT_REFUTE)) return verdict_of(w, n, true);
+  if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
@@ -412,10 +412,11 @@ static struct argument converse_of(const struct argument *a) {
 /* Both directions, when the claim says so, are worth what the weaker one is. */
 static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
   static const int weakness[N_VERDICTS] = {[VERDICT_SUPPORTED] = 1, [VERDICT_UNKNOWN] = 2, [VERDICT_REFUTED] = 3};
-  f->verdict = judge_direction(f, a, view);
+  bool little = a->j->effort == EFFORT_REFUTE;
+  f->verdict = judge_direction(f, a, view, little);
   if (!a->converse || a->j->d->set) return;
   struct argument b = converse_of(a); /* its conditions are borrowed */
-  enum verdict again = judge_direction(f, &b, view);
+  enum verdict again = judge_direction(f, &b, view, true);
   if (weakness[again] > weakness[f->verdict]) f->verdict = again;
 }
 
