@@ -443,8 +443,8 @@ static bool statement_same_in(const struct target *t, const struct target *damag
     ok = target_sentence(&y, t, b, o, n) && ok;
     const struct stmt *st = a->records[t->record].stmts[t->stmt];
     struct exact_fact sign[] = {{st->range_var, f->sign[0]}, {st->range_var, f->sign[1]}};
-    for (int i = 0; ok && i <= st->range_signs; i++)
-      ok = same_sentences(&x, &y, t->def >= 0, f, NULL, st->range_signs ? &sign[i] : NULL);
+    if (!st->range_signs) ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL, NULL);
+    for (int i = 0; ok && st->range_signs && i < 2; i++) ok = same_sentences(&x, &y, t->def >= 0, f, NULL, &sign[i]);
     sentence_clear(&x);
     sentence_clear(&y);
   }
