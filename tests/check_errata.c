@@ -209,15 +209,18 @@ END_TEST
 
 /* --- What falls --- */
 
-/* (10): D enters (12), (20), (23)-(25), N and all that is made of N, but how many equations these are worth does not change
-   with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of J_f enter (40), (41), but not
+/* (10): D enters (12), (20), (23)-(25), N and all that is made of N or patched together, but how many equations these are
+   worth does not change with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of J_f
+   enter (40), (41), but not
    what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank 1). */
 START_TEST(what_falls_with_a_formula) {
   static const struct {
     const char *failure, *falls, *survives;
   } cases[] = {
-      {"eq-10", "eq-12 eq-20 eq-23 eq-24 eq-25 eq-44 eq-44b eq-44c eq-45 eq-46",
-       "text-45-suffices text-inverses text-two-relations text-six-equations text-16-included text-18-rank "
+      {"eq-10",
+       "eq-12 eq-20 eq-23 eq-24 eq-25 text-states eq-44 eq-44b eq-44c eq-45 eq-46 text-patched "
+       "text-periodicity-and-16 text-periodicity-alone",
+       "eq-12c text-45-suffices text-inverses text-two-relations text-six-equations text-16-included text-18-rank "
        "text-two-equations text-depends-on-e"},
       {"eq-40", "eq-40b eq-41",
        "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},

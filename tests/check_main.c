@@ -18,6 +18,7 @@ int main(void) {
   srunner_add_suite(r, coulomb_suite());
   srunner_add_suite(r, audit_suite());
   srunner_add_suite(r, argument_suite());
+  srunner_add_suite(r, law_suite());
   srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, jacobian_suite());
   srunner_add_suite(r, behaviour_suite());

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "audit/mutants.h"
+#include "audit/orbit_pool.h"
 #include "audit/workers.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
@@ -343,12 +344,17 @@ END_TEST
 
 /* --- Mutants whose fate is known --- */
 
-static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
+static void mutate_records(struct mutation_result *r, const char *const *record, int n, const struct claims *asked,
+                           int jobs) {
   struct diag d;
   diag_init(&d);
   mutation_result_init(r);
-  const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = &record, .n_only = record != NULL};
+  const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = record, .n_only = n};
   ck_assert_msg(audit_mutate(r, &model, asked, &paper, &opt, &d), "%s", d.message);
+}
+
+static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
+  mutate_records(r, &record, 1, asked, jobs);
 }
 
 static const struct survivor *survivor_of(const struct mutation_result *r, const char *text) {
@@ -357,47 +363,252 @@ static const struct survivor *survivor_of(const struct mutation_result *r, const
   return NULL;
 }
 
-/* text NULL: nothing survives. */
+/* One run for all the fates below: every mutant of these records. */
+static const char *const known_records[] = {
+    "eq-27",  "eq-41", "err-10", "eq-31", "eq-40b", "eq-48b", "eq-31b", "text-singular", "text-criterion", "eq-56",
+    "eq-60c", "eq-57", "eq-51",  "eq-2",  "eq-22",  "eq-9",   "eq-12",  "eq-1b",         "text-first"};
+enum { N_KNOWN = sizeof known_records / sizeof *known_records };
+static struct mutation_result known;
+
+static void open_known(void) {
+  open_paper();
+  mutate_records(&known, known_records, N_KNOWN, &claims, 2);
+}
+
+static void close_known(void) {
+  mutation_result_clear(&known);
+  close_paper();
+}
+
+/* text NULL: nothing of the record survives. */
 static const struct {
   const char *record, *text;
   enum mutant_fate fate;
 } fates[] = {
     {"eq-27", NULL, FATE_NOTICED},
     {"eq-41", NULL, FATE_NOTICED},
-    {"eq-44", NULL, FATE_NOTICED},
     {"err-10", NULL, FATE_NOTICED},
-    {"eq-30b", "dZ_b = Gamma(t_b)*dZ_a + Gamma'(t_a)*Z_a*dt_b", FATE_NOTICED}, /* by the correction's verdict */
+    {"eq-57", NULL, FATE_NOTICED}, /* weaker ones by the condition of (5), which they repeat */
+    {"text-first", NULL, FATE_NOTICED},
+    {"eq-1b", NULL, FATE_NOTICED},
+    {"eq-31", "chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_s2",
+     FATE_NOTICED}, /* by the correction's verdict */
     {"eq-40b", "ktilde_6 := cos(-omega*t_d) - ktilde_4", FATE_EQUIVALENT},
     {"eq-40b", "omega := -sqrt(chi*eta)", FATE_EQUIVALENT}, /* every term is even in it */
-    {"eq-47", "Lambda := [1, 1; lambda_1, lambda_2]*2", FATE_EQUIVALENT},
-    {"eq-48", "root omega_1: det(K - I*omega_1^2)*V, smallest positive", FATE_EQUIVALENT},
     {"eq-48b", "psi_1 := -[1; lambda_1]", FATE_EQUIVALENT},
-    {"eq-20", "[z_1a; z_2a; z'_2a; z'_1a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_ON_MOTIONS},
-    {"eq-31b", "y_b = y_b", FATE_ON_MOTIONS}, /* says nothing, and is true where (31) holds */
+    {"eq-12", "[z_1a; z_2a; z'_2a; z'_1a] = D(t_a)*[z_10; z_20; z'_10; z'_20]", FATE_ON_MOTIONS}, /* both are V */
+    {"eq-31b", "y_b = y_b", FATE_NOTICED}, /* true, but no equation between the two */
     {"eq-31b", "-x_b = y_b", FATE_NOTICED},
+    {"eq-22", "v = v = 0", FATE_NOTICED},      /* says nothing of u */
+    {"eq-22", "u*2 = v = 0", FATE_ON_MOTIONS}, /* zero is zero */
+    {"eq-9", "[z_2''(t); z_1''(t)] = 0", FATE_EQUIVALENT},
+    {"eq-9", "[z_2''(t); z_2''(t)] = 0", FATE_ON_MOTIONS},
+    {"eq-2", "u_1 = u_s1/eps for eps in {+1, -1}", FATE_EQUIVALENT}, /* eps is a sign */
+    {"eq-2", "u_1 = -eps*u_s1 for eps in {+1, -1}", FATE_NOTICED},
+    {"eq-51", "t_b*2 > 0", FATE_EQUIVALENT},
+    {"eq-51", "t_c > 0", FATE_NOTICED}, /* true, but some other time is missing then */
     {"text-singular", "det(J*2) = 0", FATE_EQUIVALENT},
-    {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT},                   /* its two halves change places */
+    {"text-criterion", "-1 < -tr(J) < 1", FATE_EQUIVALENT}, /* its two halves change places */
+    {"text-criterion", "-1 < tr(J) < 2", FATE_NOTICED},
     {"eq-56", "z_10 - chi*z_20 < z_1(t) - chi*z_2(t) < e_1*2", FATE_NOTICED}, /* true, but has slack */
-    {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_UNDECIDED},                      /* true, and (60) has slack itself */
+    {"eq-60c", "V*2 - chi*z_2'(t) > 0", FATE_NOTICED},                        /* true, but is not hbar' > 0 */
 };
 
 START_TEST(fates_known_beforehand) {
-  struct mutation_result r;
-  mutate(&r, fates[_i].record, &claims, 2);
-  ck_assert_int_eq(r.tried, r.population);
-  ck_assert_int_eq(mutation_row_total(&r.total) + mutation_row_total(&r.printed), r.tried);
-  if (fates[_i].text) {
-    const struct survivor *s = survivor_of(&r, fates[_i].text);
-    if (fates[_i].fate == FATE_NOTICED)
-      ck_assert_msg(!s, "%s survives", fates[_i].text);
-    else
-      ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text,
-                    s ? mutant_fate_name[s->fate] : "noticed");
-  } else {
-    ck_assert_msg(r.n_survivors == 0, "%s survives", r.n_survivors ? r.survivor[0].text : "");
-    ck_assert_int_gt(mutation_row_noticed(&r.total), 10);
+  const struct survivor *s = fates[_i].text ? survivor_of(&known, fates[_i].text) : NULL;
+  bool noticed = fates[_i].fate == FATE_NOTICED;
+  for (size_t i = 0; !fates[_i].text && i < known.n_survivors; i++)
+    if (!known.survivor[i].corrected && strcmp(known.survivor[i].record, fates[_i].record) == 0)
+      ck_abort_msg("%s survives", known.survivor[i].text);
+  if (!fates[_i].text) return;
+  if (noticed && s) ck_assert_msg(s->corrected, "%s survives", s->text); /* the printed twin of an erratum */
+  if (!noticed)
+    ck_assert_msg(s && s->fate == fates[_i].fate, "%s: %s", fates[_i].text, s ? mutant_fate_name[s->fate] : "noticed");
+}
+END_TEST
+
+/* Every text in the table is one that the damages make, so that "noticed" is not the fate of what was never tried. */
+START_TEST(every_known_fate_is_of_a_mutant) {
+  struct mutants m;
+  mutants_init(&m, &model, known_records, N_KNOWN);
+  for (size_t k = 0; k < sizeof fates / sizeof *fates; k++) {
+    bool made = !fates[k].text;
+    for (size_t i = 0; !made && i < m.n; i++) made = strcmp(m.mutant[i].edit.text, fates[k].text) == 0;
+    ck_assert_msg(made, "%s is no mutant", fates[k].text);
   }
-  mutation_result_clear(&r);
+  mutants_clear(&m);
+}
+END_TEST
+
+START_TEST(the_run_adds_up_and_has_every_kind_of_damage) {
+  ck_assert_int_eq(known.tried, known.population);
+  ck_assert_int_eq(mutation_row_total(&known.total) + mutation_row_total(&known.printed), known.tried);
+  long of_kinds = 0;
+  for (size_t i = 0; i < known.n_kinds; i++) {
+    ck_assert_msg(mutation_row_noticed(&known.kind[i]) > 0, "%s", known.kind[i].name);
+    of_kinds += mutation_row_total(&known.kind[i]);
+  }
+  ck_assert_int_eq(of_kinds, mutation_row_total(&known.total));
+  ck_assert_int_eq(known.total.count[FATE_UNDECIDED] + known.total.count[FATE_UNREAD], 0);
+}
+END_TEST
+
+/* --- That what is noticed is the damage --- */
+
+static struct judge judge_with(struct audit_result *out, const struct model *m, struct diag *d, enum effort effort,
+                               struct orbit_pool *pool) {
+  audit_result_init(out);
+  diag_init(d);
+  return (struct judge){.out = out,
+                        .model = m,
+                        .claims = &claims,
+                        .scene = &paper,
+                        .cache = cache,
+                        .pool = pool,
+                        .d = d,
+                        .effort = effort};
+}
+
+struct verdicts {
+  enum verdict own, correction;
+};
+
+static struct verdicts verdicts_of(const struct claim *c, const struct model *m, enum effort effort,
+                                   struct orbit_pool **pool, const bool *touched) {
+  struct audit_result out;
+  struct diag d;
+  struct finding f;
+  struct judge j = judge_with(&out, m, &d, effort, *pool);
+  j.touched = touched;
+  ck_assert_msg(judge_verdict(&f, &j, c), "%s: %s", c->id, d.message);
+  struct verdicts v = {f.verdict, f.correction ? f.correction_verdict : N_VERDICTS};
+  *pool = j.pool;
+  audit_result_clear(&out);
+  return v;
+}
+
+/* Every statement replaced by a copy of itself, all at once: no claim with little effort says anything else, none that is
+   asked early is refuted that is not refuted in full. */
+START_TEST(a_copy_of_the_text_is_not_noticed) {
+  struct overlay o;
+  struct arena a;
+  struct orbit_pool *pool = NULL;
+  arena_init(&a);
+  overlay_init(&o, &model);
+  for (size_t i = 0; i < model.n_records; i++)
+    for (int k = 0; k < model.records[i].n_stmts; k++) {
+      struct text t;
+      struct diag d;
+      struct target target = target_of(&model, i, k);
+      struct source *src = arena_alloc(&a, sizeof *src);
+      text_init(&t);
+      diag_init(&d);
+      stmt_print(&t, model.records[i].stmts[k]);
+      source_from_string(src, "copy", arena_strndup(&a, t.data, t.len));
+      const struct stmt *copy = stmt_parse(&a, src, (struct span){0, src->len}, &d);
+      ck_assert_msg(copy != NULL, "%s", d.message);
+      overlay_set(&o, &target, copy);
+      text_clear(&t);
+      source_clear(src);
+    }
+  for (size_t i = 0; i < claims.n; i++) {
+    const struct claim *c = &claims.claim[i];
+    if (claim_asked(c) == ASKED_NEVER) continue;
+    struct verdicts was = verdicts_of(c, &model, EFFORT_REFUTE, &pool, NULL);
+    struct verdicts is = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL);
+    ck_assert_msg(was.own == is.own && was.correction == is.correction, "%s", c->id);
+  }
+  orbit_pool_free(pool);
+  overlay_clear(&o);
+  arena_clear(&a);
+}
+END_TEST
+
+/* What little effort proves the full one proves, and the other way round: a lost proof is another verdict. */
+START_TEST(little_effort_proves_what_the_full_one_proves) {
+  struct orbit_pool *few = NULL, *all = NULL;
+  long proved = 0;
+  for (size_t i = 0; i < claims.n; i++) {
+    const struct claim *c = &claims.claim[i];
+    if (claim_asked(c) != ASKED_LATE || claim_kind(claim_get(c, "kind")) == judge_scaling) continue;
+    struct verdicts little = verdicts_of(c, &model, EFFORT_REFUTE, &few, NULL);
+    struct verdicts full = verdicts_of(c, &model, EFFORT_FULL, &all, NULL);
+    const char *over = claim_get(c, "over");
+    if (!over || strcmp(over, "scene") != 0)
+      ck_assert_msg((little.own == VERDICT_PROVED) == (full.own == VERDICT_PROVED), "%s", c->id);
+    ck_assert_msg(little.own != VERDICT_REFUTED || full.own == VERDICT_REFUTED, "%s", c->id);
+    ck_assert_msg(little.correction == N_VERDICTS || full.correction == N_VERDICTS ||
+                      little.correction == full.correction,
+                  "%s", c->id);
+    proved += little.own == VERDICT_PROVED;
+  }
+  ck_assert_int_gt(proved, 15);
+  orbit_pool_free(few);
+  orbit_pool_free(all);
+}
+END_TEST
+
+/* Damage that only a late claim notices, judged in full: the claim's verdict is another one. */
+static const struct {
+  const char *record, *text, *claim;
+} late[] = {
+    {"eq-57", "e_2 - 2*u_r2 < h(t) < e_2*2 for t in (t_a, t_a + t_b)", "text-57-repeats"},
+    {"eq-60c", "V*2 - chi*z_2'(t) > 0", "text-hbar-rises"},
+    {"eq-51", "t_b > 0", "text-51-order"},
+    {"eq-22", "v = v = 0", "eq-22c"},
+    {"text-first", "u_r1*2 > e_1", "text-first-sliding"},
+    {"text-criterion", "-1 < tr(J) < 2", "text-criterion"},
+};
+
+START_TEST(what_little_effort_notices_the_full_one_notices) {
+  const struct claim *c = claim_of(late[_i].claim);
+  struct overlay o;
+  struct mutants m;
+  struct orbit_pool *pool = NULL;
+  long seen = 0;
+  overlay_init(&o, &model);
+  mutants_init(&m, &model, &late[_i].record, 1);
+  struct verdicts was = verdicts_of(c, &model, EFFORT_FULL, &pool, NULL);
+  for (size_t i = 0; i < m.n; i++) {
+    if (strcmp(m.mutant[i].edit.text, late[_i].text) != 0) continue;
+    const struct target *t = &m.target[m.mutant[i].target];
+    overlay_set(&o, t, m.mutant[i].edit.stmt);
+    ck_assert_msg(verdicts_of(c, &o.model, EFFORT_FULL, &pool, NULL).own != was.own, "%s", late[_i].text);
+    overlay_set(&o, t, NULL);
+    seen++;
+  }
+  ck_assert_int_gt(seen, 0);
+  orbit_pool_free(pool);
+  mutants_clear(&m);
+  overlay_clear(&o);
+}
+END_TEST
+
+/* Degrees are looked at in what a damage reaches alone: that is as good as everywhere. */
+START_TEST(what_is_touched_is_enough_for_scaling) {
+  static const char *const record[] = {"eq-36b", "err-40", "eq-32", "eq-1b", "eq-44"};
+  const struct claim *c = claim_of("text-scaling");
+  struct mutants m;
+  struct overlay o;
+  struct orbit_pool *pool = NULL;
+  bool *touched = malloc(model.n_records * sizeof *touched);
+  long refuted = 0, tried = 0;
+  mutants_init(&m, &model, record, 5);
+  overlay_init(&o, &model);
+  for (size_t i = 0; i < m.n; i += 37, tried++) {
+    const struct target *t = &m.target[m.mutant[i].target];
+    overlay_set(&o, t, m.mutant[i].edit.stmt);
+    target_reaches(touched, &model, t);
+    enum verdict part = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, touched).own;
+    enum verdict all = verdicts_of(c, &o.model, EFFORT_REFUTE, &pool, NULL).own;
+    ck_assert_msg(part == all, "%s", m.mutant[i].edit.text);
+    refuted += all == VERDICT_REFUTED;
+    overlay_set(&o, t, NULL);
+  }
+  ck_assert(tried > 15 && refuted > 3 && refuted < tried);
+  overlay_clear(&o);
+  mutants_clear(&m);
+  free(touched);
 }
 END_TEST
 
@@ -795,8 +1006,18 @@ Suite *mutate_suite(void) {
   c = tcase_create("mutants");
   tcase_set_tags(c, "long");
   tcase_set_timeout(c, 300);
-  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_unchecked_fixture(c, open_known, close_known);
   tcase_add_loop_test(c, fates_known_beforehand, 0, (int)(sizeof fates / sizeof *fates));
+  tcase_add_test(c, every_known_fate_is_of_a_mutant);
+  tcase_add_test(c, the_run_adds_up_and_has_every_kind_of_damage);
+  suite_add_tcase(s, c);
+  c = tcase_create("damage");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_paper, close_paper);
+  tcase_add_test(c, a_copy_of_the_text_is_not_noticed);
+  tcase_add_test(c, little_effort_proves_what_the_full_one_proves);
+  tcase_add_loop_test(c, what_little_effort_notices_the_full_one_notices, 0, (int)(sizeof late / sizeof *late));
+  tcase_add_test(c, what_is_touched_is_enough_for_scaling);
   tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
   tcase_add_test(c, a_missing_check_shows);
   tcase_add_test(c, printed_text_that_is_corrected_is_counted_apart);

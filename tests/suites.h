@@ -15,6 +15,7 @@ Suite *given_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *argument_suite(void);
+Suite *law_suite(void);
 Suite *readings_suite(void);
 Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);

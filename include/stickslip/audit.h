@@ -9,7 +9,9 @@
      statement   (identity, inequality, threshold, sharp, criterion) the record of the equation files that is judged
      bound       (threshold) the record whose right-hand sides are the bounds
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
-                 "admissible [PHASE] N" (orbits that break no condition), joined by ","; the time t lies in that phase
+                 "admissible [PHASE] N" (orbits that break no condition), "realistic [PHASE] N" (those, with friction a
+                 quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
+                 phases over any times, and any perturbations), joined by ","; the time t lies in that phase
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
      routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
@@ -33,6 +35,9 @@
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) premises that the corrected argument has besides
+     converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
+     mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its friction while
+                 it slips (eps being the sign of V - x'), while it sticks and where it breaks away
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
      symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the place,
                  "quote" or a record, that prints it
@@ -55,7 +60,7 @@
 
    Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
    equality at one end of the phase that points name), index-range, number, rounding, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, sequence, existence, constraints, outside, report. */
+   notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 

@@ -12,29 +12,30 @@ static const struct {
   const char *name;
   kind_fn judge;
   bool tried_at_points; /* can be restricted, and corrected by an erratum */
-  bool slow;            /* searches, simulates or reads everything: not asked when formulas are damaged */
-} kinds[] = {{"definition", judge_definition, false, false},
-             {"matrix", judge_points, true, false},
-             {"identity", judge_points, true, false},
-             {"threshold", judge_threshold, false, false},
-             {"sharp", judge_sharp, false, false},
-             {"inequality", judge_inequality, false, false},
-             {"index-range", judge_index_range, false, false},
-             {"number", judge_number, false, false},
-             {"rounding", judge_rounding, false, false},
-             {"closure", judge_closure, false, false},
-             {"criterion", judge_criterion, false, true},
-             {"behaviour", judge_behaviour, false, true},
-             {"report", judge_report, false, true},
-             {"argument", judge_argument, false, true},
-             {"notation", judge_notation, false, false},
-             {"scaling", judge_scaling, false, true},
-             {"reach", judge_reach, false, true},
-             {"rank", judge_rank, false, true},
-             {"constraints", judge_constraints, false, true},
-             {"sequence", judge_sequence, false, true},
-             {"existence", judge_existence, false, true},
-             {"outside", judge_outside, false, true}};
+  enum asked asked;
+} kinds[] = {{"definition", judge_definition, false, ASKED_EARLY},
+             {"matrix", judge_points, true, ASKED_EARLY},
+             {"identity", judge_points, true, ASKED_EARLY},
+             {"threshold", judge_threshold, false, ASKED_EARLY},
+             {"sharp", judge_sharp, false, ASKED_EARLY},
+             {"inequality", judge_inequality, false, ASKED_EARLY},
+             {"index-range", judge_index_range, false, ASKED_EARLY},
+             {"number", judge_number, false, ASKED_EARLY},
+             {"rounding", judge_rounding, false, ASKED_EARLY},
+             {"closure", judge_closure, false, ASKED_EARLY},
+             {"criterion", judge_criterion, false, ASKED_LATE},
+             {"behaviour", judge_behaviour, false, ASKED_NEVER},
+             {"report", judge_report, false, ASKED_NEVER},
+             {"argument", judge_argument, false, ASKED_LATE},
+             {"notation", judge_notation, false, ASKED_EARLY},
+             {"scaling", judge_scaling, false, ASKED_LATE},
+             {"reach", judge_reach, false, ASKED_LATE},
+             {"rank", judge_rank, false, ASKED_LATE},
+             {"constraints", judge_constraints, false, ASKED_LATE},
+             {"sequence", judge_sequence, false, ASKED_LATE},
+             {"existence", judge_existence, false, ASKED_NEVER},
+             {"law", judge_law, false, ASKED_EARLY},
+             {"outside", judge_outside, false, ASKED_NEVER}};
 
 static int kind_index(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
@@ -52,9 +53,9 @@ bool claim_tried_at_points(const struct claim *c) {
   return k >= 0 && kinds[k].tried_at_points;
 }
 
-bool claim_slow(const struct claim *c) {
+enum asked claim_asked(const struct claim *c) {
   int k = kind_index(claim_get(c, "kind"));
-  return k >= 0 && kinds[k].slow;
+  return k < 0 ? ASKED_EARLY : kinds[k].asked;
 }
 
 /* --- The result record --- */

@@ -19,7 +19,9 @@ enum point_kind {
   POINT_ARC,     /* one pass through the word from an exact state, with its events */
   POINT_ORBIT,   /* a periodic orbit */
   POINT_PRINTED, /* the printed state carried over the printed times, events or not */
-  POINT_GIVEN    /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
+  POINT_GIVEN,   /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
+  POINT_PATCHED /* any exact state carried by the linear systems of the four phases over any exact times, no events; its
+                    perturbations are any numbers, but for the velocities that (25), (30) and (38) leave alone */
 };
 
 /* Exact quantities of a point. */
@@ -40,7 +42,7 @@ enum {
   Q_Z2,
   Q_DZ1,
   Q_DZ2,
-  Q_TA, /* POINT_PRINTED */
+  Q_TA, /* POINT_PRINTED, POINT_PATCHED */
   Q_TB,
   Q_TC,
   Q_TD,
@@ -51,6 +53,7 @@ struct point {
   enum point_kind kind;
   enum phase phase; /* of the time t: POINT_FLOW, and arcs */
   bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
+  bool realistic;   /* and u_s1, u_s2 for which each u_ri is 5/4 of what they ask of it, or a little more */
   bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
   fmpq q[N_Q];
   slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
@@ -108,7 +111,7 @@ struct sampler {
   uint64_t state;
   enum point_kind kind;
   enum phase phase;
-  bool admissible, finite;
+  bool admissible, realistic, finite;
   const struct restriction *restriction;
 };
 void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
@@ -151,6 +154,8 @@ void values_clear(struct values *v);
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
+/* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
+bool blocks_bind(int *status, void *z, struct values *v, const char *name);
 
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */
@@ -261,7 +266,8 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 
 /* --- A claim being judged --- */
 
-/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then.
+/* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
+   but that arguments, scaling and reach are proved just where the full effort proves them.
    EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
    nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them are
    done sooner; others may pass over them. */
@@ -278,6 +284,7 @@ struct judge {
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
+  const bool *touched; /* by record of the model: what may say something else than it did; NULL: everything may */
 };
 
 /* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
@@ -291,7 +298,7 @@ int expression_at(arb_ptr out, int *n, struct view v, const char *expression, co
 struct point_spec {
   enum point_kind kind;
   enum phase phase;
-  bool admissible;
+  bool admissible, realistic;
   long n;
 };
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
@@ -316,6 +323,7 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
@@ -329,8 +337,10 @@ kind_fn claim_kind(const char *name);
 
 /* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
 bool claim_tried_at_points(const struct claim *c);
-/* Does it take long, so that it is not asked when a formula is damaged? */
-bool claim_slow(const struct claim *c);
+/* When is it asked about a damaged formula: at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates
+   and reads no formula that others do not read, or asserts nothing? */
+enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
+enum asked claim_asked(const struct claim *c);
 
 /* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
    select some claim? */

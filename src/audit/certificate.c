@@ -378,12 +378,13 @@ struct extra {
   struct elaboration el;
   struct tape domain, friction, factors, clock, increase;
   const char *increase_text[3], *clock_text[2];
-  int phase; /* of the time t; -1 when nothing moves, N_PHASES when several do */
+  int phase;   /* of the conclusion's time t; -1 when nothing moves there, N_PHASES when several do */
+  int premise; /* of the premises' time t where the conclusion has none: any moment of that phase, its ends too */
   bool monotone;
 };
 
-static void take_phase(struct extra *x, int ph) {
-  x->phase = x->phase < 0 || x->phase == ph ? ph : N_PHASES;
+static void take_phase(int *phase, int ph) {
+  *phase = *phase < 0 || *phase == ph ? ph : N_PHASES;
 }
 
 /* h'(t), h(t) - h(start), h(end) - h(t). */
@@ -395,7 +396,7 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   if (sscanf(which, "%31s %15s", name, phase) != 2) return claim_error(j, c, "increasing", "reads NAME PHASE");
   while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
   if (ph == N_PHASES) return claim_error(j, c, "increasing", "no such phase");
-  take_phase(x, ph);
+  take_phase(&x->phase, ph);
   x->monotone = true;
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
   x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, switching[ph]);
@@ -413,7 +414,7 @@ static bool clock_tape(struct extra *x, struct judge *j) {
 
 /* Whether a condition speaks of the time t of the proof, or of no time t. */
 static bool usable(const struct condition *c, const struct extra *x) {
-  return !c->moving || (int)c->phase == x->phase;
+  return !c->moving || (int)c->phase == (x->phase < 0 ? x->premise : x->phase);
 }
 
 static bool name_all(struct proof *p, const struct extra *x, const struct conditions *premises,
@@ -477,12 +478,14 @@ static void proof_clear(struct proof *p) {
 
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
                       const struct conditions *conclusion, bool sliding_friction, struct view view) {
-  struct extra x = {.phase = -1};
+  struct extra x = {.phase = -1, .premise = -1};
   bool inequalities = true;
   for (int i = 0; i < conclusion->n; i++) {
     inequalities = inequalities && !conclusion->at[i].equality;
-    if (conclusion->at[i].moving) take_phase(&x, (int)conclusion->at[i].phase);
+    if (conclusion->at[i].moving) take_phase(&x.phase, (int)conclusion->at[i].phase);
   }
+  for (int i = 0; i < premises->n; i++)
+    if (premises->at[i].moving) take_phase(&x.premise, (int)premises->at[i].phase);
   elaboration_init(&x.el, view, NULL, 0);
   bool ok = expressions_tape(&x.domain, &x.el, domain, sliding_friction ? N_DOMAIN : N_SIGNS, "", j->d) &&
             expressions_tape(&x.friction, &x.el, friction, 2, "", j->d) &&

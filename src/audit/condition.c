@@ -12,15 +12,22 @@ static const char *const moving_name[N_MOVING] = {"z_1(t)", "z_2(t)", "z_1'(t)",
 
 /* --- Reading --- */
 
-static bool phase_of_range(enum phase *ph, const struct stmt *st) {
-  static const char *const ends[N_PHASES] = {"t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
+static bool reads(const struct expr *e, const char *as) {
   struct text t;
   text_init(&t);
-  expr_print(&t, st->range_hi);
-  int i = 0;
-  while (i < N_PHASES && strcmp(text_str(&t), ends[i]) != 0) i++;
+  expr_print(&t, e);
+  bool same = strcmp(text_str(&t), as) == 0;
   text_clear(&t);
+  return same;
+}
+
+/* The phase that lasts just as long as the statement's range. */
+static bool phase_of_range(enum phase *ph, const struct stmt *st, const struct source *src, struct diag *d) {
+  static const char *const end[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
+  int i = 0;
+  while (i < N_PHASES && !(reads(st->range_lo, end[i]) && reads(st->range_hi, end[i + 1]))) i++;
   *ph = (enum phase)i;
+  if (i == N_PHASES) diag_at(d, src, st->range_lo->span.begin, "no phase of the motion begins and ends as this range");
   return i < N_PHASES;
 }
 
@@ -77,7 +84,8 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       expr_print(&t, st->sides[k + 1]);
       c->text = result_str(j->out, "%s", text_str(&t));
       text_clear(&t);
-      bool ranged = st->range_hi && phase_of_range(&c->phase, st);
+      bool ranged = st->range_hi;
+      if (ranged && !phase_of_range(&c->phase, st, r->src, j->d)) return false;
       if (c->moving && !ranged && phase < 0)
         return claim_error(j, claim, attribute, "a condition at the time t needs a phase");
       any = true;

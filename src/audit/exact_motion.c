@@ -298,6 +298,17 @@ static const struct {
              {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
              {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
 
+/* Any state at all: no mass sticks, no event has been. */
+static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
+  int s = SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    char name[16];
+    snprintf(name, sizeof name, "Z%d[%d]", k, i + 1);
+    s |= exact_symbol(at(v, i), m->field, name);
+  }
+  return s;
+}
+
 static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool perturbation) {
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
@@ -344,12 +355,13 @@ static int state(struct num_vec *z, struct exact_motion *m, int k) {
   *z = part(&m->state, 4 * k, 4);
   if (m->have_state[k]) return m->state_status;
   m->have_state[k] = true;
+  bool patched = m->kind == POINT_PATCHED;
   if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
-    return m->state_status |= free_end(z, m, k, false);
+    return m->state_status |= patched ? any_state(z, m, k) : free_end(z, m, k, false);
   struct num_vec before;
   int s = state(&before, m, k - 1);
   if (s == SS_OK) s = carried(z, m, k, &before, NULL);
-  if (s == SS_OK && (k == 1 || k == 2)) s = decide_limit(m, k, z);
+  if (s == SS_OK && !patched && (k == 1 || k == 2)) s = decide_limit(m, k, z);
   return m->state_status |= s;
 }
 
@@ -442,7 +454,7 @@ static int some_state(struct num_vec *out, struct exact_motion *m, int k, bool p
 /* --- Names --- */
 
 static bool has_word(const struct exact_motion *m) {
-  return m->kind == POINT_ARC || m->kind == POINT_ORBIT;
+  return m->kind == POINT_ARC || m->kind == POINT_ORBIT || m->kind == POINT_PATCHED;
 }
 
 /* The last switch before the time t, or at it. */
@@ -542,7 +554,8 @@ static int bind_arc(element *z, struct exact_motion *m, int index) {
 static int bind_param(element *z, struct exact_motion *m, int i) {
   struct num_vec v;
   int s = SS_OK, end = i == P_E1 ? 1 : 2;
-  if (i >= P_E1 && has_word(m) && m->attempt.anchor < end && m->first_state < end) s = state(&v, m, end);
+  if (i >= P_E1 && has_word(m) && m->kind != POINT_PATCHED && m->attempt.anchor < end && m->first_state < end)
+    s = state(&v, m, end);
   num_exact.set(z, at(&m->params, i));
   return s;
 }
@@ -597,7 +610,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (has_word(m) && (index = name_of_arc(name)) >= 0) return bind_arc(z, m, index);
   if (is_periodic(m) && (strcmp(name, "z_100") == 0 || strcmp(name, "z_200") == 0))
     return bind_arc(z, m, name[2] == '1' ? Z_1 : Z_2);
-  if (has_word(m) && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (has_word(m) && m->kind != POINT_PATCHED && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
   return bind_motion(z, m, name);
 }
 

@@ -22,7 +22,8 @@ struct argument {
   bool admissible;    /* only orbits that break none of the model's conditions */
   bool free_friction; /* u_s1 and u_s2 need not be positive, so u_r1 and u_r2 are free */
   bool uses_friction;
-  long tried; /* orbits on which the premises hold, as far as double precision tells */
+  bool converse; /* the premises must follow from the conclusion too */
+  long tried;    /* orbits on which the premises hold, as far as double precision tells */
 };
 
 /* A point with the least margin of the conclusion there. */
@@ -219,6 +220,11 @@ static void decide(struct decision *d, struct argument *a, const struct point *p
       arb_set(d->value, value);
     }
     d->conclusion = truth_and(d->conclusion, holds);
+    if (a->j->effort == EFFORT_REFUTE) { /* the second route decides nothing */
+      d->by_exponentials = TRUTH_UNKNOWN;
+      arb_clear(value);
+      continue;
+    }
     truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
                                        : condition_holds_at_samples(c, p, FIRST_PREC, cache);
     d->by_exponentials = truth_and(d->by_exponentials, again);
@@ -319,19 +325,21 @@ static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struc
   }
 }
 
-/* Where there is a proof already, the search only checks it, on few orbits. */
+/* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
+   nothing goes downhill. */
 static void search(struct tally *t, struct argument *a, bool proved) {
-  enum { CHECK = 24 };
+  enum { CHECK = 24, CHECK_REPEATED = 6 }; /* what is proved both ways is a repetition */
+  bool few = proved || a->j->effort == EFFORT_REFUTE;
   struct candidate best[STRATA];
   bool have[STRATA] = {false}, found = false;
-  best_of_pool(best, have, a, proved ? CHECK : LONG_MAX);
+  best_of_pool(best, have, a, !few ? LONG_MAX : a->converse ? CHECK_REPEATED : CHECK);
   for (int s = 0; s < STRATA; s++) { /* those that fail already need no descent */
     if (!found && have[s] && best[s].margin < -1e-3) found = settle(t, a, &best[s]);
   }
   for (int s = 0; s < STRATA; s++) {
     if (found || !have[s]) continue;
     found = settle(t, a, &best[s]);
-    if (proved || found) continue;
+    if (few || found) continue;
     descend(&best[s], a);
     found = settle(t, a, &best[s]);
   }
@@ -366,13 +374,14 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
   return proved;
 }
 
-static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
+/* Proof and search in one direction; proof_alone: what is proved is not tried besides. */
+static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view, bool proof_alone) {
   struct route_word w[3];
   struct tally t = {.certificate = NULL};
   int n = 0;
   bool proved = add_proof(&w[0], f, a, view);
   n += proved;
-  if (a->j->d->set) return;
+  if (a->j->d->set || (proved && proof_alone)) return verdict_of(w, n, true);
   search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
@@ -383,7 +392,32 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   f->evidence[f->n_evidence - 1].worst = t.nearest;
   w[n++] = add_route(f, a, "exponential", t.decided[1], false, NULL);
   if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
-  f->verdict = verdict_of(w, n, proved);
+  return verdict_of(w, n, proved);
+}
+
+/* The argument turned round: what is an equation among the premises stays one. */
+static struct argument converse_of(const struct argument *a) {
+  struct argument b = *a;
+  const struct conditions *p = &a->part[PREMISES], *q = &a->part[CONCLUSION];
+  b.tried = 0;
+  b.part[CONCLUSION].n = 0;
+  b.part[PREMISES] = *q;
+  for (int k = 0; k < p->n; k++) {
+    struct conditions *to = &b.part[p->at[k].equality ? PREMISES : CONCLUSION];
+    if (to->n < MAX_CONDITIONS) to->at[to->n++] = p->at[k];
+  }
+  return b;
+}
+
+/* Both directions, when the claim says so, are worth what the weaker one is. */
+static void judge_everywhere(struct finding *f, struct argument *a, struct view view) {
+  static const int weakness[N_VERDICTS] = {[VERDICT_SUPPORTED] = 1, [VERDICT_UNKNOWN] = 2, [VERDICT_REFUTED] = 3};
+  bool little = a->j->effort == EFFORT_REFUTE;
+  f->verdict = judge_direction(f, a, view, little);
+  if (!a->converse || a->j->d->set) return;
+  struct argument b = converse_of(a); /* its conditions are borrowed */
+  enum verdict again = judge_direction(f, &b, view, true);
+  if (weakness[again] > weakness[f->verdict]) f->verdict = again;
 }
 
 /* At the scene alone: the orbit nearest to the printed numbers.  Where u_r1 or u_r2 enters, the least that the premises
@@ -472,6 +506,9 @@ static bool argument_read(struct argument *a, struct judge *j, const struct clai
   a->free_friction = friction && strcmp(friction, "free") == 0;
   if (over && !a->admissible && strcmp(over, "orbits") != 0 && strcmp(over, "scene") != 0)
     return claim_error(j, c, "over", "one of admissible, orbits, scene");
+  const char *converse = claim_get(c, "converse");
+  a->converse = converse && strcmp(converse, "yes") == 0;
+  if (converse && !a->converse) return claim_error(j, c, "converse", "yes, or nothing");
   if (friction && !a->free_friction) return claim_error(j, c, "friction", "free, or nothing");
   if (!conditions_read(&a->part[PREMISES], j, c, "premises", view)) return false;
   if (!conditions_read(&a->part[CONCLUSION], j, c, "conclusion", view)) return false;
@@ -522,13 +559,14 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
   else if (ok)
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;
-  if (ok && f->verdict == VERDICT_REFUTED && !view.control) {
+  if (ok && f->verdict == VERDICT_REFUTED && !view.control && j->effort == EFFORT_FULL) {
     if (a.uses_friction)
       describe_effect(f, &a);
     else
       describe_scene(f, &a);
-    ok = judge_repair(f, &a, view);
   }
+  if (ok && (f->verdict == VERDICT_REFUTED || j->effort == EFFORT_REFUTE) && !view.control)
+    ok = judge_repair(f, &a, view);
   for (int part = 0; part < N_PARTS; part++) conditions_clear(&a.part[part]);
   return ok;
 }

@@ -75,7 +75,8 @@ static void by_balls(struct constraints *x) {
   struct point p;
   long good = 0, bad = 0;
   point_init(&p);
-  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH); i++)
+  bool refute = x->j->effort == EFFORT_REFUTE;
+  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH) && !(refute && x->other + x->forms_other); i++)
     for (slong k = 0; k < pool->item[i]->list.n; k++) {
       const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
       long *count = o->admissible == TRUTH_TRUE ? &good : &bad;
@@ -273,7 +274,7 @@ bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c
     ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
   if (ok) {
     by_balls(&x);
-    by_simulation(&x);
+    if (j->effort != EFFORT_REFUTE) by_simulation(&x);
     describe(f, &x);
   }
   conditions_clear(&x.paper);

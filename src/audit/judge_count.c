@@ -96,7 +96,8 @@ static bool system_build(struct system *y, struct judge *j, const struct claim *
     y->input[k] = -1;
     for (slong i = 0; i < y->s.tape.n_inputs; i++)
       if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
-    if (y->input[k] < 0) return claim_error(j, c, "unknowns", "an unknown that the equations do not contain");
+    if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
+      return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
   }
   return true;
 }
@@ -122,6 +123,7 @@ static int system_matrix(struct num_vec *m, struct system *y, const struct point
   void *h = num_vec_at(&w, 0), *kept = num_vec_at(&w, 1);
   s |= t->set_d(h, ldexp(1, -(int)ctx.prec / 3), ctx.prec);
   for (int k = 0; s == SS_OK && !t->rigorous && k < y->cols; k++) {
+    if (y->input[k] < 0) continue; /* the equations do not contain it: its column is zero */
     void *x = num_vec_at(&in, y->input[k]);
     t->set(kept, x);
     s |= t->add(x, kept, h, ctx.prec) | tape_eval(&out, NULL, &y->s.tape, &in);
@@ -243,8 +245,10 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     point_init(&p);
     for (int i = 0; i < DRAWS && balls.as_said + balls.other + balls.open < ORBITS; i++) {
       sampler_next(&p, &s);
+      if (j->effort == EFFORT_REFUTE && balls.other) break;
       if (!point_settle(&p, j->cache)) continue;
-      long before = differences.as_said + differences.other + differences.open;
+      long before =
+          j->effort == EFFORT_REFUTE ? DIFFERENCES : differences.as_said + differences.other + differences.open;
       count_at(&balls, &y, &p, wanted, num_ctx_arb(FD_PREC), j->cache);
       if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
     }

@@ -144,7 +144,7 @@ static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, cons
     t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
     text_clear(&where);
   }
-  if (fabs(margin) < 0.002) return; /* the iterates would need too long */
+  if (fabs(margin) < 0.002 || j->effort == EFFORT_REFUTE) return; /* the iterates would need too long */
   long steps = 8 + (long)(1.5 / fabs(margin));
   book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
@@ -222,10 +222,11 @@ static bool try_given(struct trying *y, struct point *p) {
 
 /* Orbits of the pool, every other one among those that the masses can follow. */
 static void try_pool(struct trying *y, struct point *p) {
-  enum { DRAWS = 128 };
+  enum { DRAWS = 128, FEW = 24 };
+  bool refute = y->b->j->effort == EFFORT_REFUTE;
   struct sampler s;
   sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
-  for (int i = 0; i < DRAWS; i++) {
+  for (int i = 0; i < (refute ? FEW : DRAWS) && !(refute && y->t.where); i++) {
     sampler_next(p, &s);
     s.admissible = !s.admissible;
     if (point_settle(p, y->b->j->cache)) try_once(y, p);

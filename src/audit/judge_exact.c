@@ -149,7 +149,7 @@ static void try_with_modes(struct job *b, struct exact_attempt *a) {
 
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
-  bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT;
+  bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
   struct exact_attempt a = {.modes = has_root(&b->s->tape)};
   for (a.anchor = 4; a.anchor >= (word ? 0 : 4); a.anchor--)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)

@@ -96,11 +96,14 @@ static bool parse_spec(struct point_spec *s, const char *item) {
     s->kind = POINT_PARAMS;
   else if (strcmp(word, "arcs") == 0)
     s->kind = POINT_ARC;
-  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0)
+  else if (strcmp(word, "patched") == 0)
+    s->kind = POINT_PATCHED;
+  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
     s->kind = POINT_ORBIT;
   else
     return false;
-  s->admissible = strcmp(word, "admissible") == 0;
+  s->realistic = strcmp(word, "realistic") == 0;
+  s->admissible = s->realistic || strcmp(word, "admissible") == 0;
   return true;
 }
 
@@ -329,6 +332,7 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
     r->example.phase = p->phase;
     r->example.finite = p->finite;
     r->example.admissible = p->admissible;
+    r->example.realistic = p->realistic;
     r->example.orbit = p->orbit;
     r->have_example = true;
   }
@@ -363,6 +367,7 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
   sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
   const char *perturbation = claim_get(r->c, "perturbation");
   s.admissible = spec->admissible;
+  s.realistic = spec->realistic;
   s.finite = perturbation && strcmp(perturbation, "finite") == 0;
   point_init(&p);
   bool ok = true;
@@ -454,6 +459,7 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
   out->phase = p->phase;
   out->finite = p->finite;
   out->admissible = p->admissible;
+  out->realistic = p->realistic;
   out->orbit = 0;
   for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
   for (int k = 0; k < N_SCENE_PARAMS; k++)

@@ -183,7 +183,7 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
   *checked = 0;
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    if (only && strcmp(r->id, only) != 0) continue;
+    if ((only && strcmp(r->id, only) != 0) || (j->touched && !j->touched[i])) continue;
     if (r->rank > RANK_USER && !(view.control && strcmp(r->record->id_name, view.control) == 0)) continue;
     struct view v = {j->model, LAYER_CORRECTED, own ? r->equation : NULL, view.control};
     const struct statement_record *seen = own ? r : view_record(&v, r->id);
@@ -203,8 +203,9 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
   if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
   struct text faults;
   text_init(&faults);
-  for (int pass = view.control ? 1 : 0; pass < 2;
-       pass++) { /* as printed, then as corrected; controls damage the latter */
+  bool corrected_alone =
+      view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
+  for (int pass = corrected_alone ? 1 : 0; pass < 2; pass++) {
     long checked;
     bool own = pass == 0;
     text_reset(&faults);
@@ -214,7 +215,7 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
                 faults.len ? result_str(j->out, "%s", text_str(&faults))
                 : only     ? "the record is homogeneous"
                            : "every record is homogeneous");
-    if (own || view.control)
+    if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
       f->correction =

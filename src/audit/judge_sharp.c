@@ -62,6 +62,7 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
   struct point p;
   sampler_init(&sampler, c->id, spec->kind, spec->phase, NULL);
   sampler.admissible = spec->admissible;
+  sampler.realistic = spec->realistic;
   point_init(&p);
   for (long draws = 0; t->reached + t->apart + t->open < spec->n && draws < DRAWS_PER_POINT * spec->n; draws++) {
     if (j->effort == EFFORT_REFUTE && t->apart) break;

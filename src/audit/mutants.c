@@ -116,6 +116,26 @@ struct target target_of(const struct model *m, size_t record, int stmt) {
   return t;
 }
 
+/* By names alone, whatever their sections: too many rather than too few. */
+void target_reaches(bool *record, const struct model *m, const struct target *t) {
+  const char **name = ss_malloc((m->n_defs + 1) * sizeof *name);
+  size_t n = 0;
+  memset(record, 0, m->n_records * sizeof *record);
+  record[t->record] = true;
+  if (t->def >= 0) name[n++] = m->defs[t->def].name;
+  for (size_t done = 0; done < n; done++)
+    for (size_t i = 0; i < m->n_records; i++)
+      for (int k = 0; k < m->records[i].n_stmts; k++) {
+        const struct stmt *s = m->records[i].stmts[k];
+        if (!stands_in_statement(s, name[done])) continue;
+        record[i] = true;
+        bool known = s->kind == STMT_RELATION;
+        for (size_t q = 0; !known && q < n; q++) known = strcmp(name[q], s->name) == 0;
+        if (!known) name[n++] = s->name;
+      }
+  free(name);
+}
+
 /* "4-stability.eq" or "4-stability" for a file, an id for a record. */
 static bool is_named(const struct statement_record *r, const char *item) {
   const char *slash = strrchr(r->src->name, '/'), *file = slash ? slash + 1 : r->src->name;

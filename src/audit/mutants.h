@@ -77,5 +77,7 @@ bool target_same_in(const struct target *t, const struct model *a, const struct 
    record says what the set of its relations says. */
 bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f);
 bool stands_in_statement(const struct stmt *s, const char *name);
+/* Sets record[i] where record i is the target's or names, through whatever definitions, what the target defines. */
+void target_reaches(bool *record, const struct model *m, const struct target *t);
 
 #endif

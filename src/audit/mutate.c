@@ -1,16 +1,18 @@
 /* Would the audit have noticed?  Every claim is judged once as things stand, and what it reads is recorded; then each
-   mutant is put in place and the claims that read it are asked again, but for the kinds that take long, in three passes:
-   with the least effort that can refute; by exact algebra, whether the mutant says anything else at all; and in full. */
+   mutant is put in place and the claims that read it are asked again: with the least effort that can refute; by exact
+   algebra, whether the mutant says anything else at all; in full; and last the kinds that take long, with the same little
+   effort with which they were asked as things stood.  Claims that simulate are not asked. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "mutants.h"
+#include "orbit_pool.h"
 #include "workers.h"
 
 #define FATE_STRING(upper, lower) #lower,
 const char *const mutant_fate_name[N_MUTANT_FATES] = {FATES(FATE_STRING)};
 
-/* A claim as things stand: what it reads, what it says. */
+/* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */
 struct reader {
   const struct claim *claim;
   struct model_use use;
@@ -28,6 +30,8 @@ struct run {
   size_t n_readers;
   struct overlay overlay;
   struct facts *facts;
+  struct orbit_pool *pool;
+  bool *touched; /* records */
   struct mutants mutants;
   size_t *drawn; /* indices of mutants, ascending */
   size_t n_drawn;
@@ -37,8 +41,14 @@ static struct judge new_judge(struct run *r, const struct model *m, struct audit
                               struct diag *d) {
   audit_result_init(out);
   diag_init(d);
-  return (struct judge){
-      .out = out, .model = m, .claims = r->claims, .scene = r->scene, .cache = r->cache, .d = d, .effort = effort};
+  return (struct judge){.out = out,
+                        .model = m,
+                        .claims = r->claims,
+                        .scene = r->scene,
+                        .cache = r->cache,
+                        .pool = r->pool,
+                        .d = d,
+                        .effort = effort};
 }
 
 /* --- As things stand --- */
@@ -56,8 +66,14 @@ static bool read_claim(struct reader *rd, struct run *r, struct model *recording
   memset(rd->use.def, 0, r->model->n_defs);
   memset(rd->use.record, 0, r->model->n_records);
   recording->use = &rd->use;
-  struct judge j = new_judge(r, recording, &rd->said, EFFORT_FULL, d);
-  if (!judge_claim(&j, c)) return false;
+  if (claim_asked(c) == ASKED_NEVER) {
+    audit_result_init(&rd->said);
+    return true;
+  }
+  struct judge j = new_judge(r, recording, &rd->said, claim_asked(c) == ASKED_LATE ? EFFORT_REFUTE : EFFORT_FULL, d);
+  bool ok = judge_claim(&j, c);
+  r->pool = j.pool;
+  if (!ok) return false;
   for (size_t i = 0; i < r->model->n_defs; i++) rd->weight += rd->use.def[i];
   rd->asserts = asserts(&rd->said);
   return true;
@@ -157,39 +173,76 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
   return n;
 }
 
+/* Proved or not, refuted or not: what little effort says is compared with what the same effort said. */
+static bool tells_apart(enum verdict was, enum verdict is) {
+  return (was == VERDICT_PROVED) != (is == VERDICT_PROVED) || (was == VERDICT_REFUTED) != (is == VERDICT_REFUTED);
+}
+
+static enum notice ask_late(struct run *r, const struct reader *rd) {
+  const struct finding *was = &rd->said.findings[0];
+  struct audit_result out;
+  struct diag d;
+  struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
+  struct finding f;
+  j.touched = r->touched;
+  enum notice n = OPEN;
+  if (!judge_verdict(&f, &j, rd->claim) || (is_diagnostic(&f, rd->claim) && !is_diagnostic(was, rd->claim)))
+    n = BROKEN;
+  else if (tells_apart(was->verdict, f.verdict) || !f.correction != !was->correction ||
+           (f.correction && tells_apart(was->correction_verdict, f.correction_verdict)))
+    n = CHANGED;
+  r->pool = j.pool;
+  audit_result_clear(&out);
+  return n;
+}
+
 /* --- One mutant --- */
+
+/* Degrees and symbols: such a claim decides of itself whether it says the same, once it has been asked. */
+static bool decides_exactly(const struct claim *c) {
+  kind_fn kind = claim_kind(claim_get(c, "kind"));
+  return kind == judge_scaling || kind == judge_notation;
+}
 
 /* By exact algebra: the statement and what uses it, or every claim that reads it. */
 static bool says_the_same(struct run *r, const struct target *t) {
   const struct model *damaged = &r->overlay.model;
-  bool all = true;
+  bool all = true, any = false;
   if (target_same_in(t, r->model, damaged, r->claims, r->facts)) return true;
-  for (size_t i = 0; all && i < r->n_readers; i++)
-    if (reads(&r->reader[i], t)) all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
-  return all;
+  for (size_t i = 0; all && i < r->n_readers; i++) {
+    if (!reads(&r->reader[i], t) || decides_exactly(r->reader[i].claim)) continue;
+    any = true;
+    all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
+  }
+  return all && any;
+}
+
+/* Asks the claims of one turn that read the target, until one notices: the fate then, else FATE_UNDECIDED. */
+static enum mutant_fate ask_all(struct run *r, const struct target *t, enum asked turn,
+                                enum notice (*ask)(struct run *, const struct reader *)) {
+  for (size_t i = 0; i < r->n_readers; i++) {
+    if (!reads(&r->reader[i], t) || claim_asked(r->reader[i].claim) != turn) continue;
+    enum notice n = ask(r, &r->reader[i]);
+    if (n == BROKEN) return FATE_UNREADABLE;
+    if (n == CHANGED) return FATE_NOTICED;
+  }
+  return FATE_UNDECIDED;
 }
 
 static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
   bool any = false;
-  for (size_t i = 0; i < r->n_readers; i++) {
-    if (!reads(&r->reader[i], t)) continue;
-    any = true;
-    if (claim_slow(r->reader[i].claim)) continue;
-    enum notice n = ask_quickly(r, &r->reader[i]);
-    if (n == BROKEN) return FATE_UNREADABLE;
-    if (n == CHANGED) return FATE_NOTICED;
-  }
+  for (size_t i = 0; !any && i < r->n_readers; i++) any = reads(&r->reader[i], t);
   if (!any) return FATE_UNREAD;
-  for (int facts = 0; facts < 2; facts++) {
-    facts_use(r->facts, facts);
-    if (says_the_same(r, t)) return facts ? FATE_ON_MOTIONS : FATE_EQUIVALENT;
-  }
-  for (size_t i = 0; i < r->n_readers; i++) {
-    bool asked = reads(&r->reader[i], t) && !claim_slow(r->reader[i].claim);
-    enum notice n = asked ? ask_in_full(r, &r->reader[i]) : SAME;
-    if (n != SAME) return n == BROKEN ? FATE_UNREADABLE : FATE_NOTICED;
-  }
-  return FATE_UNDECIDED;
+  enum mutant_fate f = ask_all(r, t, ASKED_EARLY, ask_quickly);
+  facts_use(r->facts, false);
+  target_reaches(r->touched, r->model, t);
+  if (f == FATE_UNDECIDED && target_same_in(t, r->model, &r->overlay.model, r->claims, r->facts)) f = FATE_EQUIVALENT;
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_EARLY, ask_in_full);
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_LATE, ask_late);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_EQUIVALENT;
+  facts_use(r->facts, true);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_ON_MOTIONS;
+  return f;
 }
 
 static void try_mutant(void *result, size_t i, void *arg) {
@@ -312,12 +365,15 @@ static void run_clear(struct run *r) {
   mutants_clear(&r->mutants);
   overlay_clear(&r->overlay);
   facts_free(r->facts);
+  free(r->touched);
+  orbit_pool_free(r->pool);
   orbit_cache_free(r->cache);
 }
 
 bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
                   const struct scene *scene, const struct mutation_options *opt, struct diag *d) {
   struct run r = {.model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .facts = facts_new(m)};
+  r.touched = ss_malloc(m->n_records + 1);
   overlay_init(&r.overlay, m);
   mutants_init(&r.mutants, m, opt->only, opt->n_only);
   out->scene = keep(out, scene->name);

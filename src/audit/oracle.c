@@ -214,7 +214,41 @@ static int eval_omega2(struct num_vec *out, struct values *v) {
   return one_of(out, v, frequencies, 1);
 }
 
+/* --- What perturbations consist of --- */
+
+static int perturbation(struct num_vec *out, struct values *v, const char *const name[N_STATE]) {
+  int s = SS_OK;
+  bool known;
+  for (int i = 0; i < N_STATE; i++) s |= values_bind(num_vec_at(out, i), &known, v, name[i]);
+  return s;
+}
+static int eval_dz0(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"x", "y", "u", "v"};
+  return perturbation(out, v, name);
+}
+static int eval_dza(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"x_a", "y_a", "u_a", "v_a"};
+  return perturbation(out, v, name);
+}
+static int eval_dzb(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"x_b", "y_b", "u_b", "v_b"};
+  return perturbation(out, v, name);
+}
+static int eval_dzc(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"x_c", "y_c", "u_c", "v_c"};
+  return perturbation(out, v, name);
+}
+static int eval_dzf(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"x_f", "y_f", "u_f", "v_f"};
+  return perturbation(out, v, name);
+}
+
 static const struct oracle oracles[] = {
+    {"dZ_0", 4, 1, eval_dz0},
+    {"dZ_a", 4, 1, eval_dza},
+    {"dZ_b", 4, 1, eval_dzb},
+    {"dZ_c", 4, 1, eval_dzc},
+    {"dZ_f", 4, 1, eval_dzf},
     {"J_a", 1, 2, eval_ja},
     {"J_b", 2, 1, eval_jb},
     {"J_c", 3, 2, eval_jc},

@@ -41,14 +41,14 @@ static void draw(fmpq q[N_DRAW], uint64_t *state) {
 }
 
 const struct orbit_pool *orbit_pool_get(struct judge *j) {
-  enum { DRAWS = 6000 };
+  enum { DRAWS = 6000, FEW = 600 };
   if (j->pool) return j->pool;
   struct orbit_pool *p = j->pool = ss_malloc(sizeof *p);
-  *p = (struct orbit_pool){.draws = DRAWS};
+  *p = (struct orbit_pool){.draws = j->effort == EFFORT_REFUTE ? FEW : DRAWS};
   fmpq q[N_DRAW];
   uint64_t state = 1;
   for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
-  for (long k = 0; k < DRAWS; k++) {
+  for (long k = 0; k < p->draws; k++) {
     struct pool_item one;
     draw(q, &state);
     pool_item_init(&one, q);

@@ -24,10 +24,11 @@ void point_print(struct text *out, const struct point *p) {
     const char *name;
     int q;
     unsigned kinds; /* bit for each point_kind */
-  } shown[] = {{"chi", Q_CHI, 63},  {"eta", Q_ETA, 63},  {"V", Q_V, 63},        {"e1", Q_E1, 28},
-               {"e2", Q_E2, 28},    {"t_a", Q_TA, 16},   {"t_b", Q_TB, 48},     {"t_c", Q_TC, 48},
-               {"t_d", Q_TD, 16},   {"t", Q_T, 3},       {"z_10", Q_Z1, 20},    {"z_20", Q_Z2, 20},
-               {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2}, {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
+  } shown[] = {{"chi", Q_CHI, 127},   {"eta", Q_ETA, 127},  {"V", Q_V, 127},     {"e1", Q_E1, 28},
+               {"e2", Q_E2, 28},      {"t_a", Q_TA, 80},    {"t_b", Q_TB, 112},  {"t_c", Q_TC, 112},
+               {"t_d", Q_TD, 80},     {"t", Q_T, 3},        {"z_10", Q_Z1, 84},  {"z_20", Q_Z2, 84},
+               {"z'_10", Q_DZ1, 64},  {"z'_20", Q_DZ2, 64}, {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2},
+               {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
   const char *sep = "";
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
   for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {
@@ -47,6 +48,27 @@ void point_print(struct text *out, const struct point *p) {
 
 /* --- Which orbit --- */
 
+/* u_ri = 5/4 max(e_i, u_ri_min), upwards to a 1024th. */
+static void take_realistic_friction(struct point *p, const struct dyn_orbit *o) {
+  fmpz_t k;
+  arb_t least, e;
+  fmpz_init(k);
+  arb_init(least);
+  arb_init(e);
+  for (int i = 0; i < 2; i++) {
+    arb_set_fmpq(e, &p->q[Q_E1 + i], FIRST_PREC);
+    arb_max(least, i ? o->u_r2_min : o->u_r1_min, e, FIRST_PREC);
+    arb_mul_si(least, least, 1280, FIRST_PREC);
+    arf_get_fmpz(k, arb_midref(least), ARF_RND_CEIL);
+    fmpq_set_fmpz(&p->q[Q_US1 + i], k);
+    fmpq_div_2exp(&p->q[Q_US1 + i], &p->q[Q_US1 + i], 10);
+    fmpq_sub(&p->q[Q_US1 + i], &p->q[Q_US1 + i], &p->q[Q_E1 + i]);
+  }
+  arb_clear(e);
+  arb_clear(least);
+  fmpz_clear(k);
+}
+
 bool point_settle(struct point *p, struct orbit_cache *c) {
   if (p->kind != POINT_ORBIT) return true;
   const struct dyn_orbits *list = point_orbits(p, c, FIRST_PREC);
@@ -59,6 +81,7 @@ bool point_settle(struct point *p, struct orbit_cache *c) {
     if (wanted-- == 0) at = i;
   }
   p->orbit = at;
+  if (p->realistic) take_realistic_friction(p, &list->orbit[at]);
   return true;
 }
 
@@ -136,6 +159,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->phase = s->phase;
   p->finite = s->finite;
   p->admissible = s->admissible;
+  p->realistic = s->realistic;
   p->scene = NULL;
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
@@ -156,6 +180,7 @@ void sampler_next(struct point *p, struct sampler *s) {
   draw(&p->q[Q_S], st, 1, 15, 16);
   for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
   if (s->kind == POINT_ARC) draw_arc(p, st);
+  for (int i = Q_TA; s->kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
 }
 
 /* --- Values --- */
@@ -196,7 +221,8 @@ static int init_flow(struct values *v) {
 
 /* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
 static int ensure_time(struct values *v) {
-  bool on_arc = v->point->kind == POINT_ARC || v->point->kind == POINT_ORBIT || v->point->kind == POINT_GIVEN;
+  enum point_kind kind = v->point->kind;
+  bool on_arc = kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_GIVEN || kind == POINT_PATCHED;
   if (!on_arc || v->have_t) return SS_OK;
   const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
   const struct num_type *t = v->ctx.type;
@@ -262,15 +288,16 @@ static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
   return s;
 }
 
-/* The states at the printed times, whatever the switching functions are there. */
-static int init_printed(struct values *v) {
+/* The states at given times, whatever the switching functions are there. */
+static int init_over_times(struct values *v) {
   struct num_vec z;
   num_vec_init(&z, 4, v->ctx);
   const struct num_type *t = v->ctx.type;
   t->set(num_vec_at(&z, 0), num_vec_at(&v->q, Q_Z1));
   t->set(num_vec_at(&z, 1), num_vec_at(&v->q, Q_Z2));
-  t->set(num_vec_at(&z, 2), num_vec_at(&v->params, P_V));
-  t->set(num_vec_at(&z, 3), num_vec_at(&v->params, P_V));
+  for (int i = 0; i < 2; i++)
+    t->set(num_vec_at(&z, 2 + i),
+           v->point->kind == POINT_PATCHED ? num_vec_at(&v->q, Q_DZ1 + i) : num_vec_at(&v->params, P_V));
   int s = SS_OK;
   for (int ph = 0; ph <= N_PHASES; ph++) {
     for (int i = 0; i < 4; i++) t->set(num_vec_at(&v->arc.z, 4 * ph + i), num_vec_at(&z, i));
@@ -353,7 +380,8 @@ int values_init(struct values *v, const struct point *p, enum variant variant, s
   for (int i = 0; i < N_Q; i++) s |= ctx.type->set_q(num_vec_at(&v->q, i), &p->q[i], ctx.prec);
   for (int i = 0; i < N_PARAMS; i++) ctx.type->set(num_vec_at(&v->params, i), num_vec_at(&v->q, Q_CHI + i));
   if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
-  if (s == SS_OK && p->kind == POINT_PRINTED) s |= init_printed(v);
+  if (s == SS_OK && (p->kind == POINT_PRINTED || p->kind == POINT_PATCHED)) s |= init_over_times(v);
+  if (s == SS_OK && p->kind == POINT_PATCHED && variant == VARIANT_EXPONENTIAL) s |= carry_by_exponentials(&v->arc, v);
   if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
   return s;
 }
@@ -461,12 +489,30 @@ static int carry_tangent(struct values *v) {
   return s;
 }
 
+/* Any numbers but x and y, and but for the velocities of masses that stick before and after. */
+static int free_tangents(struct values *v) {
+  static const bool zero[20] = {[6] = true, [7] = true, [11] = true, [18] = true};
+  const struct num_type *t = v->ctx.type;
+  int s = SS_OK;
+  for (int i = 0; i < 20; i++) {
+    void *z = num_vec_at(&v->tangent, i);
+    s |= t->set_d(z, zero[i] ? 0 : 0.8125 + 0.71875 * i, v->ctx.prec);
+    if (!zero[i]) s |= t->mul(z, z, num_vec_at(&v->q, i % 2 ? Q_Y : Q_X), v->ctx.prec);
+    if (i < 2) t->set(z, num_vec_at(&v->q, Q_X + i));
+  }
+  for (int i = 0; i < 4; i++) s |= t->set_d(num_vec_at(&v->dt, i), 0.40625 + 0.34375 * i, v->ctx.prec);
+  return s;
+}
+
 /* The perturbations x_a ... v_f and dt_a ... dt_d: tangents, or differences between the two motions. */
 static int make_tangents(struct values *v) {
   if (v->have_tangent) return SS_OK;
   const struct num_type *t = v->ctx.type;
   int s = SS_OK;
-  if (!v->point->finite) s |= carry_tangent(v);
+  if (v->point->kind == POINT_PATCHED)
+    s |= free_tangents(v);
+  else if (!v->point->finite)
+    s |= carry_tangent(v);
   for (int i = 0; v->point->finite && i < 20; i++)
     s |= t->sub(num_vec_at(&v->tangent, i), num_vec_at(&v->perturbed.z, i), num_vec_at(&v->arc.z, i), v->ctx.prec);
   for (int i = 0; v->point->finite && i < 4; i++)
@@ -623,6 +669,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
   }
+  if (blocks_bind(&status, z, v, name)) return status;
   bool in_x;
   const char *argument, *bracket = strchr(name, '[');
   if (bracket) return bind_entry(z, known, v, name, bracket);

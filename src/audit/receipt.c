@@ -84,8 +84,11 @@ static bool same_attempt(const struct exact_attempt *a, const struct exact_attem
 
 static void add_part(struct text *out, const struct exact_part *p, const struct tape *t, int i,
                      const struct restriction *r) {
-  static const char *const kinds[] = {
-      [POINT_PARAMS] = "params", [POINT_FLOW] = "flow", [POINT_ARC] = "arcs", [POINT_ORBIT] = "orbits"};
+  static const char *const kinds[] = {[POINT_PARAMS] = "params",
+                                      [POINT_FLOW] = "flow",
+                                      [POINT_ARC] = "arcs",
+                                      [POINT_ORBIT] = "orbits",
+                                      [POINT_PATCHED] = "patched"};
   text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
   text_add(out, "],\n    oracle=");

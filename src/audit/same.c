@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "condition.h"
 #include "mutants.h"
 #include "stickslip/exact.h"
 
@@ -68,9 +69,12 @@ const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
 /* At the time t, which lies in one phase for a claim: behind the others, and taken by phase. */
 static const struct {
   const char *name;
+  bool rate; /* zero, not V */
   bool holds[N_PHASES];
-} phase_facts[] = {{"z_1'(t)", {[PHASE_D] = true, [PHASE_C] = true}},
-                   {"z_2'(t)", {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
+} phase_facts[] = {{"z_1'(t)", false, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2'(t)", false, {[PHASE_D] = true, [PHASE_GAMMA] = true}},
+                   {"z_1''(t)", true, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2''(t)", true, {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
 enum {
   N_MOTION_FACTS = sizeof motion_facts / sizeof *motion_facts,
   N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
@@ -87,7 +91,8 @@ struct facts {
   struct exact_fact fact[N_MOTION_FACTS];
   int n;
   bool unused;
-  struct tape velocity; /* V */
+  struct tape velocity, zero; /* V, 0 */
+  struct tape sign[2];        /* -1, 1: what a sign such as eps may be */
   struct opaque *opaque;
   size_t n_opaque, cap_opaque;
 };
@@ -176,7 +181,9 @@ struct facts *facts_new(const struct model *m) {
     else
       tape_clear(&x->tape);
   }
-  if (!tape_of(&f->velocity, m, "V")) f->n = 0;
+  if (!tape_of(&f->velocity, m, "V") || !tape_of(&f->zero, m, "0")) f->n = 0;
+  for (int i = 0; i < 2; i++)
+    if (!tape_of(&f->sign[i], m, i ? "1" : "-1")) f->n = 0;
   return f;
 }
 
@@ -187,6 +194,8 @@ void facts_use(struct facts *f, bool use) {
 void facts_free(struct facts *f) {
   for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
   tape_clear(&f->velocity);
+  tape_clear(&f->zero);
+  for (int i = 0; i < 2; i++) tape_clear(&f->sign[i]);
   for (size_t i = 0; i < f->n_opaque; i++) {
     free(f->opaque[i].use.def);
     free(f->opaque[i].use.record);
@@ -204,7 +213,7 @@ static int phase_of(const struct claim *c) {
   struct judge j = {.d = &d};
   int n = claim_points(spec, MAX, &j, c), phase = -1;
   for (int i = 0; i < n; i++) {
-    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT;
+    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT || spec[i].kind == POINT_PATCHED;
     if (!arc || (i > 0 && (int)spec[i].phase != phase)) return -1;
     phase = (int)spec[i].phase;
   }
@@ -222,7 +231,8 @@ static int collect_facts(struct exact_fact *out, const struct facts *f, const st
   if (f->unused) return 0;
   for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
   for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
-    if (phase_facts[i].holds[phase]) out[n++] = (struct exact_fact){phase_facts[i].name, f->velocity};
+    if (phase_facts[i].holds[phase])
+      out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
   return n;
 }
 
@@ -262,14 +272,16 @@ static bool has_relations(struct exact_field *f, const struct sentence *sa, cons
   return true;
 }
 
-/* Whether both say the same: of values, and of sentences with an oracle, that the left sides are equal; else that the sets
+/* Whether both say the same (with a sign known, if given): of values, and of sentences with an oracle, that the left sides are equal; else that the sets
    of relations are. */
 static bool same_sentences(const struct sentence *a, const struct sentence *b, bool values, const struct facts *facts,
-                           const struct claim *c) {
+                           const struct claim *c, const struct exact_fact *sign) {
   values = values || a->oracle;
   if (a->oracle != b->oracle || (values && (a->n != b->n || a->cols != b->cols))) return false;
-  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS];
-  struct exact_field *f = exact_field_new(fact, collect_facts(fact, facts, c));
+  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS + 1];
+  int n = collect_facts(fact, facts, c);
+  if (sign) fact[n++] = *sign;
+  struct exact_field *f = exact_field_new(fact, n);
   struct exact_vec x, y;
   int s = exact_eval(&x, f, &a->tape);
   s |= exact_eval(&y, f, &b->tape);
@@ -288,10 +300,44 @@ bool claim_says_corrected(const struct claim *c, const struct model *a, const st
   diag_init(&d);
   bool ok = sentence_from_claim(&x, claim_view(a, c), c, NULL, 0, &d);
   ok = sentence_from_claim(&y, (struct view){b, LAYER_CORRECTED, NULL, NULL}, c, NULL, 0, &d) && ok;
-  ok = ok && same_sentences(&x, &y, false, f, c);
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
+}
+
+/* --- What can be told apart --- */
+
+static bool same_end(const struct expr *x, const struct expr *y, const struct statement_record *r,
+                     const struct model *m) {
+  struct elaboration el;
+  struct tape tape = {.n = 0};
+  struct exact_vec v = {.len = 0};
+  struct matrix a, b;
+  struct diag d;
+  bool same = false;
+  diag_init(&d);
+  if (!x || !y || expr_same(x, y)) return !x == !y;
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  struct exact_field *f = exact_field_new(NULL, 0);
+  if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
+      a.rows * a.cols == 1 && b.rows * b.cols == 1) {
+    const struct expr *both[] = {a.e[0], b.e[0]};
+    if (elaboration_tape(&tape, &el, both, 2, &d))
+      same = exact_eval(&v, f, &tape) == SS_OK && exact_equal(f, &v.x[0], &v.x[1]);
+    exact_vec_clear(&v);
+  }
+  exact_field_free(f);
+  tape_clear(&tape);
+  elaboration_clear(&el);
+  return same;
+}
+
+/* Whether the damaged statement speaks of the same times as before. */
+static bool same_range(const struct target *t, const struct model *a, const struct model *b) {
+  const struct statement_record *r = &a->records[t->record];
+  const struct stmt *x = r->stmts[t->stmt], *y = b->records[t->record].stmts[t->stmt];
+  return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a);
 }
 
 enum { MAX_UNKNOWNS = 32 };
@@ -303,10 +349,46 @@ static bool same_in_views(const struct claim *c, struct view a, struct view b, c
   diag_init(&d);
   bool ok = sentence_from_claim(&x, a, c, o, n, &d);
   ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
-  ok = ok && same_sentences(&x, &y, false, f, c);
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
   sentence_clear(&x);
   sentence_clear(&y);
   return ok;
+}
+
+static bool same_condition(const struct condition *x, const struct condition *y) {
+  struct exact_field *f = exact_field_new(NULL, 0);
+  struct exact_vec v, w;
+  bool same = x->equality == y->equality && x->phase == y->phase;
+  same = exact_eval(&v, f, &x->s.tape) == SS_OK && same;
+  same = exact_eval(&w, f, &y->s.tape) == SS_OK && same;
+  same = same && exact_equal(f, &v.x[0], &w.x[0]);
+  exact_vec_clear(&w);
+  exact_vec_clear(&v);
+  exact_field_free(f);
+  return same;
+}
+
+/* Whether an argument has the same premises and conclusions: it may name a part of the damaged record that is sound. */
+static bool argument_same_in(const struct claim *c, const struct model *a, const struct model *b) {
+  static const char *const part[] = {"premises", "conclusion", "repair"};
+  struct conditions *list = ss_malloc(2 * sizeof *list);
+  struct audit_result out;
+  bool same = true;
+  audit_result_init(&out);
+  for (int i = 0; same && i < 3; i++) {
+    for (int k = 0; k < 2; k++) {
+      struct diag d;
+      diag_init(&d);
+      struct judge j = {.out = &out, .d = &d};
+      same = conditions_read(&list[k], &j, c, part[i], claim_view(k ? b : a, c)) && same;
+    }
+    same = same && list[0].n == list[1].n;
+    for (int k = 0; same && k < list[0].n; k++) same = same_condition(&list[0].at[k], &list[1].at[k]);
+    for (int k = 0; k < 2; k++) conditions_clear(&list[k]);
+  }
+  audit_result_clear(&out);
+  free(list);
+  return same;
 }
 
 bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
@@ -314,6 +396,8 @@ bool claim_same_in(const struct claim *c, const struct target *t, const struct m
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
   struct override o[MAX_UNKNOWNS];
   int most = claim_get(c, "value") ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  if (claim_kind(claim_get(c, "kind")) == judge_argument) return argument_same_in(c, a, b);
+  if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
     if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
       return true;
@@ -352,11 +436,15 @@ static bool statement_same_in(const struct target *t, const struct target *damag
   struct override o[MAX_UNKNOWNS];
   int most = unknowns(o, MAX_UNKNOWNS, f, damaged);
   bool ok = false;
+  if (t == damaged && !same_range(t, a, b)) return false;
   for (int n = 0; !ok && n <= most; n += most ? most : 1) {
     struct sentence x, y;
     ok = target_sentence(&x, t, a, o, n);
     ok = target_sentence(&y, t, b, o, n) && ok;
-    ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL);
+    const struct stmt *st = a->records[t->record].stmts[t->stmt];
+    struct exact_fact sign[] = {{st->range_var, f->sign[0]}, {st->range_var, f->sign[1]}};
+    if (!st->range_signs) ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL, NULL);
+    for (int i = 0; ok && st->range_signs && i < 2; i++) ok = same_sentences(&x, &y, t->def >= 0, f, NULL, &sign[i]);
     sentence_clear(&x);
     sentence_clear(&y);
   }

@@ -157,13 +157,21 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
       out,
       ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
       "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-      "correction's, or that of a claim it makes under a restriction. Where the errata correct a formula, the "
+      "correction's, or that of a claim it makes under a restriction. Claims that search (arguments, counts, lists of "
+      "constraints, the criterion) are asked last and with little effort, in the same way as for the undamaged text; "
+      "of "
+      "an argument the exact proof must be found again, for without it the verdict cannot be \"proved\". Claims that "
+      "simulate are not asked. Unreadable: the damaged text has a name, a shape or an index that cannot be, a symbol "
+      "without a value where the formula is used, or a range that is no phase. Where the errata correct a formula, the "
       "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
-      "counted apart. Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
+      "counted apart.\n\n"
+      "Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
       "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
-      "put in (velocities that are V, forces at their limits, perturbations that are zero), so that nothing tried "
-      "on motions can tell. The text of every "
-      "survivor is in mutation.json.\n\n",
+      "put in: velocities that are V at a switching time stand for one another, forces are at their limits, and "
+      "perturbations of a velocity that stays V are zero, whatever they are multiplied by. Such a mutant still says "
+      "something true of every motion of the word, though perhaps less, or by another name; a formula that is "
+      "used off the motions too is tried there (claims with points \"patched\"), and an equation that says "
+      "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n",
       r->tried, r->population, r->scene, r->seed);
   add_table(out, "file", r->file, r->n_files);
   add_table(out, "damage", r->kind, r->n_kinds);

@@ -150,3 +150,44 @@ equation ctl-scaling
   replaces: eq-12b
   section: periodic
   z_1a - chi*z_2a = e_1 + t_a
+
+relation ctl-motion-equations
+  replaces: eq-1
+  section: model
+  trajectory x_1(t), x_2(t)
+  x_1''(t) + x_1(t) - chi*x_2(t) = u_1
+  x_2''(t) + chi*(x_2(t) - x_1(t)) = u_2
+
+equation ctl-blocks
+  replaces: eq-1b
+  section: model
+  chi = k_2/k_1
+
+# sticks a little beyond the limit on one side
+relation ctl-law
+  replaces: eq-2b
+  section: model
+  u_1 = x_1(t) - chi*x_2(t)
+  -u_r1 < x_1(t) - chi*x_2(t) < u_r1*1.125
+
+relation ctl-realistic
+  replaces: eq-9
+  section: prediction
+  z_1'(t) = z_2'(t) = V
+  e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1/2
+
+# true where both velocities are V
+define ctl-patched
+  section: stability
+  Z_a := [z_1a; z_2a; z'_2a; z'_1a]
+
+# true where x_b = y_b
+define ctl-perturbation-form
+  section: stability
+  dZ_b := [y_b; x_b; u_b; 0]
+
+# follows from (52), but is weaker
+inequality ctl-converse
+  replaces: eq-58
+  section: appendix_b
+  e_2 - 3*u_r2 < h(t_a) < e_2

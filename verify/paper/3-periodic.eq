@@ -58,6 +58,12 @@ equation eq-17
   tex: Z(t) = C(t - t_a - t_b - t_c)Z_c, \quad Z_c = Z(t_a + t_b + t_c)
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = C(t - t_a - t_b - t_c)*[z_1c; z_2c; z'_1c; z'_2c]
 
+# What the range of (17) begins with.
+equation text-c-start
+  note: (17) at its start
+  z_1(t) = z_1c
+  z_2(t) = z_2c
+
 equation eq-18
   equation: 18
   tex: Z(t_a + t_b + t_c + t_d) = Z_0

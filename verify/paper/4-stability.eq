@@ -169,6 +169,12 @@ equation eq-34b
   dZ_c = first_order(H(t_c + dt_c)*(Z_b + dZ_b) - H(t_c)*Z_b; x_b, y_b, u_b, dt_c)
     = H(t_c)*dZ_b + H'(t_c)*Z_b*dt_c
 
+equation text-states
+  note: the states of (21), (25), (30) and (34) at the switching times
+  Z_a = D(t_a)*Z_0
+  Z_b = Gamma(t_b)*Z_a
+  Z_c = H(t_c)*Z_b
+
 equation eq-35
   equation: 35
   tex: x'_1(t_a + dt_a + t_b + dt_b + t_c + dt_c) = V

@@ -121,3 +121,20 @@ equation text-start-w
   tex: z_{10} - \chi z_{20} = e_1 - V t_a (1 - \chi)
   note: (55) at t = 0
   z_10 - chi*z_20 = e_1 - V*t_a*(1 - chi)
+
+# The same conditions in other words, against which the list is held.
+inequality text-order
+  note: (51): the switching times follow one another
+  0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d
+
+inequality text-h-rises
+  note: "h(t) is an increasing function"
+  h'(t) > 0
+
+inequality text-hbar-rises
+  note: "hbar(t) is an increasing function"
+  hbar'(t) > 0
+
+inequality text-sliding
+  note: there is sliding friction on the first mass
+  u_s1 > 0

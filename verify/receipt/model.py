@@ -234,7 +234,8 @@ class Motion:
         modes, self.anchor, self.tangents, self.at_end = attempt
         self.f = Field(modes, part["fixed"], with_omega, off_circle)
         self.limits = [self.f.symbol("e_1"), self.f.symbol("e_2")]
-        self.word = part["kind"] in ("arcs", "orbits")
+        self.patched = part["kind"] == "patched"  # any state, carried through the phases without events
+        self.word = self.patched or part["kind"] in ("arcs", "orbits")
         self.periodic = part["kind"] == "orbits"
         self.states, self.small, self.shifts = {}, {}, {}
         self.last = PHASES.index(part["phase"]) + (self.at_end == 2)  # switch before the time t, or at it
@@ -284,6 +285,8 @@ class Motion:
         return apply(self.f.system(PHASES[phase]), z)
 
     def free_end(self, k, small):
+        if self.patched and not small:
+            return [self.f.symbol("Z%d[%d]" % (k, i + 1)) for i in range(4)]
         names, small_names, decided, sticking = ENDS[k]
         zero = self.f.number(0)
         v = [self.f.symbol(n) if n else zero for n in (small_names if small else names)]
@@ -306,7 +309,7 @@ class Motion:
             else:
                 z = apply(self.f.propagator(PHASES[k - 1], self.length(k - 1)), self.state(k - 1))
                 self.states[k] = z
-                if k in (1, 2):
+                if k in (1, 2) and not self.patched:
                     self.limits[k - 1] = self.switching(k - 1, z, True)
         return self.states[k]
 

@@ -1,0 +1,313 @@
+/* What damaged formulas showed to be unread: Coulomb's law branch by branch, the blocks and springs behind (1), states and
+   perturbations where nothing is V, friction that a realistic orbit has, arguments both ways, ranges that are no phase.
+   What is expected is known by hand: the law by its words, the blocks by Newton's law, forces by the orbit's own bounds. */
+#include <check.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit/audit_impl.h"
+#include "scratch.h"
+#include "suites.h"
+
+static struct scene paper;
+static struct orbit_cache *cache;
+
+static void open_all(void) {
+  struct diag d;
+  diag_init(&d);
+  scratch_open();
+  cache = orbit_cache_new();
+  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+}
+
+static void close_all(void) {
+  scene_clear(&paper);
+  orbit_cache_free(cache);
+  scratch_close();
+}
+
+/* Judges one claim of the test's own beside formulas of its own; N_VERDICTS with d set when it is at fault. */
+static enum verdict judged(const char *formulas, const char *claim, struct diag *d) {
+  struct model m;
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  struct audit_result r;
+  struct text t;
+  const char *only[] = {"own"};
+  const struct audit_options opt = {.only = only, .n_only = 1};
+  diag_init(d);
+  model_init(&m);
+  audit_result_init(&r);
+  text_init(&t);
+  text_printf(&t, "claim own\n  section: appendix_b\n  title: of the test\n%s", claim);
+  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, d) &&
+            model_add_file(&m, scratch_put("own.eq", formulas), RANK_USER, d) &&
+            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, d) &&
+            claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", d) &&
+            audit_run(&r, &m, &claims, &none, &paper, &opt, d);
+  enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;
+  ck_assert(!ok || r.n_findings == 1);
+  text_clear(&t);
+  claims_clear(&claims);
+  audit_result_clear(&r);
+  model_clear(&m);
+  return v;
+}
+
+/* --- Coulomb's law --- */
+
+#define SLIPS "relation own-slips\n  section: appendix_b\n  u_1 = eps*u_s1 for eps in {+1, -1}\n"
+#define STICKS                                                                                                         \
+  "relation own-sticks\n  section: appendix_b\n  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1\n"
+#define BREAKS                                                                                                         \
+  "relation own-breaks\n  section: appendix_b\n  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) > "   \
+  "u_r1 for eps in {+1, -1}\n"
+#define RELATION(id) "relation own-" id "\n  section: appendix_b\n"
+
+static const struct {
+  const char *what, *formulas, *mass;
+  enum verdict want;
+} laws[] = {
+    {"the law", SLIPS STICKS BREAKS, "1", VERDICT_SUPPORTED},
+    {"the same in other words",
+     RELATION("slips") "  eps*u_1 = u_s1 for eps in {+1, -1}\n" RELATION(
+         "sticks") "  x_1(t) - u_1 = chi*x_2(t)\n"
+                   "  x_1(t) < u_r1 + chi*x_2(t)\n  chi*x_2(t) - u_r1 < x_1(t)\n" RELATION(
+                       "breaks") "  u_1 = u_s1/eps for eps in "
+                                 "{+1, -1}\n  eps*x_1(t) > u_r1 + eps*chi*x_2(t) for eps in {+1, -1}\n",
+     "1", VERDICT_SUPPORTED},
+    {"friction that drives", RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
+     VERDICT_REFUTED},
+    {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
+     VERDICT_REFUTED},
+    {"sticks on one side only",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  x_1(t) - chi*x_2(t) < u_r1\n" BREAKS, "1",
+     VERDICT_REFUTED},
+    {"sticks below the sliding friction",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_s1 < x_1(t) - chi*x_2(t) < u_s1\n" BREAKS, "1",
+     VERDICT_REFUTED},
+    {"another force while sticking",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) + chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1\n" BREAKS, "1",
+     VERDICT_REFUTED},
+    {"breaks away to the wrong side",
+     SLIPS STICKS RELATION(
+         "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  -eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in "
+                   "{+1, -1}\n",
+     "1", VERDICT_REFUTED},
+    {"may break away where it sticks",
+     SLIPS STICKS RELATION("breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) > 0 for eps in "
+                                     "{+1, -1}\n",
+     "1", VERDICT_REFUTED},
+    {"the law of the other mass", SLIPS STICKS BREAKS, "2", VERDICT_REFUTED},
+};
+
+START_TEST(branches_of_the_law) {
+  struct diag d;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "  kind: law\n  mass: %s\n  slips: own-slips\n  sticks: own-sticks C\n  breaks: own-breaks C\n",
+              laws[_i].mass);
+  enum verdict v = judged(laws[_i].formulas, text_str(&t), &d);
+  ck_assert_msg(v == laws[_i].want, "%s: %s %s", laws[_i].what, v < N_VERDICTS ? verdict_name[v] : "", d.message);
+  text_clear(&t);
+}
+END_TEST
+
+/* --- Points --- */
+
+static struct num_ctx balls(void) {
+  return num_ctx_arb(FIRST_PREC);
+}
+
+static void bind(arb_t z, struct values *v, const char *name) {
+  bool known;
+  ck_assert_msg(values_bind(z, &known, v, name) == SS_OK && known, "%s", name);
+}
+
+/* m omega_3^2 x'' + k x + k_between (x - x_other) = F */
+static void newton(struct values *v, const char *const name[6]) {
+  arb_ptr w = _arb_vec_init(9);
+  for (int i = 0; i < 6; i++) bind(w + i, v, name[i]);
+  bind(w + 6, v, "omega_3");
+  bind(w + 7, v, "k_2");
+  arb_mul(w, w, w + 6, FIRST_PREC);
+  arb_mul(w, w, w + 6, FIRST_PREC);
+  arb_mul(w, w, w + 1, FIRST_PREC);
+  arb_sub(w, w, w + 5, FIRST_PREC);
+  if (name[4][0] == 'k') arb_addmul(w, w + 4, w + 2, FIRST_PREC);
+  arb_sub(w + 8, w + 2, w + 3, FIRST_PREC);
+  arb_addmul(w, w + 7, w + 8, FIRST_PREC);
+  ck_assert_msg(arb_contains_zero(w) && mag_cmp_2exp_si(arb_radref(w), -80) < 0, "%s", name[0]);
+  for (int i = 0; i < 2; i++) ck_assert(arb_is_positive(w + 6 + i));
+  _arb_vec_clear(w, 9);
+}
+
+/* Newton's law for the blocks, in the time before scaling, along motions of every phase. */
+START_TEST(blocks_obey_newton) {
+  static const char *const name[2][6] = {{"m_1", "x_1''(t)", "x_1(t)", "x_2(t)", "k_1", "F_1"},
+                                         {"m_2", "x_2''(t)", "x_2(t)", "x_1(t)", "V", "F_2"}};
+  struct sampler s;
+  struct point p;
+  point_init(&p);
+  sampler_init(&s, "blocks", POINT_FLOW, (enum phase)_i, NULL);
+  for (int n = 0; n < 4; n++) {
+    struct values v;
+    sampler_next(&p, &s);
+    ck_assert(values_init(&v, &p, n % 2 ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), cache) == SS_OK);
+    for (int mass = 0; mass < 2; mass++) newton(&v, name[mass]);
+    values_clear(&v);
+  }
+  point_clear(&p);
+}
+END_TEST
+
+/* Closed forms and exponentials carry a patched state alike; nothing on the way is V, and no two perturbations agree but
+   those that are zero. */
+START_TEST(patched_states_are_general) {
+  static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
+                                        "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};
+  enum { N_TANGENT = sizeof tangent / sizeof *tangent };
+  struct sampler s;
+  struct point p;
+  point_init(&p);
+  sampler_init(&s, "patched", POINT_PATCHED, PHASE_C, NULL);
+  for (int n = 0; n < 6; n++) {
+    struct values v[2];
+    arb_t x[N_TANGENT], belt;
+    sampler_next(&p, &s);
+    for (int k = 0; k < 2; k++)
+      ck_assert(values_init(&v[k], &p, k ? VARIANT_EXPONENTIAL : VARIANT_CLOSED, balls(), cache) == SS_OK);
+    arb_init(belt);
+    arb_set_fmpq(belt, &p.q[Q_V], FIRST_PREC);
+    for (int i = 0; i < 4 * (N_PHASES + 1); i++) {
+      ck_assert(arb_overlaps(num_vec_at(&v[0].arc.z, i), num_vec_at(&v[1].arc.z, i)));
+      ck_assert(i % 4 < 2 || fmpq_equal(&p.q[Q_DZ1], &p.q[Q_V]) || fmpq_equal(&p.q[Q_DZ2], &p.q[Q_V]) ||
+                !arb_overlaps(num_vec_at(&v[0].arc.z, i), belt));
+    }
+    for (int i = 0; i < N_TANGENT; i++) {
+      arb_init(x[i]);
+      bind(x[i], &v[0], tangent[i]);
+      bool zero = i == 6 || i == 7 || i == 11 || i == 18; /* (25), (30), (38) */
+      ck_assert_msg((arb_is_zero(x[i]) != 0) == zero || fmpq_is_zero(&p.q[Q_X]) || fmpq_is_zero(&p.q[Q_Y]), "%s",
+                    tangent[i]);
+      for (int k = 0; k < i; k++) ck_assert(zero || arb_is_zero(x[i]) || !arb_equal(x[i], x[k]));
+    }
+    for (int i = 0; i < N_TANGENT; i++) arb_clear(x[i]);
+    arb_clear(belt);
+    for (int k = 0; k < 2; k++) values_clear(&v[k]);
+  }
+  point_clear(&p);
+}
+END_TEST
+
+/* Every u_ri exceeds e_i and what the orbit asks by a quarter, and by no more than the grid. */
+START_TEST(realistic_friction_is_a_quarter_above_what_is_asked) {
+  struct sampler s;
+  struct point p;
+  long seen = 0;
+  point_init(&p);
+  sampler_init(&s, "realistic", POINT_ORBIT, PHASE_D, NULL);
+  s.admissible = s.realistic = true;
+  for (int draws = 0; draws < 40 && seen < 6; draws++) {
+    sampler_next(&p, &s);
+    if (!point_settle(&p, cache)) continue;
+    const struct dyn_orbit *o = &point_orbits(&p, cache, FIRST_PREC)->orbit[p.orbit];
+    ck_assert(o->admissible == TRUTH_TRUE);
+    for (int i = 0; i < 2; i++) {
+      double e = fmpq_get_d(&p.q[Q_E1 + i]), u_r = fmpq_get_d(&p.q[Q_US1 + i]) + e;
+      double least = num_arb.get_d(i ? o->u_r2_min : o->u_r1_min);
+      if (least < e) least = e;
+      ck_assert(u_r >= 1.25 * least - 1e-12 && u_r <= 1.25 * least + 1.0 / 1024 + 1e-12);
+    }
+    seen++;
+  }
+  ck_assert_int_eq(seen, 6);
+  point_clear(&p);
+}
+END_TEST
+
+/* --- Arguments both ways, ranges, counts --- */
+
+static const struct {
+  const char *what, *formulas, *claim;
+  enum verdict want;
+} sentences[] = {
+    {"a weaker conclusion follows", "inequality own-weak\n  section: appendix_b\n  e_2 - 3*u_r2 < h(t_a) < e_2\n",
+     "  kind: argument\n  premises: eq-52#2, text-h-start\n  conclusion: own-weak\n", VERDICT_PROVED},
+    {"but does not give its premises back",
+     "inequality own-weak\n  section: appendix_b\n  e_2 - 3*u_r2 < h(t_a) < e_2\n",
+     "  kind: argument\n  premises: eq-52#2, text-h-start\n  conclusion: own-weak\n  converse: yes\n", VERDICT_REFUTED},
+    {"the same in other units", "inequality own-same\n  section: appendix_b\n  2*t_a > 0\n",
+     "  kind: argument\n  premises: eq-51#1\n  conclusion: own-same\n  converse: yes\n", VERDICT_PROVED},
+    {"equations among the premises serve both ways", "",
+     "  kind: argument\n  premises: eq-58, text-h-start\n  conclusion: eq-52#2\n  converse: yes\n", VERDICT_PROVED},
+    {"a stronger conclusion follows backwards alone", "inequality own-strong\n  section: appendix_b\n  t_a > 1\n",
+     "  kind: argument\n  premises: eq-51#1\n  conclusion: own-strong\n  converse: yes\n", VERDICT_REFUTED},
+    {"a moment of a phase", "", "  kind: argument\n  premises: text-c-start C, eq-7b#3 C\n  conclusion: eq-16b\n",
+     VERDICT_PROVED},
+    {"but not of two", "", "  kind: argument\n  premises: text-c-start C, eq-7b#3 Gamma\n  conclusion: eq-16b\n",
+     VERDICT_UNKNOWN},
+    {"a range that is a phase",
+     "inequality own-range\n  section: appendix_b\n  z_1'(t) < V for t in (t_a, t_a + t_b)\n",
+     "  kind: argument\n  premises: eq-5b#1 Gamma\n  conclusion: own-range\n", VERDICT_PROVED},
+    {"one that begins too early",
+     "inequality own-range\n  section: appendix_b\n  z_1'(t) < V for t in (0, t_a + t_b)\n",
+     "  kind: argument\n  premises: eq-5b#1 Gamma\n  conclusion: own-range\n", VERDICT_REFUTED},
+    {"one that ends too late",
+     "inequality own-range\n  section: appendix_b\n  z_1'(t) < V for t in (t_a, t_a + t_b + t_c)\n",
+     "  kind: argument\n  premises: eq-5b#1 Gamma\n  conclusion: own-range\n", VERDICT_REFUTED},
+    {"an unknown that is there", "", "  kind: rank\n  statement: eq-12b\n  unknowns: z_1a\n  rank: 1\n",
+     VERDICT_SUPPORTED},
+    {"one that is not there has a derivative of zero", "",
+     "  kind: rank\n  statement: eq-12b\n  unknowns: t_b\n  rank: 1\n", VERDICT_REFUTED},
+    {"an equation that says nothing", "equation own-empty\n  section: appendix_b\n  x_b = x_b\n",
+     "  kind: rank\n  statement: own-empty\n  unknowns: x_b, y_b\n  rank: 1\n", VERDICT_REFUTED},
+    {"true where both velocities are V, not of every state",
+     "equation own-swap\n  section: appendix_b\n  [z'_2a; z'_1a] = [z'_10; z'_20]\n",
+     "  kind: identity\n  statement: own-swap\n  points: arcs 4, patched 4\n  routes: exponential\n", VERDICT_REFUTED},
+    {"the same without such states", "equation own-swap\n  section: appendix_b\n  [z'_2a; z'_1a] = [z'_10; z'_20]\n",
+     "  kind: identity\n  statement: own-swap\n  points: arcs 4\n  routes: exponential\n", VERDICT_SUPPORTED},
+};
+
+START_TEST(sentences_known_by_hand) {
+  struct diag d;
+  enum verdict v = judged(sentences[_i].formulas, sentences[_i].claim, &d);
+  ck_assert_msg(v == sentences[_i].want, "%s: %s %s", sentences[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
+                d.message);
+}
+END_TEST
+
+static const struct {
+  const char *claim, *says;
+} hostile[] = {
+    {"  kind: law\n  slips: eq-2#1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "1 or 2"},
+    {"  kind: law\n  mass: 3\n  slips: eq-2#1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "1 or 2"},
+    {"  kind: law\n  mass: 1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "statements of this branch"},
+    {"  kind: law\n  mass: 1\n  slips: eq-2#7\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "no such statement"},
+    {"  kind: law\n  mass: 1\n  slips: eq-2#1\n  sticks: eq-2b\n  breaks: eq-2c C\n", "needs a phase"},
+    {"  kind: argument\n  premises: eq-51\n  conclusion: eq-51\n  converse: perhaps\n", "yes, or nothing"},
+    {"  kind: identity\n  statement: eq-13\n  points: patched\n", "points"},
+    {"  kind: identity\n  statement: eq-1\n  points: arcs 4\n", "has no value"},
+};
+
+START_TEST(hostile_attributes) {
+  struct diag d;
+  ck_assert_msg(judged("", hostile[_i].claim, &d) == N_VERDICTS, "%s was judged", hostile[_i].claim);
+  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
+}
+END_TEST
+
+Suite *law_suite(void) {
+  Suite *s = suite_create("law");
+  TCase *c = tcase_create("law");
+  tcase_add_unchecked_fixture(c, open_all, close_all);
+#define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
+  LOOP(branches_of_the_law, laws);
+  tcase_add_loop_test(c, blocks_obey_newton, 0, N_PHASES);
+  tcase_add_test(c, patched_states_are_general);
+  tcase_add_test(c, realistic_friction_is_a_quarter_above_what_is_asked);
+  LOOP(sentences_known_by_hand, sentences);
+  LOOP(hostile_attributes, hostile);
+#undef LOOP
+  suite_add_tcase(s, c);
+  return s;
+}
