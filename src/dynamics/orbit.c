@@ -340,6 +340,10 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);
   o->admissible = TRUTH_TRUE;
   for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
+  o->first[PHASE_D] = TRUTH_TRUE; /* affine */
+  o->first[PHASE_GAMMA] = first_b;
+  o->first[PHASE_H] = first_c;
+  o->first[PHASE_C] = direction; /* q = omega r_end sin(omega (t_d - t)) with 0 < omega t_d < pi */
   return truth_and(truth_and(first_b, first_c), direction);
 }
 
