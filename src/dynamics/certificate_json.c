@@ -104,10 +104,8 @@ void dyn_certificates_json(struct text *out, const char *scene, const struct dyn
   struct json j;
   json_init(&j, out);
   json_object(&j, NULL);
-  json_string(&j, "format", "stickslip-orbits");
-  json_string(&j, "version", "1");
+  json_string(&j, "format", "stickslip orbits of the word D-Gamma-H-C, version 1");
   json_string(&j, "scene", scene);
-  json_string(&j, "word", "D-Gamma-H-C");
   given_json(&j, q);
   json_array(&j, "orbits");
   for (slong i = 0; i < list->n; i++)
