@@ -20,6 +20,7 @@ Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
+Suite *certify_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 
