@@ -277,11 +277,17 @@ START_TEST(long_slip_and_given_times) {
   study_close(&s);
 
   static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"};
+  char t_a[60], line[100] = "";
+  FILE *f = fopen("tests/oracle/times.tsv", "r");
+  ck_assert(f != NULL);
+  while (strncmp(line, "t_a", 3) != 0) ck_assert(fgets(line, sizeof line, f) != NULL);
+  ck_assert_int_eq(sscanf(line, "t_a %59s", t_a), 1);
+  fclose(f);
   static const char *const u[2][2] = {{"100", "100"}, {"1", "100"}};
   for (int i = 0; i < 2; i++) { /* w < 0 where C starts: u_r1_min > e1/2 > 1 */
     study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u[i], 128);
     all_certified(&s, 1);
-    ck_assert(decimal_within("0.4720366171417840049737744368854542514", s.list.orbit[0].t[0], 130)); /* times.tsv */
+    ck_assert(decimal_within(t_a, s.list.orbit[0].t[0], 130));
     ck_assert_int_eq(s.proof[0].u_r[0], i == 0);
     ck_assert_int_eq(s.proof[0].admissible, i == 0);
     verified(&s);
@@ -548,7 +554,6 @@ START_TEST(bad_files) {
                                        "1 fffffffffff 0 0",
                                        "1 0 1 fffffffffff",
                                        "1 ffffff 0 0",
-                                       "1 0 1 ffffff",
                                        "1 -ffffff 1 -ffffff",
                                        "0 0 0 0",
                                        "1/0",
