@@ -216,9 +216,11 @@ int run_orbit(const struct options *o, const char *data) {
       orbits_json(&out, &list, proof, &s, digits);
     else
       orbits_text(&out, &list, proof, &s, digits);
-    fputs(text_str(&out), stdout);
+    if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d))
+      status = bad_input(&d);
+    else
+      fputs(text_str(&out), stdout);
     text_clear(&out);
-    if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d)) status = bad_input(&d);
     certificates_free(proof, list.n);
   } else {
     diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits", s.path, (long)digits);
