@@ -440,10 +440,10 @@ static void forge(struct study *s, const struct word_root *root, slong prec) {
    certified, and rejected when certified by force. */
 START_TEST(later_events_are_no_orbits) {
   struct study s;
-  int later = 0;
+  int later = 0, by_event = 0;
   study_forces(&s, "0.8", "1", "1", "2.7844", "0.8587");
   struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
-  for (int i = 0; i < 400 && later < 8; i++) {
+  for (int i = 0; i < 400 && later < 40; i++) {
     struct word_root root;
     struct num_vec x;
     const double start[N_QUANTITIES] = {2.7844, 0.8587, 1, 0.5 + 0.6 * (i % 20), 0.7 + 0.9 * (i / 20), 2};
@@ -456,14 +456,20 @@ START_TEST(later_events_are_no_orbits) {
       forge(&s, &root, 192);
       bool known = s.proof[0].certified;
       if (!known) {
+        struct dyn_certificate *z = &s.proof[0];
         unsigned firsts = (unsigned)OPEN_FIRST << PHASE_GAMMA | (unsigned)OPEN_FIRST << PHASE_H;
-        ck_assert_msg(s.proof[0].open & firsts, "open %u", s.proof[0].open);
-        s.proof[0].certified = true;
-        for (int k = 0; k < N_PHASES; k++) s.proof[0].first[k] = TRUTH_TRUE;
-        for (int k = 0; k < N_CONDITIONS; k++) s.proof[0].holds[k] = TRUTH_TRUE;
+        ck_assert_msg(z->open & firsts, "open %u", z->open);
+        z->certified = true;
+        z->admissible = TRUTH_TRUE;
+        for (int k = 0; k < N_PHASES; k++) z->first[k] = TRUTH_TRUE;
+        for (int k = 0; k < N_CONDITIONS; k++) {
+          if (k == COND_GAMMA_R || k == COND_H_V1 || z->holds[k] == TRUTH_UNKNOWN) z->holds[k] = TRUTH_TRUE;
+          z->admissible = truth_and(z->admissible, z->holds[k]);
+        }
         text_reset(&s.json);
         dyn_certificates_json(&s.json, "forged", &s.q, &s.list, s.proof);
         ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
+        by_event += strstr(said, "gamma_r") || strstr(said, "h_v1");
         later++;
       }
     }
@@ -471,6 +477,7 @@ START_TEST(later_events_are_no_orbits) {
     num_vec_clear(&x);
   }
   ck_assert_int_ge(later, 5);
+  ck_assert_msg(by_event == later, "%d of %d", by_event, later); /* nothing else is false */
   study_close(&s);
 }
 END_TEST
@@ -490,6 +497,32 @@ START_TEST(wrong_enclosures_are_not_certified) {
   for (int i = 0; i < N_PHASES; i++) arb_set_d(o->t[i], 1e5 + i);
   dyn_certify(&s.proof[1], &s.q, o);
   ck_assert(!s.proof[1].certified);
+  study_close(&s);
+}
+END_TEST
+
+/* A box beside the orbit, where all else is true of the orbit and of every point of the box. */
+START_TEST(a_box_without_its_orbit_is_rejected) {
+  struct study s;
+  study_paper(&s);
+  struct dyn_orbit *o = &s.list.orbit[0];
+  arb_ptr wide[] = {o->z10,    o->z20,   o->t[0],   o->t[1],     o->t[2],    o->t[3],
+                    o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof wide / sizeof *wide; i++) arb_add_error_2exp_si(wide[i], -6);
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "wide", &s.q, &s.list, s.proof);
+  ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said); /* it says less, but nothing false */
+  arb_ptr box = s.proof[0].box[QUANTITY_TB];
+  arf_t shift;
+  arf_init(shift);
+  arf_set_mag(shift, arb_radref(box));
+  arf_mul_2exp_si(shift, shift, 2);
+  arf_add(arb_midref(box), arb_midref(box), shift, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_clear(shift);
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "beside", &s.q, &s.list, s.proof);
+  ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
+  ck_assert(strstr(said, "its box") != NULL);
   study_close(&s);
 }
 END_TEST
@@ -654,6 +687,7 @@ Suite *certify_suite(void) {
   tcase_add_test(lies, a_changed_number_is_rejected);
   tcase_add_test(lies, a_changed_truth_is_rejected);
   tcase_add_test(lies, later_events_are_no_orbits);
+  tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
   tcase_add_test(lies, entries_are_different_orbits);
   tcase_add_test(lies, bad_files);
   suite_add_tcase(s, proofs);
