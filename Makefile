@@ -29,13 +29,18 @@ PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all check verify mutate lint asan cover format install uninstall clean help
-all: $(B)/stickslip $(B)/$(SO) ## build the program and the library (default)
+all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
 $(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(B)/libstickslip.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
+
+# shares no source with the program
+$(B)/stickslip-checker: verify/checker/check.c Makefile
+	@mkdir -p $(@D)
+	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $< $(ARB) -lflint -lmpfr -lgmp -lm
 
 $(B)/libstickslip.a: $(OBJ)
 	@rm -f $@
@@ -82,7 +87,7 @@ format: ## rewrite the sources in the project's format
 
 install: all ## install program, library, headers, man page and data (PREFIX, DESTDIR)
 	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(DATADIR))
-	install $(B)/stickslip $(DESTDIR)$(BINDIR)/
+	install $(B)/stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
@@ -93,7 +98,7 @@ install: all ## install program, library, headers, man page and data (PREFIX, DE
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 
 uninstall: ## remove what install put there
-	rm -f $(DESTDIR)$(BINDIR)/stickslip $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
+	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
 	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1
 	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(DATADIR)
 

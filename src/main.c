@@ -16,7 +16,7 @@ static const char help[] =
     "  stickslip verify [SCENE...] [--only ID[,ID...]] [--paper DIR] [--overlay FILE] [--digits N] [--out DIR]\n"
     "                   [--strict] [--quiet]\n"
     "      judge the paper's claims and write audit.json, audit.md and run.json to reports/SCENE/ or DIR\n"
-    "  stickslip orbit SCENE [--method model|paper] [--digits N] [--json]\n"
+    "  stickslip orbit SCENE [--method model|paper] [--digits N] [--json] [--certificate FILE]\n"
     "      every periodic orbit D-Gamma-H-C at the scene's parameters, by increasing z10; with --method paper, "
     "Newton's\n"
     "      iteration on the paper's equations (44)-(46) from the printed times, else from each orbit's times moved by\n"

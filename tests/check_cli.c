@@ -301,8 +301,9 @@ static void check_orbit(const char *at, const char *const *row, const char *cons
   ck_assert_str_eq(member(at, "stable"), trace > -1 && trace < 1 ? "true" : "false");
   ck_assert_str_eq(member(at, "admissible"), strcmp(row[F_ADMISSIBLE], "yes") == 0 ? "true" : "false");
   ck_assert_str_eq(list_member(at, "violations"), strcmp(row[F_VIOLATIONS], "-") == 0 ? "" : row[F_VIOLATIONS]);
-  ck_assert_str_eq(member(at, "certified"), "false");
-  ck_assert_str_eq(member(at, "radius"), "null");
+  ck_assert_str_eq(member(at, "certified"), "true");
+  double radius = strtod(member(at, "radius"), NULL);
+  ck_assert_msg(radius > 0 && radius < pow(10, 3 - digits), "%s, orbit %s: radius %g", row[F_NAME], row[2], radius);
 }
 
 /* Every orbit of a set and no other, in the order of the data, which is that of z10. */
@@ -684,6 +685,32 @@ START_TEST(the_model_is_the_default_method) {
   discard(&a);
   run(&a, "orbit", scene_of("none"), "--method", "paper", NULL);
   ck_assert_msg(a.status == 3 && strstr(a.err, "no start for the paper's route"), "%d %s", a.status, a.err);
+  discard(&a);
+}
+END_TEST
+
+/* What a certificate says is the business of check_certify.c. */
+START_TEST(orbit_writes_certificates) {
+  struct job a, b;
+  const char *first = scratch_path("first.json"), *second = scratch_put("second.json", "old");
+  run_well(&a, "orbit", "stable", "--json", "--certificate", first, NULL);
+  run_well(&b, "orbit", "stable", "--json", NULL);
+  ck_assert_str_eq(a.out, b.out);
+  discard(&a);
+  discard(&b);
+  run_well(&a, "orbit", "stable", "--certificate", second, NULL);
+  ck_assert(strstr(a.out, "\n  certified at 64 bits; every number above within ") != NULL);
+  discard(&a);
+  char *x = slurp(first), *y = slurp(second);
+  ck_assert_str_eq(x, y);
+  ck_assert(strstr(x, "\"chi\": \"2/3\"") != NULL);
+  free(x);
+  free(y);
+  run(&a, "orbit", scene_of("none"), "--certificate", second, NULL);
+  ck_assert_msg(a.status == 3 && strstr(a.err, "no orbit is certified"), "%d %s", a.status, a.err);
+  y = slurp(second);
+  ck_assert_msg(strstr(y, "\"chi\": \"2/3\"") != NULL, "the old file is gone");
+  free(y);
   discard(&a);
 }
 END_TEST
@@ -1264,6 +1291,12 @@ static const struct {
     {{"jacobian", "paper", "--phases", "--digits", "0"}, 2, "not 0"},
     {{"jacobian", "--phases"}, 2, "jacobian takes one SCENE"},
     {{"orbit", "paper", "--phases"}, 2, "--phases does not belong to this command"},
+    {{"orbit", "paper", "--certificate"}, 2, "--certificate needs a value"},
+    {{"orbit", "paper", "--certificate="}, 2, "--certificate needs a value"},
+    {{"orbit", "paper", "--certificate=c.json", "--method=paper"}, 2, "not of --method paper"},
+    {{"orbit", "paper", "--certificate", "/no-such-folder/c.json"}, 3, "/no-such-folder/c.json"},
+    {{"orbit", "paper", "--certificate", "/"}, 3, "error: "},
+    {{"verify", "--certificate", "c.json"}, 2, "--certificate does not belong to this command"},
     {{"readings"}, 2, "readings takes one SCENE"},
     {{"readings", "paper", "paper"}, 2, "readings takes one SCENE"},
     {{"readings", "paper", "--digits", "3"}, 2, "--digits does not belong to this command"},
@@ -1544,6 +1577,7 @@ Suite *cli_suite(void) {
   tcase_add_unchecked_fixture(c, open_oracle, close_oracle);
   tcase_add_test(c, the_tests_own_rounding);
   tcase_add_test(c, orbits_of_every_set);
+  tcase_add_test(c, orbit_writes_certificates);
   tcase_add_test(c, digits_as_asked);
   tcase_add_test(c, a_thousand_digits);
   tcase_add_test(c, no_orbit_is_no_error);

@@ -25,6 +25,7 @@ int main(void) {
   srunner_add_suite(r, routes_suite());
   srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, exact_suite());
+  srunner_add_suite(r, certify_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, mutate_suite());
   srunner_run_all(r, CK_NORMAL);

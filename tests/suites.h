@@ -22,6 +22,7 @@ Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *exact_suite(void);
+Suite *certify_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 

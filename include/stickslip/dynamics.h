@@ -144,7 +144,8 @@ struct dyn_orbit {
   arb_t margin; /* |trace| - 1 */
   truth stable; /* |trace| < 1 */
   truth holds[N_CONDITIONS];
-  truth admissible; /* all of them */
+  truth admissible;      /* all of them */
+  truth first[N_PHASES]; /* the phase ends at the first root of its switching function */
   arb_t u_r1_min, u_r2_min;
   double guess[4]; /* the times in double precision */
   bool grazing;    /* some event is double, or two coincide, within double precision */

@@ -3,6 +3,7 @@
 #define STICKSLIP_CLI_H
 
 #include "stickslip/audit.h"
+#include "stickslip/certify.h"
 
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
@@ -28,7 +29,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
+      *certificate;
   bool strict, quiet, json, tape, receipt, csv, compare, phases, help;
 };
 
@@ -62,6 +64,15 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j);
 /* jacobian --phases */
 bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
+
+/* A proof of each orbit, in an array to be freed by certificates_free; what it decides of an orbit is put there too. */
+struct dyn_certificate *certify_orbits(struct dyn_orbits *list, const struct scene *s);
+void certificates_free(struct dyn_certificate *proof, slong n);
+/* The largest radius of the orbit's enclosures to two digits, rounded up. */
+void print_radius(struct text *out, const struct dyn_orbit *o);
+/* Writes the certified orbits as a file for the checker; false with d set when there are none or it cannot be written. */
+bool write_certificate(const char *path, const struct scene *s, const struct dyn_orbits *list,
+                       const struct dyn_certificate *proof, struct diag *d);
 
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);

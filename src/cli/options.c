@@ -43,6 +43,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
                {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
+               {"--certificate", FOR_ORBIT, &o->certificate, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--start", FOR_SIMULATE, &o->start, NULL},

@@ -72,7 +72,8 @@ static void json_truth(struct json *j, const char *key, truth t) {
     json_bool(j, key, t == TRUTH_TRUE);
 }
 
-static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct scene *s, slong digits) {
+static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
+                       const struct scene *s, slong digits) {
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   print_numbers(t, o, digits);
@@ -93,13 +94,16 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct s
   json_end_array(j);
   json_string(j, "u_r1_min", text_str(&t[10]));
   json_string(j, "u_r2_min", text_str(&t[11]));
-  json_bool(j, "certified", false);
-  json_null(j, "radius");
+  json_bool(j, "certified", proof->certified);
+  text_reset(&t[0]);
+  if (proof->certified) print_radius(&t[0], o);
+  json_string(j, "radius", proof->certified ? text_str(&t[0]) : NULL);
   json_end_object(j);
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
-static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
+                        const struct scene *s, slong digits) {
   struct json j;
   json_init(&j, out);
   json_object(&j, NULL);
@@ -107,7 +111,7 @@ static void orbits_json(struct text *out, const struct dyn_orbits *list, const s
   json_string(&j, "layer", "model");
   json_bool(&j, "complete", list->complete);
   json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], s, digits);
+  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &proof[i], s, digits);
   json_end_array(&j);
   json_end_object(&j);
 }
@@ -139,7 +143,19 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
   dyn_margins_clear(&m);
 }
 
-static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
+  if (proof->certified) {
+    text_printf(out, "  certified at %ld bits; every number above within ", (long)proof->bits);
+    print_radius(out, o);
+  } else {
+    text_add(out, "  not certified, undecided: ");
+    dyn_certificate_why(out, proof);
+  }
+  text_add_char(out, '\n');
+}
+
+static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
+                        const struct scene *s, slong digits) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
   struct text t[N_SHOWN];
@@ -151,6 +167,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
     truth u[2], admissible = orbit_admissible(u, s, o);
     text_printf(out, "orbit %ld: %s, %s\n", (long)i + 1, fate[o->stable], adm[admissible]);
     for (int k = 0; k < N_SHOWN; k++) text_printf(out, "  %-8s %s\n", shown[k].name, text_str(&t[k]));
+    add_proof(out, o, &proof[i]);
     for (int k = 0; k < N_CONDITIONS; k++)
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
     for (int k = 0; k < 2; k++)
@@ -163,7 +180,10 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 int run_orbit(const struct options *o, const char *data) {
   enum { ATTEMPTS = 4 };
   slong digits;
-  if (o->method && strcmp(o->method, "paper") == 0) return run_orbit_paper(o, data);
+  if (o->method && strcmp(o->method, "paper") == 0) {
+    if (o->certificate) return usage("--certificate is of the model's orbits, not of --method %s", o->method);
+    return run_orbit_paper(o, data);
+  }
   if (o->method && strcmp(o->method, "model") != 0)
     return usage("--method takes model or paper, not %.200s", o->method);
   int status = parse_digits(&digits, o);
@@ -189,14 +209,19 @@ int run_orbit(const struct options *o, const char *data) {
   if (found != SS_OK)
     fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
   if (good) {
+    struct dyn_certificate *proof = certify_orbits(&list, &s);
     struct text out;
     text_init(&out);
     if (o->json)
-      orbits_json(&out, &list, &s, digits);
+      orbits_json(&out, &list, proof, &s, digits);
     else
-      orbits_text(&out, &list, &s, digits);
-    fputs(text_str(&out), stdout);
+      orbits_text(&out, &list, proof, &s, digits);
+    if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d))
+      status = bad_input(&d);
+    else
+      fputs(text_str(&out), stdout);
     text_clear(&out);
+    certificates_free(proof, list.n);
   } else {
     diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits", s.path, (long)digits);
     status = bad_input(&d);

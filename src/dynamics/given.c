@@ -22,7 +22,6 @@ const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_
 const struct dyn_limits dyn_given_limits = {200, 100000};
 
 enum {
-  N_FREE = 4,
   GUARD = 40, /* bits beyond those asked for */
   RAISES = 4, /* of the precision */
   FINE = 300, /* cells to a period on a line and in the plane */
@@ -35,20 +34,18 @@ enum {
 
 /* A problem: the model, and which of the six quantities are known. */
 struct quest {
-  const fmpq *model, *value;
-  const enum dyn_quantity *which;
-  int unknown[N_FREE];
+  struct word_data data;
   double target[2];
   struct carrier k; /* of the given e1; its e2 is not used */
   struct dyn_limits lim;
 };
 
 static bool is_given(const struct quest *q, enum dyn_quantity x) {
-  return q->which[0] == x || q->which[1] == x;
+  return q->data.which[0] == x || q->data.which[1] == x;
 }
 
 static double target(const struct quest *q, enum dyn_quantity x) {
-  return q->target[q->which[0] == x ? 0 : 1];
+  return q->target[q->data.which[0] == x ? 0 : 1];
 }
 
 /* --- The two sheets over (t_b, t_c), in double precision. --- */
@@ -147,145 +144,6 @@ static void sheets_at(struct sheet out[2], const struct carrier *k, const struct
   }
 }
 
-/* --- The four equations and their derivatives by the six quantities, over any number type. --- */
-
-struct word {
-  val e[N_FREE], j[N_FREE][N_QUANTITIES];
-  val end; /* r_0 */
-};
-
-/* The matrices of struct slip. */
-struct slip_blocks {
-  val c[4], s[4], n[4];
-};
-
-static void blocks_at(struct slip_blocks *h, struct calc *c, const struct spectrum *s, val t) {
-  val sine[2], cosine[2], slow[2], fast[2];
-  for (int i = 0; i < 2; i++) {
-    calc_sin_cos(c, &sine[i], &cosine[i], calc_mul(c, s->om[i], t));
-    slow[i] = calc_div(c, sine[i], s->om[i]);
-    fast[i] = calc_mul(c, sine[i], s->om[i]);
-  }
-  flow_function(h->c, c, s, cosine[0], cosine[1]);
-  flow_function(h->s, c, s, slow[0], slow[1]);
-  flow_function(h->n, c, s, fast[0], fast[1]);
-}
-
-/* Velocities and forces after phase H. */
-struct moving {
-  val v[2], f[2];
-};
-
-static struct moving carry(struct calc *c, const struct slip_blocks *h, const struct moving *m) {
-  struct moving to;
-  for (int i = 0; i < 2; i++) {
-    const val *co = h->c + 2 * i, *s = h->s + 2 * i, *n = h->n + 2 * i;
-    to.v[i] = calc_sub(c, calc_dot(c, co[0], m->v[0], co[1], m->v[1]), calc_dot(c, s[0], m->f[0], s[1], m->f[1]));
-    to.f[i] = calc_add(c, calc_dot(c, co[0], m->f[0], co[1], m->f[1]), calc_dot(c, n[0], m->v[0], n[1], m->v[1]));
-  }
-  return to;
-}
-
-/* The column of the derivatives when the state at the end of phase H moves by d and r_0 by end. */
-static void column(struct word *w, enum dyn_quantity x, struct calc *c, const struct ball_params *m,
-                   const struct moving *d, val end, val cosine, val sine) {
-  val r = calc_div(c, d->f[1], m->stiff);
-  w->j[0][x] = d->v[0];
-  w->j[1][x] = calc_sub(c, r, calc_mul(c, end, cosine));
-  w->j[2][x] = calc_sub(c, calc_div(c, d->v[1], m->omega), calc_mul(c, end, sine));
-  w->j[3][x] = calc_sub(c, d->f[0], calc_mul(c, m->p[P_CHI], calc_sub(c, end, r)));
-}
-
-static void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]) {
-  val e1 = x[QUANTITY_E1], e2 = x[QUANTITY_E2], tb = x[QUANTITY_TB], td = x[QUANTITY_TD], V = m->p[P_V];
-  val chi = m->p[P_CHI], eta = m->p[P_ETA], zero = m->zero, s, co, sine, cosine;
-  struct slip_blocks h;
-  blocks_at(&h, c, &m->spectrum, x[QUANTITY_TC]);
-  calc_sin_cos(c, &s, &co, tb);
-  calc_sin_cos(c, &sine, &cosine, calc_mul(c, m->omega, td));
-  val wb = calc_dot(c, e1, co, m->a, s), dwb = calc_sub(c, calc_mul(c, m->a, co), calc_mul(c, e1, s));
-  val pb = calc_sub(c, dwb, m->a), rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), wb), e1);
-  w->end = calc_sub(c, calc_div(c, e2, chi), rise);
-
-  struct moving b = {{calc_add(c, V, pb), V}, {wb, calc_mul(c, eta, e2)}}, at = carry(c, &h, &b);
-  struct moving by_e1 = {{calc_neg(c, s), zero}, {co, zero}}, by_e2 = {{zero, zero}, {zero, eta}};
-  struct moving by_tb = {{calc_neg(c, wb), zero}, {dwb, zero}};
-  struct moving by_tc = {
-      {calc_neg(c, at.f[0]), calc_neg(c, at.f[1])},
-      {calc_sub(c, at.v[0], calc_mul(c, chi, at.v[1])), calc_mul(c, m->stiff, calc_sub(c, at.v[1], at.v[0]))}};
-  struct moving end[3] = {carry(c, &h, &by_e1), carry(c, &h, &by_e2), carry(c, &h, &by_tb)};
-  column(w, QUANTITY_E1, c, m, &end[0], calc_sub(c, co, m->one), cosine, sine);
-  column(w, QUANTITY_E2, c, m, &end[1], calc_div(c, m->one, chi), cosine, sine);
-  column(w, QUANTITY_TB, c, m, &end[2], pb, cosine, sine);
-  column(w, QUANTITY_TC, c, m, &by_tc, zero, cosine, sine);
-  w->j[3][QUANTITY_E1] = calc_sub(c, w->j[3][QUANTITY_E1], m->one);
-  val spin = calc_mul(c, m->omega, w->end);
-  val by_td[N_FREE] = {zero, calc_mul(c, spin, sine), calc_neg(c, calc_mul(c, spin, cosine)), m->a};
-  for (int i = 0; i < N_FREE; i++) {
-    w->j[i][QUANTITY_TA] = i == 3 ? m->a : zero;
-    w->j[i][QUANTITY_TD] = by_td[i];
-  }
-
-  val r = calc_div(c, at.f[1], m->stiff), rest = calc_mul(c, m->a, calc_add(c, x[QUANTITY_TA], td));
-  w->e[0] = calc_sub(c, at.v[0], V);
-  w->e[1] = calc_sub(c, r, calc_mul(c, w->end, cosine));
-  w->e[2] = calc_sub(c, calc_div(c, calc_sub(c, at.v[1], V), m->omega), calc_mul(c, w->end, sine));
-  val back = calc_mul(c, chi, calc_sub(c, w->end, r));
-  w->e[3] = calc_sub(c, calc_add(c, at.f[0], calc_sub(c, rest, back)), e1);
-}
-
-/* Of the model; e1 and e2 are unknowns and stand for nothing here. */
-static void model_params(struct ball_params *m, struct calc *c, const fmpq *model) {
-  val one = calc_d(c, 1), p[N_PARAMS] = {calc_q(c, model), calc_q(c, model + 1), calc_q(c, model + 2), one, one};
-  ball_params_make(m, c, p);
-}
-
-/* step receives the solution of j step = e in the unknowns. */
-static int solve_step(struct num_vec *step, const struct word *w, const int unknown[N_FREE]) {
-  struct num_vec a;
-  num_vec_init(&a, N_FREE * N_FREE, step->ctx);
-  for (slong i = 0; i < N_FREE; i++) {
-    step->ctx.type->set(num_vec_at(step, i), w->e[i]);
-    for (slong k = 0; k < N_FREE; k++) step->ctx.type->set(num_vec_at(&a, i * N_FREE + k), w->j[i][unknown[k]]);
-  }
-  int status = num_mat_solve(step, &a, step, N_FREE, 1);
-  num_vec_clear(&a);
-  return status;
-}
-
-/* What a step of an unknown is measured by: all times for a time, both limits for a limit. */
-static val measure(struct calc *c, const val x[N_QUANTITIES], int which) {
-  val sum = calc_d(c, 0);
-  bool time = which >= QUANTITY_TA;
-  for (int i = time ? QUANTITY_TA : 0; i < (time ? N_QUANTITIES : QUANTITY_TA); i++)
-    sum = calc_add(c, sum, calc_abs(c, x[i]));
-  return sum;
-}
-
-/* One Newton step on x; *settled when it is below 2^-bits. */
-static int newton_step(bool *settled, struct num_vec *x, struct calc *c, const struct ball_params *m,
-                       const int unknown[N_FREE], slong bits) {
-  struct word w;
-  struct num_vec step;
-  val at[N_QUANTITIES];
-  slong mark = calc_mark(c);
-  num_vec_init(&step, N_FREE, c->ctx);
-  flow_vals(at, x, 0, N_QUANTITIES);
-  word_make(&w, c, m, at);
-  int status = c->status ? c->status : solve_step(&step, &w, unknown);
-  val small = calc_two_to(c, -bits);
-  *settled = !status;
-  for (slong k = 0; k < N_FREE && !status; k++) {
-    void *u = num_vec_at(x, unknown[k]);
-    const void *s = num_vec_at(&step, k);
-    if (calc_lt(c, calc_mul(c, small, measure(c, at, unknown[k])), calc_abs(c, s))) *settled = false;
-    status |= c->ctx.type->sub(u, u, s, c->ctx.prec);
-  }
-  calc_release(c, mark);
-  num_vec_clear(&step);
-  return status;
-}
-
 /* --- The search in double precision. --- */
 
 struct seed {
@@ -348,7 +206,7 @@ static void descend(struct scan *s, const struct sheet *from) {
   for (int i = 0, left = 1; i < 16 && left >= 0; i++) { /* one more step once they are small */
     s->c.status = SS_OK;
     s->work += STEP_WORK;
-    if (newton_step(&settled, &v, &s->c, &s->m, s->q->unknown, SEED_BITS)) return;
+    if (word_newton(&settled, &v, &s->c, &s->m, s->q->data.unknown, SEED_BITS)) return;
     for (int k = 0; k < 2; k++)
       if (fabs(x[QUANTITY_TB + k] - from->x[QUANTITY_TB + k]) > 16 * s->cell[k]) return;
     if (settled) left--;
@@ -396,7 +254,7 @@ static void try_points(struct scan *s, const struct sheet *const *point, int n, 
   const struct quest *q = s->q;
   struct range r;
   for (int i = 0; i < 2; i++) {
-    r = range_of(point, n, q->which[i]);
+    r = range_of(point, n, q->data.which[i]);
     if (!meets(&r, slack, q->target[i], q->target[i])) return;
   }
   for (enum dyn_quantity x = QUANTITY_E1; x <= QUANTITY_E2; x++) {
@@ -607,144 +465,18 @@ static int scan_plane(struct scan *s) {
 
 /* --- Refinement and proof. --- */
 
-struct solution {
-  arb_t x[N_QUANTITIES], box[N_QUANTITIES];
-};
-
-static void solution_init(struct solution *s) {
-  for (int i = 0; i < N_QUANTITIES; i++) {
-    arb_init(s->x[i]);
-    arb_init(s->box[i]);
-  }
-}
-
-static void solution_clear(struct solution *s) {
-  for (int i = 0; i < N_QUANTITIES; i++) {
-    arb_clear(s->x[i]);
-    arb_clear(s->box[i]);
-  }
-}
-
-/* Newton's iteration in mpfr from x, the precision doubling up to that of x; the given ones are rounded once. */
-static int refine(struct num_vec *x, const struct quest *q) {
-  slong ladder[FLINT_BITS], n = 0, prec = x->ctx.prec;
-  int status = SS_OK;
-  for (slong i = 0; i < 2; i++) status |= num_mpfr.set_q(num_vec_at(x, q->which[i]), q->value + i, prec);
-  for (slong bits = prec; bits > 192; bits = bits / 2 + 24) ladder[n++] = bits;
-  ladder[n++] = FLINT_MIN(prec, 192);
-  while (n > 0 && !status) {
-    struct calc c;
-    struct ball_params m;
-    bool settled = false;
-    calc_init(&c, num_ctx_mpfr(ladder[--n]));
-    model_params(&m, &c, q->model);
-    for (int i = 0; i < 40 && !settled && !status; i++)
-      status |= newton_step(&settled, x, &c, &m, q->unknown, c.ctx.prec / 2 + 4);
-    if (!settled) status |= SS_UNABLE;
-    calc_clear(&c);
-  }
-  return status;
-}
-
-/* The rounded inverse of the derivative at the midpoint, and the Newton step there. */
-static int precondition(struct num_vec *y, struct num_vec *step, const struct word *w, const int unknown[N_FREE]) {
-  struct num_vec a;
-  int status = SS_OK;
-  num_vec_init(&a, N_FREE * N_FREE, y->ctx);
-  for (slong i = 0; i < N_FREE; i++)
-    for (slong k = 0; k < N_FREE; k++) {
-      arb_get_mid_arb(num_vec_at(&a, i * N_FREE + k), w->j[i][unknown[k]]);
-      arb_set_si(num_vec_at(y, i * N_FREE + k), i == k);
-    }
-  status |= num_mat_solve(y, &a, y, N_FREE, N_FREE);
-  for (slong i = 0; i < N_FREE * N_FREE; i++) arb_get_mid_arb(num_vec_at(y, i), num_vec_at(y, i));
-  for (slong i = 0; i < N_FREE; i++) num_arb.set(num_vec_at(&a, i), w->e[i]);
-  struct num_vec e = {a.ctx, N_FREE, a.data};
-  status |= num_mat_mul(step, y, &e, N_FREE, N_FREE, 1);
-  num_vec_clear(&a);
-  return status;
-}
-
-/* One application of Krawczyk's operator to s->box around the points mid: s->x, and whether it lies inside. */
-static bool krawczyk(struct solution *s, struct calc *c, const struct ball_params *m, const val mid[N_FREE],
-                     const struct num_vec *y, const struct num_vec *step, const int unknown[N_FREE]) {
-  struct word w;
-  val at[N_QUANTITIES];
-  bool inside = true;
-  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->box[i];
-  word_make(&w, c, m, at);
-  for (int i = 0; i < N_FREE; i++) {
-    val image = calc_sub(c, mid[i], num_vec_at(step, i));
-    for (int l = 0; l < N_FREE; l++) {
-      val rest = calc_d(c, i == l);
-      for (int k = 0; k < N_FREE; k++)
-        rest = calc_sub(c, rest, calc_mul(c, num_vec_at(y, i * N_FREE + k), w.j[k][unknown[l]]));
-      image = calc_add(c, image, calc_mul(c, rest, calc_sub(c, s->box[unknown[l]], mid[l])));
-    }
-    arb_set(s->x[unknown[i]], image);
-    inside = inside && arb_contains_interior(s->box[unknown[i]], image);
-  }
-  return inside && !c->status;
-}
-
-/* Proves one solution near x, on boxes that grow until one is mapped into its interior. */
-static int enclose(struct solution *s, const struct num_vec *x, const struct quest *q) {
-  struct calc c;
-  struct ball_params m;
-  struct word w;
-  struct num_vec y, step;
-  val at[N_QUANTITIES], mid[N_FREE];
-  slong prec = x->ctx.prec;
-  calc_init(&c, num_ctx_arb(prec));
-  model_params(&m, &c, q->model);
-  num_vec_init(&y, N_FREE * N_FREE, c.ctx);
-  num_vec_init(&step, N_FREE, c.ctx);
-  for (slong i = 0; i < N_QUANTITIES; i++) {
-    arb_ptr point = calc_new(&c);
-    num_mpfr.get_arb(point, num_vec_at(x, i));
-    at[i] = point;
-  }
-  for (int i = 0; i < 2; i++) {
-    arb_set_fmpq(s->x[q->which[i]], q->value + i, prec);
-    arb_set(s->box[q->which[i]], s->x[q->which[i]]);
-    at[q->which[i]] = s->x[q->which[i]];
-  }
-  word_make(&w, &c, &m, at);
-  int status = c.status | precondition(&y, &step, &w, q->unknown);
-  for (slong i = 0; i < N_FREE; i++) {
-    arb_ptr box = s->box[q->unknown[i]];
-    mid[i] = at[q->unknown[i]];
-    arb_set(box, mid[i]);
-    arb_get_mag(arb_radref(box), num_vec_at(&step, i));
-    mag_mul_2exp_si(arb_radref(box), arb_radref(box), 3);
-  }
-  bool proved = false;
-  for (int i = 0; i < 10 && !proved && !status; i++) {
-    slong mark = calc_mark(&c);
-    c.status = SS_OK;
-    proved = krawczyk(s, &c, &m, mid, &y, &step, q->unknown);
-    calc_release(&c, mark);
-    for (int k = 0; k < N_FREE && !proved; k++)
-      mag_mul_2exp_si(arb_radref(s->box[q->unknown[k]]), arb_radref(s->box[q->unknown[k]]), 3);
-  }
-  num_vec_clear(&y);
-  num_vec_clear(&step);
-  calc_clear(&c);
-  return proved ? SS_OK : SS_UNABLE;
-}
-
-static int solve(struct solution *s, const struct seed *seed, const struct quest *q, slong prec) {
+static int solve(struct word_root *s, const struct seed *seed, const struct quest *q, slong prec) {
   struct num_vec x;
   num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
   int status = SS_OK;
   for (slong i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_d(num_vec_at(&x, i), seed->x[i], prec);
-  if (!status) status = refine(&x, q);
-  if (!status) status = enclose(s, &x, q);
+  if (!status) status = word_refine(&x, &q->data);
+  if (!status) status = word_enclose(s, &x, &q->data);
   num_vec_clear(&x);
   return status;
 }
 
-static bool same_solution(const struct solution *s, const struct solution *t) {
+static bool same_solution(const struct word_root *s, const struct word_root *t) {
   bool same = true;
   for (int k = 0; k < N_QUANTITIES && same; k++)
     same = arb_overlaps(s->x[k], t->x[k]) && (arb_contains(s->box[k], t->x[k]) || arb_contains(t->box[k], s->x[k]));
@@ -752,14 +484,14 @@ static bool same_solution(const struct solution *s, const struct solution *t) {
 }
 
 /* The orbit's parameters, e1 and e2 as they came out. */
-static void orbit_params(struct ball_params *m, struct calc *c, const struct solution *s, const struct quest *q) {
-  val p[N_PARAMS] = {calc_q(c, q->model), calc_q(c, q->model + 1), calc_q(c, q->model + 2), s->x[QUANTITY_E1],
-                     s->x[QUANTITY_E2]};
+static void orbit_params(struct ball_params *m, struct calc *c, const struct word_root *s, const struct quest *q) {
+  val p[N_PARAMS] = {calc_q(c, q->data.model), calc_q(c, q->data.model + 1), calc_q(c, q->data.model + 2),
+                     s->x[QUANTITY_E1], s->x[QUANTITY_E2]};
   ball_params_make(m, c, p);
 }
 
 /* The sign of r at the stick phase, which phase C has too. */
-static bool goes_up(struct calc *c, const struct ball_params *m, const struct solution *s) {
+static bool goes_up(struct calc *c, const struct ball_params *m, const struct word_root *s) {
   struct word w;
   val x[N_QUANTITIES];
   for (int i = 0; i < N_QUANTITIES; i++) x[i] = s->x[i];
@@ -768,7 +500,7 @@ static bool goes_up(struct calc *c, const struct ball_params *m, const struct so
 }
 
 /* The numbers of the orbit of a solution. */
-static int describe(struct dyn_orbit *o, const struct solution *s, const struct quest *q, slong prec) {
+static int describe(struct dyn_orbit *o, const struct word_root *s, const struct quest *q, slong prec) {
   struct calc c;
   struct ball_params m;
   calc_init(&c, num_ctx_arb(prec));
@@ -780,7 +512,7 @@ static int describe(struct dyn_orbit *o, const struct solution *s, const struct 
 }
 
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
-static truth judge(struct dyn_orbit *o, const struct solution *s, const struct quest *q, slong prec) {
+static truth judge(struct dyn_orbit *o, const struct word_root *s, const struct quest *q, slong prec) {
   struct calc c;
   struct ball_params m;
   calc_init(&c, num_ctx_arb(prec));
@@ -803,8 +535,8 @@ static bool undecided(const struct dyn_orbit *o) {
 }
 
 /* The orbit of a solution to the wanted accuracy, the working precision being raised as long as that helps. */
-static int finish(struct dyn_orbit *o, truth *valid, struct solution *s, const struct seed *seed, const struct quest *q,
-                  slong prec) {
+static int finish(struct dyn_orbit *o, truth *valid, struct word_root *s, const struct seed *seed,
+                  const struct quest *q, slong prec) {
   slong work = prec + GUARD;
   int status = describe(o, s, q, work);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
@@ -826,25 +558,25 @@ static int by_z10(const void *x, const void *y) {
 }
 
 /* The solution of a seed: the precision is raised where it cannot be told from another one yet. */
-static int settle(struct solution *s, const struct seed *seed, const struct quest *q, slong prec) {
+static int settle(struct word_root *s, const struct seed *seed, const struct quest *q, slong prec) {
   int status = SS_UNABLE;
   for (int i = 0; i <= RAISES && status; i++) status = solve(s, seed, q, (prec + GUARD) << i);
   return status;
 }
 
 static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec) {
-  struct solution *found = ss_malloc((scan->n + 1) * sizeof *found);
+  struct word_root *found = ss_malloc((scan->n + 1) * sizeof *found);
   size_t n = 0;
   int status = SS_OK;
   list->orbit = ss_malloc((scan->n + 1) * sizeof *list->orbit);
   for (size_t i = 0; i < scan->n; i++) {
-    solution_init(&found[n]);
+    word_root_init(&found[n]);
     int failed = settle(&found[n], &scan->seeds[i], scan->q, prec);
     bool known = false;
     for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k], &found[n]);
     status |= failed;
     if (failed || known) {
-      solution_clear(&found[n]);
+      word_root_clear(&found[n]);
       continue;
     }
     struct dyn_orbit *o = &list->orbit[list->n];
@@ -857,7 +589,7 @@ static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec)
     else
       list->n++;
   }
-  for (size_t k = 0; k < n; k++) solution_clear(&found[k]);
+  for (size_t k = 0; k < n; k++) word_root_clear(&found[k]);
   free(found);
   qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_z10);
   return status;
@@ -865,7 +597,7 @@ static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec)
 
 static int quest_init(struct quest *q, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
                       const struct dyn_limits *lim) {
-  *q = (struct quest){.model = model, .value = value, .which = which, .lim = lim ? *lim : dyn_given_limits};
+  *q = (struct quest){.data = {model, value, which, {0}}, .lim = lim ? *lim : dyn_given_limits};
   if (which[0] == which[1]) return SS_DOMAIN;
   double p[N_PARAMS] = {fmpq_get_d(model), fmpq_get_d(model + 1), fmpq_get_d(model + 2), 1, 1};
   for (int i = 0; i < 3; i++)
@@ -878,7 +610,7 @@ static int quest_init(struct quest *q, const fmpq *model, const enum dyn_quantit
   }
   int n = 0;
   for (int i = 0; i < N_QUANTITIES; i++)
-    if (!is_given(q, (enum dyn_quantity)i)) q->unknown[n++] = i;
+    if (!is_given(q, (enum dyn_quantity)i)) q->data.unknown[n++] = i;
   return carrier_init(&q->k, p) ? SS_UNABLE : SS_OK; /* in the domain, but not in that of double precision */
 }
 
@@ -903,7 +635,7 @@ int dyn_orbits_given(struct dyn_orbits *list, const fmpq *model, const enum dyn_
     return find_by_limits(list, model, which, value, prec, lim);
   struct scan scan = {.q = &q};
   calc_init(&scan.c, num_ctx_double());
-  model_params(&scan.m, &scan.c, model);
+  word_params(&scan.m, &scan.c, model);
   status = scan_plane(&scan);
   status |= collect(list, &scan, prec);
   list->evaluations = scan.evaluations;

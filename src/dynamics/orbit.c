@@ -328,11 +328,13 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   ball_pass_make(&s, c, m, tb, tc, up);
   struct ending e = end_word(c, m, &s, up);
   truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
-  truth first_b = first_tb(c, m, &s, &o->holds[COND_GAMMA_V1]);
+  truth first_b = truth_and(first_tb(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
   truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
+  first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
   o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
   o->holds[COND_H_V1] = num_arb.lt(s.pb, m->zero);
   o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
+  if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
   o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
   o->holds[COND_C_W] = num_arb.lt(e.most, m->p[P_E1]);
   o->holds[COND_D_R] = num_arb.lt(m->zero, s.rise);
@@ -340,6 +342,10 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);
   o->admissible = TRUTH_TRUE;
   for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
+  o->first[PHASE_D] = TRUTH_TRUE; /* affine */
+  o->first[PHASE_GAMMA] = first_b;
+  o->first[PHASE_H] = first_c;
+  o->first[PHASE_C] = direction; /* q = omega r_end sin(omega (t_d - t)) with 0 < omega t_d < pi */
   return truth_and(truth_and(first_b, first_c), direction);
 }
 

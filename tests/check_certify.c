@@ -1,0 +1,696 @@
+/* Certified orbits, and the separate checker of their certificates.
+
+   What is proved is held against tests/oracle (mpmath: matrix exponentials, 60 digits, violations in double precision).  The
+   checker runs as a process; $STICKSLIP-checker is its path.  A certificate with anything false in it must be rejected:
+   every number and every truth of a real one is changed in turn, and solutions of the six equations that start an event
+   too early are forged into certificates. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+#include <time.h>
+
+#include "dynamics/dyn_impl.h"
+#include "scratch.h"
+#include "stickslip/certify.h"
+#include "suites.h"
+
+/* --- A question and its answer --- */
+
+struct study {
+  fmpq params[N_PARAMS], u[2];
+  enum dyn_quantity which[2];
+  struct dyn_question q;
+  struct dyn_orbits list;
+  struct dyn_certificate *proof;
+  struct text json;
+};
+
+static void rational(fmpq_t q, const char *s) {
+  fmpq_init(q);
+  bool negative = s[0] == '-';
+  if (strchr(s, '/')) {
+    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
+    return;
+  }
+  ck_assert_msg(num_parse_decimal(q, s + negative, strlen(s) - negative) == SS_OK, "%s", s);
+  if (negative) fmpq_neg(q, q);
+}
+
+static void certify_all(struct study *s) {
+  s->proof = malloc((size_t)(s->list.n + 1) * sizeof *s->proof);
+  for (slong i = 0; i < s->list.n; i++) {
+    dyn_certificate_init(&s->proof[i]);
+    dyn_certify(&s->proof[i], &s->q, &s->list.orbit[i]);
+  }
+  text_init(&s->json);
+  dyn_certificates_json(&s->json, "test", &s->q, &s->list, s->proof);
+}
+
+/* chi, eta, V and two quantities; u_r1, u_r2 or NULL. */
+static void study_open(struct study *s, const char *const text[N_PARAMS], enum dyn_quantity first,
+                       enum dyn_quantity second, const char *const u[2], slong prec) {
+  *s = (struct study){.which = {first, second}};
+  for (int i = 0; i < N_PARAMS; i++) rational(&s->params[i], text[i]);
+  s->q = (struct dyn_question){.model = s->params, .value = s->params + 3, .which = s->which};
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(&s->u[i]);
+    if (!u || !u[i]) continue;
+    fmpq_clear(&s->u[i]);
+    rational(&s->u[i], u[i]);
+    s->q.u_r[i] = &s->u[i];
+  }
+  dyn_orbits_given(&s->list, s->params, s->which, s->params + 3, prec, NULL);
+  certify_all(s);
+}
+
+static void study_forces(struct study *s, const char *chi, const char *eta, const char *V, const char *e1,
+                         const char *e2) {
+  const char *const text[N_PARAMS] = {chi, eta, V, e1, e2};
+  study_open(s, text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+}
+
+static void study_paper(struct study *s) {
+  study_forces(s, "0.8", "1", "1", "2.7844", "0.8587");
+}
+
+static void study_close(struct study *s) {
+  for (slong i = 0; i < s->list.n; i++) dyn_certificate_clear(&s->proof[i]);
+  free(s->proof);
+  dyn_orbits_clear(&s->list);
+  text_clear(&s->json);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&s->params[i]);
+  for (int i = 0; i < 2; i++) fmpq_clear(&s->u[i]);
+}
+
+static void all_certified(const struct study *s, slong n) {
+  ck_assert_int_eq(s->list.n, n);
+  for (slong i = 0; i < n; i++) {
+    struct text why;
+    text_init(&why);
+    dyn_certificate_why(&why, &s->proof[i]);
+    ck_assert_msg(s->proof[i].certified, "orbit %ld: %s", (long)i, text_str(&why));
+    text_clear(&why);
+  }
+}
+
+/* --- The checker --- */
+
+static char said[2000];
+
+/* Its exit status on the file; what it says goes to `said`. */
+static int checker_on(const char *path) {
+  const char *program = getenv("STICKSLIP");
+  char command[1000];
+  snprintf(command, sizeof command, "%s-checker '%s' 2>&1", program && *program ? program : "build/stickslip", path);
+  FILE *f = popen(command, "r");
+  ck_assert(f != NULL);
+  size_t n = fread(said, 1, sizeof said - 1, f);
+  said[n] = '\0';
+  int status = pclose(f);
+  ck_assert_msg(WIFEXITED(status) && n > 0 && n < 1000, "%s: %d bytes, status %d", command, (int)n, status);
+  return WEXITSTATUS(status);
+}
+
+static int checker(const char *text) {
+  return checker_on(scratch_put("certificate.json", text));
+}
+
+enum { VERIFIED = 0, REJECTED = 1, BAD_FILE = 3 };
+
+static void verified(const struct study *s) {
+  ck_assert_msg(checker(text_str(&s->json)) == VERIFIED, "%s", said);
+  char line[40];
+  snprintf(line, sizeof line, "verified: %ld orbit%s\n", (long)s->list.n, s->list.n == 1 ? "" : "s");
+  ck_assert_str_eq(said, line);
+}
+
+/* --- Against independent data --- */
+
+/* Whether the ball can be the number that the decimal was rounded from, to 2^-bits. */
+static bool decimal_within(const char *decimal, arb_srcptr x, slong bits) {
+  arb_t y;
+  arb_init(y);
+  arb_set_str(y, decimal, 4000);
+  mag_t ulp;
+  mag_init(ulp);
+  arb_get_mag(ulp, y);
+  mag_mul_2exp_si(ulp, ulp, -bits);
+  arb_add_error_mag(y, ulp);
+  bool overlap = arb_overlaps(x, y);
+  mag_clear(ulp);
+  arb_clear(y);
+  return overlap;
+}
+
+static int split(char *line, char *field[20]) {
+  int n = 0;
+  for (char *p = strtok(line, "\t\n"); p && n < 20; p = strtok(NULL, "\t\n")) field[n++] = p;
+  return n;
+}
+
+/* One orbit's line: name index z10 z20 t_a t_b t_c t_d period trace u_r1_min u_r2_min admissible violations. */
+static void check_orbit(const struct study *s, slong i, char *field[20]) {
+  const struct dyn_orbit *o = &s->list.orbit[i];
+  const struct dyn_certificate *z = &s->proof[i];
+  arb_srcptr x[] = {o->z10, o->z20, o->t[0], o->t[1], o->t[2], o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  for (int k = 0; k < 10; k++)
+    ck_assert_msg(decimal_within(field[3 + k], x[k], 195), "%s %ld: number %d", field[1], (long)i, k);
+  for (int k = 0; k < 4; k++) ck_assert(decimal_within(field[5 + k], z->box[QUANTITY_TA + k], 195));
+  ck_assert(decimal_within(field[3], z->box_z10, 195) && decimal_within(field[4], z->box_z20, 195));
+  double trace = strtod(field[10], NULL);
+  ck_assert_int_eq(z->stable, trace > -1 && trace < 1);
+  ck_assert_int_eq(z->admissible, strcmp(field[13], "yes") == 0);
+  char list[100];
+  snprintf(list, sizeof list, ",%s,", field[14]);
+  for (int k = 0; k < N_CONDITIONS; k++) {
+    char id[20];
+    snprintf(id, sizeof id, ",%s,", dyn_condition_id[k]);
+    ck_assert_msg((strstr(list, id) == NULL) == (z->holds[k] == TRUTH_TRUE), "%s %ld: %s", field[1], (long)i,
+                  dyn_condition_id[k]);
+  }
+  for (int k = 0; k < N_PHASES; k++) ck_assert_int_eq(z->first[k], TRUTH_TRUE);
+}
+
+/* t_b > pi, t_a < 0, tr J beyond 1, coexisting orbits, t_c near 76, an orbit beside its fold, ...: see sets.tsv. */
+START_TEST(every_set_is_certified_and_verified) {
+  char line[4000], *field[20];
+  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  int sets = 0, orbits = 0;
+  while (fgets(line, sizeof line, f)) {
+    if (split(line, field) < 9 || strcmp(field[0], "set") != 0) continue;
+    struct study s;
+    slong n = atoi(field[7]);
+    study_forces(&s, field[2], field[3], field[4], field[5], field[6]);
+    all_certified(&s, n);
+    for (slong i = 0; i < n; i++) {
+      ck_assert(fgets(line, sizeof line, f) != NULL);
+      ck_assert_int_eq(split(line, field), 15);
+      check_orbit(&s, i, field);
+      orbits++;
+    }
+    if (n > 0)
+      verified(&s);
+    else
+      ck_assert_int_eq(checker(text_str(&s.json)), REJECTED); /* nothing is certified */
+    study_close(&s);
+    sets++;
+  }
+  fclose(f);
+  ck_assert_msg(sets >= 28 && orbits >= 55, "%d sets, %d orbits", sets, orbits);
+}
+END_TEST
+
+/* |tr J| = 1 to 18 digits: the parameters of equality.tsv, and 1e-15 aside on either side. */
+START_TEST(near_flip) {
+  static const struct {
+    const char *chi;
+    truth stable;
+  } row[] = {{"0.7832116263051993", TRUTH_TRUE}, {"0.7832116263052", TRUTH_FALSE}};
+  struct study s;
+  for (int i = 0; i < 2; i++) {
+    study_forces(&s, row[i].chi, "2", "1", "4", "1/4");
+    all_certified(&s, 1);
+    ck_assert_msg(s.proof[0].stable == row[i].stable, "%s: %d", row[i].chi, s.proof[0].stable);
+    ck_assert_double_lt(fabs(arf_get_d(arb_midref(s.list.orbit[0].margin), ARF_RND_NEAR)), 1e-11);
+    verified(&s);
+    study_close(&s);
+  }
+  study_forces(&s, "0.783211626305199313", "2", "1", "4", "1/4");
+  all_certified(&s, 1);
+  ck_assert_int_ge(s.proof[0].bits, 128); /* 64 do not tell the side */
+  verified(&s);
+  study_close(&s);
+}
+END_TEST
+
+/* Parameters between which an orbit appears or ends, found by halving to 1e-14 and better: two orbits at their fold, a
+   touching of z_1' = V in phase H, t_b after a touching of chi r = e2, t_b near 0, z_2' = V just before t_c. */
+START_TEST(near_folds_and_grazing_events) {
+  static const struct {
+    const char *text[N_PARAMS];
+    int n;
+  } row[] = {
+      {{"0.87", "0.32", "0.45", "0.242", "2734335049290934897211/10000000000000000000000"}, 7},
+      {{"0.95", "0.064", "2.7", "1.04", "1936334096912108922339/500000000000000000000"}, 5},
+      {{"0.66", "0.93", "0.75", "0.647", "16877224743572401557397/10000000000000000000000"}, 2},
+      {{"0.57", "20", "0.45", "2.7", "8418960846955888932539/5000000000000000000000"}, 3},
+      {{"0.95", "0.064", "2.7", "1.04", "1327182851438679915823/312500000000000000000"}, 4},
+      {{"0.95", "0.064", "2.7", "1.04", "35722282425300494708149/10000000000000000000000"}, 3},
+      {{"0.05", "20", "2.3", "4.43", "4431695246102601544177/10000000000000000000000"}, 2},
+  };
+  int raised = 0;
+  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+    struct study s;
+    study_open(&s, row[i].text, QUANTITY_E1, QUANTITY_E2, NULL, 128);
+    all_certified(&s, row[i].n);
+    for (slong k = 0; k < s.list.n; k++) raised += s.proof[k].bits > 64;
+    verified(&s);
+    study_close(&s);
+  }
+  ck_assert_int_ge(raised, 6);
+}
+END_TEST
+
+/* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c = -35.2. */
+START_TEST(no_orbit_of_negative_times) {
+  struct study s;
+  study_forces(&s, "0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
+  all_certified(&s, s.list.n);
+  for (slong i = 0; i < s.list.n; i++)
+    for (int k = PHASE_GAMMA; k <= PHASE_C; k++) ck_assert(arb_is_positive(s.list.orbit[i].t[k]));
+  verified(&s);
+  study_close(&s);
+}
+END_TEST
+
+/* t_c = 224.7; and given times, t_a = 1e-9 and two events at one time. */
+START_TEST(long_slip_and_given_times) {
+  struct study s;
+  study_forces(&s, "0.8", "1", "1", "0.05", "0.001");
+  all_certified(&s, 1);
+  ck_assert_double_gt(s.list.orbit[0].guess[PHASE_H], 200);
+  verified(&s);
+  study_close(&s);
+
+  static const char *const times[N_PARAMS] = {"0.8", "1", "1", "2", "1.5"};
+  char t_a[60], line[100] = "";
+  FILE *f = fopen("tests/oracle/times.tsv", "r");
+  ck_assert(f != NULL);
+  while (strncmp(line, "t_a", 3) != 0) ck_assert(fgets(line, sizeof line, f) != NULL);
+  ck_assert_int_eq(sscanf(line, "t_a %59s", t_a), 1);
+  fclose(f);
+  static const char *const u[2][2] = {{"100", "100"}, {"1", "100"}};
+  for (int i = 0; i < 2; i++) { /* w < 0 where C starts: u_r1_min > e1/2 > 1 */
+    study_open(&s, times, QUANTITY_TB, QUANTITY_TC, u[i], 128);
+    all_certified(&s, 1);
+    ck_assert(decimal_within(t_a, s.list.orbit[0].t[0], 130));
+    ck_assert_int_eq(s.proof[0].u_r[0], i == 0);
+    ck_assert_int_eq(s.proof[0].admissible, i == 0);
+    verified(&s);
+    study_close(&s);
+  }
+
+  static const char *const short_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1e-9"};
+  study_open(&s, short_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
+  all_certified(&s, 1);
+  verified(&s);
+  study_close(&s);
+
+  static const char *const no_stick[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0"};
+  study_open(&s, no_stick, QUANTITY_E1, QUANTITY_TA, NULL, 128);
+  ck_assert_int_eq(s.list.n, 1);
+  ck_assert(!s.proof[0].certified); /* w = e1 at the end of C: neither below nor above */
+  ck_assert_uint_eq(s.proof[0].open, (unsigned)OPEN_HOLDS << COND_C_W);
+  ck_assert_int_eq(s.proof[0].bits, DYN_CERTIFY_LAST);
+  study_close(&s);
+}
+END_TEST
+
+/* --- Certificates with something false in them --- */
+
+/* The certificate with len bytes at `at` replaced. */
+static int checker_with(const struct text *json, size_t at, size_t len, const char *by) {
+  struct text t;
+  text_init(&t);
+  text_add_n(&t, json->data, at);
+  text_add(&t, by);
+  text_add(&t, json->data + at + len);
+  int status = checker(text_str(&t));
+  text_clear(&t);
+  return status;
+}
+
+/* The next value after the colon at or behind `from`: begin and length, a string without its quotes; false at the end. */
+static bool next_value(size_t *begin, size_t *len, const struct text *json, size_t from) {
+  const char *p = strstr(json->data + from, "\": ");
+  while (p && (p[3] == '{' || p[3] == '[')) p = strstr(p + 3, "\": ");
+  if (!p) return false;
+  p += p[3] == '"' ? 4 : 3;
+  *begin = (size_t)(p - json->data);
+  *len = strcspn(p, "\"\n,");
+  return true;
+}
+
+/* "p/q" with another numerator; "m e r f" moved by four radii, a power of two off, or without its radius. */
+static void damage(char out[400], const char *value, int how) {
+  arb_t x;
+  fmpq_t q;
+  arb_init(x);
+  fmpq_init(q);
+  if (!strchr(value, ' ')) {
+    ck_assert_int_eq(fmpq_set_str(q, value, 10), 0);
+    fmpq_add_si(q, q, how == 0 ? 1 : 0);
+    if (how > 0) fmpq_mul_si(q, q, how + 1);
+    char *s = fmpq_get_str(NULL, 10, q);
+    snprintf(out, 400, "%s", s);
+    flint_free(s);
+  } else {
+    ck_assert_int_eq(arb_load_str(x, value), 0);
+    arb_t r;
+    arb_init(r);
+    arb_get_rad_arb(r, x);
+    arb_mul_2exp_si(r, r, 2);
+    if (arb_is_zero(r)) arb_one(r);
+    arf_t middle;
+    arf_init(middle);
+    if (how == 0) arf_add(middle, arb_midref(x), arb_midref(r), ARF_PREC_EXACT, ARF_RND_DOWN);
+    if (how == 0) arf_swap(arb_midref(x), middle);
+    if (how == 1) arf_mul_2exp_si(arb_midref(x), arb_midref(x), 1);
+    if (how == 2) mag_zero(arb_radref(x));
+    arf_clear(middle);
+    arb_clear(r);
+    char *s = arb_dump_str(x);
+    snprintf(out, 400, "%s", s);
+    flint_free(s);
+  }
+  arb_clear(x);
+  fmpq_clear(q);
+}
+
+/* Every number of the paper's two orbits, in three ways each.  A time at which h_v2 is broken may be another such time. */
+START_TEST(a_changed_number_is_rejected) {
+  struct study s;
+  size_t at, len, from = 0;
+  int changed = 0;
+  study_paper(&s);
+  verified(&s);
+  while (next_value(&at, &len, &s.json, from)) {
+    char value[400], other[400];
+    snprintf(value, sizeof value, "%.*s", (int)len, s.json.data + at);
+    from = at + len;
+    if (!strchr("-0123456789abcdef", value[0]) || strcmp(value, "false") == 0) continue;
+    bool place = strncmp(s.json.data + at - 14, "\"broken_at\": \"", 14) == 0;
+    for (int how = 0; how < 3; how++) {
+      damage(other, value, how);
+      if (place && how == 2) continue;
+      ck_assert_msg(checker_with(&s.json, at, len, other) == REJECTED, "%s for %s: %s", other, value, said);
+      changed++;
+    }
+  }
+  ck_assert_int_eq(changed, 3 * (5 + 2 * (6 + 13)) + 2);
+  study_close(&s);
+}
+END_TEST
+
+START_TEST(a_changed_truth_is_rejected) {
+  struct study s;
+  size_t at, len, from = 0;
+  int changed = 0;
+  study_paper(&s);
+  while (next_value(&at, &len, &s.json, from)) {
+    bool yes = strncmp(s.json.data + at, "true", 4) == 0, no = strncmp(s.json.data + at, "false", 5) == 0;
+    from = at + len;
+    if (!yes && !no) continue;
+    int status = checker_with(&s.json, at, len, yes ? "false" : "true");
+    /* a condition said to be broken has no place where it is: then the file is incomplete */
+    ck_assert_msg(status == REJECTED || (yes && status == BAD_FILE), "at %d: %s", (int)at, said);
+    const char *places[] = {"false, \"broken_at\": \"start\"", "false, \"broken_at\": \"end\"",
+                            "false, \"broken_at\": \"1 -1 0 0\""};
+    for (int i = 0; i < 3 && yes && status == BAD_FILE; i++)
+      ck_assert_msg(checker_with(&s.json, at, len, places[i]) == REJECTED, "at %d: %s", (int)at, said);
+    changed++;
+  }
+  ck_assert_int_eq(changed, 2 * (4 + N_CONDITIONS + 2));
+  study_close(&s);
+}
+END_TEST
+
+/* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
+static void forge(struct study *s, const struct word_root *root, slong prec) {
+  struct calc c;
+  struct ball_params m;
+  struct dyn_orbit *o = &s->list.orbit[0];
+  calc_init(&c, num_ctx_arb(prec));
+  ball_params_init(&m, &c, s->params);
+  val x[N_QUANTITIES];
+  struct word w;
+  for (int i = 0; i < N_QUANTITIES; i++) x[i] = root->x[i];
+  word_make(&w, &c, &m, x);
+  dyn_orbit_describe(o, &c, &m, x[QUANTITY_TB], x[QUANTITY_TC], num_arb.get_d(w.end) > 0);
+  for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], root->x[QUANTITY_TA + i]);
+  calc_clear(&c);
+  dyn_certify(&s->proof[0], &s->q, o);
+}
+
+/* Newton's iteration on the six equations from a grid of times also ends where t_b or t_c is a later root: never
+   certified, and rejected when certified by force. */
+START_TEST(later_events_are_no_orbits) {
+  struct study s;
+  int later = 0, by_event = 0;
+  study_forces(&s, "0.8", "1", "1", "2.7844", "0.8587");
+  struct word_data d = {s.params, s.params + 3, s.which, {QUANTITY_TA, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD}};
+  for (int i = 0; i < 400 && later < 40; i++) {
+    struct word_root root;
+    struct num_vec x;
+    const double start[N_QUANTITIES] = {2.7844, 0.8587, 1, 0.5 + 0.6 * (i % 20), 0.7 + 0.9 * (i / 20), 2};
+    num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(192));
+    word_root_init(&root);
+    for (int k = 0; k < N_QUANTITIES; k++) num_mpfr.set_d(num_vec_at(&x, k), start[k], 192);
+    bool solved = word_refine(&x, &d) == SS_OK && word_enclose(&root, &x, &d) == SS_OK;
+    for (int k = QUANTITY_TB; k <= QUANTITY_TD; k++) solved = solved && arb_is_positive(root.x[k]);
+    if (solved && num_arb.get_d(root.x[QUANTITY_TD]) < 3.51) { /* pi/sqrt(0.8) */
+      forge(&s, &root, 192);
+      bool known = s.proof[0].certified;
+      if (!known) {
+        struct dyn_certificate *z = &s.proof[0];
+        unsigned firsts = (unsigned)OPEN_FIRST << PHASE_GAMMA | (unsigned)OPEN_FIRST << PHASE_H;
+        ck_assert_msg(z->open & firsts, "open %u", z->open);
+        z->certified = true;
+        z->admissible = TRUTH_TRUE;
+        for (int k = 0; k < N_PHASES; k++) z->first[k] = TRUTH_TRUE;
+        for (int k = 0; k < N_CONDITIONS; k++) {
+          if (k == COND_GAMMA_R || k == COND_H_V1 || z->holds[k] == TRUTH_UNKNOWN) z->holds[k] = TRUTH_TRUE;
+          z->admissible = truth_and(z->admissible, z->holds[k]);
+        }
+        text_reset(&s.json);
+        dyn_certificates_json(&s.json, "forged", &s.q, &s.list, s.proof);
+        ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
+        by_event += strstr(said, "gamma_r") || strstr(said, "h_v1");
+        later++;
+      }
+    }
+    word_root_clear(&root);
+    num_vec_clear(&x);
+  }
+  ck_assert_int_ge(later, 5);
+  ck_assert_msg(by_event == later, "%d of %d", by_event, later); /* nothing else is false */
+  study_close(&s);
+}
+END_TEST
+
+/* An orbit with enclosures beside it, or too narrow to hold it. */
+START_TEST(wrong_enclosures_are_not_certified) {
+  struct study s;
+  study_paper(&s);
+  struct dyn_orbit *o = &s.list.orbit[1];
+  arb_add_ui(o->t[PHASE_D], o->t[PHASE_D], 1, 200);
+  dyn_certify(&s.proof[1], &s.q, o);
+  ck_assert(!s.proof[1].certified);
+  ck_assert_uint_eq(s.proof[1].open, OPEN_SAME);
+  study_close(&s);
+  study_paper(&s);
+  o = &s.list.orbit[1];
+  for (int i = 0; i < N_PHASES; i++) arb_set_d(o->t[i], 1e5 + i);
+  dyn_certify(&s.proof[1], &s.q, o);
+  ck_assert(!s.proof[1].certified);
+  study_close(&s);
+}
+END_TEST
+
+/* A box beside the orbit, where all else is true of the orbit and of every point of the box. */
+START_TEST(a_box_without_its_orbit_is_rejected) {
+  struct study s;
+  study_paper(&s);
+  struct dyn_orbit *o = &s.list.orbit[0];
+  arb_ptr wide[] = {o->z10,    o->z20,   o->t[0],   o->t[1],     o->t[2],    o->t[3],
+                    o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof wide / sizeof *wide; i++) arb_add_error_2exp_si(wide[i], -6);
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "wide", &s.q, &s.list, s.proof);
+  ck_assert_msg(checker(text_str(&s.json)) == VERIFIED, "%s", said); /* it says less, but nothing false */
+  arb_ptr box = s.proof[0].box[QUANTITY_TB];
+  arf_t shift;
+  arf_init(shift);
+  arf_set_mag(shift, arb_radref(box));
+  arf_mul_2exp_si(shift, shift, 2);
+  arf_add(arb_midref(box), arb_midref(box), shift, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_clear(shift);
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "beside", &s.q, &s.list, s.proof);
+  ck_assert_msg(checker(text_str(&s.json)) == REJECTED, "%s", said);
+  ck_assert(strstr(said, "its box") != NULL);
+  study_close(&s);
+}
+END_TEST
+
+/* One orbit twice, no orbit, and more than the file says. */
+START_TEST(entries_are_different_orbits) {
+  struct study s;
+  study_paper(&s);
+  dyn_orbit_clear(&s.list.orbit[0]);
+  memcpy(&s.list.orbit[0], &s.list.orbit[1], sizeof *s.list.orbit);
+  s.list.n = 2;
+  struct dyn_certificate kept = s.proof[0];
+  s.proof[0] = s.proof[1];
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "twice", &s.q, &s.list, s.proof);
+  ck_assert_int_eq(checker(text_str(&s.json)), REJECTED);
+  ck_assert(strstr(said, "may be one") != NULL);
+  s.proof[0] = kept;
+  dyn_orbit_init(&s.list.orbit[0]);
+  study_close(&s);
+}
+END_TEST
+
+/* --- Files that are no certificates --- */
+
+START_TEST(bad_files) {
+  struct study s;
+  study_paper(&s);
+  for (size_t len = 0; len + 3 < s.json.len; len += 97) { /* cut off */
+    ck_assert_int_eq(checker_on(scratch_put_n("cut.json", s.json.data, len)), BAD_FILE);
+  }
+  static const char *const bad[] = {"", "{", "[]", "null", "{\"format\": 1}", "\"\\", "{\"a\": {\"a\": tru", "{} {}"};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++)
+    ck_assert_msg(checker(bad[i]) == BAD_FILE, "%s: %s", bad[i], said);
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < 1000000; i++) text_add(&t, i % 2 ? "{\"\":" : "[");
+  ck_assert_int_eq(checker(text_str(&t)), BAD_FILE);
+  text_reset(&t);
+  for (int i = 0; i < 300000; i++) text_add(&t, "[true,");
+  ck_assert_int_eq(checker(text_str(&t)), BAD_FILE);
+  text_reset(&t);
+  for (int i = 0; i < 3000000; i++) text_add(&t, "9"); /* a long number, not even a string */
+  ck_assert_int_eq(checker(text_str(&t)), BAD_FILE);
+  ck_assert_int_eq(checker_on(scratch_put_n("binary.json",
+                                            "\x7f"
+                                            "ELF\0\1\2\xff\xfe",
+                                            9)),
+                   BAD_FILE);
+  ck_assert_int_eq(checker_on(scratch_path("")), BAD_FILE);
+  ck_assert_int_eq(checker_on("/dev/zero"), BAD_FILE);
+  ck_assert_int_eq(checker_on(scratch_path("none.json")), BAD_FILE);
+
+  static const char *const number[] = {"",
+                                       " ",
+                                       "1",
+                                       "1 2 3",
+                                       "1 0 0 0 0",
+                                       "g 0 0 0",
+                                       "1 0 -1 0",
+                                       "nan",
+                                       "1 fffffffffff 0 0",
+                                       "1 0 1 fffffffffff",
+                                       "1 ffffff 0 0",
+                                       "1 -ffffff 1 -ffffff",
+                                       "0 0 0 0",
+                                       "1/0",
+                                       "0x10",
+                                       "1/-3"};
+  size_t at, len, from = 0;
+  for (int i = 0; next_value(&at, &len, &s.json, from); i++) {
+    from = at + len;
+    if (i < 2 || i > 24) continue; /* the format, the scene's name; the first orbit's numbers */
+    for (size_t k = 0; k < sizeof number / sizeof *number; k++) {
+      if (strlen(number[k]) == len && strncmp(number[k], s.json.data + at, len) == 0) continue; /* eta = 1 */
+      int status = checker_with(&s.json, at, len, number[k]);
+      ck_assert_msg(status == REJECTED || status == BAD_FILE, "value %d, %s: %s", i, number[k], said);
+    }
+  }
+  text_reset(&t);
+  text_add(&t, "1");
+  for (int i = 0; i < 150000; i++) text_add(&t, "0");
+  ck_assert(next_value(&at, &len, &s.json, 0) && next_value(&at, &len, &s.json, at + len));
+  for (int i = 0; i < 5; i++) { /* huge parameters: chi, eta, V, e1, e2 */
+    ck_assert(next_value(&at, &len, &s.json, at + len));
+    ck_assert_int_eq(checker_with(&s.json, at, len, text_str(&t)), REJECTED);
+  }
+  text_clear(&t);
+  study_close(&s);
+}
+END_TEST
+
+/* --- Digits and time --- */
+
+START_TEST(thousand_digits) {
+  struct study s;
+  static const char *const paper[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
+  clock_t start = clock();
+  study_open(&s, paper, QUANTITY_E1, QUANTITY_E2, NULL, 3394);
+  double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
+  all_certified(&s, 2);
+  ck_assert_double_lt(seconds, 1);
+  mag_t radius;
+  mag_init(radius);
+  dyn_orbit_radius(radius, &s.list.orbit[1]);
+  ck_assert_int_lt(mag_cmp_2exp_si(radius, -3380), 0);
+  mag_clear(radius);
+  char name[20], decimal[1100];
+  FILE *f = fopen("tests/oracle/paper_1000.tsv", "r");
+  ck_assert(f != NULL);
+  for (int c = fgetc(f); c == '#'; c = fgetc(f))
+    while (fgetc(f) != '\n') continue;
+  ck_assert(fscanf(f, "%19s %1099s", name, decimal) == 2); /* z10, its z read */
+  ck_assert(decimal_within(decimal, s.list.orbit[1].z10, 3350));
+  fclose(f);
+  verified(&s);
+  study_close(&s);
+}
+END_TEST
+
+static int by_time(const void *x, const void *y) {
+  const clock_t *a = x, *b = y;
+  return (*a > *b) - (*a < *b);
+}
+
+START_TEST(cost) {
+  enum { RUNS = 41 };
+  struct study s;
+  clock_t spent[RUNS];
+  study_paper(&s);
+  for (int i = 0; i < RUNS; i++) {
+    struct dyn_certificate z;
+    clock_t start = clock();
+    dyn_certificate_init(&z);
+    dyn_certify(&z, &s.q, &s.list.orbit[1]);
+    dyn_certificate_clear(&z);
+    spent[i] = clock() - start;
+  }
+  qsort(spent, RUNS, sizeof *spent, by_time);
+  double median = (double)spent[RUNS / 2] / CLOCKS_PER_SEC;
+#if !defined(__SANITIZE_ADDRESS__)
+  ck_assert_double_lt(median, 0.005);
+#endif
+  if (getenv("STICKSLIP_TIMES")) printf("certified in %.3g ms\n", 1e3 * median);
+  study_close(&s);
+}
+END_TEST
+
+Suite *certify_suite(void) {
+  Suite *s = suite_create("certify");
+  TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies");
+  tcase_add_checked_fixture(proofs, scratch_open, scratch_close);
+  tcase_add_checked_fixture(lies, scratch_open, scratch_close);
+  tcase_add_test(proofs, every_set_is_certified_and_verified);
+  tcase_add_test(proofs, near_flip);
+  tcase_add_test(proofs, near_folds_and_grazing_events);
+  tcase_add_test(proofs, no_orbit_of_negative_times);
+  tcase_add_test(proofs, long_slip_and_given_times);
+  tcase_add_test(proofs, wrong_enclosures_are_not_certified);
+  tcase_add_test(proofs, thousand_digits);
+  tcase_add_test(proofs, cost);
+  tcase_add_test(lies, a_changed_number_is_rejected);
+  tcase_add_test(lies, a_changed_truth_is_rejected);
+  tcase_add_test(lies, later_events_are_no_orbits);
+  tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
+  tcase_add_test(lies, entries_are_different_orbits);
+  tcase_add_test(lies, bad_files);
+  suite_add_tcase(s, proofs);
+  suite_add_tcase(s, lies);
+  return s;
+}
