@@ -47,8 +47,8 @@ static void range_radius(struct range *g, const struct cell *c, const struct str
   g->gt = disk_scale(disk_mul(c->r, c->p), -2);
   g->gtt = disk_up(2 * ((g->most_q + g->most_p) * g->most_p + g->most_r * g->most_w));
   g->gft = disk_up(2 * (g->most_rf * g->most_p + g->most_r * g->most_pf));
-  g->gff = disk_up(2 * (g->most_rf * g->most_rf + g->most_r * p->r.ff +
-                        soft * (g->most_qf * g->most_qf + g->most_q * p->q.ff)));
+  g->gff = disk_up(
+      2 * (g->most_rf * g->most_rf + g->most_r * p->r.ff + soft * (g->most_qf * g->most_qf + g->most_q * p->q.ff)));
   g->g_width = width_of(g->g, disk_mag(g->gf), disk_mag(g->gt), g->gff, g->gft, g->gtt, g);
 }
 
@@ -78,10 +78,9 @@ struct image {
 static bool krawczyk(struct image *im, const struct cell *c, const struct range *g, const struct goal *o,
                      const struct strip *p) {
   struct disk pt = disk_scale(c->w, -1), f[2] = {c->p, o->h};
-  struct disk j[2][2] = {{disk_widen(c->pf, p->p.ff * g->d + p->p.ft * g->e),
-                          disk_widen(pt, p->p.ft * g->d + p->p.tt * g->e)},
-                         {disk_widen(o->hf, o->hff * g->d + g->gft * g->e),
-                          disk_widen(g->gt, g->gft * g->d + g->gtt * g->e)}};
+  struct disk j[2][2] = {
+      {disk_widen(c->pf, p->p.ff * g->d + p->p.ft * g->e), disk_widen(pt, p->p.ft * g->d + p->p.tt * g->e)},
+      {disk_widen(o->hf, o->hff * g->d + g->gft * g->e), disk_widen(g->gt, g->gft * g->d + g->gtt * g->e)}};
   double det = c->pf.mid * g->gt.mid - pt.mid * o->hf.mid, half[2] = {g->d, g->e};
   if (!(fabs(det) > 0)) return false;
   struct disk y[2][2] = {{{g->gt.mid / det, 0}, {-pt.mid / det, 0}}, {{-o->hf.mid / det, 0}, {c->pf.mid / det, 0}}};
@@ -166,7 +165,8 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct stri
 bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir) {
   /* dir p >= level + slope x at the distance x from the strip's midpoint */
   double noise = c->p.rad + (c->pf.rad + 0x1p-48 * fabs(c->pf.mid)) * p->half;
-  double level = dir * c->p.mid - disk_up(noise + 0.5 * p->p.ff * p->half * p->half), slope = dir * c->pf.mid, slack = 1e-9 * p->half;
+  double level = dir * c->p.mid - disk_up(noise + 0.5 * p->p.ff * p->half * p->half), slope = dir * c->pf.mid,
+         slack = 1e-9 * p->half + 0x1p-50 * p->angle;
   bool left = level - slope * p->half > 0, right = level + slope * p->half > 0;
   *low = -p->half;
   *high = p->half;

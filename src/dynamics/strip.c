@@ -53,8 +53,8 @@ bool stage_init(struct stage *s, const fmpq *params) {
   calc_init(&c, num_ctx_arb(128));
   ball_params_init(&m, &c, params);
   stage_from(s, &c, &m);
-  const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,      s->stiff,   s->turn,
-                             s->back[0], s->back[1], s->x[0], s->soft,    s->x[1],    s->force1[0],
+  const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,        s->stiff,     s->turn,
+                             s->back[0], s->back[1], s->x[0], s->soft,      s->x[1],      s->force1[0],
                              s->om[0],   s->om[1],   s->span, s->force2[0], s->inverse[0]};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
     double size = fabs(all[i].mid);

@@ -11,10 +11,10 @@
 #include "stickslip/arena.h"
 
 enum {
-  STRIPS = 32,      /* at the start */
-  FINEST = 26,      /* halvings of a step or of a strip, after which a cell is stuck */
-  CROSSING = 18,    /* halvings of a strip whose middle has crossed */
-  FOLDS = 6,        /* ... from which on an open cell is held against two known zeros */
+  STRIPS = 32,   /* at the start */
+  FINEST = 26,   /* halvings of a step or of a strip, after which a cell is stuck */
+  CROSSING = 18, /* halvings of a strip whose middle has crossed */
+  FOLDS = 6,     /* ... from which on an open cell is held against two known zeros */
 };
 
 /* What changes from strip to strip. */
@@ -118,7 +118,8 @@ static void march(struct sweep *s, double low, double high, struct march m) {
       continue;
     }
     if (seen == LOOK_OPEN) note_stuck(s, &p, &zero, middle.t, m.dir);
-    if (seen == LOOK_ZERO) add_zero(s, &zero, &p, middle.t);
+    if (seen == LOOK_ZERO && m.dir < 0) note_stuck(s, &p, &zero, middle.t, m.dir);
+    if (seen == LOOK_ZERO && m.dir > 0) add_zero(s, &zero, &p, middle.t);
 
     double from, to;
     if (!cell_waiting(&from, &to, &c, &p, m.dir)) return;
@@ -147,8 +148,8 @@ static void march(struct sweep *s, double low, double high, struct march m) {
 
 bool sweep_run(struct sweep *s, const fmpq *params, struct known *known, size_t n_known, long budget) {
   *s = (struct sweep){.budget = budget, .known = known, .n_known = n_known};
-  if (!stage_init(&s->stage, params)) return false;
   int power;
+  if (!stage_init(&s->stage, params)) return false;
   frexp(s->stage.om[1].mid, &power);
   s->level = SWEEP_LOWEST - power - 1;
   if (s->level + 1 >= SWEEP_LEVELS || s->level <= FINEST + 1) return false;
@@ -156,8 +157,7 @@ bool sweep_run(struct sweep *s, const fmpq *params, struct known *known, size_t 
   struct march m = {.level = s->level, .check = 12 / s->stage.om[0].mid, .dir = 1};
   clock_set(&m.now, &s->stage, 0);
   double fall = disk_high(s->stage.fall);
-  for (int i = 0; i < STRIPS; i++)
-    march(s, fall * i / STRIPS, i + 1 < STRIPS ? fall * (i + 1) / STRIPS : fall, m);
+  for (int i = 0; i < STRIPS; i++) march(s, fall * i / STRIPS, i + 1 < STRIPS ? fall * (i + 1) / STRIPS : fall, m);
   /* at the crest itself p starts at zero, with p' = e1 > 0: its first root is where it falls through zero */
   m.dir = -1;
   march(s, disk_low(s->stage.fall), fall, m);

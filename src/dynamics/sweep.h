@@ -24,13 +24,13 @@ struct stage {
   struct disk fall;         /* t*, the angle of a crest of the rise */
   struct disk crest;        /* the height of the first crest */
   struct disk om[2];
-  struct disk x[2];         /* root(eta) (x, y): how z_1's velocity and force enter the modes */
-  struct disk y[2];         /* (y, -x): how those of z_2 enter, and the modes z_2 */
-  struct disk back[2];      /* (x, y)/root(eta): how the modes enter z_1 */
-  struct disk force1[2];    /* om back: w from F_i/om_i */
-  struct disk force2[2];    /* om y / stiff: r */
-  struct disk inverse[2];   /* 1/om */
-  arb_t exact[2];           /* om, for sines and cosines */
+  struct disk x[2];       /* root(eta) (x, y): how z_1's velocity and force enter the modes */
+  struct disk y[2];       /* (y, -x): how those of z_2 enter, and the modes z_2 */
+  struct disk back[2];    /* (x, y)/root(eta): how the modes enter z_1 */
+  struct disk force1[2];  /* om back: w from F_i/om_i */
+  struct disk force2[2];  /* om y / stiff: r */
+  struct disk inverse[2]; /* 1/om */
+  arb_t exact[2];         /* om, for sines and cosines */
 };
 /* false outside what double precision can hold. */
 bool stage_init(struct stage *s, const fmpq *params);
@@ -57,7 +57,7 @@ struct strip {
   struct disk da[2], db[2]; /* their derivatives by the angle */
   double most[2];           /* of hypot(a, b), as far as reach */
   struct bend p, q, r;
-  bool later;               /* some k > 0 can be */
+  bool later; /* some k > 0 can be */
 };
 /* The strip from low to high; bounds hold as far as reach from its midpoint. */
 void strip_make(struct strip *p, const struct stage *s, double low, double high, double reach);
@@ -126,9 +126,9 @@ struct sweep {
   struct common *zeros;
   size_t n, cap;
   long cells, budget;
-  bool spent; /* the budget */
-  bool stuck; /* a cell could not be decided: a double zero, or one nearly so */
-  bool crest; /* t_b at the very crest of the rise could not be excluded */
+  bool spent;      /* the budget */
+  bool stuck;      /* a cell could not be decided: a double zero, or one nearly so */
+  bool crest;      /* t_b at the very crest of the rise could not be excluded */
   double where[2]; /* t_b and t_c of the first cell that was stuck */
 };
 /* Every common zero of p and H_k, k = 0, 1, ..., with 0 < t_b <= t* and t_c no later than the first root of p: in zeros,

@@ -20,7 +20,8 @@ static void clip(struct turns *k, int sign, double from, double to, double lowes
 
 struct turns strip_turns(const struct strip *p, const struct stage *s) {
   struct turns k;
-  double energy = p->most[0] * p->most[0] + p->most[1] * p->most[1], v = disk_low(s->V), omega = disk_low(s->omega), eta = disk_low(s->eta);
+  double energy = p->most[0] * p->most[0] + p->most[1] * p->most[1], v = disk_low(s->V), omega = disk_low(s->omega),
+         eta = disk_low(s->eta);
   double rest = disk_up(energy) - eta * v * v * (1 - 0x1p-40), less = rest - v * v * (1 - 0x1p-40);
   double down = disk_up(sqrt(disk_up(rest < 0 ? 0 : rest)) + disk_high(s->V)) / omega;
   double up = disk_up(sqrt(disk_up(less < 0 ? 0 : less))) / omega;
