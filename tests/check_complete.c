@@ -320,7 +320,7 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
     ck_assert(!strip_never(&strip, &g) && (k.to[0] >= turns || k.to[1] >= turns));
     enum look seen = cell_look(&zero, &c, &strip, &g, &k, 1);
     ck_assert_msg(seen != LOOK_CLEAR, "%s: cell %.17g +- %g, %.17g +- %g", s->name, x, d, t, e);
-    ck_assert(!strip_misses(&strip, &g, &k, 1));
+    ck_assert(!strip_misses(&strip, &g, &k));
     if (seen != LOOK_ZERO) continue;
     zeros++;
     ck_assert(zero.k == turns);
@@ -513,6 +513,99 @@ START_TEST(times_given) {
 }
 END_TEST
 
+/* --- t_b and e1 or e2 given. --- */
+
+/* The orbits of every set: t_b cut to a fraction leaves the rest where it is, nearly. */
+START_TEST(a_time_and_a_limit_given) {
+  const struct set *s = &set[_i];
+  for (int i = 0; i < s->n; i++)
+    for (int e = 0; e < 2; e++) {
+      const enum dyn_quantity which[2] = {QUANTITY_TB, e == 0 ? QUANTITY_E1 : QUANTITY_E2};
+      struct dyn_orbits list;
+      fmpq value[2];
+      bool met = false;
+      if (s->at[i][0] > 60) continue;
+      for (int k = 0; k < 2; k++) fmpq_init(value + k);
+      fmpq_set_si(value, (slong)(s->at[i][0] * 1e12), 1000000000000);
+      fmpq_canonicalise(value);
+      fmpq_set(value + 1, s->p + P_E1 + e);
+      dyn_orbits_given(&list, s->p, which, value, 60, NULL);
+      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL, DYN_CELLS), SS_OK);
+      ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
+                    dyn_gap_text[list.gap], list.gap_at[1]);
+      for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
+      ck_assert_msg(met, "%s orbit %d, e%d", s->name, i, e + 1);
+      /* a list that lacks one is not complete */
+      struct dyn_orbits empty = {.n = 0};
+      dyn_given_complete(&empty, s->p, which, value, 60, NULL, DYN_CELLS);
+      ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
+      dyn_orbits_clear(&list);
+      for (int k = 0; k < 2; k++) fmpq_clear(value + k);
+    }
+}
+END_TEST
+
+/* Orbits along e2 at random e1, t_b, seen as changes of sign in double precision: all in the list. */
+START_TEST(a_limit_scanned) {
+  static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TB};
+  uint64_t state = (uint64_t)_i + 11;
+  long seen = 0, complete = 0;
+  enum { TRIALS = 40, STEPS = 1500 };
+  for (int trial = 0; trial < TRIALS; trial++) {
+    double p[N_PARAMS] = {0.05 + 0.9 * uniform(&state), 0.1 + 3 * uniform(&state), 0.3 + uniform(&state),
+                          0.2 + 4 * uniform(&state), 0};
+    double tb = 0.05 + 3 * uniform(&state), old = 0, defect = 0, tc = 0;
+    bool valid = false;
+    fmpq q[N_PARAMS], value[2];
+    struct dyn_orbits list;
+    tb = floor(tb * 4096) / 4096;
+    for (int i = 0; i < N_PARAMS; i++) {
+      p[i] = floor(p[i] * 4096) / 4096;
+      fmpq_init(q + i);
+      fmpq_set_si(q + i, (slong)(p[i] * 4096), 4096);
+      fmpq_canonicalise(q + i);
+    }
+    for (int i = 0; i < 2; i++) {
+      fmpq_init(value + i);
+      fmpq_set_si(value + i, (slong)((i == 0 ? p[P_E1] : tb) * 4096), 4096);
+      fmpq_canonicalise(value + i);
+    }
+    dyn_orbits_given(&list, q, which, value, 60, NULL);
+    dyn_given_complete(&list, q, which, value, 60, NULL, DYN_CELLS);
+    complete += list.complete;
+    for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
+      double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
+      p[P_E2] = high;
+      bool now = defect_at(&defect, &tc, p, tb), jump = false;
+      bool change = now && valid && old * defect <= 0;
+      valid = now;
+      if (!change) continue;
+      for (int step = 0; step < 40 && !jump; step++) {
+        double middle;
+        p[P_E2] = 0.5 * (low + high);
+        jump = !defect_at(&middle, &tc, p, tb);
+        if ((middle > 0) == (before > 0))
+          low = p[P_E2];
+        else
+          high = p[P_E2];
+        before = (middle > 0) == (before > 0) ? middle : before;
+        jump = jump || (step == 39 && fabs(middle) > 1e-7);
+      }
+      if (jump || tc > 199) continue;
+      bool listed = false;
+      for (slong k = 0; k < list.n; k++)
+        listed = listed || fabs(arf_get_d(arb_midref(list.orbit[k].e2), ARF_RND_NEAR) - p[P_E2]) < 1e-6;
+      ck_assert_msg(listed, "chi %g eta %g V %g e1 %g t_b %g: e2 %g, t_c %g", p[0], p[1], p[2], p[3], tb, p[P_E2], tc);
+      seen++;
+    }
+    dyn_orbits_clear(&list);
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(q + i);
+    for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  }
+  ck_assert_msg(seen > TRIALS / 4 && complete > TRIALS * 9 / 10, "%ld seen, %ld complete", seen, complete);
+}
+END_TEST
+
 START_TEST(other_pairs_are_said) {
   static const enum dyn_quantity which[2] = {QUANTITY_TA, QUANTITY_TD};
   fmpq model[3], value[2];
@@ -552,6 +645,8 @@ Suite *complete_suite(void) {
   tcase_add_checked_fixture(hard, read_sets, clear_sets);
   tcase_add_test(hard, near_a_fold);
   tcase_add_loop_test(hard, times_given, 0, 2);
+  tcase_add_loop_test(hard, a_time_and_a_limit_given, 0, 30);
+  tcase_add_loop_test(hard, a_limit_scanned, 0, 2);
   tcase_add_test(hard, other_pairs_are_said);
   suite_add_tcase(s, hard);
   return s;

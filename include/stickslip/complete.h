@@ -19,7 +19,7 @@
    4  The part of a strip on which p is proved positive at some time has its first root behind it, and is done with.
       That bounds t_c where p does become positive.
    5  Where it does not: a strip is done with for all time when the amplitudes of z_1's two oscillations together do not
-      reach V, or when no pair of phases of the two modes, taken as free, satisfies the equations with p rising.  Near
+      reach V, or when no pair of phases of the two modes, taken as free, satisfies the equations.  Near
       the s at which the sum of the amplitudes passes V, p returns to zero arbitrarily late, but only with both modes
       near their crests, where R is known.
    6  At s = t* p starts at zero and rises; its first root is where it falls through zero again.  That one line is swept in
@@ -56,8 +56,13 @@ enum { DYN_CELLS = 4000000 };
 int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
                         long budget);
 
-/* The same for a list that dyn_orbits_given returned, with its arguments: e1 and e2; or t_b and t_c, where a quadratic
-   equation tells everything; any other pair is GAP_GIVEN. */
+/* The same for a list that dyn_orbits_given returned, with its arguments; orbits are not added, but a missing one is
+   GAP_CONFLICT.
+
+     e1, e2         as above
+     t_b, t_c       a quadratic equation tells everything
+     t_b, e1 or e2  every t_c up to lim->t_max, which list->t_c_max states; the other one of e1, e2 is not bounded
+     any other      GAP_GIVEN */
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
                        slong prec, const struct dyn_limits *lim, long budget);
 

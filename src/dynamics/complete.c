@@ -16,25 +16,10 @@ const char *const dyn_gap_text[N_GAPS] = {
     [GAP_GIVEN] = "no complete search for this pair of given quantities",
 };
 
-/* t - 2 pi k */
-static struct disk less_turns(arb_srcptr t, double k) {
-  arb_t x, turns;
-  arb_init(x);
-  arb_init(turns);
-  arb_set_d(x, 2 * k);
-  arb_const_pi(turns, 128);
-  arb_mul(turns, turns, x, 128);
-  arb_sub(x, t, turns, 128);
-  struct disk d = disk_arb(x);
-  arb_clear(turns);
-  arb_clear(x);
-  return d;
-}
-
 /* The zero that an orbit is after k full periods of phase Gamma. */
 static struct known known_of(const struct dyn_orbit *o, double k) {
   struct known z = {.k = k};
-  struct disk angle = less_turns(o->t[1], z.k), time = less_turns(o->t[2], 0);
+  struct disk angle = disk_less_turns(o->t[1], z.k), time = disk_less_turns(o->t[2], 0);
   z.at[0] = angle.mid;
   z.at[1] = time.mid;
   z.near[0] = angle.rad;

@@ -1,12 +1,13 @@
 /* Complete lists where two other quantities than e1, e2 are given.
 
    With t_b and t_c given all of p, q, r at the end of phase H and r_0 are linear in e1 and e2: p = 0 is a line, on which
-   r^2 + q^2/omega^2 = r_0^2 is a quadratic equation.  Its two roots are all there is. */
+   r^2 + q^2/omega^2 = r_0^2 is a quadratic equation.  Its two roots are all there is.  With t_b and one of e1, e2 the
+   zeros along t_c are enclosed by line.c. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "dyn_impl.h"
 #include "stickslip/complete.h"
+#include "sweep.h"
 
 /* p, q, r, r_0 as x[0] + x[1] e1 + x[2] e2. */
 struct plane {
@@ -107,20 +108,80 @@ static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb
   return SS_OK;
 }
 
+static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
+  if (list->gap != GAP_UNTRIED) return;
+  list->gap = (int)why;
+  list->gap_at[0] = tb;
+  list->gap_at[1] = tc;
+}
+
+static bool is_at(const struct dyn_orbit *o, const struct line_zero *z) {
+  struct disk t = disk_arb(o->t[2]);
+  return disk_up(fabs(t.mid - z->at) + t.rad) < z->room;
+}
+
+static void ball_of(arb_ptr x, struct disk d) {
+  arb_set_d(x, d.mid);
+  mag_t rad;
+  mag_init(rad);
+  mag_set_d(rad, d.rad);
+  arb_add_error_mag(x, rad);
+  mag_clear(rad);
+}
+
+/* A zero that no orbit of the list is: not an orbit, or a gap. */
+static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmpq *params, int unknown, const fmpq *tb,
+                   long max_steps) {
+  struct calc c;
+  calc_init(&c, num_ctx_arb(128));
+  val e[2];
+  arb_ptr tc = calc_new(&c), x = calc_new(&c), b = calc_new(&c);
+  ball_of(tc, (struct disk){z->at, z->near});
+  ball_of(x, z->e);
+  arb_set_fmpq(b, tb, 128);
+  for (int i = 0; i < 2; i++) e[i] = unknown == P_E1 + i ? x : calc_q(&c, params + P_E1 + i);
+  truth orbit = is_orbit(&c, params, e, b, tc, max_steps);
+  if (orbit != TRUTH_FALSE) leave_gap(list, orbit == TRUTH_TRUE ? GAP_CONFLICT : GAP_GRAZING, fmpq_get_d(tb), z->at);
+  calc_clear(&c);
+}
+
+static int time_and_limit(struct dyn_orbits *list, const fmpq *params, int unknown, const fmpq *tb,
+                          const struct dyn_limits *lim, long budget) {
+  struct line line;
+  list->gap = GAP_UNTRIED;
+  if (!line_run(&line, params, unknown, tb, lim->t_max, budget)) leave_gap(list, GAP_RANGE, 0, 0);
+  if (line.spent) leave_gap(list, GAP_BUDGET, 0, 0);
+  if (line.stuck) leave_gap(list, GAP_DOUBLE, fmpq_get_d(tb), line.where);
+  for (size_t k = 0; k < line.n; k++) {
+    bool listed = false;
+    for (slong i = 0; i < list->n; i++) listed = listed || is_at(&list->orbit[i], &line.zeros[k]);
+    if (!listed && line.zeros[k].at - line.zeros[k].near <= lim->t_max)
+      settle(list, &line.zeros[k], params, unknown, tb, lim->max_steps);
+  }
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
+  list->cells = line.cells;
+  list->t_c_max = lim->t_max;
+  list->complete = list->gap == GAP_UNTRIED;
+  line_clear(&line);
+  return SS_OK;
+}
+
 int dyn_given_complete(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
                        slong prec, const struct dyn_limits *lim, long budget) {
+  fmpq params[N_PARAMS] = {model[0], model[1], model[2]}; /* all borrowed */
   int at[N_QUANTITIES];
   if (!lim) lim = &dyn_given_limits;
-  for (int i = 0; i < N_QUANTITIES; i++)
+  for (int i = 0; i < N_QUANTITIES; i++) {
     at[i] = which[0] == (enum dyn_quantity)i ? 0 : which[1] == (enum dyn_quantity)i ? 1 : -1;
-  if (at[QUANTITY_TB] >= 0 && at[QUANTITY_TC] >= 0)
-    return both_times(list, model, value + at[QUANTITY_TB], value + at[QUANTITY_TC], prec, lim->max_steps);
-  if (at[QUANTITY_E1] >= 0 && at[QUANTITY_E2] >= 0) {
-    fmpq params[N_PARAMS] = {model[0], model[1], model[2], value[at[QUANTITY_E1]],
-                             value[at[QUANTITY_E2]]}; /* borrowed */
-    return dyn_orbits_complete(list, params, prec, &dyn_limits_default, budget);
+    if (i <= QUANTITY_E2 && at[i] >= 0) params[P_E1 + i] = value[at[i]];
   }
+  bool e1 = at[QUANTITY_E1] >= 0, e2 = at[QUANTITY_E2] >= 0;
   list->complete = false;
+  if (e1 && e2) return dyn_orbits_complete(list, params, prec, &dyn_limits_default, budget);
+  const fmpq *tb = at[QUANTITY_TB] >= 0 ? value + at[QUANTITY_TB] : NULL;
+  if (tb && at[QUANTITY_TC] >= 0) return both_times(list, model, tb, value + at[QUANTITY_TC], prec, lim->max_steps);
+  if (tb && (e1 || e2)) return time_and_limit(list, params, e1 ? P_E2 : P_E1, tb, lim, budget);
   list->gap = GAP_GIVEN;
   return SS_OK;
 }

@@ -19,6 +19,7 @@ static void stage_from(struct stage *s, struct calc *c, const struct ball_params
   val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
   calc_sin_cos(c, &sine, &cosine, fall);
   val drift = calc_mul(c, m->a, calc_sub(c, fall, sine)), sway = calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine));
+  s->chi = disk_of(m->p[P_CHI]);
   s->V = disk_of(m->p[P_V]);
   s->a = disk_of(m->a);
   s->e1 = disk_of(m->p[P_E1]);
@@ -97,6 +98,20 @@ void clock_turn(struct clock *to, const struct clock *c, const struct clock *ste
     sum.cosine[i] = disk_cross(c->cosine[i], step->cosine[i], c->sine[i], step->sine[i]);
   }
   *to = sum;
+}
+
+struct disk disk_less_turns(arb_srcptr t, double k) {
+  arb_t x, turns;
+  arb_init(x);
+  arb_init(turns);
+  arb_set_d(x, 2 * k);
+  arb_const_pi(turns, 128);
+  arb_mul(turns, turns, x, 128);
+  arb_sub(x, t, turns, 128);
+  struct disk d = disk_arb(x);
+  arb_clear(turns);
+  arb_clear(x);
+  return d;
 }
 
 /* --- Strips. --- */

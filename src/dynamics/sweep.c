@@ -136,7 +136,7 @@ static void march(struct sweep *s, double low, double high, struct march m) {
     if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
     if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
     if (m.now.t > m.check) {
-      if (strip_misses(&p, g, &k, m.dir)) return;
+      if (strip_misses(&p, g, &k)) return;
       m.check *= 2;
       if (p.half > unhurried) {
         halve(s, &p, &m);

@@ -2,6 +2,7 @@
 
    strip  phase Gamma ends at some t_b of a narrow interval: phase H from there, with bounds for all time
    cell   a strip during a short stretch of phase H: what can be excluded there, what is proved there
+   line   t_b and one of e1, e2 given: the zeros along t_c
    sweep  strips marched through phase H until t_c lies behind them: every common zero is collected
    complete.c says from that whether a list of orbits is complete */
 #ifndef STICKSLIP_SWEEP_H
@@ -13,16 +14,16 @@
 /* The parameters as disks.  angle stands for t_b modulo 2 pi; r at the stick phase is base(angle) - k turn after k full
    periods of phase Gamma. */
 struct stage {
-  struct disk V, a, e1, e2; /* a = (1 - chi) V */
-  struct disk span;         /* e2/chi, r at the end of phase Gamma */
-  struct disk eta, pull;    /* pull = eta e2 */
-  struct disk stiff;        /* chi eta */
-  struct disk soft;         /* 1/stiff */
-  struct disk omega;        /* its root, the frequency of phase C */
-  struct disk rho;          /* hypot(a, e1) */
-  struct disk turn;         /* 2 pi a */
-  struct disk fall;         /* t*, the angle of a crest of the rise */
-  struct disk crest;        /* the height of the first crest */
+  struct disk chi, V, a, e1, e2; /* a = (1 - chi) V */
+  struct disk span;              /* e2/chi, r at the end of phase Gamma */
+  struct disk eta, pull;         /* pull = eta e2 */
+  struct disk stiff;             /* chi eta */
+  struct disk soft;              /* 1/stiff */
+  struct disk omega;             /* its root, the frequency of phase C */
+  struct disk rho;               /* hypot(a, e1) */
+  struct disk turn;              /* 2 pi a */
+  struct disk fall;              /* t*, the angle of a crest of the rise */
+  struct disk crest;             /* the height of the first crest */
   struct disk om[2];
   struct disk x[2];       /* root(eta) (x, y): how z_1's velocity and force enter the modes */
   struct disk y[2];       /* (y, -x): how those of z_2 enter, and the modes z_2 */
@@ -44,6 +45,9 @@ struct clock {
 void clock_set(struct clock *c, const struct stage *s, double t);
 /* to = c + step, both exact.  step is the time of a clock. */
 void clock_turn(struct clock *to, const struct clock *c, const struct clock *step);
+
+/* t - 2 pi k */
+struct disk disk_less_turns(arb_srcptr t, double k);
 
 /* Bounds of a function of (angle, t) on a strip for all t: of its derivatives, f by the angle. */
 struct bend {
@@ -76,8 +80,8 @@ struct turns strip_turns(const struct strip *p, const struct stage *s);
 struct turns turns_of(const struct turns *within, const struct stage *s, struct disk base, struct disk radius,
                       bool negative, bool positive);
 double turns_count(const struct turns *k);
-/* No zero for any time, since even two phases that run freely would not meet the equations.  dir as below. */
-bool strip_misses(const struct strip *p, const struct stage *s, const struct turns *k, double dir);
+/* No zero for any time, since even two phases that run freely would not meet the equations. */
+bool strip_misses(const struct strip *p, const struct stage *s, const struct turns *k);
 
 /* The motion at the middle of a cell. */
 struct cell {
@@ -136,5 +140,25 @@ struct sweep {
    open.  false outside what double precision can hold. */
 bool sweep_run(struct sweep *s, const fmpq *params, struct known *known, size_t n_known, long budget);
 void sweep_clear(struct sweep *s);
+
+/* --- t_b and one of e1, e2 given. --- */
+
+/* A zero t_c, proved to be the only one within room of at; it lies within near of it, and belongs to the value e of the
+   unknown one of e1, e2. */
+struct line_zero {
+  double at, near, room;
+  struct disk e;
+};
+struct line {
+  struct line_zero *zeros;
+  size_t n, cap;
+  long cells;
+  bool spent, stuck;
+  double where;
+};
+/* Every t_c in (0, last] at which some positive value of the unknown satisfies both equations, unless spent or stuck.
+   params: the element unknown, P_E1 or P_E2, is not looked at.  false outside what double precision can hold. */
+bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, double last, long budget);
+void line_clear(struct line *s);
 
 #endif

@@ -6,8 +6,8 @@
    q^2/omega^2, so that 2E >= (1 + eta) V^2 + 2 V q + omega^2 r_end^2.  Where q >= 0 (r_end >= 0) this bounds omega r_end
    by sqrt(2E - (1 + eta) V^2); else |q| <= omega |r_end| bounds omega |r_end| by V + sqrt(2E - eta V^2).
 
-   The phases of the two modes are t_b's own plus om t.  If no pair of phases at all, the same for no time or for any,
-   meets the equations, then no time does.  A first root also has p rising (or standing still) there. */
+   The phases of the two modes are t_b's own plus om t.  If no pair of phases at all meets the equations, then no time
+   does. */
 #include "sweep.h"
 
 static void clip(struct turns *k, int sign, double from, double to, double lowest, double highest) {
@@ -55,26 +55,25 @@ double turns_count(const struct turns *k) {
 /* The modes' amplitudes on a strip; z_1' = V asks that the shares of the two in it, at the angles from their crests,
    add up to V: the cosine of one, the free one, tells that of the other. */
 struct torus {
-  const struct strip *p;
   const struct stage *s;
   const struct turns *k;
   struct disk most[2], share[2], base;
-  double dir;
   int free;
   long left; /* pieces */
 };
 
-/* Whether no k fits the four pairs of sines that belong to a piece of cosines. */
+/* Whether no k fits the sines that belong to a piece of cosines.  Both angles turned round leave q and r^2 as they are,
+   so that one sign of the first sine serves for both. */
 static bool misses(const struct torus *o, const struct disk cosine[2], const struct disk sine[2]) {
   const struct stage *s = o->s;
   struct disk v[2], f[2];
-  for (int i = 0; i < 2; i++) v[i] = disk_mul(o->most[i], cosine[i]);
+  for (int i = 0; i < 2; i++) {
+    v[i] = disk_mul(o->most[i], cosine[i]);
+    f[i] = disk_mul(o->most[i], sine[i]);
+  }
   struct disk q = disk_sub(disk_dot(s->y[0], v[0], s->y[1], v[1]), s->V);
-  for (int branch = 0; branch < 4; branch++) {
-    for (int i = 0; i < 2; i++) f[i] = disk_scale(disk_mul(o->most[i], sine[i]), (branch >> i) & 1 ? -1 : 1);
-    struct disk w = disk_dot(s->force1[0], f[0], s->force1[1], f[1]);
-    if (disk_positive(disk_scale(w, o->dir))) continue; /* p falls */
-    struct disk r = disk_dot(s->force2[0], f[0], s->force2[1], f[1]);
+  for (int sign = -1; sign <= 1; sign += 2) {
+    struct disk r = disk_dot(s->force2[0], f[0], s->force2[1], disk_scale(f[1], sign));
     struct disk radius = disk_sqrt(disk_dot(r, r, disk_mul(s->soft, q), q));
     struct turns k = turns_of(o->k, s, o->base, radius, !disk_positive(q), !disk_negative(q));
     if (turns_count(&k) != 0) return false;
@@ -112,9 +111,9 @@ static bool piece_misses(struct torus *o, double low, double high, int depth) {
   return depth > 0 && piece_misses(o, low, mid, depth - 1) && piece_misses(o, mid, high, depth - 1);
 }
 
-bool strip_misses(const struct strip *p, const struct stage *s, const struct turns *k, double dir) {
+bool strip_misses(const struct strip *p, const struct stage *s, const struct turns *k) {
   enum { DEPTH = 12, PIECES = 400 };
-  struct torus o = {.p = p, .s = s, .k = k, .dir = dir, .left = PIECES};
+  struct torus o = {.s = s, .k = k, .left = PIECES};
   double move = disk_up(disk_mag(s->rho) * p->half);
   for (int i = 0; i < 2; i++) {
     double enter = disk_mag(s->x[i]) * move;
