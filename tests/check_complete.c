@@ -245,7 +245,7 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   double angle = g.fall.mid * uniform(&state), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
   const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
-  for (int trial = 0; trial < 40000; trial++) {
+  for (int trial = 0; trial < 8000; trial++) {
     double f[4], ff[4], none[4], x = angle + reach * (2 * uniform(&state) - 1),
                                  t = 4000 * uniform(&state) / g.om[0].mid;
     motion(none, p, x, t, 0);
@@ -257,7 +257,7 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   }
   for (int i = 0; i < 8; i++) {
     ck_assert_msg(most[i] <= bound[i] * (1 + 1e-9), "%s: bound %d is %g, %g was seen", s->name, i, bound[i], most[i]);
-    ck_assert_msg(most[i] > 0.8 * bound[i], "%s: bound %d is %g, no more than %g was seen", s->name, i, bound[i],
+    ck_assert_msg(most[i] > 0.7 * bound[i], "%s: bound %d is %g, no more than %g was seen", s->name, i, bound[i],
                   most[i]);
   }
   stage_clear(&g);
@@ -301,7 +301,7 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
   struct stage g;
   ck_assert(stage_init(&g, s->p));
   long zeros = 0;
-  for (int trial = 0; trial < 4000 * s->n; trial++) {
+  for (int trial = 0; trial < 2000 * s->n; trial++) {
     const double *at = s->at[trial % s->n];
     double turns = floor(at[0] / (2 * PI)), angle = at[0] - 2 * PI * turns;
     double d = ldexp(1, -1 - (int)(22 * uniform(&state))), e = ldexp(1, -1 - (int)(22 * uniform(&state)));
@@ -328,7 +328,7 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
                       fabs(t + zero.at[1] - at[1]) < zero.near[1] + 1e-11,
                   "%s: zero at %.17g, %.17g", s->name, x + zero.at[0], t + zero.at[1]);
   }
-  ck_assert(s->n == 0 || zeros > 100);
+  ck_assert(s->n == 0 || zeros > 50);
   stage_clear(&g);
 }
 END_TEST
@@ -392,7 +392,7 @@ START_TEST(the_return_map_has_no_other_fixed_point) {
   params_d(p, s);
   ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
-  long seen = fixed_points(&list, p, 40000);
+  long seen = fixed_points(&list, p, 12000);
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
   dyn_orbits_clear(&list);
 }
@@ -477,6 +477,105 @@ START_TEST(near_a_fold) {
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
   fmpq_clear(two);
   fmpq_clear(none);
+}
+END_TEST
+
+/* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through zero. */
+static double crest_defect(const double p[N_PARAMS]) {
+  double a = (1 - p[P_CHI]) * p[P_V], fall = PI + 2 * atan2(a, p[P_E1]), at[4], low = 0, high = 0;
+  double r0 = p[P_E2] / p[P_CHI] - a * (fall - sin(fall)) - p[P_E1] * (1 - cos(fall));
+  do {
+    low = high;
+    high += 0.02;
+    motion(at, p, fall, high, 0);
+  } while (at[0] > 0);
+  for (int i = 0; i < 50; i++) {
+    double mid = 0.5 * (low + high);
+    motion(at, p, fall, mid, 0);
+    *(at[0] > 0 ? &low : &high) = mid;
+  }
+  return (at[1] > 0 ? 1 : -1) * hypot(at[2], at[1] / sqrt(p[P_CHI] * p[P_ETA])) - r0;
+}
+
+START_TEST(at_the_crest) {
+  int met = 0;
+  for (int i = 0; i < 10; i++) {
+    double p[N_PARAMS], low = 0, high = 0, before = 0;
+    fmpq q[N_PARAMS];
+    params_d(p, &set[i]);
+    for (p[P_E2] = 0.05; p[P_E2] < 8 && low == 0; p[P_E2] += 0.1) {
+      double now = crest_defect(p);
+      if (before * now < 0 && fabs(before - now) < 1) {
+        low = p[P_E2] - 0.1;
+        high = p[P_E2];
+      }
+      before = now;
+    }
+    if (low == 0) continue;
+    p[P_E2] = low;
+    double sign = crest_defect(p);
+    for (int k = 0; k < 52; k++) {
+      p[P_E2] = 0.5 * (low + high);
+      *(crest_defect(p) * sign > 0 ? &low : &high) = p[P_E2];
+    }
+    if (fabs(crest_defect(p)) > 1e-9) continue;
+    met++;
+    for (int k = 0; k < N_PARAMS; k++) {
+      fmpq_init(q + k);
+      fmpq_set(q + k, set[i].p + k);
+    }
+    for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
+      struct dyn_orbits list;
+      fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
+      fmpz_one(fmpq_denref(q + P_E2));
+      fmpq_div_2exp(q + P_E2, q + P_E2, 50);
+      dyn_orbits_find(&list, q, 60, NULL);
+      dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS);
+      ck_assert_msg(list.complete == (near != 0) && (near || list.gap == GAP_GRAZING), "%s, e2 %.15g: %d, %s",
+                    set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
+      dyn_orbits_clear(&list);
+    }
+    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(q + k);
+  }
+  ck_assert_msg(met > 2, "%d", met);
+}
+END_TEST
+
+/* A strip that the free phases leave out has no zero at any time: its motion, looked at for long, keeps away. */
+START_TEST(free_phases_leave_out_no_zero) {
+  uint64_t state = (uint64_t)_i + 3;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS], a, omega;
+  struct stage g;
+  long left_out = 0, crossings = 0;
+  params_d(p, s);
+  a = (1 - p[P_CHI]) * p[P_V];
+  omega = sqrt(p[P_CHI] * p[P_ETA]);
+  ck_assert(stage_init(&g, s->p));
+  for (int trial = 0; trial < 30; trial++) {
+    struct strip strip;
+    double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
+    strip_make(&strip, &g, angle - half, angle + half, half);
+    struct turns k = strip_turns(&strip, &g);
+    if (!strip_never(&strip, &g) && !strip_misses(&strip, &g, &k)) continue;
+    left_out++;
+    double r0 = p[P_E2] / p[P_CHI] - a * (angle - sin(angle)) - p[P_E1] * (1 - cos(angle));
+    motion(old, p, angle, 0, 0);
+    for (int i = 1; i < 600; i++) {
+      motion(now, p, angle, 0.05 * i / g.om[1].mid, 0);
+      if (old[0] * now[0] < 0) {
+        double x = old[0] / (old[0] - now[0]), q = old[1] + x * (now[1] - old[1]), r = old[2] + x * (now[2] - old[2]);
+        double end = (q > 0 ? 1 : -1) * hypot(r, q / omega), turns = (r0 - end) / g.turn.mid;
+        bool fits = fabs(turns - round(turns)) * g.turn.mid < 1e-4 && turns > -0.5 && (strip.later || turns < 0.5);
+        ck_assert_msg(!strip_never(&strip, &g) && !fits, "%s: t_b %.12g, t %.8g", s->name, angle,
+                      0.05 * i / g.om[1].mid);
+        crossings++;
+      }
+      memcpy(old, now, sizeof old);
+    }
+  }
+  ck_assert(strcmp(s->name, "paper") != 0 || (left_out > 5 && crossings > 20));
+  stage_clear(&g);
 }
 END_TEST
 
@@ -632,7 +731,7 @@ Suite *complete_suite(void) {
   tcase_add_loop_test(lists, every_set_is_complete, 0, 30);
   tcase_add_loop_test(lists, missing_orbits_are_added, 0, 30);
   tcase_add_loop_test(lists, the_return_map_has_no_other_fixed_point, 0, 30);
-  tcase_add_loop_test(lists, random_parameters, 0, 4);
+  tcase_add_loop_test(lists, random_parameters, 0, 2);
   tcase_add_test(lists, a_small_budget_is_said);
   tcase_add_test(lists, hopeless_parameters_are_said);
   suite_add_tcase(s, lists);
@@ -641,9 +740,11 @@ Suite *complete_suite(void) {
   tcase_add_loop_test(means, bounds_hold_and_are_nearly_attained, 0, 30);
   tcase_add_loop_test(means, cells_move_as_the_flow_does, 0, 30);
   tcase_add_loop_test(means, no_cell_with_an_orbit_is_excluded, 0, 30);
+  tcase_add_loop_test(means, free_phases_leave_out_no_zero, 0, 30);
   suite_add_tcase(s, means);
   tcase_add_checked_fixture(hard, read_sets, clear_sets);
   tcase_add_test(hard, near_a_fold);
+  tcase_add_test(hard, at_the_crest);
   tcase_add_loop_test(hard, times_given, 0, 2);
   tcase_add_loop_test(hard, a_time_and_a_limit_given, 0, 30);
   tcase_add_loop_test(hard, a_limit_scanned, 0, 2);
