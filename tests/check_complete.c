@@ -294,6 +294,40 @@ START_TEST(cells_move_as_the_flow_does) {
 }
 END_TEST
 
+/* What is cut off a strip has crossed. */
+START_TEST(only_what_has_crossed_is_cut_off) {
+  uint64_t state = (uint64_t)_i + 20;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS];
+  struct stage g;
+  long cut = 0;
+  params_d(p, s);
+  ck_assert(stage_init(&g, s->p));
+  for (int trial = 0; trial < 3000; trial++) {
+    struct strip strip;
+    struct clock clock;
+    struct cell c;
+    double half = 0.3 * uniform(&state), angle = half + (g.fall.mid - 2 * half) * uniform(&state), low, high, at[4];
+    double t = 20 * uniform(&state) / g.om[1].mid;
+    strip_make(&strip, &g, angle - half, angle + half, half);
+    clock_set(&clock, &g, t);
+    cell_at(&c, &strip, &g, &clock);
+    bool some = cell_waiting(&low, &high, &c, &strip, 1);
+    for (int i = -4; i <= 4; i++) {
+      double x = 0.2499 * i * half;
+      if (i == -4 && some && high < strip.half) x = high; /* where it is closest */
+      if (i == 4 && some && low > -strip.half) x = low;
+      if (some && x > low && x < high) continue;
+      motion(at, p, angle + x, t, 0);
+      cut++;
+      ck_assert_msg(at[0] > -1e-12, "%s: angle %.12g %+.12g, t %.12g: p = %g", s->name, angle, x, t, at[0]);
+    }
+  }
+  ck_assert_msg(cut > 20, "%ld", cut);
+  stage_clear(&g);
+}
+END_TEST
+
 /* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
 START_TEST(no_cell_with_an_orbit_is_excluded) {
   uint64_t state = (uint64_t)_i + 7;
@@ -634,6 +668,19 @@ START_TEST(a_time_and_a_limit_given) {
                     dyn_gap_text[list.gap], list.gap_at[1]);
       for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
       ck_assert_msg(met, "%s orbit %d, e%d", s->name, i, e + 1);
+      /* each is where a zero is enclosed */
+      struct line line;
+      ck_assert(line_run(&line, s->p, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
+      for (slong k = 0; k < list.n; k++) {
+        const struct dyn_orbit *o = &list.orbit[k];
+        double other = arf_get_d(arb_midref(e == 0 ? o->e2 : o->e1), ARF_RND_NEAR);
+        bool enclosed = o->guess[2] > 99;
+        for (size_t z = 0; z < line.n; z++)
+          enclosed = enclosed || (fabs(line.zeros[z].at - o->guess[2]) < line.zeros[z].near + 1e-13 * o->guess[2] &&
+                                  fabs(line.zeros[z].e.mid - other) < line.zeros[z].e.rad + 1e-13 * other);
+        ck_assert_msg(enclosed, "%s, e%d: t_c %.17g", s->name, e + 1, o->guess[2]);
+      }
+      line_clear(&line);
       /* a list that lacks one is not complete */
       struct dyn_orbits empty = {.n = 0};
       dyn_given_complete(&empty, s->p, which, value, 60, NULL, DYN_CELLS);
@@ -739,6 +786,7 @@ Suite *complete_suite(void) {
   tcase_add_loop_test(means, disks_hold_what_balls_say, 0, 3);
   tcase_add_loop_test(means, bounds_hold_and_are_nearly_attained, 0, 30);
   tcase_add_loop_test(means, cells_move_as_the_flow_does, 0, 30);
+  tcase_add_loop_test(means, only_what_has_crossed_is_cut_off, 0, 30);
   tcase_add_loop_test(means, no_cell_with_an_orbit_is_excluded, 0, 30);
   tcase_add_loop_test(means, free_phases_leave_out_no_zero, 0, 30);
   suite_add_tcase(s, means);
