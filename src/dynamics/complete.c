@@ -116,7 +116,7 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
     if (s.stuck) leave_gap(list, s.crest ? GAP_GRAZING : GAP_DOUBLE, s.where[0], s.where[1]);
     compare(list, &s, known, params, prec, lim);
     list->complete = list->gap == GAP_UNTRIED;
-    qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
+    if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   }
   sweep_clear(&s);
   free(known);

@@ -83,65 +83,77 @@ static bool folded(struct sweep *s, const struct cell *c, const struct strip *p,
   return false;
 }
 
+/* No zero on the strip at any time. */
+static bool strip_done(const struct strip *p, const struct stage *g, const struct turns *k, double dir) {
+  return turns_count(k) == 0 || (dir > 0 && strip_never(p, g));
+}
+
+/* The cell around middle, known zeros and their folds taken in; what was proved or is stuck is noted.  LOOK_OPEN: to be
+   divided. */
+static enum look examine(struct sweep *s, struct cell *c, const struct strip *p, const struct turns *k,
+                         const struct march *m, const struct clock *middle) {
+  const struct stage *g = &s->stage;
+  struct common zero;
+  cell_at(c, p, g, middle);
+  c->early = s->step[m->level - 1].t;
+  c->first = m->now.t == 0;
+  enum look seen = cell_look(&zero, c, p, g, k, m->dir);
+  if (seen == LOOK_OPEN && m->dir > 0 && zero.k >= 0 && p->half < ldexp(g->fall.mid, -FOLDS) &&
+      folded(s, c, p, middle, zero.k))
+    return LOOK_CLEAR;
+  bool finest = p->half <= ldexp(g->fall.mid, -FINEST) && m->level <= s->level - FINEST;
+  if (seen == LOOK_OPEN && !finest) return LOOK_OPEN;
+  if (seen == LOOK_ZERO && m->dir > 0)
+    add_zero(s, &zero, p, middle->t);
+  else if (seen != LOOK_CLEAR)
+    note_stuck(s, p, &zero, middle->t, m->dir);
+  return LOOK_CLEAR;
+}
+
 /* One strip from the time m.now on. */
 static void march(struct sweep *s, double low, double high, struct march m) {
   const struct stage *g = &s->stage;
-  double finest = ldexp(g->fall.mid, -FINEST), unhurried = ldexp(g->fall.mid, -CROSSING);
+  double finest = ldexp(g->fall.mid, -FINEST), unhurried = ldexp(g->fall.mid, -CROSSING), from, to;
+  struct clock middle;
   struct strip p;
+  struct cell c;
   strip_make(&p, g, low, high, high - low);
   struct turns k = strip_turns(&p, g);
-  if (turns_count(&k) == 0 || (m.dir > 0 && strip_never(&p, g))) return;
-  for (;;) {
+  while (!strip_done(&p, g, &k, m.dir)) {
     if (s->cells++ >= s->budget) {
       s->spent = true;
       return;
     }
     const struct clock *half = &s->step[m.level - 1];
-    struct clock middle;
-    struct cell c;
-    struct common zero;
     clock_turn(&middle, &m.now, half);
-    cell_at(&c, &p, g, &middle);
-    c.early = half->t;
-    c.first = m.now.t == 0;
-    enum look seen = cell_look(&zero, &c, &p, g, &k, m.dir);
-    if (seen == LOOK_OPEN && zero.k >= 0 && p.half < ldexp(g->fall.mid, -FOLDS) && m.dir > 0 &&
-        folded(s, &c, &p, &middle, zero.k))
-      seen = LOOK_CLEAR;
-    bool fine_angle = p.half <= finest, fine_time = m.level <= s->level - FINEST;
-    if (seen == LOOK_OPEN && !(fine_angle && fine_time)) {
-      if (!fine_angle && (fine_time || cell_wide_in_angle(&c, &p))) {
-        halve(s, &p, &m);
-        return;
+    bool part = false; /* the strip into halves */
+    if (examine(s, &c, &p, &k, &m, &middle) == LOOK_OPEN) {
+      part = p.half > finest && (m.level <= s->level - FINEST || cell_wide_in_angle(&c, &p));
+      if (!part) {
+        m.level--;
+        continue;
       }
-      m.level--;
-      continue;
+    } else {
+      if (!cell_waiting(&from, &to, &c, &p, m.dir)) return;
+      bool less = to - from < 1.5 * p.half;
+      part = !less && m.dir * c.p.mid > c.p.rad && p.half > unhurried;
+      if (less) {
+        strip_make(&p, g, p.angle + from, p.angle + to, to - from);
+        k = strip_turns(&p, g);
+      }
     }
-    if (seen == LOOK_OPEN) note_stuck(s, &p, &zero, middle.t, m.dir);
-    if (seen == LOOK_ZERO && m.dir < 0) note_stuck(s, &p, &zero, middle.t, m.dir);
-    if (seen == LOOK_ZERO && m.dir > 0) add_zero(s, &zero, &p, middle.t);
-
-    double from, to;
-    if (!cell_waiting(&from, &to, &c, &p, m.dir)) return;
-    if (to - from < 1.5 * p.half) {
-      double angle = p.angle;
-      strip_make(&p, g, angle + from, angle + to, to - from);
-      k = strip_turns(&p, g);
-      if (turns_count(&k) == 0 || (m.dir > 0 && strip_never(&p, g))) return;
-    } else if (m.dir * c.p.mid > c.p.rad && p.half > unhurried) {
-      halve(s, &p, &m);
-      return;
-    }
-    clock_turn(&m.now, &middle, half);
-    if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
-    if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
-    if (m.now.t > m.check) {
+    if (!part) {
+      clock_turn(&m.now, &middle, half);
+      if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
+      if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
+      if (m.now.t <= m.check) continue;
       if (strip_misses(&p, g, &k)) return;
       m.check *= 2;
-      if (p.half > unhurried) {
-        halve(s, &p, &m);
-        return;
-      }
+      part = p.half > unhurried;
+    }
+    if (part) {
+      halve(s, &p, &m);
+      return;
     }
   }
 }
