@@ -319,7 +319,9 @@ static void check_orbits(const char *json, const char *name, int digits) {
   ck_assert_msg(!strstr(at, "\"z10\""), "%s: more than %d orbits", name, n);
   ck_assert_str_eq(member(json, "scene"), name);
   ck_assert_str_eq(member(json, "layer"), "model");
-  ck_assert_str_eq(member(json, "complete"), "false");
+  ck_assert_str_eq(member(json, "complete"), "true");
+  ck_assert_str_eq(member(json, "gap"), "null");
+  ck_assert_str_eq(member(json, "t_c_max"), "null");
 }
 
 START_TEST(orbits_of_every_set) {
@@ -374,6 +376,33 @@ START_TEST(no_orbit_is_no_error) {
     discard(&j);
     run_well(&j, "orbit", scene_of(none[i]), NULL);
     ck_assert(strstr(j.out, ": 0 orbits") != NULL);
+    discard(&j);
+  }
+}
+END_TEST
+
+/* Complete, complete up to a bound, and not proved, in both forms. */
+START_TEST(completeness_is_said) {
+  static const struct {
+    const char *pair, *complete, *gap, *t_c_max, *text;
+  } cases[] = {
+      {"e1 = 2.7844\ne2 = 0.8587\n", "true", "null", "null", "complete: there is no other orbit of this word\n"},
+      {"t_b = 2\nt_c = 1.5\n", "true", "null", "null", "complete: there is no other orbit of this word\n"},
+      {"t_b = 2\ne1 = 2.7844\n", "true", "null", "200", "complete: there is no other orbit with t_c up to 200\n"},
+      {"t_a = 1\nt_d = 2\n", "false", "no complete search for this pair of given quantities", "null",
+       "not proved complete: no complete search for this pair of given quantities\n"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char scene[200];
+    struct job j;
+    snprintf(scene, sizeof scene, "chi = 0.8\neta = 1\nV = 1\n%s", cases[i].pair);
+    const char *path = scratch_put("pair.scene", scene);
+    run_well(&j, "orbit", path, "--json", NULL);
+    ck_assert_str_eq(member(j.out, "complete"), cases[i].complete);
+    ck_assert_str_eq(member(j.out, "gap"), cases[i].gap);
+    ck_assert_str_eq(member(j.out, "t_c_max"), cases[i].t_c_max);
+    discard(&j);
+    run_well(&j, "orbit", path, NULL);
+    ck_assert_msg(strstr(j.out, cases[i].text) != NULL, "%s", j.out);
     discard(&j);
   }
 }
@@ -1581,6 +1610,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, digits_as_asked);
   tcase_add_test(c, a_thousand_digits);
   tcase_add_test(c, no_orbit_is_no_error);
+  tcase_add_test(c, completeness_is_said);
   tcase_add_test(c, text_says_what_json_says);
   tcase_add_test(c, friction_given_by_the_scene_counts);
   suite_add_tcase(s, c);

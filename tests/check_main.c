@@ -15,6 +15,7 @@ int main(void) {
   srunner_add_suite(r, model_suite());
   srunner_add_suite(r, dynamics_suite());
   srunner_add_suite(r, given_suite());
+  srunner_add_suite(r, complete_suite());
   srunner_add_suite(r, coulomb_suite());
   srunner_add_suite(r, audit_suite());
   srunner_add_suite(r, argument_suite());

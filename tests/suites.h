@@ -12,6 +12,7 @@ Suite *tape_suite(void);
 Suite *model_suite(void);
 Suite *dynamics_suite(void);
 Suite *given_suite(void);
+Suite *complete_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *argument_suite(void);

@@ -160,6 +160,8 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
 /* The orbits of the scene, by increasing z10, from whichever two quantities it gives; flags as dyn_orbits_find and
    dyn_orbits_given return them. */
 int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec);
+/* Decides whether such a list is complete, and adds what it lacks: complete.h. */
+void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec);
 
 /* --- The paper's own route (44)-(46) at a scene --- */
 

@@ -153,8 +153,12 @@ struct dyn_orbit {
 struct dyn_orbits {
   struct dyn_orbit *orbit;
   slong n;
-  bool complete;    /* proved exhaustive: always false for now */
+  bool complete;    /* proved exhaustive: complete.h */
   long evaluations; /* of the return map, in the search */
+  int gap;          /* why it is not complete: enum dyn_gap of complete.h */
+  double gap_at[2]; /* t_b and t_c near which something was left open */
+  double t_c_max;   /* complete: with t_c up to this; 0 when t_c needs no bound */
+  long cells;       /* of that proof */
 };
 
 /* Every orbit that the search finds, by increasing z10, each enclosed with relative radius below 2^-prec where the

@@ -34,7 +34,7 @@ extern const struct dyn_limits dyn_given_limits;
    overrun the belt in phase Gamma and is not admissible); t_d has no limit of its own, it is below pi/sqrt(chi eta).
    e1 and e2 are not bounded.  The searches are dense, not rigorous: a scan in one unknown has 300 cells to the shortest
    period and halves those in which the two solutions of the quadratic end or change much; the plane has 50 by 50, and
-   an orbit can be missed where much happens within one of them.  complete is false.
+   an orbit can be missed where much happens within one of them.  complete is false: complete.h decides it.
 
    SS_DOMAIN outside the domain of dynamics.h, for a time t_b, t_c, t_d or a limit e that is not positive, or for the
    same quantity twice.  SS_UNABLE, with a list that is valid as far as it goes, when a solution in double precision

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 
 #include "audit_impl.h"
-#include "stickslip/given.h"
+#include "stickslip/complete.h"
 
 /* chi, eta, V and two of e1 ... t_d decide which orbits there are. */
 enum { N_DATA = KEY_TD + 1 };
@@ -13,22 +13,34 @@ struct data {
   const bool *given;
 };
 
+/* The two that are given besides chi, eta, V; borrowed. */
+static void given_pair(enum dyn_quantity which[2], fmpq value[2], struct data data) {
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
+    if (!data.given[k]) continue;
+    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
+    value[n++] = data.value[k]; /* neither changed nor cleared */
+  }
+}
+
 static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
   if (data.given[KEY_E1] && data.given[KEY_E2])
     return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
   enum dyn_quantity which[2];
   fmpq value[2];
-  int n = 0;
-  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
-    if (!data.given[k]) continue;
-    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
-    value[n++] = data.value[k]; /* borrowed: neither changed nor cleared */
-  }
+  given_pair(which, value, data);
   return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
 }
 
 int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
   return find_orbits(list, (struct data){s->value, s->given}, prec);
+}
+
+void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  given_pair(which, value, (struct data){s->value, s->given});
+  dyn_given_complete(list, s->value + KEY_CHI, which, value, prec, &dyn_given_limits, DYN_CELLS);
 }
 
 /* --- Found once --- */

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli.h"
-#include "stickslip/dynamics.h"
+#include "stickslip/complete.h"
 #include "stickslip/json.h"
 #include "stickslip/margins.h"
 
@@ -102,6 +102,35 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
+/* Why the list is not proved complete, and how far in t_c the proof reaches. */
+static void completeness_json(struct json *j, const struct dyn_orbits *list) {
+  struct text t;
+  text_init(&t);
+  if (list->complete)
+    json_null(j, "gap");
+  else
+    json_string(j, "gap", dyn_gap_text[list->gap]);
+  if (list->complete && list->t_c_max > 0) {
+    text_printf(&t, "%.15g", list->t_c_max);
+    json_string(j, "t_c_max", text_str(&t));
+  } else {
+    json_null(j, "t_c_max");
+  }
+  text_clear(&t);
+}
+
+static void add_completeness(struct text *out, const struct dyn_orbits *list) {
+  if (!list->complete) {
+    text_printf(out, "not proved complete: %s", dyn_gap_text[list->gap]);
+    if (list->gap_at[1] > 0) text_printf(out, " (near t_b = %.6g, t_c = %.6g)", list->gap_at[0], list->gap_at[1]);
+    text_add_char(out, '\n');
+  } else if (list->t_c_max > 0) {
+    text_printf(out, "complete: there is no other orbit with t_c up to %.15g\n", list->t_c_max);
+  } else {
+    text_add(out, "complete: there is no other orbit of this word\n");
+  }
+}
+
 static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
                         const struct scene *s, slong digits) {
   struct json j;
@@ -110,6 +139,7 @@ static void orbits_json(struct text *out, const struct dyn_orbits *list, const s
   json_string(&j, "scene", s->name);
   json_string(&j, "layer", "model");
   json_bool(&j, "complete", list->complete);
+  completeness_json(&j, list);
   json_array(&j, "orbits");
   for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &proof[i], s, digits);
   json_end_array(&j);
@@ -161,6 +191,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found\n", s->name, (long)list->n, list->n == 1 ? "" : "s");
+  add_completeness(out, list);
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
     print_numbers(t, o, digits);
@@ -206,7 +237,10 @@ int run_orbit(const struct options *o, const char *data) {
     found = audit_orbits(&list, &s, prec);
     good = all_printable(&list, digits);
   }
-  if (found != SS_OK)
+  slong listed = list.n;
+  if (good) audit_orbits_complete(&list, &s, prec);
+  if (list.n > listed) good = all_printable(&list, digits);
+  if (found != SS_OK && !list.complete)
     fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
   if (good) {
     struct dyn_certificate *proof = certify_orbits(&list, &s);

@@ -190,6 +190,12 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
 truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
                       long max_steps);
 
+/* The orbit near (t_b, t_c), enclosed as dyn_orbits_find does; up as in describe.  *first as judge returns it.  The orbit
+   is to be cleared whatever the status is. */
+int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
+                   const struct dyn_limits *lim);
+int dyn_orbits_by_z10(const void *x, const void *y);
+
 /* --- word.c: the four equations of given.h in the six quantities, over any number type. --- */
 
 enum { WORD_FREE = 4 };

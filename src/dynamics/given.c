@@ -552,11 +552,6 @@ static int finish(struct dyn_orbit *o, truth *valid, struct word_root *s, const 
 
 /* --- The list. --- */
 
-static int by_z10(const void *x, const void *y) {
-  const struct dyn_orbit *a = x, *b = y;
-  return arf_cmp(arb_midref(a->z10), arb_midref(b->z10));
-}
-
 /* The solution of a seed: the precision is raised where it cannot be told from another one yet. */
 static int settle(struct word_root *s, const struct seed *seed, const struct quest *q, slong prec) {
   int status = SS_UNABLE;
@@ -591,7 +586,7 @@ static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec)
   }
   for (size_t k = 0; k < n; k++) word_root_clear(&found[k]);
   free(found);
-  qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_z10);
+  qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   return status;
 }
 
@@ -628,7 +623,7 @@ static int find_by_limits(struct dyn_orbits *list, const fmpq *model, const enum
 int dyn_orbits_given(struct dyn_orbits *list, const fmpq *model, const enum dyn_quantity which[2], const fmpq *value,
                      slong prec, const struct dyn_limits *lim) {
   struct quest q;
-  *list = (struct dyn_orbits){NULL, 0, false, 0};
+  *list = (struct dyn_orbits){.n = 0};
   int status = quest_init(&q, model, which, value, lim);
   if (status) return status;
   if (is_given(&q, QUANTITY_E1) && is_given(&q, QUANTITY_E2))

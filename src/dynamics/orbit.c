@@ -413,6 +413,22 @@ static int finish(struct dyn_orbit *o, truth *first, const fmpq *params, struct 
   return status;
 }
 
+int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
+                   const struct dyn_limits *lim) {
+  struct solution s;
+  solution_init(&s);
+  dyn_orbit_init(o);
+  arb_set_d(s.x[0], tb);
+  arb_set_d(s.x[1], tc);
+  s.up = up;
+  s.grazing = false;
+  *first = TRUTH_UNKNOWN;
+  int status = solve(&s, params, prec + GUARD);
+  if (!status) status = finish(o, first, params, &s, prec, lim);
+  solution_clear(&s);
+  return status;
+}
+
 /* --- The list. --- */
 
 struct solutions {
@@ -431,7 +447,7 @@ static void add_solution(struct solutions *list, struct solution *sol) {
   list->s[list->n++] = *sol;
 }
 
-static int by_z10(const void *x, const void *y) {
+int dyn_orbits_by_z10(const void *x, const void *y) {
   const struct dyn_orbit *a = x, *b = y;
   return arf_cmp(arb_midref(a->z10), arb_midref(b->z10));
 }
@@ -440,7 +456,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
   struct search search;
   struct solutions found = {NULL, 0, 0};
   double p[N_PARAMS];
-  *list = (struct dyn_orbits){NULL, 0, false, 0};
+  *list = (struct dyn_orbits){.n = 0};
   if (!lim) lim = &dyn_limits_default;
   for (int i = 0; i < N_PARAMS; i++) {
     if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
@@ -471,7 +487,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
       list->n++;
     solution_clear(&found.s[i]);
   }
-  qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_z10);
+  qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   free(found.s);
   search_clear(&search);
   return status;
@@ -480,5 +496,5 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 void dyn_orbits_clear(struct dyn_orbits *list) {
   for (slong i = 0; i < list->n; i++) dyn_orbit_clear(&list->orbit[i]);
   free(list->orbit);
-  *list = (struct dyn_orbits){NULL, 0, false, 0};
+  *list = (struct dyn_orbits){.n = 0};
 }

@@ -1,0 +1,802 @@
+/* Completeness of lists of orbits.
+
+   The sets and their orbits come from tests/oracle/orbits.tsv (two searches and mpmath, independent of this program).
+   What the exclusion rests on is held against the motion by dyn_flow: bounds of derivatives must hold and be nearly
+   attained, and no cell that contains an orbit may be excluded.  Fixed points of the return map in double precision, on
+   a fine grid, must all be in the list. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/sweep.h"
+#include "stickslip/complete.h"
+#include "suites.h"
+
+enum { MAX_SETS = 40, MAX_ORBITS = 8 };
+
+struct set {
+  char name[32];
+  fmpq p[N_PARAMS];
+  int n;
+  double at[MAX_ORBITS][2]; /* t_b, t_c */
+};
+static struct set set[MAX_SETS];
+static int n_sets;
+
+static void parse(fmpq *q, const char *s) {
+  if (strchr(s, '/'))
+    ck_assert_int_eq(fmpq_set_str(q, s, 10), 0);
+  else
+    ck_assert_int_eq(num_parse_decimal(q, s, strlen(s)), SS_OK);
+}
+
+static void read_sets(void) {
+  static char line[4000];
+  FILE *f = fopen("tests/oracle/orbits.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/orbits.tsv; the tests run in the project's folder");
+  n_sets = 0;
+  while (fgets(line, sizeof line, f)) {
+    char *field[10] = {line};
+    if (line[0] == '#') continue;
+    for (int n = 1; n < 10 && field[n - 1]; n++)
+      if ((field[n] = strpbrk(field[n - 1], "\t\n"))) *field[n]++ = '\0';
+    if (strcmp(field[0], "set") == 0) {
+      struct set *s = &set[n_sets++];
+      ck_assert(n_sets <= MAX_SETS);
+      snprintf(s->name, sizeof s->name, "%s", field[1]);
+      s->n = 0;
+      for (int i = 0; i < N_PARAMS; i++) {
+        fmpq_init(s->p + i);
+        parse(s->p + i, field[2 + i]);
+      }
+    } else {
+      struct set *s = &set[n_sets - 1];
+      ck_assert(s->n < MAX_ORBITS);
+      for (int k = 0; k < 2; k++) s->at[s->n][k] = strtod(field[6 + k], NULL);
+      s->n++;
+    }
+  }
+  fclose(f);
+  ck_assert_int_eq(n_sets, 30);
+}
+
+static void clear_sets(void) {
+  for (int i = 0; i < n_sets; i++)
+    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(set[i].p + k);
+}
+
+static struct set *find_set(const char *name) {
+  for (int i = 0; i < n_sets; i++)
+    if (strcmp(set[i].name, name) == 0) return &set[i];
+  ck_abort_msg("no set %s", name);
+}
+
+/* Numbers that look random, the same in every run. */
+static double uniform(uint64_t *state) {
+  *state = *state * 6364136223846793005U + 1442695040888963407U;
+  return (double)(*state >> 11) * 0x1p-53;
+}
+
+static void check_list(const struct dyn_orbits *list, const struct set *s) {
+  ck_assert_msg(list->complete, "%s: %s, near t_b %g t_c %g", s->name, dyn_gap_text[list->gap], list->gap_at[0],
+                list->gap_at[1]);
+  ck_assert_msg(list->n == s->n, "%s: %ld orbits, not %d", s->name, (long)list->n, s->n);
+  for (int i = 0; i < s->n; i++)
+    for (int k = 0; k < 2; k++)
+      ck_assert_msg(fabs(list->orbit[i].guess[1 + k] - s->at[i][k]) < 1e-11 * s->at[i][k], "%s orbit %d: %.17g, %.17g",
+                    s->name, i, list->orbit[i].guess[1 + k], s->at[i][k]);
+}
+
+START_TEST(every_set_is_complete) {
+  const struct set *s = &set[_i];
+  struct dyn_orbits list;
+  ck_assert_int_eq(dyn_orbits_find(&list, s->p, 100, NULL), SS_OK);
+  ck_assert(!list.complete && list.gap == GAP_UNTRIED);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
+  check_list(&list, s);
+  ck_assert_msg(list.cells < 20000, "%s: %ld cells", s->name, list.cells);
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+/* Whatever is taken out of the list comes back. */
+START_TEST(missing_orbits_are_added) {
+  const struct set *s = &set[_i];
+  for (int keep = -1; keep < s->n; keep++) {
+    struct dyn_orbits list = {.n = 0};
+    if (keep >= 0) { /* all but one */
+      ck_assert_int_eq(dyn_orbits_find(&list, s->p, 100, NULL), SS_OK);
+      struct dyn_orbits one = {.orbit = malloc(sizeof *one.orbit), .n = 1};
+      one.orbit[0] = list.orbit[keep];
+      for (slong i = keep; i + 1 < list.n; i++) list.orbit[i] = list.orbit[i + 1];
+      list.n--;
+      dyn_orbits_clear(&one);
+    }
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 100, NULL, DYN_CELLS), SS_OK);
+    check_list(&list, s);
+    for (slong i = 0; i < list.n; i++) ck_assert(arb_rel_accuracy_bits(list.orbit[i].t[1]) >= 100);
+    dyn_orbits_clear(&list);
+  }
+}
+END_TEST
+
+START_TEST(a_small_budget_is_said) {
+  const struct set *s = find_set("paper");
+  struct dyn_orbits list;
+  for (long budget = 0; budget < 400; budget += 100) {
+    ck_assert_int_eq(dyn_orbits_find(&list, s->p, 60, NULL), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, budget), SS_OK);
+    ck_assert(!list.complete && list.gap == GAP_BUDGET && list.n == 2);
+    ck_assert_int_le(list.cells, budget + 200); /* each strip that is left notices for itself */
+    dyn_orbits_clear(&list);
+  }
+}
+END_TEST
+
+START_TEST(hopeless_parameters_are_said) {
+  static const struct {
+    const char *p[N_PARAMS];
+    int status, gap;
+  } row[] = {
+      {{"0", "1", "1", "1", "1"}, SS_DOMAIN, 0},
+      {{"1", "1", "1", "1", "1"}, SS_DOMAIN, 0},
+      {{"1/2", "-1", "1", "1", "1"}, SS_DOMAIN, 0},
+      {{"1/2", "1", "1", "1", "0"}, SS_DOMAIN, 0},
+      {{"1/2", "1e60", "1", "1", "1"}, SS_OK, GAP_RANGE},
+      {{"1/2", "1", "1e-300", "1", "1"}, SS_OK, GAP_RANGE},
+      {{"1/2", "1", "1e400", "1", "1"}, SS_OK, GAP_RANGE},
+      {{"0.99999999999999999999999999999999999999999999999999", "1", "1", "1", "1"}, SS_OK, GAP_RANGE},
+  };
+  fmpq p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) fmpq_init(p + i);
+  for (size_t k = 0; k < sizeof row / sizeof *row; k++) {
+    struct dyn_orbits list = {.n = 0};
+    for (int i = 0; i < N_PARAMS; i++)
+      if (row[k].p[i][0] == '-')
+        fmpq_set_si(p + i, -1, 1);
+      else
+        parse(p + i, row[k].p[i]);
+    ck_assert_int_eq(dyn_orbits_complete(&list, p, 60, NULL, 1000000), row[k].status);
+    ck_assert_msg(!list.complete && list.gap == row[k].gap, "row %zu: %s", k, dyn_gap_text[list.gap]);
+    dyn_orbits_clear(&list);
+  }
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+}
+END_TEST
+
+/* --- What the exclusion rests on. --- */
+
+START_TEST(disks_hold_what_balls_say) {
+  uint64_t state = (uint64_t)_i + 1;
+  arb_t x[2], y, exact;
+  for (int i = 0; i < 2; i++) arb_init(x[i]);
+  arb_init(y);
+  arb_init(exact);
+  for (int trial = 0; trial < 20000; trial++) {
+    struct disk d[2], out[4];
+    for (int i = 0; i < 2; i++) {
+      d[i].mid = ldexp(uniform(&state) - 0.5, (int)(40 * (uniform(&state) - 0.5)));
+      d[i].rad = uniform(&state) < 0.3 ? 0 : ldexp(uniform(&state), (int)(60 * (uniform(&state) - 0.8)));
+      /* a point of the disk */
+      arb_set_d(x[i], d[i].rad * (trial % 3 - 1));
+      arb_set_d(y, d[i].mid);
+      arb_add(x[i], x[i], y, 400);
+    }
+    out[0] = disk_add(d[0], d[1]);
+    out[1] = disk_sub(d[0], d[1]);
+    out[2] = disk_mul(d[0], d[1]);
+    out[3] = disk_sqrt(d[0]);
+    for (int k = 0; k < 4; k++) {
+      if (k == 3 && arb_is_negative(x[0])) continue;
+      if (k == 0) arb_add(exact, x[0], x[1], 400);
+      if (k == 1) arb_sub(exact, x[0], x[1], 400);
+      if (k == 2) arb_mul(exact, x[0], x[1], 400);
+      if (k == 3) arb_sqrt(exact, x[0], 400);
+      arb_set_d(y, out[k].mid);
+      arb_sub(exact, exact, y, 400);
+      arb_abs(exact, exact);
+      arb_set_d(y, out[k].rad);
+      ck_assert_msg(arb_le(exact, y), "operation %d: %a +- %a, %a +- %a gives %a +- %a", k, d[0].mid, d[0].rad,
+                    d[1].mid, d[1].rad, out[k].mid, out[k].rad);
+    }
+  }
+  arb_clear(exact);
+  arb_clear(y);
+  for (int i = 0; i < 2; i++) arb_clear(x[i]);
+}
+END_TEST
+
+/* p, q, r at (angle, t) and their derivatives of the given order by the angle, by dyn_flow: the motion with velocities
+   (v1, v2) and forces w, chi r at its start is linear. */
+static void motion(double out[4], const double p[N_PARAMS], double angle, double t, int order) {
+  double a = (1 - p[P_CHI]) * p[P_V], u = a * cos(angle) - p[P_E1] * sin(angle),
+         w = p[P_E1] * cos(angle) + a * sin(angle);
+  double sign = order >= 2 ? -1 : 1, ease = 1 - p[P_CHI];
+  double v1 = order == 1 ? -w : sign * u, force = order == 1 ? u : sign * w, r = 0, v2 = 0;
+  if (order == 0) {
+    v1 += p[P_V] - a;
+    v2 = p[P_V];
+    r = p[P_E2] / p[P_CHI];
+  }
+  double z[N_STATE] = {(force + p[P_CHI] * r) / ease, (force + r) / ease, v1, v2};
+  struct num_vec pv = {num_ctx_double(), N_PARAMS, (char *)(void *)(double[N_PARAMS]){p[0], p[1], p[2], p[3], p[4]}};
+  struct num_vec zv = {num_ctx_double(), N_STATE, (char *)(void *)z};
+  ck_assert_int_eq(dyn_flow(&zv, PHASE_H, &pv, &zv, &t), SS_OK);
+  out[0] = z[DZ_1] - (order == 0 ? p[P_V] : 0);
+  out[1] = z[DZ_2] - (order == 0 ? p[P_V] : 0);
+  out[2] = z[Z_2] - z[Z_1];
+  out[3] = z[Z_1] - p[P_CHI] * z[Z_2];
+}
+
+static void params_d(double p[N_PARAMS], const struct set *s) {
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(s->p + i);
+}
+
+START_TEST(bounds_hold_and_are_nearly_attained) {
+  uint64_t state = (uint64_t)_i + 1;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS], most[8] = {0};
+  struct stage g;
+  struct strip strip;
+  params_d(p, s);
+  ck_assert(stage_init(&g, s->p));
+  double angle = g.fall.mid * uniform(&state), reach = 1e-3;
+  strip_make(&strip, &g, angle, angle, reach);
+  const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
+  for (int trial = 0; trial < 8000; trial++) {
+    double f[4], ff[4], none[4], x = angle + reach * (2 * uniform(&state) - 1),
+                                 t = 4000 * uniform(&state) / g.om[0].mid;
+    motion(none, p, x, t, 0);
+    motion(f, p, x, t, 1);
+    motion(ff, p, x, t, 2);
+    /* p_t = -w; p_tt = -w' = -(z_1' - chi z_2') */
+    double now[8] = {f[0], ff[0], f[1], ff[1], f[2], ff[2], f[3], none[0] + p[P_V] - p[P_CHI] * (none[1] + p[P_V])};
+    for (int i = 0; i < 8; i++) most[i] = fmax(most[i], fabs(now[i]));
+  }
+  for (int i = 0; i < 8; i++) {
+    ck_assert_msg(most[i] <= bound[i] * (1 + 1e-9), "%s: bound %d is %g, %g was seen", s->name, i, bound[i], most[i]);
+    ck_assert_msg(most[i] > 0.7 * bound[i], "%s: bound %d is %g, no more than %g was seen", s->name, i, bound[i],
+                  most[i]);
+  }
+  stage_clear(&g);
+}
+END_TEST
+
+START_TEST(cells_move_as_the_flow_does) {
+  uint64_t state = (uint64_t)_i + 100;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS];
+  struct stage g;
+  params_d(p, s);
+  ck_assert(stage_init(&g, s->p));
+  for (int trial = 0; trial < 200; trial++) {
+    struct strip strip;
+    struct clock clock, step, both;
+    struct cell c;
+    double angle = g.fall.mid * uniform(&state), t = floor(2000 * uniform(&state)) / 64, h = 3.0 / 256, now[4], by[4];
+    strip_make(&strip, &g, angle, angle, 0);
+    clock_set(&clock, &g, t);
+    clock_set(&step, &g, h);
+    clock_turn(&both, &clock, &step);
+    ck_assert(both.t == t + h);
+    cell_at(&c, &strip, &g, &both);
+    motion(now, p, angle, t + h, 0);
+    motion(by, p, angle, t + h, 1);
+    const struct disk got[7] = {c.p, c.q, c.r, c.w, c.pf, c.qf, c.rf};
+    const double want[7] = {now[0], now[1], now[2], now[3], by[0], by[1], by[2]};
+    for (int i = 0; i < 7; i++)
+      ck_assert_msg(fabs(got[i].mid - want[i]) < 1e-10 * (1 + fabs(want[i])) + got[i].rad && got[i].rad < 1e-9,
+                    "%s: %d is %.17g +- %g, %.17g", s->name, i, got[i].mid, got[i].rad, want[i]);
+  }
+  stage_clear(&g);
+}
+END_TEST
+
+/* What is cut off a strip has crossed. */
+START_TEST(only_what_has_crossed_is_cut_off) {
+  uint64_t state = (uint64_t)_i + 20;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS];
+  struct stage g;
+  long cut = 0;
+  params_d(p, s);
+  ck_assert(stage_init(&g, s->p));
+  for (int trial = 0; trial < 3000; trial++) {
+    struct strip strip;
+    struct clock clock;
+    struct cell c;
+    double half = 0.3 * uniform(&state), angle = half + (g.fall.mid - 2 * half) * uniform(&state), low, high, at[4];
+    double t = 20 * uniform(&state) / g.om[1].mid;
+    strip_make(&strip, &g, angle - half, angle + half, half);
+    clock_set(&clock, &g, t);
+    cell_at(&c, &strip, &g, &clock);
+    bool some = cell_waiting(&low, &high, &c, &strip, 1);
+    for (int i = -4; i <= 4; i++) {
+      double x = 0.2499 * i * half;
+      if (i == -4 && some && high < strip.half) x = high; /* where it is closest */
+      if (i == 4 && some && low > -strip.half) x = low;
+      if (some && x > low && x < high) continue;
+      motion(at, p, angle + x, t, 0);
+      cut++;
+      ck_assert_msg(at[0] > -1e-12, "%s: angle %.12g %+.12g, t %.12g: p = %g", s->name, angle, x, t, at[0]);
+    }
+  }
+  ck_assert_msg(cut > 20, "%ld", cut);
+  stage_clear(&g);
+}
+END_TEST
+
+/* Cells of every size and place around an orbit: none may be called free of zeros, nor a strip around it. */
+START_TEST(no_cell_with_an_orbit_is_excluded) {
+  uint64_t state = (uint64_t)_i + 7;
+  const struct set *s = &set[_i];
+  struct stage g;
+  ck_assert(stage_init(&g, s->p));
+  long zeros = 0;
+  for (int trial = 0; trial < 2000 * s->n; trial++) {
+    const double *at = s->at[trial % s->n];
+    double turns = floor(at[0] / (2 * PI)), angle = at[0] - 2 * PI * turns;
+    double d = ldexp(1, -1 - (int)(22 * uniform(&state))), e = ldexp(1, -1 - (int)(22 * uniform(&state)));
+    double x = angle + 0.999 * d * (2 * uniform(&state) - 1), t = at[1] + 0.999 * e * (2 * uniform(&state) - 1);
+    if (t - e < 0) continue;
+    struct strip strip;
+    struct clock clock;
+    struct cell c;
+    struct common zero;
+    strip_make(&strip, &g, x - d, x + d, 2 * d);
+    clock_set(&clock, &g, t);
+    cell_at(&c, &strip, &g, &clock);
+    c.early = e;
+    c.first = false;
+    struct turns k = strip_turns(&strip, &g);
+    ck_assert(!strip_never(&strip, &g) && (k.to[0] >= turns || k.to[1] >= turns));
+    enum look seen = cell_look(&zero, &c, &strip, &g, &k, 1);
+    ck_assert_msg(seen != LOOK_CLEAR, "%s: cell %.17g +- %g, %.17g +- %g", s->name, x, d, t, e);
+    ck_assert(!strip_misses(&strip, &g, &k));
+    if (seen != LOOK_ZERO) continue;
+    zeros++;
+    ck_assert(zero.k == turns);
+    ck_assert_msg(fabs(x + zero.at[0] - angle) < zero.near[0] + 1e-11 &&
+                      fabs(t + zero.at[1] - at[1]) < zero.near[1] + 1e-11,
+                  "%s: zero at %.17g, %.17g", s->name, x + zero.at[0], t + zero.at[1]);
+  }
+  ck_assert(s->n == 0 || zeros > 50);
+  stage_clear(&g);
+}
+END_TEST
+
+/* --- The list against the return map on a fine grid. --- */
+
+static bool near_listed(const struct dyn_orbits *list, double low, double high) {
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].guess[1] > low - 1e-6 && list->orbit[i].guess[1] < high + 1e-6) return true;
+  return false;
+}
+
+/* r at the end less the r that leads to t_b; false where t_b is no first root, or t_c is not found. */
+static bool defect_at(double *defect, double *tc, const double p[N_PARAMS], double tb) {
+  double t[4], a = (1 - p[P_CHI]) * p[P_V], out;
+  double r = p[P_E2] / p[P_CHI] - a * (tb - sin(tb)) - p[P_E1] * (1 - cos(tb));
+  if (dyn_return_map_d(&out, NULL, t, p, r, NULL) != SS_OK || fabs(t[1] - tb) > 1e-9) return false;
+  *defect = out - r;
+  *tc = t[2];
+  return true;
+}
+
+/* Whether halving brings a change of sign down to a zero, rather than to a jump. */
+static bool closes_in(const double p[N_PARAMS], double low, double high, double at_low) {
+  double mid = low, defect = at_low, tc;
+  for (int i = 0; i < 40; i++) {
+    mid = 0.5 * (low + high);
+    if (!defect_at(&defect, &tc, p, mid)) return false;
+    if ((defect > 0) == (at_low > 0))
+      low = mid;
+    else
+      high = mid;
+  }
+  return fabs(defect) < 1e-7;
+}
+
+/* Changes of sign of the defect on a grid of n steps that are zeros: all in the list. */
+static long fixed_points(const struct dyn_orbits *list, const double p[N_PARAMS], int n) {
+  double last = 40, before = 0, old = 0, defect, tc;
+  bool valid = false;
+  long seen = 0;
+  for (int i = 1; i <= n; i++) {
+    double tb = last * i / n;
+    bool now = defect_at(&defect, &tc, p, tb);
+    if (now && valid && old * defect <= 0 && closes_in(p, before, tb, old)) {
+      seen++;
+      ck_assert_msg(near_listed(list, before, tb), "chi %g eta %g V %g e1 %g e2 %g: t_b near %.12g, t_c %.12g", p[0],
+                    p[1], p[2], p[3], p[4], tb, tc);
+    }
+    valid = now;
+    old = defect;
+    before = tb;
+  }
+  return seen;
+}
+
+START_TEST(the_return_map_has_no_other_fixed_point) {
+  const struct set *s = &set[_i];
+  double p[N_PARAMS];
+  struct dyn_orbits list = {.n = 0};
+  params_d(p, s);
+  ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, DYN_CELLS), SS_OK);
+  ck_assert(list.complete);
+  long seen = fixed_points(&list, p, 12000);
+  ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+START_TEST(random_parameters) {
+  uint64_t state = (uint64_t)_i + 1;
+  long complete = 0, seen = 0, orbits = 0;
+  enum { TRIALS = 150 };
+  for (int trial = 0; trial < TRIALS; trial++) {
+    double p[N_PARAMS] = {0.03 + 0.94 * uniform(&state), 0.05 * pow(400, uniform(&state)),
+                          0.2 * pow(15, uniform(&state)), 0.2 * pow(30, uniform(&state)),
+                          0.05 * pow(100, uniform(&state))};
+    fmpq q[N_PARAMS];
+    for (int i = 0; i < N_PARAMS; i++) {
+      fmpq_init(q + i);
+      p[i] = floor(p[i] * 4096 + 1) / 4096;
+      fmpq_set_si(q + i, (slong)(p[i] * 4096), 4096);
+      fmpq_canonicalise(q + i);
+    }
+    struct dyn_orbits empty = {.n = 0}, list;
+    dyn_orbits_find(&list, q, 60, NULL);
+    slong found = list.n;
+    ck_assert_int_eq(dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS / 4), SS_OK);
+    ck_assert_int_eq(dyn_orbits_complete(&empty, q, 60, NULL, DYN_CELLS / 4), SS_OK);
+    if (list.complete) {
+      complete++;
+      orbits += list.n;
+      ck_assert_msg(empty.n == list.n && empty.complete, "chi %g eta %g V %g e1 %g e2 %g: %ld, %ld", p[0], p[1], p[2],
+                    p[3], p[4], (long)list.n, (long)empty.n);
+      ck_assert(list.n >= found);
+      if (trial % 10 == 0) seen += fixed_points(&list, p, 4000);
+    }
+    dyn_orbits_clear(&list);
+    dyn_orbits_clear(&empty);
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(q + i);
+  }
+  ck_assert_msg(complete > TRIALS - 3 && seen > 5 && orbits > TRIALS, "%ld complete, %ld seen, %ld orbits", complete,
+                seen, orbits);
+}
+END_TEST
+
+/* --- Hard places. --- */
+
+/* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits or
+   with none; it says that a double zero may be there once they are too close; it is never complete with one. */
+START_TEST(near_a_fold) {
+  fmpq p[N_PARAMS];
+  fmpq_t two, none;
+  int resolved = 0, doubtful = 0;
+  fmpq_init(two);
+  fmpq_init(none);
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(p + i);
+    fmpq_set(p + i, find_set("fold")->p + i);
+  }
+  fmpq_set_si(two, 272, 100);
+  fmpq_set_si(none, 275, 100);
+  for (int step = 0; step < 60; step++) {
+    struct dyn_orbits list, empty = {.n = 0};
+    fmpq_add(p + P_E2, two, none);
+    fmpq_div_2exp(p + P_E2, p + P_E2, 1);
+    ck_assert_int_eq(dyn_orbits_find(&list, p, 60, NULL), SS_OK);
+    slong n = list.n;
+    ck_assert(n == 0 || n == 2);
+    dyn_orbits_complete(&list, p, 60, NULL, DYN_CELLS);
+    dyn_orbits_complete(&empty, p, 60, NULL, DYN_CELLS);
+    ck_assert_int_eq(list.n, n);
+    if (empty.complete) ck_assert_int_eq(empty.n, n);
+    if (!list.complete) ck_assert_int_eq(list.gap, GAP_DOUBLE);
+    /* both known: that there is no third one is proved however close they are, as long as disks can tell them apart */
+    if (n == 2 && fabs(list.orbit[0].guess[1] - list.orbit[1].guess[1]) > 1e-6) ck_assert(list.complete);
+    if (step < 12) ck_assert(list.complete);
+    resolved += list.complete;
+    doubtful += !list.complete;
+    ck_assert_int_le(list.cells, 200000);
+    fmpq_set(n == 2 ? two : none, p + P_E2);
+    dyn_orbits_clear(&list);
+    dyn_orbits_clear(&empty);
+  }
+  ck_assert_msg(resolved > 25 && doubtful > 5, "%d, %d", resolved, doubtful);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(p + i);
+  fmpq_clear(two);
+  fmpq_clear(none);
+}
+END_TEST
+
+/* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through zero. */
+static double crest_defect(const double p[N_PARAMS]) {
+  double a = (1 - p[P_CHI]) * p[P_V], fall = PI + 2 * atan2(a, p[P_E1]), at[4], low = 0, high = 0;
+  double r0 = p[P_E2] / p[P_CHI] - a * (fall - sin(fall)) - p[P_E1] * (1 - cos(fall));
+  do {
+    low = high;
+    high += 0.02;
+    motion(at, p, fall, high, 0);
+  } while (at[0] > 0);
+  for (int i = 0; i < 50; i++) {
+    double mid = 0.5 * (low + high);
+    motion(at, p, fall, mid, 0);
+    *(at[0] > 0 ? &low : &high) = mid;
+  }
+  return (at[1] > 0 ? 1 : -1) * hypot(at[2], at[1] / sqrt(p[P_CHI] * p[P_ETA])) - r0;
+}
+
+START_TEST(at_the_crest) {
+  int met = 0;
+  for (int i = 0; i < 10; i++) {
+    double p[N_PARAMS], low = 0, high = 0, before = 0;
+    fmpq q[N_PARAMS];
+    params_d(p, &set[i]);
+    for (p[P_E2] = 0.05; p[P_E2] < 8 && low == 0; p[P_E2] += 0.1) {
+      double now = crest_defect(p);
+      if (before * now < 0 && fabs(before - now) < 1) {
+        low = p[P_E2] - 0.1;
+        high = p[P_E2];
+      }
+      before = now;
+    }
+    if (low == 0) continue;
+    p[P_E2] = low;
+    double sign = crest_defect(p);
+    for (int k = 0; k < 52; k++) {
+      p[P_E2] = 0.5 * (low + high);
+      *(crest_defect(p) * sign > 0 ? &low : &high) = p[P_E2];
+    }
+    if (fabs(crest_defect(p)) > 1e-9) continue;
+    met++;
+    for (int k = 0; k < N_PARAMS; k++) {
+      fmpq_init(q + k);
+      fmpq_set(q + k, set[i].p + k);
+    }
+    for (int near = -1; near <= 1; near++) { /* the very place, and beside it */
+      struct dyn_orbits list;
+      fmpz_set_d(fmpq_numref(q + P_E2), ldexp(p[P_E2] * (1 + 1e-3 * near), 50));
+      fmpz_one(fmpq_denref(q + P_E2));
+      fmpq_div_2exp(q + P_E2, q + P_E2, 50);
+      dyn_orbits_find(&list, q, 60, NULL);
+      dyn_orbits_complete(&list, q, 60, NULL, DYN_CELLS);
+      ck_assert_msg(list.complete == (near != 0) && (near || list.gap == GAP_GRAZING), "%s, e2 %.15g: %d, %s",
+                    set[i].name, p[P_E2], list.complete, dyn_gap_text[list.gap]);
+      dyn_orbits_clear(&list);
+    }
+    for (int k = 0; k < N_PARAMS; k++) fmpq_clear(q + k);
+  }
+  ck_assert_msg(met > 2, "%d", met);
+}
+END_TEST
+
+/* A strip that the free phases leave out has no zero at any time: its motion, looked at for long, keeps away. */
+START_TEST(free_phases_leave_out_no_zero) {
+  uint64_t state = (uint64_t)_i + 3;
+  const struct set *s = &set[_i];
+  double p[N_PARAMS], a, omega;
+  struct stage g;
+  long left_out = 0, crossings = 0;
+  params_d(p, s);
+  a = (1 - p[P_CHI]) * p[P_V];
+  omega = sqrt(p[P_CHI] * p[P_ETA]);
+  ck_assert(stage_init(&g, s->p));
+  for (int trial = 0; trial < 30; trial++) {
+    struct strip strip;
+    double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
+    strip_make(&strip, &g, angle - half, angle + half, half);
+    struct turns k = strip_turns(&strip, &g);
+    if (!strip_never(&strip, &g) && !strip_misses(&strip, &g, &k)) continue;
+    left_out++;
+    double r0 = p[P_E2] / p[P_CHI] - a * (angle - sin(angle)) - p[P_E1] * (1 - cos(angle));
+    motion(old, p, angle, 0, 0);
+    for (int i = 1; i < 600; i++) {
+      motion(now, p, angle, 0.05 * i / g.om[1].mid, 0);
+      if (old[0] * now[0] < 0) {
+        double x = old[0] / (old[0] - now[0]), q = old[1] + x * (now[1] - old[1]), r = old[2] + x * (now[2] - old[2]);
+        double end = (q > 0 ? 1 : -1) * hypot(r, q / omega), turns = (r0 - end) / g.turn.mid;
+        bool fits = fabs(turns - round(turns)) * g.turn.mid < 1e-4 && turns > -0.5 && (strip.later || turns < 0.5);
+        ck_assert_msg(!strip_never(&strip, &g) && !fits, "%s: t_b %.12g, t %.8g", s->name, angle,
+                      0.05 * i / g.om[1].mid);
+        crossings++;
+      }
+      memcpy(old, now, sizeof old);
+    }
+  }
+  ck_assert(strcmp(s->name, "paper") != 0 || (left_out > 5 && crossings > 20));
+  stage_clear(&g);
+}
+END_TEST
+
+/* --- t_b and t_c given. --- */
+
+START_TEST(times_given) {
+  static const enum dyn_quantity which[2] = {QUANTITY_TC, QUANTITY_TB};
+  uint64_t state = (uint64_t)_i + 1;
+  long none = 0, some = 0;
+  fmpq model[3], value[2];
+  for (int i = 0; i < 3; i++) fmpq_init(model + i);
+  for (int i = 0; i < 2; i++) fmpq_init(value + i);
+  for (int trial = 0; trial < 100; trial++) {
+    struct dyn_orbits list;
+    fmpq_set_si(model, 1 + (slong)(62 * uniform(&state)), 64);
+    fmpq_set_si(model + 1, 2 + (slong)(100 * uniform(&state)), 16);
+    fmpq_set_si(model + 2, 1 + (slong)(8 * uniform(&state)), 4);
+    for (int i = 0; i < 2; i++) fmpq_set_si(value + i, 1 + (slong)(400 * uniform(&state)), 64);
+    for (int i = 0; i < 3; i++) fmpq_canonicalise(model + i);
+    for (int i = 0; i < 2; i++) fmpq_canonicalise(value + i);
+    dyn_orbits_given(&list, model, which, value, 80, NULL);
+    ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+    ck_assert_msg(list.complete && list.t_c_max == 0, "trial %d: %s", trial, dyn_gap_text[list.gap]);
+    *(list.n > 0 ? &some : &none) += 1;
+    slong n = list.n; /* a list that lacks them is not complete */
+    struct dyn_orbits empty = {.n = 0};
+    dyn_given_complete(&empty, model, which, value, 80, NULL, DYN_CELLS);
+    ck_assert(empty.complete == (n == 0) && (n == 0 || empty.gap == GAP_CONFLICT));
+    dyn_orbits_clear(&list);
+  }
+  ck_assert(some > 3 && none > 3);
+  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
+  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+}
+END_TEST
+
+/* --- t_b and e1 or e2 given. --- */
+
+/* The orbits of every set: t_b cut to a fraction leaves the rest where it is, nearly. */
+START_TEST(a_time_and_a_limit_given) {
+  const struct set *s = &set[_i];
+  for (int i = 0; i < s->n; i++)
+    for (int e = 0; e < 2; e++) {
+      const enum dyn_quantity which[2] = {QUANTITY_TB, e == 0 ? QUANTITY_E1 : QUANTITY_E2};
+      struct dyn_orbits list;
+      fmpq value[2];
+      bool met = false;
+      if (s->at[i][0] > 60) continue;
+      for (int k = 0; k < 2; k++) fmpq_init(value + k);
+      fmpq_set_si(value, (slong)(s->at[i][0] * 1e12), 1000000000000);
+      fmpq_canonicalise(value);
+      fmpq_set(value + 1, s->p + P_E1 + e);
+      dyn_orbits_given(&list, s->p, which, value, 60, NULL);
+      ck_assert_int_eq(dyn_given_complete(&list, s->p, which, value, 60, NULL, DYN_CELLS), SS_OK);
+      ck_assert_msg(list.complete && list.t_c_max == 200, "%s orbit %d, e%d: %s near %g", s->name, i, e + 1,
+                    dyn_gap_text[list.gap], list.gap_at[1]);
+      for (slong k = 0; k < list.n; k++) met = met || fabs(list.orbit[k].guess[2] - s->at[i][1]) < 1e-5 * s->at[i][1];
+      ck_assert_msg(met, "%s orbit %d, e%d", s->name, i, e + 1);
+      /* each is where a zero is enclosed */
+      struct line line;
+      ck_assert(line_run(&line, s->p, P_E2 - e, value, 100, DYN_CELLS) && !line.spent && !line.stuck);
+      for (slong k = 0; k < list.n; k++) {
+        const struct dyn_orbit *o = &list.orbit[k];
+        double other = arf_get_d(arb_midref(e == 0 ? o->e2 : o->e1), ARF_RND_NEAR);
+        bool enclosed = o->guess[2] > 99;
+        for (size_t z = 0; z < line.n; z++)
+          enclosed = enclosed || (fabs(line.zeros[z].at - o->guess[2]) < line.zeros[z].near + 1e-13 * o->guess[2] &&
+                                  fabs(line.zeros[z].e.mid - other) < line.zeros[z].e.rad + 1e-13 * other);
+        ck_assert_msg(enclosed, "%s, e%d: t_c %.17g", s->name, e + 1, o->guess[2]);
+      }
+      line_clear(&line);
+      /* a list that lacks one is not complete */
+      struct dyn_orbits empty = {.n = 0};
+      dyn_given_complete(&empty, s->p, which, value, 60, NULL, DYN_CELLS);
+      ck_assert(!empty.complete && empty.gap == GAP_CONFLICT);
+      dyn_orbits_clear(&list);
+      for (int k = 0; k < 2; k++) fmpq_clear(value + k);
+    }
+}
+END_TEST
+
+/* Orbits along e2 at random e1, t_b, seen as changes of sign in double precision: all in the list. */
+START_TEST(a_limit_scanned) {
+  static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TB};
+  uint64_t state = (uint64_t)_i + 11;
+  long seen = 0, complete = 0;
+  enum { TRIALS = 40, STEPS = 1500 };
+  for (int trial = 0; trial < TRIALS; trial++) {
+    double p[N_PARAMS] = {0.05 + 0.9 * uniform(&state), 0.1 + 3 * uniform(&state), 0.3 + uniform(&state),
+                          0.2 + 4 * uniform(&state), 0};
+    double tb = 0.05 + 3 * uniform(&state), old = 0, defect = 0, tc = 0;
+    bool valid = false;
+    fmpq q[N_PARAMS], value[2];
+    struct dyn_orbits list;
+    tb = floor(tb * 4096) / 4096;
+    for (int i = 0; i < N_PARAMS; i++) {
+      p[i] = floor(p[i] * 4096) / 4096;
+      fmpq_init(q + i);
+      fmpq_set_si(q + i, (slong)(p[i] * 4096), 4096);
+      fmpq_canonicalise(q + i);
+    }
+    for (int i = 0; i < 2; i++) {
+      fmpq_init(value + i);
+      fmpq_set_si(value + i, (slong)((i == 0 ? p[P_E1] : tb) * 4096), 4096);
+      fmpq_canonicalise(value + i);
+    }
+    dyn_orbits_given(&list, q, which, value, 60, NULL);
+    dyn_given_complete(&list, q, which, value, 60, NULL, DYN_CELLS);
+    complete += list.complete;
+    for (int i = 1; i < STEPS && list.complete; i++, old = defect) {
+      double low = 6.0 * (i - 1) / STEPS, high = 6.0 * i / STEPS, before = old;
+      p[P_E2] = high;
+      bool now = defect_at(&defect, &tc, p, tb), jump = false;
+      bool change = now && valid && old * defect <= 0;
+      valid = now;
+      if (!change) continue;
+      for (int step = 0; step < 40 && !jump; step++) {
+        double middle;
+        p[P_E2] = 0.5 * (low + high);
+        jump = !defect_at(&middle, &tc, p, tb);
+        if ((middle > 0) == (before > 0))
+          low = p[P_E2];
+        else
+          high = p[P_E2];
+        before = (middle > 0) == (before > 0) ? middle : before;
+        jump = jump || (step == 39 && fabs(middle) > 1e-7);
+      }
+      if (jump || tc > 199) continue;
+      bool listed = false;
+      for (slong k = 0; k < list.n; k++)
+        listed = listed || fabs(arf_get_d(arb_midref(list.orbit[k].e2), ARF_RND_NEAR) - p[P_E2]) < 1e-6;
+      ck_assert_msg(listed, "chi %g eta %g V %g e1 %g t_b %g: e2 %g, t_c %g", p[0], p[1], p[2], p[3], tb, p[P_E2], tc);
+      seen++;
+    }
+    dyn_orbits_clear(&list);
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(q + i);
+    for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+  }
+  ck_assert_msg(seen > TRIALS / 4 && complete > TRIALS * 9 / 10, "%ld seen, %ld complete", seen, complete);
+}
+END_TEST
+
+START_TEST(other_pairs_are_said) {
+  static const enum dyn_quantity which[2] = {QUANTITY_TA, QUANTITY_TD};
+  fmpq model[3], value[2];
+  struct dyn_orbits list = {.n = 0};
+  for (int i = 0; i < 3; i++) {
+    fmpq_init(model + i);
+    fmpq_set_si(model + i, 1, 2);
+  }
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(value + i);
+    fmpq_set_si(value + i, 1, 1);
+  }
+  ck_assert_int_eq(dyn_given_complete(&list, model, which, value, 80, NULL, DYN_CELLS), SS_OK);
+  ck_assert(!list.complete && list.gap == GAP_GIVEN);
+  for (int i = 0; i < 3; i++) fmpq_clear(model + i);
+  for (int i = 0; i < 2; i++) fmpq_clear(value + i);
+}
+END_TEST
+
+Suite *complete_suite(void) {
+  Suite *s = suite_create("complete");
+  TCase *lists = tcase_create("lists"), *means = tcase_create("means"), *hard = tcase_create("hard");
+  tcase_add_checked_fixture(lists, read_sets, clear_sets);
+  tcase_add_loop_test(lists, every_set_is_complete, 0, 30);
+  tcase_add_loop_test(lists, missing_orbits_are_added, 0, 30);
+  tcase_add_loop_test(lists, the_return_map_has_no_other_fixed_point, 0, 30);
+  tcase_add_loop_test(lists, random_parameters, 0, 2);
+  tcase_add_test(lists, a_small_budget_is_said);
+  tcase_add_test(lists, hopeless_parameters_are_said);
+  suite_add_tcase(s, lists);
+  tcase_add_checked_fixture(means, read_sets, clear_sets);
+  tcase_add_loop_test(means, disks_hold_what_balls_say, 0, 3);
+  tcase_add_loop_test(means, bounds_hold_and_are_nearly_attained, 0, 30);
+  tcase_add_loop_test(means, cells_move_as_the_flow_does, 0, 30);
+  tcase_add_loop_test(means, only_what_has_crossed_is_cut_off, 0, 30);
+  tcase_add_loop_test(means, no_cell_with_an_orbit_is_excluded, 0, 30);
+  tcase_add_loop_test(means, free_phases_leave_out_no_zero, 0, 30);
+  suite_add_tcase(s, means);
+  tcase_add_checked_fixture(hard, read_sets, clear_sets);
+  tcase_add_test(hard, near_a_fold);
+  tcase_add_test(hard, at_the_crest);
+  tcase_add_loop_test(hard, times_given, 0, 2);
+  tcase_add_loop_test(hard, a_time_and_a_limit_given, 0, 30);
+  tcase_add_loop_test(hard, a_limit_scanned, 0, 2);
+  tcase_add_test(hard, other_pairs_are_said);
+  suite_add_tcase(s, hard);
+  return s;
+}
