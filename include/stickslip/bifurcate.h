@@ -52,16 +52,18 @@ struct dyn_beside {
 };
 struct dyn_bifurcation {
   enum dyn_change what;
-  slong branch;
-  fmpq low, high;   /* the parameter lies between them */
-  arb_t tb, tc;     /* of the orbit there */
-  arb_t trace;      /* likewise; indeterminate where it has a pole */
-  bool crosses;     /* proved: one curve of orbits over the whole bracket, on which the function has opposite signs at the
+  slong branch, digits; /* digits: of the bracket */
+  fmpq low, high;       /* the parameter lies between them */
+  arb_t tb, tc;         /* of the orbit there */
+  arb_t trace;          /* likewise; indeterminate where it has a pole */
+  bool crosses; /* proved: one curve of orbits over the whole bracket, on which the function has opposite signs at the
                        two ends; for fold and t_c the zero itself, by interval Newton with the function as third equation */
-  bool unique;      /* proved: that curve, or that box, holds no second zero */
-  truth word;       /* t_b and t_c are first roots over the whole bracket; UNKNOWN where the branch ends, and always for fold */
-  int sense;        /* 1: the function rises with the parameter, -1: it falls (fold, t_c: the orbits exist above, below) */
-  arb_t third;      /* flip: c_2^2 + c_3 of the return map over the bracket; the orbit at tr J = -1 is stable when it is > 0 */
+  bool unique;  /* proved: that curve, or that box, holds no second zero */
+  truth
+      word; /* t_b and t_c are first roots over the whole bracket; UNKNOWN where the branch ends, and always for fold */
+  int sense; /* 1: the function rises with the parameter, -1: it falls (fold, t_c: the orbits exist above, below) */
+  arb_t
+      third; /* flip: c_2^2 + c_3 of the return map over the bracket; the orbit at tr J = -1 is stable when it is > 0 */
   struct dyn_beside beside[2]; /* at low and at high */
 };
 
@@ -82,12 +84,13 @@ struct dyn_bifurcations {
 };
 
 /* Looks for orbits at `starts` values of the parameter and follows their curves from one end of the line to the other.
-   Brackets are one unit (or two) of the digits-th significant decimal of the parameter wide.  params: the parameters, of
+   Brackets are one unit (or two) of the digits-th significant decimal of the
+   parameter wide, or narrower where no proof succeeds over so wide a one.  params: the parameters, of
    which params[vary] is not used; u_r: static friction forces or NULL each.  Branches that lie between two starts, and pairs
    of changes that undo one another within one step, can be missed.  SS_DOMAIN when an end lies outside the domain of
    dynamics.h, SS_UNABLE (with lists that are valid as far as they go) when a search or a curve ran into its limits. */
-int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from, const fmpq_t to,
-                          const fmpq *const u_r[2], slong digits, slong starts);
+int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
+                          const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts);
 void dyn_bifurcations_clear(struct dyn_bifurcations *list);
 
 #endif

@@ -3,6 +3,8 @@
 #define STICKSLIP_CLI_H
 
 #include "stickslip/audit.h"
+#include "stickslip/dynamics.h"
+#include "stickslip/json.h"
 
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
@@ -20,7 +22,8 @@ enum {
   FOR_SIMULATE = 64,
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
-  FOR_REPAIR = 512
+  FOR_REPAIR = 512,
+  FOR_BIFURCATE = 1024
 };
 
 struct options {
@@ -28,7 +31,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
+      *along;
   bool strict, quiet, json, tape, csv, compare, phases, help;
 };
 
@@ -63,6 +67,11 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j);
 bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
 
+/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
+truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
+/* true, false or null. */
+void json_truth(struct json *j, const char *key, truth t);
+
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
@@ -80,5 +89,6 @@ int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
+int run_bifurcate(const struct options *o, const char *data);
 
 #endif

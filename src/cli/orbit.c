@@ -58,14 +58,13 @@ static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
   return t;
 }
 
-/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
-static truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
+truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
   u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
   u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
   return truth_and(o->admissible, truth_and(u[0], u[1]));
 }
 
-static void json_truth(struct json *j, const char *key, truth t) {
+void json_truth(struct json *j, const char *key, truth t) {
   if (t == TRUTH_UNKNOWN)
     json_null(j, key);
   else

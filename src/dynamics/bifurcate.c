@@ -12,7 +12,7 @@
 #include "curve.h"
 #include "stickslip/arena.h"
 
-enum { START_PREC = 64, MOST_STEPS = 20000, RAISES = 3 };
+enum { START_PREC = 64, MOST_STEPS = 20000, ATTEMPTS = 6, NARROWER = 3 };
 
 /* --- Records. --- */
 
@@ -120,7 +120,8 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
   for (int i = 0; i < N_PARAMS; i++) num_arb.set(num_vec_at(&params, i), &t->p[i]);
   num_arb.set(num_vec_at(&arc.t, PHASE_GAMMA), &t->x[0]);
   num_arb.set(num_vec_at(&arc.t, PHASE_H), &t->x[1]);
-  arb_set_si(num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2), t->up ? 1 : -1); /* only the sign of r at the end is asked for */
+  arb_set_si(num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
+             t->up ? 1 : -1); /* only the sign of r at the end is asked for */
   if (dyn_return_jet(c, 4, &params, &arc) == SS_OK) {
     arb_mul(third, c + 2, c + 2, prec);
     arb_add(third, third, c + 3, prec);
@@ -152,7 +153,8 @@ static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tu
   _arb_vec_clear(work, 3);
 }
 
-static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, const arb_t at, slong prec) {
+static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, const arb_t at,
+                        slong prec) {
   struct tube t;
   struct dyn_orbit whole;
   int sign[2] = {0, 0};
@@ -186,7 +188,8 @@ static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, ar
 /* --- Where the curve turns back. --- */
 
 /* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
-static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x, slong prec) {
+static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x,
+                   slong prec) {
   struct view v;
   int status = view_open(&v, curve, x, prec);
   const val f = v.s.pc, g = v.s.defect;
@@ -288,16 +291,18 @@ struct line {
   slong n_starts, steps;
 };
 
+/* A bracket over which no proof succeeds is narrowed, and the precision raised. */
 static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool up, const struct crossing *c) {
   arb_ptr x = _arb_vec_init(4);
-  slong prec = (slong)((double)l->digits * 3.33) + 96;
   for (int k = 0; k < 3; k++) arb_set_d(x + k, c->x[k]);
   arb_set_d(x + 3, c->time);
-  for (int i = 0; i < RAISES && !settled(b); i++, prec *= 2) {
+  for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
     struct curve curve;
+    b->digits = l->digits + NARROWER * i;
+    slong prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
     curve_init(&curve, l->params, l->vary, up, c->x[1], l->u_r, prec);
     bool ok = curve_newton(x, x + 3, &curve, b->what, prec) == SS_OK && arb_is_positive(x);
-    if (ok) bracket(b, x, l->digits, prec);
+    if (ok) bracket(b, x, b->digits, prec);
     if (ok && turns(b->what))
       prove_turning(b, &curve, x, prec);
     else if (ok)
@@ -344,7 +349,8 @@ static void mark_starts(struct line *l, const struct trace *t, const struct spot
 }
 
 /* One direction from a start; the end of the branch goes to place `end` of it.  false when the curve is closed. */
-static bool follow(struct line *l, struct dyn_branch *br, int end, const struct curve *curve, const struct start *from) {
+static bool follow(struct line *l, struct dyn_branch *br, int end, const struct curve *curve,
+                   const struct start *from) {
   struct trace t;
   double *last = end ? br->to : br->from;
   br->end[end] = END_LOST;
@@ -418,7 +424,8 @@ static int find_starts(struct line *l, size_t *cap, const fmpq_t from, const fmp
     const struct dyn_orbit *o = &orbits.orbit[k];
     l->start = ss_grow(l->start, (size_t)l->n_starts, cap, sizeof *l->start);
     l->start[l->n_starts++] = (struct start){{fmpq_get_d(&at[l->vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
-                                             num_arb.get_d(o->z20) > num_arb.get_d(o->z10), false};
+                                             num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
+                                             false};
   }
   dyn_orbits_clear(&orbits);
   for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&at[k]);
@@ -432,8 +439,8 @@ static int by_value(const void *x, const void *y) {
   return c ? c : (a->branch > b->branch) - (a->branch < b->branch);
 }
 
-int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from, const fmpq_t to,
-                          const fmpq *const u_r[2], slong digits, slong starts) {
+int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
+                          const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts) {
   *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
   struct line l = {.list = list, .params = params, .u_r = {u_r[0], u_r[1]}, .vary = vary, .digits = digits};
   size_t cap = 0;

@@ -9,10 +9,9 @@
 #include "curve.h"
 
 const char *const dyn_change_id[N_CHANGES] = {
-    [CHANGE_FLIP] = "flip",        [CHANGE_FOLD] = "fold",         [CHANGE_TA] = "t_a",
-    [CHANGE_H_V2] = "h_v2",        [CHANGE_C_W_START] = "c_w",     [CHANGE_C_W_HILL] = "c_w",
-    [CHANGE_U_R1] = "u_r1",        [CHANGE_U_R2] = "u_r2",         [CHANGE_H_V1] = "h_v1",
-    [CHANGE_TC] = "t_c",           [CHANGE_C_V2] = "c_v2",           [CHANGE_TB] = "t_b",
+    [CHANGE_FLIP] = "flip",         [CHANGE_FOLD] = "fold",       [CHANGE_TA] = "t_a",    [CHANGE_H_V2] = "h_v2",
+    [CHANGE_C_W_START] = "c_w",     [CHANGE_C_W_HILL] = "c_w",    [CHANGE_U_R1] = "u_r1", [CHANGE_U_R2] = "u_r2",
+    [CHANGE_H_V1] = "h_v1",         [CHANGE_TC] = "t_c",          [CHANGE_C_V2] = "c_v2", [CHANGE_TB] = "t_b",
     [CHANGE_GAMMA_V1] = "gamma_v1", [CHANGE_GAMMA_R] = "gamma_r",
 };
 

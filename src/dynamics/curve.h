@@ -35,7 +35,8 @@ struct curve {
   bool up;
   slong crest; /* t_b lies in this period of phase Gamma, from 0 */
 };
-void curve_init(struct curve *b, const fmpq *params, int vary, bool up, double tb, const fmpq *const u_r[2], slong prec);
+void curve_init(struct curve *b, const fmpq *params, int vary, bool up, double tb, const fmpq *const u_r[2],
+                slong prec);
 void curve_clear(struct curve *b);
 
 /* Everything at x = (parameter, t_b, t_c), with slopes. */
