@@ -1146,7 +1146,7 @@ static const char *output_of(const char *name, const char *const *args) {
 
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 14 };
+  enum { N = 15 };
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -1169,6 +1169,8 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/bifurcate.schema.json",
+       output_of("line.json", (const char *const[]){"bifurcate", stiff, "--along", "V=0.2:3", "--json", NULL}), 0},
       {"schema/readings.schema.json",
        output_of("readings.json", (const char *const[]){"readings", "paper", "--json", NULL}), 0},
       {"schema/orbit-paper.schema.json",
@@ -1238,6 +1240,26 @@ static const struct {
     {{"simulate", "paper", "--compare", "--samples", "5"}, 2, "--compare goes with neither"},
     {{"simulate", "paper", "--compare", "--periods", "10001"}, 2, "at most 10000 with --compare"},
     {{"orbit", "paper", "--compare"}, 2, "--compare does not belong to this command"},
+    {{"bifurcate", "--along", "e2=1:2"}, 2, "bifurcate takes one SCENE"},
+    {{"bifurcate", "paper"}, 2, "bifurcate needs --along NAME=A:B"},
+    {{"bifurcate", "paper", "--along", "e2"}, 2, "--along takes NAME=A:B, as in e2=0.5:3, not e2"},
+    {{"bifurcate", "paper", "--along", "e2=1"}, 2, "not e2=1"},
+    {{"bifurcate", "paper", "--along", "e2=1:2:3"}, 2, "not e2=1:2:3"},
+    {{"bifurcate", "paper", "--along", "=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "t_b=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "e=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "e2=:2"}, 2, "--along:1:1: error: "},
+    {{"bifurcate", "paper", "--along", "e2=1:x"}, 2, "a constant expression has numbers"},
+    {{"bifurcate", "paper", "--along", "e2=1/0:2"}, 2, "division by zero"},
+    {{"bifurcate", "paper", "--along", "e2=0:2"}, 2, "both ends of --along e2=0:2 must be positive"},
+    {{"bifurcate", "paper", "--along", "e2=-1:2"}, 2, "must be positive"},
+    {{"bifurcate", "paper", "--along", "chi=0.5:1"}, 2, "must lie between 0 and 1"},
+    {{"bifurcate", "paper", "--along", "e2=2:4/2"}, 2, "the ends of --along e2=2:4/2 are equal"},
+    {{"bifurcate", "paper", "--along", "e2=1e-400:2"}, 2, "cannot be told apart or held in double precision"},
+    {{"bifurcate", "paper", "--along", "e2=1:2", "--digits=1001"}, 2, "at most 1000 --digits"},
+    {{"bifurcate", "paper", "--along", "e2=1:2", "--csv"}, 2, "--csv does not belong to this command"},
+    {{"bifurcate", "paper-times", "--along", "e2=1:2"}, 3, "needs a scene that gives e1 and e2"},
+    {{"orbit", "paper", "--along", "e2=1:2"}, 2, "--along does not belong to this command"},
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},
     {{"verify", "--only", ","}, 2, "--only takes"},
@@ -1496,7 +1518,7 @@ END_TEST
 
 /* Every option in the help is one the parser knows, for some command. */
 START_TEST(the_parser_knows_what_help_mentions) {
-  static const char *const commands[] = {"verify", "orbit", "jacobian", "simulate", "explain"};
+  static const char *const commands[] = {"verify", "orbit", "jacobian", "simulate", "explain", "bifurcate"};
   struct job help;
   run_well(&help, "--help", NULL);
   for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {

@@ -28,7 +28,7 @@ static bool add_only(struct options *o, char *list) {
   return o->n_only > 0;
 }
 
-enum { WRITES_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE };
+enum { FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE };
 
 int parse_options(struct options *o, unsigned command, int argc, char **argv) {
   struct {
@@ -43,7 +43,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_BIFURCATE, &o->digits, NULL},
-               {"--json", WRITES_JSON, NULL, &o->json},
+               {"--json", FOR_JSON, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
