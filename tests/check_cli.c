@@ -1144,9 +1144,46 @@ static const char *output_of(const char *name, const char *const *args) {
   return path;
 }
 
+/* A scene with an interval: orbit and verify take it, claims about one set of parameters are skipped with the reason, and
+   nothing on record is contradicted; every other command refuses it. */
+START_TEST(a_box_of_parameters) {
+  static const char *const others[] = {"simulate", "jacobian", "readings"};
+  const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
+  struct job j;
+  run_well(&j, "orbit", box, NULL);
+  ck_assert(strstr(j.out, "e2 in [453/250, 21/10]"));
+  ck_assert(strstr(j.out, "orbit 2: conditionally stable, admissible; proved over the box"));
+  discard(&j);
+  run_well(&j, "verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out", scratch_path("box"),
+           NULL);
+  ck_assert(strstr(j.out, "nothing recorded") || strstr(j.out, "as recorded"));
+  ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "3 skipped"));
+  discard(&j);
+  char *json = slurp(scratch_path("box/audit.json"));
+  ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
+  free(json);
+  for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+    run(&j, others[i], box, NULL);
+    ck_assert_int_eq(j.status, 3);
+    ck_assert(strstr(j.err, "box.scene: error: e2 is an interval; only orbit and verify take one"));
+    discard(&j);
+  }
+  run(&j, "orbit", box, "--method", "paper", NULL);
+  ck_assert_int_eq(j.status, 3);
+  discard(&j);
+  run(&j, "bifurcate", box, "--along", "e1=1:2", NULL);
+  ck_assert_int_eq(j.status, 3);
+  discard(&j);
+  run(&j, "orbit", box, "--digits", "21", NULL);
+  ck_assert_int_eq(j.status, 2);
+  discard(&j);
+}
+END_TEST
+
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 15 };
+  enum { N = 16 };
+  const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -1169,6 +1206,7 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/orbit.schema.json", output_of("box.json", (const char *const[]){"orbit", box, "--json", NULL}), 0},
       {"schema/bifurcate.schema.json",
        output_of("line.json", (const char *const[]){"bifurcate", stiff, "--along", "V=0.2:3", "--json", NULL}), 0},
       {"schema/readings.schema.json",
@@ -1615,6 +1653,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, a_report_that_does_not_fit_leaves_the_old_one);
   tcase_add_test(c, bad_input_leaves_the_old_report);
   tcase_add_test(c, json_obeys_its_schemas);
+  tcase_add_test(c, a_box_of_parameters);
   suite_add_tcase(s, c);
   c = tcase_create("refusal");
   tcase_set_timeout(c, TIME_LIMIT);

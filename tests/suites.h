@@ -23,5 +23,6 @@ Suite *errata_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);
+Suite *box_suite(void);
 
 #endif

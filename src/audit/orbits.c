@@ -24,6 +24,10 @@ static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
     which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
     value[n++] = data.value[k]; /* borrowed: neither changed nor cleared */
   }
+  if (n < 2) { /* a box of parameters has no orbits of its own */
+    *list = (struct dyn_orbits){.n = 0};
+    return SS_OK;
+  }
   return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
 }
 

@@ -77,6 +77,8 @@ int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
 /* orbit --method paper. */
 int run_orbit_paper(const struct options *o, const char *data);
+/* orbit on a scene with intervals. */
+int show_box(const struct options *o, const struct scene *s, slong digits);
 int run_jacobian(const struct options *o, const char *data);
 /* simulate --compare, over at most the given time. */
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);

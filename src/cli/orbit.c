@@ -3,11 +3,12 @@
 #include <string.h>
 
 #include "cli.h"
+#include "orbit_numbers.h"
 #include "stickslip/dynamics.h"
 #include "stickslip/json.h"
 #include "stickslip/margins.h"
 
-enum { N_SHOWN = 12 };
+enum { N_SHOWN = ORBIT_NUMBERS };
 
 /* The numbers of an orbit in the order of the contract. */
 static const struct {
@@ -26,14 +27,18 @@ static const struct {
                     {"u_r1_min", offsetof(struct dyn_orbit, u_r1_min)},
                     {"u_r2_min", offsetof(struct dyn_orbit, u_r2_min)}};
 
-static arb_srcptr number_of(const struct dyn_orbit *o, int i) {
+const char *orbit_number_name(int i) {
+  return shown[i].name;
+}
+
+arb_srcptr orbit_number(const struct dyn_orbit *o, int i) {
   return (arb_srcptr)(const void *)((const char *)o + shown[i].offset);
 }
 
 static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, slong digits) {
   for (int i = 0; i < N_SHOWN; i++) {
     text_reset(&out[i]);
-    if (num_print(&out[i], number_of(o, i), digits) != SS_OK) return false;
+    if (num_print(&out[i], orbit_number(o, i), digits) != SS_OK) return false;
   }
   return true;
 }
@@ -171,9 +176,14 @@ int run_orbit(const struct options *o, const char *data) {
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!scene_load(&s, o->operand[0], data, &d)) {
+  if (!scene_load_box(&s, o->operand[0], data, &d)) {
     scene_clear(&s);
     return bad_input(&d);
+  }
+  if (scene_is_box(&s)) {
+    status = show_box(o, &s, digits);
+    scene_clear(&s);
+    return status;
   }
   struct dyn_orbits list;
   slong prec = (slong)((double)digits * 3.33) + 64;

@@ -23,8 +23,13 @@ void tube_set(struct tube *t, const struct tube *s);
 int tube_newton(struct tube *t, slong prec);
 /* The proof around x, from which Newton's iteration starts. */
 int tube_prove(struct tube *t, slong prec);
+/* About how far t_b and t_c move over the ball of one parameter. */
+double tube_reach(const struct tube *t, int param, slong prec);
 /* What is known about the orbits of the tube, over all of its parameters; word as dyn_orbit_judge returns it. */
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps);
+
+/* The same numbers, some of them narrower, by mean value forms over the parameters. */
+void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec);
 
 /* --- curve.c --- */
 

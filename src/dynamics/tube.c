@@ -2,6 +2,9 @@
 
    Krawczyk's operator around the orbit at the middle of the box.  The residual over the box is bounded by its mean value
    form in the parameters, and the box of unknowns grows until the operator maps it into its interior. */
+#include <math.h>
+#include <stdlib.h>
+
 #include "curve.h"
 
 void tube_init(struct tube *t) {
@@ -31,8 +34,8 @@ void tube_set(struct tube *t, const struct tube *s) {
 }
 
 /* The pass at (p, x), p's midpoints when middle; slopes along the parameters that are not exact, if wanted. */
-static void look(struct ball_pass *s, struct calc *c, const struct tube *t, arb_srcptr x, bool middle) {
-  struct ball_params m;
+static void look(struct ball_pass *s, struct calc *c, struct ball_params *m, const struct tube *t, arb_srcptr x,
+                 bool middle) {
   val p[N_PARAMS];
   arb_t mid;
   arb_init(mid);
@@ -41,8 +44,8 @@ static void look(struct ball_pass *s, struct calc *c, const struct tube *t, arb_
     p[i] = dual_variable(c, middle ? mid : &t->p[i], middle || arb_is_exact(&t->p[i]) ? -1 : i);
   }
   arb_clear(mid);
-  ball_params_make(&m, c, p);
-  ball_pass_make(s, c, &m, dual_variable(c, x, DIR_TB), dual_variable(c, x + 1, DIR_TC), t->up);
+  ball_params_make(m, c, p);
+  ball_pass_make(s, c, m, dual_variable(c, x, DIR_TB), dual_variable(c, x + 1, DIR_TC), t->up);
 }
 
 /* y: the inverse of the Jacobian, its midpoints; f: the residuals. */
@@ -81,9 +84,10 @@ int tube_newton(struct tube *t, slong prec) {
   linear_init(&l);
   calc_init(&c, dual_ctx(prec));
   for (int i = 0; i < 60 && !status && quiet < 2; i++) {
+    struct ball_params m;
     struct ball_pass s;
     for (int k = 0; k < 2; k++) arb_get_mid_arb(&t->x[k], &t->x[k]);
-    look(&s, &c, t, t->x, true);
+    look(&s, &c, &m, t, t->x, true);
     if (c.status || !linear_make(&l, &s, prec)) status = SS_UNABLE;
     arb_mat_mul(l.f, l.y, l.f, prec);
     quiet++;
@@ -105,13 +109,14 @@ int tube_newton(struct tube *t, slong prec) {
 /* shift: -Y (F(p0, mid) + sum of dF/dp (p - p0)), dF/dp over the box of parameters. */
 static bool shift_of(arb_mat_t shift, struct linear *l, const struct tube *t, arb_srcptr mid, slong prec) {
   struct calc c;
+  struct ball_params m;
   struct ball_pass s, at;
   arb_t off;
   arb_init(off);
   calc_init(&c, dual_ctx(prec));
-  look(&s, &c, t, mid, true);
+  look(&s, &c, &m, t, mid, true);
   bool ok = !c.status && linear_make(l, &s, prec);
-  look(&at, &c, t, mid, false);
+  look(&at, &c, &m, t, mid, false);
   const val f[2] = {at.pc, at.defect};
   for (int i = 0; i < N_PARAMS && ok && !c.status; i++) {
     arb_zero(off);
@@ -130,12 +135,13 @@ static bool shift_of(arb_mat_t shift, struct linear *l, const struct tube *t, ar
 static bool image_of(arb_mat_t image, const struct linear *l, const arb_mat_t shift, const struct tube *t,
                      arb_srcptr mid, slong prec) {
   struct calc c;
+  struct ball_params m;
   struct ball_pass s;
   arb_mat_t j, off;
   arb_mat_init(j, 2, 2);
   arb_mat_init(off, 2, 1);
   calc_init(&c, dual_ctx(prec));
-  look(&s, &c, t, t->box, false);
+  look(&s, &c, &m, t, t->box, false);
   const val f[2] = {s.pc, s.defect};
   for (int i = 0; i < 2; i++) {
     for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
@@ -194,6 +200,124 @@ int tube_prove(struct tube *t, slong prec) {
   linear_clear(&l);
   _arb_vec_clear(mid, 2);
   return proved ? SS_OK : SS_UNABLE;
+}
+
+double tube_reach(const struct tube *t, int param, slong prec) {
+  struct calc c;
+  struct linear l;
+  struct ball_params m;
+  struct ball_pass s;
+  struct tube narrow;
+  double reach = 0;
+  linear_init(&l);
+  tube_init(&narrow);
+  tube_set(&narrow, t);
+  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&narrow.p[i], &t->p[i]);
+  for (int k = 0; k < 2; k++) arb_get_mid_arb(&narrow.x[k], &t->x[k]);
+  mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
+  calc_init(&c, dual_ctx(prec));
+  look(&s, &c, &m, &narrow, narrow.x, false);
+  const val f[2] = {s.pc, s.defect};
+  if (!c.status && linear_make(&l, &s, prec)) {
+    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(l.f, k, 0), dual_slope(f[k], param));
+    arb_mat_mul(l.f, l.y, l.f, prec);
+    for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(l.f, k, 0)));
+  }
+  calc_clear(&c);
+  tube_clear(&narrow);
+  linear_clear(&l);
+  return reach * mag_get_d(arb_radref(&t->p[param]));
+}
+
+/* --- Mean value forms. --- */
+
+enum { SHARP = 5 };
+
+/* The numbers that are worth it: trace, t_a, t_d, z10, z20. */
+static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                          bool up) {
+  struct ball_ending e;
+  val chi = m->p[P_CHI], ease = calc_sub(c, m->one, chi);
+  ball_ending_make(&e, c, m, s, up);
+  out[0] = calc_add(c, calc_div(c, s->defect_tb, s->pb), m->one);
+  out[1] = e.ta;
+  out[2] = e.td;
+  out[3] = calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s->r)), ease);
+  out[4] = calc_div(c, calc_add(c, e.wf, s->r), ease);
+}
+
+/* d(t_b, t_c)/dp over the tube; false where the Jacobian cannot be inverted. */
+static bool motion_of(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
+  const val f[2] = {s->pc, s->defect};
+  arb_mat_t j;
+  arb_mat_init(j, 2, 2);
+  for (int i = 0; i < 2; i++) {
+    arb_neg(arb_mat_entry(dx, i, 0), dual_slope(f[i], param));
+    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
+  }
+  bool ok = arb_mat_solve(dx, j, dx, prec) != 0;
+  arb_mat_clear(j);
+  return ok;
+}
+
+/* number = its value at the middle of the parameters + the sum of its slopes along the orbits times p - p0. */
+static bool mean_values(arb_ptr number, const struct tube *t, const struct tube *middle, slong prec) {
+  struct calc c;
+  struct ball_params m;
+  struct ball_pass s;
+  val at[SHARP], all[SHARP];
+  arb_mat_t dx;
+  arb_t slope, off;
+  arb_mat_init(dx, 2, 1);
+  arb_init(slope);
+  arb_init(off);
+  calc_init(&c, dual_ctx(prec));
+  look(&s, &c, &m, middle, middle->x, false);
+  sharp_numbers(at, &c, &m, &s, t->up);
+  look(&s, &c, &m, t, t->x, false);
+  sharp_numbers(all, &c, &m, &s, t->up);
+  bool ok = !c.status;
+  for (int n = 0; n < SHARP && ok; n++) arb_set(number + n, dual_value(at[n]));
+  for (int i = 0; i < N_PARAMS && ok; i++) {
+    if (arb_is_exact(&t->p[i])) continue;
+    ok = motion_of(dx, &s, i, prec);
+    arb_sub(off, &t->p[i], &middle->p[i], prec);
+    for (int n = 0; n < SHARP && ok; n++) {
+      arb_set(slope, dual_slope(all[n], i));
+      for (int k = 0; k < 2; k++) arb_addmul(slope, dual_slope(all[n], DIR_TB + k), arb_mat_entry(dx, k, 0), prec);
+      arb_addmul(number + n, slope, off, prec);
+    }
+  }
+  calc_clear(&c);
+  arb_clear(off);
+  arb_clear(slope);
+  arb_mat_clear(dx);
+  return ok;
+}
+
+void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
+  struct tube middle;
+  arb_ptr number = _arb_vec_init(SHARP), of[SHARP] = {o->trace, o->t[PHASE_D], o->t[PHASE_C], o->z10, o->z20};
+  tube_init(&middle);
+  tube_set(&middle, t);
+  for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&middle.p[i], &t->p[i]);
+  bool ok = tube_prove(&middle, prec) == SS_OK && arb_contains(&t->box[0], &middle.x[0]) &&
+            arb_contains(&t->box[1], &middle.x[1]) && mean_values(number, t, &middle, prec);
+  for (int n = 0; n < SHARP && ok; n++)
+    if (!arb_intersection(of[n], of[n], number + n, prec)) abort(); /* two enclosures of the same */
+  if (ok) {
+    arb_zero(o->period);
+    for (int i = 0; i < N_PHASES; i++) arb_add(o->period, o->period, o->t[i], prec);
+    num_arb.abs(o->margin, o->trace, prec);
+    arb_sub_si(o->margin, o->margin, 1, prec);
+    o->stable = arb_is_negative(o->margin) ? TRUTH_TRUE : arb_is_positive(o->margin) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    o->holds[COND_TA] = arb_is_positive(o->t[PHASE_D])      ? TRUTH_TRUE
+                        : arb_is_nonpositive(o->t[PHASE_D]) ? TRUTH_FALSE
+                                                            : TRUTH_UNKNOWN;
+    if (!t->up) o->holds[COND_C_W] = o->holds[COND_TA]; /* w rises in phase C, up to e1 - a t_a */
+  }
+  tube_clear(&middle);
+  _arb_vec_clear(number, SHARP);
 }
 
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
