@@ -1182,7 +1182,7 @@ END_TEST
 
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 16 };
+  enum { N = 17 };
   const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
@@ -1206,6 +1206,8 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/orbit.schema.json",
+       output_of("basin.json", (const char *const[]){"orbit", "stable", "--basin", "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("box.json", (const char *const[]){"orbit", box, "--json", NULL}), 0},
       {"schema/bifurcate.schema.json",
        output_of("line.json", (const char *const[]){"bifurcate", stiff, "--along", "V=0.2:3", "--json", NULL}), 0},
@@ -1297,6 +1299,9 @@ static const struct {
     {{"bifurcate", "paper", "--along", "e2=1:2", "--digits=1001"}, 2, "at most 1000 --digits"},
     {{"bifurcate", "paper", "--along", "e2=1:2", "--csv"}, 2, "--csv does not belong to this command"},
     {{"bifurcate", "paper-times", "--along", "e2=1:2"}, 3, "needs a scene that gives e1 and e2"},
+    {{"orbit", "paper", "--basin=1"}, 2, "--basin takes no value"},
+    {{"orbit", "paper", "--basin", "--method=paper"}, 2, "--basin goes with no --method"},
+    {{"orbit", "paper-times", "--basin"}, 3, "--basin needs a scene that gives e1 and e2"},
     {{"orbit", "paper", "--along", "e2=1:2"}, 2, "--along does not belong to this command"},
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},

@@ -24,5 +24,6 @@ Suite *cli_suite(void);
 Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);
 Suite *box_suite(void);
+Suite *basin_suite(void);
 
 #endif

@@ -33,7 +33,7 @@ struct options {
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
       *along;
-  bool strict, quiet, json, tape, csv, compare, phases, help;
+  bool strict, quiet, json, tape, csv, compare, phases, basin, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */

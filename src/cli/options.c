@@ -54,6 +54,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--count", FOR_MUTATE, &o->count, NULL},
                {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
                {"--along", FOR_BIFURCATE, &o->along, NULL},
+               {"--basin", FOR_ORBIT, NULL, &o->basin},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},
                {"--layer", FOR_JACOBIAN, &o->layer, NULL},

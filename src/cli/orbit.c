@@ -76,7 +76,7 @@ void json_truth(struct json *j, const char *key, truth t) {
     json_bool(j, key, t == TRUTH_TRUE);
 }
 
-static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct scene *s, slong digits) {
+static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct scene *s, slong digits, bool basin) {
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   print_numbers(t, o, digits);
@@ -99,11 +99,13 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct s
   json_string(j, "u_r2_min", text_str(&t[11]));
   json_bool(j, "certified", false);
   json_null(j, "radius");
+  if (basin) basin_json(j, o, s);
   json_end_object(j);
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
-static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits,
+                        bool basin) {
   struct json j;
   json_init(&j, out);
   json_object(&j, NULL);
@@ -111,7 +113,7 @@ static void orbits_json(struct text *out, const struct dyn_orbits *list, const s
   json_string(&j, "layer", "model");
   json_bool(&j, "complete", list->complete);
   json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], s, digits);
+  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], s, digits, basin);
   json_end_array(&j);
   json_end_object(&j);
 }
@@ -143,7 +145,8 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
   dyn_margins_clear(&m);
 }
 
-static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits) {
+static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct scene *s, slong digits,
+                        bool basin) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
   struct text t[N_SHOWN];
@@ -159,6 +162,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
     for (int k = 0; k < 2; k++)
       if (u[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + k]);
+    if (basin) basin_text(out, o, s);
     add_margins(out, o, s);
   }
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
@@ -167,6 +171,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 int run_orbit(const struct options *o, const char *data) {
   enum { ATTEMPTS = 4 };
   slong digits;
+  if (o->basin && o->method) return usage("--basin goes with no %s", "--method");
   if (o->method && strcmp(o->method, "paper") == 0) return run_orbit_paper(o, data);
   if (o->method && strcmp(o->method, "model") != 0)
     return usage("--method takes model or paper, not %.200s", o->method);
@@ -177,6 +182,11 @@ int run_orbit(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   if (!scene_load_box(&s, o->operand[0], data, &d)) {
+    scene_clear(&s);
+    return bad_input(&d);
+  }
+  if (o->basin && (scene_is_box(&s) || !scene_has_forces(&s))) {
+    diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
@@ -201,9 +211,9 @@ int run_orbit(const struct options *o, const char *data) {
     struct text out;
     text_init(&out);
     if (o->json)
-      orbits_json(&out, &list, &s, digits);
+      orbits_json(&out, &list, &s, digits, o->basin);
     else
-      orbits_text(&out, &list, &s, digits);
+      orbits_text(&out, &list, &s, digits, o->basin);
     fputs(text_str(&out), stdout);
     text_clear(&out);
   } else {
