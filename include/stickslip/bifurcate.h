@@ -52,10 +52,10 @@ struct dyn_beside {
 };
 struct dyn_bifurcation {
   enum dyn_change what;
-  slong branch, digits; /* digits: of the bracket */
-  fmpq low, high;       /* the parameter lies between them */
-  arb_t tb, tc;         /* of the orbit there */
-  arb_t trace;          /* likewise; indeterminate where it has a pole */
+  slong branch, digits, prec; /* digits: of the bracket; prec: working precision of the proof */
+  fmpq low, high;             /* the parameter lies between them */
+  arb_t tb, tc;               /* of the orbit there */
+  arb_t trace;                /* likewise; indeterminate where it has a pole */
   bool crosses; /* proved: one curve of orbits over the whole bracket, on which the function has opposite signs at the
                        two ends; for fold and t_c the zero itself, by interval Newton with the function as third equation */
   bool unique;  /* proved: that curve, or that box, holds no second zero */

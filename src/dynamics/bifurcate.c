@@ -299,7 +299,7 @@ static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool u
   for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
     struct curve curve;
     b->digits = l->digits + NARROWER * i;
-    slong prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
+    slong prec = b->prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
     curve_init(&curve, l->params, l->vary, up, c->x[1], l->u_r, prec);
     bool ok = curve_newton(x, x + 3, &curve, b->what, prec) == SS_OK && arb_is_positive(x);
     if (ok) bracket(b, x, b->digits, prec);
