@@ -16,11 +16,13 @@ static const char help[] =
     "  stickslip verify [SCENE...] [--only ID[,ID...]] [--paper DIR] [--overlay FILE] [--digits N] [--out DIR]\n"
     "                   [--strict] [--quiet]\n"
     "      judge the paper's claims and write audit.json, audit.md and run.json to reports/SCENE/ or DIR\n"
-    "  stickslip orbit SCENE [--method model|paper] [--digits N] [--json] [--certificate FILE]\n"
+    "  stickslip orbit SCENE [--method model|paper] [--digits N] [--basin] [--json] [--certificate FILE]\n"
     "      every periodic orbit D-Gamma-H-C at the scene's parameters, by increasing z10; with --method paper, "
     "Newton's\n"
     "      iteration on the paper's equations (44)-(46) from the printed times, else from each orbit's times moved by\n"
-    "      2 %, and how it is conditioned (at most 1000 digits)\n"
+    "      2 %, and how it is conditioned (at most 1000 digits); with --basin, for a stable orbit a proved interval "
+    "of\n"
+    "      z_2 - z_1 that the return map takes into itself; a scene with intervals gives enclosures over its box\n"
     "  stickslip jacobian SCENE [--at orbit:K|printed] [--method analytic|implicit|saltation|fd|fd-double|ode]\n"
     "                   [--layer printed|corrected] [--digits N] [--json]\n"
     "      the 2x2 Jacobian of one period: the paper's chain, implicit differentiation at the events, saltation "
@@ -39,6 +41,12 @@ static const char help[] =
     "      closed forms in double beside MPFR, period by period (at most 10000), where they part and how fast; status "
     "5\n"
     "      when a simulation ends early (its budget of events or steps is used up, or the integrator gives up)\n"
+    "  stickslip bifurcate SCENE --along NAME=A:B [--digits N] [--json]\n"
+    "      where the orbits change while chi, eta, V, e1 or e2 runs from A to B: multiplier -1 (flip), two orbits "
+    "merge\n"
+    "      (fold), t_a = 0, a condition of admissibility or a switching condition becomes an equality (grazing); each "
+    "in\n"
+    "      a proved bracket of N significant digits (at most 1000), with the orbits on both sides\n"
     "  stickslip readings SCENE [--json]\n"
     "      how the printed numbers of the scene could have arisen: which were inputs, which equations were solved and "
     "which\n"
@@ -96,7 +104,8 @@ static const struct command {
                 {"list", FOR_LIST, run_list},
                 {"check", FOR_CHECK, run_check},
                 {"mutate", FOR_MUTATE, run_mutate},
-                {"repair", FOR_REPAIR, run_repair}};
+                {"repair", FOR_REPAIR, run_repair},
+                {"bifurcate", FOR_BIFURCATE, run_bifurcate}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -138,7 +147,7 @@ int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
     return usage("a command is needed: %s",
-                 "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate or repair");
+                 "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair or bifurcate");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

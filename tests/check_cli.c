@@ -1200,9 +1200,46 @@ static const char *output_of(const char *name, const char *const *args) {
   return path;
 }
 
+/* A scene with an interval: orbit and verify take it, claims about one set of parameters are skipped with the reason, and
+   nothing on record is contradicted; every other command refuses it. */
+START_TEST(a_box_of_parameters) {
+  static const char *const others[] = {"simulate", "jacobian", "readings"};
+  const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
+  struct job j;
+  run_well(&j, "orbit", box, NULL);
+  ck_assert(strstr(j.out, "e2 in [453/250, 21/10]"));
+  ck_assert(strstr(j.out, "orbit 2: conditionally stable, admissible; proved over the box"));
+  discard(&j);
+  run_well(&j, "verify", box, "--only", "eq-27,num-t_a,text-periodic,text-start-at-rest", "--out", scratch_path("box"),
+           NULL);
+  ck_assert(strstr(j.out, "nothing recorded") || strstr(j.out, "as recorded"));
+  ck_assert(!strstr(j.out, "NOT as recorded") && strstr(j.out, "3 skipped"));
+  discard(&j);
+  char *json = slurp(scratch_path("box/audit.json"));
+  ck_assert(strstr(json, "the scene gives intervals, and this is about one set of parameters"));
+  free(json);
+  for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+    run(&j, others[i], box, NULL);
+    ck_assert_int_eq(j.status, 3);
+    ck_assert(strstr(j.err, "box.scene: error: e2 is an interval; only orbit and verify take one"));
+    discard(&j);
+  }
+  run(&j, "orbit", box, "--method", "paper", NULL);
+  ck_assert_int_eq(j.status, 3);
+  discard(&j);
+  run(&j, "bifurcate", box, "--along", "e1=1:2", NULL);
+  ck_assert_int_eq(j.status, 3);
+  discard(&j);
+  run(&j, "orbit", box, "--digits", "21", NULL);
+  ck_assert_int_eq(j.status, 2);
+  discard(&j);
+}
+END_TEST
+
 /* Real output against the schemas; and output with a wrong count, since the checker must be able to fail. */
 START_TEST(json_obeys_its_schemas) {
-  enum { N = 14 };
+  enum { N = 17 };
+  const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.7, 1.9]\n");
   /* the sets "none" and "fractions" of orbits.tsv */
   const char *none = scratch_put("none.scene", "chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287\n");
   const char *stiff =
@@ -1225,6 +1262,11 @@ START_TEST(json_obeys_its_schemas) {
       {"schema/audit.schema.json", scratch_put("damaged.json", damaged), 1},
       {"schema/orbit.schema.json", output_of("none.json", (const char *const[]){"orbit", none, "--json", NULL}), 0},
       {"schema/orbit.schema.json", output_of("orbit.json", (const char *const[]){"orbit", stiff, "--json", NULL}), 0},
+      {"schema/orbit.schema.json",
+       output_of("basin.json", (const char *const[]){"orbit", "stable", "--basin", "--json", NULL}), 0},
+      {"schema/orbit.schema.json", output_of("box.json", (const char *const[]){"orbit", box, "--json", NULL}), 0},
+      {"schema/bifurcate.schema.json",
+       output_of("line.json", (const char *const[]){"bifurcate", stiff, "--along", "V=0.2:3", "--json", NULL}), 0},
       {"schema/readings.schema.json",
        output_of("readings.json", (const char *const[]){"readings", "paper", "--json", NULL}), 0},
       {"schema/orbit-paper.schema.json",
@@ -1294,6 +1336,29 @@ static const struct {
     {{"simulate", "paper", "--compare", "--samples", "5"}, 2, "--compare goes with neither"},
     {{"simulate", "paper", "--compare", "--periods", "10001"}, 2, "at most 10000 with --compare"},
     {{"orbit", "paper", "--compare"}, 2, "--compare does not belong to this command"},
+    {{"bifurcate", "--along", "e2=1:2"}, 2, "bifurcate takes one SCENE"},
+    {{"bifurcate", "paper"}, 2, "bifurcate needs --along NAME=A:B"},
+    {{"bifurcate", "paper", "--along", "e2"}, 2, "--along takes NAME=A:B, as in e2=0.5:3, not e2"},
+    {{"bifurcate", "paper", "--along", "e2=1"}, 2, "not e2=1"},
+    {{"bifurcate", "paper", "--along", "e2=1:2:3"}, 2, "not e2=1:2:3"},
+    {{"bifurcate", "paper", "--along", "=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "t_b=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "e=1:2"}, 2, "varies chi, eta, V, e1 or e2"},
+    {{"bifurcate", "paper", "--along", "e2=:2"}, 2, "--along:1:1: error: "},
+    {{"bifurcate", "paper", "--along", "e2=1:x"}, 2, "a constant expression has numbers"},
+    {{"bifurcate", "paper", "--along", "e2=1/0:2"}, 2, "division by zero"},
+    {{"bifurcate", "paper", "--along", "e2=0:2"}, 2, "both ends of --along e2=0:2 must be positive"},
+    {{"bifurcate", "paper", "--along", "e2=-1:2"}, 2, "must be positive"},
+    {{"bifurcate", "paper", "--along", "chi=0.5:1"}, 2, "must lie between 0 and 1"},
+    {{"bifurcate", "paper", "--along", "e2=2:4/2"}, 2, "the ends of --along e2=2:4/2 are equal"},
+    {{"bifurcate", "paper", "--along", "e2=1e-400:2"}, 2, "cannot be told apart or held in double precision"},
+    {{"bifurcate", "paper", "--along", "e2=1:2", "--digits=1001"}, 2, "at most 1000 --digits"},
+    {{"bifurcate", "paper", "--along", "e2=1:2", "--csv"}, 2, "--csv does not belong to this command"},
+    {{"bifurcate", "paper-times", "--along", "e2=1:2"}, 3, "needs a scene that gives e1 and e2"},
+    {{"orbit", "paper", "--basin=1"}, 2, "--basin takes no value"},
+    {{"orbit", "paper", "--basin", "--method=paper"}, 2, "--basin goes with no --method"},
+    {{"orbit", "paper-times", "--basin"}, 3, "--basin needs a scene that gives e1 and e2"},
+    {{"orbit", "paper", "--along", "e2=1:2"}, 2, "--along does not belong to this command"},
     {{"verify", "--digits", "0"}, 2, "not 0"},
     {{"verify", "--only"}, 2, "--only needs a value"},
     {{"verify", "--only", ","}, 2, "--only takes"},
@@ -1558,7 +1623,7 @@ END_TEST
 
 /* Every option in the help is one the parser knows, for some command. */
 START_TEST(the_parser_knows_what_help_mentions) {
-  static const char *const commands[] = {"verify", "orbit", "jacobian", "simulate", "explain"};
+  static const char *const commands[] = {"verify", "orbit", "jacobian", "simulate", "explain", "bifurcate"};
   struct job help;
   run_well(&help, "--help", NULL);
   for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {
@@ -1657,6 +1722,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, a_report_that_does_not_fit_leaves_the_old_one);
   tcase_add_test(c, bad_input_leaves_the_old_report);
   tcase_add_test(c, json_obeys_its_schemas);
+  tcase_add_test(c, a_box_of_parameters);
   suite_add_tcase(s, c);
   c = tcase_create("refusal");
   tcase_set_timeout(c, TIME_LIMIT);

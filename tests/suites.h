@@ -26,5 +26,8 @@ Suite *exact_suite(void);
 Suite *certify_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
+Suite *bifurcate_suite(void);
+Suite *box_suite(void);
+Suite *basin_suite(void);
 
 #endif

@@ -10,7 +10,10 @@
 
    A scene gives chi, eta, V and any two of e1, e2, t_a, t_b, t_c, t_d; u_r1 and u_r2 if it likes.  Parameters are constant
    expressions (decimals, + - * / ^ and parentheses), kept exact.  Domain: 0 < chi < 1, all others positive but t_a, which
-   has any sign; u_r1 and u_r2 exceed e1 and e2 where these are given.  A printed line gives a decimal to be tested. */
+   has any sign; u_r1 and u_r2 exceed e1 and e2 where these are given.  A printed line gives a decimal to be tested.
+
+   A scene that gives chi, eta, V, e1 and e2 may give any of them as an interval, e2 = [1.7, 1.9]: then it is a box of
+   parameters, and what is said holds for each point of it. */
 #ifndef STICKSLIP_SCENE_H
 #define STICKSLIP_SCENE_H
 
@@ -44,14 +47,19 @@ struct printed_number {
 
 struct scene {
   char *name, *path, *title;
-  fmpq value[N_KEYS];
+  fmpq value[N_KEYS]; /* the lower end of an interval */
   bool given[N_KEYS];
+  bool interval[N_SCENE_PARAMS];
+  fmpq high[N_SCENE_PARAMS]; /* of an interval */
   struct printed_number *printed;
   size_t n_printed, cap_printed;
 };
 
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes. */
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
+/* The same for those who take a box as well; scene_load refuses it. */
+bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d);
+bool scene_is_box(const struct scene *s);
 void scene_clear(struct scene *s);
 /* Does the scene give e1 and e2, so that its parameters are exact? */
 bool scene_has_forces(const struct scene *s);

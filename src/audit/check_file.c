@@ -113,7 +113,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".claim")) return check_claims(path, d);
   if (has_suffix(path, ".scene")) {
     struct scene s;
-    bool ok = scene_load(&s, path, data, d);
+    bool ok = scene_load_box(&s, path, data, d);
     scene_clear(&s);
     return ok;
   }

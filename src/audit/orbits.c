@@ -13,14 +13,15 @@ struct data {
   const bool *given;
 };
 
-/* The two that are given besides chi, eta, V; borrowed. */
-static void given_pair(enum dyn_quantity which[2], fmpq value[2], struct data data) {
+/* The two that are given besides chi, eta, V, borrowed; how many there are. */
+static int given_pair(enum dyn_quantity which[2], fmpq value[2], struct data data) {
   int n = 0;
   for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
     if (!data.given[k]) continue;
     which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
     value[n++] = data.value[k]; /* neither changed nor cleared */
   }
+  return n;
 }
 
 static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
@@ -28,7 +29,10 @@ static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
     return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
   enum dyn_quantity which[2];
   fmpq value[2];
-  given_pair(which, value, data);
+  if (given_pair(which, value, data) < 2) { /* a box of parameters has no orbits of its own */
+    *list = (struct dyn_orbits){.n = 0};
+    return SS_OK;
+  }
   return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
 }
 

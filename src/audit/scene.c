@@ -176,6 +176,17 @@ const struct printed_number *scene_printed(const struct scene *s, const char *na
 
 /* --- The file --- */
 
+/* [a, b] with a < b. */
+static bool set_interval(struct scene *s, int key, const struct constant *c, const struct expr *e) {
+  if (key >= N_SCENE_PARAMS) return complain(c, e, "only chi, eta, V, e1 and e2 can be intervals");
+  if (e->rows != 1 || e->cols != 2) return complain(c, e, "an interval reads [low, high]");
+  s->interval[key] = true;
+  if (!constant_eval(&s->value[key], c, e->args[0]) || !constant_eval(&s->high[key], c, e->args[1])) return false;
+  int order = fmpq_cmp(&s->value[key], &s->high[key]);
+  if (order > 0) return complain(c, e, "the ends of the interval are in the wrong order");
+  return order < 0 || complain(c, e, "the interval has no width; one number is enough");
+}
+
 static bool set_parameter(struct scene *s, const struct field *f, const struct source *src, struct arena *a,
                           struct span place[N_KEYS], struct diag *d) {
   const struct stmt *st = stmt_parse(a, src, f->value, d);
@@ -195,6 +206,7 @@ static bool set_parameter(struct scene *s, const struct field *f, const struct s
     struct constant c = {src, d};
     s->given[k] = true;
     place[k] = f->value;
+    if (st->sides[1]->kind == EXPR_MATRIX) return set_interval(s, k, &c, st->sides[1]);
     return constant_eval(&s->value[k], &c, st->sides[1]);
   }
   diag_at(d, src, f->value.begin,
@@ -225,6 +237,11 @@ static bool check_given(const struct scene *s, const struct source *src, const s
   return false;
 }
 
+/* The value, or the upper end of an interval. */
+static const fmpq *greatest(const struct scene *s, int key) {
+  return key < N_SCENE_PARAMS && s->interval[key] ? &s->high[key] : &s->value[key];
+}
+
 static bool check_domain(const struct scene *s, const struct source *src, const struct span place[N_KEYS],
                          struct diag *d) {
   if (!check_given(s, src, place, d)) return false;
@@ -233,24 +250,32 @@ static bool check_domain(const struct scene *s, const struct source *src, const 
       diag_at(d, src, place[k].begin, "%s must be positive%s", scene_key_name[k], k == KEY_CHI ? " and below 1" : "");
       return false;
     }
-  fmpq_t one;
-  fmpq_init(one);
-  fmpq_one(one);
-  bool ok = fmpq_cmp(&s->value[KEY_CHI], one) < 0;
-  fmpq_clear(one);
+  bool ok = fmpq_cmp_si(greatest(s, KEY_CHI), 1) < 0;
   if (!ok) diag_at(d, src, place[KEY_CHI].begin, "chi must lie strictly between 0 and 1");
   for (int i = 0; ok && i < 2; i++)
     if (s->given[KEY_U_R1 + i] && s->given[KEY_E1 + i] &&
-        fmpq_cmp(&s->value[KEY_U_R1 + i], &s->value[KEY_E1 + i]) <= 0) {
+        fmpq_cmp(&s->value[KEY_U_R1 + i], greatest(s, KEY_E1 + i)) <= 0) {
       diag_at(d, src, place[KEY_U_R1 + i].begin, "%s must exceed %s, since the sliding friction u_s is positive",
               scene_key_name[KEY_U_R1 + i], scene_key_name[KEY_E1 + i]);
       ok = false;
     }
+  if (ok && scene_is_box(s) && !scene_has_forces(s)) {
+    int k = 0;
+    while (!s->interval[k]) k++;
+    diag_at(d, src, place[k].begin, "a scene with an interval gives chi, eta, V, e1 and e2");
+    ok = false;
+  }
   return ok;
 }
 
 bool scene_has_forces(const struct scene *s) {
   return s->given[KEY_E1] && s->given[KEY_E2];
+}
+
+bool scene_is_box(const struct scene *s) {
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k]) return true;
+  return false;
 }
 
 static bool read_fields(struct scene *s, const struct record_file *f, struct diag *d) {
@@ -293,8 +318,19 @@ static char *name_of(const char *path) {
 }
 
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {
+  if (!scene_load_box(s, spec, data, d)) return false;
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k]) {
+      diag_set(d, "%s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
+      return false;
+    }
+  return true;
+}
+
+bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
   for (int k = 0; k < N_KEYS; k++) fmpq_init(&s->value[k]);
+  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_init(&s->high[k]);
   size_t len = strlen(spec);
   bool is_path = strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
   struct text path;
@@ -318,6 +354,7 @@ bool scene_load(struct scene *s, const char *spec, const char *data, struct diag
 
 void scene_clear(struct scene *s) {
   for (int k = 0; k < N_KEYS; k++) fmpq_clear(&s->value[k]);
+  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_clear(&s->high[k]);
   for (size_t i = 0; i < s->n_printed; i++) {
     free(s->printed[i].name);
     free(s->printed[i].decimal);

@@ -4,6 +4,8 @@
 
 #include "stickslip/audit.h"
 #include "stickslip/certify.h"
+#include "stickslip/dynamics.h"
+#include "stickslip/json.h"
 
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
@@ -21,7 +23,8 @@ enum {
   FOR_SIMULATE = 64,
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
-  FOR_REPAIR = 512
+  FOR_REPAIR = 512,
+  FOR_BIFURCATE = 1024
 };
 
 struct options {
@@ -30,8 +33,8 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate;
-  bool strict, quiet, json, tape, receipt, csv, compare, phases, help;
+      *certificate, *along;
+  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -74,11 +77,18 @@ void print_radius(struct text *out, const struct dyn_orbit *o);
 bool write_certificate(const char *path, const struct scene *s, const struct dyn_orbits *list,
                        const struct dyn_certificate *proof, struct diag *d);
 
+/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
+truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
+/* true, false or null. */
+void json_truth(struct json *j, const char *key, truth t);
+
 /* One function a command; each returns its exit status. */
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
 /* orbit --method paper. */
 int run_orbit_paper(const struct options *o, const char *data);
+/* orbit on a scene with intervals. */
+int show_box(const struct options *o, const struct scene *s, slong digits);
 int run_jacobian(const struct options *o, const char *data);
 /* simulate --compare, over at most the given time. */
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
@@ -91,5 +101,6 @@ int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
+int run_bifurcate(const struct options *o, const char *data);
 
 #endif

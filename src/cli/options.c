@@ -28,6 +28,8 @@ static bool add_only(struct options *o, char *list) {
   return o->n_only > 0;
 }
 
+enum { FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE };
+
 int parse_options(struct options *o, unsigned command, int argc, char **argv) {
   struct {
     const char *name;
@@ -40,8 +42,8 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--out", FOR_VERIFY | FOR_MUTATE | FOR_REPAIR, &o->out, NULL},
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
-               {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
-               {"--json", FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR, NULL, &o->json},
+               {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_BIFURCATE, &o->digits, NULL},
+               {"--json", FOR_JSON, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--certificate", FOR_ORBIT, &o->certificate, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
@@ -52,6 +54,8 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--seed", FOR_MUTATE, &o->seed, NULL},
                {"--count", FOR_MUTATE, &o->count, NULL},
                {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
+               {"--along", FOR_BIFURCATE, &o->along, NULL},
+               {"--basin", FOR_ORBIT, NULL, &o->basin},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--receipt", FOR_EXPLAIN, NULL, &o->receipt},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},

@@ -3,11 +3,13 @@
 #include <string.h>
 
 #include "cli.h"
+#include "orbit_numbers.h"
 #include "stickslip/complete.h"
+#include "stickslip/dynamics.h"
 #include "stickslip/json.h"
 #include "stickslip/margins.h"
 
-enum { N_SHOWN = 12 };
+enum { N_SHOWN = ORBIT_NUMBERS };
 
 /* The numbers of an orbit in the order of the contract. */
 static const struct {
@@ -26,14 +28,18 @@ static const struct {
                     {"u_r1_min", offsetof(struct dyn_orbit, u_r1_min)},
                     {"u_r2_min", offsetof(struct dyn_orbit, u_r2_min)}};
 
-static arb_srcptr number_of(const struct dyn_orbit *o, int i) {
+const char *orbit_number_name(int i) {
+  return shown[i].name;
+}
+
+arb_srcptr orbit_number(const struct dyn_orbit *o, int i) {
   return (arb_srcptr)(const void *)((const char *)o + shown[i].offset);
 }
 
 static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, slong digits) {
   for (int i = 0; i < N_SHOWN; i++) {
     text_reset(&out[i]);
-    if (num_print(&out[i], number_of(o, i), digits) != SS_OK) return false;
+    if (num_print(&out[i], orbit_number(o, i), digits) != SS_OK) return false;
   }
   return true;
 }
@@ -58,14 +64,13 @@ static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
   return t;
 }
 
-/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
-static truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
+truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
   u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
   u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
   return truth_and(o->admissible, truth_and(u[0], u[1]));
 }
 
-static void json_truth(struct json *j, const char *key, truth t) {
+void json_truth(struct json *j, const char *key, truth t) {
   if (t == TRUTH_UNKNOWN)
     json_null(j, key);
   else
@@ -73,7 +78,7 @@ static void json_truth(struct json *j, const char *key, truth t) {
 }
 
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
-                       const struct scene *s, slong digits) {
+                       const struct scene *s, slong digits, bool basin) {
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   print_numbers(t, o, digits);
@@ -98,6 +103,7 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   text_reset(&t[0]);
   if (proof->certified) print_radius(&t[0], o);
   json_string(j, "radius", proof->certified ? text_str(&t[0]) : NULL);
+  if (basin) basin_json(j, o, s);
   json_end_object(j);
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
@@ -132,7 +138,7 @@ static void add_completeness(struct text *out, const struct dyn_orbits *list) {
 }
 
 static void orbits_json(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
-                        const struct scene *s, slong digits) {
+                        const struct scene *s, slong digits, bool basin) {
   struct json j;
   json_init(&j, out);
   json_object(&j, NULL);
@@ -141,7 +147,7 @@ static void orbits_json(struct text *out, const struct dyn_orbits *list, const s
   json_bool(&j, "complete", list->complete);
   completeness_json(&j, list);
   json_array(&j, "orbits");
-  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &proof[i], s, digits);
+  for (slong i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], &proof[i], s, digits, basin);
   json_end_array(&j);
   json_end_object(&j);
 }
@@ -185,7 +191,7 @@ static void add_proof(struct text *out, const struct dyn_orbit *o, const struct 
 }
 
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
-                        const struct scene *s, slong digits) {
+                        const struct scene *s, slong digits, bool basin) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
   struct text t[N_SHOWN];
@@ -203,6 +209,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
     for (int k = 0; k < 2; k++)
       if (u[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + k]);
+    if (basin) basin_text(out, o, s);
     add_margins(out, o, s);
   }
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
@@ -211,6 +218,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 int run_orbit(const struct options *o, const char *data) {
   enum { ATTEMPTS = 4 };
   slong digits;
+  if (o->basin && o->method) return usage("--basin goes with no %s", "--method");
   if (o->method && strcmp(o->method, "paper") == 0) {
     if (o->certificate) return usage("--certificate is of the model's orbits, not of --method %s", o->method);
     return run_orbit_paper(o, data);
@@ -223,9 +231,24 @@ int run_orbit(const struct options *o, const char *data) {
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!scene_load(&s, o->operand[0], data, &d)) {
+  if (!scene_load_box(&s, o->operand[0], data, &d)) {
     scene_clear(&s);
     return bad_input(&d);
+  }
+  if (o->basin && (scene_is_box(&s) || !scene_has_forces(&s))) {
+    diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
+    scene_clear(&s);
+    return bad_input(&d);
+  }
+  if (o->certificate && scene_is_box(&s)) {
+    diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
+    scene_clear(&s);
+    return bad_input(&d);
+  }
+  if (scene_is_box(&s)) {
+    status = show_box(o, &s, digits);
+    scene_clear(&s);
+    return status;
   }
   struct dyn_orbits list;
   slong prec = (slong)((double)digits * 3.33) + 64;
@@ -247,9 +270,9 @@ int run_orbit(const struct options *o, const char *data) {
     struct text out;
     text_init(&out);
     if (o->json)
-      orbits_json(&out, &list, proof, &s, digits);
+      orbits_json(&out, &list, proof, &s, digits, o->basin);
     else
-      orbits_text(&out, &list, proof, &s, digits);
+      orbits_text(&out, &list, proof, &s, digits, o->basin);
     if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d))
       status = bad_input(&d);
     else

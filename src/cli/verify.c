@@ -85,7 +85,7 @@ static int verify_scene(const struct model *m, const struct claims *claims, cons
   bool terminal = isatty(STDERR_FILENO) && !o->quiet;
   struct audit_options opt = {o->only, o->n_only, terminal ? show_progress : NULL, NULL, true};
   int status = EXIT_AS_RECORDED;
-  bool ok = scene_load(&s, spec, data, d);
+  bool ok = scene_load_box(&s, spec, data, d);
   ok = ok && audit_run(&r, m, claims, controls, &s, &opt, d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok && o->out && many)

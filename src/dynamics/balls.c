@@ -52,7 +52,7 @@ static void modes_at(val v[2], val f[2], struct calc *c, const struct spectrum *
   }
 }
 
-void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
+void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc) {
   val V = m->p[P_V], e1 = m->p[P_E1], e2 = m->p[P_E2], sine, cosine;
   s->tb = tb;
   s->tc = tc;
@@ -76,12 +76,18 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->qc = calc_sub(c, v[1], V);
   s->wc = f[0];
   s->rc = calc_div(c, f[1], m->stiff);
+  s->pc_tb = dv[0];
+  s->qc_tb = dv[1];
+  s->pull_tb = df[1];
+}
+
+void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
+  ball_pass_slip(s, c, m, tb, tc);
   val turned = calc_div(c, s->qc, m->omega);
   val radius = calc_sqrt(c, calc_dot(c, s->rc, s->rc, turned, turned));
   s->r_end = up ? radius : calc_neg(c, radius);
   s->defect = calc_sub(c, s->r_end, s->r);
-  s->pc_tb = dv[0];
-  val turn = calc_div(c, calc_dot(c, s->rc, df[1], s->qc, dv[1]), m->stiff);
+  val turn = calc_div(c, calc_dot(c, s->rc, s->pull_tb, s->qc, s->qc_tb), m->stiff);
   s->defect_tb = calc_sub(c, calc_div(c, turn, s->r_end), s->pb);
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
 }

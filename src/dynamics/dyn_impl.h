@@ -166,19 +166,30 @@ struct ball_modes {
 struct ball_pass {
   val tb, tc, pb, wb, rise, r;
   val wc, rc, pc, qc, r_end, defect;
-  val pc_tb, defect_tb, defect_tc; /* derivatives; that of pc by t_c is -wc */
+  val pc_tb, qc_tb, pull_tb; /* derivatives by t_b; pull = chi eta r_c.  That of pc by t_c is -wc */
+  val defect_tb, defect_tc;
   struct ball_modes modes;
 };
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */
 void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
+void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
 /* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless
    it is a root.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
                   val end, bool root_at_end, long max_steps);
 
-/* --- orbit.c: what is known about an orbit once its (t_b, t_c) are; m may hold balls for e1 and e2. --- */
+/* --- orbit.c: what is known about an orbit once its (t_b, t_c) are; m may hold balls. --- */
+
+/* The end of the word: phase C turns by the angle in (0, pi) whose tangent is |q|/(omega r); meanwhile w drifts to wf,
+   and the stick phase makes up the rest.  Also of a pass that does not close. */
+struct ball_ending {
+  val turn, td, wf, ta;
+};
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                      bool up);
 
 void dyn_orbit_init(struct dyn_orbit *o);
 void dyn_orbit_clear(struct dyn_orbit *o);

@@ -277,29 +277,24 @@ static void force_range(val *least, val *most, struct calc *c, const struct ball
   }
 }
 
-/* The end of the word: phase C turns by the angle in (0, pi) whose tangent is |q|/(omega r); meanwhile w drifts, and
-   the stick phase makes up the rest. */
-struct ending {
-  val turn, td, wf, ta, least, most;
-};
-
-static struct ending end_word(struct calc *c, const struct ball_params *m, const struct ball_pass *s, bool up) {
-  struct ending e;
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                      bool up) {
   val reach = calc_mul(c, m->omega, s->rc);
-  e.turn = calc_atan2(c, calc_abs(c, s->qc), up ? reach : calc_neg(c, reach));
-  e.td = calc_div(c, e.turn, m->omega);
-  val fall = calc_mul(c, m->p[P_CHI], calc_sub(c, s->r, s->rc));
-  e.wf = calc_add(c, s->wc, calc_sub(c, calc_mul(c, m->a, e.td), fall));
-  e.ta = calc_div(c, calc_sub(c, m->p[P_E1], e.wf), m->a);
-  force_range(&e.least, &e.most, c, m, s, e.turn, e.wf);
-  return e;
+  e->turn = up ? calc_atan2(c, s->qc, reach) : calc_atan2(c, calc_neg(c, s->qc), calc_neg(c, reach));
+  e->td = calc_div(c, e->turn, m->omega);
+  val fall = calc_mul(c, m->p[P_CHI], calc_sub(c, s->r_end, s->rc));
+  e->wf = calc_add(c, s->wc, calc_sub(c, calc_mul(c, m->a, e->td), fall));
+  e->ta = calc_div(c, calc_sub(c, m->p[P_E1], e->wf), m->a);
 }
 
 /* Every number of the orbit. */
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
   struct ball_pass s;
   ball_pass_make(&s, c, m, tb, tc, up);
-  struct ending e = end_word(c, m, &s, up);
+  struct ball_ending e;
+  val lowest, highest;
+  ball_ending_make(&e, c, m, &s, up);
+  force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
   val chi = m->p[P_CHI], e1 = m->p[P_E1], ease = calc_sub(c, m->one, chi), half = calc_d(c, 0.5);
   val times[4] = {e.ta, tb, tc, e.td}, period = m->zero;
   for (int i = 0; i < 4; i++) {
@@ -315,7 +310,7 @@ int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_pa
   arb_set(o->trace, calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one));
   arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
   arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
-  arb_min(least, e.least, e1, c->ctx.prec);
+  arb_min(least, lowest, e1, c->ctx.prec);
   arb_set(o->u_r1_min, calc_mul(c, half, calc_sub(c, e1, least)));
   arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s.rise))); /* chi r only rises while m2 sticks */
   return c->status;
@@ -326,7 +321,10 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
                       long max_steps) {
   struct ball_pass s;
   ball_pass_make(&s, c, m, tb, tc, up);
-  struct ending e = end_word(c, m, &s, up);
+  struct ball_ending e;
+  val least, most;
+  ball_ending_make(&e, c, m, &s, up);
+  force_range(&least, &most, c, m, &s, e.turn, e.wf);
   truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
   truth first_b = truth_and(first_tb(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
   truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
@@ -336,7 +334,7 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
   if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
   o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
-  o->holds[COND_C_W] = num_arb.lt(e.most, m->p[P_E1]);
+  o->holds[COND_C_W] = num_arb.lt(most, m->p[P_E1]);
   o->holds[COND_D_R] = num_arb.lt(m->zero, s.rise);
   o->holds[COND_GAMMA_R] = first_b;
   o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);

@@ -89,24 +89,29 @@ def rational(s):
     return mpf(p) / mpf(q or 1)
 
 
-for data, vary, a, b, r in CASES:
-    par = [rational(s) for s in data]
-    r = mpf(r)
-    x = [mpf(a), mpf(b)]
-    s = []
-    par[vary] = x[0]
-    times = around(par, r)[1]
-    for v in x:
-        par[vary] = v
-        r, slope = fixed(par, r, times)
-        s.append(slope)
-    for _ in range(8):
-        new = x[1] - (s[1] + 1) * (x[1] - x[0]) / (s[1] - s[0])
-        par[vary] = new
-        r, slope = fixed(par, r, times)
-        x, s = [x[1], new], [s[1], slope]
-        if abs(slope + 1) < mpf(10) ** -20:
-            break
-    f, c1, c2, c3 = jet(par, r, times)
-    print("\t".join(data), vary, mp.nstr(par[vary], 18), mp.nstr(r, 18), mp.nstr(c1, 15), mp.nstr(c2, 12), mp.nstr(c3, 12), sep="\t")
-    sys.stdout.flush()
+def main():
+    for data, vary, a, b, r in CASES:
+        par = [rational(s) for s in data]
+        r = mpf(r)
+        x = [mpf(a), mpf(b)]
+        s = []
+        par[vary] = x[0]
+        times = around(par, r)[1]
+        for v in x:
+            par[vary] = v
+            r, slope = fixed(par, r, times)
+            s.append(slope)
+        for _ in range(8):
+            new = x[1] - (s[1] + 1) * (x[1] - x[0]) / (s[1] - s[0])
+            par[vary] = new
+            r, slope = fixed(par, r, times)
+            x, s = [x[1], new], [s[1], slope]
+            if abs(slope + 1) < mpf(10) ** -20:
+                break
+        f, c1, c2, c3 = jet(par, r, times)
+        print("\t".join(data), vary, mp.nstr(par[vary], 18), mp.nstr(r, 18), mp.nstr(c1, 15), mp.nstr(c2, 12), mp.nstr(c3, 12), sep="\t")
+        sys.stdout.flush()
+
+
+if __name__ == "__main__":
+    main()

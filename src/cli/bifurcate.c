@@ -1,0 +1,288 @@
+/* stickslip bifurcate: where the orbits change along a line in parameter space, as a table or as JSON. */
+#include "stickslip/bifurcate.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "cli.h"
+#include "stickslip/json.h"
+
+enum { STARTS = 129, MOST_DIGITS = 1000 };
+
+struct along {
+  int vary;
+  fmpq_t from, to;
+};
+
+static bool in_domain(const fmpq_t x, int vary) {
+  return fmpq_sgn(x) > 0 && (vary != P_CHI || fmpq_cmp_si(x, 1) < 0);
+}
+
+/* NAME=A:B */
+static int parse_along(struct along *a, const char *text) {
+  const char *equals = strchr(text, '='), *colon = equals ? strchr(equals, ':') : NULL;
+  if (!equals || !colon || strchr(colon + 1, ':'))
+    return usage("--along takes NAME=A:B, as in e2=0.5:3, not %.200s", text);
+  a->vary = -1;
+  for (int i = 0; i < N_SCENE_PARAMS; i++)
+    if (strlen(scene_key_name[i]) == (size_t)(equals - text) &&
+        strncmp(text, scene_key_name[i], (size_t)(equals - text)) == 0)
+      a->vary = i;
+  if (a->vary < 0) return usage("--along varies chi, eta, V, e1 or e2, not %.200s", text);
+  struct diag d;
+  diag_init(&d);
+  if (!scene_constant(a->from, equals + 1, (size_t)(colon - equals - 1), "--along", &d) ||
+      !scene_constant(a->to, colon + 1, strlen(colon + 1), "--along", &d)) {
+    fprintf(stderr, "%s\n", d.message);
+    return EXIT_USAGE;
+  }
+  if (!in_domain(a->from, a->vary) || !in_domain(a->to, a->vary))
+    return usage(a->vary == P_CHI ? "both ends of --along %.200s must lie between 0 and 1"
+                                  : "both ends of --along %.200s must be positive",
+                 text);
+  if (fmpq_equal(a->from, a->to)) return usage("the ends of --along %.200s are equal", text);
+  return EXIT_AS_RECORDED;
+}
+
+/* The line must keep u_r above e, as a scene does. */
+static int check_friction(const struct scene *s, const struct along *a, const char *text) {
+  int key = a->vary == P_E1 ? KEY_U_R1 : a->vary == P_E2 ? KEY_U_R2 : -1;
+  if (key < 0 || !s->given[key]) return EXIT_AS_RECORDED;
+  if (fmpq_cmp(a->from, &s->value[key]) < 0 && fmpq_cmp(a->to, &s->value[key]) < 0) return EXIT_AS_RECORDED;
+  return usage("--along %.200s must stay below the static friction that the scene gives", text);
+}
+
+/* --- What is known of the orbits beside a change. --- */
+
+/* Whether a given u_r exceeds its bound is not among the orbit's own conditions. */
+static truth admissible(const struct dyn_orbit *o, const struct scene *s) {
+  truth u[2];
+  return orbit_admissible(u, s, o);
+}
+
+static const char *ending_word(enum dyn_branch_end end, enum dyn_change change) {
+  static const char *const words[] = {[END_OF_LINE] = "line", [END_CLOSED] = "closed", [END_LOST] = "lost"};
+  return end == END_CHANGE ? dyn_change_id[change] : words[end];
+}
+
+/* --- JSON --- */
+
+static void json_known(struct json *j, const char *key, const arb_t x, slong digits) {
+  struct text t;
+  text_init(&t);
+  if (arb_is_finite(x) && (arb_is_exact(x) || arb_rel_accuracy_bits(x) > 4)) {
+    print_known(&t, x, digits);
+    json_string(j, key, text_str(&t));
+  } else {
+    json_null(j, key);
+  }
+  text_clear(&t);
+}
+
+static void print_end(struct text *out, const fmpq_t q, slong digits) {
+  arb_t x;
+  arb_init(x);
+  arb_set_fmpq(x, q, (slong)((double)digits * 3.33) + 128);
+  if (num_print(out, x, digits) != SS_OK) num_print_q(out, q);
+  arb_clear(x);
+}
+
+static void json_rational(struct json *j, const char *key, const fmpq_t q, slong digits) {
+  struct text t;
+  text_init(&t);
+  print_end(&t, q, digits);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void json_double(struct json *j, const char *key, double x) {
+  char shown[40];
+  snprintf(shown, sizeof shown, "%.6g", x);
+  json_string(j, key, shown);
+}
+
+static void side_json(struct json *j, const char *key, const struct dyn_beside *side, const struct scene *s,
+                      slong digits) {
+  json_array(j, key);
+  for (int i = 0; i < side->n; i++) {
+    if (side->word[i] == TRUTH_FALSE) continue;
+    json_object(j, NULL);
+    json_truth(j, "of_word", side->word[i]);
+    json_known(j, "trace", side->orbit[i].trace, digits);
+    json_truth(j, "stable", side->orbit[i].stable);
+    json_truth(j, "admissible", admissible(&side->orbit[i], s));
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void change_json(struct json *j, const struct dyn_bifurcation *b, const struct scene *s, slong digits) {
+  json_object(j, NULL);
+  json_string(j, "kind", dyn_change_id[b->what]);
+  json_long(j, "branch", (long)b->branch + 1);
+  json_rational(j, "low", &b->low, b->digits);
+  json_rational(j, "high", &b->high, b->digits);
+  json_bool(j, "proved", b->crosses);
+  json_bool(j, "unique", b->unique);
+  json_truth(j, "of_word", b->word);
+  json_known(j, "t_b", b->tb, digits);
+  json_known(j, "t_c", b->tc, digits);
+  json_known(j, "trace", b->trace, digits);
+  json_known(j, "third", b->third, digits);
+  side_json(j, "below", &b->beside[0], s, digits);
+  side_json(j, "above", &b->beside[1], s, digits);
+  json_end_object(j);
+}
+
+static void branch_json(struct json *j, const struct dyn_branch *b, long number) {
+  json_object(j, NULL);
+  json_long(j, "branch", number);
+  json_double(j, "from", b->from[0]);
+  json_double(j, "to", b->to[0]);
+  json_double(j, "least", b->span[0]);
+  json_double(j, "greatest", b->span[1]);
+  json_string(j, "begins", ending_word(b->end[0], b->change[0]));
+  json_string(j, "ends", ending_word(b->end[1], b->change[1]));
+  json_end_object(j);
+}
+
+static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
+                     const struct along *a, slong digits) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  json_object(&j, "along");
+  json_string(&j, "name", scene_key_name[a->vary]);
+  json_rational(&j, "from", a->from, digits);
+  json_rational(&j, "to", a->to, digits);
+  json_end_object(&j);
+  json_bool(&j, "complete", false);
+  json_long(&j, "missed", (long)list->missed);
+  json_array(&j, "bifurcations");
+  for (slong i = 0; i < list->n; i++) change_json(&j, &list->at[i], s, digits);
+  json_end_array(&j);
+  json_array(&j, "branches");
+  for (slong i = 0; i < list->n_branches; i++) branch_json(&j, &list->branch[i], (long)i + 1);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+/* --- Text --- */
+
+static void side_text(struct text *out, const struct dyn_beside *side, const struct scene *s) {
+  static const char *const fate[] = {"unstable", "stable", "stability undecided"};
+  static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
+  int n = 0;
+  for (int i = 0; i < side->n; i++) {
+    if (side->word[i] == TRUTH_FALSE) continue;
+    const struct dyn_orbit *o = &side->orbit[i];
+    text_printf(out, "%s%s, %s%s", n++ ? " and " : "", fate[o->stable], adm[admissible(o, s)],
+                side->word[i] == TRUTH_UNKNOWN ? ", perhaps not of the word" : "");
+  }
+  if (n == 0) text_add(out, "none");
+}
+
+static void change_text(struct text *out, const struct dyn_bifurcation *b, const struct scene *s, slong digits) {
+  size_t begin = out->len, width = 2 * (size_t)digits + 9;
+  text_add(out, "  [");
+  print_end(out, &b->low, b->digits);
+  text_add(out, ", ");
+  print_end(out, &b->high, b->digits);
+  text_add_char(out, ']');
+  while (out->len - begin < width) text_add_char(out, ' ');
+  text_printf(out, "  %-9s %6ld  ", dyn_change_id[b->what], (long)b->branch + 1);
+  side_text(out, &b->beside[0], s);
+  text_add(out, " -> ");
+  side_text(out, &b->beside[1], s);
+  if (!b->crosses)
+    text_add(out, "; not proved");
+  else if (!b->unique)
+    text_add(out, "; perhaps more than once");
+  if (b->what == CHANGE_FLIP && b->crosses && !arb_contains_zero(b->third))
+    text_printf(out, "; at tr J = -1 %s", arb_is_positive(b->third) ? "stable" : "unstable");
+  text_add_char(out, '\n');
+}
+
+static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
+                     const struct along *a, slong digits) {
+  const char *name = scene_key_name[a->vary];
+  text_printf(out, "%s: %s from ", s->name, name);
+  num_print_q(out, a->from);
+  text_add(out, " to ");
+  num_print_q(out, a->to);
+  text_printf(out, ", %ld change%s on %ld branch%s of orbits found\n", (long)list->n, list->n == 1 ? "" : "s",
+              (long)list->n_branches, list->n_branches == 1 ? "" : "es");
+  text_printf(out, "  %-*s  %-9s %6s  %s\n", 2 * (int)digits + 7, name, "kind", "branch", "orbits below -> above");
+  for (slong i = 0; i < list->n; i++) change_text(out, &list->at[i], s, digits);
+  for (slong i = 0; i < list->n_branches; i++) {
+    const struct dyn_branch *b = &list->branch[i];
+    text_printf(out, "branch %ld: %s from %.6g (%s) to %.6g (%s)", (long)i + 1, name, b->from[0],
+                ending_word(b->end[0], b->change[0]), b->to[0], ending_word(b->end[1], b->change[1]));
+    if (b->span[0] < fmin(b->from[0], b->to[0]) || b->span[1] > fmax(b->from[0], b->to[0]))
+      text_printf(out, ", reaching from %.6g to %.6g", b->span[0], b->span[1]);
+    text_add_char(out, '\n');
+  }
+  text_add(out, "not proved complete: a branch between two of the values searched at can be missing\n");
+}
+
+/* --- The command. --- */
+
+static int show(const struct scene *s, const struct along *a, const struct options *o, slong digits) {
+  struct dyn_bifurcations list;
+  const fmpq *u[2];
+  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  int found = dyn_bifurcations_find(&list, s->value, a->vary, a->from, a->to, u, digits, STARTS);
+  if (found & SS_DOMAIN) {
+    dyn_bifurcations_clear(&list);
+    return usage("the ends of --along %.200s cannot be told apart or held in double precision", o->along);
+  }
+  if (found != SS_OK || list.missed)
+    fprintf(stderr, "%s: warning: a search or a branch ran into its limits; there may be more changes\n", s->path);
+  struct text out;
+  text_init(&out);
+  if (o->json)
+    all_json(&out, &list, s, a, digits);
+  else
+    all_text(&out, &list, s, a, digits);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+  dyn_bifurcations_clear(&list);
+  return EXIT_AS_RECORDED;
+}
+
+static int with_line(const struct options *o, const char *data, struct along *a, slong digits) {
+  int status = parse_along(a, o->along);
+  if (status) return status;
+  struct scene s;
+  struct diag d;
+  diag_init(&d);
+  if (!scene_load(&s, o->operand[0], data, &d)) {
+    status = bad_input(&d);
+  } else if (!scene_has_forces(&s)) {
+    diag_set(&d, "%s: error: bifurcate needs a scene that gives e1 and e2", s.path);
+    status = bad_input(&d);
+  } else {
+    status = check_friction(&s, a, o->along);
+    if (!status) status = show(&s, a, o, digits);
+  }
+  scene_clear(&s);
+  return status;
+}
+
+int run_bifurcate(const struct options *o, const char *data) {
+  slong digits;
+  struct along a;
+  int status = parse_digits(&digits, o);
+  if (status) return status;
+  if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", o->digits);
+  if (o->n_operands != 1) return usage("bifurcate takes one %s", "SCENE");
+  if (!o->along) return usage("bifurcate needs --along %s", "NAME=A:B");
+  fmpq_init(a.from);
+  fmpq_init(a.to);
+  status = with_line(o, data, &a, digits);
+  fmpq_clear(a.from);
+  fmpq_clear(a.to);
+  return status;
+}

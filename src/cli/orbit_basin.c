@@ -1,0 +1,91 @@
+/* orbit --basin: how far r may be from that of a stable orbit, proved, and where that fails. */
+#include "stickslip/basin.h"
+
+#include "cli.h"
+#include "orbit_numbers.h"
+
+/* An exact decimal with all of its digits. */
+static void print_decimal(struct text *out, const fmpq_t q) {
+  fmpz_t n;
+  arb_t x;
+  fmpz_init(n);
+  arb_init(x);
+  fmpq_t scaled;
+  fmpq_init(scaled);
+  fmpq_set(scaled, q);
+  while (!fmpz_is_one(fmpq_denref(scaled))) {
+    fmpz_set_ui(n, 10);
+    fmpq_mul_fmpz(scaled, scaled, n);
+  }
+  slong digits = (slong)fmpz_sizeinbase(fmpq_numref(scaled), 10);
+  arb_set_fmpq(x, q, 8 * digits + 64);
+  if (num_print(out, x, digits) != SS_OK) num_print_q(out, q);
+  fmpq_clear(scaled);
+  arb_clear(x);
+  fmpz_clear(n);
+}
+
+static const char *reason(const struct dyn_basin *b) {
+  static const char *const words[] = {[FAILS_UNKNOWN] = "unknown", [FAILS_SLOPE] = "slope", [FAILS_IMAGE] = "image"};
+  if (b->why != FAILS_CONDITION) return words[b->why];
+  return b->condition < N_CONDITIONS ? dyn_condition_id[b->condition]
+                                     : scene_key_name[KEY_U_R1 + (b->condition - N_CONDITIONS)];
+}
+
+static void find(struct dyn_basin *b, const struct dyn_orbit *o, const struct scene *s) {
+  const fmpq *u[2];
+  for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+  dyn_basin_init(b);
+  dyn_basin_find(b, s->value, u, o);
+}
+
+static void json_decimal(struct json *j, const char *key, const fmpq_t q) {
+  struct text t;
+  text_init(&t);
+  print_decimal(&t, q);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s) {
+  struct dyn_basin b;
+  find(&b, o, s);
+  if (b.proved) {
+    json_object(j, "basin");
+    json_decimal(j, "r_low", &b.low);
+    json_decimal(j, "r_high", &b.high);
+    if (b.why == FAILS_UNKNOWN)
+      json_null(j, "fails_at");
+    else
+      json_decimal(j, "fails_at", &b.fails_at);
+    json_string(j, "why", reason(&b));
+    json_end_object(j);
+  } else {
+    json_null(j, "basin");
+  }
+  dyn_basin_clear(&b);
+}
+
+void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene *s) {
+  struct dyn_basin b;
+  find(&b, o, s);
+  text_add(out, "  basin    ");
+  if (!b.proved) {
+    text_add(out, "no interval of z_2 - z_1 is proved to go into itself\n");
+  } else {
+    text_add(out, "z_2 - z_1 in [");
+    print_decimal(out, &b.low);
+    text_add(out, ", ");
+    print_decimal(out, &b.high);
+    text_add(out, "] goes into itself, slope below 1");
+    if (b.why == FAILS_UNKNOWN) {
+      text_add(out, "; no point at most twice as far is proved to fail");
+    } else {
+      text_add(out, "; fails at ");
+      print_decimal(out, &b.fails_at);
+      text_printf(out, " (%s)", reason(&b));
+    }
+    text_add_char(out, '\n');
+  }
+  dyn_basin_clear(&b);
+}

@@ -1,0 +1,198 @@
+/* stickslip orbit on a box of parameters: enclosures that hold for every point of it, as a table or as JSON. */
+#include <stdlib.h>
+
+#include "cli.h"
+#include "orbit_numbers.h"
+#include "stickslip/box.h"
+
+/* The ends of x as decimals, rounded outwards. */
+static void print_ends(char *out[2], const arb_t x, slong digits) {
+  arf_t end;
+  mpfr_t m;
+  arf_init(end);
+  mpfr_init2(m, 128);
+  for (int i = 0; i < 2; i++) {
+    if (i == 0) {
+      arb_get_lbound_arf(end, x, 128);
+      arf_get_mpfr(m, end, MPFR_RNDD);
+      mpfr_asprintf(&out[i], "%.*RDg", (int)digits, m);
+    } else {
+      arb_get_ubound_arf(end, x, 128);
+      arf_get_mpfr(m, end, MPFR_RNDU);
+      mpfr_asprintf(&out[i], "%.*RUg", (int)digits, m);
+    }
+  }
+  mpfr_clear(m);
+  arf_clear(end);
+}
+
+static void add_interval(struct text *out, const arb_t x, slong digits) {
+  char *end[2];
+  print_ends(end, x, digits);
+  text_printf(out, "[%s, %s]", end[0], end[1]);
+  for (int i = 0; i < 2; i++) mpfr_free_str(end[i]);
+}
+
+static void json_interval(struct json *j, const char *key, const arb_t x, slong digits) {
+  char *end[2];
+  print_ends(end, x, digits);
+  json_array(j, key);
+  for (int i = 0; i < 2; i++) {
+    json_string(j, NULL, end[i]);
+    mpfr_free_str(end[i]);
+  }
+  json_end_array(j);
+}
+
+static void add_middle(struct text *out, const arb_t x, slong digits) {
+  arb_t mid;
+  arb_init(mid);
+  arb_get_mid_arb(mid, x);
+  if (num_print(out, mid, digits) != SS_OK) text_add(out, "0"); /* exact: it prints */
+  arb_clear(mid);
+}
+
+static void json_middle(struct json *j, const char *key, const arb_t x, slong digits) {
+  struct text t;
+  text_init(&t);
+  add_middle(&t, x, digits);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+/* The given u_r count only where the numbers hold for the box. */
+static truth box_admissible(truth u[2], const struct scene *s, const struct dyn_box_orbit *b) {
+  truth t = orbit_admissible(u, s, &b->orbit);
+  if (b->proved) return t;
+  u[0] = u[1] = TRUTH_UNKNOWN;
+  return TRUTH_UNKNOWN;
+}
+
+static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
+  const struct dyn_orbit *o = &b->orbit;
+  truth u[2], admissible = box_admissible(u, s, b);
+  json_object(j, NULL);
+  for (int i = 0; i < ORBIT_NUMBERS; i++)
+    if (i < 10) json_middle(j, orbit_number_name(i), orbit_number(o, i), digits);
+  json_array(j, "eigenvalues");
+  json_string(j, NULL, "0");
+  json_middle(j, NULL, o->trace, digits);
+  json_end_array(j);
+  json_truth(j, "stable", o->stable);
+  json_truth(j, "admissible", admissible);
+  json_array(j, "violations");
+  for (int i = 0; i < N_CONDITIONS; i++)
+    if (o->holds[i] == TRUTH_FALSE) json_string(j, NULL, dyn_condition_id[i]);
+  for (int i = 0; i < 2; i++)
+    if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
+  json_end_array(j);
+  for (int i = 10; i < ORBIT_NUMBERS; i++) json_middle(j, orbit_number_name(i), orbit_number(o, i), digits);
+  json_bool(j, "certified", false);
+  json_null(j, "radius");
+  json_truth(j, "of_word", b->word);
+  if (b->proved) {
+    json_object(j, "enclosures");
+    for (int i = 0; i < ORBIT_NUMBERS; i++) json_interval(j, orbit_number_name(i), orbit_number(o, i), digits);
+    json_end_object(j);
+  } else {
+    json_null(j, "enclosures");
+  }
+  json_array(j, "changes");
+  if (b->stability_changes) json_string(j, NULL, "stable");
+  for (int i = 0; i < N_CONDITIONS; i++)
+    if (b->changes[i]) json_string(j, NULL, dyn_condition_id[i]);
+  json_end_array(j);
+  json_end_object(j);
+}
+
+static void box_json(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {
+  struct json j;
+  arb_t x, end;
+  arb_init(x);
+  arb_init(end);
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  json_object(&j, "box");
+  for (int k = 0; k < N_SCENE_PARAMS; k++) {
+    if (!s->interval[k]) continue;
+    arb_set_fmpq(x, &s->value[k], 128);
+    arb_set_fmpq(end, &s->high[k], 128);
+    arb_union(x, x, end, 128);
+    json_interval(&j, scene_key_name[k], x, digits);
+  }
+  json_end_object(&j);
+  json_bool(&j, "complete", false);
+  json_array(&j, "orbits");
+  for (slong i = 0; i < box->n; i++) orbit_json(&j, &box->at[i], s, digits);
+  json_end_array(&j);
+  json_end_object(&j);
+  arb_clear(end);
+  arb_clear(x);
+}
+
+static void orbit_text(struct text *out, const struct dyn_box_orbit *b, const struct scene *s, slong digits) {
+  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
+  static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
+  const struct dyn_orbit *o = &b->orbit;
+  truth u[2], admissible = box_admissible(u, s, b);
+  text_printf(out, "%s, %s", b->stability_changes ? "stable in a part of the box" : fate[o->stable], adm[admissible]);
+  if (b->proved)
+    text_printf(out, "; proved over the box in %ld pieces\n", (long)b->pieces);
+  else
+    text_printf(out, "; not proved over the box within %d pieces, its numbers at the middle\n", DYN_BOX_PIECES);
+  if (b->proved && b->word != TRUTH_TRUE) text_add(out, "  perhaps not of the word all over the box\n");
+  for (int i = 0; i < ORBIT_NUMBERS; i++) {
+    text_printf(out, "  %-8s ", orbit_number_name(i));
+    if (b->proved)
+      add_interval(out, orbit_number(o, i), digits);
+    else
+      add_middle(out, orbit_number(o, i), digits);
+    text_add_char(out, '\n');
+  }
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    if (o->holds[i] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[i]);
+    if (b->changes[i]) text_printf(out, "  breaks   %s in a part of the box\n", dyn_condition_id[i]);
+  }
+  for (int i = 0; i < 2; i++)
+    if (u[i] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", scene_key_name[KEY_U_R1 + i]);
+}
+
+static void box_text(struct text *out, const struct dyn_box *box, const struct scene *s, slong digits) {
+  text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found at the middle of the box", s->name, (long)box->n,
+              box->n == 1 ? "" : "s");
+  for (int k = 0; k < N_SCENE_PARAMS; k++) {
+    if (!s->interval[k]) continue;
+    text_printf(out, ", %s in [", scene_key_name[k]);
+    num_print_q(out, &s->value[k]);
+    text_add(out, ", ");
+    num_print_q(out, &s->high[k]);
+    text_add(out, "]");
+  }
+  text_add_char(out, '\n');
+  for (slong i = 0; i < box->n; i++) {
+    text_printf(out, "orbit %ld: ", (long)i + 1);
+    orbit_text(out, &box->at[i], s, digits);
+  }
+}
+
+int show_box(const struct options *o, const struct scene *s, slong digits) {
+  struct dyn_box box;
+  fmpq high[N_SCENE_PARAMS];
+  if (digits > MOST_BOX_DIGITS) return usage("intervals are shown with at most 20 --digits, not %.200s", o->digits);
+  for (int k = 0; k < N_SCENE_PARAMS; k++) high[k] = s->interval[k] ? s->high[k] : s->value[k]; /* borrowed */
+  if (dyn_box_find(&box, s->value, high) != SS_OK)
+    fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
+            s->path);
+  struct text out;
+  text_init(&out);
+  if (o->json)
+    box_json(&out, &box, s, digits);
+  else
+    box_text(&out, &box, s, digits);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+  dyn_box_clear(&box);
+  return EXIT_AS_RECORDED;
+}

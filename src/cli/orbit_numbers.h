@@ -1,0 +1,15 @@
+/* The numbers of an orbit in the order of the contract; the last two are the bounds of static friction. */
+#ifndef STICKSLIP_ORBIT_NUMBERS_H
+#define STICKSLIP_ORBIT_NUMBERS_H
+
+#include "stickslip/audit.h"
+#include "stickslip/json.h"
+
+enum { ORBIT_NUMBERS = 12, MOST_BOX_DIGITS = 20 };
+const char *orbit_number_name(int i);
+arb_srcptr orbit_number(const struct dyn_orbit *o, int i);
+/* orbit --basin */
+void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s);
+void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene *s);
+
+#endif

@@ -1,0 +1,468 @@
+/* Bifurcations along a line: orbits are searched for at many values of the parameter, their curves are followed both ways,
+   and what changes on the way is narrowed down and proved.
+
+   A change other than a fold, a grazing t_c or the end of phase H is proved along the parameter: one tube of orbits over the whole bracket, and
+   opposite signs of the function at its ends, whose orbits lie in the tube.  At those three the curve turns back; there Krawczyk's operator proves the zero of the three equations.  Near such a zero the curve is
+   p = p_0 + p'' s^2/2 along its tangent s, which tells the side and gives the two orbits beside it. */
+#include "stickslip/bifurcate.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "curve.h"
+#include "stickslip/arena.h"
+
+enum { START_PREC = 64, MOST_STEPS = 20000, ATTEMPTS = 6, NARROWER = 3 };
+
+/* --- Records. --- */
+
+static void bifurcation_init(struct dyn_bifurcation *b, const struct crossing *c, slong branch) {
+  *b = (struct dyn_bifurcation){.what = c->what, .branch = branch, .word = TRUTH_UNKNOWN};
+  fmpq_init(&b->low);
+  fmpq_init(&b->high);
+  arb_ptr all[] = {b->tb, b->tc, b->trace, b->third};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
+  arb_set_d(b->tb, c->x[1]);
+  arb_set_d(b->tc, c->x[2]);
+  arb_indeterminate(b->trace);
+  arb_indeterminate(b->third);
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++) dyn_orbit_init(&b->beside[i].orbit[k]);
+}
+
+static void bifurcation_clear(struct dyn_bifurcation *b) {
+  fmpq_clear(&b->low);
+  fmpq_clear(&b->high);
+  arb_ptr all[] = {b->tb, b->tc, b->trace, b->third};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
+  for (int i = 0; i < 2; i++)
+    for (int k = 0; k < 2; k++) dyn_orbit_clear(&b->beside[i].orbit[k]);
+}
+
+/* The decimals of the given digits around p, a little apart from p. */
+static void bracket(struct dyn_bifurcation *b, const arb_t p, slong digits, slong prec) {
+  arb_t scaled;
+  fmpz_t k, ten;
+  fmpq_t unit;
+  arb_init(scaled);
+  fmpz_init(k);
+  fmpz_init(ten);
+  fmpq_init(unit);
+  slong places = digits - 1 - (slong)floor(log10(num_arb.get_d(p)));
+  fmpz_ui_pow_ui(ten, 10, (ulong)labs(places));
+  fmpq_set_fmpz(unit, ten);
+  if (places > 0) fmpq_inv(unit, unit);
+  arb_div_fmpz(scaled, p, ten, prec + 64);
+  if (places > 0) arb_mul_fmpz(scaled, p, ten, prec + 64);
+  arf_get_fmpz(k, arb_midref(scaled), ARF_RND_FLOOR);
+  arb_sub_fmpz(scaled, scaled, k, prec + 64);
+  double part = num_arb.get_d(scaled);
+  fmpz_sub_si(k, k, part < 1e-6 ? 1 : 0);
+  fmpq_mul_fmpz(&b->low, unit, k);
+  fmpz_add_si(k, k, part < 1e-6 || part > 1 - 1e-6 ? 2 : 1);
+  fmpq_mul_fmpz(&b->high, unit, k);
+  fmpq_clear(unit);
+  fmpz_clear(ten);
+  fmpz_clear(k);
+  arb_clear(scaled);
+}
+
+/* --- Proof along the parameter. --- */
+
+/* A tube of the curve's orbits for one value of the parameter, exact or a ball. */
+static int tube_on(struct tube *t, const struct curve *b, const arb_t p, const arb_t tb, const arb_t tc, slong prec) {
+  for (int i = 0; i < N_PARAMS; i++) arb_set(&t->p[i], i == b->vary ? p : &b->p[i]);
+  arb_set(&t->x[0], tb);
+  arb_set(&t->x[1], tc);
+  t->up = b->up;
+  return tube_prove(t, prec);
+}
+
+/* The function over the tube, with the time of a touch; *rate: its slope along the curve. */
+static int function_on(arb_t value, arb_t rate, arb_t time, const struct tube *t, const struct curve *b,
+                       enum dyn_change what, slong prec) {
+  struct view v;
+  arb_ptr x = _arb_vec_init(3);
+  arb_set(x, &t->p[b->vary]);
+  for (int k = 0; k < 2; k++) arb_set(x + 1 + k, &t->x[k]);
+  int status = view_open(&v, b, x, prec);
+  if (!status) status = view_touch(time, &v, what, true);
+  val f = status ? NULL : view_change(&v, what, time);
+  if (!f || v.c.status) status |= SS_UNABLE;
+  if (!status) {
+    arb_set(value, dual_value(f));
+    if (rate) status = curve_rate(rate, &v, f);
+  }
+  view_close(&v);
+  _arb_vec_clear(x, 3);
+  return status;
+}
+
+static void add_beside(struct dyn_beside *s, const struct tube *t, slong prec) {
+  int n = s->n;
+  if (tube_orbit(&s->orbit[n], &s->word[n], t, prec, dyn_limits_default.max_steps)) return;
+  if (arb_is_nonpositive(&t->x[0]) || arb_is_nonpositive(&t->x[1])) s->word[n] = TRUTH_FALSE;
+  s->n++;
+}
+
+static bool turns(enum dyn_change what) {
+  return what == CHANGE_FOLD || what == CHANGE_TC || what == CHANGE_GAMMA_V1;
+}
+
+/* c_2^2 + c_3 of the return map over the tube. */
+static void third_order(arb_t third, const struct tube *t, slong prec) {
+  struct num_ctx ctx = num_ctx_arb(prec);
+  struct num_vec params;
+  struct dyn_arc arc;
+  arb_ptr c = _arb_vec_init(4);
+  num_vec_init(&params, N_PARAMS, ctx);
+  dyn_arc_init(&arc, ctx);
+  for (int i = 0; i < N_PARAMS; i++) num_arb.set(num_vec_at(&params, i), &t->p[i]);
+  num_arb.set(num_vec_at(&arc.t, PHASE_GAMMA), &t->x[0]);
+  num_arb.set(num_vec_at(&arc.t, PHASE_H), &t->x[1]);
+  arb_set_si(num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
+             t->up ? 1 : -1); /* only the sign of r at the end is asked for */
+  if (dyn_return_jet(c, 4, &params, &arc) == SS_OK) {
+    arb_mul(third, c + 2, c + 2, prec);
+    arb_add(third, third, c + 3, prec);
+  }
+  dyn_arc_clear(&arc);
+  num_vec_clear(&params);
+  _arb_vec_clear(c, 4);
+}
+
+/* The signs at the ends: 1, -1, or 0 when one is not decided.  The ends' orbits and touches lie in those of the tube. */
+static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tube *t, const struct curve *curve,
+                         const arb_t time, slong prec) {
+  const fmpq *end[2] = {&b->low, &b->high};
+  struct tube e;
+  arb_ptr work = _arb_vec_init(3), p = work, when = work + 1, value = work + 2;
+  tube_init(&e);
+  for (int i = 0; i < 2; i++) {
+    sign[i] = 0;
+    b->beside[i].n = 0;
+    arb_set_fmpq(p, end[i], prec);
+    if (tube_on(&e, curve, p, &t->x[0], &t->x[1], prec)) continue;
+    if (!arb_contains(&t->box[0], &e.x[0]) || !arb_contains(&t->box[1], &e.x[1])) continue;
+    add_beside(&b->beside[i], &e, prec);
+    arb_get_mid_arb(when, time);
+    if (function_on(value, NULL, when, &e, curve, b->what, prec) || !arb_contains(time, when)) continue;
+    sign[i] = arb_is_positive(value) - arb_is_negative(value);
+  }
+  tube_clear(&e);
+  _arb_vec_clear(work, 3);
+}
+
+static void prove_along(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, const arb_t at,
+                        slong prec) {
+  struct tube t;
+  struct dyn_orbit whole;
+  int sign[2] = {0, 0};
+  arb_ptr work = _arb_vec_init(4), p = work, high = work + 1, value = work + 2, rate = work + 3;
+  arb_t time;
+  arb_init(time);
+  tube_init(&t);
+  dyn_orbit_init(&whole);
+  arb_set(time, at);
+  arb_set_fmpq(p, &b->low, prec);
+  arb_set_fmpq(high, &b->high, prec);
+  arb_union(p, p, high, prec);
+  if (tube_on(&t, curve, p, x + 1, x + 2, prec) == SS_OK &&
+      function_on(value, NULL, time, &t, curve, b->what, prec) == SS_OK) {
+    bool monotone = function_on(value, rate, time, &t, curve, b->what, prec) == SS_OK && !arb_contains_zero(rate);
+    sign_at_ends(sign, b, &t, curve, time, prec);
+    b->crosses = sign[0] * sign[1] < 0;
+    b->unique = b->crosses && monotone;
+    b->sense = b->what == CHANGE_FLIP ? sign[0] : sign[1]; /* z_1' < V at t_b, by which tr J + 1 was multiplied */
+    arb_set(b->tb, &t.x[0]);
+    arb_set(b->tc, &t.x[1]);
+    if (tube_orbit(&whole, &b->word, &t, prec, dyn_limits_default.max_steps) == SS_OK) arb_set(b->trace, whole.trace);
+    if (b->what == CHANGE_FLIP) third_order(b->third, &t, prec);
+  }
+  dyn_orbit_clear(&whole);
+  tube_clear(&t);
+  arb_clear(time);
+  _arb_vec_clear(work, 4);
+}
+
+/* --- Where the curve turns back. --- */
+
+/* The tangent at a proved zero x, its first component being 0 there, and p'' along it. */
+static int turning(arb_ptr tangent, arb_t bend, const struct curve *curve, enum dyn_change what, arb_srcptr x,
+                   slong prec) {
+  struct view v;
+  int status = view_open(&v, curve, x, prec);
+  const val f = v.s.pc, g = v.s.defect;
+  bool graze = what == CHANGE_TC; /* d p / d s is z_1'' at t_c times d defect / d t_b */
+  val moving = graze ? v.s.wc : v.s.defect_tb, other = graze ? v.s.defect_tb : v.s.wc;
+  arb_zero(bend);
+  for (int k = 1; k < 3 && !status; k++) { /* the cross product of the gradients of f and g */
+    int one = (k + 1) % 3, two = (k + 2) % 3;
+    arb_mul(tangent + k, view_slope(&v, f, one), view_slope(&v, g, two), prec);
+    arb_submul(tangent + k, view_slope(&v, f, two), view_slope(&v, g, one), prec);
+    arb_addmul(bend, tangent + k, view_slope(&v, moving, k), prec);
+  }
+  if (!status) arb_mul(bend, bend, dual_value(other), prec);
+  view_close(&v);
+  return status;
+}
+
+/* The orbits at the end of the bracket where there are two. */
+static void pair_beside(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr x, arb_srcptr tangent,
+                        const arb_t bend, slong prec) {
+  int side = b->sense > 0 ? 1 : 0;
+  struct dyn_beside *out = &b->beside[side];
+  struct tube t[2];
+  bool ok[2];
+  arb_ptr p = _arb_vec_init(3), guess = p + 1;
+  arb_t s;
+  arb_init(s);
+  arb_set_fmpq(p, side ? &b->high : &b->low, prec);
+  arb_sub(s, p, x, prec);
+  arb_mul_2exp_si(s, s, 1);
+  arb_div(s, s, bend, prec);
+  arb_get_mid_arb(s, s);
+  arb_sqrt(s, s, prec);
+  for (int i = 0; i < 2; i++) {
+    tube_init(&t[i]);
+    for (int k = 0; k < 2; k++) {
+      arb_set(guess + k, x + 1 + k);
+      (i ? arb_submul : arb_addmul)(guess + k, s, tangent + 1 + k, prec);
+    }
+    ok[i] = tube_on(&t[i], curve, p, guess, guess + 1, prec) == SS_OK;
+  }
+  bool apart = !arb_overlaps(&t[0].x[0], &t[1].x[0]) || !arb_overlaps(&t[0].x[1], &t[1].x[1]);
+  out->n = 0;
+  for (int i = 0; i < 2; i++) {
+    int n = out->n;
+    if (ok[0] && ok[1] && apart) add_beside(out, &t[i], prec);
+    if (out->n > n && b->what != CHANGE_FOLD && out->word[n] == TRUTH_FALSE) out->n = n; /* the sheet beyond */
+    tube_clear(&t[i]);
+  }
+  arb_clear(s);
+  _arb_vec_clear(p, 3);
+}
+
+static void prove_turning(struct dyn_bifurcation *b, const struct curve *curve, arb_srcptr from, slong prec) {
+  arb_ptr x = _arb_vec_init(3), tangent = _arb_vec_init(3);
+  arb_t low, high, bend;
+  arb_init(low);
+  arb_init(high);
+  arb_init(bend);
+  _arb_vec_set(x, from, 3);
+  arb_set_fmpq(low, &b->low, prec);
+  arb_set_fmpq(high, &b->high, prec);
+  bool ok = curve_prove_zero(x, curve, b->what, prec) == SS_OK && arb_lt(low, x) && arb_lt(x, high);
+  b->crosses = b->unique = ok;
+  if (ok) {
+    arb_set(b->tb, x + 1);
+    arb_set(b->tc, x + 2);
+    if (b->what == CHANGE_FOLD) arb_one(b->trace);
+  }
+  if (ok && turning(tangent, bend, curve, b->what, x, prec) == SS_OK && !arb_contains_zero(bend)) {
+    b->sense = arb_is_positive(bend) ? 1 : -1;
+    pair_beside(b, curve, x, tangent, bend, prec);
+  }
+  arb_clear(bend);
+  arb_clear(high);
+  arb_clear(low);
+  _arb_vec_clear(tangent, 3);
+  _arb_vec_clear(x, 3);
+}
+
+/* --- One change. --- */
+
+static bool settled(const struct dyn_bifurcation *b) {
+  bool ends = b->what >= CHANGE_H_V1;
+  if (turns(b->what)) return b->unique && b->sense && b->beside[b->sense > 0].n > 0;
+  return b->unique && b->beside[0].n && b->beside[1].n && (ends || b->word == TRUTH_TRUE);
+}
+
+/* The line, and what is known of it so far. */
+struct line {
+  struct dyn_bifurcations *list;
+  size_t cap, cap_branches;
+  const fmpq *params;
+  const fmpq *u_r[2];
+  int vary;
+  double low, high;
+  slong digits;
+  struct start *start;
+  slong n_starts, steps;
+};
+
+/* A bracket over which no proof succeeds is narrowed, and the precision raised. */
+static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool up, const struct crossing *c) {
+  arb_ptr x = _arb_vec_init(4);
+  for (int k = 0; k < 3; k++) arb_set_d(x + k, c->x[k]);
+  arb_set_d(x + 3, c->time);
+  for (int i = 0; i < ATTEMPTS && !settled(b); i++) {
+    struct curve curve;
+    b->digits = l->digits + NARROWER * i;
+    slong prec = b->prec = (slong)((double)b->digits * 3.33) + 96 * (i + 1);
+    curve_init(&curve, l->params, l->vary, up, c->x[1], l->u_r, prec);
+    bool ok = curve_newton(x, x + 3, &curve, b->what, prec) == SS_OK && arb_is_positive(x);
+    if (ok) bracket(b, x, b->digits, prec);
+    if (ok && turns(b->what))
+      prove_turning(b, &curve, x, prec);
+    else if (ok)
+      prove_along(b, &curve, x, x + 3, prec);
+    curve_clear(&curve);
+    if (!ok) break;
+  }
+  _arb_vec_clear(x, 4);
+}
+
+/* Whether w's height in phase C matters at this change: a greater one elsewhere may have broken the condition before. */
+static bool matters(const struct dyn_bifurcation *b) {
+  if (b->what != CHANGE_C_W_START && b->what != CHANGE_C_W_HILL) return true;
+  truth t[2];
+  for (int i = 0; i < 2; i++) t[i] = b->beside[i].n ? b->beside[i].orbit[0].holds[COND_C_W] : TRUTH_UNKNOWN;
+  return t[0] == TRUTH_UNKNOWN || t[1] == TRUTH_UNKNOWN || t[0] != t[1];
+}
+
+static void add_change(struct line *l, bool up, const struct crossing *c) {
+  struct dyn_bifurcations *list = l->list;
+  list->at = ss_grow(list->at, (size_t)list->n, &l->cap, sizeof *list->at);
+  struct dyn_bifurcation *b = &list->at[list->n];
+  bifurcation_init(b, c, list->n_branches);
+  prove_change(b, l, up, c);
+  if (matters(b))
+    list->n++;
+  else
+    bifurcation_clear(b);
+}
+
+/* --- Following. --- */
+
+/* An orbit found by a search at one value of the parameter; done when a branch has passed it. */
+struct start {
+  double x[3];
+  bool up, done;
+};
+
+static void mark_starts(struct line *l, const struct trace *t, const struct spot *a, const struct spot *b) {
+  for (slong i = 0; i < l->n_starts; i++) {
+    struct start *s = &l->start[i];
+    if (!s->done && s->up == t->curve->up && trace_passes(t, a, b, s->x)) s->done = true;
+  }
+}
+
+/* One direction from a start; the end of the branch goes to place `end` of it.  false when the curve is closed. */
+static bool follow(struct line *l, struct dyn_branch *br, int end, const struct curve *curve,
+                   const struct start *from) {
+  struct trace t;
+  double *last = end ? br->to : br->from;
+  br->end[end] = END_LOST;
+  for (int k = 0; k < 3; k++) last[k] = from->x[k];
+  if (!trace_start(&t, curve, from->x, l->low, l->high, end ? 1 : -1)) return true;
+  struct spot first = t.now;
+  for (slong i = 0; i < MOST_STEPS; i++, l->steps++) {
+    struct spot before = t.now;
+    struct crossing c[N_CHANGES];
+    if ((before.x[0] <= l->low && before.tangent[0] < 0) || (before.x[0] >= l->high && before.tangent[0] > 0)) {
+      br->end[end] = END_OF_LINE;
+      return true;
+    }
+    enum trace_result r = trace_step(&t);
+    if (r == TRACE_LOST) return true;
+    int n;
+    if (!trace_crossings(c, &n, &l->list->missed, &t, &before, &t.now)) return true;
+    bool ended = false;
+    for (int k = 0; k < n && !ended; k++) {
+      add_change(l, curve->up, &c[k]);
+      ended = c[k].what >= CHANGE_H_V1;
+      if (!ended) continue;
+      br->end[end] = END_CHANGE;
+      br->change[end] = c[k].what;
+      for (int m = 0; m < 3; m++) t.now.x[m] = c[k].x[m];
+    }
+    mark_starts(l, &t, &before, &t.now);
+    for (int k = 0; k < 3; k++) last[k] = t.now.x[k];
+    br->span[0] = fmin(br->span[0], last[0]);
+    br->span[1] = fmax(br->span[1], last[0]);
+    if (ended) return true;
+    if (i > 3 && trace_passes(&t, &before, &t.now, first.x)) {
+      br->end[0] = br->end[1] = END_CLOSED;
+      for (int k = 0; k < 3; k++) br->from[k] = last[k];
+      return false;
+    }
+  }
+  return true;
+}
+
+static void follow_branch(struct line *l, const struct start *from) {
+  struct dyn_bifurcations *list = l->list;
+  struct curve curve;
+  list->branch = ss_grow(list->branch, (size_t)list->n_branches, &l->cap_branches, sizeof *list->branch);
+  struct dyn_branch *br = &list->branch[list->n_branches];
+  *br = (struct dyn_branch){.span = {from->x[0], from->x[0]}, .up = from->up};
+  curve_init(&curve, l->params, l->vary, from->up, from->x[1], l->u_r, 128);
+  if (follow(l, br, 1, &curve, from)) follow(l, br, 0, &curve, from);
+  curve_clear(&curve);
+  list->n_branches++;
+}
+
+/* --- The line. --- */
+
+/* The orbits at the i-th of n values. */
+static int find_starts(struct line *l, size_t *cap, const fmpq_t from, const fmpq_t to, slong i, slong n) {
+  struct dyn_orbits orbits;
+  fmpq at[N_PARAMS];
+  fmpq_t part;
+  fmpq_init(part);
+  for (int k = 0; k < N_PARAMS; k++) {
+    fmpq_init(&at[k]);
+    fmpq_set(&at[k], l->params + k);
+  }
+  fmpq_sub(part, to, from);
+  fmpq_set_si(&at[l->vary], i, (ulong)(n - 1));
+  fmpq_mul(part, part, &at[l->vary]);
+  fmpq_add(&at[l->vary], from, part);
+  int status = dyn_orbits_find(&orbits, at, START_PREC, NULL);
+  for (slong k = 0; k < orbits.n; k++) {
+    const struct dyn_orbit *o = &orbits.orbit[k];
+    l->start = ss_grow(l->start, (size_t)l->n_starts, cap, sizeof *l->start);
+    l->start[l->n_starts++] = (struct start){{fmpq_get_d(&at[l->vary]), o->guess[PHASE_GAMMA], o->guess[PHASE_H]},
+                                             num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
+                                             false};
+  }
+  dyn_orbits_clear(&orbits);
+  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&at[k]);
+  fmpq_clear(part);
+  return status;
+}
+
+static int by_value(const void *x, const void *y) {
+  const struct dyn_bifurcation *a = x, *b = y;
+  int c = fmpq_cmp(&a->low, &b->low);
+  return c ? c : (a->branch > b->branch) - (a->branch < b->branch);
+}
+
+int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int vary, const fmpq_t from,
+                          const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts) {
+  *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
+  struct line l = {.list = list, .params = params, .u_r = {u_r[0], u_r[1]}, .vary = vary, .digits = digits};
+  size_t cap = 0;
+  double ends[2] = {fmpq_get_d(from), fmpq_get_d(to)};
+  l.low = fmin(ends[0], ends[1]);
+  l.high = fmax(ends[0], ends[1]);
+  if (!(l.low > 0 && l.low < l.high) || (vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
+  int status = SS_OK;
+  for (slong i = 0; i < starts; i++) status |= find_starts(&l, &cap, from, to, i, starts);
+  for (slong i = 0; i < l.n_starts; i++)
+    if (!l.start[i].done) follow_branch(&l, &l.start[i]);
+  for (slong i = 0; i < list->n_branches; i++)
+    for (int k = 0; k < 2; k++)
+      if (list->branch[i].end[k] == END_LOST) status |= SS_UNABLE;
+  qsort(list->at, (size_t)list->n, sizeof *list->at, by_value);
+  free(l.start);
+  return status;
+}
+
+void dyn_bifurcations_clear(struct dyn_bifurcations *list) {
+  for (slong i = 0; i < list->n; i++) bifurcation_clear(&list->at[i]);
+  free(list->at);
+  free(list->branch);
+  *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
+}

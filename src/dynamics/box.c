@@ -1,0 +1,278 @@
+/* Orbits over a box of parameters, by pieces.
+
+   A piece that is not proved, or on which something is left undecided that no other piece has settled to change, is halved
+   along the parameter that moves (t_b, t_c) most.  Some cuts are made in any case: enclosures over a piece grow with its
+   width twice, by what the orbit moves and by what balls add to that. */
+#include "stickslip/box.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "curve.h"
+#include "stickslip/arena.h"
+
+enum { BOX_PREC = 96, ALWAYS_DEPTH = 6, MOST_DEPTH = 24 };
+
+struct piece {
+  struct tube tube;
+  struct dyn_orbit orbit;
+  truth word;
+  int depth;
+  bool proved;
+};
+
+struct pieces {
+  struct piece **at;
+  size_t n, cap;
+};
+
+static struct piece *piece_new(void) {
+  struct piece *p = ss_malloc(sizeof *p);
+  *p = (struct piece){.word = TRUTH_UNKNOWN};
+  tube_init(&p->tube);
+  dyn_orbit_init(&p->orbit);
+  return p;
+}
+
+static void piece_free(struct piece *p) {
+  tube_clear(&p->tube);
+  dyn_orbit_clear(&p->orbit);
+  free(p);
+}
+
+static void pieces_add(struct pieces *list, struct piece *p) {
+  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
+  list->at[list->n++] = p;
+}
+
+static void pieces_clear(struct pieces *list) {
+  for (size_t i = 0; i < list->n; i++) piece_free(list->at[i]);
+  free(list->at);
+}
+
+/* --- Truths over the box. --- */
+
+enum { OF_WORD = N_CONDITIONS, OF_STABILITY, N_TRUTHS };
+
+static truth truth_of(const struct piece *p, int i) {
+  return i == OF_WORD ? p->word : i == OF_STABILITY ? p->orbit.stable : p->orbit.holds[i];
+}
+
+/* How many pieces say so. */
+struct tally {
+  slong yes[N_TRUTHS], no[N_TRUTHS], open[N_TRUTHS];
+};
+
+static void tally_add(struct tally *t, const struct piece *p) {
+  for (int i = 0; i < N_TRUTHS; i++) {
+    truth a = truth_of(p, i);
+    ++*(a == TRUTH_TRUE ? &t->yes[i] : a == TRUTH_FALSE ? &t->no[i] : &t->open[i]);
+  }
+}
+
+static bool tally_changes(const struct tally *t, int i) {
+  return t->yes[i] > 0 && t->no[i] > 0;
+}
+
+static truth tally_all(const struct tally *t, int i) {
+  return t->open[i] || tally_changes(t, i) ? TRUTH_UNKNOWN : t->yes[i] ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+/* --- Pieces. --- */
+
+/* The parameter along which the two unknowns move most over the piece. */
+static int widest(const struct tube *t) {
+  int best = -1;
+  double most = -1;
+  for (int i = 0; i < N_PARAMS; i++) {
+    if (arb_is_exact(&t->p[i])) continue;
+    double size = tube_reach(t, i, BOX_PREC);
+    if (best < 0 || size > most) {
+      best = i;
+      most = size;
+    }
+  }
+  return best;
+}
+
+/* One half of a ball, the lower or the upper; together they cover it. */
+static void halve(arb_t half, const arb_t whole, bool upper) {
+  arb_t end, mid;
+  arb_init(end);
+  arb_init(mid);
+  if (upper)
+    arb_get_ubound_arf(arb_midref(end), whole, BOX_PREC);
+  else
+    arb_get_lbound_arf(arb_midref(end), whole, BOX_PREC);
+  arb_get_mid_arb(mid, whole);
+  arb_union(half, mid, end, BOX_PREC);
+  arb_clear(mid);
+  arb_clear(end);
+}
+
+static void examine(struct piece *p) {
+  p->proved = tube_prove(&p->tube, BOX_PREC) == SS_OK &&
+              tube_orbit(&p->orbit, &p->word, &p->tube, BOX_PREC, dyn_limits_default.max_steps) == SS_OK;
+  if (p->proved) tube_sharpen(&p->orbit, &p->tube, BOX_PREC);
+}
+
+static bool finished(const struct piece *p, const struct tally *t) {
+  if (!p->proved || p->depth < ALWAYS_DEPTH) return false;
+  for (int i = 0; i < N_TRUTHS; i++)
+    if (truth_of(p, i) == TRUTH_UNKNOWN && !tally_changes(t, i)) return false;
+  return true;
+}
+
+/* Takes the piece over: its halves go to the queue.  false when it cannot be cut. */
+static bool cut(struct pieces *queue, struct piece *p) {
+  int along = widest(&p->tube);
+  if (along < 0) return false;
+  for (int i = 0; i < 2; i++) {
+    struct piece *half = piece_new();
+    tube_set(&half->tube, &p->tube);
+    half->depth = p->depth + 1;
+    halve(&half->tube.p[along], &p->tube.p[along], i == 1);
+    pieces_add(queue, half);
+  }
+  piece_free(p);
+  return true;
+}
+
+/* Whether two pieces have a face in common. */
+static bool meet(const struct tube *a, const struct tube *b) {
+  int across = 0; /* the parameters in which they only touch */
+  for (int i = 0; i < N_PARAMS; i++) {
+    if (!arb_overlaps(&a->p[i], &b->p[i])) return false;
+    double reach = mag_get_d(arb_radref(&a->p[i])) + mag_get_d(arb_radref(&b->p[i]));
+    double apart = fabs(num_arb.get_d(&a->p[i]) - num_arb.get_d(&b->p[i]));
+    if (!arb_is_exact(&a->p[i]) && apart > reach * (1 - 1e-9)) across++;
+  }
+  return across <= 1;
+}
+
+/* Whether the pieces hold one solution where they meet: at the middle of what they share, inside both boxes. */
+static bool joined(const struct tube *a, const struct tube *b) {
+  struct tube both;
+  tube_init(&both);
+  both.up = a->up;
+  for (int i = 0; i < N_PARAMS; i++) {
+    if (!arb_intersection(&both.p[i], &a->p[i], &b->p[i], BOX_PREC)) abort(); /* they meet */
+    arb_get_mid_arb(&both.p[i], &both.p[i]);
+  }
+  for (int k = 0; k < 2; k++) arb_set(&both.x[k], &a->x[k]);
+  bool same = tube_prove(&both, BOX_PREC) == SS_OK;
+  for (int k = 0; k < 2; k++)
+    same = same && arb_contains(&a->box[k], &both.x[k]) && arb_contains(&b->box[k], &both.x[k]);
+  tube_clear(&both);
+  return same;
+}
+
+static bool all_joined(const struct pieces *list) {
+  for (size_t i = 0; i < list->n; i++)
+    for (size_t k = i + 1; k < list->n; k++) {
+      const struct tube *a = &list->at[i]->tube, *b = &list->at[k]->tube;
+      if (meet(a, b) && !joined(a, b)) return false;
+    }
+  return true;
+}
+
+/* --- The union. --- */
+
+static void unite(struct dyn_orbit *all, const struct dyn_orbit *o, bool first) {
+  arb_ptr to[] = {all->z10, all->z20,    all->t[0],  all->t[1],   all->t[2],     all->t[3],    all->e1,
+                  all->e2,  all->period, all->trace, all->margin, all->u_r1_min, all->u_r2_min};
+  arb_srcptr from[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
+                       o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof to / sizeof *to; i++)
+    if (first)
+      arb_set(to[i], from[i]);
+    else
+      arb_union(to[i], to[i], from[i], BOX_PREC);
+}
+
+static void conclude(struct dyn_box_orbit *b, const struct pieces *done, const struct tally *t) {
+  for (size_t i = 0; i < done->n; i++) unite(&b->orbit, &done->at[i]->orbit, i == 0);
+  b->word = tally_all(t, OF_WORD);
+  b->orbit.stable = tally_all(t, OF_STABILITY);
+  b->stability_changes = tally_changes(t, OF_STABILITY);
+  b->orbit.admissible = TRUTH_TRUE;
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    b->orbit.holds[i] = tally_all(t, i);
+    b->changes[i] = tally_changes(t, i);
+    b->orbit.admissible = truth_and(b->orbit.admissible, b->orbit.holds[i]);
+  }
+}
+
+static void nothing_said(struct dyn_orbit *o) {
+  o->stable = o->admissible = TRUTH_UNKNOWN;
+  for (int i = 0; i < N_CONDITIONS; i++) o->holds[i] = TRUTH_UNKNOWN;
+}
+
+/* From the orbit at the middle, which b->orbit is on entry. */
+static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS]) {
+  struct pieces queue = {NULL, 0, 0}, done = {NULL, 0, 0};
+  struct tally tally = {{0}, {0}, {0}};
+  struct piece *whole = piece_new();
+  for (int i = 0; i < N_PARAMS; i++) arb_set(&whole->tube.p[i], &p[i]);
+  for (int k = 0; k < 2; k++) arb_set(&whole->tube.x[k], b->orbit.t[PHASE_GAMMA + k]);
+  whole->tube.up = arb_gt(b->orbit.z20, b->orbit.z10);
+  pieces_add(&queue, whole);
+  bool stuck = false;
+  for (size_t i = 0; i < queue.n && !stuck; i++) { /* the queue grows; a piece that left it is NULL */
+    struct piece *piece = queue.at[i];
+    examine(piece);
+    bool room = piece->depth < MOST_DEPTH && done.n + (queue.n - i) < DYN_BOX_PIECES;
+    if (finished(piece, &tally) || (piece->proved && (!room || !cut(&queue, piece)))) {
+      tally_add(&tally, piece);
+      pieces_add(&done, piece);
+      queue.at[i] = NULL;
+    } else if (!piece->proved && (!room || !cut(&queue, piece))) {
+      stuck = true;
+    } else {
+      queue.at[i] = NULL;
+    }
+  }
+  b->pieces = (slong)done.n;
+  b->proved = !stuck && all_joined(&done);
+  if (b->proved)
+    conclude(b, &done, &tally);
+  else
+    nothing_said(&b->orbit);
+  for (size_t i = 0; i < queue.n; i++)
+    if (queue.at[i]) piece_free(queue.at[i]);
+  free(queue.at);
+  pieces_clear(&done);
+}
+
+int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high) {
+  struct dyn_orbits list;
+  fmpq middle[N_PARAMS];
+  arb_ptr p = _arb_vec_init(N_PARAMS + 1), end = p + N_PARAMS;
+  *box = (struct dyn_box){NULL, 0};
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(&middle[i]);
+    fmpq_add(&middle[i], low + i, high + i);
+    fmpq_div_2exp(&middle[i], &middle[i], 1);
+    arb_set_fmpq(p + i, low + i, BOX_PREC);
+    arb_set_fmpq(end, high + i, BOX_PREC);
+    arb_union(p + i, p + i, end, BOX_PREC);
+  }
+  int status = dyn_orbits_find(&list, middle, BOX_PREC, NULL);
+  box->at = ss_malloc(((size_t)list.n + 1) * sizeof *box->at);
+  for (slong i = 0; i < list.n; i++) {
+    struct dyn_box_orbit *b = &box->at[box->n];
+    *b = (struct dyn_box_orbit){.orbit = list.orbit[i], .word = TRUTH_UNKNOWN}; /* taken over */
+    continue_over(b, p);
+    box->n++;
+  }
+  free(list.orbit);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&middle[i]);
+  _arb_vec_clear(p, N_PARAMS + 1);
+  return status;
+}
+
+void dyn_box_clear(struct dyn_box *box) {
+  for (slong i = 0; i < box->n; i++) dyn_orbit_clear(&box->at[i].orbit);
+  free(box->at);
+  *box = (struct dyn_box){NULL, 0};
+}

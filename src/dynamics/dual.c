@@ -1,0 +1,297 @@
+/* Dual balls: the value by Arb's operations, derivatives by the chain rule.
+
+   Most directions of most elements are exact zeros, which cost next to nothing.  A value of which the type says that it
+   fails makes the whole element indeterminate; a derivative without finite bounds (the square root at 0) does so too. */
+#include "dual.h"
+
+static struct dual *at(void *x) {
+  return x;
+}
+
+static const struct dual *in(const void *x) {
+  return x;
+}
+
+static void d_init(void *x, slong prec) {
+  (void)prec;
+  arb_init(&at(x)->v);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_init(&at(x)->d[i]);
+}
+
+static void d_clear(void *x) {
+  arb_clear(&at(x)->v);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_clear(&at(x)->d[i]);
+}
+
+static void d_set(void *z, const void *x) {
+  arb_set(&at(z)->v, &in(x)->v);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_set(&at(z)->d[i], &in(x)->d[i]);
+}
+
+static void d_swap(void *x, void *y) {
+  struct dual t = *at(x);
+  *at(x) = *at(y);
+  *at(y) = t;
+}
+
+static void flat(struct dual *z) {
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_zero(&z->d[i]);
+}
+
+static int d_set_q(void *z, const fmpq_t q, slong prec) {
+  flat(z);
+  return num_arb.set_q(&at(z)->v, q, prec);
+}
+
+static int d_set_d(void *z, double x, slong prec) {
+  flat(z);
+  return num_arb.set_d(&at(z)->v, x, prec);
+}
+
+static int d_set_arb(void *z, const arb_t x, slong prec) {
+  flat(z);
+  return num_arb.set_arb(&at(z)->v, x, prec);
+}
+
+static void d_get_arb(arb_t z, const void *x) {
+  arb_set(z, &in(x)->v);
+}
+
+static double d_get_d(const void *x) {
+  return num_arb.get_d(&in(x)->v);
+}
+
+/* The status of a finished element. */
+static int held(struct dual *z, int status) {
+  for (int i = 0; i < N_DIRECTIONS && !status; i++)
+    if (!arb_is_finite(&z->d[i])) status = SS_UNABLE;
+  if (!status) return SS_OK;
+  arb_indeterminate(&z->v);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_indeterminate(&z->d[i]);
+  return status;
+}
+
+/* z' = slope x', for a value that stands in z already. */
+static int chain(struct dual *z, const struct dual *x, const arb_t slope, int status, slong prec) {
+  for (int i = 0; i < N_DIRECTIONS && !status; i++)
+    if (!arb_is_zero(&x->d[i]))
+      arb_mul(&z->d[i], &x->d[i], slope, prec);
+    else
+      arb_zero(&z->d[i]);
+  return held(z, status);
+}
+
+/* z' = a x' + b y', for a value that stands in z already; a and b are none of the operands. */
+static int chain2(struct dual *z, const struct dual *x, const arb_t a, const struct dual *y, const arb_t b, int status,
+                  slong prec) {
+  arb_t part;
+  arb_init(part);
+  for (int i = 0; i < N_DIRECTIONS && !status; i++) {
+    arb_mul(part, &y->d[i], b, prec);
+    arb_mul(&z->d[i], &x->d[i], a, prec);
+    arb_add(&z->d[i], &z->d[i], part, prec);
+  }
+  arb_clear(part);
+  return held(z, status);
+}
+
+static int d_neg(void *z, const void *x, slong prec) {
+  int status = num_arb.neg(&at(z)->v, &in(x)->v, prec);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_neg(&at(z)->d[i], &in(x)->d[i]);
+  return held(z, status);
+}
+
+/* Around zero there is no derivative. */
+static int d_abs(void *z, const void *x, slong prec) {
+  if (arb_contains_zero(&in(x)->v)) return held(z, SS_UNABLE);
+  if (arb_is_negative(&in(x)->v)) return d_neg(z, x, prec);
+  d_set(z, x);
+  return held(z, SS_OK);
+}
+
+static int d_sqrt(void *z, const void *x, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  int status = num_arb.sqrt(&at(z)->v, &in(x)->v, prec);
+  if (!status) {
+    arb_mul_2exp_si(slope, &at(z)->v, 1);
+    arb_inv(slope, slope, prec);
+  }
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
+static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
+  arb_t minus;
+  struct dual *sine = s, *cosine = c;
+  arb_init(minus);
+  int status = num_arb.sin_cos(&sine->v, &cosine->v, &in(x)->v, prec);
+  arb_neg(minus, &sine->v);
+  if (x == s) { /* the cosine first: x' is still needed */
+    status = chain(cosine, x, minus, status, prec);
+    status |= chain(sine, x, &cosine->v, status, prec);
+  } else {
+    int first = chain(sine, x, &cosine->v, status, prec);
+    status = first | chain(cosine, x, minus, first, prec);
+  }
+  arb_clear(minus);
+  return status;
+}
+
+static int d_sin(void *z, const void *x, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  arb_cos(slope, &in(x)->v, prec);
+  int status = num_arb.sin(&at(z)->v, &in(x)->v, prec);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
+static int d_cos(void *z, const void *x, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  arb_sin(slope, &in(x)->v, prec);
+  arb_neg(slope, slope);
+  int status = num_arb.cos(&at(z)->v, &in(x)->v, prec);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
+/* -(1 + cot^2) */
+static int d_cot(void *z, const void *x, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  int status = num_arb.cot(&at(z)->v, &in(x)->v, prec);
+  arb_mul(slope, &at(z)->v, &at(z)->v, prec);
+  arb_add_ui(slope, slope, 1, prec);
+  arb_neg(slope, slope);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
+static int d_add(void *z, const void *x, const void *y, slong prec) {
+  int status = num_arb.add(&at(z)->v, &in(x)->v, &in(y)->v, prec);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_add(&at(z)->d[i], &in(x)->d[i], &in(y)->d[i], prec);
+  return held(z, status);
+}
+
+static int d_sub(void *z, const void *x, const void *y, slong prec) {
+  int status = num_arb.sub(&at(z)->v, &in(x)->v, &in(y)->v, prec);
+  for (int i = 0; i < N_DIRECTIONS; i++) arb_sub(&at(z)->d[i], &in(x)->d[i], &in(y)->d[i], prec);
+  return held(z, status);
+}
+
+static int d_mul(void *z, const void *x, const void *y, slong prec) {
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  arb_set(a, &in(y)->v);
+  arb_set(b, &in(x)->v);
+  int status = num_arb.mul(&at(z)->v, b, a, prec);
+  status = chain2(z, x, a, y, b, status, prec);
+  arb_clear(b);
+  arb_clear(a);
+  return status;
+}
+
+/* (x' - (x/y) y')/y */
+static int d_div(void *z, const void *x, const void *y, slong prec) {
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  arb_set(a, &in(y)->v);
+  int status = num_arb.div(&at(z)->v, &in(x)->v, a, prec);
+  if (!status) {
+    arb_inv(a, a, prec);
+    arb_mul(b, &at(z)->v, a, prec);
+    arb_neg(b, b);
+  }
+  status = chain2(z, x, a, y, b, status, prec);
+  arb_clear(b);
+  arb_clear(a);
+  return status;
+}
+
+/* (x y' - y x')/(x^2 + y^2) */
+static int d_atan2(void *z, const void *y, const void *x, slong prec) {
+  arb_t a, b, square;
+  arb_init(a);
+  arb_init(b);
+  arb_init(square);
+  arb_set(a, &in(x)->v);
+  arb_neg(b, &in(y)->v);
+  arb_mul(square, a, a, prec);
+  arb_addmul(square, b, b, prec);
+  int status = num_arb.atan2(&at(z)->v, &in(y)->v, a, prec);
+  if (!status) {
+    arb_div(a, a, square, prec);
+    arb_div(b, b, square, prec);
+  }
+  status = chain2(z, y, a, x, b, status, prec);
+  arb_clear(square);
+  arb_clear(b);
+  arb_clear(a);
+  return status;
+}
+
+static int d_pow_si(void *z, const void *x, slong n, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  int status = n == 0 ? SS_OK : num_arb.pow_si(slope, &in(x)->v, n - 1, prec);
+  arb_mul_si(slope, slope, n, prec);
+  if (!status) status = num_arb.pow_si(&at(z)->v, &in(x)->v, n, prec);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
+static int d_pi(void *z, slong prec) {
+  flat(z);
+  return num_arb.pi(&at(z)->v, prec);
+}
+
+static truth d_is_zero(const void *x) {
+  return num_arb.is_zero(&in(x)->v);
+}
+
+static truth d_lt(const void *x, const void *y) {
+  return num_arb.lt(&in(x)->v, &in(y)->v);
+}
+
+const struct num_type num_dual = {
+    .name = "dual",
+    .size = sizeof(struct dual),
+    .rigorous = true,
+    .init = d_init,
+    .clear = d_clear,
+    .set = d_set,
+    .swap = d_swap,
+    .set_q = d_set_q,
+    .set_d = d_set_d,
+    .set_arb = d_set_arb,
+    .get_arb = d_get_arb,
+    .get_d = d_get_d,
+#define NUM_UNARY(op)  .op = d_##op,
+#define NUM_BINARY(op) .op = d_##op,
+#include "stickslip/ops.def"
+    .sin_cos = d_sin_cos,
+    .pow_si = d_pow_si,
+    .pi = d_pi,
+    .is_zero = d_is_zero,
+    .lt = d_lt,
+};
+
+struct num_ctx dual_ctx(slong prec) {
+  return (struct num_ctx){&num_dual, prec};
+}
+
+val dual_variable(struct calc *c, const arb_t x, int direction) {
+  struct dual *z = calc_new(c);
+  d_set_arb(z, x, c->ctx.prec);
+  if (direction >= 0) arb_one(&z->d[direction]);
+  return z;
+}
