@@ -11,7 +11,8 @@ static void show_progress(void *arg, size_t done, size_t total, const char *id) 
 }
 
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
-  static const char *const names[] = {"audit.json", "audit.md", "claims.dot", "errata.md", "errata.tex", "run.json"};
+  static const char *const names[] = {"audit.json", "audit.md",   "claims.dot", "errata.md",
+                                      "errata.tex", "index.html", "run.json"};
   enum { N = sizeof names / sizeof *names };
   struct text path[N], body[N];
   struct file_item item[N];
@@ -24,7 +25,8 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   report_dot(&body[2], r);
   report_errata(&body[3], r);
   report_errata_tex(&body[4], r);
-  report_run(&body[5], r, seconds);
+  report_html(&body[5], r);
+  report_run(&body[6], r, seconds);
   for (int i = 0; i < N; i++) {
     join_path(&path[i], folder, names[i]);
     item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
