@@ -49,6 +49,9 @@ void page_section_name(const struct page *p, const char *section);
 /* The finding of that name, or NULL. */
 const struct finding *page_finding(const struct page *p, const char *id);
 
+/* What the routes of a finding say, as a list; only those with this result, or all when it is NULL. */
+void page_statements(const struct page *p, const struct finding *f, const char *result);
+
 /* The sections, each from heading to end. */
 void page_summary(const struct page *p);
 void page_failures(const struct page *p);

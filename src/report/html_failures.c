@@ -80,12 +80,12 @@ static void add_texts(const struct page *p, const struct finding *f) {
     html_text(p->out, t.quote, t.in_quote);
     end_side(p);
   }
+  if (f->correction) add_correction(p, f, &t);
   if (t.printed && (f->printed_part || !t.quote)) {
-    begin_side(p, "Read as");
+    begin_side(p, "The paper's formula as read");
     html_math(p->out, t.printed, t.in_printed);
     end_side(p);
   }
-  if (f->correction) add_correction(p, f, &t);
   text_add(p->out, "</dl>\n");
   texts_clear(&t);
 }
@@ -140,7 +140,7 @@ static void add_certificate(const struct page *p, const struct finding *f) {
     text_add_char(p->out, ' ');
   }
   if (e->worst && (!e->note || !strstr(e->note, e->worst))) {
-    text_add(p->out, "At ");
+    text_add(p->out, e->residual ? "Largest difference at " : "Where: ");
     html_text(p->out, e->worst, NULL);
     html_stop(p->out);
     text_add_char(p->out, ' ');
@@ -206,6 +206,7 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   add_changed(p, q);
   add_derived(p, q, CHANGE_UNDEFINED, "<p>Has no meaning with it: ");
   add_derived(p, q, CHANGE_AGREES, "<p>Keeps its value at every point tried: ");
+  add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
   add_ids(p, &q->falls, "<p>Fails with it: ");
   add_ids(p, &q->survives, "<p>Rests on it and holds all the same: ");
   add_ids(p, &q->open, "<p>Could not be told: ");
@@ -365,22 +366,6 @@ static void add_unexpected(const struct page *p) {
   if (any) text_add(p->out, "</ul>\n");
 }
 
-static void add_notes(const struct page *p, const struct finding *f, const char *result) {
-  const char *last = NULL;
-  for (int i = 0; i < f->n_evidence; i++) {
-    const struct evidence *e = &f->evidence[i];
-    if ((result && strcmp(e->result, result) != 0) || !e->note || (last && strcmp(e->note, last) == 0)) continue;
-    text_add(p->out, last ? "<li>" : "<ul>\n<li>");
-    last = e->note;
-    html_text(p->out, e->worst, NULL);
-    text_add(p->out, e->worst ? ": " : "");
-    html_text(p->out, e->note, NULL);
-    html_stop(p->out);
-    text_add(p->out, "</li>\n");
-  }
-  if (last) text_add(p->out, "</ul>\n");
-}
-
 static bool is_undecided(const struct finding *f) {
   return f->verdict == VERDICT_UNKNOWN;
 }
@@ -405,7 +390,7 @@ static void add_statements(const struct page *p, const char *heading, bool (*wan
       html_text(p->out, f->condition, NULL);
       text_add(p->out, "</p>\n");
     }
-    add_notes(p, f, result);
+    page_statements(p, f, result);
     end_finding(p);
   }
 }

@@ -34,15 +34,16 @@ static void add_counts(const struct page *p, const long count[N_VERDICTS]) {
 
 /* --- The most important findings --- */
 
-/* How much a failure says: failures that it rests on, which it sums up, then what fails with it. */
+/* How much a failure says: failures that it rests on, which it sums up, then what fails with it, then what it is said to
+   follow from. */
 static long weight(const struct page *p, const struct finding *f) {
-  long w = 0;
+  long w = f->n_depends_on;
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
-    w += on && report_is_failure(on) ? 1000 : 0;
+    w += on && report_is_failure(on) ? 1000000 : 0;
   }
   const struct consequence *q = audit_result_consequence(p->r, f->id);
-  return w + (q ? q->falls.n : 0);
+  return w + (q ? 1000L * q->falls.n : 0);
 }
 
 /* The weightiest failure of a grade; NULL without one. */
@@ -93,7 +94,7 @@ static void add_reason(const struct page *p, const struct finding *f) {
   }
 }
 
-/* The others of the same grade, by name. */
+/* The others of the same grade, by name, with what to change in them. */
 static void add_others(const struct page *p, enum grade g, const struct finding *but) {
   const char *sep = " Likewise: ";
   for (size_t i = 0; i < p->r->n_findings; i++) {
@@ -101,6 +102,11 @@ static void add_others(const struct page *p, enum grade g, const struct finding 
     if (f == but || !report_is_failure(f) || report_grade(p->r, f) != g) continue;
     text_add(p->out, sep);
     page_claim(p, f->id);
+    if (f->change && !report_mended_with(p->r, f)) {
+      text_add(p->out, " (");
+      html_text(p->out, f->change, NULL);
+      text_add_char(p->out, ')');
+    }
     sep = ", ";
   }
   if (sep[0] == ',') text_add_char(p->out, '.');
@@ -136,18 +142,10 @@ static void add_answer(const struct page *p, const struct finding *f) {
     text_add_char(p->out, '.');
     return;
   }
-  for (int i = 0; i < f->n_evidence; i++) {
-    const struct evidence *e = &f->evidence[i];
-    if (strcmp(e->result, "states") != 0 || !e->note) continue;
-    html_plain(p->out, e->worst);
-    text_add(p->out, e->worst ? ": " : "");
-    html_text(p->out, e->note, NULL);
-    html_stop(p->out);
-    text_add_char(p->out, ' ');
-  }
-  text_add_char(p->out, '(');
+  text_add(p->out, "The paper does not say; what was computed (");
   page_claim(p, f->id);
-  text_add(p->out, ".)");
+  text_add(p->out, "):");
+  page_statements(p, f, "states");
 }
 
 static bool is_wrong_formula(const struct finding *f) {

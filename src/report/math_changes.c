@@ -7,6 +7,7 @@
 #include "html.h"
 
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
+#define DIGITS  "0123456789"
 
 enum { MOST_SYMBOLS = 600, LONGEST_KEY = 40 };
 
@@ -56,6 +57,13 @@ static const char *read_suffix(struct symbol *y, const char *s, const char *end)
   }
 }
 
+/* A point after the last digit ends a sentence. */
+static size_t number_length(const char *s, const char *end) {
+  size_t n = 1;
+  while (s + n < end && (strchr(DIGITS, s[n]) || (s[n] == '.' && s + n + 1 < end && strchr(DIGITS, s[n + 1])))) n++;
+  return n;
+}
+
 /* One symbol or command; what only groups or spaces has an empty key. */
 static const char *read_symbol(struct symbol *y, const char *s, const char *end) {
   size_t letters = *s == '\\' ? strspn(s + 1, LETTERS) : 0;
@@ -67,8 +75,7 @@ static const char *read_symbol(struct symbol *y, const char *s, const char *end)
     return name ? name + 1 : letters ? s + 1 + letters : s + 1 < end ? s + 2 : end;
   }
   size_t len = w ? 1 + letters : 1;
-  if (!w && strchr("0123456789", *s))
-    while (s + len < end && strchr("0123456789.", s[len])) len++;
+  if (!w && strchr(DIGITS, *s)) len = number_length(s, end);
   if (w && w->role == MATH_SPACE) return s + len;
   add_key(y, s, len);
   if (w && w->role == MATH_ACCENT) {

@@ -16,6 +16,7 @@ struct setter {
   const char *s, *end;
   const char *whole; /* where the marks count from */
   const bool *changed;
+  bool continued; /* the formula was broken before its first sign */
   enum before before;
 };
 
@@ -49,7 +50,8 @@ static void set_sign(struct setter *m, const char *attributes, const char *s, si
 }
 
 static void set_binary(struct setter *m, const char *s, size_t len) {
-  set_sign(m, m->before == BEFORE_ATOM ? "" : " form=\"prefix\"", s, len, BEFORE_OPERATOR);
+  const char *form = m->continued ? " form=\"infix\"" : m->before == BEFORE_ATOM ? "" : " form=\"prefix\"";
+  set_sign(m, form, s, len, BEFORE_OPERATOR);
 }
 
 static void set_character(struct setter *m) {
@@ -212,21 +214,31 @@ static void set_word(struct setter *m, const struct math_word *w) {
   }
 }
 
-static void set_fence(struct setter *m, const char *word) {
-  m->s += strlen(word);
-  char c = *m->s++;
-  if (c != '.')
-    text_printf(m->out, "<mo fence=\"true\" stretchy=\"true\" form=\"%s\">%c</mo>",
-                word[1] == 'l' ? "prefix" : "postfix", c);
+/* One delimiter; '.' is none.  One that stretches is set wider, so that it does only where it has to. */
+static void add_delimiter(struct text *out, char c, bool opens, bool stretches) {
+  if (c == '.') return;
+  text_printf(out, "<mo fence=\"true\" stretchy=\"%s\" form=\"%s\"%s>%c</mo>", stretches ? "true" : "false",
+              opens ? "prefix" : "postfix", c == '|' ? " lspace=\"0\" rspace=\"0\"" : "", c);
 }
 
 /* \left( ... \right) as one element. */
 static void set_fenced(struct setter *m) {
-  text_add(m->out, "<mrow>");
-  set_fence(m, "\\left");
+  struct text *out = m->out, inside;
+  text_init(&inside);
+  m->s += strlen("\\left");
+  char open = *m->s++;
+  m->out = &inside;
   set_row(m);
-  set_fence(m, "\\right");
-  text_add(m->out, "</mrow>");
+  m->out = out;
+  m->s += strlen("\\right");
+  char close = *m->s++;
+  bool high = strstr(inside.data, "<mfrac>") || strstr(inside.data, "<mtable") || strstr(inside.data, "<msqrt>");
+  text_add(out, "<mrow>");
+  add_delimiter(out, open, true, high);
+  text_add(out, inside.data);
+  add_delimiter(out, close, false, high);
+  text_add(out, "</mrow>");
+  text_clear(&inside);
   m->before = BEFORE_ATOM;
 }
 
@@ -355,33 +367,35 @@ static int read_scripts(struct setter *m, struct text *sub, struct text *sup) {
   }
 }
 
-/* Primes as a superscript, before what else is there. */
-static void add_primes(struct text *sup, int n) {
-  struct text mark;
-  text_init(&mark);
-  text_add(&mark, sup->len ? "<mrow><mo>" : "<mo>");
-  for (int i = 0; i < n; i++) text_add(&mark, "\xe2\x80\xb2");
-  text_add(&mark, "</mo>");
-  wrap(sup, 0, text_str(&mark), sup->len ? "</mrow>" : "");
-  text_clear(&mark);
+/* The sign itself is raised; as a superscript it would be so twice. */
+static void add_primes(struct setter *m, size_t at, int n) {
+  text_add(m->out, "<mo lspace=\"0\" rspace=\"0\">");
+  for (int i = 0; i < n; i++) text_add(m->out, "\xe2\x80\xb2");
+  text_add(m->out, "</mo>");
+  wrap(m->out, at, "<mrow>", "</mrow>");
+}
+
+static void add_script(struct setter *m, size_t at, const struct text *script, const char *open, const char *close) {
+  text_add(m->out, text_str(script));
+  wrap(m->out, at, open, close);
 }
 
 /* Primes and scripts after the element written since `at`. */
 static void set_scripts(struct setter *m, size_t at) {
-  static const char *const open[] = {"", "<msub>", "<msup>", "<msubsup>"};
-  static const char *const close[] = {"", "</msub>", "</msup>", "</msubsup>"};
   struct text sub, sup;
   text_init(&sub);
   text_init(&sup);
   int primes = read_scripts(m, &sub, &sup);
-  if (primes) add_primes(&sup, primes);
-  int kind = (sub.len != 0) + 2 * (sup.len != 0);
-  if (kind) {
+  bool both = sub.len && sup.len && !primes;
+  if (both) {
     text_add(m->out, text_str(&sub));
-    text_add(m->out, text_str(&sup));
-    wrap(m->out, at, open[kind], close[kind]);
-    m->before = BEFORE_ATOM;
+    add_script(m, at, &sup, "<msubsup>", "</msubsup>");
+  } else {
+    if (sub.len) add_script(m, at, &sub, "<msub>", "</msub>");
+    if (primes) add_primes(m, at, primes);
+    if (sup.len) add_script(m, at, &sup, "<msup>", "</msup>");
   }
+  if (sub.len || sup.len || primes) m->before = BEFORE_ATOM;
   text_clear(&sup);
   text_clear(&sub);
 }
@@ -408,6 +422,7 @@ static int set_item(struct setter *m) {
   else
     function = set_atom(m);
   set_scripts(m, at);
+  m->continued = false;
   if (m->changed && m->changed[from]) wrap(m->out, at, "<mrow class=\"chg\">", "</mrow>");
   if (function) set_application(m);
   return function ? 2 : 1;
@@ -441,14 +456,30 @@ static size_t pass(struct depth *d, const char *s, const char *end) {
   return len + (left || right); /* with the fence */
 }
 
-/* The end of the piece that begins at s: behind a comma, or before a wide space. */
+/* Whether TeX would break a line before the sign or command: an operator or a relation. */
+static bool is_break(const char *s, size_t len) {
+  const struct math_word *w = *s == '\\' ? math_word(s + 1, len - 1) : NULL;
+  return w ? w->role == MATH_BINARY : strchr("=<>+-", *s) != NULL;
+}
+
+/* The end of the piece that begins at s: behind a comma, before a wide space, and, when it has become long, before an
+   operator that follows something. */
 static const char *piece_end(const char *s, const char *end) {
+  enum { LONG_PIECE = 24 };
   struct depth d = {0, 0};
+  int signs = 0;
+  bool follows = false;
   for (const char *p = s; p < end;) {
     size_t len = pass(&d, p, end);
-    if (d.groups == 0 && d.parentheses == 0 && p > s) {
-      if (*p == ',' && p[-1] != '_' && p[-1] != '^') return p + 1;
+    bool script = p > s && (p[-1] == '_' || p[-1] == '^');
+    if (d.groups == 0 && d.parentheses == 0 && p > s && !script) {
+      if (*p == ',') return p + 1;
       if (*p == '\\' && (math_is(p + 1, len - 1, "quad") || math_is(p + 1, len - 1, "qquad"))) return p;
+      if (signs >= LONG_PIECE && follows && is_break(p, len)) return p;
+    }
+    if (!strchr(" {}_^", *p)) {
+      signs++;
+      follows = !is_break(p, len) && !strchr("([", *p);
     }
     p += len;
   }
@@ -458,7 +489,9 @@ static const char *piece_end(const char *s, const char *end) {
 static void set_piece(struct setter *m, const char *s, const char *end) {
   m->s = s;
   m->end = end;
-  text_add(m->out, "<math><semantics>");
+  size_t command = *s == '\\' ? 1 + strspn(s + 1, LETTERS) : 1;
+  m->continued = s > m->whole && is_break(s, command);
+  text_add(m->out, "<math displaystyle=\"true\"><semantics>");
   set_row(m);
   text_add(m->out, "<annotation encoding=\"application/x-tex\">");
   html_plain_n(m->out, s, (size_t)(end - s));
@@ -470,6 +503,8 @@ bool mathml_add(struct text *out, const char *tex, size_t len, const bool *chang
   struct setter m = {.out = out, .whole = tex, .changed = changed};
   const char *end = tex + len;
   for (const char *s = tex; s < end;) {
+    while (s > tex && s < end && *s == ' ') s++;
+    if (s == end) break;
     const char *stop = piece_end(s, end);
     if (s > tex) text_add_char(out, ' ');
     set_piece(&m, s, stop);

@@ -51,6 +51,22 @@ void page_section_name(const struct page *p, const char *section) {
   }
 }
 
+void page_statements(const struct page *p, const struct finding *f, const char *result) {
+  const char *last = NULL;
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    if ((result && strcmp(e->result, result) != 0) || !e->note || (last && strcmp(e->note, last) == 0)) continue;
+    text_add(p->out, last ? "<li>" : "<ul>\n<li>");
+    last = e->note;
+    html_text(p->out, e->worst, NULL);
+    text_add(p->out, e->worst ? ": " : "");
+    html_text(p->out, e->note, NULL);
+    html_stop(p->out);
+    text_add(p->out, "</li>\n");
+  }
+  if (last) text_add(p->out, "</ul>\n");
+}
+
 /* --- The page --- */
 
 static void add_head(const struct page *p) {
