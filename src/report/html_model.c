@@ -48,9 +48,10 @@ void page_model(const struct page *p) {
       "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
       "the "
       "state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: what separates a "
-      "motion nearby from it is multiplied by $\\text{tr} J$ each period, so that it shrinks where $|\\text{tr} J| < "
+      "motion nearby from it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
+      "$|\\operatorname{tr} J| < "
       "1$ "
-      "and grows where $|\\text{tr} J| > 1$.";
+      "and grows where $|\\operatorname{tr} J| > 1$.";
   text_add(p->out, "<section id=\"s-model\" aria-labelledby=\"h-model\">\n"
                    "<h2 id=\"h-model\">The system in half a page</h2>\n");
   page_belt(p);

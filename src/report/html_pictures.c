@@ -118,6 +118,6 @@ void page_belt(const struct page *p) {
       "<circle class=\"line\" cx=\"82\" cy=\"132\" r=\"14\" /><circle class=\"line\" cx=\"478\" cy=\"132\" r=\"14\" "
       "/>\n"
       "<path class=\"arrow\" d=\"M420 98h54\" /><path class=\"head\" d=\"M482 98l-10 -5v10z\" />\n"
-      "<text x=\"440\" y=\"88\" class=\"it\">V</text>\n</svg>\n<figcaption>Figure 1 of the paper, redrawn: two masses, "
-      "two springs, one belt.</figcaption></figure>\n");
+      "<text x=\"440\" y=\"88\" class=\"it\">V</text>\n</svg>\n<figcaption>The system as the equations of motion (1) "
+      "describe it.</figcaption></figure>\n");
 }

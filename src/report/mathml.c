@@ -413,8 +413,17 @@ static bool row_ends(const struct setter *m) {
   return starts(m, "\\\\") || starts(m, "\\end{") || (starts(m, "\\right") && !strchr(LETTERS, m->s[6]));
 }
 
+/* A thin space between a factor and the name of a function. */
+static void set_apart(struct setter *m) {
+  size_t len = *m->s == '\\' ? strspn(m->s + 1, LETTERS) : 0;
+  const struct math_word *w = len ? math_word(m->s + 1, len) : NULL;
+  if (w && w->role == MATH_FUNCTION && m->before == BEFORE_ATOM)
+    text_add(m->out, "<mspace width=\"0.1667em\"></mspace>");
+}
+
 /* The number of elements. */
 static int set_item(struct setter *m) {
+  set_apart(m);
   size_t at = m->out->len, from = (size_t)(m->s - m->whole);
   bool function = false;
   if (strchr("^_'", *m->s))
