@@ -20,7 +20,8 @@ enum {
   FOR_SIMULATE = 64,
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
-  FOR_REPAIR = 512
+  FOR_REPAIR = 512,
+  FOR_DIFF = 1024
 };
 
 struct options {
@@ -80,5 +81,6 @@ int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
+int run_diff(const struct options *o, const char *data);
 
 #endif
