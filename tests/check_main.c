@@ -23,6 +23,8 @@ int main(void) {
   srunner_add_suite(r, behaviour_suite());
   srunner_add_suite(r, routes_suite());
   srunner_add_suite(r, errata_suite());
+  srunner_add_suite(r, html_suite());
+  srunner_add_suite(r, diff_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, mutate_suite());
   srunner_run_all(r, CK_NORMAL);

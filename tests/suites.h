@@ -20,6 +20,8 @@ Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
+Suite *html_suite(void);
+Suite *diff_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 
