@@ -937,6 +937,13 @@ static void open_full(void) {
   char *json = report("again", "audit.json"), *md = report("again", "audit.md");
   ck_assert(full_json && full_md && json && md);
   ck_assert_msg(strcmp(full_json, json) == 0 && strcmp(full_md, md) == 0, "two runs gave different reports");
+  static const char *const others[] = {"index.html", "audit.csv", "junit.xml", "errata.md", "errata.tex", "claims.dot"};
+  for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
+    char *one = report("full", others[i]), *two = report("again", others[i]);
+    ck_assert_msg(one && two && strcmp(one, two) == 0, "two runs gave different %s", others[i]);
+    free(two);
+    free(one);
+  }
   ck_assert_msg(strchr(again.out, '\n') == again.out + strlen(again.out) - 1, "--quiet: %.1500s", again.out);
   free(md);
   free(json);
@@ -957,7 +964,8 @@ START_TEST(the_report_on_record_is_the_computed_one) {
   ck_assert_msg(strcmp(md, full_md) == 0, "reports/paper/audit.md is stale: run make verify");
   free(md);
   free(json);
-  ck_assert_str_eq(scratch_list(scratch_path("full")), "audit.json audit.md claims.dot errata.md errata.tex run.json");
+  ck_assert_str_eq(scratch_list(scratch_path("full")),
+                   "audit.csv audit.json audit.md claims.dot errata.md errata.tex index.html junit.xml run.json");
 }
 END_TEST
 
@@ -1405,6 +1413,15 @@ static const struct {
     {{"explain", "eq-27", "--at", "chi=2"}, 3, "--at leaves the domain"},
     {{"explain", "num-t_a", "--at", "chi=1/2"}, 3, "num-t_a is not tried at points"},
     {{"list", "paper"}, 2, "list takes no operand"},
+    {{"diff"}, 2, "diff takes two files"},
+    {{"diff", "README.md"}, 2, "diff takes two files"},
+    {{"diff", "a", "b", "c"}, 2, "diff takes two files"},
+    {{"diff", "a", "b", "--out", "c"}, 2, "--out does not belong to this command"},
+    {{"diff", "no-such.json", "README.md"}, 3, "no-such.json: error: "},
+    {{"diff", "README.md", "no-such.json"}, 3, "README.md:1:1: error: a value is needed"},
+    {{"diff", "verify", "verify"}, 3, "verify: error: a folder"},
+    {{"diff", "/dev/zero", "/dev/zero"}, 3, "/dev/zero: error: "},
+    {{"diff", "schema/diff.schema.json", "schema/diff.schema.json"}, 3, "not an audit.json of stickslip verify"},
     {{"check"}, 2, "check takes at least one FILE"},
     {{"check", "README.md"}, 3, "README.md: error: not a kind of file"},
     {{"check", "no-such.scene"}, 3, "no-such.scene: error: "},

@@ -27,6 +27,8 @@ int main(void) {
   srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, exact_suite());
   srunner_add_suite(r, certify_suite());
+  srunner_add_suite(r, html_suite());
+  srunner_add_suite(r, diff_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, mutate_suite());
   srunner_add_suite(r, bifurcate_suite());

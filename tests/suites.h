@@ -24,6 +24,8 @@ Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *exact_suite(void);
 Suite *certify_suite(void);
+Suite *html_suite(void);
+Suite *diff_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);

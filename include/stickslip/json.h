@@ -1,7 +1,9 @@
-/* Writing JSON: two-space indent, keys in the order in which they are given, strings escaped. */
+/* JSON.  Writing: two-space indent, keys in the order in which they are given, strings escaped.  Reading: RFC 8259 to the
+   letter, into a tree. */
 #ifndef STICKSLIP_JSON_H
 #define STICKSLIP_JSON_H
 
+#include "stickslip/arena.h"
 #include "stickslip/text.h"
 
 enum { JSON_DEPTH = 16 };
@@ -22,5 +24,39 @@ void json_string(struct json *j, const char *key, const char *value); /* NULL wr
 void json_long(struct json *j, const char *key, long value);
 void json_bool(struct json *j, const char *key, bool value);
 void json_null(struct json *j, const char *key);
+
+/* --- Reading --- */
+
+enum json_kind {
+  JSON_KIND_NULL,
+  JSON_KIND_BOOL,
+  JSON_KIND_NUMBER,
+  JSON_KIND_STRING,
+  JSON_KIND_ARRAY,
+  JSON_KIND_OBJECT
+};
+
+/* Containers nested deeper are an error, and so are objects with more members: what looks members up does so in order. */
+enum { JSON_READ_DEPTH = 64, JSON_READ_MEMBERS = 1000 };
+
+struct json_value {
+  enum json_kind kind;
+  bool truth;                     /* of a bool */
+  const char *key;                /* of a member of an object; NULL elsewhere */
+  const char *text;               /* of a string; of a number as it is written */
+  size_t n;                       /* elements or members */
+  const struct json_value *first; /* the first of them */
+  const struct json_value *next;  /* the one behind this one in its container */
+};
+
+/* The source as one value.  Keys of an object are distinct, no string holds NUL; memory is in the arena, at most some
+   fifty times the source's length.  false with d set, at the place, otherwise. */
+bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d);
+/* The member of that name; NULL when there is none or v is no object. */
+const struct json_value *json_member(const struct json_value *v, const char *key);
+/* The string that a member holds; NULL when it holds something else. */
+const char *json_text(const struct json_value *v, const char *key);
+/* Whether two values say the same; the order of members does not matter, numbers are compared as written. */
+bool json_same(const struct json_value *a, const struct json_value *b);
 
 #endif

@@ -75,7 +75,7 @@ struct file_item {
   const char *path, *data;
   size_t len;
 };
-enum { MAX_FILE_ITEMS = 8 };
+enum { MAX_FILE_ITEMS = 16 };
 bool files_write(const struct file_item *item, int n, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);

@@ -24,7 +24,8 @@ enum {
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
   FOR_REPAIR = 512,
-  FOR_BIFURCATE = 1024
+  FOR_BIFURCATE = 1024,
+  FOR_DIFF = 2048
 };
 
 struct options {
@@ -102,5 +103,6 @@ int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
+int run_diff(const struct options *o, const char *data);
 
 #endif

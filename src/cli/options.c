@@ -28,7 +28,7 @@ static bool add_only(struct options *o, char *list) {
   return o->n_only > 0;
 }
 
-enum { FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE };
+enum { FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF };
 
 int parse_options(struct options *o, unsigned command, int argc, char **argv) {
   struct {

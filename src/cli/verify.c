@@ -11,22 +11,25 @@ static void show_progress(void *arg, size_t done, size_t total, const char *id) 
 }
 
 static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
-  static const char *const names[] = {"audit.json", "audit.md", "claims.dot", "errata.md", "errata.tex", "run.json"};
-  enum { N = sizeof names / sizeof *names };
+  static const struct {
+    const char *name;
+    void (*write)(struct text *out, const struct audit_result *r);
+  } files[] = {{"audit.json", report_json}, {"audit.md", report_markdown}, {"audit.csv", report_csv},
+               {"claims.dot", report_dot},  {"errata.md", report_errata},  {"errata.tex", report_errata_tex},
+               {"index.html", report_html}, {"junit.xml", report_junit},   {"run.json", NULL}};
+  enum { N = sizeof files / sizeof *files };
   struct text path[N], body[N];
   struct file_item item[N];
   for (int i = 0; i < N; i++) {
     text_init(&path[i]);
     text_init(&body[i]);
+    if (files[i].write)
+      files[i].write(&body[i], r);
+    else
+      report_run(&body[i], r, seconds);
   }
-  report_json(&body[0], r);
-  report_markdown(&body[1], r);
-  report_dot(&body[2], r);
-  report_errata(&body[3], r);
-  report_errata_tex(&body[4], r);
-  report_run(&body[5], r, seconds);
   for (int i = 0; i < N; i++) {
-    join_path(&path[i], folder, names[i]);
+    join_path(&path[i], folder, files[i].name);
     item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
   }
   bool ok = folder_make(folder, d) && files_write(item, N, d);

@@ -25,34 +25,6 @@ struct reader {
   int depth;
 };
 
-/* What a command of formulas is. */
-enum word { WORD_UNKNOWN, WORD_SYMBOL, WORD_OPERATOR, WORD_ONE, WORD_TWO };
-
-static enum word word_of(const char *s, size_t len) {
-  static const struct {
-    enum word word;
-    const char *names;
-  } of[] = {{WORD_SYMBOL, " alpha beta gamma delta epsilon varepsilon zeta eta theta iota kappa lambda mu nu xi pi rho "
-                          "sigma tau upsilon phi varphi chi psi omega Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi "
-                          "Psi Omega infty circ vert prime lbrace rbrace "},
-            {WORD_OPERATOR, " quad qquad cdot times sin cos tan cot det dots ldots cdots equiv neq ne le leq ge geq lt "
-                            "gt in to rightarrow Rightarrow pm mp "},
-            {WORD_ONE, " sqrt text mathrm mathsf mathcal mathbf operatorname tilde bar hat dot ddot "},
-            {WORD_TWO, " frac "}};
-  char word[24];
-  if (len + 3 > sizeof word) return WORD_UNKNOWN;
-  word[0] = ' ';
-  memcpy(word + 1, s, len);
-  memcpy(word + 1 + len, " ", 2);
-  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
-    if (strstr(of[i].names, word)) return of[i].word;
-  return WORD_UNKNOWN;
-}
-
-static bool is_word(const char *s, size_t len, const char *word) {
-  return strlen(word) == len && memcmp(s, word, len) == 0;
-}
-
 /* Whatever is neither a script nor a blank: the argument that is waited for, or a new atom. */
 static bool atom(struct level *l) {
   if (l->args > 0) return false;
@@ -108,7 +80,7 @@ static bool environment(struct reader *r, bool begin) {
   const char *name = r->s + 1;
   size_t len = (size_t)(close - name);
   bool known = false;
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) known = known || is_word(name, len, names[i]);
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) known = known || math_is(name, len, names[i]);
   r->s = close + 1;
   return known && (begin ? open_level(r, *name, *name == 'c' ? 1 : MAX_TABS) : close_level(r, *name));
 }
@@ -143,12 +115,12 @@ static bool command(struct reader *r) {
     return strchr(",;:! ", c) ? l->args == 0 && !l->pending : (c == '{' || c == '}') && atom(l);
   }
   r->s += len;
-  if (is_word(word, len, "begin") || is_word(word, len, "end")) return environment(r, *word == 'b');
-  if (is_word(word, len, "left") || is_word(word, len, "right")) return fence(r, *word == 'l');
-  enum word w = word_of(word, len);
-  if (w == WORD_UNKNOWN || l->text || (w != WORD_SYMBOL && l->pending) || !atom(l)) return false;
-  l->args = w == WORD_TWO ? 2 : w == WORD_ONE;
-  l->text_next = is_word(word, len, "text");
+  if (math_is(word, len, "begin") || math_is(word, len, "end")) return environment(r, *word == 'b');
+  if (math_is(word, len, "left") || math_is(word, len, "right")) return fence(r, *word == 'l');
+  const struct math_word *w = math_word(word, len);
+  if (!w || l->text || (!w->symbol && l->pending) || !atom(l)) return false;
+  l->args = w->args;
+  l->text_next = w->role == MATH_TEXT;
   return true;
 }
 

@@ -1,65 +1,9 @@
 /* The claims as a graph for Graphviz.  An arrow leads from what a claim rests on to the claim; arrows that a longer way
    implies are left out.  Colour is the verdict, shape the kind of fault; failures have a heavy border, claims that fall
    with one a dashed one. */
-#include <stdlib.h>
 #include <string.h>
 
 #include "report_impl.h"
-
-/* Nodes: the findings, then ids that findings name and that were not judged in this run. */
-struct graph {
-  const struct audit_result *r;
-  const char **id;
-  size_t n, cap;
-  bool *rests, *reach; /* n x n: row rests on column, directly; over any way */
-};
-
-static size_t node_of(struct graph *g, const char *id) {
-  for (size_t i = 0; i < g->n; i++)
-    if (strcmp(g->id[i], id) == 0) return i;
-  g->id = ss_grow(g->id, g->n, &g->cap, sizeof *g->id);
-  g->id[g->n] = id;
-  return g->n++;
-}
-
-static void add_list(struct graph *g, const struct id_list *list) {
-  for (int i = 0; i < list->n; i++) node_of(g, list->id[i]);
-}
-
-static void graph_init(struct graph *g, const struct audit_result *r) {
-  *g = (struct graph){.r = r};
-  for (size_t i = 0; i < r->n_findings; i++) node_of(g, r->findings[i].id);
-  for (size_t i = 0; i < r->n_findings; i++)
-    for (int k = 0; k < r->findings[i].n_depends_on; k++) node_of(g, r->findings[i].depends_on[k]);
-  for (size_t i = 0; i < r->n_consequences; i++) add_list(g, &r->consequences[i].falls);
-  size_t bytes = g->n * g->n * sizeof *g->rests;
-  g->rests = ss_malloc(bytes);
-  g->reach = ss_malloc(bytes);
-  memset(g->rests, 0, bytes);
-  for (size_t i = 0; i < r->n_findings; i++)
-    for (int k = 0; k < r->findings[i].n_depends_on; k++)
-      g->rests[node_of(g, r->findings[i].id) * g->n + node_of(g, r->findings[i].depends_on[k])] = true;
-  memcpy(g->reach, g->rests, bytes);
-  for (size_t k = 0; k < g->n; k++)
-    for (size_t i = 0; i < g->n; i++)
-      for (size_t j = 0; g->reach[i * g->n + k] && j < g->n; j++)
-        g->reach[i * g->n + j] = g->reach[i * g->n + j] || g->reach[k * g->n + j];
-}
-
-static void graph_clear(struct graph *g) {
-  free(g->reach);
-  free(g->rests);
-  free(g->id);
-}
-
-/* Whether a rests on b over something else as well; claims that rest on each other imply nothing. */
-static bool implied(const struct graph *g, size_t a, size_t b) {
-  for (size_t c = 0; c < g->n; c++)
-    if (c != a && c != b && g->rests[a * g->n + c] && g->reach[c * g->n + b] && !g->reach[b * g->n + c] &&
-        !g->reach[c * g->n + a])
-      return true;
-  return false;
-}
 
 static const char *colour(enum verdict v) {
   static const char *const of[N_VERDICTS] = {
@@ -87,18 +31,7 @@ static void add_quoted(struct text *out, const char *s) {
   text_add_char(out, '"');
 }
 
-/* Whether the claim falls with the failure, or with any when that is NULL. */
-static bool falls(const struct audit_result *r, const char *id, const char *failure) {
-  for (size_t i = 0; i < r->n_consequences; i++) {
-    const struct consequence *q = &r->consequences[i];
-    if (failure && strcmp(q->failure, failure) != 0) continue;
-    for (int k = 0; k < q->falls.n; k++)
-      if (strcmp(q->falls.id[k], id) == 0) return true;
-  }
-  return false;
-}
-
-static void add_node(struct text *out, const struct graph *g, size_t i) {
+static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
   const struct finding *f = i < g->r->n_findings ? &g->r->findings[i] : NULL;
   text_add(out, "  ");
   add_quoted(out, g->id[i]);
@@ -109,14 +42,14 @@ static void add_node(struct text *out, const struct graph *g, size_t i) {
   add_quoted(out, f && f->title ? f->title : "not judged in this run");
   bool failed = f && report_is_failure(f);
   if (failed) text_add(out, ", penwidth=3, color=\"#b2182b\"");
-  if (falls(g->r, g->id[i], NULL))
+  if (report_falls(g->r, g->id[i], NULL))
     text_add(out, failed ? ", peripheries=2" : ", color=\"#b2182b\", style=\"filled,dashed\"");
   text_add(out, "];\n");
 }
 
 void report_dot(struct text *out, const struct audit_result *r) {
-  struct graph g;
-  graph_init(&g, r);
+  struct claim_graph g;
+  claim_graph_init(&g, r);
   text_add(out,
            "// Arrows lead from what a claim rests on to the claim.  Colour: the verdict.  Shape: the fault of a\n"
            "// failure (octagon notation, box formula, diamond number, hexagon argument).  Heavy border: a failure;\n"
@@ -127,8 +60,8 @@ void report_dot(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < g.n; i++) add_node(out, &g, i);
   for (size_t a = 0; a < g.n; a++)
     for (size_t b = 0; b < g.n; b++) {
-      bool fatal = falls(r, g.id[a], g.id[b]);
-      if (!fatal && (!g.rests[a * g.n + b] || implied(&g, a, b))) continue;
+      bool fatal = report_falls(r, g.id[a], g.id[b]);
+      if (!fatal && (!g.rests[a * g.n + b] || claim_graph_implied(&g, a, b))) continue;
       text_add(out, "  ");
       add_quoted(out, g.id[b]);
       text_add(out, " -> ");
@@ -136,5 +69,5 @@ void report_dot(struct text *out, const struct audit_result *r) {
       text_add(out, fatal ? " [color=\"#b2182b\", penwidth=2];\n" : ";\n");
     }
   text_add(out, "}\n");
-  graph_clear(&g);
+  claim_graph_clear(&g);
 }

@@ -4,41 +4,6 @@
 
 #include "report_impl.h"
 
-/* How bad a failure is, worst first: results of the paper that are wrong, then formulas and notation, each with those
-   first that change what is derived from them. */
-enum grade {
-  GRADE_NUMBER,
-  GRADE_FORMULA_WIDE,
-  GRADE_NOTATION_WIDE,
-  GRADE_ARGUMENT,
-  GRADE_FORMULA,
-  GRADE_NOTATION,
-  N_GRADES
-};
-static const char *const grade_heading[N_GRADES] = {
-    "Numbers and the example",
-    "Formulas; results derived from them change",
-    "Notation; read literally, results derived from it change",
-    "Conclusions that do not follow",
-    "Formulas; results derived from them stay",
-    "Notation; results derived from it stay",
-};
-
-static bool is_wide(const struct consequence *q) {
-  bool wide = q && q->falls.n > 0;
-  for (int i = 0; q && i < q->n_derived; i++)
-    wide = wide || q->derived[i].change == CHANGE_CHANGES || q->derived[i].change == CHANGE_UNDEFINED;
-  return wide;
-}
-
-static enum grade grade_of(const struct audit_result *r, const struct finding *f) {
-  bool wide = is_wide(audit_result_consequence(r, f->id));
-  if (f->fault && strcmp(f->fault, "number") == 0) return GRADE_NUMBER;
-  if (f->fault && strcmp(f->fault, "argument") == 0) return GRADE_ARGUMENT;
-  if (f->fault && strcmp(f->fault, "notation") == 0) return wide ? GRADE_NOTATION_WIDE : GRADE_NOTATION;
-  return wide ? GRADE_FORMULA_WIDE : GRADE_FORMULA;
-}
-
 /* Of a longer correction only what changes is shown. */
 enum { LONG_FORMULA = 200 };
 
@@ -131,13 +96,6 @@ static void add_texts(const struct sheet *s, const struct finding *f) {
   add_correction(s, f);
 }
 
-/* What decided: the first route that differs; the first piece of evidence where none is said to. */
-static const struct evidence *deciding(const struct finding *f) {
-  for (int i = 0; i < f->n_evidence; i++)
-    if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];
-  return f->n_evidence ? &f->evidence[0] : NULL;
-}
-
 /* In plain words, from the class of the fault and what decided. */
 static void add_fault(const struct sheet *s, const struct finding *f) {
   static const struct {
@@ -146,7 +104,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
             {"formula", "the formula is not what the equations of motion give"},
             {"number", "not what the paper's own equations give for its data"},
             {"argument", "the conclusion does not follow"}};
-  const struct evidence *e = deciding(f);
+  const struct evidence *e = report_deciding(f);
   label(s, "Wrong");
   const char *words = "it does not hold";
   for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
@@ -229,7 +187,7 @@ static void add_consequence(const struct sheet *s, const struct consequence *q) 
 /* A slip that changes no result, in one paragraph. */
 static void add_slip(const struct sheet *s, const struct finding *f) {
   const char *quote = f->quote_part ? f->quote_part : f->quote;
-  const struct evidence *e = deciding(f);
+  const struct evidence *e = report_deciding(f);
   begin_item(s);
   add_place(s, f);
   if (quote) {
@@ -247,17 +205,10 @@ static void add_slip(const struct sheet *s, const struct finding *f) {
   text_add(s->out, s->tex ? "\n" : "\n\n");
 }
 
-/* The failure before this one that the same correction mends; NULL when there is none. */
-static const struct finding *mended_with(const struct audit_result *r, const struct finding *f) {
-  for (const struct finding *g = r->findings; f->correction_latex && g < f; g++)
-    if (report_is_failure(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
-  return NULL;
-}
-
 static void add_failure(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(r, f->id);
   const char *size = q ? f->size : f->effect;
-  const struct finding *first = mended_with(r, f);
+  const struct finding *first = report_mended_with(r, f);
   begin_item(s);
   add_place(s, f);
   if (first) {
@@ -280,10 +231,6 @@ static void add_failure(const struct sheet *s, const struct audit_result *r, con
 }
 
 /* --- The printed numbers in a table --- */
-
-static bool is_number(const struct finding *f) {
-  return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
-}
 
 static void add_number(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(r, f->id);
@@ -315,7 +262,7 @@ static void add_numbers(const struct sheet *s, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    if (!report_is_failure(f) || !is_number(f)) continue;
+    if (!report_is_failure(f) || !report_is_number(f)) continue;
     if (!any)
       text_add(s->out,
                s->tex
@@ -347,11 +294,11 @@ static void add_grade(const struct sheet *s, const struct audit_result *r, enum 
   bool any = false, items = false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    if (!report_is_failure(f) || grade_of(r, f) != g) continue;
-    if (!any) heading(s, grade_heading[g]);
+    if (!report_is_failure(f) || report_grade(r, f) != g) continue;
+    if (!any) heading(s, report_grade_heading[g]);
     if (!any && g == GRADE_NUMBER) add_example(s, r);
     any = true;
-    if (is_number(f)) continue;
+    if (report_is_number(f)) continue;
     if (!items) begin_items(s);
     items = true;
     if (g == GRADE_NOTATION)
@@ -424,16 +371,10 @@ static void add_statement(const struct sheet *s, const struct finding *f) {
   text_add(s->out, s->tex ? "\n" : "\n\n");
 }
 
-static bool states(const struct finding *f) {
-  bool any = false;
-  for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
-  return any && f->verdict == VERDICT_DEFINITION;
-}
-
 static void add_statements(const struct sheet *s, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_findings; i++) {
-    if (!states(&r->findings[i])) continue;
+    if (!report_states(&r->findings[i])) continue;
     if (!any) {
       heading(s, "What the paper does not say");
       begin_items(s);

@@ -4,10 +4,6 @@
 
 #include "report_impl.h"
 
-bool report_is_failure(const struct finding *f) {
-  return verdict_fails(f->verdict);
-}
-
 /* --- Escapes --- */
 
 static void escape_markdown(struct text *out, char c) {

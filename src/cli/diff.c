@@ -1,0 +1,244 @@
+/* stickslip diff: what changed between two audits, for people or as JSON.  Claims are told apart by their ids; whatever else
+   the two documents hold is compared member by member, so that "no change" means none. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "stickslip/json.h"
+
+enum { LARGEST_AUDIT = 16 << 20 };
+
+struct audit_file {
+  struct source source;
+  struct arena arena;
+  struct json_value root;
+  const struct json_value **claim; /* in the file's order */
+  const struct json_value **by_id;
+  size_t n;
+};
+
+static const char *id_of(const struct json_value *claim) {
+  return json_text(claim, "id");
+}
+
+static int compare_ids(const void *a, const void *b) {
+  return strcmp(id_of(*(const struct json_value *const *)a), id_of(*(const struct json_value *const *)b));
+}
+
+static int compare_to_id(const void *id, const void *claim) {
+  return strcmp(id, id_of(*(const struct json_value *const *)claim));
+}
+
+static const struct json_value *find_claim(const struct audit_file *f, const char *id) {
+  const struct json_value *const *found = bsearch(id, f->by_id, f->n, sizeof *f->by_id, compare_to_id);
+  return found ? *found : NULL;
+}
+
+/* --- Reading --- */
+
+static bool not_an_audit(const struct audit_file *f, struct diag *d, const char *why) {
+  diag_set(d, "%s: error: not an audit.json of stickslip verify: %s", f->source.name, why);
+  return false;
+}
+
+static bool read_claims(struct audit_file *f, const struct json_value *claims, struct diag *d) {
+  f->claim = ss_malloc(claims->n * sizeof *f->claim);
+  f->by_id = ss_malloc(claims->n * sizeof *f->by_id);
+  for (const struct json_value *c = claims->first; c; c = c->next) {
+    if (!id_of(c) || !json_text(c, "verdict")) return not_an_audit(f, d, "a claim without id or verdict");
+    f->claim[f->n] = f->by_id[f->n] = c;
+    f->n++;
+  }
+  qsort(f->by_id, f->n, sizeof *f->by_id, compare_ids);
+  for (size_t i = 1; i < f->n; i++)
+    if (compare_ids(&f->by_id[i - 1], &f->by_id[i]) == 0) return not_an_audit(f, d, "two claims with one id");
+  return true;
+}
+
+static bool audit_file_read(struct audit_file *f, const char *path, struct diag *d) {
+  *f = (struct audit_file){.n = 0};
+  arena_init(&f->arena);
+  if (!source_read(&f->source, path, LARGEST_AUDIT, d) || !json_parse(&f->root, &f->arena, &f->source, d)) return false;
+  const char *schema = json_text(&f->root, "schema");
+  const struct json_value *claims = json_member(&f->root, "claims"), *summary = json_member(&f->root, "summary");
+  if (!schema || strcmp(schema, "stickslip-audit-1") != 0) return not_an_audit(f, d, "no schema stickslip-audit-1");
+  if (!summary || summary->kind != JSON_KIND_OBJECT) return not_an_audit(f, d, "no summary");
+  if (!claims || claims->kind != JSON_KIND_ARRAY) return not_an_audit(f, d, "no claims");
+  for (const struct json_value *m = summary->first; m; m = m->next)
+    if (m->kind != JSON_KIND_NUMBER) return not_an_audit(f, d, "a count that is not a number");
+  return read_claims(f, claims, d);
+}
+
+static void audit_file_clear(struct audit_file *f) {
+  free(f->claim);
+  free(f->by_id);
+  arena_clear(&f->arena);
+  source_clear(&f->source);
+}
+
+/* --- What differs: told to a listener, in the order of the second file --- */
+
+/* Either side is NULL where it has nothing. */
+struct listener {
+  void (*count)(struct listener *l, const char *what, const char *a, const char *b);
+  void (*verdict)(struct listener *l, const char *id, const char *a, const char *b);
+  void (*member)(struct listener *l, const char *id, const char *name); /* id NULL: of the document */
+  bool any;
+  struct json *json;
+};
+
+static void each_member(struct listener *l, const char *id, const struct json_value *a, const struct json_value *b,
+                        const char *const *but) {
+  for (int second = 0; second < 2; second++)
+    for (const struct json_value *m = (second ? b : a)->first; m; m = m->next) {
+      const struct json_value *other = json_member(second ? a : b, m->key);
+      bool passed = (second && other) || (other && json_same(m, other));
+      for (int k = 0; but[k]; k++) passed = passed || strcmp(but[k], m->key) == 0;
+      if (passed) continue;
+      l->any = true;
+      l->member(l, id, m->key);
+    }
+}
+
+static void each_count(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
+  const struct json_value *x = json_member(&a->root, "summary"), *y = json_member(&b->root, "summary");
+  for (int second = 0; second < 2; second++)
+    for (const struct json_value *m = (second ? y : x)->first; m; m = m->next) {
+      const struct json_value *other = json_member(second ? x : y, m->key);
+      if ((second && other) || (other && json_same(m, other))) continue;
+      l->any = true;
+      l->count(l, m->key, second ? "0" : m->text, second ? m->text : other ? other->text : "0");
+    }
+}
+
+static void each_verdict(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
+  for (size_t i = 0; i < b->n; i++) {
+    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
+    const char *before = was ? json_text(was, "verdict") : NULL, *after = json_text(b->claim[i], "verdict");
+    if (before && strcmp(before, after) == 0) continue;
+    l->any = true;
+    l->verdict(l, id_of(b->claim[i]), before, after);
+  }
+  for (size_t i = 0; i < a->n; i++) {
+    if (find_claim(b, id_of(a->claim[i]))) continue;
+    l->any = true;
+    l->verdict(l, id_of(a->claim[i]), json_text(a->claim[i], "verdict"), NULL);
+  }
+}
+
+static void each_other(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
+  static const char *const told[] = {"summary", "claims", NULL}, *const verdict[] = {"verdict", NULL};
+  for (size_t i = 0; i < b->n; i++) {
+    const struct json_value *was = find_claim(a, id_of(b->claim[i]));
+    if (was) each_member(l, id_of(b->claim[i]), was, b->claim[i], verdict);
+  }
+  each_member(l, NULL, &a->root, &b->root, told);
+}
+
+/* --- For people --- */
+
+static void print_name(const char *s) {
+  for (; *s; s++) putchar((unsigned char)*s < ' ' || *s == 0x7F ? '?' : *s);
+}
+
+static void print_change(const char *kind, const char *name, const char *a, const char *b) {
+  printf("%-8s ", kind);
+  print_name(name);
+  fputs(": ", stdout);
+  if (a) print_name(a);
+  if (a && b) fputs(" -> ", stdout);
+  if (b) print_name(b);
+  putchar('\n');
+}
+
+static void say_count(struct listener *l, const char *what, const char *a, const char *b) {
+  (void)l;
+  print_change("count", what, a, b);
+}
+static void say_verdict(struct listener *l, const char *id, const char *a, const char *b) {
+  (void)l;
+  print_change(!a ? "added" : !b ? "removed" : "verdict", id, a, b);
+}
+static void say_member(struct listener *l, const char *id, const char *name) {
+  (void)l;
+  if (id)
+    print_change("changed", id, name, NULL);
+  else
+    print_change("changed", name, "another value", NULL);
+}
+
+static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
+  struct listener l = {.count = say_count, .verdict = say_verdict, .member = say_member};
+  each_count(&l, a, b);
+  each_verdict(&l, a, b);
+  each_other(&l, a, b);
+  if (!l.any) puts("no change");
+  return l.any;
+}
+
+/* --- As JSON --- */
+
+static void write_pair(struct listener *l, const char *key, const char *name, const char *a, const char *b) {
+  json_object(l->json, NULL);
+  json_string(l->json, key, name);
+  json_string(l->json, "first", a);
+  json_string(l->json, "second", b);
+  json_end_object(l->json);
+}
+
+static void write_count(struct listener *l, const char *what, const char *a, const char *b) {
+  write_pair(l, "count", what, a, b);
+}
+static void write_verdict(struct listener *l, const char *id, const char *a, const char *b) {
+  write_pair(l, "claim", id, a, b);
+}
+static void write_member(struct listener *l, const char *id, const char *name) {
+  json_object(l->json, NULL);
+  json_string(l->json, "claim", id);
+  json_string(l->json, "member", name);
+  json_end_object(l->json);
+}
+
+static bool print_json(const struct audit_file *a, const struct audit_file *b) {
+  struct text out;
+  struct json j;
+  text_init(&out);
+  json_init(&j, &out);
+  struct listener l = {.count = write_count, .verdict = write_verdict, .member = write_member, .json = &j};
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-diff-1");
+  json_string(&j, "first", a->source.name);
+  json_string(&j, "second", b->source.name);
+  json_array(&j, "counts");
+  each_count(&l, a, b);
+  json_end_array(&j);
+  json_array(&j, "verdicts");
+  each_verdict(&l, a, b);
+  json_end_array(&j);
+  json_array(&j, "members");
+  each_other(&l, a, b);
+  json_end_array(&j);
+  json_bool(&j, "changed", l.any);
+  json_end_object(&j);
+  fputs(text_str(&out), stdout);
+  text_clear(&out);
+  return l.any;
+}
+
+int run_diff(const struct options *o, const char *data) {
+  (void)data;
+  if (o->n_operands != 2) return usage("diff takes two files, as %s", "stickslip diff A.json B.json");
+  struct diag d;
+  struct audit_file a, b;
+  diag_init(&d);
+  bool ok = audit_file_read(&a, o->operand[0], &d);
+  bool both = ok && audit_file_read(&b, o->operand[1], &d);
+  int status = EXIT_AS_RECORDED;
+  if (!both)
+    status = bad_input(&d);
+  else if (o->json ? print_json(&a, &b) : print_diff(&a, &b))
+    status = EXIT_DIFFERS;
+  if (ok) audit_file_clear(&b);
+  audit_file_clear(&a);
+  return status;
+}

@@ -1,0 +1,54 @@
+/* What the sheets and pages ask about a failure: how bad it is, what decided it, what mends it. */
+#include <string.h>
+
+#include "report_impl.h"
+
+bool report_is_failure(const struct finding *f) {
+  return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
+}
+
+const char *const report_grade_heading[N_GRADES] = {
+    "Numbers and the example",
+    "Formulas; results derived from them change",
+    "Notation; read literally, results derived from it change",
+    "Conclusions that do not follow",
+    "Formulas; results derived from them stay",
+    "Notation; results derived from it stay",
+};
+
+static bool is_wide(const struct consequence *q) {
+  bool wide = q && q->falls.n > 0;
+  for (int i = 0; q && i < q->n_derived; i++)
+    wide = wide || q->derived[i].change == CHANGE_CHANGES || q->derived[i].change == CHANGE_UNDEFINED;
+  return wide;
+}
+
+enum grade report_grade(const struct audit_result *r, const struct finding *f) {
+  bool wide = is_wide(audit_result_consequence(r, f->id));
+  if (f->fault && strcmp(f->fault, "number") == 0) return GRADE_NUMBER;
+  if (f->fault && strcmp(f->fault, "argument") == 0) return GRADE_ARGUMENT;
+  if (f->fault && strcmp(f->fault, "notation") == 0) return wide ? GRADE_NOTATION_WIDE : GRADE_NOTATION;
+  return wide ? GRADE_FORMULA_WIDE : GRADE_FORMULA;
+}
+
+const struct evidence *report_deciding(const struct finding *f) {
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];
+  return f->n_evidence ? &f->evidence[0] : NULL;
+}
+
+const struct finding *report_mended_with(const struct audit_result *r, const struct finding *f) {
+  for (const struct finding *g = r->findings; f->correction_latex && g < f; g++)
+    if (report_is_failure(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
+  return NULL;
+}
+
+bool report_is_number(const struct finding *f) {
+  return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
+}
+
+bool report_states(const struct finding *f) {
+  bool any = false;
+  for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
+  return any && f->verdict == VERDICT_DEFINITION;
+}

@@ -1,0 +1,97 @@
+/* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
+#include <string.h>
+
+#include "html.h"
+
+static void add_phases(const struct page *p) {
+  static const struct {
+    const char *matrix, *name, *masses, *lasts, *ends;
+  } phases[] = {{"D", "global sticking", "both stick", "t_a",
+                 "the springs' pull on $m_1$ reaches its limit, $z_1 - \\chi z_2 = e_1$"},
+                {"\\Gamma", "slip-stick", "$m_1$ slips, $m_2$ sticks", "t_b",
+                 "the pull on $m_2$ reaches its limit, $\\chi (z_2 - z_1) = e_2$"},
+                {"H", "global slipping", "both slip", "t_c", "$m_1$ has the belt's velocity again, $z'_1 = V$"},
+                {"C", "stick-slip", "$m_1$ sticks, $m_2$ slips", "t_d", "$m_2$ has it again, $z'_2 = V$"}};
+  text_add(p->out,
+           "<div class=\"wide\"><table>\n<caption>The four phases of the paper's periodic motion</caption>\n<thead>"
+           "<tr><th scope=\"col\">matrix</th><th scope=\"col\">phase</th><th scope=\"col\">masses</th>"
+           "<th scope=\"col\">lasts</th><th scope=\"col\">ends when</th></tr></thead>\n<tbody>\n");
+  for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
+    text_add(p->out, "<tr><th scope=\"row\">");
+    html_math(p->out, phases[i].matrix, NULL);
+    text_printf(p->out, "</th><td>%s</td><td>", phases[i].name);
+    html_text(p->out, phases[i].masses, NULL);
+    text_add(p->out, "</td><td>");
+    html_math(p->out, phases[i].lasts, NULL);
+    text_add(p->out, "</td><td>");
+    html_text(p->out, phases[i].ends, NULL);
+    text_add(p->out, "</td></tr>\n");
+  }
+  text_add(p->out, "</tbody></table></div>\n");
+}
+
+void page_model(const struct page *p) {
+  static const char *const before[] = {
+      "Two blocks of mass $m_1$ and $m_2$ lie on a belt that moves with the constant velocity $V$. A spring of "
+      "stiffness "
+      "$k_1$ ties the first to a wall, a spring of stiffness $k_2$ ties the second to the first. The belt drags a "
+      "block "
+      "along (it sticks) until the springs pull harder than static friction, $u_{r1}$ or $u_{r2}$, can hold; then it "
+      "slips against the smaller sliding friction, $u_{s1}$ or $u_{s2}$, until its velocity is the belt's again and "
+      "friction can hold it.",
+      "Without dimensions, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
+      "$\\chi = "
+      "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$. Measured from the equilibrium under both sliding "
+      "forces, "
+      "positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ matter."};
+  static const char after[] =
+      "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
+      "the "
+      "state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: what separates a "
+      "motion nearby from it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
+      "$|\\operatorname{tr} J| < "
+      "1$ "
+      "and grows where $|\\operatorname{tr} J| > 1$.";
+  text_add(p->out, "<section id=\"s-model\" aria-labelledby=\"h-model\">\n"
+                   "<h2 id=\"h-model\">The system in half a page</h2>\n");
+  page_belt(p);
+  for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
+    text_add(p->out, "<p>");
+    html_text(p->out, before[i], NULL);
+    text_add(p->out, "</p>\n");
+  }
+  add_phases(p);
+  text_add(p->out, "<p>");
+  html_text(p->out, after, NULL);
+  text_add(p->out, "</p>\n</section>\n");
+}
+
+void page_limits(const struct page *p) {
+  static const char *const limits[] = {
+      "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
+      "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
+      "What stands on the printed page: the text judged is a machine conversion of it, and a slip of one symbol can be "
+      "the "
+      "conversion's.",
+      "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
+      "beside "
+      "each other in each claim.",
+      "What nobody registered as a claim: the table above holds all that was judged.",
+      "That something supported is proved: it agrees at the points tried, whose number stands with it.",
+      "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
+      "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
+      "library. The suite's own model, which the formulas are held against, is tested with independent programs."};
+  const struct audit_result *r = p->r;
+  text_add(p->out, "<section id=\"s-limits\" aria-labelledby=\"h-limits\">\n"
+                   "<h2 id=\"h-limits\">What the audit does not show</h2>\n<ul>\n");
+  for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
+  for (size_t i = 0; i < r->n_skipped; i++) {
+    text_add(p->out, "<li>Left out: ");
+    html_plain(p->out, r->skipped[i].what);
+    text_add(p->out, ", ");
+    html_plain(p->out, r->skipped[i].why);
+    html_stop(p->out);
+    text_add(p->out, "</li>\n");
+  }
+  text_add(p->out, "</ul>\n</section>\n");
+}

@@ -1,0 +1,131 @@
+/* index.html: one file that shows what the result record holds.  It is read without a network and without its script,
+   which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
+#include <string.h>
+
+#include "html.h"
+
+/* --- What the parts share --- */
+
+const struct finding *page_finding(const struct page *p, const char *id) {
+  for (size_t i = 0; i < p->r->n_findings; i++)
+    if (strcmp(p->r->findings[i].id, id) == 0) return &p->r->findings[i];
+  return NULL;
+}
+
+static void add_name(struct text *out, const char *id) {
+  if (strncmp(id, "eq-", 3) == 0) {
+    text_add_char(out, '(');
+    html_plain(out, id + 3);
+    text_add_char(out, ')');
+  } else {
+    html_code(out, id);
+  }
+}
+
+void page_claim(const struct page *p, const char *id) {
+  bool judged = page_finding(p, id) != NULL;
+  if (judged) {
+    text_add(p->out, "<a href=\"#");
+    html_anchor(p->out, "c-", id);
+    text_add(p->out, "\">");
+  }
+  add_name(p->out, id);
+  if (judged) text_add(p->out, "</a>");
+}
+
+void page_claims(const struct page *p, const struct id_list *list) {
+  for (int i = 0; i < list->n; i++) {
+    text_add(p->out, i ? ", " : "");
+    page_claim(p, list->id[i]);
+  }
+}
+
+void page_verdict(const struct page *p, enum verdict v) {
+  text_printf(p->out, "<span class=\"v %s\">%s</span>", verdict_name[v], verdict_name[v]);
+}
+
+void page_section_name(const struct page *p, const char *section) {
+  for (; section && *section; section++) {
+    char c = *section == '_' ? ' ' : *section;
+    html_plain_n(p->out, &c, 1);
+  }
+}
+
+void page_statements(const struct page *p, const struct finding *f, const char *result) {
+  const char *last = NULL;
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    if ((result && strcmp(e->result, result) != 0) || !e->note || (last && strcmp(e->note, last) == 0)) continue;
+    text_add(p->out, last ? "<li>" : "<ul>\n<li>");
+    last = e->note;
+    html_text(p->out, e->worst, NULL);
+    text_add(p->out, e->worst ? ": " : "");
+    html_text(p->out, e->note, NULL);
+    html_stop(p->out);
+    text_add(p->out, "</li>\n");
+  }
+  if (last) text_add(p->out, "</ul>\n");
+}
+
+/* --- The page --- */
+
+static void add_head(const struct page *p) {
+  text_add(
+      p->out,
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'; img-src data:\" />\n"
+      "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" />\n<title>Audit: ");
+  html_plain(p->out, p->r->title ? p->r->title : p->r->scene);
+  text_printf(p->out, "</title>\n<style>\n%s</style>\n</head>\n", page_style);
+}
+
+static void add_opening(const struct page *p) {
+  text_add(p->out,
+           "<body>\n<a class=\"skip\" href=\"#s-verdict\">To the verdict</a>\n<header>\n<h1>Audit of a paper: "
+           "<cite>Analytical investigation of periodic solutions for a coupled oscillator with dry friction</cite>"
+           "</h1>\n<p>Every statement below was decided by computation, against routes that do not use the paper's "
+           "formulas. Scene ");
+  html_code(p->out, p->r->scene);
+  if (p->r->title) {
+    text_add(p->out, ": ");
+    html_text(p->out, p->r->title, NULL);
+  }
+  html_stop(p->out);
+  text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
+                   "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
+                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
+                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
+                   "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
+                   "<li><a href=\"#s-routes\">Routes</a></li>\n"
+                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n</ul>\n"
+                   "<button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></nav>\n</header>\n"
+                   "<main>\n");
+}
+
+static void add_closing(const struct page *p) {
+  text_add(p->out, "</main>\n<footer><p>Written by ");
+  text_add(p->out, "<code>stickslip verify ");
+  html_plain(p->out, p->r->scene);
+  text_add(p->out, "</code> from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
+                   "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
+                   "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
+                   "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");
+  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_script);
+}
+
+void report_html(struct text *out, const struct audit_result *r) {
+  const struct page p = {out, r};
+  add_head(&p);
+  add_opening(&p);
+  page_summary(&p);
+  page_failures(&p);
+  page_model(&p);
+  page_every_claim(&p);
+  page_graph(&p);
+  page_routes(&p);
+  page_limits(&p);
+  add_closing(&p);
+}

@@ -1,0 +1,345 @@
+/* The reader of JSON, by RFC 8259, and what diff makes of two audits. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "scratch.h"
+#include "stickslip/json.h"
+#include "suites.h"
+
+/* --- Reading --- */
+
+static bool parse(struct json_value *v, struct arena *a, const char *text, struct diag *d) {
+  struct source s;
+  diag_init(d);
+  source_from_string(&s, "x.json", text);
+  bool ok = json_parse(v, a, &s, d);
+  source_clear(&s);
+  return ok;
+}
+
+START_TEST(what_json_is) {
+  static const char *const good[] = {"null",
+                                     " true ",
+                                     "0",
+                                     "-0",
+                                     "1.5e+10",
+                                     "1E-2",
+                                     "\"\"",
+                                     "[]",
+                                     "{}",
+                                     "[ ]",
+                                     "{\n}",
+                                     "[[],{}]",
+                                     "{\"a\":1,\"b\":[1,2,3]}",
+                                     "\"\\u20aC\\\"\\\\\\/\\b\\f\\n\\r\\t\"",
+                                     "\"\xe2\x82\xac\"",
+                                     "\"\\ud834\\udd1e\"",
+                                     "[1e999]",
+                                     "{\"\":0}",
+                                     "\t[\r\n1 , 2 ]\n"};
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  arena_init(&a);
+  for (size_t i = 0; i < sizeof good / sizeof *good; i++) ck_assert_msg(parse(&v, &a, good[i], &d), "%s", d.message);
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(what_json_is_not) {
+  static const struct {
+    const char *text, *says;
+  } bad[] = {{"", "1:1: error: a value"},
+             {" ", "1:2: error: a value"},
+             {"nul", "1:1: error: a value"},
+             {"True", "1:1: error: a value"},
+             {"NaN", "1:1: error: a value"},
+             {"+1", "1:1: error: a value"},
+             {"01", "not a number"},
+             {"-", "not a number"},
+             {"1.", "not a number"},
+             {".5", "a value"},
+             {"1e", "not a number"},
+             {"1e+", "not a number"},
+             {"0x1", "1:2: error: something follows"},
+             {"1 2", "1:3: error: something follows"},
+             {"nullx", "1:5: error: something follows"},
+             {"[1,]", "1:4: error: a value"},
+             {"[1 2]", "1:4: error: a comma or ]"},
+             {"[", "1:2: error: a value"},
+             {"[1", "1:3: error: a comma or ]"},
+             {"]", "1:1: error: a value"},
+             {"{\"a\"}", "1:5: error: a colon"},
+             {"{a:1}", "1:2: error: a key"},
+             {"{\"a\":1,}", "1:8: error: a key"},
+             {"{\"a\":1]", "1:7: error: a comma or }"},
+             {"{\"a\":1,\"b\":2,\"a\":3}", "this key occurs twice"},
+             {"{\"a\":1,\"\\u0061\":3}", "this key occurs twice"},
+             {"\"", "a string without end"},
+             {"\"\\", "an unknown escape"},
+             {"\"\\x\"", "1:3: error: an unknown escape"},
+             {"\"\\u12\"", "four hexadecimal digits"},
+             {"\"\\u0000\"", "cannot hold NUL"},
+             {"\"\\ud834\"", "surrogate"},
+             {"\"\\ud834\\n\"", "surrogate"},
+             {"\"\\ud834\\u0041\"", "surrogate"},
+             {"\"\\udd1e\"", "surrogate"},
+             {"\"a\nb\"", "1:3: error: a control character"},
+             {"'a'", "a value"},
+             {"[1] // x", "something follows"},
+             {"\n\n  {\"a\": tru}", "3:9: error: a value"}};
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  arena_init(&a);
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    ck_assert_msg(!parse(&v, &a, bad[i].text, &d), "%s", bad[i].text);
+    ck_assert_msg(strncmp(d.message, "x.json:", 7) == 0 && strstr(d.message, bad[i].says), "%s: %s", bad[i].text,
+                  d.message);
+  }
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(values_are_those_written) {
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  arena_init(&a);
+  ck_assert(parse(
+      &v, &a, "{\"s\": \"\\u20ac \\ud834\\udd1e \\u00e9\\n\", \"n\": -1.50e3, \"t\": true, \"l\": [1, [], null]}", &d));
+  ck_assert_uint_eq(v.n, 4);
+  ck_assert_str_eq(json_text(&v, "s"), "\xe2\x82\xac \xf0\x9d\x84\x9e \xc3\xa9\n");
+  ck_assert_str_eq(json_member(&v, "n")->text, "-1.50e3");
+  ck_assert(json_member(&v, "t")->truth && json_text(&v, "n") == NULL && json_text(&v, "none") == NULL);
+  const struct json_value *list = json_member(&v, "l");
+  ck_assert(list->n == 3 && list->first->next->kind == JSON_KIND_ARRAY &&
+            list->first->next->next->kind == JSON_KIND_NULL);
+  ck_assert(list->first->next->next->next == NULL && json_member(list, "l") == NULL);
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(sameness) {
+  static const struct {
+    const char *a, *b;
+    bool same;
+  } cases[] = {{"{\"a\":1,\"b\":[]}", "{\"b\":[],\"a\":1}", true},
+               {"[1,2]", "[2,1]", false},
+               {"1", "1.0", false},
+               {"\"1\"", "1", false},
+               {"true", "false", false},
+               {"null", "false", false},
+               {"{\"a\":1}", "{\"b\":1}", false},
+               {"{\"a\":1}", "{\"a\":1,\"b\":1}", false},
+               {"[[]]", "[{}]", false},
+               {"\"\\u0061\"", "\"a\"", true},
+               {"{\"a\":{\"b\":[1]}}", "{\"a\":{\"b\":[2]}}", false}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct arena a;
+    struct diag d;
+    struct json_value x, y;
+    arena_init(&a);
+    ck_assert(parse(&x, &a, cases[i].a, &d) && parse(&y, &a, cases[i].b, &d));
+    ck_assert_msg(json_same(&x, &y) == cases[i].same && json_same(&y, &x) == cases[i].same, "%s %s", cases[i].a,
+                  cases[i].b);
+    arena_clear(&a);
+  }
+}
+END_TEST
+
+/* n times one text, then n times another. */
+static char *repeated(size_t n, const char *one, const char *two) {
+  struct text t;
+  text_init(&t);
+  for (size_t i = 0; i < n; i++) text_add(&t, one);
+  for (size_t i = 0; i < n; i++) text_add(&t, two);
+  return t.data;
+}
+
+START_TEST(limits) {
+  static const struct {
+    size_t depth;
+    bool ok;
+  } cases[] = {{64, true}, {65, false}, {1000000, false}};
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  arena_init(&a);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char *s = repeated(cases[i].depth, "[", "]");
+    ck_assert_msg(parse(&v, &a, s, &d) == cases[i].ok, "%zu: %s", cases[i].depth, d.message);
+    ck_assert(cases[i].ok || strstr(d.message, "nested too deeply"));
+    free(s);
+  }
+  for (int n = 1000; n <= 1001; n++) {
+    struct text t;
+    text_init(&t);
+    for (int i = 0; i < n; i++) text_printf(&t, "%s\"%d\":0", i ? "," : "{", i);
+    text_add(&t, "}");
+    ck_assert_int_eq(parse(&v, &a, t.data, &d), n == 1000);
+    ck_assert(n == 1000 || strstr(d.message, "too many members"));
+    text_clear(&t);
+  }
+  arena_clear(&a);
+}
+END_TEST
+
+/* --- The command --- */
+
+static const char *program(void) {
+  const char *p = getenv("STICKSLIP");
+  return p && *p ? p : "build/stickslip";
+}
+
+/* Compares two texts; the exit status.  What is printed goes to the files out and err. */
+static int diff(const char *a, const char *b, const char *option) {
+  char command[2000], out[200], err[200], first[200];
+  snprintf(first, sizeof first, "%s", scratch_put("a.json", a));
+  snprintf(out, sizeof out, "%s", scratch_path("out"));
+  snprintf(err, sizeof err, "%s", scratch_path("err"));
+  snprintf(command, sizeof command, "'%s' diff '%s' '%s' %s >'%s' 2>'%s'", program(), first, scratch_put("b.json", b),
+           option, out, err);
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static bool printed(const char *file, const char *text) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, scratch_path(file), 1 << 20, &d), "%s", d.message);
+  bool same = strcmp(s.text, text) == 0;
+  if (!same) fprintf(stderr, "%s", s.text);
+  source_clear(&s);
+  return same;
+}
+
+#define HEAD(counts)             "{\"schema\":\"stickslip-audit-1\",\"scene\":\"s\",\"summary\":{" counts "},\"claims\":["
+#define CLAIM(id, verdict, more) "{\"id\":\"" id "\",\"verdict\":\"" verdict "\"" more "}"
+#define A                        HEAD("\"proved\":2,\"refuted\":0") CLAIM("x", "proved", ",\"effect\":null") "," CLAIM("y", "proved", "") "]}"
+
+START_TEST(no_change) {
+  ck_assert_int_eq(diff(A, A, ""), 0);
+  ck_assert(printed("out", "no change\n") && printed("err", ""));
+  /* claims and members in another order say the same */
+  ck_assert_int_eq(diff(A,
+                        HEAD("\"refuted\":0,\"proved\":2")
+                            CLAIM("y", "proved", "") "," CLAIM("x", "proved", ",\"effect\":null") "]}",
+                        ""),
+                   0);
+}
+END_TEST
+
+START_TEST(changes_are_told) {
+  const char *b = HEAD("\"proved\":1,\"refuted\":1,\"unknown\":1") CLAIM("z", "unknown", "") "," CLAIM(
+      "x", "refuted", ",\"effect\":\"large\",\"fault\":\"number\"") "],\"routes\":[]}";
+  ck_assert_int_eq(diff(A, b, ""), 1);
+  ck_assert(printed("out", "count    proved: 2 -> 1\ncount    refuted: 0 -> 1\ncount    unknown: 0 -> 1\n"
+                           "added    z: unknown\nverdict  x: proved -> refuted\nremoved  y: proved\n"
+                           "changed  x: effect\nchanged  x: fault\nchanged  routes: another value\n"));
+  ck_assert_int_eq(diff(A, b, "--json"), 1);
+  char command[1000];
+  const char *python = getenv("PYTHON");
+  snprintf(command, sizeof command, "%s tests/oracle/validate.py schema/diff.schema.json '%s'",
+           python && *python ? python : "/usr/bin/python3", scratch_path("out"));
+  ck_assert_int_eq(system(command), 0);
+}
+END_TEST
+
+START_TEST(changes_as_json) {
+  ck_assert_int_eq(diff(A,
+                        HEAD("\"proved\":2,\"refuted\":0")
+                            CLAIM("x", "proved", ",\"effect\":1") "," CLAIM("y", "unknown", "") "]}",
+                        "--json"),
+                   1);
+  struct source s;
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  arena_init(&a);
+  diag_init(&d);
+  ck_assert(source_read(&s, scratch_path("out"), 1 << 20, &d) && json_parse(&v, &a, &s, &d));
+  ck_assert_str_eq(json_text(&v, "schema"), "stickslip-diff-1");
+  ck_assert(json_member(&v, "changed")->truth && json_member(&v, "counts")->n == 0);
+  const struct json_value *verdict = json_member(&v, "verdicts")->first, *member = json_member(&v, "members")->first;
+  ck_assert_str_eq(json_text(verdict, "claim"), "y");
+  ck_assert_str_eq(json_text(verdict, "first"), "proved");
+  ck_assert_str_eq(json_text(verdict, "second"), "unknown");
+  ck_assert_str_eq(json_text(member, "claim"), "x");
+  ck_assert_str_eq(json_text(member, "member"), "effect");
+  source_clear(&s);
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(what_is_no_audit) {
+  static const char *const bad[] = {"",
+                                    "[]",
+                                    "{}",
+                                    "{\"schema\":\"stickslip-run-1\"}",
+                                    "{\"schema\":\"stickslip-audit-1\"}",
+                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":{},\"claims\":{}}",
+                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":{\"proved\":\"1\"},\"claims\":[]}",
+                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":[],\"claims\":[]}",
+                                    HEAD("") "1]}",
+                                    HEAD("") "{\"id\":\"x\"}]}",
+                                    HEAD("") "{\"id\":1,\"verdict\":\"proved\"}]}",
+                                    HEAD("") CLAIM("x", "proved", "") "," CLAIM("x", "proved", "") "]}",
+                                    A "x"};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    ck_assert_msg(diff(bad[i], A, "") == 3 && printed("out", ""), "%s", bad[i]);
+    ck_assert_msg(diff(A, bad[i], "--json") == 3 && printed("out", ""), "%s", bad[i]);
+  }
+}
+END_TEST
+
+START_TEST(hostile_names_reach_no_terminal) {
+  const char *b = HEAD("") CLAIM("\\u001b[31m\\n", "pro\\u0007ved", "") "]}";
+  ck_assert_int_eq(diff(HEAD("") "]}", b, ""), 1);
+  ck_assert(printed("out", "added    ?[31m?: pro?ved\n"));
+}
+END_TEST
+
+/* Many claims in the opposite order. */
+START_TEST(many_claims) {
+  struct text a, b;
+  text_init(&a);
+  text_init(&b);
+  text_add(&a, HEAD(""));
+  text_add(&b, HEAD(""));
+  for (int i = 0; i < 50000; i++) {
+    text_printf(&a, "%s{\"id\":\"%d\",\"verdict\":\"proved\"}", i ? "," : "", i);
+    text_printf(&b, "%s{\"id\":\"%d\",\"verdict\":\"proved\"}", i ? "," : "", 49999 - i);
+  }
+  text_add(&a, "]}");
+  text_add(&b, "]}");
+  ck_assert_int_eq(diff(a.data, b.data, ""), 0);
+  text_clear(&b);
+  text_clear(&a);
+}
+END_TEST
+
+Suite *diff_suite(void) {
+  Suite *s = suite_create("diff");
+  TCase *c = tcase_create("reading");
+  tcase_add_test(c, what_json_is);
+  tcase_add_test(c, what_json_is_not);
+  tcase_add_test(c, values_are_those_written);
+  tcase_add_test(c, sameness);
+  tcase_add_test(c, limits);
+  suite_add_tcase(s, c);
+  c = tcase_create("command");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, no_change);
+  tcase_add_test(c, changes_are_told);
+  tcase_add_test(c, changes_as_json);
+  tcase_add_test(c, what_is_no_audit);
+  tcase_add_test(c, hostile_names_reach_no_terminal);
+  tcase_add_test(c, many_claims);
+  suite_add_tcase(s, c);
+  return s;
+}

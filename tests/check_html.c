@@ -1,0 +1,628 @@
+/* The page and the files beside it.
+
+   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; the MathML of single
+   formulas is written here by hand, by the definitions of MathML Core and of TeX. */
+#include <check.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "audit/audit_impl.h"
+#include "report/html.h"
+#include "scratch.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+/* --- Formulas --- */
+
+#define MI(x)                   "<mi>" x "</mi>"
+#define UP(x)                   "<mi mathvariant=\"normal\">" x "</mi>"
+#define MN(x)                   "<mn>" x "</mn>"
+#define MO(x)                   "<mo>" x "</mo>"
+#define LP                      "<mo stretchy=\"false\">(</mo>"
+#define RP                      "<mo stretchy=\"false\">)</mo>"
+#define ROW(x)                  "<mrow>" x "</mrow>"
+#define SUB(x, i)               "<msub>" x i "</msub>"
+#define SUP(x, i)               "<msup>" x i "</msup>"
+#define FRAC(x, y)              "<mfrac>" x y "</mfrac>"
+#define MINUS                   "\xe2\x88\x92"
+#define PRIMES(x)               "<mo lspace=\"0\" rspace=\"0\">" x "</mo>"
+#define PRIME                   "\xe2\x80\xb2"
+#define APPLY                   MO("&#x2061;")
+#define THIN                    "<mspace width=\"0.1667em\"></mspace>"
+#define FENCE(stretch, form, x) "<mo fence=\"true\" stretchy=\"" stretch "\" form=\"" form "\">" x "</mo>"
+
+/* The first row of what a formula becomes, without the TeX behind it. */
+static void set(struct text *out, const char *tex) {
+  struct text t;
+  text_init(&t);
+  ck_assert_msg(mathml_add(&t, tex, strlen(tex), NULL), "%s", tex);
+  static const char head[] = "<math displaystyle=\"true\"><semantics>";
+  const char *end = strstr(t.data, "<annotation encoding=\"application/x-tex\">");
+  ck_assert_msg(strncmp(t.data, head, sizeof head - 1) == 0 && end, "%s", t.data);
+  text_add_n(out, t.data + sizeof head - 1, (size_t)(end - t.data) - (sizeof head - 1));
+  text_clear(&t);
+}
+
+START_TEST(formulas_are_set) {
+  static const struct {
+    const char *tex, *mathml;
+  } cases[] = {
+      {"x", MI("x")},
+      {"2.5", MN("2.5")},
+      {"1.", ROW(MN("1") MO("."))},
+      {"x_1", SUB(MI("x"), MN("1"))},
+      {"x_12", ROW(SUB(MI("x"), MN("1")) MN("2"))},
+      {"x_{12}", SUB(MI("x"), MN("12"))},
+      {"x^{a+1}", SUP(MI("x"), ROW(MI("a") MO("+") MN("1")))},
+      {"x_1^2", "<msubsup>" MI("x") MN("1") MN("2") "</msubsup>"},
+      {"x^2_1", "<msubsup>" MI("x") MN("1") MN("2") "</msubsup>"},
+      {"x'", ROW(MI("x") PRIMES(PRIME))},
+      {"x_{1}''", ROW(SUB(MI("x"), MN("1")) PRIMES(PRIME PRIME))},
+      {"z'_{1b}", ROW(SUB(MI("z"), ROW(MN("1") MI("b"))) PRIMES(PRIME))},
+      {"x'^2", SUP(ROW(MI("x") PRIMES(PRIME)), MN("2"))},
+      {"\\chi \\eta", ROW(MI("\xcf\x87") MI("\xce\xb7"))},
+      {"\\Gamma", UP("\xce\x93")},
+      {"\\varphi_k", SUB(MI("\xcf\x86"), MI("k"))},
+      {"\\tilde{k}_4", SUB("<mover accent=\"true\">" MI("k") "<mo stretchy=\"false\">\xcb\x9c</mo></mover>", MN("4"))},
+      {"\\bar{h}(t)",
+       ROW("<mover accent=\"true\">" MI("h") "<mo stretchy=\"false\">\xc2\xaf</mo></mover>" LP MI("t") RP)},
+      {"-x", ROW("<mo form=\"prefix\">" MINUS "</mo>" MI("x"))},
+      {"a-b", ROW(MI("a") MO(MINUS) MI("b"))},
+      {"(-b)", ROW(LP "<mo form=\"prefix\">" MINUS "</mo>" MI("b") RP)},
+      {"a = -b", ROW(MI("a") MO("=") "<mo form=\"prefix\">" MINUS "</mo>" MI("b"))},
+      {"\\frac{1}{x}", FRAC(MN("1"), MI("x"))},
+      {"\\frac{-1}{1-\\chi}",
+       FRAC(ROW("<mo form=\"prefix\">" MINUS "</mo>" MN("1")), ROW(MN("1") MO(MINUS) MI("\xcf\x87")))},
+      {"\\sqrt{\\frac{a}{b}}", "<msqrt>" FRAC(MI("a"), MI("b")) "</msqrt>"},
+      {"\\left(t\\right)", ROW(FENCE("false", "prefix", "(") MI("t") FENCE("false", "postfix", ")"))},
+      {"\\left(\\frac{a}{b}\\right]",
+       ROW(FENCE("true", "prefix", "(") FRAC(MI("a"), MI("b")) FENCE("true", "postfix", "]"))},
+      {"\\left. x\\right)^2", SUP(ROW(MI("x") FENCE("false", "postfix", ")")), MN("2"))},
+      {"a < b", ROW(MI("a") MO("&lt;") MI("b"))},
+      {"a \\leq b", ROW(MI("a") MO("\xe2\x89\xa4") MI("b"))},
+      {"\\sin(x)", ROW(MI("sin") APPLY LP MI("x") RP)},
+      {"\\cos t", ROW(MI("cos") APPLY THIN MI("t"))},
+      {"V \\sin^{2}\\left(x\\right)", ROW(MI("V") THIN SUP(MI("sin"), MN("2")) APPLY ROW(
+                                          FENCE("false", "prefix", "(") MI("x") FENCE("false", "postfix", ")")))},
+      {"\\operatorname{tr} J", ROW(MI("tr") APPLY THIN MI("J"))},
+      {"\\text{if } x", ROW("<mtext>if&#xA0;</mtext>" MI("x"))},
+      {"\\mathrm{T}", UP("T")},
+      {"\\mathcal{X}", MI("&#x1D4B3;")},
+      {"\\mathcal{B}", MI("&#x212C;")},
+      {"A^{\\mathsf{T}}", SUP(MI("A"), UP("T"))},
+      {"a \\, b", ROW(MI("a") THIN MI("b"))},
+      {"t^*", SUP(MI("t"), MO("*"))},
+      {"{(A)}^{-1}", SUP(ROW(LP MI("A") RP), ROW("<mo form=\"prefix\">" MINUS "</mo>" MN("1")))},
+      {"{}_1", SUB(ROW(""), MN("1"))},
+      {"\\begin{pmatrix} a & b \\\\ c & d \\end{pmatrix}",
+       ROW("<mo fence=\"true\" form=\"prefix\">(</mo><mtable class=\"pmatrix\"><mtr><mtd>" MI("a") "</mtd><mtd>" MI(
+           "b") "</mtd></mtr><mtr><mtd>" MI("c") "</mtd><mtd>" MI("d") "</mtd></mtr></mtable><mo fence=\"true\" "
+                                                                       "form=\"postfix\">)</mo>")},
+      {"\\begin{cases} a & b \\\\ \\end{cases}",
+       ROW("<mo fence=\"true\" form=\"prefix\">{</mo><mtable class=\"cases\"><mtr><mtd>" MI("a") "</mtd><mtd>" MI(
+           "b") "</mtd></mtr></mtable>")},
+      {"\\begin{aligned} x &= 1 \\end{aligned}",
+       ROW("<mtable class=\"aligned\"><mtr><mtd>" MI("x") "</mtd><mtd>" ROW(MO("=") MN("1")) "</mtd></mtr></mtable>")},
+      {"\\begin{matrix} & a \\end{matrix}",
+       ROW("<mtable class=\"matrix\"><mtr><mtd>" ROW("") "</mtd><mtd>" MI("a") "</mtd></mtr></mtable>")},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t;
+    text_init(&t);
+    set(&t, cases[i].tex);
+    ck_assert_msg(strcmp(text_str(&t), cases[i].mathml) == 0, "%s:\n%s\n%s", cases[i].tex, text_str(&t),
+                  cases[i].mathml);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+START_TEST(what_is_no_formula_is_shown_as_typed) {
+  static const char *const cases[] = {"x^",
+                                      "\\frac{1}",
+                                      "{",
+                                      "}",
+                                      "\\left(x",
+                                      "\\input{x}",
+                                      "x^2^3",
+                                      "\\right)",
+                                      "a & b",
+                                      "a \\\\ b",
+                                      "\\",
+                                      "\\begin{pmatrix}",
+                                      "\\text{\\chi}",
+                                      "\xcf\x87",
+                                      "$",
+                                      "\\end{pmatrix}",
+                                      "%",
+                                      "\\begin{x}\\end{x}",
+                                      "\x01",
+                                      "\\frac12",
+                                      "x_\\quad",
+                                      "\\sqrt[3]{2}",
+                                      "#1"};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t;
+    text_init(&t);
+    ck_assert_msg(!mathml_add(&t, cases[i], strlen(cases[i]), NULL) && t.len == 0, "%s", cases[i]);
+    html_math(&t, cases[i], NULL);
+    ck_assert_msg(strncmp(t.data, "<code class=\"raw\">", 18) == 0, "%s", t.data);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* As many levels as the checker allows, and one more. */
+START_TEST(deep_formulas) {
+  for (int depth = 62; depth < 66; depth++) {
+    struct text tex, t;
+    text_init(&tex);
+    text_init(&t);
+    for (int i = 0; i < depth; i++) text_add(&tex, "{");
+    text_add(&tex, "x");
+    for (int i = 0; i < depth; i++) text_add(&tex, "}");
+    ck_assert_int_eq(mathml_add(&t, tex.data, tex.len, NULL), depth < 64);
+    text_clear(&t);
+    text_clear(&tex);
+  }
+}
+END_TEST
+
+/* The TeX of each piece, with bars between. */
+static void pieces(struct text *out, const char *tex) {
+  struct text t;
+  text_init(&t);
+  mathml_add(&t, tex, strlen(tex), NULL);
+  for (const char *p = t.data; (p = strstr(p, "x-tex\">")) != NULL;) {
+    p += 7;
+    if (out->len) text_add(out, "|");
+    text_add_n(out, p, (size_t)(strstr(p, "</annotation>") - p));
+  }
+  text_clear(&t);
+}
+
+START_TEST(formulas_break_where_tex_would) {
+  static const struct {
+    const char *tex, *pieces;
+  } cases[] = {
+      {"a, b", "a,|b"},
+      {"(a, b), c", "(a, b),|c"},
+      {"x_{1,2}", "x_{1,2}"},
+      {"x^,y", "x^,y"},
+      {"a, \\quad b", "a,|\\quad b"},
+      {"\\left(a, b\\right)", "\\left(a, b\\right)"},
+      {") {a, b} (", ") {a, b} ("},
+      {"\\lbrace +1, -1 \\rbrace", "\\lbrace +1, -1 \\rbrace"},
+      {"a + b = c", "a + b = c"},
+      {"a b c d e f g h i j k l m n o p q r s t u v w x + y", "a b c d e f g h i j k l m n o p q r s t u v w x |+ y"},
+      {"a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)",
+       "a b c d e f g h i j k l m n o p q r s t u v w x y (z + a)"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t;
+    text_init(&t);
+    pieces(&t, cases[i].tex);
+    ck_assert_str_eq(text_str(&t), cases[i].pieces);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* --- What differs --- */
+
+/* The symbols that are marked: each from its mark to the next blank. */
+static const char *marked(const char *tex, const bool *marks) {
+  static char line[500];
+  line[0] = '\0';
+  for (size_t i = 0; tex[i]; i++)
+    if (marks[i])
+      snprintf(line + strlen(line), sizeof line - strlen(line), "%.*s;", (int)strcspn(tex + i, " "), tex + i);
+  return line;
+}
+
+START_TEST(what_differs_is_marked) {
+  static const struct {
+    const char *a, *b, *in_a, *in_b;
+  } cases[] = {
+      {"Z_{b} + x", "Z_{a} + x", "Z_{b};", "Z_{a};"},
+      {"J_b y_b", "J_b y_a", "y_b;", "y_a;"},
+      {"D = \\begin{pmatrix} I & V t I \\end{pmatrix}", "D = \\begin{pmatrix} I & t I \\end{pmatrix}", "V;", ""},
+      {"\\frac{ \\sin(x) }{ V y }", "\\frac{ V \\sin(x) }{ y }", "V;", "V;"},
+      {"t = 0.6784", "t = 0.5323", "0.6784;", "0.5323;"},
+      {"x_{ 1 } = y", "x_1 = y", "", ""},
+      {"\\left(x\\right) = y", "( x ) = y", "", ""},
+      {"\\tilde{k}_4 = x", "\\tilde{k}_5 = x", "\\tilde{k}_4;", "\\tilde{k}_5;"},
+      {"z' = 1", "z'' = 1", "z';", "z'';"},
+      {"a b c", "d e f", "", ""}, /* nothing in common */
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    bool a[100], b[100];
+    math_changes(a, cases[i].a, b, cases[i].b);
+    ck_assert_str_eq(marked(cases[i].a, a), cases[i].in_a);
+    ck_assert_str_eq(marked(cases[i].b, b), cases[i].in_b);
+  }
+}
+END_TEST
+
+/* V in the matrix alone: its neighbours tell it from the other. */
+START_TEST(marks_are_carried_to_the_quotation) {
+  static const char text[] = "with V $V = 1, D = \\begin{pmatrix} I & V tI \\\\ 0 & I \\end{pmatrix}$ and $V t$";
+  static const char a[] = "D = \\begin{pmatrix} I & V \\, t \\, I \\\\ 0 & I \\end{pmatrix}";
+  static const char b[] = "D = \\begin{pmatrix} I & t \\, I \\\\ 0 & I \\end{pmatrix}";
+  bool in_a[sizeof a], in_b[sizeof b], in_text[sizeof text];
+  ck_assert(math_changes(in_a, a, in_b, b));
+  math_changes_in_text(in_text, text, a, in_a);
+  for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert_int_eq(in_text[i], text + i == strstr(text, "V tI"));
+  struct text t;
+  text_init(&t);
+  html_text(&t, text, in_text);
+  ck_assert(strstr(t.data, "<mrow class=\"chg\"><mi>V</mi></mrow><mi>t</mi>"));
+  text_clear(&t);
+}
+END_TEST
+
+/* --- Pages --- */
+
+static const char *python(void) {
+  const char *p = getenv("PYTHON");
+  return p && *p ? p : "/usr/bin/python3";
+}
+
+/* The exit status of the checker of pages. */
+static int check_folder(const char *options) {
+  char command[2000];
+  snprintf(command, sizeof command, "%s tests/oracle/page.py '%s' %s", python(), scratch_path(""), options);
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
+                const struct audit_result *r) {
+  struct text once, twice;
+  text_init(&once);
+  text_init(&twice);
+  writer(&once, r);
+  writer(&twice, r);
+  ck_assert_msg(once.len == twice.len && memcmp(once.data, twice.data, once.len) == 0, "%s differs", name);
+  scratch_put_n(name, once.data, once.len);
+  text_clear(&twice);
+  text_clear(&once);
+}
+
+static void put_all(const struct audit_result *r) {
+  put("audit.json", report_json, r);
+  put("index.html", report_html, r);
+  put("audit.csv", report_csv, r);
+  put("junit.xml", report_junit, r);
+}
+
+/* The paper's own report: every formula in it is set. */
+START_TEST(the_papers_page) {
+  struct model m;
+  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct scene scene;
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  model_init(&m);
+  audit_result_init(&r);
+  const struct audit_options opt = {.readings = false};
+  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
+            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
+            model_add_file(&m, "verify/controls/controls.eq", RANK_CONTROL, &d) &&
+            scene_load(&scene, "paper", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d) &&
+            claims_load(&controls, "verify/controls", "control", &d) &&
+            audit_run(&r, &m, &claims, &controls, &scene, &opt, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  put_all(&r);
+  ck_assert_int_eq(check_folder("0"), 0);
+  audit_result_clear(&r);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  scene_clear(&scene);
+  model_clear(&m);
+}
+END_TEST
+
+/* A record in which every string is a trap.  Ids are made distinct. */
+enum { MOST_TRAPS = 60 };
+struct traps {
+  struct finding f[MOST_TRAPS];
+  struct consequence q[MOST_TRAPS];
+  struct derived d[MOST_TRAPS];
+  struct evidence e[MOST_TRAPS];
+  struct control_result c[MOST_TRAPS];
+  struct route_pair p[MOST_TRAPS];
+  struct long_result l[MOST_TRAPS];
+  struct skipped_work s[MOST_TRAPS];
+  struct readings readings;
+  const char *ids[MOST_TRAPS];
+  char id[MOST_TRAPS][200];
+};
+
+static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
+  static const char *const faults[] = {"number", "formula", "notation", "argument", NULL};
+  snprintf(t->id[i], sizeof t->id[i], "%zu %.100s", i, trap);
+  if (i % 3 == 0) snprintf(t->id[i], sizeof t->id[i], "eq-%zu%.100s", i, trap);
+  t->ids[i] = t->id[i];
+  t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
+  t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
+  t->q[i] = (struct consequence){t->id[i], {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
+  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0};
+  t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};
+  t->l[i] = (struct long_result){.orbit = trap, .multiplier = trap, .expected = trap, .obeys = i % 2 == 0};
+  t->s[i] = (struct skipped_work){trap, trap};
+  t->f[i] = (struct finding){t->id[i],
+                             trap,
+                             trap,
+                             trap,
+                             trap,
+                             trap,
+                             (enum verdict)(i % N_VERDICTS),
+                             trap,
+                             i % 2 ? trap : faults[i % 5],
+                             i % 4 ? trap : NULL,
+                             VERDICT_PROVED,
+                             trap,
+                             trap,
+                             trap,
+                             trap,
+                             trap,
+                             trap,
+                             t->ids,
+                             (int)n,
+                             &t->e[i],
+                             1,
+                             trap,
+                             (enum verdict)(i % (N_VERDICTS + 1))};
+}
+
+static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {
+  ck_assert(n <= MOST_TRAPS);
+  *t = (struct traps){.readings = {.conclusion = (const char **)(uintptr_t)traps, .n_conclusions = (int)n}};
+  for (size_t i = 0; i < n; i++) lay_trap(t, i, n, traps[i]);
+  for (size_t i = 0; i < n; i++) t->q[i].survives = (struct id_list){t->ids, (int)i};
+  *r = (struct audit_result){.scene = traps[0],
+                             .title = traps[0],
+                             .findings = t->f,
+                             .n_findings = n,
+                             .consequences = t->q,
+                             .n_consequences = n,
+                             .skipped = t->s,
+                             .n_skipped = n,
+                             .controls = t->c,
+                             .n_controls = n,
+                             .pairs = t->p,
+                             .n_pairs = n,
+                             .long_runs = t->l,
+                             .n_long_runs = n,
+                             .independence = traps,
+                             .n_independence = (int)n,
+                             .readings = &t->readings};
+}
+
+START_TEST(nothing_quoted_breaks_a_page) {
+  static const char *const traps[] = {"</title></style><script>alert(1)</script>",
+                                      "a & b &amp; c &#x3c;",
+                                      "\" onload=\"x",
+                                      "' onload='x",
+                                      "]]>",
+                                      "<![CDATA[x]]>",
+                                      "<!-- x -->",
+                                      "--> <!--",
+                                      "$\\text{</math><script>}$",
+                                      "$a < b$ & $c > d$",
+                                      "$x^$",
+                                      "$\\frac{1}{2$",
+                                      "$",
+                                      "$$",
+                                      "",
+                                      " ",
+                                      "$ $",
+                                      "$<script>$",
+                                      "$\\begin{pmatrix} 1 & 2 \\\\ 3 & 4 \\end{pmatrix}$",
+                                      "$\\left. x \\right|$",
+                                      "x_1 $x'_1$, y",
+                                      "line\nbroken\ttabbed\rreturned",
+                                      "%s%n%d",
+                                      "\xcf\x87 and \xe2\x82\xac \xf0\x9d\x92\xb3",
+                                      "\\u0000 \\x3c",
+                                      "a, (b, c), nothing",
+                                      "nothing",
+                                      "appendix_z",
+                                      "javascript:alert(1)",
+                                      "\x1b[31m",
+                                      "a\x01"
+                                      "b\x7f"
+                                      "c\xc2\x85"
+                                      "d\xef\xbf\xbe"
+                                      "e\xef\xbf\xbf",
+                                      "states",
+                                      "-",
+                                      "=1+2",
+                                      "a,b;\"c\"\"d\""};
+  static struct traps t;
+  struct audit_result r;
+  hostile(&r, &t, traps, sizeof traps / sizeof *traps);
+  put_all(&r);
+  ck_assert_int_eq(check_folder(""), 0);
+}
+END_TEST
+
+/* Bytes that are no characters: the page has none of them. */
+START_TEST(broken_bytes_are_replaced) {
+  static const char *const bytes[] = {"\xff",         "\xc3",         "\xc3(",    "\xe2\x82",
+                                      "\xf0\x9d\x92", "\xed\xa0\x80", "\xc0\xaf", "\x80"};
+  for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
+    struct text t;
+    text_init(&t);
+    html_plain(&t, bytes[i]);
+    ck_assert(strstr(t.data, "\xef\xbf\xbd") && text_valid_prefix(t.data, t.len) == t.len);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+START_TEST(a_long_text_and_a_long_formula) {
+  enum { LENGTH = 100000 };
+  static char text[LENGTH + 1], formula[LENGTH + 3];
+  memset(text, 'a', LENGTH);
+  for (int i = 0; i < LENGTH; i++) formula[i + 1] = i % 2 ? '+' : 'x';
+  formula[0] = formula[LENGTH + 1] = '$';
+  const char *traps[] = {text, formula};
+  static struct traps t;
+  struct audit_result r;
+  hostile(&r, &t, traps, 2);
+  t.f[1].printed = t.f[1].printed_part = text; /* too long to be compared */
+  put_all(&r);
+}
+END_TEST
+
+START_TEST(a_record_of_nothing) {
+  struct audit_result r = {.scene = "s"};
+  put_all(&r);
+  ck_assert_int_eq(check_folder(""), 0);
+}
+END_TEST
+
+/* --- A small record whose page can be told in advance --- */
+
+static struct finding small_finding(const char *id, enum verdict v, enum verdict recorded) {
+  return (struct finding){
+      .id = id, .section = "model", .title = id, .verdict = v, .reproduce = "again", .recorded = recorded};
+}
+
+static char *written(void (*writer)(struct text *, const struct audit_result *), const struct audit_result *r) {
+  struct text t;
+  text_init(&t);
+  writer(&t, r);
+  return t.data;
+}
+
+START_TEST(what_stands_where) {
+  struct finding f[] = {
+      small_finding("eq-1", VERDICT_PROVED, VERDICT_PROVED), small_finding("eq-2", VERDICT_CONDITIONAL, N_VERDICTS),
+      small_finding("eq-3", VERDICT_UNKNOWN, VERDICT_PROVED), small_finding("text-4", VERDICT_REFUTED, VERDICT_REFUTED),
+      small_finding("text-5", VERDICT_SKIPPED, N_VERDICTS)};
+  f[1].condition = "V = 1";
+  f[3].fault = "number";
+  f[0].section = "appendix_a";
+  struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
+  char *page = written(report_html, &r);
+  static const char *const order[] = {"<strong>2 do not hold as printed</strong>",
+                                      "1 results are not as recorded",
+                                      "<h3>Not as recorded</h3>",
+                                      "unknown, recorded as proved",
+                                      "<h3>Numbers and the example</h3>",
+                                      "<article id=\"f-text-4\">",
+                                      "<article id=\"f-eq-2\">",
+                                      "it holds under the condition V = 1",
+                                      "<h3>Undecided</h3>",
+                                      "<article id=\"f-eq-3\">",
+                                      "id=\"c-eq-2\"",
+                                      "id=\"c-text-5\"",
+                                      "id=\"c-eq-1\""}; /* the appendix comes last */
+  const char *at = page;
+  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+    const char *next = strstr(at, order[i]);
+    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
+    at = next + 1;
+  }
+  ck_assert(!strstr(page, "id=\"f-eq-1\"") && !strstr(page, "id=\"f-text-5\""));
+  free(page);
+}
+END_TEST
+
+START_TEST(junit_fails_where_the_record_differs) {
+  struct finding f[] = {
+      small_finding("a", VERDICT_PROVED, VERDICT_PROVED),   small_finding("b", VERDICT_REFUTED, VERDICT_REFUTED),
+      small_finding("c", VERDICT_SKIPPED, VERDICT_SKIPPED), small_finding("d", VERDICT_PROVED, VERDICT_REFUTED),
+      small_finding("e", VERDICT_SKIPPED, VERDICT_PROVED),  small_finding("f", VERDICT_UNKNOWN, N_VERDICTS)};
+  struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false}, {"ctl-2", "a", VERDICT_REFUTED, true}};
+  struct audit_result r = {.scene = "s", .findings = f, .n_findings = 6, .controls = c, .n_controls = 2};
+  char *xml = written(report_junit, &r);
+  ck_assert_str_eq(
+      xml,
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"s\">\n"
+      "  <testsuite name=\"claims\" tests=\"6\" failures=\"2\" errors=\"0\" skipped=\"1\">\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"a: a\"></testcase>\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"b: b\"></testcase>\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"c: c\"><skipped message=\"not possible in this scene\" />"
+      "</testcase>\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"d: d\"><failure message=\"proved, recorded as "
+      "refuted\">again"
+      "</failure></testcase>\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"e: e\"><failure message=\"skipped, recorded as "
+      "proved\">again"
+      "</failure></testcase>\n"
+      "    <testcase classname=\"stickslip.s.model\" name=\"f: f\"></testcase>\n"
+      "  </testsuite>\n"
+      "  <testsuite name=\"controls\" tests=\"2\" failures=\"1\" errors=\"0\" skipped=\"0\">\n"
+      "    <testcase classname=\"stickslip.s.controls\" name=\"ctl\"><failure message=\"proved, must be refuted\" />"
+      "</testcase>\n"
+      "    <testcase classname=\"stickslip.s.controls\" name=\"ctl-2\"></testcase>\n"
+      "  </testsuite>\n"
+      "  <testsuite name=\"routes\" tests=\"0\" failures=\"0\" errors=\"0\" skipped=\"0\">\n"
+      "  </testsuite>\n</testsuites>\n");
+  free(xml);
+}
+END_TEST
+
+START_TEST(csv_quotes) {
+  struct finding f = small_finding("a", VERDICT_PROVED, N_VERDICTS);
+  f.title = "say \"so\", twice\nand\x01";
+  struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
+  char *csv = written(report_csv, &r);
+  ck_assert_str_eq(strchr(csv, '\n') + 1,
+                   "\"a\",,\"model\",\"say \"\"so\"\", twice\nand \",\"proved\",,,,,,,,,,,\"again\"\n");
+  free(csv);
+}
+END_TEST
+
+/* Boxes stand to the right of what they rest on, circles side by side. */
+START_TEST(levels_of_the_graph) {
+  struct finding f[4];
+  const char *one[] = {"b"}, *two[] = {"a", "b"}, *three[] = {"b"};
+  static const char *const ids[] = {"a", "b", "c", "d"};
+  for (int i = 0; i < 4; i++) f[i] = small_finding(ids[i], VERDICT_PROVED, N_VERDICTS);
+  f[0].depends_on = one, f[0].n_depends_on = 1;   /* a rests on b */
+  f[2].depends_on = two, f[2].n_depends_on = 2;   /* c rests on a and, over it, on b */
+  f[1].depends_on = three, f[1].n_depends_on = 1; /* b rests on itself */
+  struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4};
+  char *page = written(report_html, &r);
+  ck_assert(strstr(page, "Graph of 3 claims on 3 levels with 3 arrows"));
+  static const char *const box[] = {"b (proved): b</title><rect class=\"node proved\" x=\"10\"",
+                                    "a (proved): a</title><rect class=\"node proved\" x=\"200\"",
+                                    "c (proved): c</title><rect class=\"node proved\" x=\"390\""};
+  for (size_t i = 0; i < 3; i++) ck_assert_msg(strstr(page, box[i]), "%s", box[i]);
+  free(page);
+}
+END_TEST
+
+Suite *html_suite(void) {
+  Suite *s = suite_create("html");
+  TCase *c = tcase_create("formulas");
+  tcase_add_test(c, formulas_are_set);
+  tcase_add_test(c, what_is_no_formula_is_shown_as_typed);
+  tcase_add_test(c, deep_formulas);
+  tcase_add_test(c, formulas_break_where_tex_would);
+  tcase_add_test(c, what_differs_is_marked);
+  tcase_add_test(c, marks_are_carried_to_the_quotation);
+  tcase_add_test(c, broken_bytes_are_replaced);
+  suite_add_tcase(s, c);
+  c = tcase_create("page");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, the_papers_page);
+  tcase_add_test(c, nothing_quoted_breaks_a_page);
+  tcase_add_test(c, a_long_text_and_a_long_formula);
+  tcase_add_test(c, a_record_of_nothing);
+  tcase_add_test(c, what_stands_where);
+  tcase_add_test(c, junit_fails_where_the_record_differs);
+  tcase_add_test(c, csv_quotes);
+  tcase_add_test(c, levels_of_the_graph);
+  suite_add_tcase(s, c);
+  return s;
+}
