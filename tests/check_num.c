@@ -200,6 +200,10 @@ START_TEST(solutions_and_determinants) {
 }
 END_TEST
 
+static void fill(struct num_vec *v, const double *x) {
+  for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
+}
+
 /* An entry that overflows on the way is lost whatever it would come to, and no other entry is. */
 START_TEST(products_that_cannot_be_held) {
   struct num_vec x, y, z;
@@ -215,10 +219,6 @@ START_TEST(products_that_cannot_be_held) {
   num_vec_clear(&x);
 }
 END_TEST
-
-static void fill(struct num_vec *v, const double *x) {
-  for (slong i = 0; i < v->len; i++) put(v, i, x[i]);
-}
 
 /* Elimination is exact on these, whatever the type. */
 START_TEST(singular_matrices) {

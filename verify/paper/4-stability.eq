@@ -147,14 +147,6 @@ equation eq-33
   tex: Z(t) = H(t - t_a - dt_a - t_b - dt_b)(Z_b + dZ_b)
   [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
 
-inequality text-denominators
-  tex: 1 - \chi_b > 0, \quad z_{1c} - \chi z_{2c} < 0, \quad z_{20} - z_{10} < 0, \quad \sin(\omega t_d) > 0
-  note: what (32), (36) and (40) divide by, cot(omega t_d) included
-  1 - chi_b > 0
-  z_1c - chi*z_2c < 0
-  z_20 - z_10 < 0
-  sin(omega*t_d) > 0
-
 define eq-34
   equation: 34
   tex: dZ_c = \begin{pmatrix} dz_c \\ dz'_c \end{pmatrix}, dz_c = \begin{pmatrix} x_c \\ y_c \end{pmatrix},

@@ -39,12 +39,6 @@ equation text-45-suffices
   note: the right side is zero where (45) holds, since z'_0 = (V, V)'
   N_3*(-inv(N_1 - I)*N_2*z'_0) + (N_4 - I)*z'_0 = -N_3*M*z'_0
 
-inequality text-inverses
-  tex: (\det(N_1 - I))^2 > 0, (\det N_3)^2 > 0
-  note: M and (46) contain the inverses
-  det(N_1 - I)^2 > 0
-  det(N_3)^2 > 0
-
 equation text-times-alone
   tex: M_{11} + M_{12} = 0, M_{21} + M_{22} = 0, (12), (14) \text{ with } z_0 = -(N_1 - I)^{-1} N_2 z'_0
   M[1,1] + M[1,2] = 0

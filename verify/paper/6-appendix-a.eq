@@ -38,10 +38,6 @@ define eq-48b
   psi_1 := [1; lambda_1]
   psi_2 := [1; lambda_2]
 
-inequality text-frequencies
-  tex: 0 < \omega_1 < \omega_2
-  0 < omega_1 < omega_2
-
 equation eq-48c
   equation: 48
   tex: (K - I\omega_i^2)\psi_i = 0
