@@ -463,7 +463,7 @@ static void compare_motion(struct values *v, const struct exact_attempt *a, enum
     }
     exact_clear(&e, m.field);
   }
-  ck_assert_int_ge(compared, N_MOTION_NAMES - 6); /* tangents by L from a chain outgrow the budget towards the end */
+  ck_assert_int_ge(compared, N_MOTION_NAMES - 10); /* tangents by L from a chain outgrow the budget towards the end */
   exact_motion_clear(&m);
   values_close(&g);
   arb_clear(y);

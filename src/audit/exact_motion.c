@@ -542,12 +542,15 @@ static int bind_tangent(element *z, struct exact_motion *m, int index) {
   return s;
 }
 
-static int bind_arc(element *z, struct exact_motion *m, int index) {
-  if (index >= 100) return length(z, m, index - 100);
+static int bind_state(element *z, struct exact_motion *m, int k, int component) {
   struct num_vec v;
-  int s = state(&v, m, index / 4);
-  num_exact.set(z, at(&v, index % 4));
+  int s = state(&v, m, k);
+  num_exact.set(z, at(&v, component));
   return s;
+}
+
+static int bind_arc(element *z, struct exact_motion *m, int index) {
+  return index >= 100 ? length(z, m, index % 100) : bind_state(z, m, index / 4 % 4, index % 4);
 }
 
 /* e_1 and e_2 are known once the states are that decide them. */

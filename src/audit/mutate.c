@@ -115,18 +115,23 @@ static const struct finding *same_id(const struct audit_result *r, const char *i
   return NULL;
 }
 
+static bool passes(enum verdict v) {
+  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
+}
+
+/* That a proof fails, or succeeds, is not noticed by itself. */
+static bool alike(enum verdict a, enum verdict b) {
+  return a == b || (passes(a) && passes(b));
+}
+
 static bool same_findings(const struct audit_result *a, const struct audit_result *b) {
   bool same = a->n_findings == b->n_findings;
   for (size_t i = 0; same && i < a->n_findings; i++) {
     const struct finding *x = &a->findings[i], *y = &b->findings[i];
-    same = strcmp(x->id, y->id) == 0 && x->verdict == y->verdict && !x->correction == !y->correction &&
-           (!x->correction || x->correction_verdict == y->correction_verdict);
+    same = strcmp(x->id, y->id) == 0 && alike(x->verdict, y->verdict) && !x->correction == !y->correction &&
+           (!x->correction || alike(x->correction_verdict, y->correction_verdict));
   }
   return same;
-}
-
-static bool passes(enum verdict v) {
-  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
 }
 
 /* A refuted claim: whether what passed besides, its correction or a restricted claim, is refuted now. */
