@@ -210,8 +210,9 @@ START_TEST(products_that_cannot_be_held) {
   num_vec_init(&x, 4, num_ctx_double());
   num_vec_init(&y, 2, num_ctx_double());
   num_vec_init(&z, 2, num_ctx_double());
-  fill(&x, (const double[]){1e300, -1e300, 1, 2});
-  fill(&y, (const double[]){1e300, 1e300});
+  const double factors[] = {1e300, -1e300, 1, 2};
+  for (slong i = 0; i < 4; i++) put(&x, i, factors[i]);
+  for (slong i = 0; i < 2; i++) put(&y, i, 1e300);
   ck_assert_int_eq(num_mat_mul(&z, &x, &y, 2, 2, 1), SS_UNABLE);
   ck_assert(is_nan(&z, 0) && *(double *)num_vec_at(&z, 1) == 3e300);
   num_vec_clear(&z);
