@@ -476,7 +476,7 @@ int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int
   for (slong i = 0; i < list->n_branches; i++)
     for (int k = 0; k < 2; k++)
       if (list->branch[i].end[k] == END_LOST) status |= SS_UNABLE;
-  qsort(list->at, (size_t)list->n, sizeof *list->at, by_value);
+  if (list->n > 1) qsort(list->at, (size_t)list->n, sizeof *list->at, by_value);
   free(l.start);
   return status;
 }
