@@ -272,6 +272,8 @@ static void check_change(const struct dyn_bifurcation *b, const struct line *l, 
     ck_assert((t[1] > t[0]) == (b->sense > 0));
   }
   if (b->what == CHANGE_TA) ck_assert_int_ne(o[0]->holds[COND_TA], o[1]->holds[COND_TA]);
+  if (b->what == CHANGE_C_W_START || b->what == CHANGE_C_W_HILL)
+    ck_assert_int_ne(o[0]->holds[COND_C_W], o[1]->holds[COND_C_W]);
   if (b->what == CHANGE_H_V2) ck_assert_int_ne(o[0]->holds[COND_H_V2], o[1]->holds[COND_H_V2]);
   if (turns) {
     const struct dyn_orbit *pair = b->beside[b->sense > 0].orbit;
@@ -288,7 +290,8 @@ static const struct {
              {{"0", "2", "1", "4", "0.25"}, P_CHI, "0.7", "0.9"},
              {{"0.8", "1", "0", "2.7844", "0.8587"}, P_V, "1.5", "3.5"},
              {{"0.8", "0", "1", "2.7844", "0.8587"}, P_ETA, "5", "0.5"},
-             {{"0.5", "4", "1", "0", "1"}, P_E1, "1.5", "6"}};
+             {{"0.5", "4", "1", "0", "1"}, P_E1, "1.5", "6"},
+             {{"0.1857", "0.1006", "1.6272", "0", "16.2816"}, P_E1, "0.1", "3"}}; /* w meets e1 in phase C */
 enum { N_LINES = sizeof lines / sizeof *lines };
 
 /* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is left. */
