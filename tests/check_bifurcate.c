@@ -272,6 +272,8 @@ static void check_change(const struct dyn_bifurcation *b, const struct line *l, 
     ck_assert((t[1] > t[0]) == (b->sense > 0));
   }
   if (b->what == CHANGE_TA) ck_assert_int_ne(o[0]->holds[COND_TA], o[1]->holds[COND_TA]);
+  if (b->what == CHANGE_C_W_START || b->what == CHANGE_C_W_HILL)
+    ck_assert_int_ne(o[0]->holds[COND_C_W], o[1]->holds[COND_C_W]);
   if (b->what == CHANGE_H_V2) ck_assert_int_ne(o[0]->holds[COND_H_V2], o[1]->holds[COND_H_V2]);
   if (turns) {
     const struct dyn_orbit *pair = b->beside[b->sense > 0].orbit;
@@ -288,7 +290,8 @@ static const struct {
              {{"0", "2", "1", "4", "0.25"}, P_CHI, "0.7", "0.9"},
              {{"0.8", "1", "0", "2.7844", "0.8587"}, P_V, "1.5", "3.5"},
              {{"0.8", "0", "1", "2.7844", "0.8587"}, P_ETA, "5", "0.5"},
-             {{"0.5", "4", "1", "0", "1"}, P_E1, "1.5", "6"}};
+             {{"0.5", "4", "1", "0", "1"}, P_E1, "1.5", "6"},
+             {{"0.1857", "0.1006", "1.6272", "0", "16.2816"}, P_E1, "0.1", "3"}}; /* w meets e1 in phase C */
 enum { N_LINES = sizeof lines / sizeof *lines };
 
 /* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is left. */
@@ -374,6 +377,45 @@ START_TEST(third_order_of_the_oracle) {
 }
 END_TEST
 
+/* Given static friction: at low and high the bound on it, as the search has it, lies on different sides of what is given. */
+START_TEST(friction_that_is_just_enough) {
+  const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
+  struct line l;
+  struct dyn_bifurcations list;
+  fmpq u[2];
+  const fmpq *u_r[2] = {&u[0], &u[1]};
+  int hits[2] = {0, 0};
+  for (int i = 0; i < 2; i++) fmpq_init(&u[i]);
+  set_decimal(&u[0], "2.2");
+  set_decimal(&u[1], "1.7");
+  line_init(&l, params, P_E2, "0.7", "1.2");
+  ck_assert_int_eq(dyn_bifurcations_find(&list, l.params, l.vary, l.from, l.to, u_r, 10, 33), SS_OK);
+  for (slong i = 0; i < list.n; i++) {
+    const struct dyn_bifurcation *b = &list.at[i];
+    int of = b->what == CHANGE_U_R2 ? 1 : 0;
+    if (b->what != CHANGE_U_R1 && b->what != CHANGE_U_R2) continue;
+    hits[of]++;
+    ck_assert(b->crosses && b->unique && b->beside[0].n == 1 && b->beside[1].n == 1);
+    int above[2];
+    for (int k = 0; k < 2; k++) {
+      struct dyn_orbits at;
+      orbits_at(&at, &l, k ? &b->high : &b->low);
+      const struct dyn_orbit *o = same_orbit(&at, &b->beside[k].orbit[0]);
+      ck_assert(o != NULL);
+      above[k] = num_arb.get_d(of ? o->u_r2_min : o->u_r1_min) > fmpq_get_d(&u[of]);
+      dyn_orbits_clear(&at);
+    }
+    ck_assert_int_ne(above[0], above[1]);
+    ck_assert_int_eq(b->sense, above[0] ? 1 : -1);
+  }
+  ck_assert_msg(hits[0] > 0 && hits[1] > 0, "%d and %d", hits[0], hits[1]);
+  dyn_bifurcations_clear(&list);
+  line_clear(&l);
+  for (int i = 0; i < 2; i++) fmpq_clear(&u[i]);
+  flint_cleanup();
+}
+END_TEST
+
 /* --- Limits --- */
 
 START_TEST(ends_outside_the_domain) {
@@ -406,6 +448,7 @@ Suite *bifurcate_suite(void) {
   tcase_add_test(c, more_digits_narrower_brackets);
   tcase_add_loop_test(c, each_change_does_what_it_says, 0, N_LINES);
   tcase_add_test(c, third_order_of_the_oracle);
+  tcase_add_test(c, friction_that_is_just_enough);
   tcase_add_test(c, ends_outside_the_domain);
   suite_add_tcase(s, c);
   return s;

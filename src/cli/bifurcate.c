@@ -7,7 +7,7 @@
 #include "cli.h"
 #include "stickslip/json.h"
 
-enum { STARTS = 129, MOST_DIGITS = 1000 };
+enum { STARTS = 257, MOST_DIGITS = 1000 };
 
 struct along {
   int vary;

@@ -12,7 +12,15 @@
 #include "curve.h"
 #include "stickslip/arena.h"
 
-enum { START_PREC = 64, MOST_STEPS = 20000, ATTEMPTS = 6, NARROWER = 3 };
+enum {
+  START_PREC = 64,
+  MOST_EVALUATIONS = 2000000, /* of the return map, in all searches together */
+  MOST_CUT_SHORT = 6,         /* searches that ran into their limits, half a second each or more */
+  MOST_STEPS = 40000,         /* along all curves together */
+  MOST_CHANGES = 2000,
+  ATTEMPTS = 6,
+  NARROWER = 3
+};
 
 /* --- Records. --- */
 
@@ -357,7 +365,7 @@ static bool follow(struct line *l, struct dyn_branch *br, int end, const struct 
   for (int k = 0; k < 3; k++) last[k] = from->x[k];
   if (!trace_start(&t, curve, from->x, l->low, l->high, end ? 1 : -1)) return true;
   struct spot first = t.now;
-  for (slong i = 0; i < MOST_STEPS; i++, l->steps++) {
+  for (slong i = 0; l->steps < MOST_STEPS && l->list->n < MOST_CHANGES; i++, l->steps++) {
     struct spot before = t.now;
     struct crossing c[N_CHANGES];
     if ((before.x[0] <= l->low && before.tangent[0] < 0) || (before.x[0] >= l->high && before.tangent[0] > 0)) {
@@ -405,8 +413,9 @@ static void follow_branch(struct line *l, const struct start *from) {
 
 /* --- The line. --- */
 
-/* The orbits at the i-th of n values. */
-static int find_starts(struct line *l, size_t *cap, const fmpq_t from, const fmpq_t to, slong i, slong n) {
+/* The orbits at the i-th of n values.  *evaluations counts on. */
+static int find_starts(struct line *l, size_t *cap, long *evaluations, const fmpq_t from, const fmpq_t to, slong i,
+                       slong n) {
   struct dyn_orbits orbits;
   fmpq at[N_PARAMS];
   fmpq_t part;
@@ -427,10 +436,24 @@ static int find_starts(struct line *l, size_t *cap, const fmpq_t from, const fmp
                                              num_arb.get_d(o->z20) > num_arb.get_d(o->z10),
                                              false};
   }
+  *evaluations += orbits.evaluations;
   dyn_orbits_clear(&orbits);
   for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&at[k]);
   fmpq_clear(part);
   return status;
+}
+
+/* Spread over the line from the first few on, since hard parameters may use up what is allowed. */
+static int find_all_starts(struct line *l, const fmpq_t from, const fmpq_t to, slong n) {
+  size_t cap = 0;
+  long evaluations = 0, cut_short = 0;
+  slong stride = n / 3 + 1;
+  while (n_gcd((ulong)stride, (ulong)n) != 1) stride++;
+  for (slong i = 0; i < n; i++) {
+    if (evaluations > MOST_EVALUATIONS || cut_short > MOST_CUT_SHORT) return SS_UNABLE;
+    if (find_starts(l, &cap, &evaluations, from, to, i * stride % n, n)) cut_short++;
+  }
+  return cut_short ? SS_UNABLE : SS_OK;
 }
 
 static int by_value(const void *x, const void *y) {
@@ -443,19 +466,17 @@ int dyn_bifurcations_find(struct dyn_bifurcations *list, const fmpq *params, int
                           const fmpq_t to, const fmpq *const u_r[2], slong digits, slong starts) {
   *list = (struct dyn_bifurcations){NULL, 0, NULL, 0, 0};
   struct line l = {.list = list, .params = params, .u_r = {u_r[0], u_r[1]}, .vary = vary, .digits = digits};
-  size_t cap = 0;
   double ends[2] = {fmpq_get_d(from), fmpq_get_d(to)};
   l.low = fmin(ends[0], ends[1]);
   l.high = fmax(ends[0], ends[1]);
   if (!(l.low > 0 && l.low < l.high) || (vary == P_CHI && l.high >= 1)) return SS_DOMAIN;
-  int status = SS_OK;
-  for (slong i = 0; i < starts; i++) status |= find_starts(&l, &cap, from, to, i, starts);
+  int status = find_all_starts(&l, from, to, starts);
   for (slong i = 0; i < l.n_starts; i++)
     if (!l.start[i].done) follow_branch(&l, &l.start[i]);
   for (slong i = 0; i < list->n_branches; i++)
     for (int k = 0; k < 2; k++)
       if (list->branch[i].end[k] == END_LOST) status |= SS_UNABLE;
-  qsort(list->at, (size_t)list->n, sizeof *list->at, by_value);
+  if (list->n > 1) qsort(list->at, (size_t)list->n, sizeof *list->at, by_value);
   free(l.start);
   return status;
 }
