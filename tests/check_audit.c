@@ -1174,7 +1174,8 @@ START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
 }
 END_TEST
 
-/* A control is its claim with something made wrong; without the wrong it is not noticed, and that is reported. */
+/* A control is its claim with something made wrong; without the wrong it is not noticed, and that is reported.  No proof is
+   looked for where only a refutation is awaited. */
 START_TEST(an_undamaged_control_is_a_failure) {
   for (int damaged = 0; damaged < 2; damaged++) {
     struct audit_result r;
@@ -1183,7 +1184,7 @@ START_TEST(an_undamaged_control_is_a_failure) {
     judge(&r, NULL, damaged, "eq-27");
     report_line(&line, &r);
     ck_assert(r.n_controls == 1 && strcmp(r.controls[0].claim, "eq-27") == 0);
-    ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_PROVED));
+    ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_SUPPORTED));
     ck_assert(r.controls[0].noticed == damaged && audit_result_unexpected(&r) == !damaged);
     ck_assert_str_eq(text_str(&line), damaged
                                           ? "paper: 1 claims: 1 proved; 1 of 1 controls noticed; as recorded"

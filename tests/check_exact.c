@@ -483,7 +483,7 @@ START_TEST(motions_have_the_values_of_motions) {
       if (values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache) == SS_OK) {
         arb_t tau;
         arb_init(tau);
-        arb_set(tau, num_vec_at(&v.t, 0));
+        bind_ball(tau, &v, "t");
         for (int k = 0; k < ph; k++) arb_sub(tau, tau, num_vec_at(&v.arc.t, k), PREC);
         static const struct exact_attempt attempts[] = {{true, 4, TANGENTS_FREE, TIME_INSIDE},
                                                         {true, 4, TANGENTS_LOCATED, TIME_INSIDE},

@@ -305,6 +305,12 @@ void audit_control(struct audit_result *out, const char *id, const char *claim, 
   out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
 }
 
+static bool is_undecided(const struct audit_result *out, const char *id) {
+  for (size_t i = 0; i < out->n_findings; i++)
+    if (strcmp(out->findings[i].id, id) == 0) return out->findings[i].verdict == VERDICT_UNKNOWN;
+  return false;
+}
+
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
    those of the control's own record. */
 static bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
@@ -324,6 +330,10 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
+  if (f.verdict == VERDICT_UNKNOWN && is_undecided(out, claim->id)) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim is undecided here without damage");
+    return true;
+  }
   audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
   return true;
 }
