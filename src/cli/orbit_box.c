@@ -3,6 +3,7 @@
 
 #include "cli.h"
 #include "orbit_numbers.h"
+#include "stickslip/complete.h"
 #include "stickslip/box.h"
 
 /* The ends of x as decimals, rounded outwards. */
@@ -124,6 +125,8 @@ static void box_json(struct text *out, const struct dyn_box *box, const struct s
   }
   json_end_object(&j);
   json_bool(&j, "complete", false);
+  json_string(&j, "gap", dyn_gap_text[GAP_UNTRIED]);
+  json_null(&j, "t_c_max");
   json_array(&j, "orbits");
   for (slong i = 0; i < box->n; i++) orbit_json(&j, &box->at[i], s, digits);
   json_end_array(&j);

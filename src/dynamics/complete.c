@@ -7,7 +7,7 @@
 #include "sweep.h"
 
 const char *const dyn_gap_text[N_GAPS] = {
-    [GAP_UNTRIED] = "completeness was not looked into",
+    [GAP_UNTRIED] = "not looked into",
     [GAP_BUDGET] = "the budget ran out before t_c was bounded everywhere",
     [GAP_DOUBLE] = "a double zero, or two zeros too close to be told apart",
     [GAP_GRAZING] = "it is undecided whether an event is the first of its phase",
