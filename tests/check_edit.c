@@ -81,6 +81,8 @@ static const struct {
     {EDIT_DROPPED, "a - b = 0", "-b = 0 | a = 0"},
     {EDIT_DROPPED, "a/b = 0", "1/b = 0 | a = 0"},
     {EDIT_DROPPED, "1/b = 0", "1 = 0"},
+    {EDIT_TERM, "M = H(z_1a)", "M = H(z_2a + z_1a)"},
+    {EDIT_TERM, "M = H(a + z_1a)*z_1a", ""},
     {EDIT_MOVED, "a*b/M = 0", "a/(M*b) = 0 | b/(M*a) = 0"},
     {EDIT_MOVED, "a/(b*M) = 0", "1/(b*M*a) = 0 | a*M/b = 0 | a*b/M = 0 | a/(M/b) = 0"},
     {EDIT_MOVED, "a*b = 0", "b/a = 0"},

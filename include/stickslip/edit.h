@@ -14,6 +14,7 @@
      prime       a prime more or less, on a function or in a name (z_1a, z'_1a)
      dropped     a factor, a term, a divisor or a numerator left out
      factor      a term times one of the given factors
+     term        a name of its family added to the name that a function has for its argument: H(t_a + t_c) for H(t_c)
      moved       a factor from the numerator to the denominator or back
      transposed  two rows, two columns or two entries of a matrix literal exchanged; a row written as a column
      relation    < for > and back, <= for >= and back; the smallest root for the largest
@@ -36,6 +37,7 @@
   X(PRIME, prime)                                                                                                      \
   X(DROPPED, dropped)                                                                                                  \
   X(FACTOR, factor)                                                                                                    \
+  X(TERM, term)                                                                                                        \
   X(MOVED, moved)                                                                                                      \
   X(TRANSPOSED, transposed)                                                                                            \
   X(RELATION, relation)

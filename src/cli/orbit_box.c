@@ -3,8 +3,8 @@
 
 #include "cli.h"
 #include "orbit_numbers.h"
-#include "stickslip/complete.h"
 #include "stickslip/box.h"
+#include "stickslip/complete.h"
 
 /* The ends of x as decimals, rounded outwards. */
 static void print_ends(char *out[2], const arb_t x, slong digits) {

@@ -290,6 +290,16 @@ static void edit_factor(struct job *j, int i) {
   }
 }
 
+static void edit_term(struct job *j, int i) {
+  const struct expr *e = j->place[i].e, *p = parent_of(j, i);
+  const struct edit_word *self = e->kind == EXPR_SYM ? find_word(j, e->name) : NULL;
+  for (size_t k = 0; self && p && p->kind == EXPR_CALL && k < j->words->n_words; k++) {
+    const struct edit_word *w = &j->words->word[k];
+    if (w == self || w->function || w->rows * w->cols != 1 || !edit_same_family(e->name, w->name)) continue;
+    replace(j, i, EDIT_TERM, new_node(j, EXPR_ADD, new_leaf(j, w->name, e->span), e));
+  }
+}
+
 /* --- Factors moved across the bar of a quotient --- */
 
 enum { MAX_FACTORS = 32 };
@@ -437,6 +447,7 @@ static void edit_node(struct job *j, int i) {
   edit_function(j, i);
   edit_dropped(j, i);
   edit_factor(j, i);
+  edit_term(j, i);
   edit_moved(j, i);
   edit_transposed(j, i);
 }
