@@ -25,7 +25,7 @@ SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
 TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
-PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema
+PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all check verify mutate lint asan cover format install uninstall clean help
