@@ -769,6 +769,76 @@ static void check_print(const arb_t x, slong digits, int status, const char *exp
   text_clear(&out);
 }
 
+/* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by num_print. */
+START_TEST(rationals_have_all_their_digits) {
+  static const struct {
+    const char *q;
+    slong digits;
+    const char *want;
+  } cases[] = {{"0", 5, "0"},
+               {"22953051/40960000", 15, "0.560377221679688"}, /* 0.5603772216796875 */
+               {"5/2", 1, "2"},
+               {"7/2", 1, "4"},
+               {"-5/2", 1, "-2"},
+               {"51/20", 2, "2.6"}, /* 2.55 */
+               {"49/20", 2, "2.4"}, /* 2.45 */
+               {"19999/2000", 4, "10.00"},
+               {"999/1000", 2, "1.0"},
+               {"1/3", 5, "0.33333"},
+               {"2/3", 5, "0.66667"},
+               {"100", 3, "100"},
+               {"99", 1, "100"},
+               {"1/1000", 2, "0.0010"},
+               {"123456", 2, "120000"},
+               {"1/12345678901234567890", 3, "8.10e-20"}};
+  struct text got;
+  fmpq_t q;
+  text_init(&got);
+  fmpq_init(q);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    ck_assert_int_eq(fmpq_set_str(q, cases[i].q, 10), 0);
+    text_reset(&got);
+    num_print_rational(&got, q, cases[i].digits);
+    ck_assert_msg(strcmp(text_str(&got), cases[i].want) == 0, "%s to %ld digits: %s", cases[i].q, (long)cases[i].digits,
+                  text_str(&got));
+  }
+  fmpq_clear(q);
+  text_clear(&got);
+}
+END_TEST
+
+/* Where a ball can be printed, the rational in it prints alike. */
+START_TEST(rationals_print_as_their_balls) {
+  struct text got, want;
+  fmpq_t q;
+  arb_t x;
+  text_init(&got);
+  text_init(&want);
+  fmpq_init(q);
+  arb_init(x);
+  long compared = 0;
+  for (uint64_t seed = 1; seed <= 4000; seed++) {
+    struct rng r = {seed};
+    slong digits = rng_between(&r, 1, 30);
+    long top = rng_between(&r, -1000000, 1000000), bottom = rng_between(&r, 1, 1000000);
+    fmpq_set_si(q, top, (ulong)bottom);
+    arb_set_fmpq(x, q, 400);
+    text_reset(&got);
+    text_reset(&want);
+    num_print_rational(&got, q, digits);
+    if (num_print(&want, x, digits) != SS_OK) continue;
+    ck_assert_msg(strcmp(text_str(&got), text_str(&want)) == 0, "%ld/%ld to %ld digits: %s, not %s", top, bottom,
+                  (long)digits, text_str(&got), text_str(&want));
+    compared++;
+  }
+  ck_assert_int_ge(compared, 3900);
+  arb_clear(x);
+  fmpq_clear(q);
+  text_clear(&want);
+  text_clear(&got);
+}
+END_TEST
+
 /* The layout as num.h states it, and numbers no double can be. */
 START_TEST(layout) {
   arb_t x;
@@ -1031,6 +1101,8 @@ static TCase *text_tcase(void) {
   tcase_add_test(tc, rationals);
   tcase_add_test(tc, decimals);
   tcase_add_test(tc, long_decimals);
+  tcase_add_test(tc, rationals_have_all_their_digits);
+  tcase_add_test(tc, rationals_print_as_their_balls);
   tcase_add_test(tc, printed_and_read_back);
   return tc;
 }

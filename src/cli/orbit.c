@@ -36,19 +36,30 @@ arb_srcptr orbit_number(const struct dyn_orbit *o, int i) {
   return (arb_srcptr)(const void *)((const char *)o + shown[i].offset);
 }
 
-static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, slong digits) {
+/* The value that the scene gives exactly under a number's name, or NULL: its decimal may be a tie, which no ball decides. */
+static const fmpq *given_number(const struct scene *s, const char *name) {
+  for (int k = KEY_E1; k <= KEY_TD; k++)
+    if (s->given[k] && strcmp(scene_key_name[k], name) == 0) return &s->value[k];
+  return NULL;
+}
+
+static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, const struct scene *s, slong digits) {
   for (int i = 0; i < N_SHOWN; i++) {
+    const fmpq *exact = given_number(s, orbit_number_name(i));
     text_reset(&out[i]);
-    if (num_print(&out[i], orbit_number(o, i), digits) != SS_OK) return false;
+    if (exact)
+      num_print_rational(&out[i], exact, digits);
+    else if (num_print(&out[i], orbit_number(o, i), digits) != SS_OK)
+      return false;
   }
   return true;
 }
 
-static bool all_printable(const struct dyn_orbits *list, slong digits) {
+static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   bool ok = true;
-  for (slong i = 0; i < list->n; i++) ok = ok && print_numbers(t, &list->orbit[i], digits);
+  for (slong i = 0; i < list->n; i++) ok = ok && print_numbers(t, &list->orbit[i], s, digits);
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
   return ok;
 }
@@ -77,18 +88,7 @@ void json_truth(struct json *j, const char *key, truth t) {
     json_bool(j, key, t == TRUTH_TRUE);
 }
 
-static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
-                       const struct scene *s, slong digits, bool basin) {
-  struct text t[N_SHOWN];
-  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
-  print_numbers(t, o, digits);
-  truth u[2], admissible = orbit_admissible(u, s, o);
-  json_object(j, NULL);
-  for (int i = 0; i < 10; i++) json_string(j, shown[i].name, text_str(&t[i]));
-  json_array(j, "eigenvalues");
-  json_string(j, NULL, "0");
-  json_string(j, NULL, text_str(&t[9]));
-  json_end_array(j);
+void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]) {
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", admissible);
   json_array(j, "violations");
@@ -97,6 +97,21 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   for (int i = 0; i < 2; i++)
     if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
   json_end_array(j);
+}
+
+static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
+                       const struct scene *s, slong digits, bool basin) {
+  struct text t[N_SHOWN];
+  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
+  print_numbers(t, o, s, digits);
+  truth u[2], admissible = orbit_admissible(u, s, o);
+  json_object(j, NULL);
+  for (int i = 0; i < 10; i++) json_string(j, shown[i].name, text_str(&t[i]));
+  json_array(j, "eigenvalues");
+  json_string(j, NULL, "0");
+  json_string(j, NULL, text_str(&t[9]));
+  json_end_array(j);
+  fate_json(j, o, admissible, u);
   json_string(j, "u_r1_min", text_str(&t[10]));
   json_string(j, "u_r2_min", text_str(&t[11]));
   json_bool(j, "certified", proof->certified);
@@ -200,7 +215,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
   add_completeness(out, list);
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
-    print_numbers(t, o, digits);
+    print_numbers(t, o, s, digits);
     truth u[2], admissible = orbit_admissible(u, s, o);
     text_printf(out, "orbit %ld: %s, %s\n", (long)i + 1, fate[o->stable], adm[admissible]);
     for (int k = 0; k < N_SHOWN; k++) text_printf(out, "  %-8s %s\n", shown[k].name, text_str(&t[k]));
@@ -253,16 +268,16 @@ int run_orbit(const struct options *o, const char *data) {
   struct dyn_orbits list;
   slong prec = (slong)((double)digits * 3.33) + 64;
   int found = audit_orbits(&list, &s, prec);
-  bool good = all_printable(&list, digits);
+  bool good = all_printable(&list, &s, digits);
   for (int i = 1; !good && i < ATTEMPTS; i++) {
     dyn_orbits_clear(&list);
     prec *= 2;
     found = audit_orbits(&list, &s, prec);
-    good = all_printable(&list, digits);
+    good = all_printable(&list, &s, digits);
   }
   slong listed = list.n;
   if (good) audit_orbits_complete(&list, &s, prec);
-  if (list.n > listed) good = all_printable(&list, digits);
+  if (list.n > listed) good = all_printable(&list, &s, digits);
   if (found != SS_OK && !list.complete)
     fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
   if (good) {

@@ -79,14 +79,7 @@ static void orbit_json(struct json *j, const struct dyn_box_orbit *b, const stru
   json_string(j, NULL, "0");
   json_middle(j, NULL, o->trace, digits);
   json_end_array(j);
-  json_truth(j, "stable", o->stable);
-  json_truth(j, "admissible", admissible);
-  json_array(j, "violations");
-  for (int i = 0; i < N_CONDITIONS; i++)
-    if (o->holds[i] == TRUTH_FALSE) json_string(j, NULL, dyn_condition_id[i]);
-  for (int i = 0; i < 2; i++)
-    if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
-  json_end_array(j);
+  fate_json(j, o, admissible, u);
   for (int i = 10; i < ORBIT_NUMBERS; i++) json_middle(j, orbit_number_name(i), orbit_number(o, i), digits);
   json_bool(j, "certified", false);
   json_null(j, "radius");

@@ -8,6 +8,8 @@
 enum { ORBIT_NUMBERS = 12, MOST_BOX_DIGITS = 20 };
 const char *orbit_number_name(int i);
 arb_srcptr orbit_number(const struct dyn_orbit *o, int i);
+/* stable, admissible and the violations; u: whether the given u_r1, u_r2 exceed their bounds. */
+void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]);
 /* orbit --basin */
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s);
 void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene *s);

@@ -219,6 +219,59 @@ int num_print(struct text *out, const arb_t x, slong digits) {
   return told ? SS_OK : SS_UNABLE;
 }
 
+/* The exponent e with 10^e <= q < 10^(e+1), and q 10^(digits-1-e) rounded to nearest, ties to even. */
+static void round_rational(struct decimal *d, const fmpq_t q, slong digits) {
+  fmpz_t top, bottom, power, rest, least;
+  fmpz_init(top);
+  fmpz_init(bottom);
+  fmpz_init(power);
+  fmpz_init(rest);
+  fmpz_init(least);
+  fmpz_ui_pow_ui(least, 10, (ulong)digits - 1);
+  slong e = (slong)fmpz_sizeinbase(fmpq_numref(q), 10) - (slong)fmpz_sizeinbase(fmpq_denref(q), 10) + 2;
+  do { /* from above, a few times: a size can be one too large */
+    slong shift = digits - 1 - --e;
+    fmpz_ui_pow_ui(power, 10, (ulong)(shift < 0 ? -shift : shift));
+    fmpz_set(top, fmpq_numref(q));
+    fmpz_set(bottom, fmpq_denref(q));
+    fmpz_mul(shift < 0 ? bottom : top, shift < 0 ? bottom : top, power);
+    fmpz_tdiv_qr(d->n, rest, top, bottom);
+  } while (fmpz_cmp(d->n, least) < 0);
+  fmpz_mul_2exp(rest, rest, 1);
+  int half = fmpz_cmp(rest, bottom);
+  if (half > 0 || (half == 0 && fmpz_is_odd(d->n))) fmpz_add_ui(d->n, d->n, 1);
+  fmpz_mul_ui(least, least, 10);
+  if (fmpz_equal(d->n, least)) { /* 9.9995 to four digits is 10.00 */
+    fmpz_divexact_ui(d->n, d->n, 10);
+    e++;
+  }
+  d->exponent = e;
+  fmpz_clear(least);
+  fmpz_clear(rest);
+  fmpz_clear(power);
+  fmpz_clear(bottom);
+  fmpz_clear(top);
+}
+
+void num_print_rational(struct text *out, const fmpq_t q, slong digits) {
+  struct decimal d;
+  fmpq_t size;
+  if (fmpq_is_zero(q)) {
+    text_add(out, "0");
+    return;
+  }
+  fmpz_init(d.n);
+  fmpq_init(size);
+  fmpq_abs(size, q);
+  round_rational(&d, size, digits);
+  char *s = fmpz_get_str(NULL, 10, d.n);
+  if (fmpq_sgn(q) < 0) text_add_char(out, '-');
+  lay_out(out, s, digits, d.exponent);
+  flint_free(s);
+  fmpq_clear(size);
+  fmpz_clear(d.n);
+}
+
 /* Arb writes [m +/- r], [+/- r] when no digit of the middle is known, and a bare number when it is exact. */
 void num_print_ball(struct text *out, const arb_t x, slong digits) {
   char *s = arb_get_str(x, FLINT_MAX(digits, 1), 0);
