@@ -170,6 +170,9 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     html_math(p->out, d->latex, NULL);
     if (d->entry) text_add(p->out, ", entry ");
     html_plain(p->out, d->entry);
+    text_add(p->out, "<br /><small>");
+    html_plain(p->out, d->title);
+    text_add(p->out, "</small>");
     text_add(p->out, "</th><td>");
     html_text(p->out, d->printed, NULL);
     text_add(p->out, "</td><td>");
