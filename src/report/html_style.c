@@ -55,6 +55,8 @@ const char *const page_style =
     "thead th { border-bottom: 2px solid var(--line); }\n"
     ".n { text-align: right; white-space: nowrap; }\n"
     "tbody th { font-weight: 600; }\n"
+    "th small { font-weight: normal; }\n"
+    ".evidence td:last-child { min-width: 20rem; }\n"
     ".wide table { min-width: 36rem; }\n"
     ".wide table.numbers { min-width: 56rem; }\n"
     ".wide table.matrix { min-width: 34rem; }\n"
@@ -127,7 +129,8 @@ const char *const page_style =
     "  #claims > thead th:nth-child(2) { width: 41%; } #claims > thead th:nth-child(3) { width: 34%; }\n"
     "  body { padding: 0 .7rem 2rem; } th, td { padding: .3rem; } }\n"
     "@media print { :root { --bg: #fff; --fg: #000; } nav, #filter, .skip, summary { display: none; }\n"
-    "  body { max-width: none; font-size: 9.5pt; } article, tr, figure { break-inside: avoid; }\n"
+    "  body { max-width: none; font-size: 9.5pt; } tr, figure { break-inside: avoid; }\n"
+    "  h2, h3, h4, caption { break-after: avoid; }\n"
     "  .wide, .tex { overflow: visible; } .wide table { min-width: 0; font-size: 8pt; } svg.graph { max-width: 100%; "
     "}\n"
     "  a { color: inherit; text-decoration: none; } }\n";
