@@ -10,8 +10,7 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_SUPPORTED] =
         "agrees at every accepted point, by at least two routes that do not share their reasoning; not a proof",
     [VERDICT_REFUTED] =
-        "does not hold as printed, with a certificate: exact parameters at which the enclosures of the two "
-        "sides are disjoint, or the diagnostic of a form that cannot be right",
+        "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
     [VERDICT_UNKNOWN] = "undecided; the claim says why",
     [VERDICT_SKIPPED] = "not possible in this scene, with the reason; never a success",
     [VERDICT_DEFINITION] = "asserts nothing"};
