@@ -264,6 +264,16 @@ START_TEST(marks_are_carried_to_the_quotation) {
 }
 END_TEST
 
+/* Two places that look alike: neither is marked. */
+START_TEST(no_mark_where_the_place_is_not_clear) {
+  static const char text[] = "$J_b y_b$ and $J_b y_b$", a[] = "J_b y_b", b[] = "J_b y_a";
+  bool in_a[sizeof a], in_b[sizeof b], in_text[sizeof text];
+  ck_assert(math_changes(in_a, a, in_b, b));
+  math_changes_in_text(in_text, text, a, in_a);
+  for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert(!in_text[i]);
+}
+END_TEST
+
 /* --- Pages --- */
 
 static const char *python(void) {
@@ -611,6 +621,7 @@ Suite *html_suite(void) {
   tcase_add_test(c, formulas_break_where_tex_would);
   tcase_add_test(c, what_differs_is_marked);
   tcase_add_test(c, marks_are_carried_to_the_quotation);
+  tcase_add_test(c, no_mark_where_the_place_is_not_clear);
   tcase_add_test(c, broken_bytes_are_replaced);
   suite_add_tcase(s, c);
   c = tcase_create("page");
