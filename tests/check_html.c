@@ -1,7 +1,7 @@
 /* The page and the files beside it.
 
-   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; the MathML of single
-   formulas is written here by hand, by the definitions of MathML Core and of TeX. */
+   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py tries the
+   page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the definitions of MathML Core and of TeX. */
 #include <check.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -281,12 +281,16 @@ static const char *python(void) {
   return p && *p ? p : "/usr/bin/python3";
 }
 
-/* The exit status of the checker of pages. */
-static int check_folder(const char *options) {
+/* The exit status of a checker of what is in the folder. */
+static int check_with(const char *checker, const char *options) {
   char command[2000];
-  snprintf(command, sizeof command, "%s tests/oracle/page.py '%s' %s", python(), scratch_path(""), options);
+  snprintf(command, sizeof command, "%s tests/oracle/%s '%s' %s", python(), checker, scratch_path(""), options);
   int s = system(command);
   return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static int check_folder(const char *options) {
+  return check_with("page.py", options);
 }
 
 static void put(const char *name, void (*writer)(struct text *, const struct audit_result *),
@@ -329,6 +333,7 @@ START_TEST(the_papers_page) {
   ck_assert_msg(ok, "%s", d.message);
   put_all(&r);
   ck_assert_int_eq(check_folder("0"), 0);
+  if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", ""), 0);
   audit_result_clear(&r);
   claims_clear(&controls);
   claims_clear(&claims);
