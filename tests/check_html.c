@@ -1,7 +1,8 @@
 /* The page and the files beside it.
 
-   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py tries the
-   page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the definitions of MathML Core and of TeX. */
+   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py tries
+   the page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the definitions
+   of MathML Core and of TeX. */
 #include <check.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -534,7 +535,7 @@ START_TEST(what_stands_where) {
                                       "<h3>Numbers and the example</h3>",
                                       "<article id=\"f-text-4\">",
                                       "<article id=\"f-eq-2\">",
-                                      "it holds under the condition V = 1",
+                                      "proved under the condition V = 1",
                                       "<h3>Undecided</h3>",
                                       "<article id=\"f-eq-3\">",
                                       "id=\"c-eq-2\"",

@@ -35,6 +35,7 @@ const char *const page_style =
     ".away { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: "
     "nowrap; }\n"
     "nav ul { display: flex; flex-wrap: wrap; gap: .2rem 1.2rem; list-style: none; padding: 0; margin: .5rem 0; }\n"
+    ".columns { columns: 22rem; margin: .2rem 0; }\n"
     ".lead { font-size: 1.15rem; }\n"
     "code { font: .9em/1.4 ui-monospace, \"DejaVu Sans Mono\", Consolas, monospace; background: var(--panel); padding: "
     "0 .2em;\n"
