@@ -43,7 +43,7 @@ const char *const page_style =
     "a code { text-decoration: underline; }\n"
     "mark { background: var(--mark); color: #000; text-decoration: underline; }\n"
     "math { font-size: 1.08em; }\n"
-    "math .chg { background: var(--mark); color: #000; border-bottom: 2px solid var(--bad); }\n"
+    "math .chg { background: var(--mark); color: #000; padding: 0 .08em; border-bottom: 2px solid var(--bad); }\n"
     "mtable.cases mtd { text-align: left; }\n"
     "mtable.aligned mtd:nth-child(odd) { text-align: right; }\n"
     "mtable.aligned mtd:nth-child(even) { text-align: left; }\n"
