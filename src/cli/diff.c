@@ -1,12 +1,12 @@
 /* stickslip diff: what changed between two audits, for people or as JSON.  Claims are told apart by their ids; whatever else
-   the two documents hold is compared member by member, so that "no change" means none. */
+   the two documents hold is compared member by member, so that "no change" means none but of the order of claims. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "cli.h"
 #include "stickslip/json.h"
 
-enum { LARGEST_AUDIT = 16 << 20 };
+enum { LARGEST_AUDIT = 8 << 20 };
 
 struct audit_file {
   struct source source;

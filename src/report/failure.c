@@ -52,3 +52,20 @@ bool report_states(const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
   return any && f->verdict == VERDICT_DEFINITION;
 }
+
+const char *report_fault_words(const struct finding *f) {
+  static const struct {
+    const char *fault, *words;
+  } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
+            {"formula", "the formula is not what the equations of motion give"},
+            {"number", "not what the paper's own equations give for its data"},
+            {"argument", "the conclusion does not follow"}};
+  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
+    if (strcmp(of[i].fault, f->fault) == 0) return of[i].words;
+  return "it does not hold";
+}
+
+bool report_restricts(const struct finding *o, const struct finding *f) {
+  if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) return false;
+  return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;
+}

@@ -39,9 +39,12 @@ struct page {
   const struct audit_result *r;
 };
 
-/* "eq-44b" as (44b), other names as code; a link to the claim's row when it was judged. */
+/* "eq-44b" as (44b), other names as code; a link to what is said about the failure, or to the claim's row when it was
+   judged and is none. */
 void page_claim(const struct page *p, const char *id);
 void page_claims(const struct page *p, const struct id_list *list);
+/* The same as a link to the row of a claim that was judged. */
+void page_row(const struct page *p, const char *id);
 /* The verdict as a badge. */
 void page_verdict(const struct page *p, enum verdict v);
 /* "appendix_a" as words. */

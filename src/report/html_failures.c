@@ -92,24 +92,11 @@ static void add_texts(const struct page *p, const struct finding *f) {
 
 /* --- What is wrong, and how it is known --- */
 
-static const char *fault_words(const struct finding *f) {
-  static const struct {
-    const char *fault, *words;
-  } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
-            {"formula", "the formula is not what the equations of motion give"},
-            {"number", "not what the paper's own equations give for its data"},
-            {"argument", "the conclusion does not follow"}};
-  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
-    if (strcmp(of[i].fault, f->fault) == 0) return of[i].words;
-  return "it does not hold";
-}
-
 /* Findings of the same sentence under a restriction that saves it. */
 static void add_restrictions(const struct page *p, const struct finding *f) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *o = &p->r->findings[i];
-    if (!o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) continue;
-    if (o->verdict != VERDICT_PROVED && o->verdict != VERDICT_SUPPORTED) continue;
+    if (!report_restricts(o, f)) continue;
     text_add(p->out, " As printed it holds when ");
     html_text(p->out, o->condition, NULL);
     text_add(p->out, " (");
@@ -120,9 +107,9 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
 
 static void add_fault(const struct page *p, const struct finding *f) {
   begin_row(p, "What is wrong");
-  text_add(p->out, fault_words(f));
+  text_add(p->out, report_fault_words(f));
   if (f->condition) {
-    text_add(p->out, "; it holds under the condition ");
+    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition " : "; condition: ");
     html_text(p->out, f->condition, NULL);
   }
   html_stop(p->out);
@@ -170,6 +157,9 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     html_math(p->out, d->latex, NULL);
     if (d->entry) text_add(p->out, ", entry ");
     html_plain(p->out, d->entry);
+    text_add(p->out, "<br /><small>");
+    html_plain(p->out, d->title);
+    text_add(p->out, "</small>");
     text_add(p->out, "</th><td>");
     html_text(p->out, d->printed, NULL);
     text_add(p->out, "</td><td>");
@@ -235,7 +225,7 @@ static void begin_finding(const struct page *p, const struct finding *f) {
   text_add(p->out, "<article id=\"");
   html_anchor(p->out, "f-", f->id);
   text_add(p->out, "\">\n<h4>");
-  page_claim(p, f->id);
+  page_row(p, f->id);
   text_add(p->out, ": ");
   html_text(p->out, f->title, NULL);
   text_add_char(p->out, ' ');
@@ -281,7 +271,7 @@ static void add_number(const struct page *p, const struct finding *f) {
   text_add(p->out, "<tr id=\"");
   html_anchor(p->out, "f-", f->id);
   text_add(p->out, "\"><th scope=\"row\">");
-  page_claim(p, f->id);
+  page_row(p, f->id);
   text_add(p->out, "</th><td>");
   html_text(p->out, t.quote, t.in_quote);
   text_add(p->out, "</td><td>");

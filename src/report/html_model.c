@@ -14,12 +14,12 @@ static void add_phases(const struct page *p) {
                 {"C", "stick-slip", "$m_1$ sticks, $m_2$ slips", "t_d", "$m_2$ has it again, $z'_2 = V$"}};
   text_add(p->out,
            "<div class=\"wide\"><table>\n<caption>The four phases of the paper's periodic motion</caption>\n<thead>"
-           "<tr><th scope=\"col\">matrix</th><th scope=\"col\">phase</th><th scope=\"col\">masses</th>"
+           "<tr><th scope=\"col\">phase</th><th scope=\"col\">matrix</th><th scope=\"col\">masses</th>"
            "<th scope=\"col\">lasts</th><th scope=\"col\">ends when</th></tr></thead>\n<tbody>\n");
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    text_add(p->out, "<tr><th scope=\"row\">");
+    text_printf(p->out, "<tr><th scope=\"row\">%s</th><td>", phases[i].name);
     html_math(p->out, phases[i].matrix, NULL);
-    text_printf(p->out, "</th><td>%s</td><td>", phases[i].name);
+    text_add(p->out, "</td><td>");
     html_text(p->out, phases[i].masses, NULL);
     text_add(p->out, "</td><td>");
     html_math(p->out, phases[i].lasts, NULL);

@@ -10,8 +10,7 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_SUPPORTED] =
         "agrees at every accepted point, by at least two routes that do not share their reasoning; not a proof",
     [VERDICT_REFUTED] =
-        "does not hold as printed, with a certificate: exact parameters at which the enclosures of the two "
-        "sides are disjoint, or the diagnostic of a form that cannot be right",
+        "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
     [VERDICT_UNKNOWN] = "undecided; the claim says why",
     [VERDICT_SKIPPED] = "not possible in this scene, with the reason; never a success",
     [VERDICT_DEFINITION] = "asserts nothing"};
@@ -152,15 +151,37 @@ static bool is_wrong_formula(const struct finding *f) {
   return report_is_failure(f) && strncmp(f->id, "eq-", 3) == 0;
 }
 
-static void add_wrong_formulas(const struct page *p) {
-  const char *sep = "<dt>Which printed formulas are wrong?</dt>\n<dd>";
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    if (!is_wrong_formula(&p->r->findings[i])) continue;
-    text_add(p->out, sep);
-    page_claim(p, p->r->findings[i].id);
-    sep = ", ";
+/* What to do about a formula, in a few words. */
+static void add_remedy(const struct page *p, const struct finding *f) {
+  const struct finding *first = report_mended_with(p->r, f);
+  if (first) {
+    text_add(p->out, ": mended with ");
+    page_claim(p, first->id);
+  } else if (f->change) {
+    text_add(p->out, ": ");
+    html_text(p->out, f->change, NULL);
+  } else if (f->correction) {
+    text_add(p->out, ": should read ");
+    if (f->correction_latex)
+      html_math(p->out, f->correction_latex, NULL);
+    else
+      html_text(p->out, f->correction, NULL);
   }
-  if (sep[0] == ',') text_add(p->out, ". A letter tells apart what is said under one number.</dd>\n");
+}
+
+static void add_wrong_formulas(const struct page *p) {
+  const char *before = "<dt>Which printed formulas are wrong?</dt>\n<dd><ul class=\"columns\">\n";
+  for (size_t i = 0; i < p->r->n_findings; i++) {
+    const struct finding *f = &p->r->findings[i];
+    if (!is_wrong_formula(f)) continue;
+    text_add(p->out, before);
+    text_add(p->out, "<li>");
+    page_claim(p, f->id);
+    add_remedy(p, f);
+    text_add(p->out, "</li>\n");
+    before = "";
+  }
+  if (!*before) text_add(p->out, "</ul>A letter tells apart what is said under one number.</dd>\n");
 }
 
 /* Questions and the claims that answer them, where those were judged. */

@@ -98,18 +98,9 @@ static void add_texts(const struct sheet *s, const struct finding *f) {
 
 /* In plain words, from the class of the fault and what decided. */
 static void add_fault(const struct sheet *s, const struct finding *f) {
-  static const struct {
-    const char *fault, *words;
-  } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
-            {"formula", "the formula is not what the equations of motion give"},
-            {"number", "not what the paper's own equations give for its data"},
-            {"argument", "the conclusion does not follow"}};
   const struct evidence *e = report_deciding(f);
   label(s, "Wrong");
-  const char *words = "it does not hold";
-  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
-    if (strcmp(of[i].fault, f->fault) == 0) words = of[i].words;
-  text_add(s->out, words);
+  text_add(s->out, report_fault_words(f));
   if (e && e->note) {
     text_add(s->out, ": ");
     sheet_text(s, e->note);
@@ -125,8 +116,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
 static void add_restrictions(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *o = &r->findings[i];
-    if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) continue;
-    if (o->verdict != VERDICT_PROVED && o->verdict != VERDICT_SUPPORTED) continue;
+    if (!report_restricts(o, f)) continue;
     text_add(s->out, " As printed it holds when ");
     sheet_text(s, o->condition);
     text_printf(s->out, " (%s).", verdict_name[o->verdict]);

@@ -22,15 +22,24 @@ static void add_name(struct text *out, const char *id) {
   }
 }
 
-void page_claim(const struct page *p, const char *id) {
-  bool judged = page_finding(p, id) != NULL;
-  if (judged) {
-    text_add(p->out, "<a href=\"#");
-    html_anchor(p->out, "c-", id);
-    text_add(p->out, "\">");
-  }
+static void add_link(const struct page *p, const char *prefix, const char *id) {
+  text_add(p->out, "<a href=\"#");
+  html_anchor(p->out, prefix, id);
+  text_add(p->out, "\">");
   add_name(p->out, id);
-  if (judged) text_add(p->out, "</a>");
+  text_add(p->out, "</a>");
+}
+
+void page_row(const struct page *p, const char *id) {
+  add_link(p, "c-", id);
+}
+
+void page_claim(const struct page *p, const char *id) {
+  const struct finding *f = page_finding(p, id);
+  if (f)
+    add_link(p, report_is_failure(f) ? "f-" : "c-", id);
+  else
+    add_name(p->out, id);
 }
 
 void page_claims(const struct page *p, const struct id_list *list) {

@@ -71,6 +71,10 @@ enum grade report_grade(const struct audit_result *r, const struct finding *f);
 const struct evidence *report_deciding(const struct finding *f);
 /* The failure before this one that the same correction mends; NULL when there is none. */
 const struct finding *report_mended_with(const struct audit_result *r, const struct finding *f);
+/* The class of the fault in plain words. */
+const char *report_fault_words(const struct finding *f);
+/* Whether o says the sentence of f under a restriction that saves it. */
+bool report_restricts(const struct finding *o, const struct finding *f);
 /* A printed number with the value it should have. */
 bool report_is_number(const struct finding *f);
 /* A claim that asserts nothing and states something about the paper's data all the same. */

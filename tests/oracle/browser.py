@@ -1,0 +1,128 @@
+"""browser.py FOLDER [AXE]: open FOLDER/index.html in headless Chromium, wide and narrow, light and dark, and try it.
+
+The filters must show as many claims as audit.json has, sorting must put a failure first and back, a link to a claim must
+open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow), no script may fail and
+nothing may be loaded.  AXE: the path of axe.min.js (axe-core, npm registry), by which the page must then be accessible.
+One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
+"""
+import html
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+SCRIPT = """
+var failed = null;
+window.addEventListener('error', function (e) { failed = String(e.message); });
+document.addEventListener('securitypolicyviolation', function (e) { failed = 'blocked: ' + e.blockedURI; });
+window.addEventListener('load', async function () {
+  var out = {}, rows = Array.from(document.querySelectorAll('#claims > tbody')), narrow = NARROW;
+  function shown() { return rows.filter(function (r) { return !r.hidden; }).length; }
+  function set(id, value) {
+    var e = document.getElementById(id);
+    e.value = value;
+    e.dispatchEvent(new Event('input', {bubbles: true}));
+  }
+  function choices(id) { return Array.from(document.getElementById(id).options).filter(function (o) { return o.value; }); }
+  function first() { return document.querySelector('#claims > tbody').id; }
+  function count(id) {
+    var n = {};
+    choices(id).forEach(function (o) { set(id, o.value); n[o.textContent.replace(/ \\(.*/, '')] = shown(); });
+    set(id, '');
+    return n;
+  }
+  out.all = shown();
+  out.verdicts = count('by-v');
+  out.sections = count('by-s');
+  out.routes = count('by-r');
+  set('by-t', 'zzz no such words'); out.none = shown(); set('by-t', '');
+  out.before = first(); set('order', 'w'); out.worst = first(); set('order', 'i'); out.after = first();
+  set('by-t', 'zzz no such words');
+  location.hash = rows[0].id;
+  await new Promise(function (r) { setTimeout(r, 200); });
+  out.opened = rows[0].querySelector('details').open && !rows[0].hidden;
+  document.querySelectorAll('details').forEach(function (d) { d.open = true; });
+  if (narrow) document.documentElement.style.width = '360px';
+  window.dispatchEvent(new Event('resize'));
+  var width = document.documentElement.getBoundingClientRect().width + 1;
+  out.wide = Array.from(document.querySelectorAll('main *')).filter(function (e) {
+    if (e.parentElement.closest('.wide, .tex, svg, math')) return false;
+    return e.getBoundingClientRect().right > width;
+  }).map(function (e) { return e.outerHTML.slice(0, 80); }).slice(0, 5);
+  var maths = Array.from(document.querySelectorAll('math'));
+  out.formulas = maths.length;
+  out.flat = maths.filter(function (m) { var b = m.getBoundingClientRect(); return !(b.width > 1 && b.height > 1); }).length;
+  out.foreign = maths.filter(function (m) { return m.namespaceURI !== 'http://www.w3.org/1998/Math/MathML'; }).length;
+  out.background = getComputedStyle(document.body).backgroundColor;
+  if (window.axe) {
+    var found = await axe.run(document, {resultTypes: ['violations']});
+    out.axe = found.violations.map(function (v) { return v.id + ': ' + v.nodes[0].html.slice(0, 100); });
+  }
+  out.loaded = performance.getEntriesByType('resource').map(function (e) { return e.name; });
+  out.failed = failed;
+  document.body.textContent = 'RESULT' + JSON.stringify(out) + 'END';
+});
+"""
+
+
+def ask(page, axe, narrow, dark):
+    """What the page says about itself."""
+    inline = "<script>" + axe.replace("</script", "<\\/script") + "</script>" if axe else ""
+    script = "<script>" + SCRIPT.replace("NARROW", "true" if narrow else "false") + "</script>"
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder, "page.html")
+        path.write_text(page.replace("<head>", "<head>" + script + inline, 1), encoding="utf-8")
+        command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--user-data-dir=" + folder,
+                   "--window-size=%d,900" % (500 if narrow else 1280), "--virtual-time-budget=60000",
+                   "--blink-settings=preferredColorScheme=%d" % (0 if dark else 1), "--dump-dom", path.as_uri()]
+        done = subprocess.run(command, capture_output=True, timeout=100, check=False)
+    m = re.search("<body[^>]*>RESULT(.*)END</body>", done.stdout.decode("utf-8", "replace"), re.S)
+    return json.loads(html.unescape(m[1])) if m else None
+
+
+def errors(out, audit, dark):
+    claims = audit["claims"]
+    verdicts = {v: n for v, n in audit["summary"].items() if n and v != "total"}
+    sections, routes = {}, {}
+    for c in claims:
+        name = (c["section"] or "-").replace("_", " ")
+        sections[name] = sections.get(name, 0) + 1
+        for route in {e["route"] for e in c["evidence"]}:
+            routes[route] = routes.get(route, 0) + 1
+    for name, want in (("all", len(claims)), ("verdicts", verdicts), ("sections", sections), ("routes", routes),
+                       ("none", 0), ("opened", True), ("wide", []), ("flat", 0), ("foreign", 0), ("loaded", []),
+                       ("failed", None)):
+        if out[name] != want:
+            yield "%s: %s, not %s" % (name, out[name], want)
+    failing = {"c-" + c["id"] for c in claims if c["verdict"] in ("refuted", "conditional")}
+    if failing and (out["worst"] not in failing or out["before"] != out["after"]):
+        yield "sorting: %s, %s, %s" % (out["before"], out["worst"], out["after"])
+    if not out["formulas"]:
+        yield "no formulas"
+    light = sum(int(x) for x in re.findall(r"\d+", out["background"])[:3]) > 384
+    if light == dark:
+        yield "background %s where it is %s" % (out["background"], "dark" if dark else "light")
+    yield from out.get("axe", [])
+
+
+def main():
+    folder = pathlib.Path(sys.argv[1])
+    axe = pathlib.Path(sys.argv[2]).read_text(encoding="utf-8") if len(sys.argv) > 2 else None
+    page = (folder / "index.html").read_text(encoding="utf-8")
+    audit = json.loads((folder / "audit.json").read_text(encoding="utf-8"))
+    status = 0
+    for narrow, dark in ((True, False), (False, True)):
+        out = ask(page, axe, narrow, dark)
+        if out is None:
+            print("no answer of the browser")
+            return 2
+        for e in errors(out, audit, dark):
+            print("%s, %s: %s" % ("narrow" if narrow else "wide", "dark" if dark else "light", e))
+            status = 1
+    return status
+
+
+if __name__ == "__main__":
+    sys.exit(main())
