@@ -59,6 +59,11 @@ static const char help[] =
     "      for each refuted claim about a formula (or those named), the smallest edits of its printed text with which "
     "it\n"
     "      passes its checks; --out writes repairs.json and repairs.md\n"
+    "  stickslip bench [--job propagator|map|jacobian|orbit] [--quick] [--json] [--out DIR]\n"
+    "      error against run time: each job by each method at each of its settings, errors against enclosures; the\n"
+    "      fronts, and the ratios that are asked for; --out writes README.md, bench.json, a TSV for each job and, "
+    "with\n"
+    "      gnuplot, a figure; --quick: few inputs and short timings\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -95,7 +100,8 @@ static const struct command {
                 {"list", FOR_LIST, run_list},
                 {"check", FOR_CHECK, run_check},
                 {"mutate", FOR_MUTATE, run_mutate},
-                {"repair", FOR_REPAIR, run_repair}};
+                {"repair", FOR_REPAIR, run_repair},
+                {"bench", FOR_BENCH, run_bench}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -137,7 +143,7 @@ int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
     return usage("a command is needed: %s",
-                 "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate or repair");
+                 "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair or bench");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

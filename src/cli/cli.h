@@ -20,7 +20,8 @@ enum {
   FOR_SIMULATE = 64,
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
-  FOR_REPAIR = 512
+  FOR_REPAIR = 512,
+  FOR_BENCH = 1024
 };
 
 struct options {
@@ -28,8 +29,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
-  bool strict, quiet, json, tape, csv, compare, phases, help;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs, *job;
+  bool strict, quiet, json, tape, csv, compare, phases, quick, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -80,5 +81,6 @@ int run_readings(const struct options *o, const char *data);
 int run_explain(const struct options *o, const char *data);
 int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
+int run_bench(const struct options *o, const char *data);
 
 #endif
