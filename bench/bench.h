@@ -18,7 +18,7 @@ struct bench_case {
   const double *x;      /* the exact inputs */
   struct num_vec in;    /* the same */
   struct num_vec given; /* what the job hands out besides (balls stay balls) */
-  const double *hint;   /* rough values for methods that do not search; a part in 64 off */
+  const double *hint;   /* rough values for methods that do not search */
 };
 
 /* What a method may need from outside. */
@@ -35,8 +35,9 @@ struct bench_method {
   enum bench_kind kind;
   const double *settings; /* n of them; without any the method runs once */
   int n;
+  const double *quick; /* those of quick runs; NULL: all */
+  int n_quick;
   slong bits;       /* of the arithmetic, unless the setting says it */
-  int shorter;      /* settings from this number on are left to full runs; 0: none */
   const void *data; /* for open */
   /* State for all calls at one setting, made outside of the timing; NULL: it cannot be had, which is a failure.  Both may
      be NULL for a method without state. */

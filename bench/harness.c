@@ -294,17 +294,21 @@ static void run_setting(struct bench_table *t, const struct bench_method *m, dou
 
 /* --- The job. --- */
 
-static int settings_of(const struct bench_method *m, bool quick) {
-  return quick && m->shorter ? m->shorter : m->n;
+static const double *settings_of(int *n, const struct bench_method *m, bool quick) {
+  bool few = quick && m->quick;
+  *n = m->kind == SET_NONE ? 0 : few ? m->n_quick : m->n;
+  return few ? m->quick : m->settings;
 }
 
 static slong truth_bits(const struct bench_job *job, bool quick) {
   slong most = 64;
   for (int i = 0; i < job->n_methods; i++) {
     const struct bench_method *m = &job->methods[i];
+    int n;
+    const double *setting = settings_of(&n, m, quick);
     if (m->bits > most) most = m->bits;
-    for (int k = 0; m->kind == SET_BITS && k < settings_of(m, quick); k++)
-      if ((slong)m->settings[k] > most) most = (slong)m->settings[k];
+    for (int k = 0; m->kind == SET_BITS && k < n; k++)
+      if ((slong)setting[k] > most) most = (slong)setting[k];
   }
   return most + SPARE_BITS;
 }
@@ -347,8 +351,10 @@ bool bench_run(struct bench_table *t, const struct bench_job *job, const struct 
   bool good = t->cases == wanted && t->truth_digits >= 60;
   for (int i = 0; i < job->n_methods && good; i++) {
     const struct bench_method *m = &job->methods[i];
+    int n;
+    const double *setting = settings_of(&n, m, quick);
     if (m->kind == SET_NONE) run_setting(t, m, NAN, s, env);
-    for (int k = 0; m->kind != SET_NONE && k < settings_of(m, quick); k++) run_setting(t, m, m->settings[k], s, env);
+    for (int k = 0; k < n; k++) run_setting(t, m, setting[k], s, env);
   }
   find_front(t);
   for (int i = 0; i < wanted; i++) sample_clear(&s[i], job);

@@ -86,8 +86,7 @@ static int run_paper(void *self, struct num_vec *out, long *steps, const struct 
 /* --- The table. --- */
 
 static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
-enum { N_PRECISIONS = sizeof precisions / sizeof *precisions, QUICK_PRECISIONS = 4 };
-#define BITS .kind = SET_BITS, .settings = precisions, .n = N_PRECISIONS, .shorter = QUICK_PRECISIONS
+#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 4
 
 static const struct bench_method methods[] = {
     {"paper-modal", "the paper's modal form (47), frequencies from the quadratic", .type = &num_double, .data = &modal,
@@ -116,5 +115,5 @@ const struct bench_job bench_propagator = {
     .place = place,
     .truth = truth_of,
     .methods = methods,
-    .n_methods = sizeof methods / sizeof *methods,
+    .n_methods = COUNT(methods),
 };

@@ -19,4 +19,21 @@ void *bench_formula_open(const struct bench_method *m, double setting, const str
 void bench_formula_close(void *self);
 int bench_formula_run(void *self, struct num_vec *out, const double *value);
 
+/* --- What the jobs share. --- */
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+/* A time a 64th off: of itself, or of the unit of time when it is long. */
+double bench_hint(double t);
+/* chi, eta, V, e1, e2 from five numbers in (0, 1): a domain in which arcs and orbits are common. */
+void bench_place_params(double *x, const double *u);
+/* The first five elements. */
+struct num_vec bench_params_of(const struct num_vec *in);
+
+/* --- ode.c: GSL's integrators; the method's data is the name. --- */
+
+void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
+void bench_ode_close(void *self);
+/* t_b, t_c, t_d and r at the end of the pass from r. */
+int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+
 #endif
