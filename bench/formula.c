@@ -1,4 +1,5 @@
 /* The paper's formulas as methods: the text as corrected, elaborated and compiled once, then evaluated in double. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -72,4 +73,10 @@ int bench_formula_run(void *self, struct num_vec *out, const double *value) {
   struct program *p = self;
   for (slong i = 0; i < p->tape.n_inputs; i++) *(double *)num_vec_at(&p->in, i) = value[p->symbol[i]];
   return tape_eval(out, NULL, &p->tape, &p->in);
+}
+
+void bench_frequencies(double *slow, double *fast, double chi, double eta) {
+  double mean = 0.5 * (1 + chi * eta), product = chi * eta * (1 - chi), root = sqrt(mean * mean - product);
+  *slow = sqrt(mean - root);
+  *fast = sqrt(mean + root);
 }

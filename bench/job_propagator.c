@@ -75,10 +75,7 @@ static const struct bench_formula modal_roots = {"H(t)", "appendix_a", symbol_na
 
 static int run_paper(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   double v[N_SYMBOLS] = {c->x[0], c->x[1], c->x[2]};
-  double mean = 0.5 * (1 + v[SYM_CHI] * v[SYM_ETA]), product = v[SYM_CHI] * v[SYM_ETA] * (1 - v[SYM_CHI]);
-  double root = sqrt(mean * mean - product);
-  v[SYM_SLOW] = sqrt(mean - root);
-  v[SYM_FAST] = sqrt(mean + root);
+  bench_frequencies(&v[SYM_SLOW], &v[SYM_FAST], c->x[0], c->x[1]);
   *steps = 1;
   return bench_formula_run(self, out, v);
 }

@@ -17,6 +17,8 @@ struct bench_formula {
 /* open and close of a method whose data is the formula. */
 void *bench_formula_open(const struct bench_method *m, double setting, const struct bench_env *env);
 void bench_formula_close(void *self);
+/* The two positive roots of (48), from the quadratic. */
+void bench_frequencies(double *slow, double *fast, double chi, double eta);
 int bench_formula_run(void *self, struct num_vec *out, const double *value);
 
 /* --- What the jobs share. --- */

@@ -133,3 +133,25 @@ void yardstick_at(struct yardstick_pass *p, const struct yardstick *k, double tb
   p->wc_tb = force(k, &d, 0, s, c);
   p->rc_tb = force(k, &d, 1, s, c) / k->stiff;
 }
+
+/* Along the root of p = z_1' - V in t_c, by t_b: r, q and the angle of phase C. */
+struct slopes {
+  double r_end, z1_end;
+};
+
+static struct slopes along(const struct yardstick_pass *p, const struct yardstick *k) {
+  double dtc = p->pc_tb / p->wc; /* p' = -w */
+  double dw = p->wc_tb + (k->a - k->chi * p->qc) * dtc, dr = p->rc_tb + p->qc * dtc;
+  double dq = p->qc_tb - k->stiff * p->rc * dtc, turned = p->qc / k->omc, dturned = dq / k->omc;
+  double dtd = (p->rc * dturned - turned * dr) / (p->r_end * p->r_end) / k->omc;
+  return (struct slopes){(p->rc * dr + turned * dturned) / p->r_end, (dw + k->chi * dr) / (1 - k->chi) + k->V * dtd};
+}
+
+void yardstick_jacobian(double j[4], const struct yardstick_pass *p, const struct yardstick *k) {
+  struct slopes s = along(p, k); /* by t_b; r at the stick phase falls by -pb */
+  double z1 = s.z1_end / p->pb, z2 = z1 + s.r_end / p->pb;
+  j[0] = -z1;
+  j[1] = z1;
+  j[2] = -z2;
+  j[3] = z2;
+}

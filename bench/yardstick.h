@@ -25,6 +25,8 @@ void yardstick_init(struct yardstick *k, const double *params);
 void yardstick_at(struct yardstick_pass *s, const struct yardstick *k, double tb, double tc);
 /* The map; hint: t_b and t_c roughly.  Returns Newton's steps, or 0 when it does not converge. */
 int yardstick_map(struct yardstick_pass *s, const struct yardstick *k, double r, const double hint[2]);
+/* The derivative of the positions at the end by those at the start, from a pass made by yardstick_at. */
+void yardstick_jacobian(double j[4], const struct yardstick_pass *s, const struct yardstick *k);
 /* The periodic orbit near r, t_b, t_c by Newton's iteration in the three at once.  Returns its steps, or 0. */
 int yardstick_orbit(struct yardstick_pass *s, double *trace, const struct yardstick *k, double tb, double tc);
 
