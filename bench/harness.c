@@ -375,18 +375,17 @@ const struct bench_row *bench_find(const struct bench_table *t, const char *meth
   return NULL;
 }
 
+static double repeat(void (*f)(void *), void *arg, long n) {
+  double begin = bench_now();
+  for (long i = 0; i < n; i++) f(arg);
+  return bench_now() - begin;
+}
+
 double bench_time(void (*f)(void *), void *arg) {
+  enum { BATCHES = 7 };
+  long n = 1;
+  while (repeat(f, arg, n) < 1e-3) n *= 2;
   double least = INFINITY;
-  f(arg);
-  for (int b = 0; b < 7; b++) {
-    long n = 0;
-    double begin = bench_now(), spent = 0;
-    do {
-      f(arg);
-      n++;
-      spent = bench_now() - begin;
-    } while (spent < 1e-3);
-    least = fmin(least, 1e9 * spent / (double)n);
-  }
-  return least;
+  for (int b = 0; b < BATCHES; b++) least = fmin(least, repeat(f, arg, n));
+  return 1e9 * least / (double)n;
 }

@@ -31,6 +31,18 @@ void bench_place_params(double *x, const double *u);
 /* The first five elements. */
 struct num_vec bench_params_of(const struct num_vec *in);
 
+/* --- six.c: the periodic orbit as six equations in z_10, z_20, t_a, t_b, t_c, t_d. --- */
+
+enum { SIX = 6 };
+/* The residuals at x, and unless NULL their derivatives by rows. */
+void bench_six(double f[SIX], double j[SIX * SIX], const double *params, const double x[SIX]);
+
+/* --- newton_mpfr.c --- */
+
+/* The orbit near (t_b, t_c) by Newton's iteration at a precision that doubles, in MPFR: t_a, t_b, t_c, t_d, z_10, z_20,
+   trace.  up: z_2' > V in phase C.  The number of steps goes to *steps. */
+int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, double tb, double tc, bool up);
+
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);

@@ -1,5 +1,7 @@
-/* The ratios that are asked for, each from two rows of one run. */
+/* The ratios that are asked for.  Most are times of two rows of one run; sincos calls and the growth from 1000 to 10000
+   digits are measured here.  What a run has not measured is said to be not measured. */
 #include <math.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -14,6 +16,135 @@ void bench_result_clear(struct bench_result *r) {
   *r = (struct bench_result){.n = 0};
 }
 
+static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) SS_PRINTF(5, 6);
+
+static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) {
+  if (r->n_ratios == r->cap_ratios) {
+    r->cap_ratios = r->cap_ratios ? 2 * r->cap_ratios : 16;
+    r->ratio = ss_realloc(r->ratio, (size_t)r->cap_ratios * sizeof *r->ratio);
+  }
+  struct bench_ratio *q = &r->ratio[r->n_ratios++];
+  *q = (struct bench_ratio){.value = value, .goal = goal, .at_most = at_most};
+  va_list list;
+  va_start(list, fmt);
+  vsnprintf(q->name, sizeof q->name, fmt, list);
+  va_end(list);
+}
+
+static const struct bench_table *table_of(const struct bench_result *r, const struct bench_job *job) {
+  for (int i = 0; i < r->n; i++)
+    if (r->table[i].job == job) return &r->table[i];
+  return NULL;
+}
+
+/* The least time of a method that did not fail; NAN without one. */
+static double time_of(const struct bench_table *t, const char *method, double setting) {
+  const struct bench_row *row = bench_find(t, method, setting);
+  return row && !row->failure ? row->least_ns : NAN;
+}
+
+/* --- Units. --- */
+
+/* Different arguments, as an application has them. */
+static void libm_sincos(void *self) {
+  volatile double *sum = self;
+  static double x = 0;
+  x = x > 20 ? x - 20 : x + 0.37;
+  *sum += sin(x) + cos(x);
+}
+
+struct bits {
+  mpfr_t x, s, c;
+};
+
+static void bits_init(struct bits *b, slong prec) {
+  mpfr_inits2(prec, b->x, b->s, b->c, (mpfr_ptr)NULL);
+  mpfr_sqrt_ui(b->x, 3, MPFR_RNDN);
+}
+
+static void bits_clear(struct bits *b) {
+  mpfr_clears(b->x, b->s, b->c, (mpfr_ptr)NULL);
+}
+
+static void mpfr_turn(void *self) {
+  struct bits *b = self;
+  mpfr_sin_cos(b->s, b->c, b->x, MPFR_RNDN);
+}
+
+static void mpfr_product_and_sum(void *self) {
+  struct bits *b = self;
+  mpfr_mul(b->s, b->x, b->c, MPFR_RNDN);
+  mpfr_add(b->s, b->s, b->x, MPFR_RNDN);
+}
+
+static double mpfr_time(void (*f)(void *), slong prec) {
+  struct bits b;
+  bits_init(&b, prec);
+  mpfr_turn(&b);
+  double t = bench_time(f, &b);
+  bits_clear(&b);
+  return t;
+}
+
+/* --- The map. --- */
+
+/* What a map by Newton's iteration at doubling precision needs at the full one: three events and their states. */
+enum { TURNS = 11, PRODUCTS = 100, MAP_BITS = 256 };
+
+static void map_ratios(struct bench_result *r, const struct bench_table *t) {
+  static const double bits[] = {128, 256, 512, 1024};
+  volatile double sum = 0;
+  double suite = time_of(t, "closed-double", NAN), hand = time_of(t, "hand-written", NAN);
+  double sincos = bench_time(libm_sincos, (void *)(size_t)&sum);
+  double unit = TURNS * mpfr_time(mpfr_turn, MAP_BITS) + PRODUCTS * mpfr_time(mpfr_product_and_sum, MAP_BITS);
+  add(r, suite / hand, true, 1.2, "map in double, first roots searched / hand-written map, no search");
+  add(r, suite / sincos, true, NAN, "map in double, first roots searched / libm's sincos");
+  add(r, hand / sincos, true, NAN, "hand-written map / libm's sincos");
+  add(r, time_of(t, "gsl-rk8pd", 1e-13) / suite, false, 40, "GSL rk8pd at 1e-13 / map in double");
+  add(r, NAN, false, 1000, "CVODE at its best accuracy / map in double");
+  add(r, time_of(t, "closed-mpfr", MAP_BITS) / unit, true, 1.3,
+      "MPFR map at %d bits / %d mpfr_sin_cos, %d products, %d sums", MAP_BITS, TURNS, PRODUCTS, PRODUCTS);
+  for (int i = 0; i < COUNT(bits); i++)
+    add(r, time_of(t, "closed-mpfr", bits[i]) / time_of(t, "closed-arb", bits[i]), false, 1.5,
+        "MPFR map at %g bits / map in balls", bits[i]);
+}
+
+/* The same method at 1000 and at 10000 digits, on one input, against the sine. */
+static void growth_ratio(struct bench_result *r) {
+  static const double bits[] = {3322, 33220};
+  double value = NAN;
+  if (!r->quick) {
+    const struct bench_method *whole = NULL;
+    for (int i = 0; i < bench_map.n_methods; i++)
+      if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) whole = &bench_map.methods[i];
+    struct bench_method m = *whole;
+    struct bench_job job = bench_map;
+    struct bench_table t;
+    m.settings = bits;
+    m.n = COUNT(bits);
+    job.methods = &m;
+    job.n_methods = job.n_cases = 1;
+    if (bench_run(&t, &job, &(struct bench_env){NULL}, false))
+      value = time_of(&t, m.id, bits[1]) / time_of(&t, m.id, bits[0]) /
+              (mpfr_time(mpfr_turn, (slong)bits[1]) / mpfr_time(mpfr_turn, (slong)bits[0]));
+    bench_table_clear(&t);
+  }
+  add(r, value, true, 1, "growth of the MPFR map from 1000 to 10000 digits / that of mpfr_sin_cos");
+}
+
+static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
+  double suite = time_of(t, "return-map", NAN), hand = time_of(t, "hand-written", NAN);
+  add(r, time_of(t, "gsl-newton", NAN) / suite, false, 9,
+      "GSL's newton on six unknowns / the suite's orbit and multiplier");
+  add(r, time_of(t, "gsl-hybrids", NAN) / suite, false, 15, "GSL's hybrids / the suite's orbit and multiplier");
+  add(r, time_of(t, "gsl-newton", NAN) / hand, false, NAN,
+      "GSL's newton on six unknowns / hand-written orbit and multiplier");
+  add(r, time_of(t, "gsl-hybrids", NAN) / hand, false, NAN, "GSL's hybrids / hand-written orbit and multiplier");
+}
+
 void bench_ratios(struct bench_result *r) {
-  (void)r;
+  const struct bench_table *map = table_of(r, &bench_map), *orbit = table_of(r, &bench_orbit);
+  if (map) map_ratios(r, map);
+  if (map) growth_ratio(r);
+  if (orbit) orbit_ratios(r, orbit);
 }

@@ -110,6 +110,7 @@ static int solve_tc(struct yardstick_pass *p, const struct yardstick *k, const s
 int yardstick_map(struct yardstick_pass *p, const struct yardstick *k, double r, const double hint[2]) {
   double s = 0, c = 1;
   int first = solve_tb(&p->tb, &s, &c, k, k->rb - r, hint[0]);
+  p->r = r;
   p->wb = k->e1 * c + k->a * s;
   p->pb = -(k->a * (1 - c) + k->e1 * s);
   struct modes m = modes_from(k, k->V + p->pb, k->V, p->wb, k->pull_b);
@@ -122,6 +123,7 @@ void yardstick_at(struct yardstick_pass *p, const struct yardstick *k, double tb
   double s[2] = {sin(k->om[0] * tc), sin(k->om[1] * tc)}, c[2] = {cos(k->om[0] * tc), cos(k->om[1] * tc)};
   p->tb = tb;
   p->tc = tc;
+  p->r = k->rb - (k->a * (tb - sb) + k->e1 * (1 - cb));
   p->wb = k->e1 * cb + k->a * sb;
   p->pb = -(k->a * (1 - cb) + k->e1 * sb);
   struct modes m = modes_from(k, k->V + p->pb, k->V, p->wb, k->pull_b);
@@ -154,4 +156,25 @@ void yardstick_jacobian(double j[4], const struct yardstick_pass *p, const struc
   j[1] = z1;
   j[2] = -z2;
   j[3] = z2;
+}
+
+double yardstick_trace(const struct yardstick_pass *p, const struct yardstick *k) {
+  return along(p, k).r_end / p->pb;
+}
+
+int yardstick_orbit(struct yardstick_pass *p, const struct yardstick *k, double tb, double tc) {
+  for (int i = 1; i < MOST; i++) {
+    yardstick_at(p, k, tb, tc);
+    double turned_tb = p->qc_tb / k->stiff; /* q d q / omega^2 */
+    double defect = p->r_end - p->r, defect_tb = (p->rc * p->rc_tb + p->qc * turned_tb) / p->r_end - p->pb;
+    double defect_tc = -p->rc * p->pc / p->r_end, det = p->pc_tb * defect_tc + p->wc * defect_tb;
+    double step_b = -(defect_tc * p->pc + p->wc * defect) / det;
+    double step_c = -(p->pc_tb * defect - defect_tb * p->pc) / det;
+    tb += step_b;
+    tc += step_c;
+    if (!(fabs(step_b) + fabs(step_c) < 1e-8)) continue;
+    yardstick_at(p, k, tb, tc);
+    return i;
+  }
+  return 0;
 }

@@ -14,7 +14,7 @@ struct yardstick {
 };
 /* One pass; sines and cosines of the times, from which derivatives are made, stay. */
 struct yardstick_pass {
-  double tb, tc, td, r_end;
+  double r, tb, tc, td, r_end;
   double pb, wb;                     /* z_1' - V and w at the end of the slip-stick phase */
   double pc, wc, rc, qc;             /* z_1' - V, w, r, z_2' - V at the end of the slip phase */
   double pc_tb, wc_tb, rc_tb, qc_tb; /* their derivatives by t_b at fixed t_c */
@@ -27,7 +27,9 @@ void yardstick_at(struct yardstick_pass *s, const struct yardstick *k, double tb
 int yardstick_map(struct yardstick_pass *s, const struct yardstick *k, double r, const double hint[2]);
 /* The derivative of the positions at the end by those at the start, from a pass made by yardstick_at. */
 void yardstick_jacobian(double j[4], const struct yardstick_pass *s, const struct yardstick *k);
-/* The periodic orbit near r, t_b, t_c by Newton's iteration in the three at once.  Returns its steps, or 0. */
-int yardstick_orbit(struct yardstick_pass *s, double *trace, const struct yardstick *k, double tb, double tc);
+/* The periodic orbit near t_b, t_c, by Newton's iteration in both; r is what t_b makes it.  Returns its steps, or 0. */
+int yardstick_orbit(struct yardstick_pass *s, const struct yardstick *k, double tb, double tc);
+/* The slope of the return map of r, which is the trace of its Jacobian, from a pass made by yardstick_at. */
+double yardstick_trace(const struct yardstick_pass *s, const struct yardstick *k);
 
 #endif
