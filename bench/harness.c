@@ -3,8 +3,8 @@
    Inputs are points of a low-discrepancy sequence, so that they are the same in every run and spread over the domain;
    those at which the map does not exist, or is badly conditioned, are passed over.  Before a call the outputs are set to
    NaN, so that a method which returns nothing cannot live on what was there; a method that reports no step, or that is not
-   right in one digit, has failed whatever its time.  Times are taken of batches that go through all inputs, since one
-   input again and again teaches the branch predictor the answer. */
+   right in one digit, has failed whatever its time.  Times are of all inputs in turn, since one input again and again teaches
+   the branch predictor the answer. */
 #include "bench/bench.h"
 
 #include <math.h>
@@ -16,6 +16,7 @@
 
 const char *const bench_kind_name[] = {"", "bits", "tolerance", "step"};
 
+static const double BATCH = 1e-3; /* seconds */
 enum { SPARE_BITS = 192, MOVE_BITS = 80, MOST_TRIES = 4000, MOST_BATCHES = 25 };
 
 double bench_now(void) {
@@ -209,8 +210,8 @@ static const char *judge(double *error, bool *untrue, const struct trial *t, int
   return *error < log10(0.5) ? NULL : "not one digit right";
 }
 
-/* Every input once, for the errors; stops after `seconds`.  Returns the time of the calls alone. */
-static double first_pass(struct bench_row *row, struct trial *t, const struct bench_method *m, double seconds) {
+/* Every input once, for the errors; stops when the calls have taken `seconds`. */
+static void first_pass(struct bench_row *row, struct trial *t, const struct bench_method *m, double seconds) {
   double *error = ss_malloc((size_t)t->n * sizeof *error), spent = 0;
   int n = 0;
   for (int i = 0; i < t->n && (i == 0 || spent < seconds); i++) {
@@ -236,31 +237,64 @@ static double first_pass(struct bench_row *row, struct trial *t, const struct be
   row->steps /= row->cases;
   row->median = median_of(error, n);
   free(error);
-  return spent;
 }
 
-static double batch(struct trial *t, const struct bench_method *m, int cases, long repeats) {
+/* --- Times. ---
+
+   A batch goes through a stretch of the inputs, and through all of them again and again if they take less than a
+   millisecond together.  Slow methods have many stretches, each timed on its own and the times added: on a machine that is
+   shared, a stretch of a millisecond is now and then left in peace, a whole pass of a slow method never. */
+
+struct stretch {
+  int from, to;
+  long repeats;
+  double second[MOST_BATCHES];
+};
+
+static double run_stretch(struct trial *t, const struct bench_method *m, const struct stretch *s) {
   long steps = 0;
   double begin = bench_now();
-  for (long r = 0; r < repeats; r++)
-    for (int i = 0; i < cases; i++) m->run(t->self, &t->out, &steps, &t->in[i]);
+  for (long r = 0; r < s->repeats; r++)
+    for (int i = s->from; i < s->to; i++) m->run(t->self, &t->out, &steps, &t->in[i]);
   return bench_now() - begin;
 }
 
-static void take_times(struct bench_row *row, struct trial *t, const struct bench_method *m, double pass, bool quick) {
-  double least = INFINITY, all[MOST_BATCHES], budget = quick ? 0.012 : 0.4, one = 1e-3;
-  long repeats = pass > one ? 1 : (long)ceil(one / fmax(pass, 1e-7));
-  pass = batch(t, m, row->cases, 1); /* warm-up, and what a pass takes when warm */
-  if (pass < one) repeats = (long)ceil(one / fmax(pass, 1e-7));
-  int n = (int)fmin(fmax(budget / (pass * (double)repeats), quick ? 2 : 3), quick ? 5 : MOST_BATCHES);
-  for (int i = 0; i < n; i++) {
-    all[i] = 1e9 * batch(t, m, row->cases, repeats) / ((double)repeats * row->cases);
-    least = fmin(least, all[i]);
+/* The inputs in stretches of a millisecond at least, by the times of a warm pass; returns how long a round takes. */
+static double cut(struct stretch *s, int *n, struct trial *t, const struct bench_method *m, int cases) {
+  double all = 0, piece = 0;
+  *n = 0;
+  for (int i = 0, from = 0; i < cases; i++) {
+    piece += run_stretch(t, m, &(struct stretch){i, i + 1, 1, {0}});
+    if (piece < BATCH && i + 1 < cases) continue;
+    s[(*n)++] = (struct stretch){from, i + 1, 1, {0}};
+    all += piece;
+    piece = 0;
+    from = i + 1;
   }
-  row->least_ns = least;
-  row->median_ns = median_of(all, n);
-  row->batches = n;
-  row->calls = repeats * row->cases * n;
+  if (*n > 1 || all >= BATCH) return all;
+  do { /* calls one by one are slower than in a row, since the clock is read between them */
+    all = run_stretch(t, m, s);
+    if (all < BATCH) s->repeats *= 2;
+  } while (all < BATCH);
+  return all;
+}
+
+static void take_times(struct bench_row *row, struct trial *t, const struct bench_method *m, bool quick) {
+  struct stretch *s = ss_malloc((size_t)row->cases * sizeof *s);
+  int n;
+  double round = cut(s, &n, t, m, row->cases), budget = quick ? 0.012 : 0.4, least = 0, median = 0;
+  row->batches = (int)fmin(fmax(budget / round, quick ? 2 : 3), quick ? 5 : MOST_BATCHES);
+  for (int b = 0; b < row->batches; b++)
+    for (int k = 0; k < n; k++) s[k].second[b] = run_stretch(t, m, &s[k]);
+  for (int k = 0; k < n; k++) {
+    double middle = median_of(s[k].second, row->batches); /* sorts */
+    least += s[k].second[0] / (double)s[k].repeats;
+    median += middle / (double)s[k].repeats;
+  }
+  row->least_ns = 1e9 * least / row->cases;
+  row->median_ns = 1e9 * median / row->cases;
+  row->calls = s->repeats * row->cases * row->batches;
+  free(s);
 }
 
 static struct bench_row *new_row(struct bench_table *t) {
@@ -282,11 +316,11 @@ static void run_setting(struct bench_table *t, const struct bench_method *m, dou
     row->failure = "cannot be set up";
     row->worst = row->median = NAN;
   } else {
-    double pass = first_pass(row, &trial, m, t->quick ? 0.1 : 2);
+    first_pass(row, &trial, m, t->quick ? 0.1 : 2);
     if (row->failure)
       row->worst = NAN;
     else
-      take_times(row, &trial, m, pass, t->quick);
+      take_times(row, &trial, m, t->quick);
     if (m->close) m->close(trial.self);
   }
   trial_clear(&trial);
@@ -384,7 +418,7 @@ static double repeat(void (*f)(void *), void *arg, long n) {
 double bench_time(void (*f)(void *), void *arg) {
   enum { BATCHES = 7 };
   long n = 1;
-  while (repeat(f, arg, n) < 1e-3) n *= 2;
+  while (repeat(f, arg, n) < BATCH) n *= 2;
   double least = INFINITY;
   for (int b = 0; b < BATCHES; b++) least = fmin(least, repeat(f, arg, n));
   return 1e9 * least / (double)n;

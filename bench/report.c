@@ -19,15 +19,18 @@ static void add_error(struct text *out, double log) {
 }
 
 static void add_setting(struct text *out, const struct bench_row *r) {
-  if (r->method->kind != SET_NONE) text_printf(out, "%s%.3g", "", r->setting);
+  if (r->method->kind == SET_BITS)
+    text_printf(out, "%.0f", r->setting);
+  else if (r->method->kind != SET_NONE)
+    text_printf(out, "%.3g", r->setting);
 }
 
-/* bits as whole numbers, tolerances and steps as powers. */
-static void add_number(struct text *out, double x, const char *fmt_unknown) {
+/* Five digits, or a word for what is not known. */
+static void add_number(struct text *out, double x, const char *unknown) {
   if (isfinite(x))
     text_printf(out, "%.5g", x);
   else
-    text_add(out, fmt_unknown);
+    text_add(out, unknown);
 }
 
 /* "ok", or what went wrong and how often. */

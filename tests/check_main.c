@@ -25,6 +25,7 @@ int main(void) {
   srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, mutate_suite());
+  srunner_add_suite(r, bench_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);
   srunner_free(r);

@@ -22,5 +22,6 @@ Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *cli_suite(void);
 Suite *mutate_suite(void);
+Suite *bench_suite(void);
 
 #endif
