@@ -21,7 +21,8 @@ enum {
   FOR_READINGS = 128,
   FOR_MUTATE = 256,
   FOR_REPAIR = 512,
-  FOR_BENCH = 1024
+  FOR_BENCH = 1024,
+  WITH_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BENCH
 };
 
 struct options {
@@ -29,7 +30,8 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs, *job;
+  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs;
+  const char *job;
   bool strict, quiet, json, tape, csv, compare, phases, quick, help;
 };
 
