@@ -9,7 +9,7 @@
 #ifndef STICKSLIP_BENCH_H
 #define STICKSLIP_BENCH_H
 
-#include "stickslip/model.h"
+#include "stickslip/audit.h"
 
 enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
 
@@ -23,7 +23,9 @@ struct bench_case {
 
 /* What a method may need from outside. */
 struct bench_env {
-  const struct model *model; /* the paper's formulas; NULL: methods that read them fail */
+  const struct model *model;              /* the paper's formulas; NULL: methods that read them fail */
+  const struct claims *claims, *controls; /* these and the scene for verdicts alone */
+  const struct scene *scene;
 };
 
 enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP };
@@ -89,6 +91,29 @@ struct bench_table {
   bool quick;
 };
 
+/* A method in balls and its like in MPFR, at equal true error. */
+struct bench_cost {
+  const char *plain, *balls;
+  double digits, plain_ns, balls_ns;
+};
+
+/* Work of the program on the paper's scene: size is a number of digits, or of claims
+   judged (eq-3 brings eq-3b with it). */
+enum bench_work_kind { WORK_ORBITS, WORK_JACOBIAN, WORK_CLAIMS, WORK_CLAIM };
+extern const char *const bench_work_name[WORK_CLAIM + 1]; /* "orbits", "jacobian", "claims", "claim" */
+struct bench_work {
+  enum bench_work_kind kind;
+  char id[64]; /* of WORK_CLAIM */
+  long size;
+  double seconds; /* the least; NAN when it failed */
+  bool good;
+};
+struct bench_verdicts {
+  struct bench_work *work;
+  size_t n, cap;
+  bool quick;
+};
+
 /* A ratio that is asked for. */
 struct bench_ratio {
   char name[160];
@@ -103,6 +128,7 @@ struct bench_result {
   struct bench_ratio *ratio;
   int n_ratios, cap_ratios;
   bool quick;
+  struct bench_verdicts verdicts; /* empty unless asked for */
 };
 
 extern const struct bench_job *const bench_jobs[];
@@ -113,6 +139,12 @@ bool bench_run(struct bench_table *out, const struct bench_job *job, const struc
 void bench_table_clear(struct bench_table *t);
 /* The row, or NULL; setting is ignored for methods without one. */
 const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting);
+
+/* What proof costs in this job, at most `most` entries; returns their number. */
+int bench_costs(struct bench_cost *out, int most, const struct bench_table *t);
+/* Times of orbits and Jacobians by digits, of claims one by one and together. */
+void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick);
+void bench_verdicts_clear(struct bench_verdicts *v);
 
 /* The ratios that the tables allow, and those that need measurements of their own. */
 void bench_ratios(struct bench_result *r);
@@ -126,6 +158,7 @@ double bench_time(void (*f)(void *), void *arg);
 /* --- Output; everything said in words comes from the rows. --- */
 
 void bench_tsv(struct text *out, const struct bench_table *t);
+void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
 /* figures: refer to the SVG files. */
 void bench_markdown(struct text *out, const struct bench_result *r, bool figures);

@@ -13,6 +13,7 @@ void bench_result_clear(struct bench_result *r) {
   for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);
   free(r->table);
   free(r->ratio);
+  bench_verdicts_clear(&r->verdicts);
   *r = (struct bench_result){.n = 0};
 }
 
@@ -123,7 +124,7 @@ static void growth_ratio(struct bench_result *r) {
     m.n = COUNT(bits);
     job.methods = &m;
     job.n_methods = job.n_cases = 1;
-    if (bench_run(&t, &job, &(struct bench_env){NULL}, false))
+    if (bench_run(&t, &job, &(struct bench_env){.model = NULL}, false))
       value = time_of(&t, m.id, bits[1]) / time_of(&t, m.id, bits[0]) /
               (mpfr_time(mpfr_turn, (slong)bits[1]) / mpfr_time(mpfr_turn, (slong)bits[0]));
     bench_table_clear(&t);

@@ -1,7 +1,9 @@
 /* The tables as TSV, JSON and Markdown.  Every number and every word about the outcome is made from the rows. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "bench/bench.h"
+#include "stickslip/arena.h"
 #include "stickslip/json.h"
 
 /* An error from its log10, which may lie below the range of a double. */
@@ -65,6 +67,16 @@ void bench_tsv(struct text *out, const struct bench_table *t) {
   }
 }
 
+void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v) {
+  text_add(out, "work\tid\tsize\tseconds\n");
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *w = &v->work[i];
+    text_printf(out, "%s\t%s\t%ld\t", bench_work_name[w->kind], w->id, w->size);
+    add_number(out, w->seconds, "failed");
+    text_add(out, "\n");
+  }
+}
+
 /* --- JSON. --- */
 
 static void json_number(struct json *w, const char *key, double x) {
@@ -107,6 +119,38 @@ static void json_row(struct json *w, const struct bench_row *r) {
   text_clear(&t);
 }
 
+enum { MOST_COSTS = 64 };
+
+static void json_costs(struct json *w, const struct bench_table *t) {
+  struct bench_cost cost[MOST_COSTS];
+  int n = bench_costs(cost, MOST_COSTS, t);
+  json_array(w, "rigour");
+  for (int i = 0; i < n; i++) {
+    json_object(w, NULL);
+    json_string(w, "plain", cost[i].plain);
+    json_string(w, "balls", cost[i].balls);
+    json_number(w, "digits", floor(cost[i].digits));
+    json_number(w, "ns_plain", cost[i].plain_ns);
+    json_number(w, "ns_balls", cost[i].balls_ns);
+    json_end_object(w);
+  }
+  json_end_array(w);
+}
+
+static void json_verdicts(struct json *w, const struct bench_verdicts *v) {
+  json_array(w, "verdicts");
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *k = &v->work[i];
+    json_object(w, NULL);
+    json_string(w, "work", bench_work_name[k->kind]);
+    json_string(w, "id", k->id[0] ? k->id : NULL);
+    json_long(w, "size", k->size);
+    json_number(w, "seconds", k->seconds);
+    json_end_object(w);
+  }
+  json_end_array(w);
+}
+
 static void json_table(struct json *w, const struct bench_table *t) {
   json_object(w, NULL);
   json_string(w, "job", t->job->id);
@@ -119,6 +163,7 @@ static void json_table(struct json *w, const struct bench_table *t) {
   json_array(w, "rows");
   for (int i = 0; i < t->n; i++) json_row(w, &t->row[i]);
   json_end_array(w);
+  json_costs(w, t);
   json_end_object(w);
 }
 
@@ -152,6 +197,7 @@ void bench_json(struct text *out, const struct bench_result *r) {
     json_end_object(&w);
   }
   json_end_array(&w);
+  json_verdicts(&w, &r->verdicts);
   json_string(&w, "machine", text_str(&machine));
   json_end_object(&w);
   text_clear(&machine);
@@ -218,12 +264,69 @@ static void markdown_methods(struct text *out, const struct bench_job *job) {
   for (int i = 0; i < job->n_methods; i++) text_printf(out, "| %s | %s |\n", job->methods[i].id, job->methods[i].title);
 }
 
+static void markdown_costs(struct text *out, const struct bench_table *t) {
+  struct bench_cost cost[MOST_COSTS];
+  int n = bench_costs(cost, MOST_COSTS, t);
+  if (n == 0) return;
+  text_add(out, "\nThe price of proof: balls against MPFR at equal true error, the time of balls read between their "
+                "settings.\n\n| MPFR | balls | digits | MPFR's time | balls' time | ratio |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: |\n");
+  for (int i = 0; i < n; i++) {
+    text_printf(out, "| %s | %s | %.0f | ", cost[i].plain, cost[i].balls, floor(cost[i].digits));
+    add_time(out, cost[i].plain_ns);
+    text_add(out, " | ");
+    add_time(out, cost[i].balls_ns);
+    text_printf(out, " | %.2f |\n", cost[i].balls_ns / cost[i].plain_ns);
+  }
+}
+
+static int by_seconds(const void *x, const void *y) {
+  const struct bench_work *a = *(const struct bench_work *const *)x, *b = *(const struct bench_work *const *)y;
+  return (a->seconds < b->seconds) - (a->seconds > b->seconds);
+}
+
+/* The claims that take longest, which is where to look first. */
+static void markdown_claims(struct text *out, const struct bench_verdicts *v) {
+  enum { SHOWN = 12 };
+  const struct bench_work **claim = ss_malloc((v->n + 1) * sizeof *claim);
+  size_t n = 0;
+  for (size_t i = 0; i < v->n; i++)
+    if (v->work[i].kind == WORK_CLAIM && v->work[i].good) claim[n++] = &v->work[i];
+  qsort(claim, n, sizeof(const struct bench_work *), by_seconds);
+  text_printf(
+      out,
+      "\nClaims judged one by one (those with a suffix together with their first): %zu. Those that take longest:\n\n"
+      "| claim | time |\n| --- | ---: |\n",
+      n);
+  for (size_t i = 0; i < n && i < SHOWN; i++) {
+    text_printf(out, "| %s | ", claim[i]->id);
+    add_time(out, 1e9 * claim[i]->seconds);
+    text_add(out, " |\n");
+  }
+  free(claim);
+}
+
+static void markdown_verdicts(struct text *out, const struct bench_verdicts *v) {
+  if (v->n == 0) return;
+  text_add(out,
+           "\n## What verdicts cost\n\nOn the paper's scene. Orbits and Jacobians to a number of digits; the first "
+           "claims together.\n\n| work | digits or claims | time |\n| --- | ---: | ---: |\n");
+  for (size_t i = 0; i < v->n; i++) {
+    if (v->work[i].kind == WORK_CLAIM) continue;
+    text_printf(out, "| %s | %ld | ", bench_work_name[v->work[i].kind], v->work[i].size);
+    add_time(out, 1e9 * v->work[i].seconds);
+    text_add(out, v->work[i].good ? " |\n" : " failed |\n");
+  }
+  markdown_claims(out, v);
+}
+
 static void markdown_table(struct text *out, const struct bench_table *t, bool figures) {
   text_printf(out, "\n## %s\n\nGiven: %s. Wanted: %s.\n", t->job->title, t->job->inputs, t->job->outputs);
   text_printf(out, "%d inputs; the truth has %.0f digits or more; rounding each input to 53 bits can cost %.1e.\n",
               t->cases, floor(t->truth_digits), t->floor);
   if (figures) text_printf(out, "\n![error against time](%s.svg)\n", t->job->id);
   markdown_front(out, t);
+  markdown_costs(out, t);
   markdown_methods(out, t->job);
   text_add(out, "\nAll that was run:\n\n"
                 "| method | setting | worst error | median error | least time | median time | steps | outcome |\n"
@@ -257,6 +360,7 @@ void bench_markdown(struct text *out, const struct bench_result *r, bool figures
       "least and the median of batches that go\nthrough all inputs. What failed has no time and is on no front.\n");
   if (r->quick) text_add(out, "\nA quick run: few inputs, few batches; its times are rough.\n");
   for (int i = 0; i < r->n; i++) markdown_table(out, &r->table[i], figures);
+  markdown_verdicts(out, &r->verdicts);
   markdown_ratios(out, r);
   text_add(out, "\n## Machine\n\n```\n");
   bench_machine(out);

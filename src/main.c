@@ -59,7 +59,7 @@ static const char help[] =
     "      for each refuted claim about a formula (or those named), the smallest edits of its printed text with which "
     "it\n"
     "      passes its checks; --out writes repairs.json and repairs.md\n"
-    "  stickslip bench [--job propagator|map|jacobian|orbit] [--quick] [--json] [--out DIR]\n"
+    "  stickslip bench [--job propagator|map|jacobian|orbit|verdicts] [--quick] [--json] [--out DIR]\n"
     "      error against run time: each job by each method at each of its settings, errors against enclosures; the\n"
     "      fronts, and the ratios that are asked for; --out writes README.md, bench.json, a TSV for each job and, "
     "with\n"

@@ -224,7 +224,7 @@ START_TEST(every_method_keeps_its_promise) {
   struct bench_table t;
   load_paper(&m);
   ck_assert_int_lt(_i, n_bench_jobs);
-  ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){&m}, true));
+  ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){.model = &m}, true));
   ck_assert_int_eq(t.cases, bench_jobs[_i]->n_quick);
   ck_assert(t.truth_digits >= 60 && t.floor > 0x1p-54 && t.floor < 1e-11);
   check_listed(&t);
@@ -243,7 +243,7 @@ END_TEST
 /* Without the paper's equations its methods fail, and the others do not. */
 START_TEST(formulas_that_are_not_there) {
   struct bench_table t;
-  ck_assert(bench_run(&t, &bench_propagator, &(struct bench_env){NULL}, true));
+  ck_assert(bench_run(&t, &bench_propagator, &(struct bench_env){.model = NULL}, true));
   const struct bench_row *r = bench_find(&t, "paper-modal", NAN);
   ck_assert_str_eq(r->failure, "cannot be set up");
   ck_assert(!r->front && isnan(r->least_ns) && isnan(r->worst));
@@ -382,7 +382,7 @@ static const struct bench_job pair_job = {.id = "pair",
 static struct bench_table pair;
 
 static void run_pair(void) {
-  ck_assert(bench_run(&pair, &pair_job, &(struct bench_env){NULL}, true));
+  ck_assert(bench_run(&pair, &pair_job, &(struct bench_env){.model = NULL}, true));
 }
 static void clear_pair(void) {
   bench_table_clear(&pair);
@@ -478,12 +478,12 @@ START_TEST(no_truth_no_job) {
   struct bench_job job = pair_job;
   struct bench_table t;
   job.truth = truth_never;
-  ck_assert(!bench_run(&t, &job, &(struct bench_env){NULL}, true));
+  ck_assert(!bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
   ck_assert_int_eq(t.n, 0);
   bench_table_clear(&t);
   job = pair_job;
   job.worst_condition = 1.5; /* it is 2 everywhere */
-  ck_assert(!bench_run(&t, &job, &(struct bench_env){NULL}, true));
+  ck_assert(!bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
   bench_table_clear(&t);
 }
 END_TEST
