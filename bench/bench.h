@@ -162,7 +162,9 @@ void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
 /* figures: refer to the SVG files. */
 void bench_markdown(struct text *out, const struct bench_result *r, bool figures);
+/* JOB.svg, and JOB-steps.svg when there are methods with steps. */
 void bench_gnuplot(struct text *out, const struct bench_table *t);
+bool bench_has_steps(const struct bench_table *t);
 /* Runs gnuplot on a script in a folder; false when it is not there or fails. */
 bool bench_draw(const char *folder, const struct text *script);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */

@@ -325,6 +325,7 @@ static void markdown_table(struct text *out, const struct bench_table *t, bool f
   text_printf(out, "%d inputs; the truth has %.0f digits or more; rounding each input to 53 bits can cost %.1e.\n",
               t->cases, floor(t->truth_digits), t->floor);
   if (figures) text_printf(out, "\n![error against time](%s.svg)\n", t->job->id);
+  if (figures && bench_has_steps(t)) text_printf(out, "\n![error against step](%s-steps.svg)\n", t->job->id);
   markdown_front(out, t);
   markdown_costs(out, t);
   markdown_methods(out, t->job);

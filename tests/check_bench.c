@@ -99,13 +99,13 @@ START_TEST(the_propagator_is_that_of_mpmath) {
 END_TEST
 
 /* The orbit beside the paper's numbers: the fields of its line and those of the set. */
-struct paper_orbit {
+struct example {
   char set[5][80], field[N_FIELDS][80];
   char jacobian[4][80];
 };
 
 static void orbit_line(char **field, void *self) {
-  struct paper_orbit *o = self;
+  struct example *o = self;
   if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "set") == 0)
     for (int i = 0; i < 5; i++) snprintf(o->set[i], sizeof o->set[i], "%s", field[2 + i]);
   if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "orbit") == 0 && strcmp(field[2], "1") == 0)
@@ -113,7 +113,7 @@ static void orbit_line(char **field, void *self) {
 }
 
 static void jacobian_line(char **field, void *self) {
-  struct paper_orbit *o = self;
+  struct example *o = self;
   if (strcmp(field[0], "paper") != 0 || strcmp(field[1], "1") != 0 || strcmp(field[2], "return") != 0) return;
   char *entry = o->jacobian[2 * (atoi(field[3]) - 1) + atoi(field[4]) - 1];
   snprintf(entry, sizeof o->jacobian[0], "%s", field[5]);
@@ -121,15 +121,15 @@ static void jacobian_line(char **field, void *self) {
 
 enum { F_Z10 = 3, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
 
-static void read_orbit(struct paper_orbit *o) {
-  *o = (struct paper_orbit){.set = {""}};
+static void read_orbit(struct example *o) {
+  *o = (struct example){.set = {""}};
   each_line("tests/oracle/orbits.tsv", orbit_line, o);
   each_line("tests/oracle/jacobian.tsv", jacobian_line, o);
   ck_assert(o->set[0][0] && o->field[F_TRACE][0] && o->jacobian[3][0]);
 }
 
 START_TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
-  struct paper_orbit o;
+  struct example o;
   struct truth map, jac, orbit;
   read_orbit(&o);
   truth_init(&map, &bench_map);
@@ -506,6 +506,32 @@ START_TEST(tables_are_well_formed) {
 }
 END_TEST
 
+/* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than that
+   error is not enough, and where all are too rough nothing is said. */
+START_TEST(the_price_of_proof_is_read_at_equal_error) {
+  const struct bench_method *plain = NULL, *balls = NULL;
+  for (int i = 0; i < bench_map.n_methods; i++) {
+    if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) plain = &bench_map.methods[i];
+    if (strcmp(bench_map.methods[i].id, "closed-arb") == 0) balls = &bench_map.methods[i];
+  }
+  ck_assert(plain && balls);
+  struct bench_row rows[] = {{.method = plain, .setting = 64, .worst = -18, .least_ns = 100},
+                             {.method = plain, .setting = 128, .worst = -38, .least_ns = 150},
+                             {.method = plain, .setting = 256, .worst = -76, .least_ns = 200},
+                             {.method = balls, .setting = 64, .worst = -19, .least_ns = 300},
+                             {.method = balls, .setting = 128, .worst = -29, .least_ns = 400, .failure = "gives up"},
+                             {.method = balls, .setting = 256, .worst = -59, .least_ns = 500}};
+  struct bench_table t = {.job = &bench_map, .row = rows, .n = COUNT(rows)};
+  struct bench_cost cost[4];
+  ck_assert_int_eq(bench_costs(cost, 4, &t), 2);
+  ck_assert_double_eq_tol(cost[0].balls_ns, 300, 1e-9);
+  ck_assert_double_eq_tol(cost[1].balls_ns, 300 + 200 * 19.0 / 40, 1e-9);
+  ck_assert_double_eq_tol(cost[1].digits, 38, 1e-9);
+  ck_assert_double_eq_tol(cost[1].plain_ns, 150, 1e-9);
+  ck_assert_int_eq(bench_costs(cost, 1, &t), 1);
+}
+END_TEST
+
 /* --- The command. --- */
 
 /* Runs the program with PATH as given (NULL: as it is); its exit status. */
@@ -593,7 +619,42 @@ START_TEST(gnuplot_gets_its_script_in_the_folder) {
   run_out(bin);
   ck_assert(!says("err", "no figures") && says("page/README.md", "(propagator.svg)"));
   ck_assert(says("page/propagator.svg", "set output 'propagator.svg'"));
-  ck_assert(says("page/propagator.svg", "inputs rounded to 53 bits") && says("page/propagator.svg", "closed-mpfr"));
+  ck_assert(says("page/propagator.svg", "rounded inputs") && says("page/propagator.svg", "closed-mpfr"));
+}
+END_TEST
+
+/* Differences have a second figure, over their steps. */
+START_TEST(steps_have_a_figure_of_their_own) {
+  struct text script;
+  struct bench_table t;
+  text_init(&script);
+  ck_assert(!bench_has_steps(&pair));
+  struct bench_job job = bench_jacobian;
+  struct bench_method central = {.id = NULL};
+  for (int i = 0; i < job.n_methods; i++)
+    if (strcmp(job.methods[i].id, "central") == 0) central = job.methods[i];
+  job.methods = &central;
+  job.n_methods = 1;
+  ck_assert(bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
+  bench_gnuplot(&script, &t);
+  ck_assert(bench_has_steps(&t) && strstr(text_str(&script), "set output 'jacobian-steps.svg'"));
+  bench_table_clear(&t);
+  text_clear(&script);
+}
+END_TEST
+
+/* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
+START_TEST(verdicts_are_timed) {
+  struct text args;
+  text_init(&args);
+  text_printf(&args, "--quick --job verdicts --out %s", scratch_path("page"));
+  ck_assert_int_eq(command(NULL, text_str(&args)), 0);
+  text_clear(&args);
+  ck_assert(says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
+  ck_assert(says("page/verdicts.tsv", "\njacobian\t\t100\t") && says("page/verdicts.tsv", "\nclaim\teq-1\t"));
+  ck_assert(says("page/verdicts.tsv", "\nclaims\t\t") && !says("page/verdicts.tsv", "failed"));
+  ck_assert(says("page/README.md", "## What verdicts cost") && !says("page/README.md", "The front"));
+  ck_assert(!exists("page/map.tsv"));
 }
 END_TEST
 
@@ -638,6 +699,8 @@ Suite *bench_suite(void) {
   tcase_add_test(c, the_front_is_no_worse_than_any);
   tcase_add_test(c, no_truth_no_job);
   tcase_add_test(c, tables_are_well_formed);
+  tcase_add_test(c, the_price_of_proof_is_read_at_equal_error);
+  tcase_add_test(c, steps_have_a_figure_of_their_own);
   suite_add_tcase(s, c);
   c = tcase_create("command");
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
@@ -645,6 +708,7 @@ Suite *bench_suite(void) {
   tcase_add_test(c, without_gnuplot_there_is_no_figure);
   tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);
   tcase_add_test(c, gnuplot_gets_its_script_in_the_folder);
+  tcase_add_test(c, verdicts_are_timed);
   tcase_add_test(c, json_follows_its_schema);
   tcase_add_test(c, ratios_are_printed_with_their_goals);
   suite_add_tcase(s, c);
