@@ -271,8 +271,8 @@ static int truth_pair(struct num_vec *out, struct num_vec *given, double *hint, 
 
 static int both(struct num_vec *out, const struct bench_case *c, double factor) {
   double *o = (double *)(void *)out->data;
-  o[0] = c->x[0] * c->x[1] * factor;
-  o[1] = c->x[0] * c->x[0];
+  o[0] = c->x[0] * c->x[1];
+  o[1] = c->x[0] * c->x[0] * factor; /* the smaller one, which has a scale of its own */
   return SS_OK;
 }
 
