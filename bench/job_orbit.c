@@ -18,12 +18,12 @@ enum { OUT_TA, OUT_TB, OUT_TC, OUT_TD, OUT_Z10, OUT_Z20, OUT_TRACE, N_ORBIT_OUT 
 static const int groups[N_ORBIT_OUT] = {0, 0, 0, 0, 1, 1, 2};
 
 /* The example's data and what is printed of its solution, as in verify/scenes/paper.scene. */
-static const double example[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
+const double bench_example[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
 static const double printed[SIX] = {0.8921, -2.1958, 0.6784, 2, 1.5, 2.34}; /* z_10, z_20, t_a, t_b, t_c, t_d */
 enum { PR_Z10, PR_Z20, PR_TA, PR_TB, PR_TC };
 
 static void place(double *x, const double *u) {
-  for (int i = 0; i < N_PARAMS; i++) x[i] = example[i] * (1 + 0.02 * (u[i] - 0.5));
+  for (int i = 0; i < N_PARAMS; i++) x[i] = bench_example[i] * (1 + 0.02 * (u[i] - 0.5));
 }
 
 /* --- Truth, and the suite's search for every orbit. --- */

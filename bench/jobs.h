@@ -37,6 +37,9 @@ enum { SIX = 6 };
 /* The residuals at x, and unless NULL their derivatives by rows. */
 void bench_six(double f[SIX], double j[SIX * SIX], const double *params, const double x[SIX]);
 
+/* The example's parameters in double, job_orbit.c. */
+extern const double bench_example[];
+
 /* --- newton_mpfr.c --- */
 
 /* The orbit near (t_b, t_c) by Newton's iteration at a precision that doubles, in MPFR: t_a, t_b, t_c, t_d, z_10, z_20,

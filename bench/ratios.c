@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "bench/jobs.h"
+#include "dynamics/dyn_impl.h"
 #include "stickslip/arena.h"
 
 void bench_result_clear(struct bench_result *r) {
@@ -87,6 +88,54 @@ static double mpfr_time(void (*f)(void *), slong prec) {
   return t;
 }
 
+/* --- Proofs. --- */
+
+enum { PROOF_BITS = 64, PROOF_STEPS = 100000 };
+
+/* An orbit of the example whose events are to be proved the first ones. */
+struct proof {
+  struct dyn_orbits list;
+  const struct dyn_orbit *orbit;
+  struct dyn_orbit judged;
+  fmpq *params;
+  bool proved;
+};
+
+static void prove_first(void *self) {
+  struct proof *p = self;
+  struct calc c;
+  struct ball_params m;
+  calc_init(&c, num_ctx_arb(PROOF_BITS));
+  ball_params_init(&m, &c, p->params);
+  /* an admissible orbit has z_2' < V in phase C */
+  p->proved = dyn_orbit_judge(&p->judged, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false, PROOF_STEPS) ==
+              TRUTH_TRUE;
+  calc_clear(&c);
+}
+
+/* The time of the proof on the first admissible orbit; NAN when it fails. */
+static double proof_time(void) {
+  struct proof p = {.orbit = NULL};
+  double ns = NAN;
+  arf_t x;
+  arf_init(x);
+  p.params = _fmpq_vec_init(N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arf_set_d(x, bench_example[i]);
+    arf_get_fmpq(&p.params[i], x);
+  }
+  dyn_orbit_init(&p.judged);
+  dyn_orbits_find(&p.list, p.params, PROOF_BITS, NULL);
+  for (slong i = 0; i < p.list.n; i++)
+    if (p.list.orbit[i].admissible == TRUTH_TRUE) p.orbit = &p.list.orbit[i];
+  if (p.orbit) ns = bench_time(prove_first, &p);
+  dyn_orbits_clear(&p.list);
+  dyn_orbit_clear(&p.judged);
+  _fmpq_vec_clear(p.params, N_PARAMS);
+  arf_clear(x);
+  return p.proved ? ns : NAN;
+}
+
 /* --- The map. --- */
 
 /* What a map by Newton's iteration at doubling precision needs at the full one: three events and their states. */
@@ -105,6 +154,8 @@ static void map_ratios(struct bench_result *r, const struct bench_table *t) {
   add(r, NAN, false, 1000, "CVODE at its best accuracy / map in double");
   add(r, time_of(t, "closed-mpfr", MAP_BITS) / unit, true, 1.3,
       "MPFR map at %d bits / %d mpfr_sin_cos, %d products, %d sums", MAP_BITS, TURNS, PRODUCTS, PRODUCTS);
+  add(r, proof_time() / time_of(t, "closed-arb", PROOF_BITS), true, 1,
+      "proof of first events and of every condition / map in balls at %d bits", PROOF_BITS);
   for (int i = 0; i < COUNT(bits); i++)
     add(r, time_of(t, "closed-mpfr", bits[i]) / time_of(t, "closed-arb", bits[i]), false, 1.5,
         "MPFR map at %g bits / map in balls", bits[i]);

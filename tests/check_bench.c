@@ -602,8 +602,8 @@ static void run_out(const char *path) {
 START_TEST(without_gnuplot_there_is_no_figure) {
   run_out(scratch_path("")); /* a folder without programs */
   ck_assert(says("err", "no figures"));
-  ck_assert(exists("page/README.md") && exists("page/bench.json") && exists("page/propagator.tsv"));
-  ck_assert(!says("page/README.md", ".svg") && says("page/README.md", "## Machine"));
+  ck_assert(exists("page/bench.md") && exists("page/bench.json") && exists("page/propagator.tsv"));
+  ck_assert(!says("page/bench.md", ".svg") && says("page/bench.md", "## Machine"));
 }
 END_TEST
 
@@ -617,7 +617,7 @@ END_TEST
 START_TEST(gnuplot_gets_its_script_in_the_folder) {
   const char *bin = gnuplot("#!/bin/sh\nwhile IFS= read -r line; do printf '%s\\n' \"$line\"; done >propagator.svg\n");
   run_out(bin);
-  ck_assert(!says("err", "no figures") && says("page/README.md", "(propagator.svg)"));
+  ck_assert(!says("err", "no figures") && says("page/bench.md", "(propagator.svg)"));
   ck_assert(says("page/propagator.svg", "set output 'propagator.svg'"));
   ck_assert(says("page/propagator.svg", "rounded inputs") && says("page/propagator.svg", "closed-mpfr"));
 }
@@ -653,7 +653,7 @@ START_TEST(verdicts_are_timed) {
   ck_assert(says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
   ck_assert(says("page/verdicts.tsv", "\njacobian\t\t100\t") && says("page/verdicts.tsv", "\nclaim\teq-1\t"));
   ck_assert(says("page/verdicts.tsv", "\nclaims\t\t") && !says("page/verdicts.tsv", "failed"));
-  ck_assert(says("page/README.md", "## What verdicts cost") && !says("page/README.md", "The front"));
+  ck_assert(says("page/bench.md", "## What verdicts cost") && !says("page/bench.md", "The front"));
   ck_assert(!exists("page/map.tsv"));
 }
 END_TEST

@@ -58,7 +58,7 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
   if (ok && !drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
   text_reset(&body);
   bench_markdown(&body, r, drawn);
-  ok = ok && put(folder, "README", ".md", &body, d);
+  ok = ok && put(folder, "bench", ".md", &body, d);
   text_reset(&body);
   bench_json(&body, r);
   ok = ok && put(folder, "bench", ".json", &body, d);

@@ -41,7 +41,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN, &o->digits, NULL},
-               {"--json", WITH_JSON, NULL, &o->json},
+               {"--json", FOR_JSON, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--periods", FOR_SIMULATE, &o->periods, NULL},
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
