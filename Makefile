@@ -68,6 +68,7 @@ mutate: $(B)/stickslip ## damage every formula of the paper one token at a time:
 
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/
 	$(B)/stickslip bench --out reports/bench
+	$(PYTHON) bench/peers/peers.py reports/bench
 
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)

@@ -89,6 +89,7 @@ struct bench_table {
   double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
   double truth_digits; /* of the truth, at the worst output */
   bool quick;
+  struct text inputs; /* TSV: each input, 17 digits, and its true outputs, 60 digits */
 };
 
 /* A method in balls and its like in MPFR, at equal true error. */

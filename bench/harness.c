@@ -17,7 +17,7 @@
 const char *const bench_kind_name[] = {"", "bits", "tolerance", "step"};
 
 static const double BATCH = 1e-3; /* seconds */
-enum { SPARE_BITS = 192, MOVE_BITS = 80, MOST_TRIES = 4000, MOST_BATCHES = 25 };
+enum { SPARE_BITS = 192, MOVE_BITS = 80, MOST_TRIES = 4000, MOST_BATCHES = 25, TRUE_DIGITS = 60 };
 
 double bench_now(void) {
   struct timespec t;
@@ -370,11 +370,28 @@ static double accuracy(const struct sample *s, const struct bench_job *job) {
   return least;
 }
 
+/* For whoever wants to recheck an error, or to try a method of his own on the same inputs. */
+static void record_inputs(struct bench_table *t, const struct sample *s) {
+  const struct bench_job *job = t->job;
+  text_reset(&t->inputs);
+  for (int i = 0; i < job->n_in + job->n_out; i++)
+    text_printf(&t->inputs, "%s%d%s", i < job->n_in ? "in" : "out", i < job->n_in ? i + 1 : i - job->n_in + 1,
+                i + 1 < job->n_in + job->n_out ? "\t" : "\n");
+  for (int k = 0; k < t->cases; k++) {
+    for (int i = 0; i < job->n_in; i++) text_printf(&t->inputs, "%.17g\t", s[k].x[i]);
+    for (int i = 0; i < job->n_out; i++) {
+      if (num_print(&t->inputs, num_vec_at(&s[k].out, i), TRUE_DIGITS)) text_add(&t->inputs, "-");
+      text_add(&t->inputs, i + 1 < job->n_out ? "\t" : "\n");
+    }
+  }
+}
+
 bool bench_run(struct bench_table *t, const struct bench_job *job, const struct bench_env *env, bool quick) {
   int wanted = quick ? job->n_quick : job->n_cases;
   slong prec = truth_bits(job, quick);
   struct sample *s = ss_malloc((size_t)wanted * sizeof *s);
   *t = (struct bench_table){.job = job, .quick = quick, .truth_digits = INFINITY};
+  text_init(&t->inputs);
   for (int i = 0; i < wanted; i++) sample_init(&s[i], job, prec);
   for (long n = 0; n < MOST_TRIES && t->cases < wanted; n++)
     if (sample_take(&s[t->cases], job, n)) {
@@ -382,7 +399,8 @@ bool bench_run(struct bench_table *t, const struct bench_job *job, const struct 
       t->truth_digits = fmin(t->truth_digits, accuracy(&s[t->cases], job));
       t->cases++;
     }
-  bool good = t->cases == wanted && t->truth_digits >= 60;
+  bool good = t->cases == wanted && t->truth_digits >= TRUE_DIGITS;
+  record_inputs(t, s);
   for (int i = 0; i < job->n_methods && good; i++) {
     const struct bench_method *m = &job->methods[i];
     int n;
@@ -398,6 +416,7 @@ bool bench_run(struct bench_table *t, const struct bench_job *job, const struct 
 
 void bench_table_clear(struct bench_table *t) {
   free(t->row);
+  text_clear(&t->inputs);
   *t = (struct bench_table){.n = 0};
 }
 

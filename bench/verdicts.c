@@ -83,8 +83,10 @@ void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool 
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_ORBITS, "", digits[i], 0);
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_JACOBIAN, "", digits[i], 0);
   for (size_t i = 0; i < alone; i++) measure(v, env, WORK_CLAIM, env->claims->claim[i].id, 1, i);
-  for (size_t k = 1; k < alone; k *= 2) measure(v, env, WORK_CLAIMS, "", (long)k, 0);
-  measure(v, env, WORK_CLAIMS, "", (long)alone, 0);
+  for (size_t k = 1; k <= alone; k = k < alone && 2 * k > alone ? alone : 2 * k) {
+    measure(v, env, WORK_CLAIMS, "", (long)k, 0);
+    if (v->n > 1 && v->work[v->n - 2].kind == WORK_CLAIMS && v->work[v->n - 2].size == v->work[v->n - 1].size) v->n--;
+  }
 }
 
 void bench_verdicts_clear(struct bench_verdicts *v) {

@@ -61,7 +61,7 @@ static const char help[] =
     "      passes its checks; --out writes repairs.json and repairs.md\n"
     "  stickslip bench [--job propagator|map|jacobian|orbit|verdicts] [--quick] [--json] [--out DIR]\n"
     "      error against run time: each job by each method at each of its settings, errors against enclosures; the\n"
-    "      fronts, and the ratios that are asked for; --out writes bench.md, bench.json, a TSV for each job and, "
+    "      fronts, and the ratios that are asked for; --out writes bench.md, bench.json, tables for each job and, "
     "with\n"
     "      gnuplot, a figure; --quick: few inputs and short timings\n"
     "  stickslip --help | --version\n"

@@ -643,6 +643,36 @@ START_TEST(steps_have_a_figure_of_their_own) {
 }
 END_TEST
 
+/* On the inputs that a run leaves behind, mpmath's exponential and a closed form written in another language have
+   all their 50 digits of the truth. */
+START_TEST(peers_agree_with_the_truth) {
+  const char *python = getenv("PYTHON");
+  struct text line;
+  struct source s;
+  struct diag d;
+  int agreed = 0;
+  text_init(&line);
+  diag_init(&d);
+  text_printf(&line, "--quick --job %s --out %s", _i == 0 ? "propagator" : "map", scratch_path("page"));
+  ck_assert_int_eq(command(NULL, text_str(&line)), 0);
+  text_reset(&line);
+  text_printf(&line, "%s bench/peers/peers.py %s --quick >/dev/null", python && *python ? python : "/usr/bin/python3",
+              scratch_path("page"));
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  ck_assert_msg(source_read(&s, scratch_path("page/peers.tsv"), 1 << 20, &d), "%s", d.message);
+  for (char *at = s.text, *field[N_FIELDS]; at && *at;) {
+    char *next = strchr(at, '\n');
+    if (next) *next++ = '\0';
+    if (split(field, at) == 12 && strcmp(field[1], "mpmath") == 0 && strcmp(field[4], "50") == 0)
+      agreed += strcmp(field[5], "ok") == 0 && atof(field[8]) < 1e-47;
+    at = next;
+  }
+  ck_assert_int_eq(agreed, 1);
+  source_clear(&s);
+  text_clear(&line);
+}
+END_TEST
+
 /* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
 START_TEST(verdicts_are_timed) {
   struct text args;
@@ -708,6 +738,7 @@ Suite *bench_suite(void) {
   tcase_add_test(c, without_gnuplot_there_is_no_figure);
   tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);
   tcase_add_test(c, gnuplot_gets_its_script_in_the_folder);
+  tcase_add_loop_test(c, peers_agree_with_the_truth, 0, 2);
   tcase_add_test(c, verdicts_are_timed);
   tcase_add_test(c, json_follows_its_schema);
   tcase_add_test(c, ratios_are_printed_with_their_goals);

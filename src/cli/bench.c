@@ -48,6 +48,7 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
     text_reset(&body);
     bench_tsv(&body, &r->table[i]);
     ok = put(folder, r->table[i].job->id, ".tsv", &body, d);
+    ok = ok && put(folder, r->table[i].job->id, "-inputs.tsv", &r->table[i].inputs, d);
     text_reset(&body);
     bench_gnuplot(&body, &r->table[i]);
     drawn = drawn && ok && bench_draw(folder, &body);
