@@ -17,6 +17,9 @@ SO    = libstickslip.so.0
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
 # Calcium too (rational functions over Q in several variables)
 CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /dev/null 2>/dev/null && echo -lcalcium)
+# SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
+CVODE = -lsundials_cvode -lsundials_nvecserial
+PEERS = $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
 LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
@@ -37,7 +40,7 @@ deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
 $(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/libstickslip.a
-	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/libstickslip.a: $(OBJ)
 	@rm -f $@
@@ -47,13 +50,14 @@ $(B)/$(SO): $(OBJ)
 	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
 
 $(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
-	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $$(pkg-config --libs check) $(LIBS)
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)
 
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
 
-$(B)/bench/%.o $(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
+$(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
+$(B)/bench/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<

@@ -142,18 +142,26 @@ static int run_ode(void *self, struct num_vec *out, long *steps, const struct be
   return bench_ode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
 }
 
+#ifdef STICKSLIP_SUNDIALS
+static int run_cvode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  double *o = (double *)(void *)out->data;
+  return bench_cvode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
+}
+#endif
+
 /* --- The table. --- */
 
 static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
 static const double tolerances[] = {1e-6, 1e-7, 1e-8, 1e-9, 1e-10, 1e-11, 1e-12, 1e-13};
 static const double few_tolerances[] = {1e-6, 1e-8, 1e-10, 1e-13};
 #define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 4
+#define TOLERANCES                                                                                                     \
+  .type = &num_double, .kind = SET_TOLERANCE, .settings = tolerances, .n = COUNT(tolerances), .quick = few_tolerances, \
+  .n_quick = COUNT(few_tolerances)
 #define ODE(name)                                                                                                      \
   {                                                                                                                    \
-    "gsl-" #name, "GSL's " #name ", event located by Newton's iteration on the length of a step",                      \
-        .type = &num_double, .kind = SET_TOLERANCE, .settings = tolerances, .n = COUNT(tolerances),                    \
-        .quick = few_tolerances, .n_quick = COUNT(few_tolerances), .data = #name, .open = bench_ode_open,              \
-        .close = bench_ode_close, .run = run_ode                                                                       \
+    "gsl-" #name, "GSL's " #name ", event located by Newton's iteration on the length of a step", TOLERANCES,          \
+        .data = #name, .open = bench_ode_open, .close = bench_ode_close, .run = run_ode                                \
   }
 
 static const struct bench_method methods[] = {
@@ -173,6 +181,12 @@ static const struct bench_method methods[] = {
     ODE(msadams),
     ODE(bsimp),
     ODE(msbdf),
+#ifdef STICKSLIP_SUNDIALS
+    {"cvode-adams", "SUNDIALS' CVODE, Adams formulas, with its rootfinding", TOLERANCES, .data = "adams",
+     .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
+    {"cvode-bdf", "SUNDIALS' CVODE, BDF formulas, with its rootfinding", TOLERANCES, .data = "bdf",
+     .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
+#endif
 };
 
 const struct bench_job bench_map = {

@@ -12,38 +12,27 @@
 
 #include "bench/jobs.h"
 #include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
 
-enum { Y_W, Y_R, Y_V1, Y_V2, N_Y };
 enum { MOST_STEPS = 200000 };
 
 struct ode {
-  double chi, V, e2, stiff; /* stiff = chi eta */
-  enum phase phase;
+  struct bench_motion motion;
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
   gsl_odeiv2_step *locator; /* the driver's own, or one of rk8pd */
   bool own;
-  double hint, longest;
+  double hint;
 };
 
 static int right_side(double t, const double y[], double f[], void *self) {
-  const struct ode *o = self;
   (void)t;
-  f[Y_W] = y[Y_V1] - o->chi * y[Y_V2];
-  f[Y_R] = y[Y_V2] - y[Y_V1];
-  f[Y_V1] = o->phase == PHASE_C ? 0 : -y[Y_W];
-  f[Y_V2] = o->phase == PHASE_GAMMA ? 0 : -o->stiff * y[Y_R];
+  bench_motion_field(f, &((const struct ode *)self)->motion, y);
   return GSL_SUCCESS;
 }
 
 static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *self) {
-  const struct ode *o = self;
-  const double rows[N_Y * N_Y] = {
-      0, 0, 1, -o->chi, 0, 0, -1, 1, o->phase == PHASE_C ? 0 : -1, 0, 0, 0, 0, o->phase == PHASE_GAMMA ? 0 : -o->stiff,
-      0, 0};
   (void)t, (void)y;
-  memcpy(dfdy, rows, sizeof rows);
+  bench_motion_jacobian(dfdy, &((const struct ode *)self)->motion);
   memset(dfdt, 0, N_Y * sizeof *dfdt);
   return GSL_SUCCESS;
 }
@@ -86,21 +75,8 @@ struct point {
   double s, value, rate, y[N_Y];
 };
 
-/* The switching function and its derivative. */
 static void look(struct point *p, const struct ode *o) {
-  switch (o->phase) {
-  case PHASE_GAMMA:
-    p->value = p->y[Y_R] - o->e2 / o->chi;
-    p->rate = p->y[Y_V2] - p->y[Y_V1];
-    break;
-  case PHASE_H:
-    p->value = p->y[Y_V1] - o->V;
-    p->rate = -p->y[Y_W];
-    break;
-  default:
-    p->value = p->y[Y_V2] - o->V;
-    p->rate = -o->stiff * p->y[Y_R];
-  }
+  p->value = bench_motion_switch(&p->rate, &o->motion, p->y);
 }
 
 /* The point s into the step that begins at from. */
@@ -120,7 +96,7 @@ static int locate(struct point *to, struct ode *o, const struct point *from, dou
   int failed = 0;
   for (int i = 0; i < 60 && !failed; i++) {
     double step = -to->value / to->rate, next = to->s + step;
-    if (fabs(step) <= 2e-16 * o->longest || high - low <= 2e-16 * o->longest) break;
+    if (fabs(step) <= 2e-16 * o->motion.longest || high - low <= 2e-16 * o->motion.longest) break;
     if (sign * to->value < 0)
       low = to->s;
     else
@@ -146,10 +122,10 @@ static int top(struct point *p, struct ode *o, const struct point *from, const s
 }
 
 /* Integrates the phase from y to its event: the time, and y there. */
-static int run_phase(double *t_event, struct ode *o, enum phase ph, double *y, long *steps) {
+static int run_phase(double *t_event, void *self, double y[N_Y], long *steps) {
+  struct ode *o = self;
   struct point from = {.s = 0}, to;
   double t = 0;
-  o->phase = ph;
   gsl_odeiv2_driver_reset(o->driver);
   memcpy(from.y, y, sizeof from.y);
   look(&from, o);
@@ -157,8 +133,8 @@ static int run_phase(double *t_event, struct ode *o, enum phase ph, double *y, l
   for (long n = 0; n < MOST_STEPS; n++) {
     double begin = t;
     to = from;
-    if (gsl_odeiv2_evolve_apply(o->driver->e, o->driver->c, o->driver->s, &o->system, &t, t + o->longest, &o->hint,
-                                to.y))
+    if (gsl_odeiv2_evolve_apply(o->driver->e, o->driver->c, o->driver->s, &o->system, &t, t + o->motion.longest,
+                                &o->hint, to.y))
       return SS_UNABLE;
     ++*steps;
     to.s = t - begin;
@@ -185,21 +161,9 @@ static int run_phase(double *t_event, struct ode *o, enum phase ph, double *y, l
 
 int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r) {
   struct ode *o = self;
-  double y[N_Y] = {params[P_E1], r, params[P_V], params[P_V]};
   gsl_error_handler_t *old = gsl_set_error_handler_off();
-  o->chi = params[P_CHI];
-  o->V = params[P_V];
-  o->e2 = params[P_E2];
-  o->stiff = o->chi * params[P_ETA];
-  o->longest = 1.5 / sqrt(1 + o->stiff);
   o->hint = 0.01;
-  *steps = 0;
-  int status = run_phase(&t[0], o, PHASE_GAMMA, y, steps);
-  y[Y_R] = o->e2 / o->chi;
-  if (!status) status = run_phase(&t[1], o, PHASE_H, y, steps);
-  y[Y_V1] = o->V;
-  if (!status) status = run_phase(&t[2], o, PHASE_C, y, steps);
-  *r_end = y[Y_R];
+  int status = bench_motion_pass(t, r_end, steps, &o->motion, params, r, run_phase, o);
   gsl_set_error_handler(old);
   return status;
 }

@@ -141,6 +141,16 @@ static double proof_time(void) {
 /* What a map by Newton's iteration at doubling precision needs at the full one: three events and their states. */
 enum { TURNS = 11, PRODUCTS = 100, MAP_BITS = 256 };
 
+/* The time of CVODE where it is most accurate; NAN when it is not built in. */
+static double best_cvode(const struct bench_table *t) {
+  const struct bench_row *best = NULL;
+  for (int i = 0; i < t->n; i++) {
+    const struct bench_row *r = &t->row[i];
+    if (strncmp(r->method->id, "cvode-", 6) == 0 && !r->failure && (!best || r->worst < best->worst)) best = r;
+  }
+  return best ? best->least_ns : NAN;
+}
+
 static void map_ratios(struct bench_result *r, const struct bench_table *t) {
   static const double bits[] = {128, 256, 512, 1024};
   volatile double sum = 0;
@@ -151,7 +161,7 @@ static void map_ratios(struct bench_result *r, const struct bench_table *t) {
   add(r, suite / sincos, true, NAN, "map in double, first roots searched / libm's sincos");
   add(r, hand / sincos, true, NAN, "hand-written map / libm's sincos");
   add(r, time_of(t, "gsl-rk8pd", 1e-13) / suite, false, 40, "GSL rk8pd at 1e-13 / map in double");
-  add(r, NAN, false, 1000, "CVODE at its best accuracy / map in double");
+  add(r, best_cvode(t) / suite, false, 1000, "CVODE at its best accuracy / map in double");
   add(r, time_of(t, "closed-mpfr", MAP_BITS) / unit, true, 1.3,
       "MPFR map at %d bits / %d mpfr_sin_cos, %d products, %d sums", MAP_BITS, TURNS, PRODUCTS, PRODUCTS);
   add(r, proof_time() / time_of(t, "closed-arb", PROOF_BITS), true, 1,
