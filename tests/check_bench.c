@@ -697,7 +697,7 @@ START_TEST(json_follows_its_schema) {
               python && *python ? python : "/usr/bin/python3", scratch_path("out"));
   ck_assert_int_eq(system(text_str(&line)), 0);
   text_clear(&line);
-  ck_assert(says("out", "\"not measured\"")); /* CVODE, which is not built in */
+  ck_assert(says("out", "\"not measured\"")); /* the growth, which quick runs leave out */
 }
 END_TEST
 
@@ -707,8 +707,7 @@ START_TEST(ratios_are_printed_with_their_goals) {
   ck_assert(says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
   ck_assert(says("out", " (goal: at most 1.2; ") && says("out", " (goal: at least 40; ") &&
             says("out", " (no goal)\n"));
-  ck_assert(
-      says("out", "CVODE at its best accuracy / map in double: not measured (goal: at least 1e+03; not measured)"));
+  ck_assert(says("out", "\nCVODE at its best accuracy / map in double: ") && says("out", " (goal: at least 1e+03; "));
 }
 END_TEST
 
