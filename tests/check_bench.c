@@ -98,6 +98,31 @@ START_TEST(the_propagator_is_that_of_mpmath) {
 }
 END_TEST
 
+/* The matrix of the closed form is the exponential of the phase's system, in every phase. */
+START_TEST(closed_form_and_exponential_agree) {
+  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_vec params, t, closed, exponential;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&t, 1, ctx);
+  num_vec_init(&closed, 16, ctx);
+  num_vec_init(&exponential, 16, ctx);
+  static const char *const values[N_PARAMS] = {"0.7", "1.9", "1.3", "2.1", "0.4"};
+  for (int i = 0; i < N_PARAMS; i++) set_decimal(num_vec_at(&params, i), values[i]);
+  set_decimal(num_vec_at(&t, 0), "2.3");
+  ck_assert_int_eq(dyn_flow_matrix(&closed, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
+  ck_assert_int_eq(dyn_propagator(&exponential, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
+  for (int i = 0; i < 16; i++) {
+    arb_srcptr x = num_vec_at(&closed, i);
+    ck_assert_msg(arb_overlaps(x, num_vec_at(&exponential, i)), "%s, entry %d", phase_name[_i], i);
+    ck_assert(mag_cmp_2exp_si(arb_radref(x), -300) < 0);
+  }
+  num_vec_clear(&params);
+  num_vec_clear(&t);
+  num_vec_clear(&closed);
+  num_vec_clear(&exponential);
+}
+END_TEST
+
 /* The orbit beside the paper's numbers: the fields of its line and those of the set. */
 struct example {
   char set[5][80], field[N_FIELDS][80];
@@ -715,6 +740,7 @@ Suite *bench_suite(void) {
   Suite *s = suite_create("bench");
   TCase *c = tcase_create("truth");
   tcase_add_test(c, the_propagator_is_that_of_mpmath);
+  tcase_add_loop_test(c, closed_form_and_exponential_agree, 0, N_PHASES);
   tcase_add_test(c, map_jacobian_and_orbit_are_those_of_mpmath);
   tcase_add_loop_test(c, every_method_keeps_its_promise, 0, 4);
   tcase_add_test(c, formulas_that_are_not_there);
