@@ -17,25 +17,30 @@ SO    = libstickslip.so.0
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
 # Calcium too (rational functions over Q in several variables)
 CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /dev/null 2>/dev/null && echo -lcalcium)
+# SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
+CVODE = -lsundials_cvode -lsundials_nvecserial
+PEERS = $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
 LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(sort $(wildcard src/cli/*.c))
 SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
+BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
+BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify mutate lint asan cover format install uninstall clean help
+.PHONY: deps all check verify mutate bench lint asan cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
-$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(B)/libstickslip.a
-	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
+$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/libstickslip.a
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
 # shares no source with the program
 $(B)/stickslip-checker: verify/checker/check.c Makefile
@@ -49,24 +54,30 @@ $(B)/libstickslip.a: $(OBJ)
 $(B)/$(SO): $(OBJ)
 	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
 
-$(B)/check: $(TOBJ) $(B)/libstickslip.a
-	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $$(pkg-config --libs check) $(LIBS)
+$(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)
 
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(ALL) -Isrc -MMD -c -o $@ $<
+	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
 
+$(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
+$(B)/bench/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(ALL) -MMD -c -o $@ $<
+	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<
 
--include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(B)/src/main.d
+-include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(B)/src/main.d
 
 verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
 	$(B)/stickslip verify
 
 mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
 	$(B)/stickslip mutate --count all --out reports/mutation
+
+bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/
+	$(B)/stickslip bench --out reports/bench
+	$(PYTHON) bench/peers/peers.py reports/bench
 
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)

@@ -72,6 +72,11 @@ static const char help[] =
     "      what changed from one audit.json to the other: counts, verdicts, claims that came or went, and every "
     "member\n"
     "      with another value; status 1 when anything did\n"
+    "  stickslip bench [--job propagator|map|jacobian|orbit|verdicts] [--quick] [--json] [--out DIR]\n"
+    "      error against run time: each job by each method at each of its settings, errors against enclosures; the\n"
+    "      fronts, and the ratios that are asked for; --out writes bench.md, bench.json, tables for each job and, "
+    "with\n"
+    "      gnuplot, a figure; --quick: few inputs and short timings\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -110,7 +115,8 @@ static const struct command {
                 {"mutate", FOR_MUTATE, run_mutate},
                 {"repair", FOR_REPAIR, run_repair},
                 {"bifurcate", FOR_BIFURCATE, run_bifurcate},
-                {"diff", FOR_DIFF, run_diff}};
+                {"diff", FOR_DIFF, run_diff},
+                {"bench", FOR_BENCH, run_bench}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -154,7 +160,7 @@ int main(int argc, char **argv) {
   if (argc < 2)
     return usage(
         "a command is needed: %s",
-        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate or diff");
+        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate, diff or bench");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -19,5 +19,5 @@ python3 tools/readme.py --check
 echo "lint: cppcheck"
 # shellcheck disable=SC2046
 cppcheck --quiet --std=c11 --enable=warning,performance,portability --inline-suppr --error-exitcode=1 \
-  --suppress=missingIncludeSystem -Iinclude --suppress=preprocessorErrorDirective $(git ls-files 'src/*.c' 'verify/checker/*.c')
+  --suppress=missingIncludeSystem -Iinclude -I. -Isrc --suppress=preprocessorErrorDirective $(git ls-files 'src/*.c' 'bench/*.c' 'verify/checker/*.c')
 echo "lint: clean"

@@ -45,6 +45,8 @@ int dyn_propagator(struct num_vec *p, enum phase ph, const struct num_vec *param
 
 /* Z after time t in the phase.  out may alias in. */
 int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in, const void *t);
+/* The matrix of that map, 16 elements. */
+int dyn_flow_matrix(struct num_vec *p, enum phase ph, const struct num_vec *params, const void *t);
 /* The phase's switching function (zero at its end): w - e1, chi r - e2, p, q. */
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z);
 /* Its derivative along the phase's own motion. */

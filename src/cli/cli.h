@@ -25,7 +25,9 @@ enum {
   FOR_MUTATE = 256,
   FOR_REPAIR = 512,
   FOR_BIFURCATE = 1024,
-  FOR_DIFF = 2048
+  FOR_DIFF = 2048,
+  FOR_BENCH = 4096,
+  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH
 };
 
 struct options {
@@ -34,8 +36,8 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along;
-  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, help;
+      *certificate, *along, *job;
+  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -104,5 +106,6 @@ int run_mutate(const struct options *o, const char *data);
 int run_repair(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
 int run_diff(const struct options *o, const char *data);
+int run_bench(const struct options *o, const char *data);
 
 #endif

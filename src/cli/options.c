@@ -28,8 +28,6 @@ static bool add_only(struct options *o, char *list) {
   return o->n_only > 0;
 }
 
-enum { FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF };
-
 int parse_options(struct options *o, unsigned command, int argc, char **argv) {
   struct {
     const char *name;
@@ -39,7 +37,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
   } table[] = {{"--only", FOR_VERIFY | FOR_MUTATE, NULL, NULL},
                {"--paper", FOR_VERIFY, &o->paper, NULL},
                {"--overlay", FOR_VERIFY, &o->overlay, NULL},
-               {"--out", FOR_VERIFY | FOR_MUTATE | FOR_REPAIR, &o->out, NULL},
+               {"--out", FOR_VERIFY | FOR_MUTATE | FOR_REPAIR | FOR_BENCH, &o->out, NULL},
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
                {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_BIFURCATE, &o->digits, NULL},
@@ -56,6 +54,8 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
                {"--along", FOR_BIFURCATE, &o->along, NULL},
                {"--basin", FOR_ORBIT, NULL, &o->basin},
+               {"--job", FOR_BENCH, &o->job, NULL},
+               {"--quick", FOR_BENCH, NULL, &o->quick},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--receipt", FOR_EXPLAIN, NULL, &o->receipt},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},

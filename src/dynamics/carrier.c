@@ -41,13 +41,14 @@ int carrier_init(struct carrier *k, const double params[N_PARAMS]) {
   k->omc = sqrt(stiff);
   k->x = sqrt(above / (above + below));
   k->y = sqrt(below / (above + below));
+  return SS_OK;
+}
 
+void carrier_records(struct carrier *k) {
   /* The height of one crest over the one before is 2 pi a. */
   double half = atan2(k->e1, k->a), s = sin(half);
   double level = 2 * k->e1 * s * s - k->a * x_minus_sin(2 * half);
-  k->rise = 0;
   k->rise = carrier_time(k, fmax(level, 0));
-  return SS_OK;
 }
 
 double carrier_rise(const struct carrier *k, double t) {
@@ -67,7 +68,8 @@ double carrier_time(const struct carrier *k, double g) {
   g -= whole * turn;
   double low = 0, high = k->fall, t = fmin(sqrt(2 * g / k->e1), 0.5 * k->fall);
   for (int i = 0; i < 200; i++) {
-    double miss = carrier_rise(k, t) - g, next = t - miss / rise_rate(k, t);
+    double s = sin(0.5 * t), c = cos(0.5 * t), turned = t > 0.5 ? t - 2 * s * c : x_minus_sin(t);
+    double miss = k->a * turned + 2 * k->e1 * s * s - g, next = t - miss / (2 * s * (k->e1 * c + k->a * s));
     if (miss < 0)
       low = t;
     else

@@ -64,8 +64,9 @@ struct pass {
   bool grazing;
   long steps;
 };
-/* SS_DOMAIN outside the domain of dynamics.h. */
+/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to carrier_records: few need it, and it takes an iteration. */
 int carrier_init(struct carrier *k, const double params[N_PARAMS]);
+void carrier_records(struct carrier *k);
 /* How far chi r / chi has risen t after the start of phase Gamma. */
 double carrier_rise(const struct carrier *k, double t);
 /* The first time at which it has risen by g > 0. */

@@ -157,6 +157,21 @@ int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, c
   return c.status;
 }
 
+int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+  struct calc c;
+  val p[N_PARAMS];
+  calc_init(&c, out->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  struct blocks b = flow_blocks(&c, ph, p, t);
+  for (int i = 0; i < N_STATE; i++)
+    for (int j = 0; j < N_STATE; j++) {
+      const val *block = (i < 2) == (j < 2) ? b.c : i < 2 ? b.s : b.n;
+      out->ctx.type->set(num_vec_at(out, N_STATE * i + j), block[2 * (i % 2) + j % 2]);
+    }
+  calc_clear(&c);
+  return c.status;
+}
+
 typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 
 static int switching_value(void *value, switching f, enum phase ph, const struct num_vec *params,

@@ -173,6 +173,7 @@ static bool plausible(struct scan *scan, const double x[N_QUANTITIES]) {
   if (carrier_init(&k, p) || !(tb > 0 && tc > 0 && td > 0 && td * k.omc < PI)) return false;
   if ((tb > q->lim.t_max && !is_given(q, QUANTITY_TB)) || (tc > q->lim.t_max && !is_given(q, QUANTITY_TC)))
     return false;
+  carrier_records(&k);
   if (turn > k.fall + slack || (tb > k.fall + slack && turn < k.rise - slack)) return false;
   const struct dyn_limits lim = {tc + 1, q->lim.max_steps};
   carrier_pass(&s, &k, tb, &lim);
@@ -606,7 +607,9 @@ static int quest_init(struct quest *q, const fmpq *model, const enum dyn_quantit
   int n = 0;
   for (int i = 0; i < N_QUANTITIES; i++)
     if (!is_given(q, (enum dyn_quantity)i)) q->data.unknown[n++] = i;
-  return carrier_init(&q->k, p) ? SS_UNABLE : SS_OK; /* in the domain, but not in that of double precision */
+  if (carrier_init(&q->k, p)) return SS_UNABLE; /* in the domain, but not in that of double precision */
+  carrier_records(&q->k);
+  return SS_OK;
 }
 
 /* e1 and e2 are given: the search of dynamics.h. */

@@ -124,6 +124,7 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
 int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim) {
   *s = (struct search){.lim = *lim};
   if (carrier_init(&s->k, params)) return SS_DOMAIN;
+  carrier_records(&s->k);
   const struct carrier *k = &s->k;
   /* r at the stick phase is at least -reach: no t_b beyond this time leads to an orbit. */
   double last = fmin(1.001 * carrier_time(k, k->e2 / k->chi + 1.001 * carrier_reach(k)) + 1e-6, lim->t_max);

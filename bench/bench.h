@@ -1,0 +1,174 @@
+/* Error against run time: jobs, the methods that can do them, and the measuring of both.
+
+   A job is a map from a few doubles, taken as exact, to a few numbers, with a truth: balls made by the suite's own model
+   in Arb.  A method is any way to that map at one of its settings (a precision, a tolerance, a step).  Its error is the
+   largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of one call,
+   from batches of calls over all inputs in turn.
+
+   Clocks are read here and in the command line, nowhere else; the library knows no time. */
+#ifndef STICKSLIP_BENCH_H
+#define STICKSLIP_BENCH_H
+
+#include "stickslip/audit.h"
+
+enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
+
+/* One input as a method sees it.  in and given are in the method's own arithmetic. */
+struct bench_case {
+  const double *x;      /* the exact inputs */
+  struct num_vec in;    /* the same */
+  struct num_vec given; /* what the job hands out besides (balls stay balls) */
+  const double *hint;   /* rough values for methods that do not search */
+};
+
+/* What a method may need from outside. */
+struct bench_env {
+  const struct model *model;              /* the paper's formulas; NULL: methods that read them fail */
+  const struct claims *claims, *controls; /* these and the scene for verdicts alone */
+  const struct scene *scene;
+};
+
+enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP };
+extern const char *const bench_kind_name[SET_STEP + 1]; /* "", "bits", "tolerance", "step" */
+
+struct bench_method {
+  const char *id, *title;
+  const struct num_type *type;
+  enum bench_kind kind;
+  const double *settings; /* n of them; without any the method runs once */
+  int n;
+  const double *quick; /* those of quick runs; NULL: all */
+  int n_quick;
+  slong bits;       /* of the arithmetic, unless the setting says it */
+  const void *data; /* for open */
+  /* State for all calls at one setting, made outside of the timing; NULL: it cannot be had, which is a failure.  Both may
+     be NULL for a method without state. */
+  void *(*open)(const struct bench_method *m, double setting, const struct bench_env *env);
+  void (*close)(void *self);
+  /* A status of status.h.  *steps: its work in units of its own (steps, iterations, evaluations); 0 is a failure. */
+  int (*run)(void *self, struct num_vec *out, long *steps, const struct bench_case *c);
+};
+
+struct bench_job {
+  const char *id, *title;
+  const char *inputs, *outputs; /* in words */
+  int n_in, n_out, n_given, n_hint;
+  int n_cases, n_quick;
+  double worst_condition; /* inputs with a larger condition number are not taken */
+  const int *group;       /* of each output: outputs of one group have one scale, their largest magnitude */
+  /* An input from a point of the unit cube. */
+  void (*place)(double *x, const double *u);
+  /* In balls, at the precision of out; in: n_in elements, exact or moved by relative 2^-80.  SS_OK or the input is not
+     taken.  near: the hints of the unmoved input when it is moved, else NULL; hint: to be set. */
+  int (*truth)(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in, const double *near);
+  const struct bench_method *methods;
+  int n_methods;
+};
+
+/* --- Results. --- */
+
+struct bench_row {
+  const struct bench_method *method;
+  double setting;
+  const char *failure;        /* why it counts as failed, or NULL */
+  int cases, failures;        /* tried; failed */
+  int untruths;               /* balls that do not hold the true value */
+  double worst, median;       /* log10 of the error; NAN when failed */
+  double least_ns, median_ns; /* of one call */
+  double steps;               /* mean */
+  long calls;                 /* timed */
+  int batches;
+  bool capped; /* not all inputs were tried: the method is slow */
+  bool front;  /* on the Pareto front */
+};
+struct bench_table {
+  const struct bench_job *job;
+  struct bench_row *row;
+  int n, cap;
+  int cases;           /* inputs taken */
+  double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
+  double truth_digits; /* of the truth, at the worst output */
+  bool quick;
+  struct text inputs; /* TSV: each input, 17 digits, and its true outputs, 60 digits */
+};
+
+/* A method in balls and its like in MPFR, at equal true error. */
+struct bench_cost {
+  const char *plain, *balls;
+  double digits, plain_ns, balls_ns;
+};
+
+/* Work of the program on the paper's scene: size is a number of digits, or of claims
+   judged (eq-3 brings eq-3b with it). */
+enum bench_work_kind { WORK_ORBITS, WORK_JACOBIAN, WORK_CLAIMS, WORK_CLAIM };
+extern const char *const bench_work_name[WORK_CLAIM + 1]; /* "orbits", "jacobian", "claims", "claim" */
+struct bench_work {
+  enum bench_work_kind kind;
+  char id[64]; /* of WORK_CLAIM */
+  long size;
+  double seconds; /* the least; NAN when it failed */
+  bool good;
+};
+struct bench_verdicts {
+  struct bench_work *work;
+  size_t n, cap;
+  bool quick;
+};
+
+/* A ratio that is asked for. */
+struct bench_ratio {
+  char name[160];
+  double value; /* NAN: not measured */
+  double goal;  /* NAN: stated without one */
+  bool at_most;
+};
+
+struct bench_result {
+  struct bench_table *table;
+  int n;
+  struct bench_ratio *ratio;
+  int n_ratios, cap_ratios;
+  bool quick;
+  struct bench_verdicts verdicts; /* empty unless asked for */
+};
+
+extern const struct bench_job *const bench_jobs[];
+extern const int n_bench_jobs;
+
+/* Runs the job, every method at every setting.  false when no inputs or no truth could be had. */
+bool bench_run(struct bench_table *out, const struct bench_job *job, const struct bench_env *env, bool quick);
+void bench_table_clear(struct bench_table *t);
+/* The row, or NULL; setting is ignored for methods without one. */
+const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting);
+
+/* What proof costs in this job, at most `most` entries; returns their number. */
+int bench_costs(struct bench_cost *out, int most, const struct bench_table *t);
+/* Times of orbits and Jacobians by digits, of claims one by one and together. */
+void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick);
+void bench_verdicts_clear(struct bench_verdicts *v);
+
+/* The ratios that the tables allow, and those that need measurements of their own. */
+void bench_ratios(struct bench_result *r);
+void bench_result_clear(struct bench_result *r);
+
+/* Seconds since some start. */
+double bench_now(void);
+/* The time of one call of f in ns, the least of a few batches of at least a millisecond. */
+double bench_time(void (*f)(void *), void *arg);
+
+/* --- Output; everything said in words comes from the rows. --- */
+
+void bench_tsv(struct text *out, const struct bench_table *t);
+void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
+void bench_json(struct text *out, const struct bench_result *r);
+/* figures: refer to the SVG files. */
+void bench_markdown(struct text *out, const struct bench_result *r, bool figures);
+/* JOB.svg, and JOB-steps.svg when there are methods with steps. */
+void bench_gnuplot(struct text *out, const struct bench_table *t);
+bool bench_has_steps(const struct bench_table *t);
+/* Runs gnuplot on a script in a folder; false when it is not there or fails. */
+bool bench_draw(const char *folder, const struct text *script);
+/* CPU, cores, compiler, libraries, as "name: value" lines. */
+void bench_machine(struct text *out);
+
+#endif

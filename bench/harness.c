@@ -1,0 +1,444 @@
+/* The measuring: inputs, truth, errors, times.
+
+   Inputs are points of a low-discrepancy sequence, so that they are the same in every run and spread over the domain;
+   those at which the map does not exist, or is badly conditioned, are passed over.  Before a call the outputs are set to
+   NaN, so that a method which returns nothing cannot live on what was there; a method that reports no step, or that is not
+   right in one digit, has failed whatever its time.  Times are of all inputs in turn, since one input again and again teaches
+   the branch predictor the answer. */
+#include "bench/bench.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "stickslip/arena.h"
+
+const char *const bench_kind_name[] = {"", "bits", "tolerance", "step"};
+
+static const double BATCH = 1e-3; /* seconds */
+enum { SPARE_BITS = 192, MOVE_BITS = 80, MOST_TRIES = 4000, MOST_BATCHES = 25, TRUE_DIGITS = 60 };
+
+double bench_now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_MONOTONIC, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* --- Inputs with their truth. --- */
+
+struct sample {
+  double x[BENCH_IN], hint[BENCH_HINT];
+  struct num_vec in, out, given; /* balls */
+  arb_ptr scale;                 /* of each output, exact */
+  double floor;
+};
+
+static void sample_init(struct sample *s, const struct bench_job *job, slong prec) {
+  struct num_ctx ctx = num_ctx_arb(prec);
+  num_vec_init(&s->in, job->n_in, ctx);
+  num_vec_init(&s->out, job->n_out, ctx);
+  num_vec_init(&s->given, job->n_given, ctx);
+  s->scale = _arb_vec_init(job->n_out);
+}
+
+static void sample_clear(struct sample *s, const struct bench_job *job) {
+  num_vec_clear(&s->in);
+  num_vec_clear(&s->out);
+  num_vec_clear(&s->given);
+  _arb_vec_clear(s->scale, job->n_out);
+}
+
+/* Each output's scale: the largest midpoint of its group.  false when it is zero. */
+static bool set_scales(struct sample *s, const struct bench_job *job) {
+  bool good = true;
+  for (int i = 0; i < job->n_out; i++) {
+    for (int k = 0; k < job->n_out; k++) {
+      arf_srcptr mid = arb_midref((arb_srcptr)num_vec_at(&s->out, k));
+      if (job->group[k] == job->group[i] && arf_cmpabs(mid, arb_midref(s->scale + i)) > 0)
+        arf_abs(arb_midref(s->scale + i), mid);
+    }
+    good = good && !arb_is_zero(s->scale + i) && arb_is_finite(s->scale + i);
+  }
+  return good;
+}
+
+static double log10_of(const mag_t x) {
+  if (mag_is_zero(x)) return -INFINITY;
+  return log10((double)MAG_MAN(x)) + log10(2) * (double)(fmpz_get_si(MAG_EXPREF(x)) - MAG_BITS);
+}
+
+/* log10 of |got - true| / scale at most, the radius of a ball included: errors of multiprecision are below what a double
+   can be. */
+static double error_of(arb_srcptr got, const struct sample *s, int i) {
+  arb_t diff;
+  mag_t most;
+  arb_init(diff);
+  mag_init(most);
+  slong prec = s->out.ctx.prec;
+  arb_sub(diff, got, num_vec_at(&s->out, i), prec);
+  arb_div(diff, diff, s->scale + i, 64);
+  arb_get_mag(most, diff);
+  double e = log10_of(most);
+  mag_clear(most);
+  arb_clear(diff);
+  return e;
+}
+
+/* The sum over the inputs of what moving one by 2^-53 of itself does to the outputs, the worst of them. */
+static int set_floor(struct sample *s, const struct bench_job *job) {
+  struct num_vec moved, out, given;
+  double sum[BENCH_OUT] = {0}, hint[BENCH_HINT];
+  int status = SS_OK;
+  num_vec_init(&moved, job->n_in, s->in.ctx);
+  num_vec_init(&out, job->n_out, s->in.ctx);
+  num_vec_init(&given, job->n_given, s->in.ctx);
+  for (int k = 0; k < job->n_in && !status; k++) {
+    num_vec_set(&moved, &s->in);
+    arb_ptr x = num_vec_at(&moved, k);
+    arb_t shift;
+    arb_init(shift);
+    arb_mul_2exp_si(shift, x, -MOVE_BITS);
+    arb_add(x, x, shift, s->in.ctx.prec);
+    arb_clear(shift);
+    status = job->truth(&out, &given, hint, &moved, s->hint);
+    for (int i = 0; i < job->n_out && !status; i++)
+      sum[i] += ldexp(pow(10, error_of(num_vec_at(&out, i), s, i)), MOVE_BITS - 53);
+  }
+  s->floor = 0;
+  for (int i = 0; i < job->n_out; i++) s->floor = fmax(s->floor, sum[i]);
+  num_vec_clear(&moved);
+  num_vec_clear(&out);
+  num_vec_clear(&given);
+  return status;
+}
+
+/* Point n of the sequence: fractional parts of multiples of square roots of primes. */
+static void sequence(double *u, long n) {
+  static const double prime[BENCH_IN] = {2, 3, 5, 7, 11, 13, 17, 19};
+  for (int i = 0; i < BENCH_IN; i++) {
+    double whole, x = (double)(n + 1) * sqrt(prime[i]);
+    u[i] = modf(x, &whole);
+  }
+}
+
+static bool sample_take(struct sample *s, const struct bench_job *job, long n) {
+  double u[BENCH_IN];
+  sequence(u, n);
+  job->place(s->x, u);
+  for (int i = 0; i < job->n_in; i++) {
+    if (!isfinite(s->x[i])) return false;
+    arb_set_d(num_vec_at(&s->in, i), s->x[i]);
+  }
+  _arb_vec_zero(s->scale, job->n_out);
+  if (job->truth(&s->out, &s->given, s->hint, &s->in, NULL) || !set_scales(s, job) || set_floor(s, job)) return false;
+  return s->floor < ldexp(job->worst_condition, -53);
+}
+
+/* --- One method at one setting. --- */
+
+struct trial {
+  const struct bench_job *job;
+  const struct sample *sample;
+  struct bench_case *in; /* the same in the method's arithmetic */
+  int n;
+  struct num_ctx ctx;
+  struct num_vec out;
+  void *self;
+};
+
+static struct num_ctx context_of(const struct bench_method *m, double setting) {
+  return (struct num_ctx){m->type, m->kind == SET_BITS ? (slong)setting : m->bits ? m->bits : 53};
+}
+
+static void trial_init(struct trial *t, const struct bench_job *job, const struct sample *s, int n,
+                       struct num_ctx ctx) {
+  *t = (struct trial){.job = job, .sample = s, .n = n, .ctx = ctx};
+  t->in = ss_malloc((size_t)n * sizeof *t->in);
+  num_vec_init(&t->out, job->n_out, ctx);
+  for (int i = 0; i < n; i++) {
+    struct bench_case *c = &t->in[i];
+    *c = (struct bench_case){.x = s[i].x, .hint = s[i].hint};
+    num_vec_init(&c->in, job->n_in, ctx);
+    num_vec_init(&c->given, job->n_given, ctx);
+    for (int k = 0; k < job->n_in; k++) ctx.type->set_arb(num_vec_at(&c->in, k), num_vec_at(&s[i].in, k), ctx.prec);
+    for (int k = 0; k < job->n_given; k++)
+      ctx.type->set_arb(num_vec_at(&c->given, k), num_vec_at(&s[i].given, k), ctx.prec);
+  }
+}
+
+static void trial_clear(struct trial *t) {
+  for (int i = 0; i < t->n; i++) {
+    num_vec_clear(&t->in[i].in);
+    num_vec_clear(&t->in[i].given);
+  }
+  free(t->in);
+  num_vec_clear(&t->out);
+}
+
+static int by_size(const void *x, const void *y) {
+  double a = *(const double *)x, b = *(const double *)y;
+  return (a > b) - (a < b);
+}
+
+static double median_of(double *x, int n) {
+  qsort(x, (size_t)n, sizeof *x, by_size);
+  return n == 0 ? NAN : n % 2 ? x[n / 2] : 0.5 * (x[n / 2 - 1] + x[n / 2]);
+}
+
+/* The error of one call, or why it failed. */
+static const char *judge(double *error, bool *untrue, const struct trial *t, int i, int status, long steps) {
+  arb_t got;
+  const char *failure = NULL;
+  *error = -INFINITY;
+  *untrue = false;
+  arb_init(got);
+  for (int k = 0; k < t->job->n_out && !failure; k++) {
+    t->ctx.type->get_arb(got, num_vec_at(&t->out, k));
+    if (status)
+      failure = status & SS_DOMAIN ? "says that there is no value" : "gives up";
+    else if (!arb_is_finite(got))
+      failure = "returned nothing";
+    else if (t->ctx.type->rigorous && !arb_overlaps(got, num_vec_at(&t->sample[i].out, k)))
+      *untrue = true;
+    if (!failure) *error = fmax(*error, error_of(got, &t->sample[i], k));
+  }
+  arb_clear(got);
+  if (failure) return failure;
+  if (steps <= 0) return "took no step";
+  if (*untrue) return "a ball without the true value";
+  return *error < log10(0.5) ? NULL : "not one digit right";
+}
+
+/* Every input once, for the errors; stops when the calls have taken `seconds`. */
+static void first_pass(struct bench_row *row, struct trial *t, const struct bench_method *m, double seconds) {
+  double *error = ss_malloc((size_t)t->n * sizeof *error), spent = 0;
+  int n = 0;
+  for (int i = 0; i < t->n && (i == 0 || spent < seconds); i++) {
+    for (int k = 0; k < t->job->n_out; k++) t->ctx.type->set_d(num_vec_at(&t->out, k), NAN, t->ctx.prec);
+    long steps = 0;
+    double begin = bench_now(), e;
+    int status = m->run(t->self, &t->out, &steps, &t->in[i]);
+    spent += bench_now() - begin;
+    bool untrue;
+    const char *failure = judge(&e, &untrue, t, i, status, steps);
+    row->cases++;
+    row->untruths += untrue;
+    row->steps += (double)steps;
+    if (failure) {
+      row->failures++;
+      row->failure = failure;
+    } else {
+      row->worst = fmax(row->worst, e);
+      error[n++] = e;
+    }
+  }
+  row->capped = row->cases < t->n;
+  row->steps /= row->cases;
+  row->median = median_of(error, n);
+  free(error);
+}
+
+/* --- Times. ---
+
+   A batch goes through a stretch of the inputs, and through all of them again and again if they take less than a
+   millisecond together.  Slow methods have many stretches, each timed on its own and the times added: on a machine that is
+   shared, a stretch of a millisecond is now and then left in peace, a whole pass of a slow method never. */
+
+struct stretch {
+  int from, to;
+  long repeats;
+  double second[MOST_BATCHES];
+};
+
+static double run_stretch(struct trial *t, const struct bench_method *m, const struct stretch *s) {
+  long steps = 0;
+  double begin = bench_now();
+  for (long r = 0; r < s->repeats; r++)
+    for (int i = s->from; i < s->to; i++) m->run(t->self, &t->out, &steps, &t->in[i]);
+  return bench_now() - begin;
+}
+
+/* The inputs in stretches of a millisecond at least, by the times of a warm pass; returns how long a round takes. */
+static double cut(struct stretch *s, int *n, struct trial *t, const struct bench_method *m, int cases) {
+  double all = 0, piece = 0;
+  *n = 0;
+  for (int i = 0, from = 0; i < cases; i++) {
+    piece += run_stretch(t, m, &(struct stretch){i, i + 1, 1, {0}});
+    if (piece < BATCH && i + 1 < cases) continue;
+    s[(*n)++] = (struct stretch){from, i + 1, 1, {0}};
+    all += piece;
+    piece = 0;
+    from = i + 1;
+  }
+  if (*n > 1 || all >= BATCH) return all;
+  do { /* calls one by one are slower than in a row, since the clock is read between them */
+    all = run_stretch(t, m, s);
+    if (all < BATCH) s->repeats *= 2;
+  } while (all < BATCH);
+  return all;
+}
+
+static void take_times(struct bench_row *row, struct trial *t, const struct bench_method *m, bool quick) {
+  struct stretch *s = ss_malloc((size_t)row->cases * sizeof *s);
+  int n;
+  double round = cut(s, &n, t, m, row->cases), budget = quick ? 0.012 : 0.4, least = 0, median = 0;
+  row->batches = (int)fmin(fmax(budget / round, quick ? 2 : 3), quick ? 5 : MOST_BATCHES);
+  for (int b = 0; b < row->batches; b++)
+    for (int k = 0; k < n; k++) s[k].second[b] = run_stretch(t, m, &s[k]);
+  for (int k = 0; k < n; k++) {
+    double middle = median_of(s[k].second, row->batches); /* sorts */
+    least += s[k].second[0] / (double)s[k].repeats;
+    median += middle / (double)s[k].repeats;
+  }
+  row->least_ns = 1e9 * least / row->cases;
+  row->median_ns = 1e9 * median / row->cases;
+  row->calls = s->repeats * row->cases * row->batches;
+  free(s);
+}
+
+static struct bench_row *new_row(struct bench_table *t) {
+  if (t->n == t->cap) {
+    t->cap = t->cap ? 2 * t->cap : 64;
+    t->row = ss_realloc(t->row, (size_t)t->cap * sizeof *t->row);
+  }
+  return &t->row[t->n++];
+}
+
+static void run_setting(struct bench_table *t, const struct bench_method *m, double setting, const struct sample *s,
+                        const struct bench_env *env) {
+  struct trial trial;
+  struct bench_row *row = new_row(t);
+  *row = (struct bench_row){.method = m, .setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
+  trial_init(&trial, t->job, s, t->cases, context_of(m, setting));
+  if (m->open) trial.self = m->open(m, setting, env);
+  if (m->open && !trial.self) {
+    row->failure = "cannot be set up";
+    row->worst = row->median = NAN;
+  } else {
+    first_pass(row, &trial, m, t->quick ? 0.1 : 2);
+    if (row->failure)
+      row->worst = NAN;
+    else
+      take_times(row, &trial, m, t->quick);
+    if (m->close) m->close(trial.self);
+  }
+  trial_clear(&trial);
+}
+
+/* --- The job. --- */
+
+static const double *settings_of(int *n, const struct bench_method *m, bool quick) {
+  bool few = quick && m->quick;
+  *n = m->kind == SET_NONE ? 0 : few ? m->n_quick : m->n;
+  return few ? m->quick : m->settings;
+}
+
+static slong truth_bits(const struct bench_job *job, bool quick) {
+  slong most = 64;
+  for (int i = 0; i < job->n_methods; i++) {
+    const struct bench_method *m = &job->methods[i];
+    int n;
+    const double *setting = settings_of(&n, m, quick);
+    if (m->bits > most) most = m->bits;
+    for (int k = 0; m->kind == SET_BITS && k < n; k++)
+      if ((slong)setting[k] > most) most = (slong)setting[k];
+  }
+  return most + SPARE_BITS;
+}
+
+/* A row is on the front when no other is at least as good in both and better in one. */
+static void find_front(struct bench_table *t) {
+  for (int i = 0; i < t->n; i++) {
+    struct bench_row *r = &t->row[i];
+    r->front = !r->failure;
+    for (int k = 0; k < t->n && r->front; k++) {
+      const struct bench_row *o = &t->row[k];
+      if (o->failure || k == i) continue;
+      bool as_good = o->worst <= r->worst && o->least_ns <= r->least_ns;
+      if (as_good && (o->worst < r->worst || o->least_ns < r->least_ns)) r->front = false;
+    }
+  }
+}
+
+static double accuracy(const struct sample *s, const struct bench_job *job) {
+  double least = INFINITY;
+  for (int i = 0; i < job->n_out; i++) {
+    double e = error_of(num_vec_at(&s->out, i), s, i); /* the midpoint goes, twice the radius stays */
+    least = fmin(least, isfinite(e) ? -e : log10(2) * (double)s->out.ctx.prec);
+  }
+  return least;
+}
+
+/* For whoever wants to recheck an error, or to try a method of his own on the same inputs. */
+static void record_inputs(struct bench_table *t, const struct sample *s) {
+  const struct bench_job *job = t->job;
+  text_reset(&t->inputs);
+  for (int i = 0; i < job->n_in + job->n_out; i++)
+    text_printf(&t->inputs, "%s%d%s", i < job->n_in ? "in" : "out", i < job->n_in ? i + 1 : i - job->n_in + 1,
+                i + 1 < job->n_in + job->n_out ? "\t" : "\n");
+  for (int k = 0; k < t->cases; k++) {
+    for (int i = 0; i < job->n_in; i++) text_printf(&t->inputs, "%.17g\t", s[k].x[i]);
+    for (int i = 0; i < job->n_out; i++) {
+      if (num_print(&t->inputs, num_vec_at(&s[k].out, i), TRUE_DIGITS)) text_add(&t->inputs, "-");
+      text_add(&t->inputs, i + 1 < job->n_out ? "\t" : "\n");
+    }
+  }
+}
+
+bool bench_run(struct bench_table *t, const struct bench_job *job, const struct bench_env *env, bool quick) {
+  int wanted = quick ? job->n_quick : job->n_cases;
+  slong prec = truth_bits(job, quick);
+  struct sample *s = ss_malloc((size_t)wanted * sizeof *s);
+  *t = (struct bench_table){.job = job, .quick = quick, .truth_digits = INFINITY};
+  text_init(&t->inputs);
+  for (int i = 0; i < wanted; i++) sample_init(&s[i], job, prec);
+  for (long n = 0; n < MOST_TRIES && t->cases < wanted; n++)
+    if (sample_take(&s[t->cases], job, n)) {
+      t->floor = fmax(t->floor, s[t->cases].floor);
+      t->truth_digits = fmin(t->truth_digits, accuracy(&s[t->cases], job));
+      t->cases++;
+    }
+  bool good = t->cases == wanted && t->truth_digits >= TRUE_DIGITS;
+  record_inputs(t, s);
+  for (int i = 0; i < job->n_methods && good; i++) {
+    const struct bench_method *m = &job->methods[i];
+    int n;
+    const double *setting = settings_of(&n, m, quick);
+    if (m->kind == SET_NONE) run_setting(t, m, NAN, s, env);
+    for (int k = 0; k < n; k++) run_setting(t, m, setting[k], s, env);
+  }
+  find_front(t);
+  for (int i = 0; i < wanted; i++) sample_clear(&s[i], job);
+  free(s);
+  return good;
+}
+
+void bench_table_clear(struct bench_table *t) {
+  free(t->row);
+  text_clear(&t->inputs);
+  *t = (struct bench_table){.n = 0};
+}
+
+const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting) {
+  for (int i = 0; i < t->n; i++) {
+    const struct bench_row *r = &t->row[i];
+    if (strcmp(r->method->id, method) == 0 && (r->method->kind == SET_NONE || r->setting == setting)) return r;
+  }
+  return NULL;
+}
+
+static double repeat(void (*f)(void *), void *arg, long n) {
+  double begin = bench_now();
+  for (long i = 0; i < n; i++) f(arg);
+  return bench_now() - begin;
+}
+
+double bench_time(void (*f)(void *), void *arg) {
+  enum { BATCHES = 7 };
+  long n = 1;
+  while (repeat(f, arg, n) < BATCH) n *= 2;
+  double least = INFINITY;
+  for (int b = 0; b < BATCHES; b++) least = fmin(least, repeat(f, arg, n));
+  return 1e9 * least / (double)n;
+}

@@ -1,0 +1,83 @@
+/* What the files of jobs and peers share. */
+#ifndef STICKSLIP_BENCH_JOBS_H
+#define STICKSLIP_BENCH_JOBS_H
+
+#include "bench/bench.h"
+#include "stickslip/dynamics.h"
+
+extern const struct bench_job bench_propagator, bench_map, bench_jacobian, bench_orbit;
+
+/* --- formula.c: a formula of the paper as corrected, as a tape in double precision. --- */
+
+struct bench_formula {
+  const char *text, *section;
+  const char *const *symbol; /* values of the formula's free names are given in this order */
+  int n_symbols, n_out;
+  bool roots; /* let the tape find quantities defined as roots; else they are symbols */
+};
+/* open and close of a method whose data is the formula. */
+void *bench_formula_open(const struct bench_method *m, double setting, const struct bench_env *env);
+void bench_formula_close(void *self);
+/* The two positive roots of (48), from the quadratic. */
+void bench_frequencies(double *slow, double *fast, double chi, double eta);
+int bench_formula_run(void *self, struct num_vec *out, const double *value);
+
+/* --- What the jobs share. --- */
+
+#define COUNT(array) ((int)(sizeof(array) / sizeof *(array)))
+/* A time a 64th off: of itself, or of the unit of time when it is long. */
+double bench_hint(double t);
+/* chi, eta, V, e1, e2 from five numbers in (0, 1): a domain in which arcs and orbits are common. */
+void bench_place_params(double *x, const double *u);
+/* The first five elements. */
+struct num_vec bench_params_of(const struct num_vec *in);
+
+/* --- six.c: the periodic orbit as six equations in z_10, z_20, t_a, t_b, t_c, t_d. --- */
+
+enum { SIX = 6 };
+/* The residuals at x, and unless NULL their derivatives by rows. */
+void bench_six(double f[SIX], double j[SIX * SIX], const double *params, const double x[SIX]);
+
+/* The example's parameters in double, job_orbit.c. */
+extern const double bench_example[];
+
+/* --- newton_mpfr.c --- */
+
+/* The orbit near (t_b, t_c) by Newton's iteration at a precision that doubles, in MPFR: t_a, t_b, t_c, t_d, z_10, z_20,
+   trace.  up: z_2' > V in phase C.  The number of steps goes to *steps. */
+int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, double tb, double tc, bool up);
+
+/* --- motion.c: the system as an integrator sees it, in w, r, z_1', z_2'. --- */
+
+enum { Y_W, Y_R, Y_V1, Y_V2, N_Y };
+struct bench_motion {
+  double chi, V, e2, stiff; /* stiff = chi eta */
+  double longest;           /* step: a quarter of the shortest period */
+  enum phase phase;
+};
+void bench_motion_init(struct bench_motion *m, const double *params);
+void bench_motion_field(double f[N_Y], const struct bench_motion *m, const double y[N_Y]);
+void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m);
+/* The switching function of the phase, and its derivative. */
+double bench_motion_switch(double *rate, const struct bench_motion *m, const double y[N_Y]);
+/* Goes through the phases from r; each takes y to its event and returns a status. */
+typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps);
+int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
+                      bench_phase_run run, void *self);
+
+/* --- cvode.c: SUNDIALS' CVODE with its own rootfinding, where it is installed; the method's data is "adams" or "bdf". --- */
+
+#ifdef STICKSLIP_SUNDIALS
+void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
+void bench_cvode_close(void *self);
+int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+#endif
+
+/* --- ode.c: GSL's integrators; the method's data is the name. --- */
+
+void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
+void bench_ode_close(void *self);
+/* t_b, t_c, t_d and r at the end of the pass from r. */
+int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
+
+#endif

@@ -1,0 +1,45 @@
+/* What a time was measured on: read from the system and the libraries, not from the build's own text. */
+#include <gsl/gsl_version.h>
+#include <stdio.h>
+#include <string.h>
+#include <sys/utsname.h>
+#include <unistd.h>
+
+#include "bench/bench.h"
+
+/* The value of the first line of /proc/cpuinfo that begins with key. */
+static bool cpu_line(char *value, size_t size, const char *key) {
+  FILE *f = fopen("/proc/cpuinfo", "r");
+  char line[512];
+  bool found = false;
+  while (f && !found && fgets(line, sizeof line, f)) {
+    const char *colon = strchr(line, ':');
+    if (!colon || strncmp(line, key, strlen(key)) != 0) continue;
+    snprintf(value, size, "%s", colon + 1 + (colon[1] == ' '));
+    value[strcspn(value, "\n")] = '\0';
+    found = true;
+  }
+  if (f) fclose(f);
+  return found;
+}
+
+void bench_machine(struct text *out) {
+  char cpu[256], frequency[256];
+  struct utsname u;
+  if (cpu_line(cpu, sizeof cpu, "model name")) text_printf(out, "cpu: %s\n", cpu);
+  if (cpu_line(frequency, sizeof frequency, "cpu MHz")) text_printf(out, "clock: %s MHz at the time\n", frequency);
+  text_printf(out, "cores: %ld\n", sysconf(_SC_NPROCESSORS_ONLN));
+  if (uname(&u) == 0) text_printf(out, "system: %s %s %s\n", u.sysname, u.release, u.machine);
+#if defined(__clang__)
+  text_printf(out, "compiler: %s\n", __VERSION__);
+#else
+  text_printf(out, "compiler: gcc %s\n", __VERSION__);
+#endif
+#if !defined(__OPTIMIZE__)
+  text_add(out, "built without optimization\n");
+#endif
+  text_printf(out, "GSL: %s\nMPFR: %s\nFLINT: %s\n", gsl_version, mpfr_get_version(), FLINT_VERSION);
+#if __FLINT_RELEASE < 30000
+  text_printf(out, "Arb: %s\n", arb_version);
+#endif
+}

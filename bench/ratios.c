@@ -1,0 +1,211 @@
+/* The ratios that are asked for.  Most are times of two rows of one run; sincos calls and the growth from 1000 to 10000
+   digits are measured here.  What a run has not measured is said to be not measured. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/jobs.h"
+#include "dynamics/dyn_impl.h"
+#include "stickslip/arena.h"
+
+void bench_result_clear(struct bench_result *r) {
+  for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);
+  free(r->table);
+  free(r->ratio);
+  bench_verdicts_clear(&r->verdicts);
+  *r = (struct bench_result){.n = 0};
+}
+
+static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) SS_PRINTF(5, 6);
+
+static void add(struct bench_result *r, double value, bool at_most, double goal, const char *fmt, ...) {
+  if (r->n_ratios == r->cap_ratios) {
+    r->cap_ratios = r->cap_ratios ? 2 * r->cap_ratios : 16;
+    r->ratio = ss_realloc(r->ratio, (size_t)r->cap_ratios * sizeof *r->ratio);
+  }
+  struct bench_ratio *q = &r->ratio[r->n_ratios++];
+  *q = (struct bench_ratio){.value = value, .goal = goal, .at_most = at_most};
+  va_list list;
+  va_start(list, fmt);
+  vsnprintf(q->name, sizeof q->name, fmt, list);
+  va_end(list);
+}
+
+static const struct bench_table *table_of(const struct bench_result *r, const struct bench_job *job) {
+  for (int i = 0; i < r->n; i++)
+    if (r->table[i].job == job) return &r->table[i];
+  return NULL;
+}
+
+/* The least time of a method that did not fail; NAN without one. */
+static double time_of(const struct bench_table *t, const char *method, double setting) {
+  const struct bench_row *row = bench_find(t, method, setting);
+  return row && !row->failure ? row->least_ns : NAN;
+}
+
+/* --- Units. --- */
+
+/* Different arguments, as an application has them. */
+static void libm_sincos(void *self) {
+  volatile double *sum = self;
+  static double x = 0;
+  x = x > 20 ? x - 20 : x + 0.37;
+  *sum += sin(x) + cos(x);
+}
+
+struct bits {
+  mpfr_t x, s, c;
+};
+
+static void bits_init(struct bits *b, slong prec) {
+  mpfr_inits2(prec, b->x, b->s, b->c, (mpfr_ptr)NULL);
+  mpfr_sqrt_ui(b->x, 3, MPFR_RNDN);
+}
+
+static void bits_clear(struct bits *b) {
+  mpfr_clears(b->x, b->s, b->c, (mpfr_ptr)NULL);
+}
+
+static void mpfr_turn(void *self) {
+  struct bits *b = self;
+  mpfr_sin_cos(b->s, b->c, b->x, MPFR_RNDN);
+}
+
+static void mpfr_product_and_sum(void *self) {
+  struct bits *b = self;
+  mpfr_mul(b->s, b->x, b->c, MPFR_RNDN);
+  mpfr_add(b->s, b->s, b->x, MPFR_RNDN);
+}
+
+static double mpfr_time(void (*f)(void *), slong prec) {
+  struct bits b;
+  bits_init(&b, prec);
+  mpfr_turn(&b);
+  double t = bench_time(f, &b);
+  bits_clear(&b);
+  return t;
+}
+
+/* --- Proofs. --- */
+
+enum { PROOF_BITS = 64, PROOF_STEPS = 100000 };
+
+/* An orbit of the example whose events are to be proved the first ones. */
+struct proof {
+  struct dyn_orbits list;
+  const struct dyn_orbit *orbit;
+  struct dyn_orbit judged;
+  fmpq *params;
+  bool proved;
+};
+
+static void prove_first(void *self) {
+  struct proof *p = self;
+  struct calc c;
+  struct ball_params m;
+  calc_init(&c, num_ctx_arb(PROOF_BITS));
+  ball_params_init(&m, &c, p->params);
+  /* an admissible orbit has z_2' < V in phase C */
+  p->proved = dyn_orbit_judge(&p->judged, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false, PROOF_STEPS) ==
+              TRUTH_TRUE;
+  calc_clear(&c);
+}
+
+/* The time of the proof on the first admissible orbit; NAN when it fails. */
+static double proof_time(void) {
+  struct proof p = {.orbit = NULL};
+  double ns = NAN;
+  arf_t x;
+  arf_init(x);
+  p.params = _fmpq_vec_init(N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arf_set_d(x, bench_example[i]);
+    arf_get_fmpq(&p.params[i], x);
+  }
+  dyn_orbit_init(&p.judged);
+  dyn_orbits_find(&p.list, p.params, PROOF_BITS, NULL);
+  for (slong i = 0; i < p.list.n; i++)
+    if (p.list.orbit[i].admissible == TRUTH_TRUE) p.orbit = &p.list.orbit[i];
+  if (p.orbit) ns = bench_time(prove_first, &p);
+  dyn_orbits_clear(&p.list);
+  dyn_orbit_clear(&p.judged);
+  _fmpq_vec_clear(p.params, N_PARAMS);
+  arf_clear(x);
+  return p.proved ? ns : NAN;
+}
+
+/* --- The map. --- */
+
+/* What a map by Newton's iteration at doubling precision needs at the full one: three events and their states. */
+enum { TURNS = 11, PRODUCTS = 100, MAP_BITS = 256 };
+
+/* The time of CVODE where it is most accurate; NAN when it is not built in. */
+static double best_cvode(const struct bench_table *t) {
+  const struct bench_row *best = NULL;
+  for (int i = 0; i < t->n; i++) {
+    const struct bench_row *r = &t->row[i];
+    if (strncmp(r->method->id, "cvode-", 6) == 0 && !r->failure && (!best || r->worst < best->worst)) best = r;
+  }
+  return best ? best->least_ns : NAN;
+}
+
+static void map_ratios(struct bench_result *r, const struct bench_table *t) {
+  static const double bits[] = {128, 256, 512, 1024};
+  volatile double sum = 0;
+  double suite = time_of(t, "closed-double", NAN), hand = time_of(t, "hand-written", NAN);
+  double sincos = bench_time(libm_sincos, (void *)(size_t)&sum);
+  double unit = TURNS * mpfr_time(mpfr_turn, MAP_BITS) + PRODUCTS * mpfr_time(mpfr_product_and_sum, MAP_BITS);
+  add(r, suite / hand, true, 1.2, "map in double, first roots searched / hand-written map, no search");
+  add(r, suite / sincos, true, NAN, "map in double, first roots searched / libm's sincos");
+  add(r, hand / sincos, true, NAN, "hand-written map / libm's sincos");
+  add(r, time_of(t, "gsl-rk8pd", 1e-13) / suite, false, 40, "GSL rk8pd at 1e-13 / map in double");
+  add(r, best_cvode(t) / suite, false, 1000, "CVODE at its best accuracy / map in double");
+  add(r, time_of(t, "closed-mpfr", MAP_BITS) / unit, true, 1.3,
+      "MPFR map at %d bits / %d mpfr_sin_cos, %d products, %d sums", MAP_BITS, TURNS, PRODUCTS, PRODUCTS);
+  add(r, proof_time() / time_of(t, "closed-arb", PROOF_BITS), true, 1,
+      "proof of first events and of every condition / map in balls at %d bits", PROOF_BITS);
+  for (int i = 0; i < COUNT(bits); i++)
+    add(r, time_of(t, "closed-mpfr", bits[i]) / time_of(t, "closed-arb", bits[i]), false, 1.5,
+        "MPFR map at %g bits / map in balls", bits[i]);
+}
+
+/* The same method at 1000 and at 10000 digits, on one input, against the sine. */
+static void growth_ratio(struct bench_result *r) {
+  static const double bits[] = {3322, 33220};
+  double value = NAN;
+  if (!r->quick) {
+    struct bench_method m = bench_map.methods[0];
+    for (int i = 0; i < bench_map.n_methods; i++)
+      if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) m = bench_map.methods[i];
+    struct bench_job job = bench_map;
+    struct bench_table t;
+    m.settings = bits;
+    m.n = COUNT(bits);
+    job.methods = &m;
+    job.n_methods = job.n_cases = 1;
+    if (bench_run(&t, &job, &(struct bench_env){.model = NULL}, false))
+      value = time_of(&t, m.id, bits[1]) / time_of(&t, m.id, bits[0]) /
+              (mpfr_time(mpfr_turn, (slong)bits[1]) / mpfr_time(mpfr_turn, (slong)bits[0]));
+    bench_table_clear(&t);
+  }
+  add(r, value, true, 1, "growth of the MPFR map from 1000 to 10000 digits / that of mpfr_sin_cos");
+}
+
+static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
+  double suite = time_of(t, "return-map", NAN), hand = time_of(t, "hand-written", NAN);
+  add(r, time_of(t, "gsl-newton", NAN) / suite, false, 9,
+      "GSL's newton on six unknowns / the suite's orbit and multiplier");
+  add(r, time_of(t, "gsl-hybrids", NAN) / suite, false, 15, "GSL's hybrids / the suite's orbit and multiplier");
+  add(r, time_of(t, "gsl-newton", NAN) / hand, false, NAN,
+      "GSL's newton on six unknowns / hand-written orbit and multiplier");
+  add(r, time_of(t, "gsl-hybrids", NAN) / hand, false, NAN, "GSL's hybrids / hand-written orbit and multiplier");
+}
+
+void bench_ratios(struct bench_result *r) {
+  const struct bench_table *map = table_of(r, &bench_map), *orbit = table_of(r, &bench_orbit);
+  if (map) map_ratios(r, map);
+  if (map) growth_ratio(r);
+  if (orbit) orbit_ratios(r, orbit);
+}

@@ -1,0 +1,95 @@
+/* Job 6: what verdicts cost.  A claim is judged at the precision that decides it, so its verdict does not depend on digits
+   asked for; orbits and Jacobians do, and are asked for more and more of them.  Claims are judged alone, one by one, and the
+   first n of them together: how the audit grows.  Each is done once, or until a tenth of a second is used up; the least
+   time counts. */
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/jobs.h"
+#include "stickslip/arena.h"
+
+const char *const bench_work_name[] = {"orbits", "jacobian", "claims", "claim"};
+
+static bool do_orbits(const struct bench_env *env, long digits) {
+  struct dyn_orbits list;
+  int status = dyn_orbits_find(&list, env->scene->value, (slong)ceil((double)digits * 3.33), NULL);
+  bool found = status == SS_OK && list.n > 0;
+  dyn_orbits_clear(&list);
+  return found;
+}
+
+static bool do_jacobian(const struct bench_env *env, long digits) {
+  struct jacobian_request q = {.method = METHOD_ANALYTIC, .layer = LAYER_CORRECTED, .digits = digits};
+  struct diag d;
+  arb_ptr x = _arb_vec_init(6);
+  diag_init(&d);
+  bool ok = audit_jacobian(x, x + 4, x + 5, env->model, env->scene, &q, &d);
+  _arb_vec_clear(x, 6);
+  return ok;
+}
+
+/* n claims from number `from` on, and those that their ids select besides; how many were judged. */
+static long do_claims(const struct bench_env *env, size_t from, size_t n) {
+  struct audit_result r;
+  struct diag d;
+  const char **id = ss_malloc(n * sizeof *id);
+  for (size_t i = 0; i < n; i++) id[i] = env->claims->claim[from + i].id;
+  struct audit_options opt = {.only = id, .n_only = (int)n};
+  diag_init(&d);
+  audit_result_init(&r);
+  bool ok = audit_run(&r, env->model, env->claims, env->controls, env->scene, &opt, &d);
+  long judged = ok ? (long)r.n_findings : 0;
+  audit_result_clear(&r);
+  free(id);
+  return judged;
+}
+
+static bool do_work(struct bench_work *w, const struct bench_env *env, size_t from, size_t n) {
+  switch (w->kind) {
+  case WORK_ORBITS:
+    return do_orbits(env, w->size);
+  case WORK_JACOBIAN:
+    return do_jacobian(env, w->size);
+  default:
+    w->size = do_claims(env, from, n);
+    return w->size > 0;
+  }
+}
+
+static void measure(struct bench_verdicts *v, const struct bench_env *env, enum bench_work_kind kind, const char *id,
+                    long size, size_t from) {
+  v->work = ss_grow(v->work, v->n, &v->cap, sizeof *v->work);
+  struct bench_work *w = &v->work[v->n++];
+  *w = (struct bench_work){.kind = kind, .size = size, .seconds = INFINITY, .good = true};
+  snprintf(w->id, sizeof w->id, "%s", id);
+  double begin = bench_now(), spent = 0;
+  do {
+    double start = bench_now();
+    w->good = do_work(w, env, from, (size_t)size) && w->good;
+    double now = bench_now();
+    w->seconds = fmin(w->seconds, now - start);
+    spent = now - begin;
+  } while (w->good && spent < 0.1 && !v->quick);
+  if (!w->good) w->seconds = NAN;
+}
+
+void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick) {
+  static const long digits[] = {15, 50, 100, 300, 1000, 3000, 10000};
+  enum { QUICK_DIGITS = 3, QUICK_CLAIMS = 4 };
+  size_t n = env->claims->n, alone = quick && n > QUICK_CLAIMS ? QUICK_CLAIMS : n;
+  *v = (struct bench_verdicts){.quick = quick};
+  for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_ORBITS, "", digits[i], 0);
+  for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_JACOBIAN, "", digits[i], 0);
+  for (size_t i = 0; i < alone; i++) measure(v, env, WORK_CLAIM, env->claims->claim[i].id, 1, i);
+  for (size_t k = 1; k <= alone; k = k < alone && 2 * k > alone ? alone : 2 * k) {
+    measure(v, env, WORK_CLAIMS, "", (long)k, 0);
+    if (v->n > 1 && v->work[v->n - 2].kind == WORK_CLAIMS && v->work[v->n - 2].size == v->work[v->n - 1].size) v->n--;
+  }
+}
+
+void bench_verdicts_clear(struct bench_verdicts *v) {
+  free(v->work);
+  *v = (struct bench_verdicts){.n = 0};
+}

@@ -1,0 +1,772 @@
+/* The harness of the benchmarks: true errors, failures that stay failures, the Pareto front, and what the command writes.
+   Times are not tested.
+
+   Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the harness
+   judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+
+#include "bench/jobs.h"
+#include "scratch.h"
+#include "stickslip/dynamics.h"
+#include "suites.h"
+
+/* --- The truths of the jobs against numbers made elsewhere. --- */
+
+enum { PREC = 400, N_FIELDS = 16 };
+
+static int split(char **field, char *line) {
+  int n = 0;
+  line[strcspn(line, "\n")] = '\0';
+  for (char *p = line; p && n < N_FIELDS; n++) {
+    field[n] = p;
+    p = strchr(p, '\t');
+    if (p) *p++ = '\0';
+  }
+  return n;
+}
+
+/* Calls f on the fields of each line of a file that is no comment. */
+static void each_line(const char *path, void (*f)(char **field, void *self), void *self) {
+  char line[4000], *field[N_FIELDS];
+  FILE *file = fopen(path, "r");
+  ck_assert_msg(file != NULL, "no %s; the tests run in the project's folder", path);
+  while (fgets(line, sizeof line, file))
+    if (line[0] != '#' && split(field, line) > 1) f(field, self);
+  fclose(file);
+}
+
+static void set_decimal(arb_ptr x, const char *decimal) {
+  ck_assert_int_eq(arb_set_str(x, decimal, PREC), 0);
+}
+
+/* |x - decimal| <= 10^-digits max(1, |x|). */
+static void same_digits(arb_srcptr x, const char *decimal, int digits, const char *what) {
+  arb_t y;
+  arb_init(y);
+  set_decimal(y, decimal);
+  arb_sub(y, y, x, PREC);
+  double off = log10(fabs(arf_get_d(arb_midref(y), ARF_RND_NEAR)) + 1e-300);
+  double size = fmax(1, fabs(arf_get_d(arb_midref(x), ARF_RND_NEAR)));
+  ck_assert_msg(off <= log10(size) - digits, "%s: off by 10^%.1f from %s", what, off, decimal);
+  ck_assert(arb_rel_accuracy_bits(x) > 200);
+  arb_clear(y);
+}
+
+struct truth {
+  struct num_vec in, out, given;
+  double hint[BENCH_HINT];
+};
+
+static void truth_init(struct truth *t, const struct bench_job *job) {
+  num_vec_init(&t->in, job->n_in, num_ctx_arb(PREC));
+  num_vec_init(&t->out, job->n_out, num_ctx_arb(PREC));
+  num_vec_init(&t->given, job->n_given, num_ctx_arb(PREC));
+}
+
+static void truth_clear(struct truth *t) {
+  num_vec_clear(&t->in);
+  num_vec_clear(&t->out);
+  num_vec_clear(&t->given);
+}
+
+struct matrix_check {
+  struct truth t;
+  int seen;
+};
+
+static void propagator_line(char **field, void *self) {
+  struct matrix_check *m = self;
+  for (int i = 0; i < 3; i++) set_decimal(num_vec_at(&m->t.in, i), field[i]);
+  ck_assert_int_eq(bench_propagator.truth(&m->t.out, &m->t.given, m->t.hint, &m->t.in, NULL), SS_OK);
+  same_digits(num_vec_at(&m->t.out, 4 * (atoi(field[3]) - 1) + atoi(field[4]) - 1), field[5], 43, "H(t)");
+  m->seen++;
+}
+
+START_TEST(the_propagator_is_that_of_mpmath) {
+  struct matrix_check m = {.seen = 0};
+  truth_init(&m.t, &bench_propagator);
+  each_line("tests/oracle/bench.tsv", propagator_line, &m);
+  ck_assert_int_eq(m.seen, 48);
+  truth_clear(&m.t);
+}
+END_TEST
+
+/* The matrix of the closed form is the exponential of the phase's system, in every phase. */
+START_TEST(closed_form_and_exponential_agree) {
+  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_vec params, t, closed, exponential;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&t, 1, ctx);
+  num_vec_init(&closed, 16, ctx);
+  num_vec_init(&exponential, 16, ctx);
+  static const char *const values[N_PARAMS] = {"0.7", "1.9", "1.3", "2.1", "0.4"};
+  for (int i = 0; i < N_PARAMS; i++) set_decimal(num_vec_at(&params, i), values[i]);
+  set_decimal(num_vec_at(&t, 0), "2.3");
+  ck_assert_int_eq(dyn_flow_matrix(&closed, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
+  ck_assert_int_eq(dyn_propagator(&exponential, (enum phase)_i, &params, num_vec_at(&t, 0)), SS_OK);
+  for (int i = 0; i < 16; i++) {
+    arb_srcptr x = num_vec_at(&closed, i);
+    ck_assert_msg(arb_overlaps(x, num_vec_at(&exponential, i)), "%s, entry %d", phase_name[_i], i);
+    ck_assert(mag_cmp_2exp_si(arb_radref(x), -300) < 0);
+  }
+  num_vec_clear(&params);
+  num_vec_clear(&t);
+  num_vec_clear(&closed);
+  num_vec_clear(&exponential);
+}
+END_TEST
+
+/* The orbit beside the paper's numbers: the fields of its line and those of the set. */
+struct example {
+  char set[5][80], field[N_FIELDS][80];
+  char jacobian[4][80];
+};
+
+static void orbit_line(char **field, void *self) {
+  struct example *o = self;
+  if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "set") == 0)
+    for (int i = 0; i < 5; i++) snprintf(o->set[i], sizeof o->set[i], "%s", field[2 + i]);
+  if (strcmp(field[1], "paper") == 0 && strcmp(field[0], "orbit") == 0 && strcmp(field[2], "1") == 0)
+    for (int i = 0; i < 11; i++) snprintf(o->field[i], sizeof o->field[i], "%s", field[i]);
+}
+
+static void jacobian_line(char **field, void *self) {
+  struct example *o = self;
+  if (strcmp(field[0], "paper") != 0 || strcmp(field[1], "1") != 0 || strcmp(field[2], "return") != 0) return;
+  char *entry = o->jacobian[2 * (atoi(field[3]) - 1) + atoi(field[4]) - 1];
+  snprintf(entry, sizeof o->jacobian[0], "%s", field[5]);
+}
+
+enum { F_Z10 = 3, F_Z20, F_TA, F_TB, F_TC, F_TD, F_PERIOD, F_TRACE };
+
+static void read_orbit(struct example *o) {
+  *o = (struct example){.set = {""}};
+  each_line("tests/oracle/orbits.tsv", orbit_line, o);
+  each_line("tests/oracle/jacobian.tsv", jacobian_line, o);
+  ck_assert(o->set[0][0] && o->field[F_TRACE][0] && o->jacobian[3][0]);
+}
+
+START_TEST(map_jacobian_and_orbit_are_those_of_mpmath) {
+  struct example o;
+  struct truth map, jac, orbit;
+  read_orbit(&o);
+  truth_init(&map, &bench_map);
+  truth_init(&jac, &bench_jacobian);
+  truth_init(&orbit, &bench_orbit);
+  for (int i = 0; i < N_PARAMS; i++) {
+    set_decimal(num_vec_at(&map.in, i), o.set[i]);
+    set_decimal(num_vec_at(&jac.in, i), o.set[i]);
+    set_decimal(num_vec_at(&orbit.in, i), o.set[i]);
+  }
+  set_decimal(num_vec_at(&jac.in, N_PARAMS), o.field[F_Z10]);
+  set_decimal(num_vec_at(&jac.in, N_PARAMS + 1), o.field[F_Z20]);
+  arb_sub(num_vec_at(&map.in, N_PARAMS), num_vec_at(&jac.in, N_PARAMS + 1), num_vec_at(&jac.in, N_PARAMS), PREC);
+  ck_assert_int_eq(bench_map.truth(&map.out, &map.given, map.hint, &map.in, NULL), SS_OK);
+  ck_assert_int_eq(bench_jacobian.truth(&jac.out, &jac.given, jac.hint, &jac.in, NULL), SS_OK);
+  ck_assert_int_eq(bench_orbit.truth(&orbit.out, &orbit.given, orbit.hint, &orbit.in, NULL), SS_OK);
+  for (int i = 0; i < 3; i++) {
+    same_digits(num_vec_at(&map.out, i), o.field[F_TB + i], 55, "map");
+    double t = atof(o.field[F_TB + i]);
+    ck_assert(map.hint[i] != t && fabs(map.hint[i] - t) < 0.02 * t);
+  }
+  arb_sub(num_vec_at(&map.out, 3), num_vec_at(&map.out, 3), num_vec_at(&map.in, N_PARAMS), PREC);
+  ck_assert(fabs(arf_get_d(arb_midref((arb_srcptr)num_vec_at(&map.out, 3)), ARF_RND_NEAR)) < 1e-55);
+  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&jac.out, i), o.jacobian[i], 38, "Jacobian");
+  for (int i = 0; i < 4; i++) same_digits(num_vec_at(&orbit.out, i), o.field[F_TA + i], 55, "times");
+  same_digits(num_vec_at(&orbit.out, 4), o.field[F_Z10], 55, "z10");
+  same_digits(num_vec_at(&orbit.out, 5), o.field[F_Z20], 55, "z20");
+  same_digits(num_vec_at(&orbit.out, 6), o.field[F_TRACE], 55, "trace");
+  truth_clear(&map);
+  truth_clear(&jac);
+  truth_clear(&orbit);
+}
+END_TEST
+
+/* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
+
+static void load_paper(struct model *m) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok =
+      model_add_folder(m, "verify/paper", RANK_PAPER, &d) && model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+/* log10 of the error that a row may have.  Differences: the least of truncation and rounding decides, so only the best of
+   their steps is held to anything (best_of). */
+static double allowed(const struct bench_row *r) {
+  const struct bench_method *m = r->method;
+  if (m->kind == SET_TOLERANCE) return log10(r->setting) + 4.3;
+  if (m->kind == SET_BITS && strcmp(m->id, "fd-mpfr") == 0) return 4 - r->setting * log10(2) * 2 / 3;
+  if (m->kind == SET_BITS) return 8 - r->setting * log10(2);
+  if (m->kind == SET_NONE) return strcmp(m->id, "automatic") == 0 ? -9 : -11.5;
+  return 0;
+}
+
+/* What a method of differences reaches at its best step. */
+static double best_of(const struct bench_table *t, const char *id) {
+  double best = 0;
+  for (int i = 0; i < t->n; i++)
+    if (strcmp(t->row[i].method->id, id) == 0 && !t->row[i].failure) best = fmin(best, t->row[i].worst);
+  return best;
+}
+
+static void check_rows(const struct bench_table *t) {
+  for (int i = 0; i < t->n; i++) {
+    const struct bench_row *r = &t->row[i];
+    if (r->method->kind == SET_STEP) continue;
+    ck_assert_msg(!r->failure, "%s, %s, %g: %s", t->job->id, r->method->id, r->setting, r->failure);
+    ck_assert_int_eq(r->untruths, 0);
+    ck_assert_msg(r->worst <= allowed(r), "%s, %s, %g: 10^%.1f", t->job->id, r->method->id, r->setting, r->worst);
+    ck_assert(r->median <= r->worst && r->least_ns > 0 && r->median_ns >= r->least_ns && r->steps > 0);
+  }
+}
+
+/* Each method stands in the table, at each of its settings. */
+static void check_listed(const struct bench_table *t) {
+  int rows = 0;
+  for (int k = 0; k < t->job->n_methods; k++) {
+    const struct bench_method *m = &t->job->methods[k];
+    const double *s = m->quick ? m->quick : m->settings;
+    int n = m->kind == SET_NONE ? 1 : m->quick ? m->n_quick : m->n;
+    for (int i = 0; i < n; i++)
+      ck_assert_msg(bench_find(t, m->id, m->kind == SET_NONE ? NAN : s[i]) != NULL, "%s %s", t->job->id, m->id);
+    rows += n;
+  }
+  ck_assert_int_eq(t->n, rows);
+}
+
+START_TEST(every_method_keeps_its_promise) {
+  struct model m;
+  struct bench_table t;
+  load_paper(&m);
+  ck_assert_int_lt(_i, n_bench_jobs);
+  ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){.model = &m}, true));
+  ck_assert_int_eq(t.cases, bench_jobs[_i]->n_quick);
+  ck_assert(t.truth_digits >= 60 && t.floor > 0x1p-54 && t.floor < 1e-11);
+  check_listed(&t);
+  check_rows(&t);
+  if (bench_jobs[_i] == &bench_jacobian) { /* powers of the rounding: 1/2, 2/3, 4/5 with the steps that there are */
+    ck_assert(best_of(&t, "forward") < -6 && best_of(&t, "forward") > -9);
+    ck_assert(best_of(&t, "central") < -8 && best_of(&t, "central") > -12);
+    ck_assert(best_of(&t, "richardson") < -9.5 && best_of(&t, "gsl-central") < -8);
+    ck_assert(best_of(&t, "fd-mpfr-256") < -45);
+  }
+  bench_table_clear(&t);
+  model_clear(&m);
+}
+END_TEST
+
+/* Without the paper's equations its methods fail, and the others do not. */
+START_TEST(formulas_that_are_not_there) {
+  struct bench_table t;
+  ck_assert(bench_run(&t, &bench_propagator, &(struct bench_env){.model = NULL}, true));
+  const struct bench_row *r = bench_find(&t, "paper-modal", NAN);
+  ck_assert_str_eq(r->failure, "cannot be set up");
+  ck_assert(!r->front && isnan(r->least_ns) && isnan(r->worst));
+  ck_assert_ptr_null(bench_find(&t, "closed-double", NAN)->failure);
+  bench_table_clear(&t);
+}
+END_TEST
+
+/* --- How the harness judges. --- */
+
+/* (x, y) -> (x y, x^2), in two groups. */
+static const int two_groups[] = {0, 1};
+
+static void place_pair(double *x, const double *u) {
+  x[0] = 1 + u[0];
+  x[1] = 2 + u[1];
+}
+
+static int truth_pair(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
+                      const double *near) {
+  (void)given, (void)hint, (void)near;
+  const void *x = num_vec_at(in, 0), *y = num_vec_at(in, 1);
+  return num_arb.mul(num_vec_at(out, 0), x, y, out->ctx.prec) | num_arb.mul(num_vec_at(out, 1), x, x, out->ctx.prec);
+}
+
+static int both(struct num_vec *out, const struct bench_case *c, double factor) {
+  double *o = (double *)(void *)out->data;
+  o[0] = c->x[0] * c->x[1];
+  o[1] = c->x[0] * c->x[0] * factor; /* the smaller one, which has a scale of its own */
+  return SS_OK;
+}
+
+static int run_right(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  return both(out, c, 1);
+}
+static int run_off(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 3;
+  return both(out, c, 1 + 0x1p-20);
+}
+static int run_stuck(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 0;
+  return both(out, c, 1);
+}
+static int run_half(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  *(double *)num_vec_at(out, 0) = c->x[0] * c->x[1];
+  return SS_OK;
+}
+static int run_nothing(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self, (void)out, (void)c;
+  *steps = 1;
+  return SS_OK;
+}
+static int run_wrong(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  return both(out, c, 1.6);
+}
+static int run_refuse(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  both(out, c, 1);
+  return c->x[0] > 1.5 ? SS_DOMAIN : SS_OK;
+}
+static int run_give_up(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  both(out, c, 1);
+  return SS_UNABLE;
+}
+static int run_slow(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  nanosleep(&(struct timespec){0, 60000000}, NULL);
+  return run_right(self, out, steps, c);
+}
+/* Balls: right, and beside the truth by 2^-40 of it. */
+static int run_ball(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  *steps = 1;
+  return truth_pair(out, NULL, NULL, &c->in, NULL);
+}
+static int run_ball_beside(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  int status = run_ball(self, out, steps, c);
+  arb_ptr x = num_vec_at(out, 1);
+  arb_t shift;
+  arb_init(shift);
+  arb_mul_2exp_si(shift, x, -40);
+  arb_add(x, x, shift, 128);
+  arb_clear(shift);
+  return status;
+}
+static int run_ball_wide(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  int status = run_ball(self, out, steps, c);
+  mag_set_d(arb_radref((arb_ptr)num_vec_at(out, 1)), 0x1p-30);
+  return status;
+}
+static void *open_nothing(const struct bench_method *m, double setting, const struct bench_env *env) {
+  (void)m, (void)setting, (void)env;
+  return NULL;
+}
+
+static const struct bench_method judged[] = {
+    {"right", "", .type = &num_double, .run = run_right},
+    {"off", "", .type = &num_double, .run = run_off},
+    {"stuck", "", .type = &num_double, .run = run_stuck},
+    {"half", "", .type = &num_double, .run = run_half},
+    {"nothing", "", .type = &num_double, .run = run_nothing},
+    {"wrong", "", .type = &num_double, .run = run_wrong},
+    {"refuse", "", .type = &num_double, .run = run_refuse},
+    {"give-up", "", .type = &num_double, .run = run_give_up},
+    {"slow", "", .type = &num_double, .run = run_slow},
+    {"ball", "", .type = &num_arb, .bits = 128, .run = run_ball},
+    {"ball-beside", "", .type = &num_arb, .bits = 128, .run = run_ball_beside},
+    {"ball-wide", "", .type = &num_arb, .bits = 128, .run = run_ball_wide},
+    {"unopened", "", .type = &num_double, .open = open_nothing, .run = run_right},
+};
+static const struct bench_job pair_job = {.id = "pair",
+                                          .title = "x y and x^2",
+                                          .inputs = "x, y",
+                                          .outputs = "both",
+                                          .n_in = 2,
+                                          .n_out = 2,
+                                          .n_cases = 12,
+                                          .n_quick = 12,
+                                          .worst_condition = 100,
+                                          .group = two_groups,
+                                          .place = place_pair,
+                                          .truth = truth_pair,
+                                          .methods = judged,
+                                          .n_methods = COUNT(judged)};
+
+static struct bench_table pair;
+
+static void run_pair(void) {
+  ck_assert(bench_run(&pair, &pair_job, &(struct bench_env){.model = NULL}, true));
+}
+static void clear_pair(void) {
+  bench_table_clear(&pair);
+}
+
+START_TEST(failures_say_why_and_have_no_time) {
+  static const struct {
+    const char *method, *failure;
+    int failures; /* -1: some, not all */
+  } cases[] = {{"stuck", "took no step", 12},
+               {"half", "returned nothing", 12},
+               {"nothing", "returned nothing", 12},
+               {"wrong", "not one digit right", 12},
+               {"refuse", "says that there is no value", -1},
+               {"give-up", "gives up", 12},
+               {"ball-beside", "a ball without the true value", 12},
+               {"unopened", "cannot be set up", 0}};
+  const struct bench_row *r = bench_find(&pair, cases[_i].method, NAN);
+  ck_assert_ptr_nonnull(r->failure);
+  ck_assert_str_eq(r->failure, cases[_i].failure);
+  if (cases[_i].failures >= 0)
+    ck_assert_int_eq(r->failures, cases[_i].failures);
+  else
+    ck_assert(r->failures > 0 && r->failures < 12);
+  ck_assert(!r->front && isnan(r->least_ns) && isnan(r->median_ns) && isnan(r->worst));
+  struct text script, tsv;
+  text_init(&script);
+  text_init(&tsv);
+  bench_gnuplot(&script, &pair);
+  bench_tsv(&tsv, &pair);
+  char title[80], state[200];
+  snprintf(title, sizeof title, "title '%s'", cases[_i].method);
+  snprintf(state, sizeof state, "\t%s\t%s\t\t\tfailed: %s", cases[_i].method, r->method->type->name, r->failure);
+  ck_assert_msg(!strstr(text_str(&script), title), "a failed method in the figure");
+  ck_assert_msg(strstr(text_str(&tsv), state) != NULL, "%s", text_str(&tsv));
+  text_clear(&tsv);
+  text_clear(&script);
+}
+END_TEST
+
+START_TEST(errors_are_true_ones) {
+  const struct bench_row *r = bench_find(&pair, "off", NAN);
+  ck_assert_ptr_null(r->failure);
+  ck_assert_double_eq_tol(r->worst, -20 * log10(2), 1e-4);
+  ck_assert_double_eq_tol(r->median, -20 * log10(2), 1e-4);
+  ck_assert(r->steps == 3);
+  r = bench_find(&pair, "right", NAN);
+  ck_assert(r->worst < -53 * log10(2) + 0.01 && r->worst > -60 * log10(2));
+  r = bench_find(&pair, "ball", NAN);
+  ck_assert(!r->failure && r->worst < -120 * log10(2));
+  r = bench_find(&pair, "ball-wide", NAN); /* the radius counts: 2^-30 of x^2, which lies between 1 and 4 */
+  ck_assert(!r->failure && r->worst <= -30 * log10(2) + 1e-6 && r->worst >= -32 * log10(2));
+}
+END_TEST
+
+/* Both outputs change by twice the relative change of the inputs. */
+START_TEST(the_floor_is_the_condition) {
+  ck_assert_double_eq_tol(pair.floor, 0x1p-52, 1e-3 * 0x1p-52);
+  ck_assert(pair.truth_digits > 90);
+  ck_assert_int_eq(pair.cases, 12);
+}
+END_TEST
+
+START_TEST(a_slow_method_is_capped) {
+  const struct bench_row *r = bench_find(&pair, "slow", NAN);
+  ck_assert_ptr_null(r->failure);
+  ck_assert(r->capped && r->cases >= 1 && r->cases < 12);
+  ck_assert(!bench_find(&pair, "right", NAN)->capped);
+}
+END_TEST
+
+/* Of the methods with the error of `right` none is as slow as `slow`, which is therefore not on the front. */
+START_TEST(the_front_is_no_worse_than_any) {
+  ck_assert(bench_find(&pair, "ball", NAN)->front);
+  ck_assert(!bench_find(&pair, "slow", NAN)->front);
+  for (int i = 0; i < pair.n; i++)
+    for (int k = 0; k < pair.n; k++) {
+      const struct bench_row *a = &pair.row[i], *b = &pair.row[k];
+      bool beaten = !b->failure && b->worst < a->worst && b->least_ns < a->least_ns;
+      ck_assert(!(a->front && (a->failure || beaten)));
+    }
+}
+END_TEST
+
+/* A job without enough inputs is refused, and says so. */
+static int truth_never(struct num_vec *out, struct num_vec *given, double *hint, const struct num_vec *in,
+                       const double *near) {
+  (void)out, (void)given, (void)hint, (void)in, (void)near;
+  return SS_DOMAIN;
+}
+
+START_TEST(no_truth_no_job) {
+  struct bench_job job = pair_job;
+  struct bench_table t;
+  job.truth = truth_never;
+  ck_assert(!bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
+  ck_assert_int_eq(t.n, 0);
+  bench_table_clear(&t);
+  job = pair_job;
+  job.worst_condition = 1.5; /* it is 2 everywhere */
+  ck_assert(!bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
+  bench_table_clear(&t);
+}
+END_TEST
+
+START_TEST(tables_are_well_formed) {
+  struct text tsv;
+  text_init(&tsv);
+  bench_tsv(&tsv, &pair);
+  int columns = 0, lines = 0, tabs = 0;
+  for (const char *p = text_str(&tsv); *p; p++) {
+    tabs += *p == '\t';
+    if (*p != '\n') continue;
+    if (lines++ == 0) columns = tabs;
+    ck_assert_int_eq(tabs, columns);
+    tabs = 0;
+  }
+  ck_assert_int_eq(columns, 14);
+  ck_assert_int_eq(lines, pair.n + 1);
+  text_clear(&tsv);
+}
+END_TEST
+
+/* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than that
+   error is not enough, and where all are too rough nothing is said. */
+START_TEST(the_price_of_proof_is_read_at_equal_error) {
+  const struct bench_method *plain = NULL, *balls = NULL;
+  for (int i = 0; i < bench_map.n_methods; i++) {
+    if (strcmp(bench_map.methods[i].id, "closed-mpfr") == 0) plain = &bench_map.methods[i];
+    if (strcmp(bench_map.methods[i].id, "closed-arb") == 0) balls = &bench_map.methods[i];
+  }
+  ck_assert(plain && balls);
+  struct bench_row rows[] = {{.method = plain, .setting = 64, .worst = -18, .least_ns = 100},
+                             {.method = plain, .setting = 128, .worst = -38, .least_ns = 150},
+                             {.method = plain, .setting = 256, .worst = -76, .least_ns = 200},
+                             {.method = balls, .setting = 64, .worst = -19, .least_ns = 300},
+                             {.method = balls, .setting = 128, .worst = -29, .least_ns = 400, .failure = "gives up"},
+                             {.method = balls, .setting = 256, .worst = -59, .least_ns = 500}};
+  struct bench_table t = {.job = &bench_map, .row = rows, .n = COUNT(rows)};
+  struct bench_cost cost[4];
+  ck_assert_int_eq(bench_costs(cost, 4, &t), 2);
+  ck_assert_double_eq_tol(cost[0].balls_ns, 300, 1e-9);
+  ck_assert_double_eq_tol(cost[1].balls_ns, 300 + 200 * 19.0 / 40, 1e-9);
+  ck_assert_double_eq_tol(cost[1].digits, 38, 1e-9);
+  ck_assert_double_eq_tol(cost[1].plain_ns, 150, 1e-9);
+  ck_assert_int_eq(bench_costs(cost, 1, &t), 1);
+}
+END_TEST
+
+/* --- The command. --- */
+
+/* Runs the program with PATH as given (NULL: as it is); its exit status. */
+static int command(const char *path, const char *args) {
+  const char *program = getenv("STICKSLIP");
+  struct text line;
+  text_init(&line);
+  if (path) text_printf(&line, "PATH=%s ", path);
+  text_printf(&line, "%s bench %s >%s", program && *program ? program : "build/stickslip", args, scratch_path("out"));
+  text_printf(&line, " 2>%s", scratch_path("err"));
+  int status = system(text_str(&line));
+  text_clear(&line);
+  ck_assert(WIFEXITED(status));
+  return WEXITSTATUS(status);
+}
+
+static bool says(const char *file, const char *what) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, scratch_path(file), 1 << 24, &d), "%s", d.message);
+  bool found = strstr(s.text, what) != NULL;
+  source_clear(&s);
+  return found;
+}
+
+static bool exists(const char *name) {
+  struct stat st;
+  return stat(scratch_path(name), &st) == 0;
+}
+
+/* A gnuplot of the test's own: a shell script in bin/. */
+static const char *gnuplot(const char *script) {
+  ck_assert_int_eq(mkdir(scratch_path("bin"), 0755), 0);
+  ck_assert_int_eq(chmod(scratch_put("bin/gnuplot", script), 0755), 0);
+  return scratch_path("bin");
+}
+
+START_TEST(hostile_options) {
+  static const struct {
+    const char *args;
+    int status;
+    const char *says;
+  } cases[] = {{"--job nonsense", 2, "--job takes one of propagator, map, jacobian, orbit"},
+               {"--job ''", 2, "--job needs a value"},
+               {"--job", 2, "--job needs a value"},
+               {"--job map,orbit", 2, "--job takes"},
+               {"--quick=1", 2, "takes no value"},
+               {"--json=yes", 2, "takes no value"},
+               {"paper", 2, "no operand"},
+               {"--digits 10", 2, "does not belong"},
+               {"--quick --job propagator --out /dev/null/x", 3, "/dev/null"},
+               {"--quick --job propagator --out verify/errata.eq", 3, "errata.eq"}};
+  ck_assert_int_eq(command(NULL, cases[_i].args), cases[_i].status);
+  ck_assert_msg(says("err", cases[_i].says), "%s", cases[_i].args);
+  ck_assert(!says("out", "Error against"));
+}
+END_TEST
+
+static void run_out(const char *path) {
+  struct text args;
+  text_init(&args);
+  text_printf(&args, "--quick --job propagator --out %s", scratch_path("page"));
+  ck_assert_int_eq(command(path, text_str(&args)), 0);
+  text_clear(&args);
+}
+
+START_TEST(without_gnuplot_there_is_no_figure) {
+  run_out(scratch_path("")); /* a folder without programs */
+  ck_assert(says("err", "no figures"));
+  ck_assert(exists("page/bench.md") && exists("page/bench.json") && exists("page/propagator.tsv"));
+  ck_assert(!says("page/bench.md", ".svg") && says("page/bench.md", "## Machine"));
+}
+END_TEST
+
+/* One that goes without having read anything. */
+START_TEST(a_gnuplot_that_dies_is_no_harm) {
+  run_out(gnuplot("#!/bin/sh\nexit 3\n"));
+  ck_assert(says("err", "no figures") && exists("page/bench.json"));
+}
+END_TEST
+
+START_TEST(gnuplot_gets_its_script_in_the_folder) {
+  const char *bin = gnuplot("#!/bin/sh\nwhile IFS= read -r line; do printf '%s\\n' \"$line\"; done >propagator.svg\n");
+  run_out(bin);
+  ck_assert(!says("err", "no figures") && says("page/bench.md", "(propagator.svg)"));
+  ck_assert(says("page/propagator.svg", "set output 'propagator.svg'"));
+  ck_assert(says("page/propagator.svg", "rounded inputs") && says("page/propagator.svg", "closed-mpfr"));
+}
+END_TEST
+
+/* Differences have a second figure, over their steps. */
+START_TEST(steps_have_a_figure_of_their_own) {
+  struct text script;
+  struct bench_table t;
+  text_init(&script);
+  ck_assert(!bench_has_steps(&pair));
+  struct bench_job job = bench_jacobian;
+  struct bench_method central = {.id = NULL};
+  for (int i = 0; i < job.n_methods; i++)
+    if (strcmp(job.methods[i].id, "central") == 0) central = job.methods[i];
+  job.methods = &central;
+  job.n_methods = 1;
+  ck_assert(bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
+  bench_gnuplot(&script, &t);
+  ck_assert(bench_has_steps(&t) && strstr(text_str(&script), "set output 'jacobian-steps.svg'"));
+  bench_table_clear(&t);
+  text_clear(&script);
+}
+END_TEST
+
+/* On the inputs that a run leaves behind, mpmath's exponential and a closed form written in another language have
+   all their 50 digits of the truth. */
+START_TEST(peers_agree_with_the_truth) {
+  const char *python = getenv("PYTHON");
+  struct text line;
+  struct source s;
+  struct diag d;
+  int agreed = 0;
+  text_init(&line);
+  diag_init(&d);
+  text_printf(&line, "--quick --job %s --out %s", _i == 0 ? "propagator" : "map", scratch_path("page"));
+  ck_assert_int_eq(command(NULL, text_str(&line)), 0);
+  text_reset(&line);
+  text_printf(&line, "%s bench/peers/peers.py %s --quick >/dev/null", python && *python ? python : "/usr/bin/python3",
+              scratch_path("page"));
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  ck_assert_msg(source_read(&s, scratch_path("page/peers.tsv"), 1 << 20, &d), "%s", d.message);
+  for (char *at = s.text, *field[N_FIELDS]; at && *at;) {
+    char *next = strchr(at, '\n');
+    if (next) *next++ = '\0';
+    if (split(field, at) == 12 && strcmp(field[1], "mpmath") == 0 && strcmp(field[4], "50") == 0)
+      agreed += strcmp(field[5], "ok") == 0 && atof(field[8]) < 1e-47;
+    at = next;
+  }
+  ck_assert_int_eq(agreed, 1);
+  source_clear(&s);
+  text_clear(&line);
+}
+END_TEST
+
+/* Orbits and Jacobians by digits, claims alone and together; each succeeds, and no other job is run. */
+START_TEST(verdicts_are_timed) {
+  struct text args;
+  text_init(&args);
+  text_printf(&args, "--quick --job verdicts --out %s", scratch_path("page"));
+  ck_assert_int_eq(command(NULL, text_str(&args)), 0);
+  text_clear(&args);
+  ck_assert(says("page/verdicts.tsv", "work\tid\tsize\tseconds\norbits\t\t15\t"));
+  ck_assert(says("page/verdicts.tsv", "\njacobian\t\t100\t") && says("page/verdicts.tsv", "\nclaim\teq-1\t"));
+  ck_assert(says("page/verdicts.tsv", "\nclaims\t\t") && !says("page/verdicts.tsv", "failed"));
+  ck_assert(says("page/bench.md", "## What verdicts cost") && !says("page/bench.md", "The front"));
+  ck_assert(!exists("page/map.tsv"));
+}
+END_TEST
+
+START_TEST(json_follows_its_schema) {
+  const char *python = getenv("PYTHON");
+  struct text line;
+  ck_assert_int_eq(command(NULL, "--quick --json"), 0);
+  text_init(&line);
+  text_printf(&line, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2",
+              python && *python ? python : "/usr/bin/python3", scratch_path("out"));
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  text_clear(&line);
+  ck_assert(says("out", "\"not measured\"")); /* the growth, which quick runs leave out */
+}
+END_TEST
+
+/* name: value (goal: ...) or (no goal), for each ratio that is asked for. */
+START_TEST(ratios_are_printed_with_their_goals) {
+  ck_assert_int_eq(command(NULL, "--quick --job map"), 0);
+  ck_assert(says("out", "\nmap in double, first roots searched / hand-written map, no search: "));
+  ck_assert(says("out", " (goal: at most 1.2; ") && says("out", " (goal: at least 40; ") &&
+            says("out", " (no goal)\n"));
+  ck_assert(says("out", "\nCVODE at its best accuracy / map in double: ") && says("out", " (goal: at least 1e+03; "));
+}
+END_TEST
+
+Suite *bench_suite(void) {
+  Suite *s = suite_create("bench");
+  TCase *c = tcase_create("truth");
+  tcase_add_test(c, the_propagator_is_that_of_mpmath);
+  tcase_add_loop_test(c, closed_form_and_exponential_agree, 0, N_PHASES);
+  tcase_add_test(c, map_jacobian_and_orbit_are_those_of_mpmath);
+  tcase_add_loop_test(c, every_method_keeps_its_promise, 0, 4);
+  tcase_add_test(c, formulas_that_are_not_there);
+  suite_add_tcase(s, c);
+  c = tcase_create("judging");
+  tcase_add_unchecked_fixture(c, run_pair, clear_pair);
+  tcase_add_loop_test(c, failures_say_why_and_have_no_time, 0, 8);
+  tcase_add_test(c, errors_are_true_ones);
+  tcase_add_test(c, the_floor_is_the_condition);
+  tcase_add_test(c, a_slow_method_is_capped);
+  tcase_add_test(c, the_front_is_no_worse_than_any);
+  tcase_add_test(c, no_truth_no_job);
+  tcase_add_test(c, tables_are_well_formed);
+  tcase_add_test(c, the_price_of_proof_is_read_at_equal_error);
+  tcase_add_test(c, steps_have_a_figure_of_their_own);
+  suite_add_tcase(s, c);
+  c = tcase_create("command");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_loop_test(c, hostile_options, 0, 10);
+  tcase_add_test(c, without_gnuplot_there_is_no_figure);
+  tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);
+  tcase_add_test(c, gnuplot_gets_its_script_in_the_folder);
+  tcase_add_loop_test(c, peers_agree_with_the_truth, 0, 2);
+  tcase_add_test(c, verdicts_are_timed);
+  tcase_add_test(c, json_follows_its_schema);
+  tcase_add_test(c, ratios_are_printed_with_their_goals);
+  suite_add_tcase(s, c);
+  return s;
+}
