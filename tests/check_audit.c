@@ -562,9 +562,8 @@ static void check_arc_facts(struct values *v) {
   vanishes(v, "u_r1", 2, (const real[]){1, 1}, (const char *const[]){"u_s1", "e_1"});
   vanishes(v, "u_r2", 2, (const real[]){1, 1}, (const char *const[]){"u_s2", "e_2"});
   /* x = z + d, d at rest under both forces: d_1 - chi d_2 = u_s1, chi (d_2 - d_1) = u_s2 */
-  vanishes(v, "u_r1", 2, (const real[]){1, -chi}, (const char *const[]){"x_1(t_a + dt_a)", "x_2(t_a + dt_a)"});
-  vanishes(v, "u_r2", 2, (const real[]){chi, -chi},
-           (const char *const[]){"x_2(t_a + dt_a + t_b + dt_b)", "x_1(t_a + dt_a + t_b + dt_b)"});
+  vanishes(v, "u_r1", 2, (const real[]){1, -chi}, (const char *const[]){"x_1(t_a)", "x_2(t_a)"});
+  vanishes(v, "u_r2", 2, (const real[]){chi, -chi}, (const char *const[]){"x_2(t_a + t_b)", "x_1(t_a + t_b)"});
   vanishes(v, "z_1''(t)", 2,
            v->point->phase == PHASE_GAMMA || v->point->phase == PHASE_H ? (const real[]){-1, chi}
                                                                         : (const real[]){0, 0},
@@ -696,8 +695,9 @@ START_TEST(flows_solve_their_equations) {
 END_TEST
 
 START_TEST(names_without_a_value_are_told_apart) {
-  static const char *const strangers[] = {"foo",  "z_3a",     "x_e",      "z_1(t_c)", "z_1'''(t)",
-                                          "chi2", "foo[1,1]", "J_a[1,3]", "J_a[2,1]", "z_100"};
+  static const char *const strangers[] = {"z_1(t_a + dt_a)", "foo",       "z_3a", "x_e",
+                                          "z_1(t_c)",        "z_1'''(t)", "chi2", "foo[1,1]",
+                                          "J_a[1,3]",        "J_a[2,1]",  "z_100"};
   struct values v;
   struct point p;
   point_init(&p);
@@ -1063,6 +1063,11 @@ static const struct {
     {"eq-27", "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 2]\n"},
     {"eq-32", "define user\n  section: stability\n  gammatilde_1 := (chi - chi_b)/(1 + chi_b)\n"},
     {"eq-36", "define user\n  section: stability\n  ktilde_2 := ktilde_1*z'_2c\n"},
+    {"eq-35", "equation eq-35\n  section: stability\n  equation: 35\n  x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c) + "
+              "z_2(t_a + dt_a + t_b + dt_b + t_c + dt_c) = V + z_2c\n"},
+    {"eq-39", "equation eq-39\n  section: stability\n  equation: 39\n  x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d "
+              "+ dt_d) + "
+              "x_1(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) = V + x_1(t_a + t_b + t_c + t_d)\n"},
     {"eq-41", "define user\n  section: stability\n  J := J_f*J_c*J_b*J_a + J_b*J_a\n"},
     {"eq-43b", "equation eq-43b\n  section: stability\n  det(J_b*J_a) = 1\n"},
     {"eq-44", "define user\n  section: validation\n  N := D(t_a)*C(t_d)*H(t_c)*Gamma(t_b)\n"},

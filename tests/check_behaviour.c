@@ -520,8 +520,6 @@ END_TEST
 START_TEST(hostile_attributes) {
   static const char *const texts[] = {
       CLAIM("nothing"),
-      CLAIM("jumps"),
-      CLAIM("jumps") "  jumping: high\n",
       "claim text-case\n  kind: behaviour\n  title: a case\n",
       CLAIM("dimension"),
       CLAIM("dimension") "  range: 2\n",

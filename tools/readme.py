@@ -18,7 +18,9 @@ def score(old):
     if not r or r["tried"] != r["population"]:
         return kept
     t = r["total"]
-    return [f"{SCORE}{t['noticed'] + t['unreadable']} of {t['total']} one-token damages of the formulas are noticed; of the "
+    seen = t["noticed"] + t["unreadable"] + t["unproved"]
+    return [f"{SCORE}{seen} of {t['total']} one-token damages of the formulas are noticed ({t['unreadable']} cannot be read, "
+            f"{t['unproved']} lose no more than a proof); of the "
             f"others {t['equivalent']} are proved equivalent, {t['on_motions']} say the same on every motion, "
             f"{t['undecided'] + t['unread']} are open (`make mutate`)."]
 

@@ -28,7 +28,7 @@
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
-                 (linearization) saltation; jumping (jumps) forces or motions; friction (long-run) "1.25 2", in units of what the orbits need
+                 (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first statement,
                  D the phase of the time t where the record names none
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
@@ -43,7 +43,6 @@
                  "quote" or a record, that prints it
      scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of the
                  correction
-     numbers     (rounding) names of printed numbers, which are quantities too
      statements, absent    (reach) records, and the symbols that they must not contain
      unknowns, rank        (rank) of the statement's equations
      word, conditions      (sequence) phases of one period; inequalities along it
@@ -59,7 +58,7 @@
    failed formula as printed and as corrected.
 
    Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
-   equality at one end of the phase that points name), index-range, number, rounding, closure, criterion, behaviour, argument,
+   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
    notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report. */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H

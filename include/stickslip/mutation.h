@@ -6,13 +6,14 @@
 
 #include "stickslip/arena.h"
 
-/* What became of a mutant.  Noticed: a verdict changed, or the damaged text cannot be read or evaluated.  Else it
-   survived: equivalent (proved to say the same, by algebra alone); on_motions (proved to say the same on every motion of
+/* What became of a mutant.  Noticed: a verdict changed, or the damaged text cannot be read or evaluated, or (unproved) a
+   claim that an exact proof decides is no longer proved, and none is refuted.  Else it survived: equivalent (proved to say the same, by algebra alone); on_motions (proved to say the same on every motion of
    the word, by what defines its phases, so that nothing tried on motions can tell); undecided; or read by no claim that
    asserts anything. */
 #define FATES(X)                                                                                                       \
   X(NOTICED, noticed)                                                                                                  \
   X(UNREADABLE, unreadable)                                                                                            \
+  X(UNPROVED, unproved)                                                                                                \
   X(EQUIVALENT, equivalent)                                                                                            \
   X(ON_MOTIONS, on_motions)                                                                                            \
   X(UNDECIDED, undecided)                                                                                              \
@@ -59,7 +60,7 @@ struct mutation_result {
 void mutation_result_init(struct mutation_result *r);
 void mutation_result_clear(struct mutation_result *r);
 long mutation_row_total(const struct mutation_row *r);
-long mutation_row_noticed(const struct mutation_row *r); /* unreadable ones too */
+long mutation_row_noticed(const struct mutation_row *r); /* unreadable and unproved ones too */
 
 /* One repair of a refuted claim: its printed text with one or two edits. */
 struct repair {

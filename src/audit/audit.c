@@ -21,7 +21,6 @@ static const struct {
              {"inequality", judge_inequality, false, ASKED_EARLY},
              {"index-range", judge_index_range, false, ASKED_EARLY},
              {"number", judge_number, false, ASKED_EARLY},
-             {"rounding", judge_rounding, false, ASKED_EARLY},
              {"closure", judge_closure, false, ASKED_EARLY},
              {"criterion", judge_criterion, false, ASKED_LATE},
              {"behaviour", judge_behaviour, false, ASKED_NEVER},

@@ -310,7 +310,6 @@ bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, stru
 bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view);
-bool judge_rounding(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, struct view view);
@@ -418,8 +417,6 @@ enum reading { READ_ROUNDED, READ_TRUNCATED, N_READINGS };
 extern const char *const reading_name[N_READINGS];
 /* Does x print as p?  TRUE under some reading (*how), FALSE under none. */
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
-/* The same of one reading. */
-truth printed_fits_as(const arb_t x, const struct printed_number *p, enum reading how);
 /* A ball over every value that prints as p. */
 void printed_ball(arb_t x, const struct printed_number *p);
 /* A control's attribute "shift", in units of the last digit, applied to a printed number: *p then points at own, whose

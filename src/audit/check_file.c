@@ -50,8 +50,8 @@ static bool known_attribute(const char *key) {
       "reads",        "repaired", "symbols",    "stands-for",  "found-in",     "scaled",       "statements",
       "absent",       "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
-      "limit",        "jumps",    "side",       "vary",        "about",        "numbers",      "jumping",
-      "converse",     "mass",     "slips",      "sticks",      "breaks"};
+      "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
+      "slips",        "sticks",   "breaks"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;

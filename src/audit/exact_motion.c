@@ -511,8 +511,8 @@ static int motion_value(element *z, struct exact_motion *m, const char *name, in
     s = exact_symbol(at(&out, component + 2 * primes), m->field, name);
   else if (m->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0)
     s = state_now(&out, m, primes == 2);
-  else if (has_word(m) && primes < 2 && k >= 0)
-    s = some_state(&out, m, k % 4 + 1, k >= 4 && m->finite);
+  else if (has_word(m) && primes < 2 && k >= 0 && (k < 4 || m->finite))
+    s = some_state(&out, m, k % 4 + 1, k >= 4);
   else
     s = unknown(m, name);
   if (s == SS_OK) num_exact.set(z, at(&out, component + (primes ? 2 : 0)));

@@ -88,6 +88,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   bool keep[MAX_RESTRICTIONS], apart = false;
   fmpz_mpoly_q_struct d;
   for (int r = 0; r < n_restrictions; r++) keep[r] = true;
+  b->undefined = false;
   exact_motion_init(&m, a, &b->spec, b->finite, b->restriction, &b->s->tape);
   sides_make(&v, b, &m);
   exact_init(&d, m.field);
@@ -103,7 +104,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
       book_difference(b, &m, i, &d, keep);
     }
     apart = apart || b->apart[i];
-    b->undefined = s & SS_DOMAIN;
+    b->undefined = b->undefined || (s & SS_DOMAIN);
   }
   b->holds_at = NULL;
   for (int r = n_restrictions; apart && r > 0; r--)

@@ -119,7 +119,7 @@ static truth text_agrees(const struct law *l, const struct state *s, enum branch
   return ok;
 }
 
-/* Limits a sixteenth above or below the restoring force where the mass has the belt's velocity. */
+/* Limits a sixteenth and less above or below the restoring force where the mass has the belt's velocity. */
 static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   double u[8];
   for (int i = 0; i < 8; i++) {
@@ -129,9 +129,10 @@ static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   *s = (struct state){
       .chi = u[0] / 64, .eta = u[1] / 16, .belt = u[2] / 16, .x = {(u[3] - 30.5) / 8, (u[4] - 31.5) / 4}};
   s->speed = nth % 4 < 2 ? 0 : nth % 4 == 2 ? 1 : -1;
+  double off = ldexp(1, -4 - 10 * (nth / 4 % 3));
   for (int i = 0; i < 2; i++) {
     double f = fabs(pull(s, i)) + 0.0625 * (pull(s, i) == 0);
-    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 1.0625 : 0.9375);
+    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 1 + off : 1 - off);
     s->slide[i] = s->limit[i] * u[5 + i] / 64;
   }
 }

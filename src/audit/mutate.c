@@ -102,7 +102,7 @@ static bool reads(const struct reader *rd, const struct target *t) {
 
 /* --- One claim, one mutant --- */
 
-enum notice { SAME, OPEN, CHANGED, BROKEN };
+enum notice { SAME, OPEN, LOST, CHANGED, BROKEN };
 
 static bool is_diagnostic(const struct finding *f, const struct claim *c) {
   return claim_kind(claim_get(c, "kind")) != judge_index_range && f->n_evidence > 0 &&
@@ -178,9 +178,10 @@ static enum notice ask_in_full(struct run *r, const struct reader *rd) {
   return n;
 }
 
-/* Proved or not, refuted or not: what little effort says is compared with what the same effort said. */
-static bool tells_apart(enum verdict was, enum verdict is) {
-  return (was == VERDICT_PROVED) != (is == VERDICT_PROVED) || (was == VERDICT_REFUTED) != (is == VERDICT_REFUTED);
+/* Refuted or not, proved or not: what little effort says is compared with what the same effort said. */
+static enum notice compare(enum verdict was, enum verdict is) {
+  if ((was == VERDICT_REFUTED) != (is == VERDICT_REFUTED)) return CHANGED;
+  return (was == VERDICT_PROVED) != (is == VERDICT_PROVED) ? LOST : OPEN;
 }
 
 static enum notice ask_late(struct run *r, const struct reader *rd) {
@@ -193,9 +194,11 @@ static enum notice ask_late(struct run *r, const struct reader *rd) {
   enum notice n = OPEN;
   if (!judge_verdict(&f, &j, rd->claim) || (is_diagnostic(&f, rd->claim) && !is_diagnostic(was, rd->claim)))
     n = BROKEN;
-  else if (tells_apart(was->verdict, f.verdict) || !f.correction != !was->correction ||
-           (f.correction && tells_apart(was->correction_verdict, f.correction_verdict)))
+  else if (!f.correction != !was->correction)
     n = CHANGED;
+  else
+    n = compare(was->verdict, f.verdict);
+  if (n == OPEN && f.correction) n = compare(was->correction_verdict, f.correction_verdict);
   r->pool = j.pool;
   audit_result_clear(&out);
   return n;
@@ -225,13 +228,15 @@ static bool says_the_same(struct run *r, const struct target *t) {
 /* Asks the claims of one turn that read the target, until one notices: the fate then, else FATE_UNDECIDED. */
 static enum mutant_fate ask_all(struct run *r, const struct target *t, enum asked turn,
                                 enum notice (*ask)(struct run *, const struct reader *)) {
+  enum mutant_fate fate = FATE_UNDECIDED;
   for (size_t i = 0; i < r->n_readers; i++) {
     if (!reads(&r->reader[i], t) || claim_asked(r->reader[i].claim) != turn) continue;
     enum notice n = ask(r, &r->reader[i]);
     if (n == BROKEN) return FATE_UNREADABLE;
     if (n == CHANGED) return FATE_NOTICED;
+    if (n == LOST) fate = FATE_UNPROVED;
   }
-  return FATE_UNDECIDED;
+  return fate;
 }
 
 static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
@@ -346,7 +351,7 @@ static void report(struct mutation_result *out, const struct run *r, const enum 
   for (size_t i = 0; i < r->n_drawn; i++) {
     const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
     const struct target *t = &r->mutants.target[m->target];
-    if (fate[i] > FATE_UNREADABLE) add_survivor(out, r, m, fate[i]);
+    if (fate[i] > FATE_UNPROVED) add_survivor(out, r, m, fate[i]);
     if (t->corrected) {
       out->printed.count[fate[i]]++;
       continue;
@@ -415,5 +420,5 @@ long mutation_row_total(const struct mutation_row *r) {
 }
 
 long mutation_row_noticed(const struct mutation_row *r) {
-  return r->count[FATE_NOTICED] + r->count[FATE_UNREADABLE];
+  return r->count[FATE_NOTICED] + r->count[FATE_UNREADABLE] + r->count[FATE_UNPROVED];
 }

@@ -578,7 +578,7 @@ int name_of_switching_time(const char *argument) {
 }
 
 /* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At the
-   perturbed switching times the motion is the perturbed one; for tangents, its limit. */
+   perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
 static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
   const struct num_type *t = v->ctx.type;
   *known = true;
@@ -600,8 +600,8 @@ static int motion_value(void *z, bool *known, struct values *v, int component, i
     return s;
   }
   int k = name_of_switching_time(argument);
-  if (has_arc(v) && primes < 2 && k >= 0) {
-    const struct dyn_arc *arc = k >= 4 && v->point->finite ? &v->perturbed : &v->arc;
+  if (has_arc(v) && primes < 2 && k >= 0 && (k < 4 || v->point->finite)) {
+    const struct dyn_arc *arc = k >= 4 ? &v->perturbed : &v->arc;
     t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + component + 2 * primes));
     return SS_OK;
   }

@@ -26,7 +26,7 @@ static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum rea
   fmpq_clear(below);
 }
 
-truth printed_fits_as(const arb_t x, const struct printed_number *p, enum reading how) {
+static truth in_bracket(const arb_t x, const struct printed_number *p, enum reading how) {
   arb_t lo, hi;
   arb_init(lo);
   arb_init(hi);
@@ -45,7 +45,7 @@ truth printed_fits_as(const arb_t x, const struct printed_number *p, enum readin
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how) {
   truth t = TRUTH_FALSE;
   for (int r = 0; r < N_READINGS && t != TRUTH_TRUE; r++) {
-    t = truth_or(t, printed_fits_as(x, p, (enum reading)r));
+    t = truth_or(t, in_bracket(x, p, (enum reading)r));
     *how = (enum reading)r;
   }
   return t;

@@ -127,6 +127,29 @@ static bool has_literal(const struct expr *e) {
   }
 }
 
+/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
+static bool has_first_order(const struct expr *e) {
+  for (;; e = e->args[0]) {
+    if (e->kind == EXPR_FIRST_ORDER) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (has_first_order(e->args[i])) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+static bool linearizes(const struct stmt *s) {
+  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
+    if (has_first_order(s->sides[i])) return true;
+  return false;
+}
+
+static bool record_linearizes(struct view v, const char *id) {
+  const struct statement_record *r = id ? view_record(&v, id) : NULL;
+  for (int k = 0; r && k < r->n_stmts; k++)
+    if (linearizes(r->stmts[k])) return true;
+  return false;
+}
+
 /* Is it the only definition of its name that the corrected view sees, written as a matrix, and no function? */
 static bool is_written_matrix(const struct model *m, size_t def) {
   const struct definition *x = &m->defs[def];
@@ -395,7 +418,9 @@ bool claim_same_in(const struct claim *c, const struct target *t, const struct m
                    const struct facts *f) {
   struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
   struct override o[MAX_UNKNOWNS];
-  int most = claim_get(c, "value") ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  const char *id = claim_get(c, "statement");
+  bool written_out = claim_get(c, "value") || record_linearizes(whole_a, id) || record_linearizes(whole_b, id);
+  int most = written_out ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
   if (claim_kind(claim_get(c, "kind")) == judge_argument) return argument_same_in(c, a, b);
   if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
@@ -434,7 +459,9 @@ static bool target_sentence(struct sentence *s, const struct target *t, const st
 static bool statement_same_in(const struct target *t, const struct target *damaged, const struct model *a,
                               const struct model *b, const struct facts *f) {
   struct override o[MAX_UNKNOWNS];
-  int most = unknowns(o, MAX_UNKNOWNS, f, damaged);
+  bool written_out =
+      linearizes(a->records[t->record].stmts[t->stmt]) || linearizes(b->records[t->record].stmts[t->stmt]);
+  int most = written_out ? 0 : unknowns(o, MAX_UNKNOWNS, f, damaged);
   bool ok = false;
   if (t == damaged && !same_range(t, a, b)) return false;
   for (int n = 0; !ok && n <= most; n += most ? most : 1) {
@@ -484,6 +511,7 @@ struct spread {
 
 static bool contained(struct spread *s, const struct target *t) {
   if (statement_same_in(t, s->damaged, s->a, s->b, s->f)) return true;
+  if (s->damaged->corrected) return false; /* what uses it reads the errata in its place */
   if (t->def < 0 || claim_names(s->claims, s->a->defs[t->def].name)) return false;
   if (s->seen[t->def]) return true;
   s->seen[t->def] = true;

@@ -75,10 +75,11 @@ static void add_row(struct text *out, const struct mutation_row *r) {
 }
 
 static void add_table(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
-  text_printf(out,
-              "| %s | mutants | noticed | of them unreadable | equivalent | same on motions | undecided | unread |\n"
-              "| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-              heading);
+  text_printf(
+      out,
+      "| %s | mutants | noticed | of them unreadable | of them unproved | equivalent | same on motions | undecided | "
+      "unread |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
+      heading);
   for (size_t i = 0; i < n; i++)
     if (mutation_row_total(&row[i])) add_row(out, &row[i]);
   text_add_char(out, '\n');
@@ -128,7 +129,8 @@ static void list_survivors(struct text *out, const struct mutation_result *r, en
 
 static void add_summary(struct text *out, const struct mutation_result *r) {
   long total = mutation_row_total(&r->total), noticed = mutation_row_noticed(&r->total);
-  text_printf(out, "%ld of %ld mutants noticed", noticed, total);
+  text_printf(out, "%ld of %ld mutants noticed (%ld cannot be read, %ld lose no more than a proof)", noticed, total,
+              r->total.count[FATE_UNREADABLE], r->total.count[FATE_UNPROVED]);
   text_printf(out, "; survivors: %ld equivalent, %ld the same on every motion, %ld undecided, %ld read by no claim",
               r->total.count[FATE_EQUIVALENT], r->total.count[FATE_ON_MOTIONS], r->total.count[FATE_UNDECIDED],
               r->total.count[FATE_UNREAD]);

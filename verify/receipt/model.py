@@ -371,7 +371,8 @@ class Motion:
             z = self.now(primes == 2)
         else:
             k, perturbed = self.end_of(argument)
-            z = self.some_state(k, perturbed and self.part["finite"])
+            assert self.part["finite"] or not perturbed, "no other motion is declared"
+            z = self.some_state(k, perturbed)
         value = z[mass + (2 if primes else 0)]
         return value + self.equilibrium(mass) if letter == "x" and primes == 0 else value
 
