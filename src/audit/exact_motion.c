@@ -426,13 +426,32 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
   return s;
 }
 
+/* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that phase's
+   system, is the belt's with and without the perturbation. */
+static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
+  static const char letters[] = "xyuv", places[] = "abcf";
+  struct num_vec a;
+  vec_init(&a, 16);
+  int s = k > 0 ? system_of(&a, m, (enum phase)(k - 1)) : SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    char name[8];
+    bool sticks = k > 0 && i >= DZ_1;
+    for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
+    snprintf(name, sizeof name, k > 0 ? "%c_%c" : "%c", letters[i], places[k > 0 ? k - 1 : 0]);
+    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name);
+  }
+  num_vec_clear(&a);
+  return s;
+}
+
 static int tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   *dz = part(&m->tangent, 4 * k, 4);
   if (m->have_tangent[k]) return m->tangent_status;
   m->have_tangent[k] = true;
-  if (m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
+  bool patched = m->kind == POINT_PATCHED;
+  if (patched || m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
     if (k > 0) m->tangent_status |= free_shift(at(&m->shift, k - 1), m, k - 1);
-    return m->tangent_status |= free_end(dz, m, k, true);
+    return m->tangent_status |= patched ? any_tangent(dz, m, k) : free_end(dz, m, k, true);
   }
   struct num_vec before;
   int s = tangent(&before, m, k - 1);
@@ -594,7 +613,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   static const char *const params[] = {"chi", "eta", "V", "e_1", "e_2"};
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
-  int index;
+  int index, status;
   for (int i = 0; i < N_PARAMS; i++)
     if (strcmp(name, params[i]) == 0) return bind_param(z, m, i);
   for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++)
@@ -613,7 +632,8 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (has_word(m) && (index = name_of_arc(name)) >= 0) return bind_arc(z, m, index);
   if (is_periodic(m) && (strcmp(name, "z_100") == 0 || strcmp(name, "z_200") == 0))
     return bind_arc(z, m, name[2] == '1' ? Z_1 : Z_2);
-  if (has_word(m) && m->kind != POINT_PATCHED && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (has_word(m) && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (m->kind == POINT_FLOW && bind_block(&status, z, m, name)) return status;
   return bind_motion(z, m, name);
 }
 

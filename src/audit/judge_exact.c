@@ -358,7 +358,6 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
                  {judge_behaviour, "about simulated motions"},
                  {judge_sequence, "about simulated motions"},
                  {judge_argument, "no counterexample was found, and no combination of the premises that proves it"},
-                 {judge_rank, "the rank is computed at points"},
                  {judge_constraints, "inequalities along whole phases are held against each other on orbits"},
                  {judge_existence, "solutions are found at points"}};
   const kind_fn kind = claim_kind(claim_get(c, "kind"));
