@@ -156,6 +156,7 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 /* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
 bool blocks_bind(int *status, void *z, struct values *v, const char *name);
+int blocks_square_of_omega_3(void *z, struct values *v);
 
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */

@@ -561,6 +561,44 @@ static int bind_tangent(element *z, struct exact_motion *m, int index) {
   return s;
 }
 
+/* The motion's parameters as those of a point, for what is defined for every number type; clear q. */
+static int as_values(struct values *v, struct exact_motion *m, const struct point *p) {
+  *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params};
+  vec_init(&v->q, N_Q);
+  for (int i = 0; i < N_PARAMS; i++) num_exact.set(at(&v->q, Q_CHI + i), at(&m->params, i));
+  return exact_symbol(at(&v->q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v->q, Q_US2), m->field, "u_s2");
+}
+
+/* omega_3 is the root of an element, and t' is t/omega_3. */
+static int block_time(element *z, struct exact_motion *m, struct values *v, bool old_time) {
+  int s = blocks_square_of_omega_3(z, v);
+  if (s == SS_OK) s = exact_sqrt(z, m->field, z);
+  if (s == SS_OK && old_time) s = op(num_exact.div, z, m, at(&v->t, 0), z);
+  return s;
+}
+
+/* The blocks and springs behind (1): blocks.c.  The friction of a mass that sticks is read off the motion. */
+static bool bind_block(int *status, element *z, struct exact_motion *m, const char *name) {
+  const struct point p = {.kind = POINT_FLOW, .phase = m->phase};
+  struct values v;
+  bool old_time = strcmp(name, "t_prime") == 0, known = true;
+  int s = as_values(&v, m, &p);
+  vec_init(&v.zt, N_STATE);
+  vec_init(&v.t, 1);
+  s |= exact_symbol(at(&v.t, 0), m->field, "t");
+  if (name[0] == 'u' || name[0] == 'F') s |= state_now(&v.zt, m, false);
+  if (old_time || strcmp(name, "omega_3") == 0)
+    *status = block_time(z, m, &v, old_time);
+  else
+    known = blocks_bind(status, z, &v, name);
+  if (known) *status |= s;
+  if (known && *status == SS_OK) *status = exact_reduce(z, m->field);
+  num_vec_clear(&v.t);
+  num_vec_clear(&v.zt);
+  num_vec_clear(&v.q);
+  return known;
+}
+
 static int bind_state(element *z, struct exact_motion *m, int k, int component) {
   struct num_vec v;
   int s = state(&v, m, k);
@@ -823,15 +861,19 @@ static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
 
 /* Quantities of the parameters alone, as for every number type. */
 static int of_params(struct num_vec *out, struct exact_motion *m, const char *name) {
-  const struct oracle *o = oracle_find(name);
   const struct point p = {.kind = POINT_PARAMS};
-  struct values v = {.ctx = num_ctx_exact(), .point = &p};
-  vec_init(&v.q, N_Q);
-  v.params = m->params;
-  int s = exact_symbol(at(&v.q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v.q, Q_US2), m->field, "u_s2");
-  s |= oracle_eval(out, o, &v);
+  struct values v;
+  int s = as_values(&v, m, &p);
+  s |= oracle_eval(out, oracle_find(name), &v);
   num_vec_clear(&v.q);
   return s ? s : reduce_all(out, m);
+}
+
+/* "dZ_0", "dZ_a", ... "dZ_f": 0 to 4; -1 for another name. */
+static int perturbation_named(const char *name) {
+  static const char ends_of[] = "0abcf";
+  const char *c = strncmp(name, "dZ_", 3) == 0 && name[3] && !name[4] ? strchr(ends_of, name[3]) : NULL;
+  return c ? (int)(c - ends_of) : -1;
 }
 
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name) {
@@ -851,6 +893,13 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     return s;
   }
   if (strcmp(name, "N") == 0) return period_matrix(out, m);
+  int end = m->kind == POINT_PATCHED ? perturbation_named(name) : -1;
+  if (end >= 0) {
+    struct num_vec dz;
+    int s = tangent(&dz, m, end);
+    num_vec_set(out, &dz);
+    return s;
+  }
   if (strcmp(name, "J") == 0) return return_jacobian(out, m);
   if (strcmp(name, "omega_1") == 0 || strcmp(name, "omega_2") == 0) {
     m->wants_modes = !m->attempt.modes;

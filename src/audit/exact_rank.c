@@ -110,9 +110,10 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   int s = SS_OK;
   for (slong i = y->rows; i < t->n_outputs; i++) s |= status[i];
   if (s == SS_OK) s = eliminate(&e);
-  const char *why = s & SS_DOMAIN ? "a divisor in the matrix of derivatives is zero for all parameters"
-                                  : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
-                                    "would have to be shown zero nowhere on the domain";
+  const char *why = s & SS_DOMAIN
+                        ? "a divisor in the matrix of derivatives is zero for all parameters"
+                        : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
+                          "would have to be shown zero nowhere on the domain";
   struct exact_rank r = s == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, why};
   text_clear(&e.pivots);
   exact_vec_clear(&e.value);

@@ -70,7 +70,7 @@ class Field:
 
     def __init__(self, modes, fixed, with_omega, off_circle):
         self.ring, *self.pool = ring(["g%d" % i for i in range(48)], QQ)
-        self.names, self.angles = {}, []
+        self.names, self.angles, self.roots = {}, [], []
         self.modes, self.off_circle = modes, off_circle
         one = self.one = self.number(1)
         two = self.number(2)
@@ -137,8 +137,14 @@ class Field:
         return self.omega
 
     def sqrt(self, x):
-        assert (x - self.chi * self.eta).is_zero(), "only sqrt(chi eta) is rational here"
-        return self.root_omega()
+        """Of another element than chi eta: free, so that what is an identity does not use its square."""
+        if (x - self.chi * self.eta).is_zero():
+            return self.root_omega()
+        for known, value in self.roots:
+            if (known - x).is_zero():
+                return value
+        self.roots.append((x, self.symbol("root %d" % len(self.roots))))
+        return self.roots[-1][1]
 
     def root(self, largest, *c):
         """The positive roots of an even polynomial of degree 4 that has w_1 < w_2 among its roots."""
@@ -301,6 +307,15 @@ class Motion:
         v[decided] = -(low / slope)
         return v
 
+    def any_tangent(self, k):
+        """Any numbers, but zero where a mass sticks in the phase before: its velocity is constant there, the belt's."""
+        v = [self.f.symbol(c + ("_" + "abcf"[k - 1] if k else "")) for c in "xyuv"]
+        rows = self.f.system(PHASES[k - 1])[2:] if k else []
+        for i, row in enumerate(rows):
+            if all(e.is_zero() for e in row):
+                v[2 + i] = self.f.number(0)
+        return v
+
     def state(self, k):
         k = 0 if k == 4 and self.periodic else k
         if k not in self.states:
@@ -324,7 +339,9 @@ class Motion:
         f = self.f
         if k > 0:
             self.shifts[k - 1] = f.symbol("d" + TIMES[k - 1])
-        if self.tangents == 0 or k <= self.first_small:
+        if self.patched:
+            self.small[k] = self.any_tangent(k)
+        elif self.tangents == 0 or k <= self.first_small:
             self.small[k] = self.free_end(k, True)
         elif self.part["finite"]:
             start = [a + b for a, b in zip(self.state(k - 1), self.tangent(k - 1))]
@@ -383,6 +400,28 @@ class Motion:
         det = k[0][0] * k[1][1] - k[0][1] * k[1][0]
         return [b[0] * k[1][1] - b[1] * k[0][1], b[1] * k[0][0] - b[0] * k[1][0]][mass] / det
 
+    def block(self, name):
+        """The blocks and springs behind (1): the stiffness of all springs and the mass of the second block are free, chi
+        is the part of the second spring, the first block alone turns once in the unit of time; a mass that slips has the
+        friction u_s, one that sticks that which keeps it on the belt."""
+        f, one = self.f, self.f.one
+        stiffness, m2 = f.symbol("stiffness"), f.symbol("m_2")
+        fixed = {"k_1": (one - f.chi) * stiffness, "k_2": f.chi * stiffness, "m_1": f.eta * m2, "m_2": m2}
+        if name in fixed:
+            return fixed[name]
+        if name == "omega_3":
+            return f.sqrt(stiffness / fixed["m_1"])
+        if name == "t_prime":
+            return f.symbol("t") / f.sqrt(stiffness / fixed["m_1"])
+        mass = int(name[2]) - 1
+        if self.part["phase"] in (["Gamma", "H"], ["H", "C"])[mass]:
+            u = f.symbol("u_s" + name[2])
+        else:
+            z = self.now(False)
+            x = [z[i] + self.equilibrium(i) for i in range(2)]
+            u = f.chi * (x[1] - x[0]) if mass else x[0] - f.chi * x[1]
+        return u * stiffness if name[0] == "F" else u
+
     def limit(self, i):
         if self.word and max(self.anchor, self.first_state) < i + 1:
             self.state(i + 1)
@@ -402,6 +441,8 @@ class Motion:
             return self.time()
         if "[" in name:
             return self.entry(name)
+        if self.part["kind"] == "flow" and re.fullmatch(r"[uFkm]_[12]|omega_3|t_prime", name):
+            return self.block(name)
         m = re.fullmatch(r"[xz]_[12]'*\(.*\)", name)
         if m:
             return self.motion(re.fullmatch(r"([xz])_([12])('*)\((.*)\)", name))
@@ -477,6 +518,8 @@ class Motion:
             return [[f.w[int(name[6]) - 1]]]
         if name in CORNERS:
             return self.corner(name)[0]
+        if name.startswith("dZ_"):
+            return [[e] for e in self.tangent("0abcf".index(name[3]))]
         if name == "J":
             return self.return_jacobian()
         if name == "N":
