@@ -89,10 +89,16 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
     if (num_exact_terms(rest) <= LONG) text_add(&t, ", as ");
     if (num_exact_terms(rest) <= LONG) exact_print(&t, e->field, rest);
   } else {
-    text_printf(&t,
-                "for all values of the other symbols elimination meets the pivots %s, which are nowhere zero, and "
-                "leaves zeros: the rank is %d on the whole domain",
-                text_str(&e->pivots), e->rank);
+    text_printf(
+        &t, "for all values of the other symbols elimination meets %s%s%s and leaves zeros: the rank is %d everywhere",
+        e->rank == 0   ? "no pivot"
+        : e->rank == 1 ? "the pivot "
+                       : "the pivots ",
+        text_str(&e->pivots),
+        e->rank == 0   ? ""
+        : e->rank == 1 ? ", which is nowhere zero,"
+                       : ", which are nowhere zero,",
+        e->rank);
   }
   r.note = result_str(out, "%s", text_str(&t));
   text_clear(&t);
