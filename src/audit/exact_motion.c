@@ -701,6 +701,8 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
       if (index >= 100) note(&m->first_state, index - 100);
     } else if (name_of_motion(name, &in_x, &component, &primes, &argument)) {
       note_motion(m, argument);
+    } else if (strchr(name, '[')) { /* what a matrix held as unknowns does to the start */
+      note(&m->first_state, 0);
     }
   }
 }

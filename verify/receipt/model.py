@@ -260,6 +260,8 @@ class Motion:
             if m:
                 small.append("abcd".index(m[1]))
                 states.append("abcd".index(m[1]))
+            if "[" in name:
+                states.append(0)
             m = re.fullmatch(r"[xz]_[12]'*\((.*)\)", name)
             if m:
                 k = self.end_of(m[1])
