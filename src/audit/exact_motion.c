@@ -349,6 +349,20 @@ static bool is_periodic(const struct exact_motion *m) {
   return m->kind == POINT_ORBIT;
 }
 
+/* Z_c = exp(-A_C t_d) Z_0. */
+static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
+  struct num_vec p, u;
+  vec_init(&p, 16);
+  vec_init(&u, 1);
+  int s = length(at(&u, 0), m, PHASE_C);
+  s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
+  if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
+  if (s == SS_OK) s = multiply(z, m, &p, start, 4, 4, 1);
+  num_vec_clear(&u);
+  num_vec_clear(&p);
+  return s;
+}
+
 /* Z_0, Z_a, Z_b, Z_c, Z_f; on a periodic motion the last is the first. */
 static int state(struct num_vec *z, struct exact_motion *m, int k) {
   if (k == 4 && is_periodic(m)) k = 0;
@@ -359,8 +373,9 @@ static int state(struct num_vec *z, struct exact_motion *m, int k) {
   if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
     return m->state_status |= patched ? any_state(z, m, k) : free_end(z, m, k, false);
   struct num_vec before;
-  int s = state(&before, m, k - 1);
-  if (s == SS_OK) s = carried(z, m, k, &before, NULL);
+  bool back = k == 3 && m->attempt.anchor == ANCHOR_BACK;
+  int s = state(&before, m, back ? 4 : k - 1);
+  if (s == SS_OK) s = back ? carried_back(z, m, &before) : carried(z, m, k, &before, NULL);
   if (s == SS_OK && !patched && (k == 1 || k == 2)) s = decide_limit(m, k, z);
   return m->state_status |= s;
 }
@@ -640,9 +655,20 @@ static int periodic_entry(element *z, struct exact_motion *m, int row) {
   return s;
 }
 
-/* "J_a[1,2]": a matrix held as unknowns; of the matrix of the period it is known what it does to its own start. */
+/* The number of the state of which "S_a", "S_b" or "S_c" is the name, or the start of one; 0 for another name. */
+static int meeting(const char *name) {
+  static const char places[] = "abc";
+  const char *c = strncmp(name, "S_", 2) == 0 && name[2] ? strchr(places, name[2]) : NULL;
+  return c ? (int)(c - places) + 1 : 0;
+}
+
+/* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known what it does to its own start. */
 static int bind_entry(element *z, struct exact_motion *m, const char *name) {
-  int row, col;
+  int row, col, end = meeting(name);
+  if (has_word(m) && end > 0 && sscanf(name + 3, "[%d,1]", &row) == 1) {
+    m->used_matrix = true;
+    return bind_state(z, m, end, row - 1);
+  }
   if (is_periodic(m) && sscanf(name, "N[%d,%d]", &row, &col) == 2 && col == 3) return periodic_entry(z, m, row);
   return exact_symbol(z, m->field, name);
 }
@@ -895,6 +921,12 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     return s;
   }
   if (strcmp(name, "N") == 0) return period_matrix(out, m);
+  if (has_word(m) && meeting(name)) {
+    struct num_vec z;
+    int s = state(&z, m, meeting(name));
+    num_vec_set(out, &z);
+    return s;
+  }
   int end = m->kind == POINT_PATCHED ? perturbation_named(name) : -1;
   if (end >= 0) {
     struct num_vec dz;

@@ -19,10 +19,13 @@ enum exact_tangents {
 /* Of sentences about both ends of a phase: the time t is its start or its end. */
 enum exact_time { TIME_INSIDE, TIME_START, TIME_END };
 
+/* Of a periodic motion: Z_c follows back through phase C from the start of the next period. */
+enum { ANCHOR_BACK = -1 };
+
 /* How much is asked to hold.  Less is quicker, and a proof with less is a proof. */
 struct exact_attempt {
   bool modes; /* chi and eta by the frequencies of phase H, which free generators stand for */
-  int anchor; /* the states after this one (0 to 4) follow each from the one before, the others are free */
+  int anchor; /* the states after this one (0 to 4) follow each from the one before, the others are free; ANCHOR_BACK */
   enum exact_tangents tangents;
   enum exact_time time;
 };

@@ -133,6 +133,12 @@ static bool has_tangents(const struct tape *t) {
   return any;
 }
 
+static bool reads_last_state(const struct tape *t) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strncmp(t->inputs[i], "S_c[", 4) == 0) return true;
+  return false;
+}
+
 static bool has_root(const struct tape *t) {
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == TAPE_ROOT) return true;
@@ -151,7 +157,8 @@ static void try_with_modes(struct job *b, struct exact_attempt *a) {
 static void try_all(struct job *b) {
   bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
   struct exact_attempt a = {.modes = has_root(&b->s->tape)};
-  for (a.anchor = 4; a.anchor >= (word ? 0 : 4); a.anchor--)
+  int last = !word ? 4 : b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape) ? ANCHOR_BACK : 0;
+  for (a.anchor = 4; a.anchor >= last; a.anchor--)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
       for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {
         a.tangents = (enum exact_tangents)k;
@@ -168,11 +175,15 @@ static void add_unknown(struct override *o, int *n, const char *name) {
   if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
 }
 
-/* The matrix of the period, where the claim is about it, else the local Jacobians, of which J is made. */
+/* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of which
+   J is made. */
 static int choose_unknowns(struct override *o, const struct claim *c) {
   const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
   int n = 0;
   if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
+  static const char *const states[] = {"S_a", "S_b", "S_c"};
+  for (size_t i = 0; list && i < sizeof states / sizeof *states; i++)
+    if (strstr(list, states[i])) add_unknown(o, &n, states[i]);
   bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
   for (int ph = 0; about && ph < N_PHASES; ph++) add_unknown(o, &n, local_maps[ph].name);
   return n;

@@ -186,6 +186,11 @@ define ctl-patched
   section: stability
   Z_a := [z_1a; z_2a; z'_2a; z'_1a]
 
+# true where t_a = t_b
+define ctl-meeting
+  section: periodic
+  S_b := Gamma(t_a)*S_a
+
 # the velocities of masses that stick are not perturbed
 define ctl-perturbation-sticks
   section: stability

@@ -323,6 +323,8 @@ class Motion:
         if k not in self.states:
             if k <= self.anchor or k <= self.first_state or (k == 0 and self.periodic):
                 self.states[k] = self.free_end(k, False)
+            elif k == 3 and self.anchor < 0:  # back through phase C from the start of the next period
+                self.states[k] = apply(self.f.propagator("C", -self.length(3)), self.state(4))
             else:
                 z = apply(self.f.propagator(PHASES[k - 1], self.length(k - 1)), self.state(k - 1))
                 self.states[k] = z
@@ -463,6 +465,9 @@ class Motion:
         return self.tangent("abcf".index(m[2]) + 1 if m[2] else 0)["xyuv".index(m[1])]
 
     def entry(self, name):
+        m = re.fullmatch(r"S_([abc])\[(\d),1\]", name)
+        if m and self.word:  # a state in which two phases meet
+            return self.state("0abc".index(m[1]))[int(m[2]) - 1]
         m = re.fullmatch(r"N\[(\d),3\]", name)
         if not (m and self.periodic):
             return self.f.symbol(name)
@@ -520,6 +525,8 @@ class Motion:
             return [[f.w[int(name[6]) - 1]]]
         if name in CORNERS:
             return self.corner(name)[0]
+        if name.startswith("S_"):
+            return [[e] for e in self.state("0abc".index(name[2]))]
         if name.startswith("dZ_"):
             return [[e] for e in self.tangent("0abcf".index(name[3]))]
         if name == "J":
