@@ -701,6 +701,22 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   return bind_motion(z, m, name);
 }
 
+int exact_motion_positive(struct num_vec *out, struct exact_motion *m) {
+  int n = 0, s = SS_OK;
+  if (m->attempt.modes) return 0; /* chi and eta are no polynomials then */
+  for (int i = P_CHI; i <= P_V; i++) num_exact.set(at(out, n++), at(&m->params, i));
+  s |= num_exact.set_d(at(out, n), 1, 0);
+  s |= num_exact.sub(at(out, n), at(out, n), at(&m->params, P_CHI), 0);
+  n++;
+  if (has_word(m) && !m->finite && m->attempt.time == TIME_INSIDE) {
+    s |= exact_symbol(at(out, n), m->field, "tau");
+    s |= length(at(out, n + 1), m, (int)m->phase);
+    s |= num_exact.sub(at(out, n + 1), at(out, n + 1), at(out, n), 0);
+    n += 2;
+  }
+  return s == SS_OK ? n : 0;
+}
+
 /* --- What a sentence reads --- */
 
 static void note(int *first, int k) {

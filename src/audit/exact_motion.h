@@ -57,6 +57,10 @@ void exact_motion_clear(struct exact_motion *m);
 int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *motion);
 /* The model's quantity of the oracle's name, as long as its rows times its columns. */
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name);
+/* What is positive on the whole domain: chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time to
+   its end; as many elements as are returned, at most EXACT_POSITIVE. */
+enum { EXACT_POSITIVE = 6 };
+int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
 /* exp(A u) of a phase. */
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const fmpz_mpoly_q_struct *u);
 /* Whether exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once for each phase. */

@@ -60,6 +60,18 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
   return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
 }
 
+/* Does the step hold, an inequality because the difference of its sides is a product of what is positive? */
+static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
+  enum relop op = b->s->ops[i];
+  if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
+  struct num_vec positive;
+  num_vec_init(&positive, EXACT_POSITIVE, num_ctx_exact());
+  int n = exact_motion_positive(&positive, m);
+  int sign = exact_product_sign(d, num_vec_at(&positive, 0), n);
+  num_vec_clear(&positive);
+  return sign != 0 && (op == REL_LT ? sign < 0 : op == REL_GT && sign > 0);
+}
+
 static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
   static const char *const names[] = {"chi", "eta", "V"};
   fmpq_t value;
@@ -96,10 +108,10 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
     if (b->done[i]) continue;
     b->apart[i] = false;
     int s = difference(&d, b, &m, &v, i);
-    if (s == SS_OK && exact_is_zero(m.field, &d)) {
+    if (s == SS_OK && step_holds(b, &m, i, &d)) {
       b->done[i] = true;
       b->by[i] = *a;
-    } else if (s == SS_OK) {
+    } else if (s == SS_OK && (b->sharp || b->s->ops[i] == REL_EQ)) {
       book_difference(b, &m, i, &d, keep);
     }
     apart = apart || b->apart[i];
@@ -189,12 +201,6 @@ static int choose_unknowns(struct override *o, const struct claim *c) {
   return n;
 }
 
-static bool equalities_only(const struct sentence *s) {
-  for (slong i = 0; i < s->n; i++)
-    if (s->ops[i] != REL_EQ) return false;
-  return true;
-}
-
 /* Is a kind of point among others of which it is a special case? */
 static bool covered(const struct point_spec *spec, int n, int i) {
   for (int k = 0; k < n; k++)
@@ -205,11 +211,14 @@ static bool covered(const struct point_spec *spec, int n, int i) {
 
 static const char *why_open(struct job *b) {
   struct audit_result *out = b->j->out;
-  slong open = 0, apart = 0;
+  slong open = 0, apart = 0, inequalities = 0;
   for (slong i = 0; i < b->s->n; i++) {
     open += !b->done[i];
+    inequalities += !b->done[i] && b->s->ops[i] != REL_EQ;
     apart += b->apart[i];
   }
+  if (inequalities && !b->sharp)
+    return "an inequality, which exact algebra does not decide unless it is a product of positive factors";
   if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
@@ -270,8 +279,6 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
   diag_init(&d);
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
-  else if (!q->sharp && !equalities_only(&s))
-    *p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
   for (int i = 0; p->proved && i < q->n_specs; i++) {
     if (covered(q->spec, q->n_specs, i)) continue;
     struct job b = {.j = j,
@@ -284,6 +291,7 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
                     .s = &s};
     prove_spec(p, &b);
     if (p->proved) record_part(p, &b, q, o, n);
+    for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || (!q->sharp && s.ops[k] != REL_EQ);
   }
   sentence_clear(&s);
 }
@@ -312,7 +320,11 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
                             int unknowns) {
   return result_str(
       j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
-      q->sharp   ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
+      p->by_factors
+          ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
+            "the "
+            "smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"
+      : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
                    "the phase"
       : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
                  : "both sides, on motions made from the first-order systems, are equal",

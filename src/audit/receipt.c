@@ -84,8 +84,13 @@ static bool same_attempt(const struct exact_attempt *a, const struct exact_attem
   return a->modes == b->modes && a->anchor == b->anchor && a->tangents == b->tangents && a->time == b->time;
 }
 
-static void add_part(struct text *out, const struct exact_part *p, const struct tape *t, int i,
+static const char *relation(const struct exact_part *p, const struct sentence *s, slong i) {
+  return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
+}
+
+static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, int i,
                      const struct restriction *r) {
+  const struct tape *t = &s->tape;
   static const char *const kinds[] = {[POINT_PARAMS] = "params",
                                       [POINT_FLOW] = "flow",
                                       [POINT_ARC] = "arcs",
@@ -93,7 +98,9 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
                                       [POINT_PATCHED] = "patched"};
   text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
-  text_add(out, "],\n    oracle=");
+  text_add(out, "],\n    relations=\"");
+  for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
+  text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    fixed={", kinds[p->spec.kind],
               phase_name[p->spec.phase], p->question->finite ? "True" : "False");
@@ -135,7 +142,7 @@ static bool add_parts(struct text *out, const struct exact_proof *p, struct view
     ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
     if (ok) add_sides(out, &s.tape, i);
     if (ok) text_add(out, "\n\n");
-    if (ok) add_part(out, &p->part[i], &s.tape, i, r);
+    if (ok) add_part(out, &p->part[i], &s, i, r);
     sentence_clear(&s);
   }
   return ok;

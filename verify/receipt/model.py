@@ -384,6 +384,16 @@ class Motion:
         z = apply(self.f.propagator(phase, u), z)
         return self.rate(PHASES.index(phase), z) if second else z
 
+    def positive(self):
+        """chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time to its end."""
+        f = self.f
+        if f.modes:
+            return []
+        out = [f.chi, f.omega, f.V, f.one - f.chi]
+        if self.word and not self.part["finite"] and not self.at_end:
+            out += [f.symbol("tau"), self.length(PHASES.index(self.part["phase"])) - f.symbol("tau")]
+        return [x.num for x in out]
+
     def motion(self, m):
         letter, mass, primes, argument = m[1], int(m[2]) - 1, len(m[3]), m[4]
         if self.part["kind"] == "flow" and argument == "0":
@@ -543,6 +553,10 @@ class Motion:
 # --- The proof ---
 
 
+def generators(polynomial):
+    return {i for exponents in polynomial.monoms() for i, k in enumerate(exponents) if k}
+
+
 def unequal(part, entries, attempt, with_omega, off_circle):
     """The entries among these whose sides differ."""
     motion, known = Motion(part, attempt, with_omega, off_circle), {}
@@ -555,7 +569,31 @@ def unequal(part, entries, attempt, with_omega, off_circle):
     code, n = part["values"](motion.f, motion, value), len(part["by"])
     right = [e for row in motion.oracle(part["oracle"]) for e in row] if part["oracle"] else None
     left = part["sides"]
-    return [i for i in entries if not (value(left[i]) - (right[i] if right else value(left[n + i]))).is_zero()]
+    differences = [(i, value(left[i]) - (right[i] if right else value(left[n + i]))) for i in entries]
+    return [i for i, d in differences if not holds(motion, part["relations"][i], d)]
+
+
+def holds(motion, relation, difference):
+    if relation == "=":
+        return difference.is_zero()
+    sign = product_sign(difference, motion.positive())
+    return sign < 0 if relation == "<" else sign > 0
+
+
+def product_sign(x, positive):
+    """The sign of a number times powers of positive polynomials; 0 when x is not known to be such a product."""
+    sign = 1
+    for rest in [x.num, *x.den]:
+        for factor in positive:
+            while rest != 0 and generators(factor):
+                quotient, remainder = rest.div([factor])
+                if remainder != 0:
+                    break
+                rest = quotient[0]
+        if rest == 0 or generators(rest):
+            return 0
+        sign *= 1 if rest.LC > 0 else -1
+    return sign
 
 
 def prove(part, entries, attempt):
@@ -567,10 +605,6 @@ def prove(part, entries, attempt):
         if not entries:
             return
     raise AssertionError("%s: entry %d is not an identity" % (CLAIM, entries[0] + 1))
-
-
-def generators(polynomial):
-    return {i for exponents in polynomial.monoms() for i, k in enumerate(exponents) if k}
 
 
 def rank(matrix):
