@@ -789,7 +789,7 @@ static int run_receipt(const char *python, const char *id, const struct damage *
 START_TEST(receipts_hold_and_damaged_ones_do_not) {
   static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
                              zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
-                             rank = {"rank=", 5, '2'};
+                             rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'};
   static const struct {
     const char *id, *says;
     const struct damage *damage;
@@ -804,7 +804,9 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
               {"eq-1c", "eq-1c: proved\n", &term},
               {"eq-25c", "eq-25c: proved\n", &zero},
               {"eq-12c", "eq-12c: proved\n", &one},
-              {"eq-31c", "eq-31c: proved\n", &rank}};
+              {"eq-31c", "eq-31c: proved\n", &rank},
+              {"eq-56", "eq-56: proved\n", &order},
+              {"text-patched", "text-patched: proved\n", &sign}};
   const char *python = getenv("PYTHON") ? getenv("PYTHON") : "/usr/bin/python3";
   if (!has_sympy(python)) return;
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {

@@ -186,6 +186,12 @@ define ctl-patched
   section: stability
   Z_a := [z_1a; z_2a; z'_2a; z'_1a]
 
+# each step the other way round
+inequality ctl-inequality-turned
+  replaces: eq-56
+  section: appendix_b
+  z_10 - chi*z_20 > z_1(t) - chi*z_2(t) > e_1
+
 # true where t_a = t_b
 define ctl-meeting
   section: periodic
