@@ -265,10 +265,10 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     }
     point_clear(&p);
     struct route_word w[3], proof = {.says = SAYS_NOTHING};
-    int n = 2;
-    w[0] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
-    w[1] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
-    if (j->effort == EFFORT_FULL && balls.other == 0) proof = prove_rank(f, j, &y, wanted);
+    int n = 0;
+    w[n++] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
+    if (j->effort != EFFORT_REFUTE) w[n++] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
+    if (balls.other == 0) proof = prove_rank(f, j, &y, wanted);
     if (proof.says != SAYS_NOTHING) w[n++] = proof;
     f->verdict = verdict_of(w, n, proof.says == SAYS_AGREES);
   }
