@@ -157,22 +157,43 @@ static bool has_root(const struct tape *t) {
   return false;
 }
 
-/* Once with the frequencies of phase H more when they are asked for. */
+/* Are inequalities all that is not proved? */
+static bool inequalities_left(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i] && (b->sharp || b->s->ops[i] == REL_EQ)) return false;
+  return true;
+}
+
+/* Once with the frequencies of phase H more when they are asked for; signs are not known there. */
 static void try_with_modes(struct job *b, struct exact_attempt *a) {
   try_attempt(b, a);
-  if (!b->wants_modes || a->modes) return;
+  if (!b->wants_modes || a->modes || inequalities_left(b)) return;
   a->modes = true;
   try_attempt(b, a);
 }
 
+static bool has_word(const struct job *b) {
+  return b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
+}
+
+/* How the states follow from each other, in the order of the attempts. */
+static int anchors(int list[5], const struct job *b) {
+  list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
+  if (!has_word(b) || list[0] == 0) return 1;
+  bool back = b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape);
+  for (int n = 1; n < 5; n++) list[n] = back ? ANCHOR_BACK : 4 - n;
+  return back ? 2 : 5;
+}
+
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
-  bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
+  bool word = has_word(b);
   struct exact_attempt a = {.modes = has_root(&b->s->tape)};
-  int last = !word ? 4 : b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape) ? ANCHOR_BACK : 0;
-  for (a.anchor = 4; a.anchor >= last; a.anchor--)
+  int anchor[5], n = anchors(anchor, b);
+  for (int i = 0; i < n; i++)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
       for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {
+        a.anchor = anchor[i];
         a.tangents = (enum exact_tangents)k;
         a.time = (enum exact_time)time;
         bool useless = (b->finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
