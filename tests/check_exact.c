@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "audit/exact_rank.h"
 #include "audit/judge_exact.h"
 #include "audit/mutants.h"
 #include "laws_num.h"
@@ -504,6 +505,45 @@ START_TEST(motions_have_the_values_of_motions) {
 }
 END_TEST
 
+/* At patched points a perturbation is zero exactly where that of balls is, and else its own free symbol. */
+START_TEST(perturbations_at_patched_points) {
+  const struct point_spec spec = {.kind = POINT_PATCHED};
+  const struct tape nothing = {.n = 0};
+  for (int tangents = 0; tangents < N_EXACT_TANGENTS; tangents++) {
+    const struct exact_attempt a = {.anchor = 0, .tangents = (enum exact_tangents)tangents};
+    struct exact_motion m;
+    struct values v;
+    struct point p;
+    struct sampler s;
+    element e, own;
+    arb_t x;
+    arb_init(x);
+    point_init(&p);
+    sampler_init(&s, "patched", POINT_PATCHED, PHASE_D, NULL);
+    sampler_next(&p, &s);
+    exact_motion_init(&m, &a, &spec, false, NULL, &nothing);
+    exact_init(&e, m.field);
+    exact_init(&own, m.field);
+    ck_assert_int_eq(values_init(&v, &p, VARIANT_CLOSED, num_ctx_arb(PREC), cache), SS_OK);
+    for (int i = 0; i < N_MOTION_NAMES; i++) {
+      int index;
+      if (!name_of_tangent(motion_names[i], &index)) continue;
+      bind_ball(x, &v, motion_names[i]);
+      ck_assert_int_eq(exact_motion_bind(&e, m.field, motion_names[i], &m), SS_OK);
+      ck_assert_int_eq(exact_symbol(&own, m.field, motion_names[i]), SS_OK);
+      ck_assert_msg(exact_is_zero(m.field, &e) == (bool)arb_is_zero(x), "%s", motion_names[i]);
+      ck_assert_msg(exact_is_zero(m.field, &e) || exact_equal(m.field, &e, &own), "%s", motion_names[i]);
+    }
+    values_clear(&v);
+    exact_clear(&own, m.field);
+    exact_clear(&e, m.field);
+    exact_motion_clear(&m);
+    point_clear(&p);
+    arb_clear(x);
+  }
+}
+END_TEST
+
 START_TEST(propagators_solve_their_systems) {
   ck_assert(exact_propagators_proved());
 }
@@ -536,6 +576,106 @@ START_TEST(no_control_is_proved) {
     tried++;
   }
   ck_assert_int_ge(tried, 20);
+}
+END_TEST
+
+/* --- Ranks --- */
+
+/* The same systems, by hand: what the exact route must say of them; -1: nothing. */
+START_TEST(ranks_by_hand) {
+  static const struct {
+    const char *equations, *unknowns;
+    int rank;
+  } rows[] = {
+      {"  x_b = y_b\n", "x_b, y_b", 1},
+      {"  x_b = x_b\n", "x_b, y_b", 0},
+      {"  chi*x_b = eta*V*y_b\n  V*x_b + y_b = 1\n", "x_b, y_b", -1}, /* chi + eta V^2: no single term */
+      {"  chi*x_b = eta*V*y_b\n  chi^2*x_b = chi*eta*V*y_b + 1\n", "x_b, y_b", 1},
+      {"  chi*x_b + y_b*sin(t) = 1\n  y_b/V = cos(t)\n", "x_b, y_b", 2},
+      {"  (1 - V)*x_b = 1\n", "x_b, y_b", -1},                        /* no equation for x_b where V = 1 */
+      {"  u_b*x_b = 1\n", "x_b, y_b", -1},                            /* none where u_b = 0 */
+      {"  e_1*x_b = 1\n", "x_b, y_b", -1},                            /* nothing says that e_1 is not zero */
+      {"  x_b = y_b\n  (1 + 1e-90*u_b)*x_b = y_b\n", "x_b, y_b", -1}, /* 2 but where u_b = 0 */
+      {"  sin(t)^2*x_b + cos(t)^2*x_b = y_b\n  x_b = y_b\n", "x_b, y_b", 1},
+      {"  x_b^2 = y_b\n", "x_b", -1}, /* the pivot is an unknown itself */
+      {"  x_b/sin(t) = 1\n", "x_b", -1},
+      {"  x_b*y_b*u_b = (x_b + y_b)^12\n", "x_b", -1},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct text t;
+    struct model m;
+    struct claims c = {.n = 0};
+    struct diag d;
+    struct audit_result out;
+    struct rank_system y;
+    text_init(&t);
+    diag_init(&d);
+    model_init(&m);
+    audit_result_init(&out);
+    text_printf(&t, "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
+    scratch_put("rank.eq", text_str(&t));
+    text_reset(&t);
+    text_printf(&t,
+                "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
+                rows[i].unknowns);
+    scratch_put("rank.claim", text_str(&t));
+    ck_assert_msg(model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
+                      model_add_file(&m, scratch_path("rank.eq"), RANK_USER, &d) &&
+                      claims_load(&c, scratch_path(""), "claim", &d),
+                  "%s", d.message);
+    struct judge j = {.out = &out, .model = &m, .claims = &c, .scene = &paper, .cache = cache, .d = &d};
+    ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
+                  d.message);
+    struct exact_rank r = exact_rank_of(&out, &y);
+    ck_assert_msg(r.rank == rows[i].rank && r.note, "row %zu: %d, %s", i, r.rank, r.note);
+    sentence_clear(&y.s);
+    audit_result_clear(&out);
+    claims_clear(&c);
+    model_clear(&m);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* The exact rank is never another than that of balls at points, whatever damage was done. */
+START_TEST(ranks_of_damaged_equations) {
+  struct overlay o;
+  struct mutants all;
+  int decided = 0;
+  overlay_init(&o, &model);
+  mutants_init(&all, &model, NULL, 0);
+  for (size_t i = 0; i < all.n; i++) {
+    const struct target *t = &all.target[all.mutant[i].target];
+    const char *equation = model.records[t->record].equation;
+    if (model.records[t->record].rank == RANK_CONTROL || !*equation) continue;
+    for (size_t k = 0; k < claims.n; k++) {
+      const struct claim *c = &claims.claim[k];
+      const char *own = claim_get(c, "equation");
+      if (claim_kind(claim_get(c, "kind")) != judge_rank || !own || strcmp(own, equation) != 0) continue;
+      overlay_set(&o, t, all.mutant[i].edit.stmt);
+      struct audit_result out;
+      struct finding f;
+      struct diag d;
+      diag_init(&d);
+      audit_result_init(&out);
+      struct judge j = {.out = &out, .model = &o.model, .claims = &claims, .scene = &paper, .cache = cache, .d = &d};
+      const char *balls = NULL, *exact = NULL;
+      if (judge_verdict(&f, &j, c)) {
+        for (int e = 0; e < f.n_evidence; e++) {
+          if (strcmp(f.evidence[e].route, "balls") == 0) balls = f.evidence[e].result;
+          if (strcmp(f.evidence[e].route, "exact") == 0) exact = f.evidence[e].result;
+        }
+        decided += exact && strcmp(exact, "proved") == 0;
+        ck_assert_msg(!exact || strcmp(exact, "differs") != 0 || strcmp(balls, "agrees") != 0, "%s with mutant %zu: %s",
+                      c->id, i, f.evidence[f.n_evidence - 1].note);
+      }
+      audit_result_clear(&out);
+      overlay_set(&o, t, NULL);
+    }
+  }
+  mutants_clear(&all);
+  overlay_clear(&o);
+  ck_assert_int_ge(decided, 10);
 }
 END_TEST
 
@@ -622,16 +762,22 @@ static void receipt(struct text *out, const char *id) {
   source_clear(&src);
 }
 
-/* The status of the script; damage: the first " - " between two values becomes " + ". */
-static int run_receipt(const char *python, const char *id, bool damage) {
+/* The status of the script; damage: the first such text before the parts is made wrong at its place. */
+struct damage {
+  const char *text;
+  int at;
+  char wrong;
+};
+
+static int run_receipt(const char *python, const char *id, const struct damage *damage) {
   struct text t;
   char command[1200];
   text_init(&t);
   receipt(&t, id);
   if (damage) {
-    char *at = strstr(t.data, ") - v(");
-    ck_assert_msg(at != NULL && at < strstr(t.data, "PARTS.append"), "%s has no difference to damage", id);
-    at[2] = '+';
+    char *at = strstr(t.data, damage->text), *end = strstr(t.data, "# --- Exact arithmetic");
+    ck_assert_msg(at && at < end, "%s has nothing to damage", id);
+    at[damage->at] = damage->wrong;
   }
   scratch_put("receipt.py", text_str(&t));
   text_clear(&t);
@@ -641,27 +787,38 @@ static int run_receipt(const char *python, const char *id, bool damage) {
 }
 
 START_TEST(receipts_hold_and_damaged_ones_do_not) {
+  static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
+                             zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
+                             rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'};
   static const struct {
     const char *id, *says;
-    bool damage;
-  } rows[] = {{"eq-32", "eq-32: proved\n", true},
-              {"eq-10b", "eq-10b: proved\n", false},
-              {"eq-40", "eq-40 as corrected: proved\n", true},
-              {"eq-48c", "eq-48c: proved\n", true},
-              {"eq-25", "eq-25: proved\n", true},
-              {"eq-56b", "eq-56b: proved\n", true},
-              {"eq-43", "eq-43: proved\n", true}};
+    const struct damage *damage;
+  } rows[] = {{"eq-32", "eq-32: proved\n", &sign},
+              {"eq-10b", "eq-10b: proved\n", &none},
+              {"eq-40", "eq-40 as corrected: proved\n", &sign},
+              {"eq-48c", "eq-48c: proved\n", &sign},
+              {"eq-25", "eq-25: proved\n", &sign},
+              {"eq-56b", "eq-56b: proved\n", &sign},
+              {"eq-43", "eq-43: proved\n", &sign},
+              {"eq-1b", "eq-1b: proved\n", &sign},
+              {"eq-1c", "eq-1c: proved\n", &term},
+              {"eq-25c", "eq-25c: proved\n", &zero},
+              {"eq-12c", "eq-12c: proved\n", &one},
+              {"eq-31c", "eq-31c: proved\n", &rank},
+              {"eq-56", "eq-56: proved\n", &order},
+              {"text-patched", "text-patched: proved\n", &sign}};
   const char *python = getenv("PYTHON") ? getenv("PYTHON") : "/usr/bin/python3";
   if (!has_sympy(python)) return;
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
-    ck_assert_msg(run_receipt(python, rows[i].id, false) == 0, "%s", rows[i].id);
+    ck_assert_msg(run_receipt(python, rows[i].id, NULL) == 0, "%s", rows[i].id);
     struct source out;
     struct diag d;
     diag_init(&d);
     ck_assert(source_read(&out, scratch_path("receipt.out"), 1000, &d));
     ck_assert_str_eq(out.text, rows[i].says);
     source_clear(&out);
-    if (rows[i].damage) ck_assert_msg(run_receipt(python, rows[i].id, true) != 0, "damaged %s", rows[i].id);
+    if (rows[i].damage->text)
+      ck_assert_msg(run_receipt(python, rows[i].id, rows[i].damage) != 0, "damaged %s", rows[i].id);
   }
 }
 END_TEST
@@ -696,11 +853,14 @@ Suite *exact_suite(void) {
   tcase_add_unchecked_fixture(c, open_paper, close_paper);
   tcase_add_test(c, propagators_solve_their_systems);
   tcase_add_test(c, motions_have_the_values_of_motions);
+  tcase_add_test(c, perturbations_at_patched_points);
   suite_add_tcase(s, c);
   c = tcase_create("proofs");
   tcase_add_unchecked_fixture(c, open_paper, close_paper);
   tcase_add_test(c, no_control_is_proved);
   tcase_add_test(c, what_balls_refute_is_not_proved);
+  tcase_add_test(c, ranks_by_hand);
+  tcase_add_test(c, ranks_of_damaged_equations);
   tcase_add_test(c, what_the_trace_does_not_feel);
   tcase_add_test(c, receipts_hold_and_damaged_ones_do_not);
   tcase_add_test(c, no_receipt_without_a_proof);

@@ -74,6 +74,9 @@ void exact_print_generators(struct text *out, const struct exact_field *f);
    zeros give 1. */
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
                      const char *const *positive, int n_positive);
+/* The sign of a product of a rational number and of powers of some of these elements, which must be positive polynomials;
+   0 when x is not known to be one. */
+int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);
 bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x);
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y);
 /* z = x - y; false when it grows too large. */

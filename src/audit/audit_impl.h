@@ -156,6 +156,7 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 /* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
 bool blocks_bind(int *status, void *z, struct values *v, const char *name);
+int blocks_square_of_omega_3(void *z, struct values *v);
 
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */
@@ -267,7 +268,7 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
 /* --- A claim being judged --- */
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
-   but that arguments, scaling and reach are proved just where the full effort proves them.
+   but that arguments, scaling, ranks and reach are proved just where the full effort proves them.
    EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
    nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them are
    done sooner; others may pass over them. */

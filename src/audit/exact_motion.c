@@ -349,6 +349,20 @@ static bool is_periodic(const struct exact_motion *m) {
   return m->kind == POINT_ORBIT;
 }
 
+/* Z_c = exp(-A_C t_d) Z_0. */
+static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
+  struct num_vec p, u;
+  vec_init(&p, 16);
+  vec_init(&u, 1);
+  int s = length(at(&u, 0), m, PHASE_C);
+  s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
+  if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
+  if (s == SS_OK) s = multiply(z, m, &p, start, 4, 4, 1);
+  num_vec_clear(&u);
+  num_vec_clear(&p);
+  return s;
+}
+
 /* Z_0, Z_a, Z_b, Z_c, Z_f; on a periodic motion the last is the first. */
 static int state(struct num_vec *z, struct exact_motion *m, int k) {
   if (k == 4 && is_periodic(m)) k = 0;
@@ -359,8 +373,9 @@ static int state(struct num_vec *z, struct exact_motion *m, int k) {
   if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
     return m->state_status |= patched ? any_state(z, m, k) : free_end(z, m, k, false);
   struct num_vec before;
-  int s = state(&before, m, k - 1);
-  if (s == SS_OK) s = carried(z, m, k, &before, NULL);
+  bool back = k == 3 && m->attempt.anchor == ANCHOR_BACK;
+  int s = state(&before, m, back ? 4 : k - 1);
+  if (s == SS_OK) s = back ? carried_back(z, m, &before) : carried(z, m, k, &before, NULL);
   if (s == SS_OK && !patched && (k == 1 || k == 2)) s = decide_limit(m, k, z);
   return m->state_status |= s;
 }
@@ -426,13 +441,32 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
   return s;
 }
 
+/* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that phase's
+   system, is the belt's with and without the perturbation. */
+static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
+  static const char letters[] = "xyuv", places[] = "abcf";
+  struct num_vec a;
+  vec_init(&a, 16);
+  int s = k > 0 ? system_of(&a, m, (enum phase)(k - 1)) : SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    char name[8];
+    bool sticks = k > 0 && i >= DZ_1;
+    for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
+    snprintf(name, sizeof name, k > 0 ? "%c_%c" : "%c", letters[i], places[k > 0 ? k - 1 : 0]);
+    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name);
+  }
+  num_vec_clear(&a);
+  return s;
+}
+
 static int tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   *dz = part(&m->tangent, 4 * k, 4);
   if (m->have_tangent[k]) return m->tangent_status;
   m->have_tangent[k] = true;
-  if (m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
+  bool patched = m->kind == POINT_PATCHED;
+  if (patched || m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
     if (k > 0) m->tangent_status |= free_shift(at(&m->shift, k - 1), m, k - 1);
-    return m->tangent_status |= free_end(dz, m, k, true);
+    return m->tangent_status |= patched ? any_tangent(dz, m, k) : free_end(dz, m, k, true);
   }
   struct num_vec before;
   int s = tangent(&before, m, k - 1);
@@ -542,6 +576,44 @@ static int bind_tangent(element *z, struct exact_motion *m, int index) {
   return s;
 }
 
+/* The motion's parameters as those of a point, for what is defined for every number type; clear q. */
+static int as_values(struct values *v, struct exact_motion *m, const struct point *p) {
+  *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params};
+  vec_init(&v->q, N_Q);
+  for (int i = 0; i < N_PARAMS; i++) num_exact.set(at(&v->q, Q_CHI + i), at(&m->params, i));
+  return exact_symbol(at(&v->q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v->q, Q_US2), m->field, "u_s2");
+}
+
+/* omega_3 is the root of an element, and t' is t/omega_3. */
+static int block_time(element *z, struct exact_motion *m, struct values *v, bool old_time) {
+  int s = blocks_square_of_omega_3(z, v);
+  if (s == SS_OK) s = exact_sqrt(z, m->field, z);
+  if (s == SS_OK && old_time) s = op(num_exact.div, z, m, at(&v->t, 0), z);
+  return s;
+}
+
+/* The blocks and springs behind (1): blocks.c.  The friction of a mass that sticks is read off the motion. */
+static bool bind_block(int *status, element *z, struct exact_motion *m, const char *name) {
+  const struct point p = {.kind = POINT_FLOW, .phase = m->phase};
+  struct values v;
+  bool old_time = strcmp(name, "t_prime") == 0, known = true;
+  int s = as_values(&v, m, &p);
+  vec_init(&v.zt, N_STATE);
+  vec_init(&v.t, 1);
+  s |= exact_symbol(at(&v.t, 0), m->field, "t");
+  if (name[0] == 'u' || name[0] == 'F') s |= state_now(&v.zt, m, false);
+  if (old_time || strcmp(name, "omega_3") == 0)
+    *status = block_time(z, m, &v, old_time);
+  else
+    known = blocks_bind(status, z, &v, name);
+  if (known) *status |= s;
+  if (known && *status == SS_OK) *status = exact_reduce(z, m->field);
+  num_vec_clear(&v.t);
+  num_vec_clear(&v.zt);
+  num_vec_clear(&v.q);
+  return known;
+}
+
 static int bind_state(element *z, struct exact_motion *m, int k, int component) {
   struct num_vec v;
   int s = state(&v, m, k);
@@ -583,9 +655,20 @@ static int periodic_entry(element *z, struct exact_motion *m, int row) {
   return s;
 }
 
-/* "J_a[1,2]": a matrix held as unknowns; of the matrix of the period it is known what it does to its own start. */
+/* The number of the state of which "S_a", "S_b" or "S_c" is the name, or the start of one; 0 for another name. */
+static int meeting(const char *name) {
+  static const char places[] = "abc";
+  const char *c = strncmp(name, "S_", 2) == 0 && name[2] ? strchr(places, name[2]) : NULL;
+  return c ? (int)(c - places) + 1 : 0;
+}
+
+/* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known what it does to its own start. */
 static int bind_entry(element *z, struct exact_motion *m, const char *name) {
-  int row, col;
+  int row, col, end = meeting(name);
+  if (has_word(m) && end > 0 && sscanf(name + 3, "[%d,1]", &row) == 1) {
+    m->used_matrix = true;
+    return bind_state(z, m, end, row - 1);
+  }
   if (is_periodic(m) && sscanf(name, "N[%d,%d]", &row, &col) == 2 && col == 3) return periodic_entry(z, m, row);
   return exact_symbol(z, m->field, name);
 }
@@ -594,7 +677,7 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   static const char *const params[] = {"chi", "eta", "V", "e_1", "e_2"};
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
-  int index;
+  int index, status;
   for (int i = 0; i < N_PARAMS; i++)
     if (strcmp(name, params[i]) == 0) return bind_param(z, m, i);
   for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++)
@@ -613,8 +696,25 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   if (has_word(m) && (index = name_of_arc(name)) >= 0) return bind_arc(z, m, index);
   if (is_periodic(m) && (strcmp(name, "z_100") == 0 || strcmp(name, "z_200") == 0))
     return bind_arc(z, m, name[2] == '1' ? Z_1 : Z_2);
-  if (has_word(m) && m->kind != POINT_PATCHED && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (has_word(m) && name_of_tangent(name, &index)) return bind_tangent(z, m, index);
+  if (m->kind == POINT_FLOW && bind_block(&status, z, m, name)) return status;
   return bind_motion(z, m, name);
+}
+
+int exact_motion_positive(struct num_vec *out, struct exact_motion *m) {
+  int n = 0, s = SS_OK;
+  if (m->attempt.modes) return 0; /* chi and eta are no polynomials then */
+  for (int i = P_CHI; i <= P_V; i++) num_exact.set(at(out, n++), at(&m->params, i));
+  s |= num_exact.set_d(at(out, n), 1, 0);
+  s |= num_exact.sub(at(out, n), at(out, n), at(&m->params, P_CHI), 0);
+  n++;
+  if (has_word(m) && !m->finite && m->attempt.time == TIME_INSIDE) {
+    s |= exact_symbol(at(out, n), m->field, "tau");
+    s |= length(at(out, n + 1), m, (int)m->phase);
+    s |= num_exact.sub(at(out, n + 1), at(out, n + 1), at(out, n), 0);
+    n += 2;
+  }
+  return s == SS_OK ? n : 0;
 }
 
 /* --- What a sentence reads --- */
@@ -643,6 +743,8 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
       if (index >= 100) note(&m->first_state, index - 100);
     } else if (name_of_motion(name, &in_x, &component, &primes, &argument)) {
       note_motion(m, argument);
+    } else if (strchr(name, '[')) { /* what a matrix held as unknowns does to the start */
+      note(&m->first_state, 0);
     }
   }
 }
@@ -803,15 +905,19 @@ static int return_jacobian(struct num_vec *out, struct exact_motion *m) {
 
 /* Quantities of the parameters alone, as for every number type. */
 static int of_params(struct num_vec *out, struct exact_motion *m, const char *name) {
-  const struct oracle *o = oracle_find(name);
   const struct point p = {.kind = POINT_PARAMS};
-  struct values v = {.ctx = num_ctx_exact(), .point = &p};
-  vec_init(&v.q, N_Q);
-  v.params = m->params;
-  int s = exact_symbol(at(&v.q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v.q, Q_US2), m->field, "u_s2");
-  s |= oracle_eval(out, o, &v);
+  struct values v;
+  int s = as_values(&v, m, &p);
+  s |= oracle_eval(out, oracle_find(name), &v);
   num_vec_clear(&v.q);
   return s ? s : reduce_all(out, m);
+}
+
+/* "dZ_0", "dZ_a", ... "dZ_f": 0 to 4; -1 for another name. */
+static int perturbation_named(const char *name) {
+  static const char ends_of[] = "0abcf";
+  const char *c = strncmp(name, "dZ_", 3) == 0 && name[3] && !name[4] ? strchr(ends_of, name[3]) : NULL;
+  return c ? (int)(c - ends_of) : -1;
 }
 
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name) {
@@ -831,6 +937,19 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
     return s;
   }
   if (strcmp(name, "N") == 0) return period_matrix(out, m);
+  if (has_word(m) && meeting(name)) {
+    struct num_vec z;
+    int s = state(&z, m, meeting(name));
+    num_vec_set(out, &z);
+    return s;
+  }
+  int end = m->kind == POINT_PATCHED ? perturbation_named(name) : -1;
+  if (end >= 0) {
+    struct num_vec dz;
+    int s = tangent(&dz, m, end);
+    num_vec_set(out, &dz);
+    return s;
+  }
   if (strcmp(name, "J") == 0) return return_jacobian(out, m);
   if (strcmp(name, "omega_1") == 0 || strcmp(name, "omega_2") == 0) {
     m->wants_modes = !m->attempt.modes;

@@ -19,10 +19,13 @@ enum exact_tangents {
 /* Of sentences about both ends of a phase: the time t is its start or its end. */
 enum exact_time { TIME_INSIDE, TIME_START, TIME_END };
 
+/* Of a periodic motion: Z_c follows back through phase C from the start of the next period. */
+enum { ANCHOR_BACK = -1 };
+
 /* How much is asked to hold.  Less is quicker, and a proof with less is a proof. */
 struct exact_attempt {
   bool modes; /* chi and eta by the frequencies of phase H, which free generators stand for */
-  int anchor; /* the states after this one (0 to 4) follow each from the one before, the others are free */
+  int anchor; /* the states after this one (0 to 4) follow each from the one before, the others are free; ANCHOR_BACK */
   enum exact_tangents tangents;
   enum exact_time time;
 };
@@ -54,6 +57,10 @@ void exact_motion_clear(struct exact_motion *m);
 int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *motion);
 /* The model's quantity of the oracle's name, as long as its rows times its columns. */
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name);
+/* What is positive on the whole domain: chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time to
+   its end; as many elements as are returned, at most EXACT_POSITIVE. */
+enum { EXACT_POSITIVE = 6 };
+int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
 /* exp(A u) of a phase. */
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const fmpz_mpoly_q_struct *u);
 /* Whether exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once for each phase. */

@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "exact_rank.h"
 
-enum { MAX_NAMES = 16 };
+enum { MAX_NAMES = RANK_NAMES };
 
 /* Items of a list separated by commas, into names. */
 static int split(char names[MAX_NAMES][32], const char *list) {
@@ -65,17 +65,10 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
 
 /* --- How many equations it is worth --- */
 
-struct system {
-  struct sentence s; /* tape: residuals, then their derivatives row by row */
-  char unknown[MAX_NAMES][32];
-  slong input[MAX_NAMES];
-  int rows, cols;
-};
-
-static bool system_build(struct system *y, struct judge *j, const struct claim *c, struct view view) {
+bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view) {
   const char *id = claim_get(c, "statement");
   const struct statement_record *r = id ? view_record(&view, id) : NULL;
-  *y = (struct system){.rows = 0};
+  *y = (struct rank_system){.rows = 0};
   y->cols = split(y->unknown, claim_get(c, "unknowns"));
   elaboration_init(&y->s.el, view, NULL, 0);
   if (!r || y->cols == 0) return claim_error(j, c, "statement", "a record and its unknowns are needed");
@@ -103,7 +96,7 @@ static bool system_build(struct system *y, struct judge *j, const struct claim *
 }
 
 /* The derivative of the residuals at a point: symbolic in balls, central differences in MPFR. */
-static int system_matrix(struct num_vec *m, struct system *y, const struct point *p, struct orbit_cache *cache) {
+static int system_matrix(struct num_vec *m, struct rank_system *y, const struct point *p, struct orbit_cache *cache) {
   struct num_ctx ctx = m->ctx;
   const struct num_type *t = ctx.type;
   struct values v;
@@ -206,7 +199,7 @@ struct count {
   int rank; /* the last */
 };
 
-static void count_at(struct count *n, struct system *y, const struct point *p, int wanted, struct num_ctx ctx,
+static void count_at(struct count *n, struct rank_system *y, const struct point *p, int wanted, struct num_ctx ctx,
                      struct orbit_cache *cache) {
   struct num_vec m;
   num_vec_init(&m, y->rows * y->cols, ctx);
@@ -220,7 +213,7 @@ static void count_at(struct count *n, struct system *y, const struct point *p, i
   num_vec_clear(&m);
 }
 
-static struct route_word add_count(struct finding *f, struct judge *j, const char *route, const struct system *y,
+static struct route_word add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
                                    const struct count *n, long bits, bool decisive) {
   struct route_word w = {route, SAYS_NOTHING, decisive, n->as_said + n->other + n->open};
   if (w.trials) w.says = n->other ? SAYS_DIFFERS : n->open ? SAYS_UNDECIDED : SAYS_AGREES;
@@ -230,11 +223,29 @@ static struct route_word add_count(struct finding *f, struct judge *j, const cha
   return w;
 }
 
+/* Where no point has another rank. */
+static struct route_word prove_rank(struct finding *f, struct judge *j, const struct rank_system *y, int wanted) {
+  struct exact_rank e = exact_rank_of(j->out, y);
+  struct route_word w = {"exact", e.rank == wanted ? SAYS_AGREES : SAYS_DIFFERS, true, 1};
+  if (e.rank < 0) {
+    w.says = SAYS_NOTHING;
+    finding_state(f, j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(j->out, "not proved: %s", e.note));
+    return w;
+  }
+  struct evidence *said = finding_add(f, j->out);
+  said->route = "exact";
+  said->layer = layer_name[LAYER_CORRECTED];
+  said->result = e.rank == wanted ? "proved" : "differs";
+  said->note = e.note;
+  return w;
+}
+
 bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   enum { ORBITS = 8, DRAWS = 100, DIFFERENCES = 4 };
   const char *said = claim_get(c, "rank");
-  struct system y;
-  bool ok = system_build(&y, j, c, view);
+  struct rank_system y;
+  bool ok = rank_system_build(&y, j, c, view);
   if (ok && !said) ok = claim_error(j, c, "kind", "the attribute rank is missing");
   if (ok) {
     struct sampler s;
@@ -253,10 +264,13 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
       if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
     }
     point_clear(&p);
-    struct route_word w[2];
-    w[0] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
-    w[1] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
-    f->verdict = verdict_of(w, 2, false);
+    struct route_word w[3], proof = {.says = SAYS_NOTHING};
+    int n = 0;
+    w[n++] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
+    if (j->effort != EFFORT_REFUTE) w[n++] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
+    if (balls.other == 0) proof = prove_rank(f, j, &y, wanted);
+    if (proof.says != SAYS_NOTHING) w[n++] = proof;
+    f->verdict = verdict_of(w, n, proof.says == SAYS_AGREES);
   }
   sentence_clear(&y.s);
   return ok;

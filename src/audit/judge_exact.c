@@ -60,6 +60,18 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
   return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
 }
 
+/* Does the step hold, an inequality because the difference of its sides is a product of what is positive? */
+static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
+  enum relop op = b->s->ops[i];
+  if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
+  struct num_vec positive;
+  num_vec_init(&positive, EXACT_POSITIVE, num_ctx_exact());
+  int n = exact_motion_positive(&positive, m);
+  int sign = exact_product_sign(d, num_vec_at(&positive, 0), n);
+  num_vec_clear(&positive);
+  return sign != 0 && (op == REL_LT ? sign < 0 : op == REL_GT && sign > 0);
+}
+
 static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
   static const char *const names[] = {"chi", "eta", "V"};
   fmpq_t value;
@@ -97,10 +109,10 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
     if (b->done[i]) continue;
     b->apart[i] = false;
     int s = difference(&d, b, &m, &v, i);
-    if (s == SS_OK && exact_is_zero(m.field, &d)) {
+    if (s == SS_OK && step_holds(b, &m, i, &d)) {
       b->done[i] = true;
       b->by[i] = *a;
-    } else if (s == SS_OK) {
+    } else if (s == SS_OK && (b->sharp || b->s->ops[i] == REL_EQ)) {
       book_difference(b, &m, i, &d, keep);
     }
     apart = apart || b->apart[i];
@@ -134,27 +146,55 @@ static bool has_tangents(const struct tape *t) {
   return any;
 }
 
+static bool reads_last_state(const struct tape *t) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strncmp(t->inputs[i], "S_c[", 4) == 0) return true;
+  return false;
+}
+
 static bool has_root(const struct tape *t) {
   for (slong i = 0; i < t->n; i++)
     if (t->code[i].op == TAPE_ROOT) return true;
   return false;
 }
 
-/* Once with the frequencies of phase H more when they are asked for. */
+/* Are inequalities all that is not proved? */
+static bool inequalities_left(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i] && (b->sharp || b->s->ops[i] == REL_EQ)) return false;
+  return true;
+}
+
+/* Once with the frequencies of phase H more when they are asked for; signs are not known there. */
 static void try_with_modes(struct job *b, struct exact_attempt *a) {
   try_attempt(b, a);
-  if (!b->wants_modes || a->modes) return;
+  if (!b->wants_modes || a->modes || inequalities_left(b)) return;
   a->modes = true;
   try_attempt(b, a);
 }
 
+static bool has_word(const struct job *b) {
+  return b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
+}
+
+/* How the states follow from each other, in the order of the attempts. */
+static int anchors(int list[5], const struct job *b) {
+  list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
+  if (!has_word(b) || list[0] == 0) return 1;
+  bool back = b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape);
+  for (int n = 1; n < 5; n++) list[n] = back ? ANCHOR_BACK : 4 - n;
+  return back ? 2 : 5;
+}
+
 /* From little to all of what holds on motions. */
 static void try_all(struct job *b) {
-  bool word = b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
+  bool word = has_word(b);
   struct exact_attempt a = {.modes = has_root(&b->s->tape)};
-  for (a.anchor = 4; a.anchor >= (word ? 0 : 4); a.anchor--)
+  int anchor[5], n = anchors(anchor, b);
+  for (int i = 0; i < n; i++)
     for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
       for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {
+        a.anchor = anchor[i];
         a.tangents = (enum exact_tangents)k;
         a.time = (enum exact_time)time;
         bool useless = (b->finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
@@ -169,20 +209,18 @@ static void add_unknown(struct override *o, int *n, const char *name) {
   if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
 }
 
-/* The matrix of the period, where the claim is about it, else the local Jacobians, of which J is made. */
+/* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of which
+   J is made. */
 static int choose_unknowns(struct override *o, const struct claim *c) {
   const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
   int n = 0;
   if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
+  static const char *const states[] = {"S_a", "S_b", "S_c"};
+  for (size_t i = 0; list && i < sizeof states / sizeof *states; i++)
+    if (strstr(list, states[i])) add_unknown(o, &n, states[i]);
   bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
   for (int ph = 0; about && ph < N_PHASES; ph++) add_unknown(o, &n, local_maps[ph].name);
   return n;
-}
-
-static bool equalities_only(const struct sentence *s) {
-  for (slong i = 0; i < s->n; i++)
-    if (s->ops[i] != REL_EQ) return false;
-  return true;
 }
 
 /* Is a kind of point among others of which it is a special case? */
@@ -195,11 +233,14 @@ static bool covered(const struct point_spec *spec, int n, int i) {
 
 static const char *why_open(struct job *b) {
   struct audit_result *out = b->j->out;
-  slong open = 0, apart = 0;
+  slong open = 0, apart = 0, inequalities = 0;
   for (slong i = 0; i < b->s->n; i++) {
     open += !b->done[i];
+    inequalities += !b->done[i] && b->s->ops[i] != REL_EQ;
     apart += b->apart[i];
   }
+  if (inequalities && !b->sharp)
+    return "an inequality, which exact algebra does not decide unless it is a product of positive factors";
   if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
@@ -260,8 +301,6 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
   diag_init(&d);
   if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
     *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
-  else if (!q->sharp && !equalities_only(&s))
-    *p = (struct exact_proof){.why_not = "an inequality, which exact algebra does not decide"};
   for (int i = 0; p->proved && i < q->n_specs; i++) {
     if (covered(q->spec, q->n_specs, i)) continue;
     struct job b = {.j = j,
@@ -274,6 +313,7 @@ static void prove_with(struct exact_proof *p, struct judge *j, const struct exac
                     .s = &s};
     prove_spec(p, &b);
     if (p->proved) record_part(p, &b, q, o, n);
+    for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || (!q->sharp && s.ops[k] != REL_EQ);
   }
   sentence_clear(&s);
 }
@@ -302,7 +342,11 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
                             int unknowns) {
   return result_str(
       j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
-      q->sharp   ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
+      p->by_factors
+          ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
+            "the "
+            "smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"
+      : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
                    "the phase"
       : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
                  : "both sides, on motions made from the first-order systems, are equal",
@@ -359,7 +403,6 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
                  {judge_behaviour, "about simulated motions"},
                  {judge_sequence, "about simulated motions"},
                  {judge_argument, "no counterexample was found, and no combination of the premises that proves it"},
-                 {judge_rank, "the rank is computed at points"},
                  {judge_constraints, "inequalities along whole phases are held against each other on orbits"},
                  {judge_existence, "solutions are found at points"}};
   const kind_fn kind = claim_kind(claim_get(c, "kind"));

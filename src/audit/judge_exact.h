@@ -33,7 +33,7 @@ struct exact_proof {
   const struct restriction *holds_at; /* under which every difference vanishes, by its factors; or NULL */
   const char *field;
   slong largest;
-  bool uses_matrices;
+  bool uses_matrices, by_factors;      /* by_factors: of inequalities */
   struct exact_part part[EXACT_PARTS]; /* a proof is all of them */
   int n_parts;
 };

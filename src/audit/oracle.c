@@ -216,31 +216,44 @@ static int eval_omega2(struct num_vec *out, struct values *v) {
 
 /* --- What perturbations consist of --- */
 
-static int perturbation(struct num_vec *out, struct values *v, const char *const name[N_STATE]) {
+static int components(struct num_vec *out, struct values *v, const char *const name[N_STATE]) {
   int s = SS_OK;
   bool known;
   for (int i = 0; i < N_STATE; i++) s |= values_bind(num_vec_at(out, i), &known, v, name[i]);
   return s;
 }
+/* The states in which phases meet. */
+static int eval_sa(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"z_1a", "z_2a", "z'_1a", "z'_2a"};
+  return components(out, v, name);
+}
+static int eval_sb(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"z_1b", "z_2b", "z'_1b", "z'_2b"};
+  return components(out, v, name);
+}
+static int eval_sc(struct num_vec *out, struct values *v) {
+  static const char *const name[] = {"z_1c", "z_2c", "z'_1c", "z'_2c"};
+  return components(out, v, name);
+}
 static int eval_dz0(struct num_vec *out, struct values *v) {
   static const char *const name[] = {"x", "y", "u", "v"};
-  return perturbation(out, v, name);
+  return components(out, v, name);
 }
 static int eval_dza(struct num_vec *out, struct values *v) {
   static const char *const name[] = {"x_a", "y_a", "u_a", "v_a"};
-  return perturbation(out, v, name);
+  return components(out, v, name);
 }
 static int eval_dzb(struct num_vec *out, struct values *v) {
   static const char *const name[] = {"x_b", "y_b", "u_b", "v_b"};
-  return perturbation(out, v, name);
+  return components(out, v, name);
 }
 static int eval_dzc(struct num_vec *out, struct values *v) {
   static const char *const name[] = {"x_c", "y_c", "u_c", "v_c"};
-  return perturbation(out, v, name);
+  return components(out, v, name);
 }
 static int eval_dzf(struct num_vec *out, struct values *v) {
   static const char *const name[] = {"x_f", "y_f", "u_f", "v_f"};
-  return perturbation(out, v, name);
+  return components(out, v, name);
 }
 
 static const struct oracle oracles[] = {
@@ -249,6 +262,9 @@ static const struct oracle oracles[] = {
     {"dZ_b", 4, 1, eval_dzb},
     {"dZ_c", 4, 1, eval_dzc},
     {"dZ_f", 4, 1, eval_dzf},
+    {"S_a", 4, 1, eval_sa},
+    {"S_b", 4, 1, eval_sb},
+    {"S_c", 4, 1, eval_sc},
     {"J_a", 1, 2, eval_ja},
     {"J_b", 2, 1, eval_jb},
     {"J_c", 3, 2, eval_jc},

@@ -1,8 +1,10 @@
 /* stickslip explain ID --receipt: a proof as a program for another computer algebra system.  The sentence is printed from
    the tape of its parsed formulas, the model as the matrices of its first-order systems; what motions are is said again in
    verify/receipt/model.py, which ends each receipt. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "exact_rank.h"
 #include "judge_exact.h"
 
 /* --- The paper's side: each value when it is asked for --- */
@@ -82,8 +84,13 @@ static bool same_attempt(const struct exact_attempt *a, const struct exact_attem
   return a->modes == b->modes && a->anchor == b->anchor && a->tangents == b->tangents && a->time == b->time;
 }
 
-static void add_part(struct text *out, const struct exact_part *p, const struct tape *t, int i,
+static const char *relation(const struct exact_part *p, const struct sentence *s, slong i) {
+  return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
+}
+
+static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, int i,
                      const struct restriction *r) {
+  const struct tape *t = &s->tape;
   static const char *const kinds[] = {[POINT_PARAMS] = "params",
                                       [POINT_FLOW] = "flow",
                                       [POINT_ARC] = "arcs",
@@ -91,7 +98,9 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
                                       [POINT_PATCHED] = "patched"};
   text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
   for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
-  text_add(out, "],\n    oracle=");
+  text_add(out, "],\n    relations=\"");
+  for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
+  text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
   text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    fixed={", kinds[p->spec.kind],
               phase_name[p->spec.phase], p->question->finite ? "True" : "False");
@@ -109,6 +118,22 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
   text_add(out, ",\n))\n");
 }
 
+static void add_numbers(struct text *out, const slong *k, slong n) {
+  for (slong i = 0; i < n; i++) text_printf(out, "%s%ld", i ? ", " : "", (long)k[i]);
+}
+
+/* The entries of the matrix of derivatives, and the rank that it is to have. */
+static void add_matrix(struct text *out, const struct rank_system *y, int rank) {
+  add_sides(out, &y->s.tape, 0);
+  text_add(out, "\n\nMATRICES.append(dict(\n    values=values_0,\n    rows=[\n");
+  for (int i = 0; i < y->rows; i++) {
+    text_add(out, "        [");
+    add_numbers(out, y->s.tape.outputs + y->rows + i * y->cols, y->cols);
+    text_add(out, "],\n");
+  }
+  text_printf(out, "    ],\n    rank=%d,\n))\n", rank);
+}
+
 static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const struct restriction *r,
                       struct diag *d) {
   bool ok = true;
@@ -117,7 +142,7 @@ static bool add_parts(struct text *out, const struct exact_proof *p, struct view
     ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
     if (ok) add_sides(out, &s.tape, i);
     if (ok) text_add(out, "\n\n");
-    if (ok) add_part(out, &p->part[i], &s.tape, i, r);
+    if (ok) add_part(out, &p->part[i], &s, i, r);
     sentence_clear(&s);
   }
   return ok;
@@ -158,8 +183,44 @@ static void add_head(struct text *out, const struct claim *c, const char *id, co
       text_add_char(out, '\n');
     }
   }
-  text_printf(out, "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS = []\n", id,
+  text_printf(out,
+              "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS, MATRICES = [], []\n", id,
               corrected ? " as corrected" : "");
+}
+
+static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  struct rank_system y;
+  struct exact_rank r = {-1, NULL};
+  bool ok = rank_system_build(&y, j, c, claim_view(j->model, c));
+  if (ok) {
+    r = exact_rank_of(j->out, &y);
+    const char *said = claim_get(c, "rank");
+    ok = said && r.rank == (int)strtol(said, NULL, 10);
+    if (!ok)
+      diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
+               r.rank < 0 ? r.note : "the rank differs");
+  }
+  if (ok) add_head(out, c, c->id, j->model, false);
+  if (ok) add_system(out);
+  if (ok) add_matrix(out, &y, r.rank);
+  sentence_clear(&y.s);
+  return ok;
+}
+
+static bool equality_receipt(struct text *out, struct judge *j, const struct claim *c, const char *id,
+                             const struct restriction *r) {
+  struct view view = claim_view(j->model, c);
+  struct exact_proof p = exact_prove(j, c, view, r);
+  bool corrected = !p.proved && !r;
+  if (corrected) {
+    view.own = NULL;
+    p = exact_prove(j, c, view, NULL);
+  }
+  bool ok = p.proved;
+  if (!ok) diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
+  if (ok) add_head(out, c, id, j->model, corrected);
+  if (ok) add_system(out);
+  return ok && add_parts(out, &p, view, r, j->d);
 }
 
 bool audit_receipt(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
@@ -170,25 +231,15 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
     return false;
   }
-  if (!claim_tried_at_points(c) && claim_kind(claim_get(c, "kind")) != judge_sharp) {
+  const kind_fn kind = claim_kind(claim_get(c, "kind"));
+  if (!claim_tried_at_points(c) && kind != judge_sharp && kind != judge_rank) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  struct view view = claim_view(m, c);
-  struct exact_proof p = exact_prove(&j, c, view, r);
-  bool corrected = !p.proved && !r;
-  if (corrected) {
-    view.own = NULL;
-    p = exact_prove(&j, c, view, NULL);
-  }
-  bool ok = p.proved;
-  if (!ok) diag_set(d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
-  if (ok) add_head(out, c, id, m, corrected);
-  if (ok) add_system(out);
-  ok = ok && add_parts(out, &p, view, r, d);
+  bool ok = kind == judge_rank ? rank_receipt(out, &j, c) : equality_receipt(out, &j, c, id, r);
   if (ok) text_printf(out, "\n\n%s", model_py);
   audit_result_clear(&kept);
   return ok;

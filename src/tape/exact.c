@@ -545,6 +545,33 @@ int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const 
   return s;
 }
 
+/* What is left of p when these factors are taken out is a constant: its sign, else 0. */
+static int sign_by_factors(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  fmpz_mpoly_t rest, quotient;
+  fmpz_t c;
+  fmpz_mpoly_init(rest, ring());
+  fmpz_mpoly_init(quotient, ring());
+  fmpz_init(c);
+  fmpz_mpoly_set(rest, p, ring());
+  for (int i = 0; i < n && !fmpz_mpoly_is_zero(rest, ring()); i++) {
+    if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
+    while (fmpz_mpoly_divides(quotient, rest, &positive[i].num, ring())) fmpz_mpoly_swap(rest, quotient, ring());
+  }
+  int sign = 0;
+  if (fmpz_mpoly_is_fmpz(rest, ring())) {
+    fmpz_mpoly_get_fmpz(c, rest, ring());
+    sign = fmpz_sgn(c);
+  }
+  fmpz_clear(c);
+  fmpz_mpoly_clear(quotient, ring());
+  fmpz_mpoly_clear(rest, ring());
+  return sign;
+}
+
+int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
+  return sign_by_factors(&x->num, positive, n) * sign_by_factors(&x->den, positive, n);
+}
+
 /* --- Independence --- */
 
 /* A rational number times a product of powers of free symbols and square roots. */

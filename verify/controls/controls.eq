@@ -31,6 +31,11 @@ define ctl-exact-motion
   section: appendix_a
   A_2(t) := [t, 0; 0, sin(omega*t)/omega + 1e-90*(1 - cos(omega*t))]
 
+equation ctl-exact-friction
+  replaces: eq-1
+  section: model
+  x_1''(t) + x_1(t) - chi*x_2(t) = u_1 + 1e-90*V*t
+
 define ctl-equilibrium
   section: prediction
   d_02 := (u_s1*chi - u_s2)/((1 - chi)*chi)
@@ -180,6 +185,34 @@ relation ctl-realistic
 define ctl-patched
   section: stability
   Z_a := [z_1a; z_2a; z'_2a; z'_1a]
+
+# each step the other way round
+inequality ctl-inequality-turned
+  replaces: eq-56
+  section: appendix_b
+  z_10 - chi*z_20 > z_1(t) - chi*z_2(t) > e_1
+
+# true where t_a = t_b
+define ctl-meeting
+  section: periodic
+  S_b := Gamma(t_a)*S_a
+
+# the velocities of masses that stick are not perturbed
+define ctl-perturbation-sticks
+  section: stability
+  dZ_a := [x_a; y_a; x_a - y_a; 0]
+
+# one equation, said twice
+equation ctl-rank-equations
+  replaces: eq-22
+  section: stability
+  u = v = u
+
+# the mass of the other block
+equation ctl-blocks-time
+  replaces: eq-1b
+  section: model
+  omega_3 = sqrt((k_1 + k_2)/m_2)
 
 # true where x_b = y_b
 define ctl-perturbation-form

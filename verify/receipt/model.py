@@ -70,7 +70,7 @@ class Field:
 
     def __init__(self, modes, fixed, with_omega, off_circle):
         self.ring, *self.pool = ring(["g%d" % i for i in range(48)], QQ)
-        self.names, self.angles = {}, []
+        self.names, self.angles, self.roots = {}, [], []
         self.modes, self.off_circle = modes, off_circle
         one = self.one = self.number(1)
         two = self.number(2)
@@ -137,8 +137,14 @@ class Field:
         return self.omega
 
     def sqrt(self, x):
-        assert (x - self.chi * self.eta).is_zero(), "only sqrt(chi eta) is rational here"
-        return self.root_omega()
+        """Of another element than chi eta: free, so that what is an identity does not use its square."""
+        if (x - self.chi * self.eta).is_zero():
+            return self.root_omega()
+        for known, value in self.roots:
+            if (known - x).is_zero():
+                return value
+        self.roots.append((x, self.symbol("root %d" % len(self.roots))))
+        return self.roots[-1][1]
 
     def root(self, largest, *c):
         """The positive roots of an even polynomial of degree 4 that has w_1 < w_2 among its roots."""
@@ -254,6 +260,8 @@ class Motion:
             if m:
                 small.append("abcd".index(m[1]))
                 states.append("abcd".index(m[1]))
+            if "[" in name:
+                states.append(0)
             m = re.fullmatch(r"[xz]_[12]'*\((.*)\)", name)
             if m:
                 k = self.end_of(m[1])
@@ -301,11 +309,22 @@ class Motion:
         v[decided] = -(low / slope)
         return v
 
+    def any_tangent(self, k):
+        """Any numbers, but zero where a mass sticks in the phase before: its velocity is constant there, the belt's."""
+        v = [self.f.symbol(c + ("_" + "abcf"[k - 1] if k else "")) for c in "xyuv"]
+        rows = self.f.system(PHASES[k - 1])[2:] if k else []
+        for i, row in enumerate(rows):
+            if all(e.is_zero() for e in row):
+                v[2 + i] = self.f.number(0)
+        return v
+
     def state(self, k):
         k = 0 if k == 4 and self.periodic else k
         if k not in self.states:
             if k <= self.anchor or k <= self.first_state or (k == 0 and self.periodic):
                 self.states[k] = self.free_end(k, False)
+            elif k == 3 and self.anchor < 0:  # back through phase C from the start of the next period
+                self.states[k] = apply(self.f.propagator("C", -self.length(3)), self.state(4))
             else:
                 z = apply(self.f.propagator(PHASES[k - 1], self.length(k - 1)), self.state(k - 1))
                 self.states[k] = z
@@ -324,7 +343,9 @@ class Motion:
         f = self.f
         if k > 0:
             self.shifts[k - 1] = f.symbol("d" + TIMES[k - 1])
-        if self.tangents == 0 or k <= self.first_small:
+        if self.patched:
+            self.small[k] = self.any_tangent(k)
+        elif self.tangents == 0 or k <= self.first_small:
             self.small[k] = self.free_end(k, True)
         elif self.part["finite"]:
             start = [a + b for a, b in zip(self.state(k - 1), self.tangent(k - 1))]
@@ -363,6 +384,16 @@ class Motion:
         z = apply(self.f.propagator(phase, u), z)
         return self.rate(PHASES.index(phase), z) if second else z
 
+    def positive(self):
+        """chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time to its end."""
+        f = self.f
+        if f.modes:
+            return []
+        out = [f.chi, f.omega, f.V, f.one - f.chi]
+        if self.word and not self.part["finite"] and not self.at_end:
+            out += [f.symbol("tau"), self.length(PHASES.index(self.part["phase"])) - f.symbol("tau")]
+        return [x.num for x in out]
+
     def motion(self, m):
         letter, mass, primes, argument = m[1], int(m[2]) - 1, len(m[3]), m[4]
         if self.part["kind"] == "flow" and argument == "0":
@@ -384,6 +415,28 @@ class Motion:
         det = k[0][0] * k[1][1] - k[0][1] * k[1][0]
         return [b[0] * k[1][1] - b[1] * k[0][1], b[1] * k[0][0] - b[0] * k[1][0]][mass] / det
 
+    def block(self, name):
+        """The blocks and springs behind (1): the stiffness of all springs and the mass of the second block are free, chi
+        is the part of the second spring, the first block alone turns once in the unit of time; a mass that slips has the
+        friction u_s, one that sticks that which keeps it on the belt."""
+        f, one = self.f, self.f.one
+        stiffness, m2 = f.symbol("stiffness"), f.symbol("m_2")
+        fixed = {"k_1": (one - f.chi) * stiffness, "k_2": f.chi * stiffness, "m_1": f.eta * m2, "m_2": m2}
+        if name in fixed:
+            return fixed[name]
+        if name == "omega_3":
+            return f.sqrt(stiffness / fixed["m_1"])
+        if name == "t_prime":
+            return f.symbol("t") / f.sqrt(stiffness / fixed["m_1"])
+        mass = int(name[2]) - 1
+        if self.part["phase"] in (["Gamma", "H"], ["H", "C"])[mass]:
+            u = f.symbol("u_s" + name[2])
+        else:
+            z = self.now(False)
+            x = [z[i] + self.equilibrium(i) for i in range(2)]
+            u = f.chi * (x[1] - x[0]) if mass else x[0] - f.chi * x[1]
+        return u * stiffness if name[0] == "F" else u
+
     def limit(self, i):
         if self.word and max(self.anchor, self.first_state) < i + 1:
             self.state(i + 1)
@@ -403,6 +456,8 @@ class Motion:
             return self.time()
         if "[" in name:
             return self.entry(name)
+        if self.part["kind"] == "flow" and re.fullmatch(r"[uFkm]_[12]|omega_3|t_prime", name):
+            return self.block(name)
         m = re.fullmatch(r"[xz]_[12]'*\(.*\)", name)
         if m:
             return self.motion(re.fullmatch(r"([xz])_([12])('*)\((.*)\)", name))
@@ -421,6 +476,9 @@ class Motion:
         return self.tangent("abcf".index(m[2]) + 1 if m[2] else 0)["xyuv".index(m[1])]
 
     def entry(self, name):
+        m = re.fullmatch(r"S_([abc])\[(\d),1\]", name)
+        if m and self.word:  # a state in which two phases meet
+            return self.state("0abc".index(m[1]))[int(m[2]) - 1]
         m = re.fullmatch(r"N\[(\d),3\]", name)
         if not (m and self.periodic):
             return self.f.symbol(name)
@@ -478,6 +536,10 @@ class Motion:
             return [[f.w[int(name[6]) - 1]]]
         if name in CORNERS:
             return self.corner(name)[0]
+        if name.startswith("S_"):
+            return [[e] for e in self.state("0abc".index(name[2]))]
+        if name.startswith("dZ_"):
+            return [[e] for e in self.tangent("0abcf".index(name[3]))]
         if name == "J":
             return self.return_jacobian()
         if name == "N":
@@ -492,6 +554,10 @@ class Motion:
 # --- The proof ---
 
 
+def generators(polynomial):
+    return {i for exponents in polynomial.monoms() for i, k in enumerate(exponents) if k}
+
+
 def unequal(part, entries, attempt, with_omega, off_circle):
     """The entries among these whose sides differ."""
     motion, known = Motion(part, attempt, with_omega, off_circle), {}
@@ -504,7 +570,31 @@ def unequal(part, entries, attempt, with_omega, off_circle):
     code, n = part["values"](motion.f, motion, value), len(part["by"])
     right = [e for row in motion.oracle(part["oracle"]) for e in row] if part["oracle"] else None
     left = part["sides"]
-    return [i for i in entries if not (value(left[i]) - (right[i] if right else value(left[n + i]))).is_zero()]
+    differences = [(i, value(left[i]) - (right[i] if right else value(left[n + i]))) for i in entries]
+    return [i for i, d in differences if not holds(motion, part["relations"][i], d)]
+
+
+def holds(motion, relation, difference):
+    if relation == "=":
+        return difference.is_zero()
+    sign = product_sign(difference, motion.positive())
+    return sign < 0 if relation == "<" else sign > 0
+
+
+def product_sign(x, positive):
+    """The sign of a number times powers of positive polynomials; 0 when x is not known to be such a product."""
+    sign = 1
+    for rest in [x.num, *x.den]:
+        for factor in positive:
+            while rest != 0 and generators(factor):
+                quotient, remainder = rest.div([factor])
+                if remainder != 0:
+                    break
+                rest = quotient[0]
+        if rest == 0 or generators(rest):
+            return 0
+        sign *= 1 if rest.LC > 0 else -1
+    return sign
 
 
 def prove(part, entries, attempt):
@@ -518,7 +608,35 @@ def prove(part, entries, attempt):
     raise AssertionError("%s: entry %d is not an identity" % (CLAIM, entries[0] + 1))
 
 
+def rank(matrix):
+    """Elimination with every symbol free; a pivot is a number times powers of chi, eta and V, so it is nowhere zero."""
+    f, known = Field(False, {}, False, False), {}
+
+    def value(k):
+        if k not in known:
+            known[k] = code[k]()
+        return known[k]
+
+    def is_unit(e):
+        positive = generators(f.chi.num) | generators(f.omega.num) | generators(f.V.num)
+        return not e.is_zero() and all(len(p) == 1 and generators(p) <= positive for p in [e.num, *e.den])
+
+    code = matrix["values"](f, lambda name: getattr(f, name) if name in ("chi", "eta", "V") else f.symbol(name), value)
+    rows, pivots = [[value(k) for k in row] for row in matrix["rows"]], 0
+    while True:
+        found = [(i, c) for i, row in enumerate(rows) for c, e in enumerate(row) if is_unit(e)]
+        if not found:
+            break
+        i, c = found[0]
+        top, pivots = rows.pop(i), pivots + 1
+        rows = [[a - row[c] / top[c] * b for a, b in zip(row, top)] for row in rows]
+    assert all(e.is_zero() for row in rows for e in row), "%s: entries are left that may be zero or not" % CLAIM
+    return pivots
+
+
 sys.setrecursionlimit(100000)
+for matrix in MATRICES:
+    assert rank(matrix) == matrix["rank"], "%s: the rank is another" % CLAIM
 for part in PARTS:
     for attempt in sorted(set(part["by"])):
         prove(part, [i for i, by in enumerate(part["by"]) if by == attempt], attempt)
