@@ -213,12 +213,34 @@ START_TEST(an_orbit_that_ends_is_not_proved) {
 }
 END_TEST
 
+/* A box on which pieces are cut though each is proved, and are used no more afterwards. */
+START_TEST(proved_pieces_are_cut) {
+  static const struct ends e = {{"0.737754", "1.98746", "0.984371", "3.48531", "0.165766"},
+                                {"0.737754", "1.98746", "1.01563", "3.59598", "0.17103"}};
+  fmpq low[N_PARAMS], high[N_PARAMS];
+  struct dyn_box box;
+  struct dyn_orbits middle;
+  const int half[N_PARAMS] = {2, 2, 2, 2, 2};
+  read_box(low, high, &e);
+  ck_assert_int_eq(dyn_box_find(&box, low, high), SS_OK);
+  orbits_at(&middle, low, high, half);
+  ck_assert_int_gt(box.n, 0);
+  ck_assert_int_eq(box.n, middle.n);
+  for (slong k = 0; k < box.n; k++) ck_assert(!box.at[k].proved || inside(&box.at[k], &middle.orbit[k]));
+  dyn_orbits_clear(&middle);
+  dyn_box_clear(&box);
+  clear_box(low, high);
+  flint_cleanup();
+}
+END_TEST
+
 Suite *box_suite(void) {
   Suite *s = suite_create("box");
   TCase *c = tcase_create("box");
   tcase_add_loop_test(c, every_point_of_a_box_is_enclosed, 0, N_BOXES);
   tcase_add_test(c, what_is_settled_and_what_changes);
   tcase_add_test(c, an_orbit_that_ends_is_not_proved);
+  tcase_add_test(c, proved_pieces_are_cut);
   suite_add_tcase(s, c);
   return s;
 }

@@ -419,6 +419,54 @@ START_TEST(a_changed_truth_is_rejected) {
 }
 END_TEST
 
+/* A truth in quotes, or what only begins like one, and a truth where a string belongs. */
+START_TEST(a_value_of_the_wrong_type_is_rejected) {
+  struct study s;
+  size_t at, len, from = 0;
+  int changed = 0;
+  study_paper(&s);
+  verified(&s);
+  while (next_value(&at, &len, &s.json, from)) {
+    static const char *const no_truth[] = {"\"true\"", "\"false\"", "\"yes\"", "\"tfalse\"", "\"\""};
+    bool quoted = s.json.data[at - 1] == '"';
+    from = at + len;
+    for (int i = 0; !quoted && i < 5; i++)
+      ck_assert_msg(checker_with(&s.json, at, len, no_truth[i]) == BAD_FILE, "%s at %d: %s", no_truth[i], (int)at,
+                    said);
+    for (int i = 0; quoted && i < 2; i++)
+      ck_assert_msg(checker_with(&s.json, at - 1, len + 2, i ? "true" : "false") == BAD_FILE, "at %d: %s", (int)at,
+                    said);
+    changed++;
+  }
+  ck_assert_int_eq(changed, 2 + 5 + 1 + 2 * (6 + 13 + 4 + N_CONDITIONS + 2)); /* 1: a broken_at */
+  study_close(&s);
+}
+END_TEST
+
+/* tr J is near -3.4e-31: while its ball holds 0, tr J - 1 must not pass for the margin |tr J| - 1. */
+START_TEST(a_margin_below_its_modulus_is_rejected) {
+  static const char *const text[N_PARAMS] = {"47/125", "47/125", "1", "5/4",
+                                             "61181618554749724207734213342667609152351510878569650320353507/"
+                                             "100000000000000000000000000000000000000000000000000000000000000"};
+  struct study s;
+  study_open(&s, text, QUANTITY_E1, QUANTITY_E2, NULL, 256);
+  all_certified(&s, 3);
+  verified(&s);
+  slong i = 0;
+  while (i < 3 && fabs(num_arb.get_d(s.list.orbit[i].trace)) > 1e-20) i++;
+  ck_assert_int_lt(i, 3);
+  arb_ptr trace = s.list.orbit[i].trace, margin = s.list.orbit[i].margin;
+  ck_assert_double_eq_tol(num_arb.get_d(trace), -3.4e-31, 1e-32);
+  arb_add_error_2exp_si(trace, -90);
+  arb_set_str(margin, "-3.4e-31 +/- 2.2e-31", 256); /* doubled in the file: up to 1e-31, below |tr J| */
+  arb_sub_ui(margin, margin, 1, 256);
+  text_reset(&s.json);
+  dyn_certificates_json(&s.json, "margin", &s.q, &s.list, s.proof);
+  ck_assert_msg(checker(text_str(&s.json)) == REJECTED && strstr(said, "margin"), "%s", said);
+  study_close(&s);
+}
+END_TEST
+
 /* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
 static void forge(struct study *s, const struct word_root *root, slong prec) {
   struct calc c;
@@ -686,6 +734,8 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, cost);
   tcase_add_test(lies, a_changed_number_is_rejected);
   tcase_add_test(lies, a_changed_truth_is_rejected);
+  tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);
+  tcase_add_test(lies, a_margin_below_its_modulus_is_rejected);
   tcase_add_test(lies, later_events_are_no_orbits);
   tcase_add_test(lies, a_box_without_its_orbit_is_rejected);
   tcase_add_test(lies, entries_are_different_orbits);

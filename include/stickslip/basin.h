@@ -3,8 +3,9 @@
    Only r acts: whatever the perturbation, the next stick phase is fixed by r alone.  Over the interval [low, high] around
    the orbit's r it is proved, in balls and by pieces, that t_b, t_c and t_d are the first events of their phases, that every
    condition of dyn_condition_id holds on the way (so that the next stick phase has t_a > 0), that the return map has a slope
-   below 1 in modulus and that it takes the interval into itself.  Every start in it then tends to the orbit, in the order
-   D-Gamma-H-C throughout. */
+   below 1 in modulus and that it takes the interval into itself.  Every start in the stick phase with r in it then tends to
+   the orbit, in the order D-Gamma-H-C throughout, if u_r1 and u_r2, where they are not
+   given, are large enough for every such motion: above more than the orbit's own bounds. */
 #ifndef STICKSLIP_BASIN_H
 #define STICKSLIP_BASIN_H
 

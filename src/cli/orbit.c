@@ -81,6 +81,17 @@ truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit
   return truth_and(o->admissible, truth_and(u[0], u[1]));
 }
 
+void admissible_text(struct text *out, truth admissible, const struct scene *s) {
+  static const char *const words[] = {"not admissible", "admissible", "admissibility undecided"};
+  bool u1 = s->given[KEY_U_R1], u2 = s->given[KEY_U_R2];
+  text_add(out, words[admissible]);
+  if (admissible != TRUTH_TRUE || (u1 && u2)) return;
+  text_printf(out, " with %s",
+              u1   ? "u_r2 above its bound"
+              : u2 ? "u_r1 above its bound"
+                   : "u_r1, u_r2 above their bounds");
+}
+
 void json_truth(struct json *j, const char *key, truth t) {
   if (t == TRUTH_UNKNOWN)
     json_null(j, key);
@@ -140,15 +151,27 @@ static void completeness_json(struct json *j, const struct dyn_orbits *list) {
   text_clear(&t);
 }
 
-static void add_completeness(struct text *out, const struct dyn_orbits *list) {
+/* Which orbits are meant, where the scene does not give the forces: " with these t_b and t_c". */
+static void add_given(struct text *out, const struct scene *s) {
+  if (scene_has_forces(s)) return;
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD; k++)
+    if (s->given[k]) text_printf(out, "%s %s", n++ ? " and" : " with these", scene_key_name[k]);
+}
+
+static void add_completeness(struct text *out, const struct dyn_orbits *list, const struct scene *s) {
   if (!list->complete) {
     text_printf(out, "not proved complete: %s", dyn_gap_text[list->gap]);
     if (list->gap_at[1] > 0) text_printf(out, " (near t_b = %.6g, t_c = %.6g)", list->gap_at[0], list->gap_at[1]);
     text_add_char(out, '\n');
   } else if (list->t_c_max > 0) {
-    text_printf(out, "complete: there is no other orbit with t_c up to %.15g\n", list->t_c_max);
+    text_add(out, "complete: there is no other orbit");
+    add_given(out, s);
+    text_printf(out, "%s with t_c up to %.15g\n", scene_has_forces(s) ? "" : " and", list->t_c_max);
   } else {
-    text_add(out, "complete: there is no other orbit of this word\n");
+    text_add(out, "complete: there is no other orbit of this word");
+    add_given(out, s);
+    text_add_char(out, '\n');
   }
 }
 
@@ -196,8 +219,9 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
 
 static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
   if (proof->certified) {
-    text_printf(out, "  certified at %ld bits; every number above within ", (long)proof->bits);
+    text_printf(out, "  certified at %ld bits; enclosed within ", (long)proof->bits);
     print_radius(out, o);
+    text_add(out, ", printed rounded");
   } else {
     text_add(out, "  not certified, undecided: ");
     dyn_certificate_why(out, proof);
@@ -208,16 +232,17 @@ static void add_proof(struct text *out, const struct dyn_orbit *o, const struct 
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
                         const struct scene *s, slong digits, bool basin) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
-  static const char *const adm[] = {"not admissible", "admissible", "admissibility undecided"};
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
   text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found\n", s->name, (long)list->n, list->n == 1 ? "" : "s");
-  add_completeness(out, list);
+  add_completeness(out, list, s);
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
     print_numbers(t, o, s, digits);
     truth u[2], admissible = orbit_admissible(u, s, o);
-    text_printf(out, "orbit %ld: %s, %s\n", (long)i + 1, fate[o->stable], adm[admissible]);
+    text_printf(out, "orbit %ld: %s, ", (long)i + 1, fate[o->stable]);
+    admissible_text(out, admissible, s);
+    text_add_char(out, '\n');
     for (int k = 0; k < N_SHOWN; k++) text_printf(out, "  %-8s %s\n", shown[k].name, text_str(&t[k]));
     add_proof(out, o, &proof[i]);
     for (int k = 0; k < N_CONDITIONS; k++)

@@ -10,6 +10,8 @@ const char *orbit_number_name(int i);
 arb_srcptr orbit_number(const struct dyn_orbit *o, int i);
 /* stable, admissible and the violations; u: whether the given u_r1, u_r2 exceed their bounds. */
 void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]);
+/* admissible or not; under which condition, where the scene leaves u_r1 or u_r2 open */
+void admissible_text(struct text *out, truth admissible, const struct scene *s);
 /* orbit --basin */
 void basin_json(struct json *j, const struct dyn_orbit *o, const struct scene *s);
 void basin_text(struct text *out, const struct dyn_orbit *o, const struct scene *s);

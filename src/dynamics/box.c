@@ -208,8 +208,21 @@ static void nothing_said(struct dyn_orbit *o) {
   for (int i = 0; i < N_CONDITIONS; i++) o->holds[i] = TRUTH_UNKNOWN;
 }
 
+/* Whether the surface goes through the orbit at the middle: Newton's iteration may have ended at another.  Where a piece
+   holds the middle and the orbit lies in its box, the orbit is the one solution there. */
+static bool passes(const struct pieces *list, const struct dyn_orbit *o, const fmpq middle[N_PARAMS]) {
+  for (size_t i = 0; i < list->n; i++) {
+    const struct tube *t = &list->at[i]->tube;
+    bool holds = t->up == arb_gt(o->z20, o->z10);
+    for (int k = 0; k < N_PARAMS; k++) holds = holds && arb_contains_fmpq(&t->p[k], &middle[k]);
+    for (int k = 0; k < 2; k++) holds = holds && arb_contains(&t->box[k], o->t[PHASE_GAMMA + k]);
+    if (holds) return true;
+  }
+  return false;
+}
+
 /* From the orbit at the middle, which b->orbit is on entry. */
-static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS]) {
+static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS], const fmpq middle[N_PARAMS]) {
   struct pieces queue = {NULL, 0, 0}, done = {NULL, 0, 0};
   struct tally tally = {{0}, {0}, {0}};
   struct piece *whole = piece_new();
@@ -222,18 +235,18 @@ static void continue_over(struct dyn_box_orbit *b, const arb_struct p[N_PARAMS])
     struct piece *piece = queue.at[i];
     examine(piece);
     bool room = piece->depth < MOST_DEPTH && done.n + (queue.n - i) < DYN_BOX_PIECES;
-    if (finished(piece, &tally) || (piece->proved && (!room || !cut(&queue, piece)))) {
+    if (!finished(piece, &tally) && room && cut(&queue, piece)) {
+      queue.at[i] = NULL;
+    } else if (piece->proved) {
       tally_add(&tally, piece);
       pieces_add(&done, piece);
       queue.at[i] = NULL;
-    } else if (!piece->proved && (!room || !cut(&queue, piece))) {
-      stuck = true;
     } else {
-      queue.at[i] = NULL;
+      stuck = true;
     }
   }
   b->pieces = (slong)done.n;
-  b->proved = !stuck && all_joined(&done);
+  b->proved = !stuck && passes(&done, &b->orbit, middle) && all_joined(&done);
   if (b->proved)
     conclude(b, &done, &tally);
   else
@@ -262,7 +275,7 @@ int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high) {
   for (slong i = 0; i < list.n; i++) {
     struct dyn_box_orbit *b = &box->at[box->n];
     *b = (struct dyn_box_orbit){.orbit = list.orbit[i], .word = TRUTH_UNKNOWN}; /* taken over */
-    continue_over(b, p);
+    continue_over(b, p, middle);
     box->n++;
   }
   free(list.orbit);

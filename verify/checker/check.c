@@ -8,9 +8,8 @@
    (both stick), Gamma (m1 slips), H (both), C (m2) has eight numbers, two of them known, and six equations.
 
    All motion is exp(A t), by Arb's matrix exponential.  Krawczyk's operator on the six equations proves one solution in
-   the file's box and then narrows it.  The trace follows from the six equations' derivatives.  That a function f of the
-   motion stays below zero is proved by halving the phase until f(0) + f'(0) s + B s^2/2 < 0 on each piece; B bounds f'' by
-   what the motion conserves:
+   the file's box and then narrows it.  The trace follows from their derivatives.  That a function f of the motion stays
+   below zero is proved by halving the phase until f(0) + f'(0) s + B s^2/2 < 0 on each piece; B >= |f''| by what is conserved:
 
      Gamma  w = z_1 - chi z_2, w'' = -w:            w^2 + w'^2, and p = z_1' - V, r = z_2 - z_1: p'' = -w', r'' = w
      C      r'' = -chi eta r:                       r'^2 + chi eta r^2, and z_2''' = -chi eta r', w'' = chi^2 eta r
@@ -52,7 +51,7 @@ enum { MAX_DIGITS = 200000, MAX_FILE = 1 << 25, MAX_VALUES = 5000, MAX_PATH = 80
 static struct value {
   char path[MAX_PATH];
   const char *text; /* in the file's buffer; true and false too */
-  bool used;
+  bool bare, used;  /* bare: true or false, without quotes */
 } values[MAX_VALUES];
 static int n_values;
 static char *buffer, *at;
@@ -85,8 +84,9 @@ static void read_value(char *path, size_t len) {
     struct value *v = &values[n_values++];
     memcpy(v->path, path, len + 1);
     v->text = strncmp(at, "true", 4) == 0 ? "true" : strncmp(at, "false", 5) == 0 ? "false" : NULL;
-    if (v->text) at += strlen(v->text);
-    if (!v->text) v->text = read_string();
+    v->bare = v->text != NULL;
+    at += v->bare ? strlen(v->text) : 0;
+    if (!v->bare) v->text = read_string();
     for (int i = 0; i < n_values - 1; i++)
       if (strcmp(values[i].path, path) == 0) stop(BAD_FILE, "%s occurs twice", path);
     return;
@@ -109,7 +109,6 @@ static void read_value(char *path, size_t len) {
 
 static void read_file(const char *name) {
   struct stat st = {0};
-  char path[MAX_PATH] = {0};
   FILE *f = stat(name, &st) == 0 && S_ISREG(st.st_mode) ? fopen(name, "rb") : NULL;
   size_t size = st.st_size < MAX_FILE ? (size_t)st.st_size : MAX_FILE;
   at = buffer = f ? malloc(size + 1) : NULL;
@@ -118,12 +117,13 @@ static void read_file(const char *name) {
   if (fgetc(f) != EOF || memchr(buffer, '\0', size)) stop(BAD_FILE, "%.200s is not a certificate", name);
   fclose(f);
   buffer[size] = '\0';
-  read_value(path, 0);
+  read_value((char[MAX_PATH]){0}, 0);
   if (blanks()) stop(BAD_FILE, "something follows the end of the certificate");
 }
 
-/* The text at a path made like by printf; NULL when there is none and it need not be. */
-static __attribute__((format(printf, 2, 3))) const char *get(bool needed, const char *fmt, ...) {
+/* The text at a path made like by printf; NULL when it is optional, which only strings are, and there is none. */
+enum wanted { OPTIONAL, STRING, TRUTH };
+static __attribute__((format(printf, 2, 3))) const char *get(enum wanted what, const char *fmt, ...) {
   char path[2 * MAX_PATH];
   va_list args;
   va_start(args, fmt);
@@ -131,10 +131,11 @@ static __attribute__((format(printf, 2, 3))) const char *get(bool needed, const 
   va_end(args);
   for (int i = 0; i < n_values; i++)
     if (strcmp(values[i].path, path) == 0) {
+      if (values[i].bare != (what == TRUTH)) stop(BAD_FILE, "%s has a value of the wrong type", path);
       values[i].used = true;
       return values[i].text;
     }
-  if (needed) stop(BAD_FILE, "%s is missing", path);
+  if (what != OPTIONAL) stop(BAD_FILE, "%s is missing", path);
   return NULL;
 }
 
@@ -196,6 +197,7 @@ NUM(square(num x), arb_mul(z, x, x, prec))
 NUM(sine(num x), arb_sin(z, x, prec))
 NUM(arcsine(num x), arb_asin(z, x, prec))
 NUM(pi(void), arb_const_pi(z, prec))
+NUM(modulus(num x), arb_abs(z, x))
 NUM(middle(num x), arb_get_mid_arb(z, x))
 NUM(scaled(num x, slong shift), arb_mul_2exp_si(z, x, shift))
 NUM(integer(slong n), arb_set_si(z, n))
@@ -464,7 +466,7 @@ static const struct {
                              {"c_v2", C, F_V2, 0, 1},       {"c_w", C, F_W, 0, 0}};
 
 static int claimed(int orbit, const char *group, const char *name) {
-  return get(true, ".orbits.%d.%s.%s", orbit, group, name)[0] == 't' ? YES : NO;
+  return get(TRUTH, ".orbits.%d.%s.%s", orbit, group, name)[0] == 't' ? YES : NO;
 }
 
 static int sign_of(num x) {
@@ -478,7 +480,7 @@ static int condition_right(int *all, int orbit, int i, const struct word *o, con
   snprintf(path, sizeof path, "conditions.%s", condition[i].name);
   int holds = claimed(orbit, path, "holds");
   if (holds == NO) *all = NO;
-  const char *where = holds == YES ? "start" : get(i > 0, ".orbits.%d.%s.broken_at", orbit, path);
+  const char *where = holds == YES ? "start" : get(i > 0 ? STRING : OPTIONAL, ".orbits.%d.%s.broken_at", orbit, path);
   if (i == 0) return holds * sign_of(x[TA]);
   struct state s = o->z[strcmp(where, "end") == 0 ? ph + 1 : ph];
   if (ph == D) return holds * sign_of(sub(zero, value(f, &s, x))); /* constant */
@@ -509,26 +511,25 @@ static void recheck(struct entry *o, int i) {
   V = rational(&model[2]);
   stiff = mul(chi, eta);
   zero = integer(0);
-  o->open = "that its box holds a single solution";
-  if (!enclose(o)) return;
-  o->open = NULL;
+  o->open = enclose(o) ? NULL : "that its box holds a single solution";
+  if (o->open) return;
   for (int k = 0; k < N_X; k++) own[k] = x[k] = &o->x[k];
   word_make(&w, x);
   own[N_X] = add(add(x[TA], x[TB]), add(x[TC], x[TD]));
   own[N_X + 1] = trace_of(&w);
-  own[N_X + 2] = sub(arb_is_negative(own[N_X + 1]) ? sub(zero, own[N_X + 1]) : own[N_X + 1], integer(1));
+  own[N_X + 2] = sub(modulus(own[N_X + 1]), integer(1));
   own[N_X + 3] = scaled(sub(x[E1], least_force(&w, x)), -1);
   own[N_X + 4] = scaled(sub(zero, value(F_R, &w.z[D], x)), -1); /* in Gamma r grows, by e1 + a t - w >= 0 */
   for (int k = 0; k < N_NUMBERS; k++) {
     arb_ptr claim = fresh();
-    read_ball(claim, get(true, ".orbits.%d.enclosures.%s", i, number_name[k]));
+    read_ball(claim, get(STRING, ".orbits.%d.enclosures.%s", i, number_name[k]));
     settle(o, i, number_name[k], arb_contains(claim, own[k]) ? YES : arb_overlaps(claim, own[k]) ? OPEN : NO);
   }
   settle(o, i, "stable", claimed(i, "verdicts", "stable") * -sign_of(own[N_X + 2]));
   int all = YES;
   for (int k = 0; k < 2; k++) {
     static fmpq u;
-    const char *given = get(false, ".given.u_r%d", k + 1);
+    const char *given = get(OPTIONAL, ".given.u_r%d", k + 1);
     if (!given) continue;
     read_rational(&u, given);
     int claim = claimed(i, k == 0 ? "conditions.u_r1" : "conditions.u_r2", "holds");
@@ -550,16 +551,16 @@ static void recheck(struct entry *o, int i) {
 static int read_claims(struct entry *o) {
   static const char *const model_name[3] = {"chi", "eta", "V"};
   int n = 0, n_known = 0;
-  if (strcmp(get(true, ".format"), "stickslip orbits of the word D-Gamma-H-C, version 1") != 0)
+  if (strcmp(get(STRING, ".format"), "stickslip orbits of the word D-Gamma-H-C, version 1") != 0)
     stop(BAD_FILE, "this format is not known");
   for (int i = 0; i < 3; i++) {
-    read_rational(&model[i], get(true, ".given.%s", model_name[i]));
+    read_rational(&model[i], get(STRING, ".given.%s", model_name[i]));
     if (fmpq_sgn(&model[i]) <= 0 || (i < 2 && fmpq_cmp_ui(&model[i], i == 0 ? 1 : FAR) >= 0))
       stop(REJECTED, "%s is out of its range", model_name[i]);
   }
-  get(true, ".scene");
+  get(STRING, ".scene");
   for (int k = 0; k < N_X; k++) {
-    const char *number = get(false, ".given.%s", number_name[k]);
+    const char *number = get(OPTIONAL, ".given.%s", number_name[k]);
     is_known[k] = number != NULL;
     n_known += is_known[k];
     if (!number) continue;
@@ -567,9 +568,9 @@ static int read_claims(struct entry *o) {
     for (int i = 0; i < MAX_ORBITS; i++) arb_set_fmpq(&o[i].x[k], &known[k], ENOUGH);
   }
   if (n_known != 2 || is_known[Z10] || is_known[Z20]) stop(BAD_FILE, "two of e1, e2, t_a, t_b, t_c, t_d must be given");
-  for (; n < MAX_ORBITS && get(false, ".orbits.%d.box.z10", n); n++)
+  for (; n < MAX_ORBITS && get(OPTIONAL, ".orbits.%d.box.z10", n); n++)
     for (int k = 0; k < N_X; k++) {
-      if (!is_known[k]) read_ball(&o[n].x[k], get(true, ".orbits.%d.box.%s", n, number_name[k]));
+      if (!is_known[k]) read_ball(&o[n].x[k], get(STRING, ".orbits.%d.box.%s", n, number_name[k]));
       if (k >= TA && (arf_cmpabs_ui(arb_midref(&o[n].x[k]), FAR) > 0 || mag_cmp_2exp_si(arb_radref(&o[n].x[k]), 0) > 0))
         stop(REJECTED, "orbit %d: %s is beyond what can be checked", n + 1, number_name[k]);
     }
