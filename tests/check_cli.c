@@ -1526,6 +1526,24 @@ START_TEST(the_projects_own_files_are_good) {
 }
 END_TEST
 
+/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits. */
+START_TEST(scenes_on_file_are_proved) {
+  glob_t g;
+  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 10);
+  long proved = 0;
+  for (size_t i = 0; i < g.gl_pathc; i++) {
+    struct job j;
+    run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
+    ck_assert_msg(strstr(j.out, "\"complete\": true") && !strstr(j.out, "\"certified\": false"), "%s: %.300s",
+                  g.gl_pathv[i], j.out);
+    for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
+    discard(&j);
+  }
+  ck_assert_int_ge(proved, 20);
+  globfree(&g);
+}
+END_TEST
+
 START_TEST(one_bad_file_among_good_ones) {
   struct job j;
   const char *bad = scratch_put("bad.scene", "chi = 0\n");
@@ -1753,6 +1771,7 @@ Suite *cli_suite(void) {
   tcase_add_loop_test(c, what_is_refused, 0, (int)(sizeof refusals / sizeof *refusals));
   tcase_add_loop_test(c, bad_files_are_shown_where_they_are_bad, 0, (int)(sizeof bad_files / sizeof *bad_files));
   tcase_add_test(c, the_projects_own_files_are_good);
+  tcase_add_test(c, scenes_on_file_are_proved);
   tcase_add_test(c, one_bad_file_among_good_ones);
   tcase_add_test(c, a_full_disk_is_noticed);
   tcase_add_test(c, a_missing_data_folder_is_noticed);
