@@ -565,8 +565,7 @@ END_TEST
 /* Runs the program; its exit status, its standard output in out. */
 static int run(char *out, size_t size, const char *args) {
   char command[1000];
-  const char *program = getenv("STICKSLIP");
-  snprintf(command, sizeof command, "%s %s 2>%s", program ? program : "build/stickslip", args, scratch_path("err"));
+  snprintf(command, sizeof command, "%s %s 2>%s", program(), args, scratch_path("err"));
   FILE *p = popen(command, "r");
   ck_assert_ptr_nonnull(p);
   size_t n = fread(out, 1, size - 1, p);

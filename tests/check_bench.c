@@ -561,11 +561,10 @@ END_TEST
 
 /* Runs the program with PATH as given (NULL: as it is); its exit status. */
 static int command(const char *path, const char *args) {
-  const char *program = getenv("STICKSLIP");
   struct text line;
   text_init(&line);
   if (path) text_printf(&line, "PATH=%s ", path);
-  text_printf(&line, "%s bench %s >%s", program && *program ? program : "build/stickslip", args, scratch_path("out"));
+  text_printf(&line, "%s bench %s >%s", program(), args, scratch_path("out"));
   text_printf(&line, " 2>%s", scratch_path("err"));
   int status = system(text_str(&line));
   text_clear(&line);
@@ -671,7 +670,6 @@ END_TEST
 /* On the inputs that a run leaves behind, mpmath's exponential and a closed form written in another language have
    all their 50 digits of the truth. */
 START_TEST(peers_agree_with_the_truth) {
-  const char *python = getenv("PYTHON");
   struct text line;
   struct source s;
   struct diag d;
@@ -681,8 +679,7 @@ START_TEST(peers_agree_with_the_truth) {
   text_printf(&line, "--quick --job %s --out %s", _i == 0 ? "propagator" : "map", scratch_path("page"));
   ck_assert_int_eq(command(NULL, text_str(&line)), 0);
   text_reset(&line);
-  text_printf(&line, "%s bench/peers/peers.py %s --quick >/dev/null", python && *python ? python : "/usr/bin/python3",
-              scratch_path("page"));
+  text_printf(&line, "%s bench/peers/peers.py %s --quick >/dev/null", python(), scratch_path("page"));
   ck_assert_int_eq(system(text_str(&line)), 0);
   ck_assert_msg(source_read(&s, scratch_path("page/peers.tsv"), 1 << 20, &d), "%s", d.message);
   for (char *at = s.text, *field[N_FIELDS]; at && *at;) {
@@ -714,12 +711,10 @@ START_TEST(verdicts_are_timed) {
 END_TEST
 
 START_TEST(json_follows_its_schema) {
-  const char *python = getenv("PYTHON");
   struct text line;
   ck_assert_int_eq(command(NULL, "--quick --json"), 0);
   text_init(&line);
-  text_printf(&line, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2",
-              python && *python ? python : "/usr/bin/python3", scratch_path("out"));
+  text_printf(&line, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2", python(), scratch_path("out"));
   ck_assert_int_eq(system(text_str(&line)), 0);
   text_clear(&line);
   ck_assert(says("out", "\"not measured\"")); /* the growth, which quick runs leave out */

@@ -102,9 +102,8 @@ static char said[2000];
 
 /* Its exit status on the file; what it says goes to `said`. */
 static int checker_on(const char *path) {
-  const char *program = getenv("STICKSLIP");
   char command[1000];
-  snprintf(command, sizeof command, "%s-checker '%s' 2>&1", program && *program ? program : "build/stickslip", path);
+  snprintf(command, sizeof command, "%s-checker '%s' 2>&1", program(), path);
   FILE *f = popen(command, "r");
   ck_assert(f != NULL);
   size_t n = fread(said, 1, sizeof said - 1, f);

@@ -47,16 +47,6 @@ static char *slurp(const char *path) {
   return t.data;
 }
 
-static const char *program(void) {
-  const char *p = getenv("STICKSLIP");
-  return p && *p ? p : "build/stickslip";
-}
-
-static const char *python(void) {
-  const char *p = getenv("PYTHON");
-  return p && *p ? p : "/usr/bin/python3";
-}
-
 static void redirect(const char *path, int to) {
   int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
   if (fd < 0 || dup2(fd, to) < 0) _exit(126);

@@ -190,11 +190,6 @@ END_TEST
 
 /* --- The command --- */
 
-static const char *program(void) {
-  const char *p = getenv("STICKSLIP");
-  return p && *p ? p : "build/stickslip";
-}
-
 /* Compares two texts; the exit status.  What is printed goes to the files out and err. */
 static int diff(const char *a, const char *b, const char *option) {
   char command[2000], out[200], err[200], first[200];
@@ -243,9 +238,8 @@ START_TEST(changes_are_told) {
                            "changed  x: effect\nchanged  x: fault\nchanged  routes: another value\n"));
   ck_assert_int_eq(diff(A, b, "--json"), 1);
   char command[1000];
-  const char *python = getenv("PYTHON");
-  snprintf(command, sizeof command, "%s tests/oracle/validate.py schema/diff.schema.json '%s'",
-           python && *python ? python : "/usr/bin/python3", scratch_path("out"));
+  snprintf(command, sizeof command, "%s tests/oracle/validate.py schema/diff.schema.json '%s'", python(),
+           scratch_path("out"));
   ck_assert_int_eq(system(command), 0);
 }
 END_TEST

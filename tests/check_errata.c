@@ -80,11 +80,6 @@ static const char *joined(const struct id_list *list) {
 
 /* --- Programs beside the tests --- */
 
-static const char *python(void) {
-  const char *p = getenv("PYTHON");
-  return p && *p ? p : "/usr/bin/python3";
-}
-
 /* The exit status of a command; its output goes to the test's own. */
 static int run(const char *fmt, ...) {
   char command[2000];

@@ -277,11 +277,6 @@ END_TEST
 
 /* --- Pages --- */
 
-static const char *python(void) {
-  const char *p = getenv("PYTHON");
-  return p && *p ? p : "/usr/bin/python3";
-}
-
 /* The exit status of a checker of what is in the folder. */
 static int check_with(const char *checker, const char *options) {
   char command[2000];

@@ -874,16 +874,6 @@ static int shell(const char *fmt, ...) {
   return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
 }
 
-static const char *program(void) {
-  const char *p = getenv("STICKSLIP");
-  return p && *p ? p : "build/stickslip";
-}
-
-static const char *python(void) {
-  const char *p = getenv("PYTHON");
-  return p && *p ? p : "/usr/bin/python3";
-}
-
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
   static const int jobs[] = {1, 2, 5};
   for (int i = 0; i < 3; i++)

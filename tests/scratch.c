@@ -126,3 +126,13 @@ int child_end(void (*f)(void)) {
   ck_assert(waitpid(pid, &status, 0) == pid);
   return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
+
+const char *program(void) {
+  const char *p = getenv("STICKSLIP");
+  return p && *p ? p : "build/stickslip";
+}
+
+const char *python(void) {
+  const char *p = getenv("PYTHON");
+  return p && *p ? p : "/usr/bin/python3";
+}

@@ -1,4 +1,4 @@
-/* A folder of the test's own, and children for what ends a process. */
+/* A folder of the test's own, children for what ends a process, and which programs the tests run. */
 #ifndef STICKSLIP_TESTS_SCRATCH_H
 #define STICKSLIP_TESTS_SCRATCH_H
 
@@ -15,6 +15,10 @@ const char *scratch_put(const char *name, const char *text);
 const char *scratch_put_n(const char *name, const char *bytes, size_t len);
 /* The names in a folder in alphabetical order, joined with blanks. */
 const char *scratch_list(const char *path);
+
+/* The program under test and the Python that checks its output: STICKSLIP and PYTHON of the environment, or the usual. */
+const char *program(void);
+const char *python(void);
 
 /* How a child that calls f ends: its exit status (0 when f returns), or minus the signal that killed it. */
 int child_end(void (*f)(void));
