@@ -9,6 +9,7 @@
 #ifndef STICKSLIP_BENCH_H
 #define STICKSLIP_BENCH_H
 
+#include "bench/study.h"
 #include "stickslip/audit.h"
 
 enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
@@ -26,6 +27,7 @@ struct bench_env {
   const struct model *model;              /* the paper's formulas; NULL: methods that read them fail */
   const struct claims *claims, *controls; /* these and the scene for verdicts alone */
   const struct scene *scene;
+  const char *data; /* the folder that holds scenes/; NULL: studies of them fail */
 };
 
 enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP };
@@ -130,6 +132,8 @@ struct bench_result {
   int n_ratios, cap_ratios;
   bool quick;
   struct bench_verdicts verdicts; /* empty unless asked for */
+  struct study_page *page;
+  int n_pages;
 };
 
 extern const struct bench_job *const bench_jobs[];
@@ -163,6 +167,8 @@ void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
 /* figures: refer to the SVG files. */
 void bench_markdown(struct text *out, const struct bench_result *r, bool figures);
+/* The page of a study. */
+void bench_study_markdown(struct text *out, const struct study_page *page, bool figure);
 /* JOB.svg, and JOB-steps.svg when there are methods with steps. */
 void bench_gnuplot(struct text *out, const struct bench_table *t);
 bool bench_has_steps(const struct bench_table *t);

@@ -19,9 +19,6 @@
 #define NO_COMM NULL
 #endif
 
-enum { MOST_STEPS = 200000 };
-static const double longest_time = 1000;
-
 struct cvode {
   struct bench_motion motion;
   SUNContext context;
@@ -77,8 +74,7 @@ void *bench_cvode_open(const struct bench_method *m, double tolerance, const str
   if (c->y) N_VConst(1, c->y);
   if (c->y && c->memory && CVodeInit(c->memory, right_side, 0, c->y) == CV_SUCCESS && attach(c, adams) &&
       CVodeSetUserData(c->memory, c) == CV_SUCCESS && CVodeRootInit(c->memory, 1, root) == CV_SUCCESS &&
-      CVodeSStolerances(c->memory, tolerance, tolerance) == CV_SUCCESS &&
-      CVodeSetMaxNumSteps(c->memory, MOST_STEPS) == CV_SUCCESS)
+      CVodeSStolerances(c->memory, tolerance, tolerance) == CV_SUCCESS)
     return c;
   bench_cvode_close(c);
   return NULL;
@@ -95,6 +91,10 @@ void bench_cvode_close(void *self) {
   free(c);
 }
 
+void bench_cvode_limits(void *self, const struct bench_limits *limits) {
+  ((struct cvode *)self)->motion.limits = *limits;
+}
+
 static int run_phase(double *t, void *self, double y[N_Y], long *steps) {
   struct cvode *c = self;
   double rate, value = bench_motion_switch(&rate, &c->motion, y);
@@ -102,9 +102,10 @@ static int run_phase(double *t, void *self, double y[N_Y], long *steps) {
   long taken = 0;
   memcpy(N_VGetArrayPointer(c->y), y, N_Y * sizeof *y);
   if (CVodeReInit(c->memory, 0, c->y) || CVodeSetRootDirection(c->memory, &direction) ||
-      CVodeSetMaxStep(c->memory, c->motion.longest))
+      CVodeSetMaxStep(c->memory, bench_motion_stride(&c->motion)) ||
+      CVodeSetMaxNumSteps(c->memory, bench_motion_steps(&c->motion)))
     return SS_UNABLE;
-  int end = CVode(c->memory, longest_time, c->y, t, CV_NORMAL);
+  int end = CVode(c->memory, bench_motion_horizon(&c->motion), c->y, t, CV_NORMAL);
   CVodeGetNumSteps(c->memory, &taken);
   *steps += taken;
   memcpy(y, N_VGetArrayPointer(c->y), N_Y * sizeof *y);

@@ -7,6 +7,8 @@
 
 extern const struct bench_job bench_propagator, bench_map, bench_jacobian, bench_orbit;
 
+extern const struct study study_stiff, study_smooth, study_procedure;
+
 /* --- formula.c: a formula of the paper as corrected, as a tape in double precision. --- */
 
 struct bench_formula {
@@ -50,12 +52,23 @@ int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, do
 /* --- motion.c: the system as an integrator sees it, in w, r, z_1', z_2'. --- */
 
 enum { Y_W, Y_R, Y_V1, Y_V2, N_Y };
+/* How an integrator is used.  Careful, which zero bytes mean: no step is longer than a quarter of the shortest period, so
+   that no event hides within one, and a phase ends by the time 1000.  Unbound: as long as its error estimate allows. */
+struct bench_limits {
+  bool unbound;
+  long steps; /* of a phase; 0: 200000 */
+};
 struct bench_motion {
   double chi, V, e2, stiff; /* stiff = chi eta */
-  double longest;           /* step: a quarter of the shortest period */
+  double longest;           /* a quarter of the shortest period */
   enum phase phase;
+  struct bench_limits limits;
 };
+/* Keeps the limits, which must have been set. */
 void bench_motion_init(struct bench_motion *m, const double *params);
+double bench_motion_stride(const struct bench_motion *m);  /* the longest step */
+double bench_motion_horizon(const struct bench_motion *m); /* a phase without event by then has failed */
+long bench_motion_steps(const struct bench_motion *m);
 void bench_motion_field(double f[N_Y], const struct bench_motion *m, const double y[N_Y]);
 void bench_motion_jacobian(double j[N_Y * N_Y], const struct bench_motion *m);
 /* The switching function of the phase, and its derivative. */
@@ -70,6 +83,7 @@ int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_moti
 #ifdef STICKSLIP_SUNDIALS
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
+void bench_cvode_limits(void *self, const struct bench_limits *limits);
 int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
 #endif
 
@@ -77,6 +91,7 @@ int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const d
 
 void *bench_ode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_ode_close(void *self);
+void bench_ode_limits(void *self, const struct bench_limits *limits);
 /* t_b, t_c, t_d and r at the end of the pass from r. */
 int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
 

@@ -6,8 +6,26 @@
 #include "bench/jobs.h"
 
 void bench_motion_init(struct bench_motion *m, const double *params) {
-  double stiff = params[P_CHI] * params[P_ETA];
-  *m = (struct bench_motion){params[P_CHI], params[P_V], params[P_E2], stiff, 1.5 / sqrt(1 + stiff), PHASE_GAMMA};
+  double stiff = params[P_CHI] * params[P_ETA], longest = 1.5 / sqrt(1 + stiff);
+  *m = (struct bench_motion){.chi = params[P_CHI],
+                             .V = params[P_V],
+                             .e2 = params[P_E2],
+                             .stiff = stiff,
+                             .longest = longest,
+                             .phase = PHASE_GAMMA,
+                             .limits = m->limits};
+}
+
+double bench_motion_stride(const struct bench_motion *m) {
+  return m->limits.unbound ? 1e9 : m->longest;
+}
+
+double bench_motion_horizon(const struct bench_motion *m) {
+  return m->limits.unbound ? 1e9 : 1000;
+}
+
+long bench_motion_steps(const struct bench_motion *m) {
+  return m->limits.steps > 0 ? m->limits.steps : 200000;
 }
 
 void bench_motion_field(double f[N_Y], const struct bench_motion *m, const double y[N_Y]) {

@@ -13,8 +13,6 @@
 #include "bench/jobs.h"
 #include "stickslip/arena.h"
 
-enum { MOST_STEPS = 200000 };
-
 struct ode {
   struct bench_motion motion;
   gsl_odeiv2_system system;
@@ -67,6 +65,10 @@ void bench_ode_close(void *self) {
   if (o->own) gsl_odeiv2_step_free(o->locator);
   gsl_odeiv2_driver_free(o->driver);
   free(o);
+}
+
+void bench_ode_limits(void *self, const struct bench_limits *limits) {
+  ((struct ode *)self)->motion.limits = *limits;
 }
 
 /* --- Events. --- */
@@ -130,11 +132,11 @@ static int run_phase(double *t_event, void *self, double y[N_Y], long *steps) {
   memcpy(from.y, y, sizeof from.y);
   look(&from, o);
   double sign = from.value != 0 ? -copysign(1, from.value) : -copysign(1, from.rate);
-  for (long n = 0; n < MOST_STEPS; n++) {
+  for (long n = 0; n < bench_motion_steps(&o->motion); n++) {
     double begin = t;
     to = from;
-    if (gsl_odeiv2_evolve_apply(o->driver->e, o->driver->c, o->driver->s, &o->system, &t, t + o->motion.longest,
-                                &o->hint, to.y))
+    if (gsl_odeiv2_evolve_apply(o->driver->e, o->driver->c, o->driver->s, &o->system, &t,
+                                t + bench_motion_stride(&o->motion), &o->hint, to.y))
       return SS_UNABLE;
     ++*steps;
     to.s = t - begin;

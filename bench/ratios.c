@@ -13,6 +13,8 @@
 void bench_result_clear(struct bench_result *r) {
   for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);
   free(r->table);
+  for (int i = 0; i < r->n_pages; i++) study_clear(&r->page[i]);
+  free(r->page);
   free(r->ratio);
   bench_verdicts_clear(&r->verdicts);
   *r = (struct bench_result){.n = 0};

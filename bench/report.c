@@ -198,12 +198,21 @@ void bench_json(struct text *out, const struct bench_result *r) {
   }
   json_end_array(&w);
   json_verdicts(&w, &r->verdicts);
+  json_array(&w, "studies");
+  for (int i = 0; i < r->n_pages; i++) study_json(&w, &r->page[i]);
+  json_end_array(&w);
   json_string(&w, "machine", text_str(&machine));
   json_end_object(&w);
   text_clear(&machine);
 }
 
 /* --- Markdown. --- */
+
+static void markdown_machine(struct text *out) {
+  text_add(out, "\n## Machine\n\n```\n");
+  bench_machine(out);
+  text_add(out, "```\n");
+}
 
 /* A time with three digits and its unit. */
 static void add_time(struct text *out, double ns) {
@@ -363,7 +372,13 @@ void bench_markdown(struct text *out, const struct bench_result *r, bool figures
   for (int i = 0; i < r->n; i++) markdown_table(out, &r->table[i], figures);
   markdown_verdicts(out, &r->verdicts);
   markdown_ratios(out, r);
-  text_add(out, "\n## Machine\n\n```\n");
-  bench_machine(out);
-  text_add(out, "```\n");
+  for (int i = 0; i < r->n_pages; i++)
+    text_printf(out, "\n%s: [%s.md](%s.md)\n", r->page[i].study->title, r->page[i].study->id, r->page[i].study->id);
+  markdown_machine(out);
+}
+
+void bench_study_markdown(struct text *out, const struct study_page *page, bool figure) {
+  text_printf(out, "# Stability: %s\n", page->study->title);
+  study_markdown(out, page, figure);
+  markdown_machine(out);
 }

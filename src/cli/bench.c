@@ -17,6 +17,10 @@ static int parse_job(const struct options *o) {
     known = known || strcmp(o->job, bench_jobs[i]->id) == 0;
     text_printf(&names, "%s, ", bench_jobs[i]->id);
   }
+  for (int i = 0; i < n_bench_studies; i++) {
+    known = known || strcmp(o->job, bench_studies[i]->id) == 0;
+    text_printf(&names, "%s, ", bench_studies[i]->id);
+  }
   if (!known) text_printf(&names, "%s, not %.200s", verdicts, o->job);
   int status = known ? EXIT_AS_RECORDED : usage("--job takes one of %s", text_str(&names));
   text_clear(&names);
@@ -39,6 +43,26 @@ static bool put(const char *folder, const char *name, const char *suffix, const 
   return ok;
 }
 
+/* ID.md, ID-TABLE.tsv and, with gnuplot, ID.svg.  *drawn: whether every figure could be made. */
+static bool write_study(bool *drawn, const char *folder, const struct study_page *page, struct diag *d) {
+  struct text body, name;
+  text_init(&body);
+  text_init(&name);
+  bool ok = true;
+  for (int i = 0; i < page->n && ok; i++) {
+    text_reset(&name);
+    text_printf(&name, "%s-%s", page->study->id, page->table[i].id);
+    ok = put(folder, text_str(&name), ".tsv", &page->table[i].tsv, d);
+  }
+  bool figure = ok && page->plot.len > 0 && bench_draw(folder, &page->plot);
+  *drawn = *drawn && (figure || page->plot.len == 0);
+  bench_study_markdown(&body, page, figure);
+  ok = ok && put(folder, page->study->id, ".md", &body, d);
+  text_clear(&name);
+  text_clear(&body);
+  return ok;
+}
+
 /* The figures first: the page shows those that there are. */
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
   struct text body;
@@ -53,6 +77,7 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
     bench_gnuplot(&body, &r->table[i]);
     drawn = drawn && ok && bench_draw(folder, &body);
   }
+  for (int i = 0; i < r->n_pages && ok; i++) ok = write_study(&drawn, folder, &r->page[i], d);
   text_reset(&body);
   bench_verdicts_tsv(&body, &r->verdicts);
   ok = ok && (r->verdicts.n == 0 || put(folder, verdicts, ".tsv", &body, d));
@@ -79,6 +104,16 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
       status = EXIT_INTERNAL;
     }
   }
+  r->page = ss_malloc((size_t)n_bench_studies * sizeof *r->page);
+  for (int i = 0; i < n_bench_studies; i++) {
+    const struct study *study = bench_studies[i];
+    if (!asked_for(o, study->id)) continue;
+    if (terminal) fprintf(stderr, "\r\033[K%s", study->title);
+    if (!study_run(&r->page[r->n_pages++], study, env, r->quick)) {
+      fprintf(stderr, "stickslip: the study %s could not be made\n", study->id);
+      status = EXIT_INTERNAL;
+    }
+  }
   if (terminal) fputs("\r\033[K", stderr);
   if (asked_for(o, verdicts)) bench_verdicts(&r->verdicts, env, r->quick);
   bench_ratios(r);
@@ -93,6 +128,7 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
     bench_json(&body, r);
   else
     bench_markdown(&body, r, false);
+  for (int i = 0; i < r->n_pages && !o->json; i++) study_markdown(&body, &r->page[i], false);
   fputs(text_str(&body), stdout);
   text_clear(&body);
   return true;
@@ -130,7 +166,7 @@ int run_bench(const struct options *o, const char *data) {
   diag_init(&d);
   bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_make(o->out, &d));
   if (ok) {
-    status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene});
+    status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene, data});
     ok = deliver(&r, o, &d);
   }
   if (!ok) status = bad_input(&d);

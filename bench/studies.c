@@ -1,0 +1,6 @@
+/* The studies in the order in which they are made. */
+#include "bench/jobs.h"
+#include "bench/study.h"
+
+const struct study *const bench_studies[] = {&study_stiff};
+const int n_bench_studies = sizeof bench_studies / sizeof *bench_studies;

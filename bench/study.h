@@ -1,0 +1,55 @@
+/* Studies: questions about integrators and formulas whose answer is a few tables, not one error against one time.
+
+   A study fills tables cell by cell; the page, the TSV files and the JSON are made from these alone.  What is said in words
+   is either about the question (which does not depend on the outcome) or a line the study makes from its numbers. */
+#ifndef STICKSLIP_BENCH_STUDY_H
+#define STICKSLIP_BENCH_STUDY_H
+
+#include "stickslip/json.h"
+#include "stickslip/text.h"
+
+enum { STUDY_TABLES = 4 };
+
+struct study_table {
+  const char *id, *title, *note; /* note: what the columns are */
+  struct text tsv;               /* a line of names, then the rows */
+  bool open;                     /* a row has been begun */
+};
+
+struct bench_env;
+struct study;
+struct study_page {
+  const struct study *study;
+  struct study_table table[STUDY_TABLES];
+  int n;
+  struct text found; /* lines made from the tables */
+  struct text plot;  /* a script for gnuplot that carries its data; empty: no figure */
+  bool quick;
+};
+struct study {
+  const char *id, *title, *question;
+  /* false when the study could not be made. */
+  bool (*run)(struct study_page *page, const struct bench_env *env);
+};
+
+extern const struct study *const bench_studies[];
+extern const int n_bench_studies;
+
+bool study_run(struct study_page *page, const struct study *study, const struct bench_env *env, bool quick);
+void study_clear(struct study_page *page);
+
+/* A table of the page; columns: names separated by tabs. */
+struct study_table *study_table(struct study_page *page, const char *id, const char *title, const char *columns,
+                                const char *note);
+/* The next cell of the row; study_row ends it.  Numbers: digits significant ones; what is not finite is "-". */
+void study_text(struct study_table *t, const char *fmt, ...) SS_PRINTF(2, 3);
+void study_number(struct study_table *t, double x, int digits);
+void study_row(struct study_table *t);
+/* The cell of a row (0: the first below the names) and column, empty when there is none; valid until the next call. */
+const char *study_cell(struct text *out, const struct study_table *t, int row, const char *column);
+int study_rows(const struct study_table *t);
+
+void study_markdown(struct text *out, const struct study_page *page, bool figure);
+void study_json(struct json *j, const struct study_page *page);
+
+#endif

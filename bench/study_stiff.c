@@ -1,0 +1,379 @@
+/* Stiff scenes: the ratio of masses eta over twenty-four decades, an orbit in each, and what integrators make of it.
+
+   For each eta a short list of forces e1, e2 is gone through, which follow the frequency omega = sqrt(chi eta) of the second
+   mass, until one has an admissible orbit that is certified.  From its r = z_2 - z_1, rounded to double and then exact, one
+   Poincare map is asked for: t_b, t_c, t_d and r at the end.  The truth are balls near the orbit's own times.
+
+   The integrators are GSL's and, where it is installed, CVODE's.  They take steps as long as their error estimates allow, so
+   that events can be missed.  An event is taken for the right one when it lies within an eighth of the shortest period of
+   its phase of the true one; a crossing of the same sense cannot be that near.  From the first event that is not the right
+   one on, the word is another motion's. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/jobs.h"
+#include "bench/study.h"
+#include "stickslip/arena.h"
+#include "stickslip/certify.h"
+
+static const double PI2 = 6.283185307179586;
+enum { TB, TC, TD, R_END, N_OUT };
+enum { TRUTH_BITS = 320 };
+
+/* One scene: the parameters as exact doubles, the map's start, the truth and rough times. */
+struct scene_at {
+  int decade, tried;
+  double p[N_PARAMS + 1]; /* and r */
+  double trace, ta;
+  slong bits;
+  bool found;
+  struct num_vec truth;
+  double t[3], window[3]; /* the events, and how near an event must be */
+};
+
+static void exact(fmpq *q, double x) {
+  arf_t a;
+  arf_init(a);
+  arf_set_d(a, x);
+  arf_get_fmpq(q, a);
+  arf_clear(a);
+}
+
+/* The number of bits at which the orbit was certified; 0 when it was not. */
+static slong certified(const struct dyn_orbit *o, const fmpq *params) {
+  static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
+  struct dyn_certificate z;
+  dyn_certificate_init(&z);
+  dyn_certify(&z, &(struct dyn_question){.model = params, .value = params + P_E1, .which = which}, o);
+  slong bits = z.certified && z.admissible == TRUTH_TRUE ? z.bits : 0;
+  dyn_certificate_clear(&z);
+  return bits;
+}
+
+static int find_truth(struct scene_at *s) {
+  struct num_vec in, given;
+  double hint[BENCH_HINT];
+  num_vec_init(&in, N_PARAMS + 1, s->truth.ctx);
+  num_vec_init(&given, 0, s->truth.ctx);
+  for (int i = 0; i <= N_PARAMS; i++) arb_set_d(num_vec_at(&in, i), s->p[i]);
+  int status = bench_map.truth(&s->truth, &given, hint, &in, s->t);
+  num_vec_clear(&in);
+  num_vec_clear(&given);
+  return status & SS_DOMAIN; /* long phases are fine here */
+}
+
+/* The first admissible and certified orbit at the parameters becomes the scene's. */
+static bool take_orbit(struct scene_at *s) {
+  struct dyn_orbits list;
+  fmpq *params = _fmpq_vec_init(N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) exact(&params[i], s->p[i]);
+  dyn_orbits_find(&list, params, 128, NULL);
+  bool found = false;
+  for (slong i = 0; i < list.n && !found; i++) {
+    const struct dyn_orbit *o = &list.orbit[i];
+    s->bits = o->admissible == TRUTH_TRUE ? certified(o, params) : 0;
+    if (s->bits == 0) continue;
+    arb_t r;
+    arb_init(r);
+    arb_sub(r, o->z20, o->z10, 128);
+    s->p[N_PARAMS] = num_arb.get_d(r);
+    arb_clear(r);
+    s->trace = num_arb.get_d(o->trace);
+    s->ta = num_arb.get_d(o->t[PHASE_D]);
+    for (int k = 0; k < 3; k++) s->t[k] = num_arb.get_d(o->t[PHASE_GAMMA + k]);
+    found = find_truth(s) == SS_OK && arb_is_finite((arb_srcptr)num_vec_at(&s->truth, R_END));
+  }
+  dyn_orbits_clear(&list);
+  _fmpq_vec_clear(params, N_PARAMS);
+  return found;
+}
+
+static void find_scene(struct scene_at *s, int decade) {
+  static const double first[] = {2.19, 1.8, 2.6, 3.2, 1.4}, second[] = {0.9, 0.5, 1.3, 0.7};
+  double chi = 0.8, eta = pow(10, decade), omega = sqrt(chi * eta);
+  *s = (struct scene_at){.decade = decade};
+  num_vec_init(&s->truth, N_OUT, num_ctx_arb(TRUTH_BITS));
+  for (int i = 0; i < COUNT(first) * COUNT(second) && !s->found; i++) {
+    const double p[N_PARAMS] = {chi, eta, 1, first[i / COUNT(second)] * fmax(omega, 1 / omega),
+                                second[i % COUNT(second)] * fmin(1, 1 / omega)};
+    memcpy(s->p, p, sizeof p);
+    s->tried++;
+    s->found = take_orbit(s);
+  }
+  double fast = 0.5 * (1 + chi * eta + sqrt((1 + chi * eta) * (1 + chi * eta) - 4 * chi * eta * (1 - chi)));
+  const double period[3] = {PI2, PI2 / sqrt(fast), PI2 / omega};
+  for (int k = 0; k < 3; k++) s->window[k] = period[k] / 8;
+}
+
+/* --- Methods. --- */
+
+struct method {
+  const char *id, *name; /* name: the integrator's; NULL: the suite's closed form */
+  bool cvode;
+};
+static const struct method methods[] = {{"closed-double", NULL, false}, {"gsl-rk8pd", "rk8pd", false},
+                                        {"gsl-rkf45", "rkf45", false},  {"gsl-bsimp", "bsimp", false},
+                                        {"gsl-msbdf", "msbdf", false},
+#ifdef STICKSLIP_SUNDIALS
+                                        {"cvode-bdf", "bdf", true}
+#endif
+};
+
+struct outcome {
+  const char *state; /* "ok", or what went wrong */
+  bool word;         /* every event was the right one */
+  double error;      /* the largest relative one */
+  long steps;
+  double seconds;
+};
+
+static int run_once(double out[N_OUT], long *steps, const struct method *m, void *self, const struct scene_at *s) {
+  double t[N_PHASES];
+  if (m->name) {
+#ifdef STICKSLIP_SUNDIALS
+    if (m->cvode) return bench_cvode_map(out, &out[R_END], steps, self, s->p, s->p[N_PARAMS]);
+#endif
+    return bench_ode_map(out, &out[R_END], steps, self, s->p, s->p[N_PARAMS]);
+  }
+  *steps = 1;
+  int status = dyn_return_map_d(&out[R_END], NULL, t, s->p, s->p[N_PARAMS], NULL);
+  for (int k = 0; k < 3; k++) out[k] = t[1 + k];
+  return status;
+}
+
+static void *open_method(const struct method *m, double tolerance, long most_steps) {
+  struct bench_method b = {.data = m->name};
+  struct bench_limits limits = {true, most_steps};
+  void *self = NULL;
+  if (!m->name) return NULL;
+#ifdef STICKSLIP_SUNDIALS
+  if (m->cvode) {
+    self = bench_cvode_open(&b, tolerance, NULL);
+    if (self) bench_cvode_limits(self, &limits);
+    return self;
+  }
+#endif
+  self = bench_ode_open(&b, tolerance, NULL);
+  bench_ode_limits(self, &limits);
+  return self;
+}
+
+static void close_method(const struct method *m, void *self) {
+  if (!self) return;
+#ifdef STICKSLIP_SUNDIALS
+  if (m->cvode) {
+    bench_cvode_close(self);
+    return;
+  }
+#endif
+  (void)m;
+  bench_ode_close(self);
+}
+
+static double error_of(const double out[N_OUT], const struct scene_at *s) {
+  double worst = 0;
+  arb_t off;
+  arb_init(off);
+  for (int k = 0; k < N_OUT; k++) {
+    arb_set_d(off, out[k]);
+    arb_sub(off, off, num_vec_at(&s->truth, k), TRUTH_BITS);
+    arb_div(off, off, num_vec_at(&s->truth, k), 64);
+    worst = fmax(worst, fabs(num_arb.get_d(off)));
+  }
+  arb_clear(off);
+  return worst;
+}
+
+/* Which event is the first that is not the right one, in words. */
+static const char *judge(const double out[N_OUT], const struct scene_at *s) {
+  static const char *const late[] = {"late t_b", "late t_c", "late t_d"};
+  static const char *const early[] = {"early t_b", "early t_c", "early t_d"};
+  for (int k = 0; k < 3; k++) {
+    double off = out[k] - num_arb.get_d(num_vec_at(&s->truth, k));
+    if (!(fabs(off) <= s->window[k])) return off > 0 ? late[k] : early[k];
+  }
+  return NULL;
+}
+
+static struct outcome measure(const struct method *m, const struct scene_at *s, double tolerance, bool quick) {
+  struct outcome o = {.state = "ok", .seconds = INFINITY};
+  double out[N_OUT], spent = 0;
+  void *self = open_method(m, tolerance, quick ? 20000 : 200000);
+  if (m->name && !self) return (struct outcome){.state = "cannot be set up", .error = NAN, .seconds = NAN};
+  int status = SS_OK;
+  do {
+    for (int k = 0; k < N_OUT; k++) out[k] = NAN;
+    double begin = bench_now();
+    status = run_once(out, &o.steps, m, self, s);
+    double took = bench_now() - begin;
+    o.seconds = fmin(o.seconds, took);
+    spent += took;
+  } while (!status && spent < (quick ? 0.001 : 0.01));
+  close_method(m, self);
+  const char *wrong = status ? NULL : judge(out, s);
+  o.error = status ? NAN : error_of(out, s);
+  if (status)
+    o.state = status & SS_DOMAIN ? "says that there is no event" : "gives up";
+  else if (wrong)
+    o.state = wrong;
+  else
+    o.word = true;
+  return o;
+}
+
+/* --- The tables. --- */
+
+static const double tolerances[] = {1e-3, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12}, few[] = {1e-4, 1e-8};
+static const int few_decades[] = {-12, -6, 0, 6, 12};
+enum { FIRST_DECADE = -12, LAST_DECADE = 12, MOST_SCENES = LAST_DECADE - FIRST_DECADE + 1 };
+
+static void add_scene(struct study_table *t, const struct scene_at *s) {
+  study_text(t, "1e%+d", s->decade);
+  study_text(t, "%d", s->tried);
+  if (!s->found) {
+    study_text(t, "no admissible orbit that is certified among these");
+    study_row(t);
+    return;
+  }
+  study_number(t, s->p[P_E1], 17);
+  study_number(t, s->p[P_E2], 17);
+  study_number(t, s->ta, 6);
+  for (int k = 0; k < 3; k++) study_number(t, s->t[k], 6);
+  study_number(t, s->t[TC] * sqrt(1 + s->p[P_CHI] * s->p[P_ETA]), 3);
+  study_number(t, s->trace, 9);
+  study_text(t, "%ld", (long)s->bits);
+  study_row(t);
+}
+
+static void add_run(struct study_table *t, const struct scene_at *s, const struct method *m, double tolerance,
+                    const struct outcome *o) {
+  study_text(t, "1e%+d", s->decade);
+  study_text(t, "%s", m->id);
+  study_number(t, m->name ? tolerance : NAN, 1);
+  study_text(t, "%s", o->state);
+  study_number(t, o->error, 2);
+  study_text(t, "%ld", o->steps);
+  study_number(t, o->seconds, 3);
+  study_row(t);
+}
+
+/* The loosest tolerance from which on the word is right at every tighter one; 0 when there is none. */
+static double loosest(const struct outcome *o, const double *tolerance, int n) {
+  double at = 0;
+  for (int i = n - 1; i >= 0 && o[i].word; i--) at = tolerance[i];
+  return at;
+}
+
+struct sums {
+  int runs, word, late, early, given_up;
+};
+
+static void count(struct sums *c, const struct outcome *o) {
+  c->runs++;
+  c->word += o->word;
+  c->late += strncmp(o->state, "late", 4) == 0;
+  c->early += strncmp(o->state, "early", 5) == 0;
+  c->given_up += !o->word && isnan(o->error);
+}
+
+/* Steps at one tolerance, and the error, against eta: a block of data for each method, made from the table of runs. */
+static void plot(struct study_page *page, const struct study_table *runs, double tolerance) {
+  struct text *out = &page->plot, cell;
+  char wanted[32];
+  text_init(&cell);
+  snprintf(wanted, sizeof wanted, "%.1g", tolerance);
+  for (int k = 0; k < COUNT(methods); k++) {
+    text_printf(out, "$m%d << EOD\n", k);
+    for (int i = 0; i < study_rows(runs); i++) {
+      if (strcmp(study_cell(&cell, runs, i, "method"), methods[k].id) != 0) continue;
+      if (methods[k].name && strcmp(study_cell(&cell, runs, i, "tolerance"), wanted) != 0) continue;
+      if (strcmp(study_cell(&cell, runs, i, "outcome"), "ok") != 0) continue;
+      text_printf(out, "%s ", study_cell(&cell, runs, i, "eta"));
+      text_printf(out, "%s ", study_cell(&cell, runs, i, "seconds"));
+      text_printf(out, "%s\n", study_cell(&cell, runs, i, "error"));
+    }
+    text_add(out, "EOD\n");
+  }
+  text_printf(out,
+              "set terminal svg size 1150,560 dynamic font 'sans,12' background '#ffffff'\nset output 'stiff.svg'\n"
+              "set multiplot layout 1,2 title 'One Poincare map against the ratio of masses, tolerance %s'\n"
+              "set logscale xy\nset format '10^{%%T}'\nset grid lc '#d0d0d0'\nset xlabel 'eta'\nset xrange "
+              "[1e-13:1e13]\n",
+              wanted);
+  for (int panel = 0; panel < 2; panel++) {
+    text_printf(out, "set ylabel '%s'\nset key %s noenhanced\nplot ", panel == 0 ? "seconds" : "largest relative error",
+                panel == 0 ? "top left" : "off");
+    for (int k = 0; k < COUNT(methods); k++)
+      text_printf(out, "%s$m%d using 1:%d with linespoints pt %d dt %d lc %d title '%s'", k ? ", \\\n  " : "", k,
+                  2 + panel, k + 1, k + 1, k + 1, methods[k].id);
+    text_add(out, "\n");
+  }
+  text_add(out, "unset multiplot\n");
+  text_clear(&cell);
+}
+
+static bool run(struct study_page *page, const struct bench_env *env) {
+  const double *tolerance = page->quick ? few : tolerances;
+  int n = page->quick ? COUNT(few) : COUNT(tolerances), scenes = page->quick ? COUNT(few_decades) : MOST_SCENES;
+  struct sums sums[COUNT(methods)] = {{0}};
+  (void)env;
+  struct study_table *orbits = study_table(
+      page, "orbits", "The orbits", "eta\ttried\te1\te2\tt_a\tt_b\tt_c\tt_d\tturns\ttrace\tbits",
+      "chi = 0.8 and V = 1; the doubles are taken exactly. tried: pairs (e1, e2) until one had an admissible orbit "
+      "that is "
+      "certified, of at most 20: e1 is one of five factors times the larger of omega and 1/omega, e2 one of four times "
+      "the "
+      "smaller of 1 and 1/omega. turns: the angle of the fast mode over phase H. bits: at which it was certified.");
+  struct study_table *runs = study_table(
+      page, "runs", "Every run", "eta\tmethod\ttolerance\toutcome\terror\tsteps\tseconds",
+      "outcome ok: all three events are the right ones. late, early: the first event that is not within an eighth of a "
+      "period of the true one. error: the largest relative one of t_b, t_c, t_d and r. gives up: more steps in a phase "
+      "than allowed, or a step that the method cannot make.");
+  struct study_table *words = study_table(page, "words", "The word", "eta\tmethod\tloosest\ttighter",
+                                          "loosest: the loosest tolerance from which on the phase word is right at "
+                                          "every tighter one that was tried; none: not "
+                                          "even at the tightest. tighter: how many tolerances that are.");
+  struct study_table *totals = study_table(page, "totals", "Counts", "method\truns\tword\tlate\tearly\tgives_up",
+                                           "Over all scenes and tolerances.");
+  for (int i = 0; i < scenes; i++) {
+    struct scene_at s;
+    find_scene(&s, page->quick ? few_decades[i] : FIRST_DECADE + i);
+    add_scene(orbits, &s);
+    for (int k = 0; k < COUNT(methods) && s.found; k++) {
+      struct outcome o[COUNT(tolerances)];
+      int settings = methods[k].name ? n : 1;
+      for (int j = 0; j < settings; j++) {
+        o[j] = measure(&methods[k], &s, tolerance[j], page->quick);
+        add_run(runs, &s, &methods[k], tolerance[j], &o[j]);
+        count(&sums[k], &o[j]);
+      }
+      double from = loosest(o, tolerance, settings);
+      study_text(words, "1e%+d", s.decade);
+      study_text(words, "%s", methods[k].id);
+      study_text(words, from == 0 ? "none" : methods[k].name ? "%.0e" : "-", from);
+      int tighter = 0;
+      while (tighter < settings && o[settings - 1 - tighter].word) tighter++;
+      study_text(words, "%d of %d", tighter, settings);
+      study_row(words);
+    }
+    num_vec_clear(&s.truth);
+  }
+  for (int k = 0; k < COUNT(methods); k++) {
+    const struct sums *c = &sums[k];
+    study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", methods[k].id, c->runs, c->word, c->late, c->early, c->given_up);
+    study_row(totals);
+  }
+  plot(page, runs, 1e-8);
+  return sums[0].runs > 0;
+}
+
+const struct study study_stiff = {
+    .id = "stiff",
+    .title = "Stiff scenes",
+    .question =
+        "The ratio of masses eta runs from 1e-12 to 1e12. In each decade an orbit is looked for, and one Poincare "
+        "map from it is\ncomputed by integrators whose steps are as long as their error estimates allow, and in "
+        "closed form.\nErrors are true ones, against balls.",
+    .run = run,
+};
