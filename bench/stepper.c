@@ -1,0 +1,175 @@
+/* GSL's evolution with its own control of each component, and CVODE one step at a time. */
+#include "bench/stepper.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/arena.h"
+#include "stickslip/status.h"
+
+#ifdef STICKSLIP_SUNDIALS
+#include <cvode/cvode.h>
+#include <nvector/nvector_serial.h>
+#include <sunlinsol/sunlinsol_dense.h>
+#include <sunmatrix/sunmatrix_dense.h>
+
+#if SUNDIALS_VERSION_MAJOR >= 7
+#define NO_COMM SUN_COMM_NULL
+#else
+#define NO_COMM NULL
+#endif
+#endif
+
+enum { N = STEPPER_SIZE };
+
+struct stepper {
+  const struct stepper_system *system;
+  double t, h, y[N];
+  gsl_odeiv2_system gsl;
+  gsl_odeiv2_driver *driver; /* NULL: CVODE */
+#ifdef STICKSLIP_SUNDIALS
+  SUNContext context;
+  void *memory;
+  N_Vector state, absolute;
+  SUNMatrix matrix;
+  SUNLinearSolver linear;
+#endif
+};
+
+static int right_side(double t, const double y[], double f[], void *self) {
+  const struct stepper_system *q = ((const struct stepper *)self)->system;
+  (void)t;
+  q->field(f, q->self, y);
+  return GSL_SUCCESS;
+}
+
+static int jacobian(double t, const double y[], double *dfdy, double dfdt[], void *self) {
+  const struct stepper_system *q = ((const struct stepper *)self)->system;
+  (void)t;
+  q->jacobian(dfdy, q->self, y);
+  memset(dfdt, 0, N * sizeof *dfdt);
+  return GSL_SUCCESS;
+}
+
+static bool open_gsl(struct stepper *s, const char *name) {
+  const struct {
+    const char *name;
+    const gsl_odeiv2_step_type *type;
+  } types[] = {{"rk8pd", gsl_odeiv2_step_rk8pd}, {"bsimp", gsl_odeiv2_step_bsimp}, {"msbdf", gsl_odeiv2_step_msbdf}};
+  double least = INFINITY, scale[N];
+  for (int i = 0; i < N; i++) least = fmin(least, s->system->absolute[i]);
+  for (int i = 0; i < N; i++) scale[i] = s->system->absolute[i] / least;
+  for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+    if (strcmp(types[i].name, name) != 0) continue;
+    s->gsl = (gsl_odeiv2_system){right_side, jacobian, N, s};
+    s->driver =
+        gsl_odeiv2_driver_alloc_scaled_new(&s->gsl, types[i].type, 1e-6, least, s->system->relative, 1, 0, scale);
+  }
+  return s->driver != NULL;
+}
+
+#ifdef STICKSLIP_SUNDIALS
+static int cvode_side(double t, N_Vector y, N_Vector f, void *self) {
+  return right_side(t, N_VGetArrayPointer(y), N_VGetArrayPointer(f), self);
+}
+
+static int cvode_jacobian(double t, N_Vector y, N_Vector f, SUNMatrix j, void *self, N_Vector a, N_Vector b,
+                          N_Vector c) {
+  double rows[N * N], dfdt[N];
+  (void)f, (void)a, (void)b, (void)c;
+  jacobian(t, N_VGetArrayPointer(y), rows, dfdt, self);
+  for (int i = 0; i < N * N; i++) SM_ELEMENT_D(j, i / N, i % N) = rows[i];
+  return 0;
+}
+
+static bool open_cvode(struct stepper *s) {
+  if (SUNContext_Create(NO_COMM, &s->context)) return false;
+  s->state = N_VNew_Serial(N, s->context);
+  s->absolute = N_VNew_Serial(N, s->context);
+  s->memory = CVodeCreate(CV_BDF, s->context);
+  s->matrix = SUNDenseMatrix(N, N, s->context);
+  if (!s->state || !s->absolute || !s->memory || !s->matrix) return false;
+  N_VConst(1, s->state);
+  memcpy(N_VGetArrayPointer(s->absolute), s->system->absolute, sizeof s->system->absolute);
+  s->linear = SUNLinSol_Dense(s->state, s->matrix, s->context);
+  return s->linear && CVodeInit(s->memory, cvode_side, 0, s->state) == CV_SUCCESS &&
+         CVodeSetUserData(s->memory, s) == CV_SUCCESS &&
+         CVodeSVtolerances(s->memory, s->system->relative, s->absolute) == CV_SUCCESS &&
+         CVodeSetLinearSolver(s->memory, s->linear, s->matrix) == CV_SUCCESS &&
+         CVodeSetJacFn(s->memory, cvode_jacobian) == CV_SUCCESS;
+}
+
+static void close_cvode(struct stepper *s) {
+  if (s->memory) CVodeFree(&s->memory);
+  if (s->linear) SUNLinSolFree(s->linear);
+  if (s->matrix) SUNMatDestroy(s->matrix);
+  if (s->state) N_VDestroy(s->state);
+  if (s->absolute) N_VDestroy(s->absolute);
+  if (s->context) SUNContext_Free(&s->context);
+}
+
+static int step_cvode(struct stepper *s) {
+  int status = CVode(s->memory, 1e9, s->state, &s->t, CV_ONE_STEP);
+  memcpy(s->y, N_VGetArrayPointer(s->state), sizeof s->y);
+  return status < 0 ? SS_UNABLE : SS_OK;
+}
+#endif
+
+static bool open_named(struct stepper *s, const char *name) {
+#ifdef STICKSLIP_SUNDIALS
+  if (strcmp(name, "cvode-bdf") == 0) return open_cvode(s);
+#endif
+  return open_gsl(s, name);
+}
+
+struct stepper *stepper_open(const char *name, const struct stepper_system *system) {
+  struct stepper *s = ss_malloc(sizeof *s);
+  *s = (struct stepper){.system = system};
+  if (open_named(s, name)) return s;
+  stepper_close(s);
+  return NULL;
+}
+
+void stepper_close(struct stepper *s) {
+  if (s->driver) gsl_odeiv2_driver_free(s->driver);
+#ifdef STICKSLIP_SUNDIALS
+  close_cvode(s);
+#endif
+  free(s);
+}
+
+int stepper_start(struct stepper *s, const double y[N]) {
+  memcpy(s->y, y, sizeof s->y);
+  s->t = 0;
+  s->h = 1e-6;
+  if (s->driver) return gsl_odeiv2_driver_reset(s->driver) ? SS_UNABLE : SS_OK;
+#ifdef STICKSLIP_SUNDIALS
+  memcpy(N_VGetArrayPointer(s->state), y, sizeof s->y);
+  return CVodeReInit(s->memory, 0, s->state) ? SS_UNABLE : SS_OK;
+#else
+  return SS_UNABLE;
+#endif
+}
+
+int stepper_step(struct stepper *s, double *t, double y[N]) {
+  int status = SS_OK;
+  if (s->driver) {
+    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    if (gsl_odeiv2_evolve_apply(s->driver->e, s->driver->c, s->driver->s, &s->gsl, &s->t, 1e9, &s->h, s->y))
+      status = SS_UNABLE;
+    gsl_set_error_handler(old);
+#ifdef STICKSLIP_SUNDIALS
+  } else {
+    status = step_cvode(s);
+#endif
+  }
+  *t = s->t;
+  memcpy(y, s->y, sizeof s->y);
+  for (int i = 0; i < N; i++)
+    if (!isfinite(y[i])) status = SS_UNABLE;
+  return status;
+}

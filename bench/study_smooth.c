@@ -1,0 +1,354 @@
+/* Smoothed friction: does the periodic motion of a smooth law tend to the event-driven orbit as its slope grows?
+
+   Two scenes: a stable orbit, to which long runs lead by themselves, and the paper's, which is unstable and is found by
+   Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at half of its
+   greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed forms. */
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/jobs.h"
+#include "bench/smooth.h"
+#include "bench/study.h"
+#include "stickslip/arena.h"
+
+enum { UNKNOWNS = 3, MOST_RETURNS = 30, MOST_NEWTON = 10 };
+static const double tolerance = 1e-9;
+
+/* The event-driven orbit, on the section. */
+struct reference {
+  const char *name;
+  bool shoot;
+  double p[N_PARAMS], limit[2];
+  double period, trace, level, middle; /* middle: from the section to the middle of the next stick phase */
+  double y[STEPPER_SIZE];
+};
+
+static void state_at(double y[STEPPER_SIZE], const struct reference *r, enum phase ph, const double z[N_STATE],
+                     double t) {
+  struct num_ctx ctx = num_ctx_double();
+  double moved[N_STATE];
+  struct num_vec params = {ctx, N_PARAMS, (char *)(size_t)r->p}, in = {ctx, N_STATE, (char *)(size_t)z},
+                 out = {ctx, N_STATE, (char *)moved};
+  dyn_flow(&out, ph, &params, &in, &t);
+  y[S_W] = moved[Z_1] - r->p[P_CHI] * moved[Z_2];
+  y[S_R] = moved[Z_2] - moved[Z_1];
+  y[S_P] = moved[DZ_1] - r->p[P_V];
+  y[S_Q] = moved[DZ_2] - r->p[P_V];
+}
+
+/* The first time after the second mass breaks loose at which it lags by the level: half of the greatest lag. */
+static double find_section(struct reference *r, const double t[N_PHASES], const double *states) {
+  enum { SAMPLES = 400 };
+  double y[STEPPER_SIZE], least = 0, at = 0;
+  const double *z[2] = {states + 2 * N_STATE, states + 3 * N_STATE}; /* Z_b and Z_c */
+  for (int k = 0; k < 2 * SAMPLES; k++) {
+    int late = k / SAMPLES;
+    state_at(y, r, late ? PHASE_C : PHASE_H, z[late], t[PHASE_H + late] * (k % SAMPLES) / SAMPLES);
+    least = fmin(least, y[S_Q]);
+  }
+  r->level = least / 2;
+  double low = 0, high = 0, end = t[PHASE_H] + t[PHASE_C];
+  for (int k = 1; k <= SAMPLES && high == 0; k++) {
+    at = end * k / SAMPLES;
+    bool late = at > t[PHASE_H];
+    state_at(y, r, late ? PHASE_C : PHASE_H, z[late], late ? at - t[PHASE_H] : at);
+    if (y[S_Q] < r->level) high = at;
+    if (high == 0) low = at;
+  }
+  for (int i = 0; i < 80; i++) {
+    at = 0.5 * (low + high);
+    bool late = at > t[PHASE_H];
+    state_at(r->y, r, late ? PHASE_C : PHASE_H, z[late], late ? at - t[PHASE_H] : at);
+    if (r->y[S_Q] < r->level)
+      high = at;
+    else
+      low = at;
+  }
+  r->y[S_Q] = r->level;
+  return at;
+}
+
+static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
+  struct num_ctx ctx = num_ctx_double();
+  struct num_vec params = {ctx, N_PARAMS, (char *)r->p};
+  struct dyn_arc arc;
+  arb_srcptr bound[2] = {o->u_r1_min, o->u_r2_min};
+  for (int i = 0; i < 2; i++) r->limit[i] = 1.25 * fmax(r->p[P_E1 + i], num_arb.get_d(bound[i]));
+  dyn_arc_init(&arc, ctx);
+  double z10 = num_arb.get_d(o->z10), z20 = num_arb.get_d(o->z20);
+  bool good = dyn_arc_run(&arc, &params, &z10, &z20, o->guess) == SS_OK;
+  if (good) {
+    const double *t = (const double *)(const void *)arc.t.data;
+    double at = find_section(r, t, (const double *)(const void *)arc.z.data);
+    r->period = num_arb.get_d(o->period);
+    r->trace = num_arb.get_d(o->trace);
+    r->middle = r->period + 0.5 * t[PHASE_D] - (t[PHASE_D] + t[PHASE_GAMMA] + at);
+  }
+  dyn_arc_clear(&arc);
+  return good;
+}
+
+/* The first admissible orbit of a scene on file. */
+static bool load_reference(struct reference *r, const char *name, bool shoot, const struct bench_env *env) {
+  struct diag d;
+  struct scene s;
+  struct dyn_orbits list;
+  bool good = false;
+  *r = (struct reference){.name = name, .shoot = shoot};
+  if (!env->data) return false;
+  diag_init(&d);
+  if (scene_load(&s, name, env->data, &d)) {
+    for (int i = 0; i < N_PARAMS; i++) r->p[i] = fmpq_get_d(&s.value[i]);
+    dyn_orbits_find(&list, s.value, 128, NULL);
+    for (slong i = 0; i < list.n && !good; i++)
+      good = list.orbit[i].admissible == TRUTH_TRUE && reference_of(r, &list.orbit[i]);
+    dyn_orbits_clear(&list);
+  }
+  scene_clear(&s);
+  return good;
+}
+
+/* --- The periodic motion of a smooth law. --- */
+
+struct motion {
+  const char *state;
+  double y[STEPPER_SIZE], period, creep, change; /* change: of the state in the last return, over its size */
+  long steps;
+  int returns;
+  double seconds; /* of a return, the mean */
+};
+
+struct run {
+  const struct reference *ref;
+  const struct smooth *m;
+  struct stepper *stepper;
+  long most_steps;
+};
+
+static double distance(const double a[UNKNOWNS], const double b[UNKNOWNS]) {
+  double off = 0, size = 0;
+  for (int i = 0; i < UNKNOWNS; i++) {
+    off = fmax(off, fabs(a[i] - b[i]));
+    size = fmax(size, fabs(b[i]));
+  }
+  return off / size;
+}
+
+static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct run *run) {
+  struct smooth_passage s;
+  double before[STEPPER_SIZE];
+  memcpy(before, y, sizeof before);
+  int status = smooth_return(&s, y, run->stepper, run->m, run->ref->middle, 20 * run->ref->period, run->most_steps);
+  o->steps += s.steps;
+  o->returns++;
+  o->period = s.time;
+  o->creep = s.creep / run->ref->p[P_V];
+  o->change = distance(y, before);
+  return status;
+}
+
+static int long_run(struct motion *o, const struct run *run) {
+  int status = SS_OK;
+  do status = go_round(o, o->y, run);
+  while (!status && o->change > 20 * tolerance && o->returns < MOST_RETURNS);
+  return status;
+}
+
+/* x <- x - (P' - I)^-1 (P(x) - x), P' by differences. */
+static int newton_step(struct motion *o, double *moved, const struct run *run) {
+  double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], x[UNKNOWNS];
+  memcpy(image, o->y, sizeof image);
+  int status = go_round(o, image, run), sign;
+  double period = o->period, creep = o->creep, change = o->change;
+  for (int k = 0; k < UNKNOWNS && !status; k++) {
+    double y[STEPPER_SIZE], h = 1e-5 * fabs(run->ref->y[S_W]);
+    memcpy(y, o->y, sizeof y);
+    y[k] += h;
+    status = go_round(o, y, run);
+    for (int i = 0; i < UNKNOWNS; i++) a[i * UNKNOWNS + k] = (y[i] - image[i]) / h - (i == k);
+  }
+  if (status) return status;
+  for (int i = 0; i < UNKNOWNS; i++) b[i] = o->y[i] - image[i];
+  gsl_matrix_view mat = gsl_matrix_view_array(a, UNKNOWNS, UNKNOWNS);
+  gsl_vector_view rhs = gsl_vector_view_array(b, UNKNOWNS), sol = gsl_vector_view_array(x, UNKNOWNS);
+  gsl_permutation *perm = gsl_permutation_alloc(UNKNOWNS);
+  gsl_linalg_LU_decomp(&mat.matrix, perm, &sign);
+  gsl_linalg_LU_solve(&mat.matrix, perm, &rhs.vector, &sol.vector);
+  gsl_permutation_free(perm);
+  memcpy(b, o->y, sizeof b);
+  for (int i = 0; i < UNKNOWNS; i++) o->y[i] += x[i];
+  *moved = distance(o->y, b);
+  o->period = period;
+  o->creep = creep;
+  o->change = change;
+  return isfinite(*moved) ? SS_OK : SS_UNABLE;
+}
+
+static int shoot(struct motion *o, const struct run *run) {
+  double moved = INFINITY;
+  int status = SS_OK;
+  for (int i = 0; i < MOST_NEWTON && !status && moved > 1e-8; i++) status = newton_step(o, &moved, run);
+  return status;
+}
+
+static void find_motion(struct motion *o, const struct reference *ref, const struct smooth *m, const char *solver,
+                        long most_steps) {
+  struct stepper_system system = smooth_system(m, tolerance);
+  struct run run = {ref, m, stepper_open(solver, &system), most_steps};
+  *o = (struct motion){.state = "cannot be set up", .period = NAN, .creep = NAN, .change = NAN, .seconds = NAN};
+  if (!run.stepper) return;
+  memcpy(o->y, ref->y, sizeof o->y);
+  double begin = bench_now();
+  int status = ref->shoot ? shoot(o, &run) : long_run(o, &run);
+  o->seconds = (bench_now() - begin) / o->returns;
+  bool settled = o->change <= (ref->shoot ? 1e-6 : 20 * tolerance);
+  o->state = status & SS_UNABLE   ? "gives up"
+             : status & SS_DOMAIN ? "no return"
+             : settled            ? "periodic"
+                                  : "does not settle";
+  stepper_close(run.stepper);
+}
+
+/* --- The tables. --- */
+
+static const char *const solvers[] = {"rk8pd", "bsimp", "msbdf",
+#ifdef STICKSLIP_SUNDIALS
+                                      "cvode-bdf"
+#endif
+};
+enum { DECADES = 8 };
+
+static void add_run(struct study_table *t, const struct reference *ref, enum smooth_law law, int decade,
+                    const char *solver, const struct motion *o) {
+  bool periodic = strcmp(o->state, "periodic") == 0;
+  study_text(t, "%s\t%s\t1e%d\t%s\t%s\t%d", ref->name, smooth_law_name[law], decade, solver, o->state, o->returns);
+  study_number(t, periodic ? o->period : NAN, 10);
+  study_number(t, periodic ? fabs(o->period - ref->period) / ref->period : NAN, 3);
+  study_number(t, periodic ? distance(o->y, ref->y) : NAN, 3);
+  study_number(t, periodic ? o->creep : NAN, 3);
+  study_number(t, (double)o->steps / fmax(1, o->returns), 4);
+  study_number(t, o->seconds, 3);
+  study_row(t);
+}
+
+/* How the errors of one solver fall from decade to decade. */
+struct fall {
+  double period[DECADES + 1], state[DECADES + 1], creep[DECADES + 1];
+};
+
+static double rate(const double *x, int k) {
+  return k > 1 ? log10(x[k - 1] / x[k]) : (double)NAN;
+}
+
+static void add_rates(struct study_table *t, const struct reference *ref, enum smooth_law law, const struct fall *f,
+                      int decades) {
+  for (int k = 1; k <= decades; k++) {
+    study_text(t, "%s\t%s\t1e%d", ref->name, smooth_law_name[law], k);
+    study_number(t, f->period[k], 3);
+    study_number(t, rate(f->period, k), 3);
+    study_number(t, f->state[k], 3);
+    study_number(t, rate(f->state, k), 3);
+    study_number(t, f->creep[k], 3);
+    study_number(t, rate(f->creep, k), 3);
+    study_row(t);
+  }
+}
+
+/* The periodic motion of the first solver that has one, by slope. */
+static void keep(struct fall *f, int k, const struct reference *ref, const struct motion *o) {
+  if (isfinite(f->period[k]) || strcmp(o->state, "periodic") != 0) return;
+  f->period[k] = fabs(o->period - ref->period) / ref->period;
+  f->state[k] = distance(o->y, ref->y);
+  f->creep[k] = o->creep;
+}
+
+static void plot(struct study_page *page, const struct study_table *rates) {
+  struct text *out = &page->plot, cell;
+  static const char *const scenes[] = {"stable", "paper"};
+  text_init(&cell);
+  text_add(out, "set terminal svg size 900,600 dynamic font 'sans,12' background '#ffffff'\nset output 'smooth.svg'\n"
+                "set logscale xy\nset format '10^{%T}'\nset grid lc '#d0d0d0'\nset xlabel 'slope s'\n"
+                "set ylabel 'distance from the event-driven orbit, relative'\nset key bottom left\n"
+                "set datafile missing '-'\n");
+  for (int k = 0; k < 2 * N_LAWS; k++) {
+    text_printf(out, "$d%d << EOD\n", k);
+    for (int i = 0; i < study_rows(rates); i++) {
+      if (strcmp(study_cell(&cell, rates, i, "scene"), scenes[k / N_LAWS]) != 0) continue;
+      if (strcmp(study_cell(&cell, rates, i, "law"), smooth_law_name[k % N_LAWS]) != 0) continue;
+      text_printf(out, "%s ", study_cell(&cell, rates, i, "s"));
+      text_printf(out, "%s\n", study_cell(&cell, rates, i, "state_error"));
+    }
+    text_add(out, "EOD\n");
+  }
+  text_add(out, "plot ");
+  for (int k = 0; k < 2 * N_LAWS; k++)
+    text_printf(out, "%s$d%d using 1:2 with linespoints pt %d dt %d lc %d title '%s, %s'", k ? ", \\\n  " : "", k,
+                k + 1, k / N_LAWS + 1, k % N_LAWS + 1, scenes[k / N_LAWS], smooth_law_name[k % N_LAWS]);
+  text_add(out, "\n");
+  text_clear(&cell);
+}
+
+static bool run_smooth(struct study_page *page, const struct bench_env *env) {
+  static const char *const scenes[] = {"stable", "paper"};
+  int decades = page->quick ? 4 : DECADES, n_solvers = COUNT(solvers);
+  struct study_table *orbits =
+      study_table(page, "orbits", "The event-driven orbits", "scene\tperiod\ttrace\tu_s1\tu_r1\tu_s2\tu_r2\tsection",
+                  "The static limits are 5/4 of what the orbit needs, as in simulate. section: "
+                  "the lag x_2' - V at which passages are counted, in units of V.");
+  struct study_table *runs = study_table(
+      page, "runs", "Every run",
+      "scene\tlaw\ts\tsolver\toutcome\treturns\tperiod\tperiod_error\tstate_error\tcreep\tsteps\tseconds",
+      "stable: a long run, up to 30 returns; paper: shooting, four returns to each Newton step. no return: within 20 "
+      "periods. creep: the greater speed relative to the belt in the middle of the stick phase, over V. steps and "
+      "seconds: of one return.");
+  struct study_table *rates = study_table(
+      page, "rates", "How fast they approach",
+      "scene\tlaw\ts\tperiod_error\trate\tstate_error\tstate_rate\tcreep\tcreep_rate",
+      "Of the last solver in the list above that found a periodic motion. A rate is the fall of the decimal logarithm "
+      "over the decade before: an error like s^-a has the rate a.");
+  bool good = true;
+  for (int i = 0; i < COUNT(scenes); i++) {
+    struct reference ref;
+    good = load_reference(&ref, scenes[i], i == 1, env) && good;
+    if (!good) break;
+    study_text(orbits, "%s", ref.name);
+    study_number(orbits, ref.period, 12);
+    study_number(orbits, ref.trace, 6);
+    for (int k = 0; k < 2; k++) {
+      study_number(orbits, ref.limit[k] - ref.p[P_E1 + k], 6);
+      study_number(orbits, ref.limit[k], 6);
+    }
+    study_number(orbits, ref.level / ref.p[P_V], 6);
+    study_row(orbits);
+    for (int law = 0; law < N_LAWS; law++) {
+      struct fall fall;
+      for (int k = 0; k <= DECADES; k++) fall.period[k] = fall.state[k] = fall.creep[k] = NAN;
+      for (int k = 1; k <= decades; k++) {
+        struct smooth m;
+        smooth_init(&m, (enum smooth_law)law, pow(10, k), ref.p, ref.limit);
+        m.level = ref.level;
+        for (int j = n_solvers - 1; j >= 0; j--) {
+          struct motion o;
+          find_motion(&o, &ref, &m, solvers[j], page->quick ? 20000 : 100000);
+          add_run(runs, &ref, (enum smooth_law)law, k, solvers[j], &o);
+          keep(&fall, k, &ref, &o);
+        }
+      }
+      add_rates(rates, &ref, (enum smooth_law)law, &fall, decades);
+    }
+  }
+  plot(page, rates);
+  return good;
+}
+
+const struct study study_smooth = {
+    .id = "smooth",
+    .title = "Smoothed friction",
+    .question =
+        "Coulomb's law is replaced by smooth ones with a slope s at the speed of the belt: tanh, which has no static "
+        "friction above\nthe sliding one, and two with a hump of that height. Does the periodic motion tend to the "
+        "event-driven orbit, how fast,\nand at which cost?",
+    .run = run_smooth,
+};
