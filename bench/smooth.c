@@ -69,9 +69,9 @@ static void jacobian(double j[STEPPER_SIZE * STEPPER_SIZE], const void *self, co
   memcpy(j, rows, sizeof rows);
 }
 
-struct stepper_system smooth_system(const struct smooth *m, double tolerance) {
+struct stepper_system smooth_system(const struct smooth *m, double tolerance, double longest) {
   double small = tolerance * fmin(1, 10 / m->slope);
-  return (struct stepper_system){field, jacobian, m, tolerance, {tolerance, tolerance, small, small}};
+  return (struct stepper_system){field, jacobian, m, tolerance, {tolerance, tolerance, small, small}, longest};
 }
 
 /* --- The section. --- */

@@ -97,7 +97,7 @@ static bool open_cvode(struct stepper *s) {
   memcpy(N_VGetArrayPointer(s->absolute), s->system->absolute, sizeof s->system->absolute);
   s->linear = SUNLinSol_Dense(s->state, s->matrix, s->context);
   return s->linear && CVodeInit(s->memory, cvode_side, 0, s->state) == CV_SUCCESS &&
-         CVodeSetUserData(s->memory, s) == CV_SUCCESS &&
+         CVodeSetUserData(s->memory, s) == CV_SUCCESS && CVodeSetMaxStep(s->memory, s->system->longest) == CV_SUCCESS &&
          CVodeSVtolerances(s->memory, s->system->relative, s->absolute) == CV_SUCCESS &&
          CVodeSetLinearSolver(s->memory, s->linear, s->matrix) == CV_SUCCESS &&
          CVodeSetJacFn(s->memory, cvode_jacobian) == CV_SUCCESS;
@@ -159,7 +159,8 @@ int stepper_step(struct stepper *s, double *t, double y[N]) {
   int status = SS_OK;
   if (s->driver) {
     gsl_error_handler_t *old = gsl_set_error_handler_off();
-    if (gsl_odeiv2_evolve_apply(s->driver->e, s->driver->c, s->driver->s, &s->gsl, &s->t, 1e9, &s->h, s->y))
+    if (gsl_odeiv2_evolve_apply(s->driver->e, s->driver->c, s->driver->s, &s->gsl, &s->t, s->t + s->system->longest,
+                                &s->h, s->y))
       status = SS_UNABLE;
     gsl_set_error_handler(old);
 #ifdef STICKSLIP_SUNDIALS

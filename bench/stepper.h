@@ -11,6 +11,7 @@ struct stepper_system {
   void (*jacobian)(double j[STEPPER_SIZE * STEPPER_SIZE], const void *self, const double y[STEPPER_SIZE]);
   const void *self;
   double relative, absolute[STEPPER_SIZE];
+  double longest; /* step */
 };
 
 struct stepper;

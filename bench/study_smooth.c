@@ -1,7 +1,7 @@
 /* Smoothed friction: does the periodic motion of a smooth law tend to the event-driven orbit as its slope grows?
 
    Two scenes: a stable orbit, to which long runs lead by themselves, and the paper's, which is unstable and is found by
-   Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at half of its
+   Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at a part of its
    greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed forms. */
 #include <gsl/gsl_linalg.h>
 #include <math.h>
@@ -38,36 +38,55 @@ static void state_at(double y[STEPPER_SIZE], const struct reference *r, enum pha
   y[S_Q] = moved[DZ_2] - r->p[P_V];
 }
 
-/* The first time after the second mass breaks loose at which it lags by the level: half of the greatest lag. */
+/* The motion while the second mass slides, phases H and C: the time from the start of H. */
+struct slide {
+  const struct reference *r;
+  const double *t, *z[2]; /* of the phases; the states Z_b and Z_c */
+};
+
+static double lag_at(double y[STEPPER_SIZE], const struct slide *s, double at) {
+  bool late = at > s->t[PHASE_H];
+  state_at(y, s->r, late ? PHASE_C : PHASE_H, s->z[late], late ? at - s->t[PHASE_H] : at);
+  return y[S_Q];
+}
+
+enum { SAMPLES = 800 };
+
+/* How often the lag falls through the level, and the sample after which it first does. */
+static int count_passages(int *first, const struct slide *s, double level) {
+  double y[STEPPER_SIZE], end = s->t[PHASE_H] + s->t[PHASE_C], before = 0;
+  int n = 0;
+  for (int k = 1; k <= SAMPLES; k++) {
+    double q = lag_at(y, s, end * k / SAMPLES);
+    if (before > level && q <= level && n++ == 0) *first = k - 1;
+    before = q;
+  }
+  return n;
+}
+
+/* The level is a part of the greatest lag, as small a one as makes passages through it happen once in a period; returns
+   the time of this passage. */
 static double find_section(struct reference *r, const double t[N_PHASES], const double *states) {
-  enum { SAMPLES = 400 };
-  double y[STEPPER_SIZE], least = 0, at = 0;
-  const double *z[2] = {states + 2 * N_STATE, states + 3 * N_STATE}; /* Z_b and Z_c */
-  for (int k = 0; k < 2 * SAMPLES; k++) {
-    int late = k / SAMPLES;
-    state_at(y, r, late ? PHASE_C : PHASE_H, z[late], t[PHASE_H + late] * (k % SAMPLES) / SAMPLES);
-    least = fmin(least, y[S_Q]);
+  static const double part[] = {0.5, 0.75, 0.875, 0.9375};
+  struct slide s = {r, t, {states + 2 * N_STATE, states + 3 * N_STATE}};
+  double y[STEPPER_SIZE], least = 0, end = t[PHASE_H] + t[PHASE_C];
+  int first = 0;
+  for (int k = 0; k <= SAMPLES; k++) least = fmin(least, lag_at(y, &s, end * k / SAMPLES));
+  for (int k = 0; k < COUNT(part); k++) {
+    r->level = part[k] * least;
+    if (count_passages(&first, &s, r->level) == 1) break;
   }
-  r->level = least / 2;
-  double low = 0, high = 0, end = t[PHASE_H] + t[PHASE_C];
-  for (int k = 1; k <= SAMPLES && high == 0; k++) {
-    at = end * k / SAMPLES;
-    bool late = at > t[PHASE_H];
-    state_at(y, r, late ? PHASE_C : PHASE_H, z[late], late ? at - t[PHASE_H] : at);
-    if (y[S_Q] < r->level) high = at;
-    if (high == 0) low = at;
-  }
+  double low = end * first / SAMPLES, high = end * (first + 1) / SAMPLES;
   for (int i = 0; i < 80; i++) {
-    at = 0.5 * (low + high);
-    bool late = at > t[PHASE_H];
-    state_at(r->y, r, late ? PHASE_C : PHASE_H, z[late], late ? at - t[PHASE_H] : at);
-    if (r->y[S_Q] < r->level)
-      high = at;
+    double mid = 0.5 * (low + high);
+    if (lag_at(y, &s, mid) > r->level)
+      low = mid;
     else
-      low = at;
+      high = mid;
   }
+  lag_at(r->y, &s, high);
   r->y[S_Q] = r->level;
-  return at;
+  return high;
 }
 
 static bool reference_of(struct reference *r, const struct dyn_orbit *o) {
@@ -195,7 +214,7 @@ static int shoot(struct motion *o, const struct run *run) {
 
 static void find_motion(struct motion *o, const struct reference *ref, const struct smooth *m, const char *solver,
                         long most_steps) {
-  struct stepper_system system = smooth_system(m, tolerance);
+  struct stepper_system system = smooth_system(m, tolerance, ref->period / 100);
   struct run run = {ref, m, stepper_open(solver, &system), most_steps};
   *o = (struct motion){.state = "cannot be set up", .period = NAN, .creep = NAN, .change = NAN, .seconds = NAN};
   if (!run.stepper) return;
