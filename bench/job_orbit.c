@@ -79,11 +79,9 @@ static int run_find(void *self, struct num_vec *out, long *steps, const struct b
 
 /* --- In one unknown: Newton's iteration on the return map. --- */
 
-static int run_return_map(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
-  double *o = (double *)(void *)out->data, r = printed[PR_Z20] - printed[PR_Z10], end, slope, step = INFINITY;
-  const double *p = c->x;
+int bench_orbit_by_map(double *o, long *steps, const double *p, double r) {
+  double end, slope, step = INFINITY;
   int status = SS_OK;
-  (void)self;
   *steps = 0;
   do {
     status = dyn_return_map_d(&end, &slope, &o[OUT_TA], p, r, NULL);
@@ -97,6 +95,11 @@ static int run_return_map(void *self, struct num_vec *out, long *steps, const st
   o[OUT_Z20] = (w + end) / (1 - p[P_CHI]);
   o[OUT_TRACE] = slope;
   return *steps < 50 ? status : SS_UNABLE;
+}
+
+static int run_return_map(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  return bench_orbit_by_map((double *)(void *)out->data, steps, c->x, printed[PR_Z20] - printed[PR_Z10]);
 }
 
 /* --- In (t_b, t_c), r being what t_b makes it. --- */

@@ -42,6 +42,8 @@ void bench_six(double f[SIX], double j[SIX * SIX], const double *params, const d
 
 /* The example's parameters in double, job_orbit.c. */
 extern const double bench_example[];
+/* The orbit by Newton's iteration on the return map of r, in double: t_a, t_b, t_c, t_d, z_10, z_20, trace. */
+int bench_orbit_by_map(double *out, long *steps, const double *params, double r);
 
 /* --- newton_mpfr.c --- */
 
