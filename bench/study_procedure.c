@@ -18,7 +18,7 @@
 
 #include "bench/jobs.h"
 #include "bench/study.h"
-#include "dynamics/dyn_impl.h"
+#include "dynamics/dual.h"
 #include "stickslip/arena.h"
 #include "stickslip/paper_route.h"
 
@@ -148,8 +148,9 @@ static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) 
   out[1] = calc_div(c, calc_sub(c, calc_mul(c, m[0], b), calc_mul(c, m[2], a)), det);
 }
 
-/* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had. */
-static void by_row(arb_ptr out, int row, const struct num_vec *params, const struct num_vec *t) {
+/* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.  params
+   and t are duals, t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these, value by value. */
+static void by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t) {
   enum { SIZE = N_STATE * N_STATE };
   struct num_ctx ctx = params->ctx;
   struct num_vec a, step;
@@ -170,11 +171,14 @@ static void by_row(arb_ptr out, int row, const struct num_vec *params, const str
   solve_two(x, &c, lead, calc_add(&c, m[2], m[3]), calc_add(&c, m[6], m[7])); /* (A1 - I)^-1 A2 u */
   solve_two(y, &c, low, calc_add(&c, calc_sub(&c, m[10], one), m[11]),
             calc_add(&c, m[14], calc_sub(&c, m[15], one))); /* A3^-1 (A4 - I) u */
-  val ta = calc_div(&c, calc_sub(&c, y[row], x[row]), s[row]);
-  arb_set(out, ta);
+  val got[N_WANTED] = {calc_div(&c, calc_sub(&c, y[row], x[row]), s[row])};
   for (int i = 0; i < 2; i++) {
-    val part = calc_mul(&c, ta, calc_add(&c, one, s[i]));
-    arb_set(out + 1 + i, calc_neg(&c, calc_mul(&c, V, calc_add(&c, x[i], part))));
+    val part = calc_mul(&c, got[0], calc_add(&c, one, s[i]));
+    got[1 + i] = calc_neg(&c, calc_mul(&c, V, calc_add(&c, x[i], part)));
+  }
+  for (int i = 0; i < N_WANTED; i++) {
+    arb_set(out + i, dual_value(got[i]));
+    for (int k = 0; k < 3 && slope; k++) arb_set(slope + 3 * i + k, dual_slope(got[i], k));
   }
   if (status | c.status) _arb_vec_indeterminate(out, N_WANTED);
   calc_clear(&c);
@@ -251,25 +255,44 @@ static void printed_clear(struct printed_times *p) {
   }
 }
 
-/* t + half * (2 i/n - 1), and as a ball up to the next point when wide. */
+/* t + half * (at/n - 1), exactly on the grid; wide: with everything up to half/n on both sides. */
 static void place(struct num_vec *t, const struct printed_times *p, const int at[3], int n, bool wide) {
   fmpq_t x;
+  arf_t radius;
   fmpq_init(x);
+  arf_init(radius);
   for (int k = 0; k < 3; k++) {
-    fmpq_set_si(x, 2 * at[k] + wide - n, (ulong)n);
+    struct dual *z = num_vec_at(t, k);
+    fmpq_set_si(x, at[k] - n, (ulong)n);
     fmpq_mul(x, x, &p->half[k]);
     fmpq_add(x, x, &p->t[k]);
-    arb_ptr ball = num_vec_at(t, k);
-    arb_set_fmpq(ball, x, t->ctx.prec);
-    if (!wide) continue;
-    arf_t radius;
-    arf_init(radius);
+    arb_set_fmpq(&z->v, x, t->ctx.prec);
+    arb_one(&z->d[k]);
     arf_set_fmpq(radius, &p->half[k], 64, ARF_RND_UP);
     arf_div_ui(radius, radius, (ulong)n, 64, ARF_RND_UP);
-    arb_add_error_arf(ball, radius);
-    arf_clear(radius);
+    if (wide) arb_add_error_arf(&z->v, radius);
   }
+  arf_clear(radius);
   fmpq_clear(x);
+}
+
+/* The values over the cell around a point: those at the point and slopes over the cell times what it extends. */
+static void over_cell(arb_ptr out, int row, const struct num_vec *params, struct num_vec *t,
+                      const struct printed_times *p, const int at[3], int n) {
+  arb_ptr slope = _arb_vec_init(N_WANTED * 3), middle = _arb_vec_init(3), wide = _arb_vec_init(N_WANTED);
+  slong prec = params->ctx.prec;
+  place(t, p, at, n, false);
+  for (int k = 0; k < 3; k++) arb_set(middle + k, dual_value(num_vec_at(t, k)));
+  by_row(out, NULL, row, params, t);
+  place(t, p, at, n, true);
+  by_row(wide, slope, row, params, t);
+  for (int k = 0; k < 3; k++) {
+    arb_sub(middle + k, dual_value(num_vec_at(t, k)), middle + k, prec);
+    for (int i = 0; i < N_WANTED; i++) arb_addmul(out + i, slope + 3 * i + k, middle + k, prec);
+  }
+  _arb_vec_clear(middle, 3);
+  _arb_vec_clear(wide, N_WANTED);
+  _arb_vec_clear(slope, N_WANTED * 3);
 }
 
 /* Digits of the printed values themselves, the fewest at points of the box, and the fewest anywhere in it. */
@@ -282,22 +305,21 @@ static void least_digits(double least[N_WANTED], arb_srcptr got, arb_srcptr trut
 }
 
 static void rows_digits(struct digits *d, int row, const struct num_vec *params, const struct printed_times *p,
-                        arb_srcptr truth_of, int pieces) {
+                        arb_srcptr truth_of, int n) {
   struct num_vec t;
   arb_ptr got = _arb_vec_init(N_WANTED);
   num_vec_init(&t, 3, params->ctx);
   for (int i = 0; i < N_WANTED; i++) d->printed[i] = d->worst[i] = d->sure[i] = INFINITY;
-  place(&t, p, (int[]){1, 1, 1}, 2, false);
-  by_row(got, row, params, &t);
+  place(&t, p, (int[]){1, 1, 1}, 1, false);
+  by_row(got, NULL, row, params, &t);
   least_digits(d->printed, got, truth_of);
   for (int k = 0; k < 27; k++) {
-    place(&t, p, (int[]){k % 3, k / 3 % 3, k / 9}, 2, false);
-    by_row(got, row, params, &t);
+    place(&t, p, (int[]){k % 3, k / 3 % 3, k / 9}, 1, false);
+    by_row(got, NULL, row, params, &t);
     least_digits(d->worst, got, truth_of);
   }
-  for (int k = 0; k < pieces * pieces * pieces; k++) {
-    place(&t, p, (int[]){k % pieces, k / pieces % pieces, k / pieces / pieces}, pieces, true);
-    by_row(got, row, params, &t);
+  for (int k = 0; k < n * n * n; k++) {
+    over_cell(got, row, params, &t, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
     least_digits(d->sure, got, truth_of);
   }
   num_vec_clear(&t);
@@ -389,15 +411,15 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
   arb_set(truth_of, o->t[PHASE_D]);
   arb_set(truth_of + 1, o->z10);
   arb_set(truth_of + 2, o->z20);
-  num_vec_init(&params, N_PARAMS, num_ctx_arb(128));
-  for (int i = 0; i < N_PARAMS; i++) arb_set_fmpq(num_vec_at(&params, i), f->exact + i, 128);
+  num_vec_init(&params, N_PARAMS, dual_ctx(128));
+  for (int i = 0; i < N_PARAMS; i++) num_dual.set_q(num_vec_at(&params, i), f->exact + i, 128);
   for (int k = 0; k < COUNT(counts); k++) {
     struct printed_times p;
     print_times(&p, t, counts[k]);
     for (int way = 0; way < COUNT(ways); way++) {
       struct digits d;
       if (way < 2)
-        rows_digits(&d, way, &params, &p, truth_of, all->quick ? 3 : 6);
+        rows_digits(&d, way, &params, &p, truth_of, all->quick ? 2 : 4);
       else
         pair_digits(&d, f->exact, &p, t[2], truth_of);
       add_digits(all, scene, number, counts[k], way, &d);
@@ -673,7 +695,8 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       "and "
       "from t_b and t_c alone, t_d being solved for. First the digits of what the rounded times give, then the fewest "
       "over "
-      "27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, by balls.");
+      "27 (9) points of the box of numbers that round to them, then a bound that holds in the whole box, by balls "
+      "(values at the middles of cells and slopes over the cells).");
   all.singular =
       study_table(page, "singular", "Beside a singular N_1 - I", "distance\tt_b\ttrace\t" LOST,
                   "Admissible orbits with chi = 15/64, eta = 2, V = 1 and t_c = 43/32, at a distance in t_b from "
