@@ -3,7 +3,6 @@
 #include "bench/jobs.h"
 
 #ifdef STICKSLIP_SUNDIALS
-#include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
 #include <string.h>
@@ -11,13 +10,8 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "bench/sundials.h"
 #include "stickslip/arena.h"
-
-#if SUNDIALS_VERSION_MAJOR >= 7
-#define NO_COMM SUN_COMM_NULL
-#else
-#define NO_COMM NULL
-#endif
 
 struct cvode {
   struct bench_motion motion;
@@ -72,6 +66,7 @@ void *bench_cvode_open(const struct bench_method *m, double tolerance, const str
     c->memory = CVodeCreate(adams ? CV_ADAMS : CV_BDF, c->context);
   }
   if (c->y) N_VConst(1, c->y);
+  if (c->memory) be_quiet(c->memory, c->context);
   if (c->y && c->memory && CVodeInit(c->memory, right_side, 0, c->y) == CV_SUCCESS && attach(c, adams) &&
       CVodeSetUserData(c->memory, c) == CV_SUCCESS && CVodeRootInit(c->memory, 1, root) == CV_SUCCESS &&
       CVodeSStolerances(c->memory, tolerance, tolerance) == CV_SUCCESS)

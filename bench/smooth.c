@@ -11,14 +11,21 @@
 
 const char *const smooth_law_name[N_LAWS] = {"tanh", "stribeck", "wide"};
 
-/* The largest value of tanh x exp(-(x/width)^2) (base + rise exp) is found by bisection on rise. */
+/* The largest value of tanh x (sliding + rise exp(-(x/width)^2)), which rises to one top and falls: by sections of a third. */
 static double peak(double sliding, double rise, double width) {
-  double most = 0, end = fmin(4 * width, 40);
-  for (int i = 1; i <= 4000; i++) {
-    double x = end * i / 4000, part = x / width;
-    most = fmax(most, tanh(x) * (sliding + rise * exp(-part * part)));
+  double low = 0, high = fmin(4 * width, 40), at[2], value[2];
+  for (int i = 0; i < 120; i++) {
+    for (int k = 0; k < 2; k++) {
+      at[k] = low + (high - low) * (1 + k) / 3;
+      double part = at[k] / width;
+      value[k] = tanh(at[k]) * (sliding + rise * exp(-part * part));
+    }
+    if (value[0] < value[1])
+      low = at[0];
+    else
+      high = at[1];
   }
-  return most;
+  return fmax(value[0], value[1]);
 }
 
 static double rise_of(double sliding, double limit, double width) {
@@ -105,13 +112,14 @@ int smooth_return(struct smooth_passage *s, double y[STEPPER_SIZE], struct stepp
                   double creep_at, double longest, long most_steps) {
   double t = 0, before = 0;
   bool above = false; /* q has been over the level since the start */
-  *s = (struct smooth_passage){.creep = NAN};
+  *s = (struct smooth_passage){.creep = NAN, .nearest = INFINITY};
   int status = stepper_start(stepper, y);
   while (!status) {
     if (s->steps == most_steps) return SS_UNABLE;
     if (t > longest) return SS_DOMAIN;
     status = stepper_step(stepper, &t, y);
     s->steps++;
+    s->nearest = fmin(s->nearest, fmax(fabs(y[S_P]), fabs(y[S_Q])));
     if (before < creep_at && t >= creep_at) s->creep = fmax(fabs(y[S_P]), fabs(y[S_Q]));
     before = t;
     if (above && y[S_Q] <= m->level) break;

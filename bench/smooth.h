@@ -35,7 +35,8 @@ struct stepper_system smooth_system(const struct smooth *m, double tolerance, do
 struct smooth_passage {
   double time;
   long steps;
-  double creep; /* |p| or |q|, the larger one, at the end of the first step that passes the time creep_at */
+  double nearest; /* the least of the larger one of |p| and |q|: how nearly both masses stick */
+  double creep;   /* |p| or |q|, the larger one, at the end of the first step that passes the time creep_at */
 };
 /* From y on the section to the next passage, y there.  SS_DOMAIN when there is none within longest, SS_UNABLE when the
    integrator fails or takes more than most_steps. */

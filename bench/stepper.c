@@ -12,16 +12,11 @@
 #include "stickslip/status.h"
 
 #ifdef STICKSLIP_SUNDIALS
-#include <cvode/cvode.h>
 #include <nvector/nvector_serial.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 
-#if SUNDIALS_VERSION_MAJOR >= 7
-#define NO_COMM SUN_COMM_NULL
-#else
-#define NO_COMM NULL
-#endif
+#include "bench/sundials.h"
 #endif
 
 enum { N = STEPPER_SIZE };
@@ -93,6 +88,7 @@ static bool open_cvode(struct stepper *s) {
   s->memory = CVodeCreate(CV_BDF, s->context);
   s->matrix = SUNDenseMatrix(N, N, s->context);
   if (!s->state || !s->absolute || !s->memory || !s->matrix) return false;
+  be_quiet(s->memory, s->context);
   N_VConst(1, s->state);
   memcpy(N_VGetArrayPointer(s->absolute), s->system->absolute, sizeof s->system->absolute);
   s->linear = SUNLinSol_Dense(s->state, s->matrix, s->context);
