@@ -172,6 +172,8 @@ void bench_study_markdown(struct text *out, const struct study_page *page, bool 
 /* JOB.svg, and JOB-steps.svg when there are methods with steps. */
 void bench_gnuplot(struct text *out, const struct bench_table *t);
 bool bench_has_steps(const struct bench_table *t);
+/* Of the k-th curve of a figure. */
+const char *bench_colour(int k);
 /* Runs gnuplot on a script in a folder; false when it is not there or fails. */
 bool bench_draw(const char *folder, const struct text *script);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */

@@ -18,6 +18,10 @@ static const char *const colours[] = {"#000000", "#0072b2", "#d55e00", "#009e73"
                                       "#cc79a7", "#56b4e9", "#e69f00", "#7f7f7f"};
 enum { N_COLOURS = sizeof colours / sizeof *colours, N_MARKERS = 13, N_DASHES = 5 };
 
+const char *bench_colour(int k) {
+  return colours[k % N_COLOURS];
+}
+
 static bool plotted(const struct bench_row *r) {
   return !r->failure && isfinite(r->worst);
 }
@@ -57,7 +61,7 @@ static void add_curves(struct text *out, const struct bench_table *t, const char
     int n = points_of(t, m);
     if (n == 0 || (steps && !in_double(m))) continue;
     text_printf(out, ", \\\n  $m%d using %s with %s lc '%s' pt %d ps 0.8", k, columns, n > 1 ? "linespoints" : "points",
-                colours[k % N_COLOURS], k % N_MARKERS + 1);
+                bench_colour(k), k % N_MARKERS + 1);
     if (n > 1) text_printf(out, " dt %d lw 1.2", k % N_DASHES + 1);
     text_printf(out, " title '%s'", m->id);
   }

@@ -3,132 +3,22 @@
 
    Each orbit of each scene on file, its e1 and e2 rounded to double and then exact, is solved for in double by the three
    methods, beside the condition numbers of what each inverts.  Then the other way round: with t_b, t_c, t_d known to a few
-   printed digits, what are t_a, z_10, z_20?  With A = C H Gamma in blocks A1 A2; A3 A4, N = A D makes the two equations (45)
-   linear in t_a,
-
-     t_a (A1 - I)^-1 u + (A1 - I)^-1 A2 u - A3^-1 (A4 - I) u = 0,   u = (1, 1),
-
-   so each of them alone gives t_a, and (46) z_0; on an orbit they agree.  Third, t_b and t_c alone, the rest being solved
-   for (given.h).  Last, a line of orbits that passes one at which N_1 - I is singular. */
+   printed digits, what are t_a, z_10, z_20?  Last, a line of orbits that passes one at which N_1 - I is singular. */
 #include <dirent.h>
-#include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "bench/jobs.h"
+#include "bench/printed_digits.h"
 #include "bench/study.h"
+#include "bench/three_ways.h"
 #include "dynamics/dual.h"
 #include "stickslip/arena.h"
-#include "stickslip/paper_route.h"
 
-enum { PREC = 256, N_WANTED = 3 }; /* wanted: t_a, z_10, z_20 */
+enum { PREC = THREE_WAYS_BITS };
 
-/* --- The three methods in double. --- */
-
-struct lost {
-  double paper, six, map; /* digits, as paper_route.h counts them; NAN: the method failed */
-  double k_paper, k_n1, k_n3, k_six, k_map;
-};
-
-/* digits_lost of paper_route.h; x: t_a, t_b, t_c, t_d, z_10, z_20. */
-static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {
-  arb_t off;
-  double worst = 0, period = 0, reach = fabs(x[ROUTE_Z]) + fabs(x[ROUTE_Z + 1]);
-  arb_init(off);
-  for (int i = 0; i < ROUTE_Z; i++) period += fabs(x[i]);
-  for (int i = 0; i < N_ROUTE; i++) {
-    arb_set_d(off, x[i]);
-    arb_sub(off, off, i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20, PREC);
-    worst = fmax(worst, fabs(num_arb.get_d(off)) / (i < ROUTE_Z ? period : reach));
-  }
-  arb_clear(off);
-  return isfinite(worst) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
-}
-
-static double row_norm(const double *m, int n) {
-  double most = 0;
-  for (int i = 0; i < n; i++) {
-    double sum = 0;
-    for (int k = 0; k < n; k++) sum += fabs(m[i * n + k]);
-    most = fmax(most, sum);
-  }
-  return most;
-}
-
-/* The condition number of the six equations' Jacobian in the row-sum norm. */
-static double condition_six(const double *params, const double x[SIX]) {
-  double f[SIX], j[SIX * SIX], inverse[SIX * SIX], norm;
-  int sign;
-  bench_six(f, j, params, x);
-  norm = row_norm(j, SIX);
-  gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX), b = gsl_matrix_view_array(inverse, SIX, SIX);
-  gsl_permutation *perm = gsl_permutation_alloc(SIX);
-  gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
-  bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
-  if (!singular) gsl_linalg_LU_invert(&a.matrix, perm, &b.matrix);
-  gsl_permutation_free(perm);
-  return singular ? INFINITY : norm * row_norm(inverse, SIX);
-}
-
-/* Newton's iteration on the six equations from x; its last steps stay at the level of rounding. */
-static void solve_six(double x[SIX], const double *params) {
-  enum { STEPS = 8 };
-  for (int n = 0; n < STEPS; n++) {
-    double f[SIX], j[SIX * SIX], dx[SIX];
-    int sign;
-    bench_six(f, j, params, x);
-    gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX);
-    gsl_vector_view b = gsl_vector_view_array(f, SIX), d = gsl_vector_view_array(dx, SIX);
-    gsl_permutation *perm = gsl_permutation_alloc(SIX);
-    gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
-    bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
-    if (!singular) gsl_linalg_LU_solve(&a.matrix, perm, &b.vector, &d.vector);
-    gsl_permutation_free(perm);
-    for (int i = 0; i < SIX; i++) x[i] = singular ? (double)NAN : x[i] - dx[i];
-    if (singular) return;
-  }
-}
-
-static void six_of(double x[SIX], const struct dyn_orbit *o) {
-  x[0] = num_arb.get_d(o->z10);
-  x[1] = num_arb.get_d(o->z20);
-  for (int i = 0; i < N_PHASES; i++) x[2 + i] = num_arb.get_d(o->t[i]);
-}
-
-static double lost_by_six(const double *params, const struct dyn_orbit *o) {
-  double x[SIX];
-  six_of(x, o);
-  solve_six(x, params);
-  const double y[N_ROUTE] = {x[2], x[3], x[4], x[5], x[0], x[1]};
-  return digits_lost(y, o);
-}
-
-static double lost_by_map(const double *params, const struct dyn_orbit *o) {
-  double x[N_ROUTE + 1], r = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
-  long steps;
-  return bench_orbit_by_map(x, &steps, params, r) ? (double)NAN : digits_lost(x, o);
-}
-
-/* params as doubles and as rationals, which are equal. */
-static void compare(struct lost *l, const double *params, const fmpq *exact, const struct dyn_orbit *o) {
-  struct paper_route route;
-  double x[SIX];
-  six_of(x, o);
-  paper_route_init(&route, PREC);
-  paper_route_run(&route, exact, o->guess);
-  *l = (struct lost){.paper = route.digits_lost,
-                     .six = lost_by_six(params, o),
-                     .map = lost_by_map(params, o),
-                     .k_paper = route.condition.jacobian,
-                     .k_n1 = route.condition.n1,
-                     .k_n3 = route.condition.n3,
-                     .k_six = condition_six(params, x),
-                     .k_map = 1 / fabs(1 - num_arb.get_d(o->trace))};
-  paper_route_clear(&route);
-}
-
-static void add_lost(struct study_table *t, const struct lost *l) {
+static void add_lost(struct study_table *t, const struct three_ways *l) {
   const double k[] = {l->k_paper, l->k_n1, l->k_n3, l->k_six, l->k_map}, d[] = {l->paper, l->six, l->map};
   for (int i = 0; i < COUNT(k); i++) study_number(t, k[i], 3);
   for (int i = 0; i < COUNT(d); i++)
@@ -137,217 +27,6 @@ static void add_lost(struct study_table *t, const struct lost *l) {
     else
       study_text(t, "fails");
   study_row(t);
-}
-
-/* --- t_a, z_10, z_20 from t_b, t_c, t_d. --- */
-
-/* (x y; z w)^-1 (a; b). */
-static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) {
-  val det = calc_sub(c, calc_mul(c, m[0], m[3]), calc_mul(c, m[1], m[2]));
-  out[0] = calc_div(c, calc_sub(c, calc_mul(c, m[3], a), calc_mul(c, m[1], b)), det);
-  out[1] = calc_div(c, calc_sub(c, calc_mul(c, m[0], b), calc_mul(c, m[2], a)), det);
-}
-
-/* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.  params
-   and t are duals, t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these, value by value. */
-static void by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t) {
-  enum { SIZE = N_STATE * N_STATE };
-  struct num_ctx ctx = params->ctx;
-  struct num_vec a, step;
-  struct calc c;
-  num_vec_init(&a, SIZE, ctx);
-  num_vec_init(&step, SIZE, ctx);
-  calc_init(&c, ctx);
-  int status = dyn_flow_matrix(&a, PHASE_GAMMA, params, num_vec_at(t, 0));
-  for (int k = 1; k < 3; k++) {
-    status |= dyn_flow_matrix(&step, (enum phase)(PHASE_GAMMA + k), params, num_vec_at(t, k));
-    status |= num_mat_mul(&a, &step, &a, N_STATE, N_STATE, N_STATE);
-  }
-  val m[SIZE], one = calc_d(&c, 1), V = num_vec_at(params, P_V), x[2], y[2], s[2];
-  flow_vals(m, &a, 0, SIZE);
-  const val lead[4] = {calc_sub(&c, m[0], one), m[1], m[4], calc_sub(&c, m[5], one)},
-            low[4] = {m[8], m[9], m[12], m[13]};
-  solve_two(s, &c, lead, one, one);                                           /* (A1 - I)^-1 u */
-  solve_two(x, &c, lead, calc_add(&c, m[2], m[3]), calc_add(&c, m[6], m[7])); /* (A1 - I)^-1 A2 u */
-  solve_two(y, &c, low, calc_add(&c, calc_sub(&c, m[10], one), m[11]),
-            calc_add(&c, m[14], calc_sub(&c, m[15], one))); /* A3^-1 (A4 - I) u */
-  val got[N_WANTED] = {calc_div(&c, calc_sub(&c, y[row], x[row]), s[row])};
-  for (int i = 0; i < 2; i++) {
-    val part = calc_mul(&c, got[0], calc_add(&c, one, s[i]));
-    got[1 + i] = calc_neg(&c, calc_mul(&c, V, calc_add(&c, x[i], part)));
-  }
-  for (int i = 0; i < N_WANTED; i++) {
-    arb_set(out + i, dual_value(got[i]));
-    for (int k = 0; k < 3 && slope; k++) arb_set(slope + 3 * i + k, dual_slope(got[i], k));
-  }
-  if (status | c.status) _arb_vec_indeterminate(out, N_WANTED);
-  calc_clear(&c);
-  num_vec_clear(&step);
-  num_vec_clear(&a);
-}
-
-/* From t_b and t_c alone: the orbit whose t_d is nearest. */
-static void by_pair(arb_ptr out, const fmpq *model, const fmpq *t, double td) {
-  static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
-  struct dyn_orbits list;
-  double least = INFINITY;
-  _arb_vec_indeterminate(out, N_WANTED);
-  dyn_orbits_given(&list, model, which, t, 128, NULL);
-  for (slong i = 0; i < list.n; i++) {
-    const struct dyn_orbit *o = &list.orbit[i];
-    double off = fabs(num_arb.get_d(o->t[PHASE_C]) - td);
-    if (off >= least) continue;
-    least = off;
-    arb_set(out, o->t[PHASE_D]);
-    arb_set(out + 1, o->z10);
-    arb_set(out + 2, o->z20);
-  }
-  dyn_orbits_clear(&list);
-}
-
-/* Correct digits of every point of the ball: at least 0, at most 20. */
-static double digits_of(arb_srcptr got, arb_srcptr truth_of) {
-  arb_t off;
-  mag_t most;
-  double digits = 0;
-  arb_init(off);
-  mag_init(most);
-  if (arb_is_finite(got)) {
-    arb_sub(off, got, truth_of, PREC);
-    arb_div(off, off, truth_of, 64);
-    arb_get_mag(most, off);
-    digits = fmin(20, fmax(0, -log10(mag_get_d(most))));
-  }
-  mag_clear(most);
-  arb_clear(off);
-  return digits;
-}
-
-/* The three times as printed, and half a unit of their last digit. */
-struct printed_times {
-  fmpq t[3], half[3];
-};
-
-static void print_times(struct printed_times *p, const double t[3], int digits) {
-  for (int k = 0; k < 3; k++) {
-    char s[64];
-    int exponent;
-    snprintf(s, sizeof s, "%.*e", digits - 1, t[k]);
-    exponent = atoi(strchr(s, 'e') + 1) - (digits - 1);
-    fmpq_init(&p->t[k]);
-    fmpq_init(&p->half[k]);
-    num_parse_decimal(&p->t[k], s, strlen(s));
-    fmpq_set_si(&p->half[k], 1, 2);
-    fmpz *side = exponent < 0 ? fmpq_denref(&p->half[k]) : fmpq_numref(&p->half[k]);
-    fmpz_t power;
-    fmpz_init(power);
-    fmpz_ui_pow_ui(power, 10, (ulong)abs(exponent));
-    fmpz_mul(side, side, power);
-    fmpz_clear(power);
-    fmpq_canonicalise(&p->half[k]);
-  }
-}
-
-static void printed_clear(struct printed_times *p) {
-  for (int k = 0; k < 3; k++) {
-    fmpq_clear(&p->t[k]);
-    fmpq_clear(&p->half[k]);
-  }
-}
-
-/* t + half * (at/n - 1), exactly on the grid; wide: with everything up to half/n on both sides. */
-static void place(struct num_vec *t, const struct printed_times *p, const int at[3], int n, bool wide) {
-  fmpq_t x;
-  arf_t radius;
-  fmpq_init(x);
-  arf_init(radius);
-  for (int k = 0; k < 3; k++) {
-    struct dual *z = num_vec_at(t, k);
-    fmpq_set_si(x, at[k] - n, (ulong)n);
-    fmpq_mul(x, x, &p->half[k]);
-    fmpq_add(x, x, &p->t[k]);
-    arb_set_fmpq(&z->v, x, t->ctx.prec);
-    arb_one(&z->d[k]);
-    arf_set_fmpq(radius, &p->half[k], 64, ARF_RND_UP);
-    arf_div_ui(radius, radius, (ulong)n, 64, ARF_RND_UP);
-    if (wide) arb_add_error_arf(&z->v, radius);
-  }
-  arf_clear(radius);
-  fmpq_clear(x);
-}
-
-/* The values over the cell around a point: those at the point and slopes over the cell times what it extends. */
-static void over_cell(arb_ptr out, int row, const struct num_vec *params, struct num_vec *t,
-                      const struct printed_times *p, const int at[3], int n) {
-  arb_ptr slope = _arb_vec_init(N_WANTED * 3), middle = _arb_vec_init(3), wide = _arb_vec_init(N_WANTED);
-  slong prec = params->ctx.prec;
-  place(t, p, at, n, false);
-  for (int k = 0; k < 3; k++) arb_set(middle + k, dual_value(num_vec_at(t, k)));
-  by_row(out, NULL, row, params, t);
-  place(t, p, at, n, true);
-  by_row(wide, slope, row, params, t);
-  for (int k = 0; k < 3; k++) {
-    arb_sub(middle + k, dual_value(num_vec_at(t, k)), middle + k, prec);
-    for (int i = 0; i < N_WANTED; i++) arb_addmul(out + i, slope + 3 * i + k, middle + k, prec);
-  }
-  _arb_vec_clear(middle, 3);
-  _arb_vec_clear(wide, N_WANTED);
-  _arb_vec_clear(slope, N_WANTED * 3);
-}
-
-/* Digits of the printed values themselves, the fewest at points of the box, and the fewest anywhere in it. */
-struct digits {
-  double printed[N_WANTED], worst[N_WANTED], sure[N_WANTED];
-};
-
-static void least_digits(double least[N_WANTED], arb_srcptr got, arb_srcptr truth_of) {
-  for (int i = 0; i < N_WANTED; i++) least[i] = fmin(least[i], digits_of(got + i, truth_of + i));
-}
-
-static void rows_digits(struct digits *d, int row, const struct num_vec *params, const struct printed_times *p,
-                        arb_srcptr truth_of, int n) {
-  struct num_vec t;
-  arb_ptr got = _arb_vec_init(N_WANTED);
-  num_vec_init(&t, 3, params->ctx);
-  for (int i = 0; i < N_WANTED; i++) d->printed[i] = d->worst[i] = d->sure[i] = INFINITY;
-  place(&t, p, (int[]){1, 1, 1}, 1, false);
-  by_row(got, NULL, row, params, &t);
-  least_digits(d->printed, got, truth_of);
-  for (int k = 0; k < 27; k++) {
-    place(&t, p, (int[]){k % 3, k / 3 % 3, k / 9}, 1, false);
-    by_row(got, NULL, row, params, &t);
-    least_digits(d->worst, got, truth_of);
-  }
-  for (int k = 0; k < n * n * n; k++) {
-    over_cell(got, row, params, &t, p, (int[]){2 * (k % n) + 1, 2 * (k / n % n) + 1, 2 * (k / n / n) + 1}, n);
-    least_digits(d->sure, got, truth_of);
-  }
-  num_vec_clear(&t);
-  _arb_vec_clear(got, N_WANTED);
-}
-
-static void pair_digits(struct digits *d, const fmpq *model, const struct printed_times *p, double td,
-                        arb_srcptr truth_of) {
-  arb_ptr got = _arb_vec_init(N_WANTED);
-  fmpq *t = _fmpq_vec_init(2);
-  for (int i = 0; i < N_WANTED; i++) {
-    d->printed[i] = d->worst[i] = INFINITY;
-    d->sure[i] = NAN;
-  }
-  by_pair(got, model, p->t, td);
-  least_digits(d->printed, got, truth_of);
-  for (int k = 0; k < 9; k++) {
-    for (int i = 0; i < 2; i++) {
-      int side = i ? k / 3 : k % 3;
-      fmpq_set(t + i, &p->t[i]);
-      if (side == 0) fmpq_sub(t + i, t + i, &p->half[i]);
-      if (side == 2) fmpq_add(t + i, t + i, &p->half[i]);
-    }
-    by_pair(got, model, t, td);
-    least_digits(d->worst, got, truth_of);
-  }
-  _fmpq_vec_clear(t, 2);
-  _arb_vec_clear(got, N_WANTED);
 }
 
 /* --- Orbits. --- */
@@ -388,7 +67,7 @@ static const int counts[] = {2, 3, 4, 8};
 static const char *const ways[] = {"(45), first", "(45), second", "t_b and t_c"};
 
 static void add_digits(struct tables *all, const char *scene, slong number, int digits, int way,
-                       const struct digits *d) {
+                       const struct printed_digits *d) {
   struct study_table *t = all->printed;
   study_text(t, "%s\t%ld\t%d\t%s", scene, (long)number + 1, digits, ways[way]);
   for (int i = 0; i < N_WANTED; i++) {
@@ -415,13 +94,13 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
   for (int i = 0; i < N_PARAMS; i++) num_dual.set_q(num_vec_at(&params, i), f->exact + i, 128);
   for (int k = 0; k < COUNT(counts); k++) {
     struct printed_times p;
-    print_times(&p, t, counts[k]);
+    printed_times_set(&p, t, counts[k]);
     for (int way = 0; way < COUNT(ways); way++) {
-      struct digits d;
+      struct printed_digits d;
       if (way < 2)
-        rows_digits(&d, way, &params, &p, truth_of, all->quick ? 2 : 4);
+        printed_row_digits(&d, way, &params, &p, truth_of, all->quick ? 2 : 4);
       else
-        pair_digits(&d, f->exact, &p, t[2], truth_of);
+        printed_pair_digits(&d, f->exact, &p, t[2], truth_of);
       add_digits(all, scene, number, counts[k], way, &d);
       if (all->n == all->cap) {
         all->cap = all->cap ? 2 * all->cap : 64;
@@ -430,7 +109,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
       const double kept[3] = {k, way, d.worst[0]};
       memcpy(all->digit[all->n++], kept, sizeof kept);
     }
-    printed_clear(&p);
+    printed_times_clear(&p);
   }
   num_vec_clear(&params);
   _arb_vec_clear(truth_of, N_WANTED);
@@ -449,9 +128,9 @@ static void study_scene(struct tables *all, const struct scene *s) {
     found_init(&f, s->value, num_arb.get_d(o->e1), num_arb.get_d(o->e2));
     for (slong k = 0; k < f.list.n; k++) {
       const struct dyn_orbit *near = &f.list.orbit[k];
-      struct lost l;
+      struct three_ways l;
       if (fabs(num_arb.get_d(near->z10) - num_arb.get_d(o->z10)) > 1e-6 * (1 + fabs(num_arb.get_d(o->z10)))) continue;
-      compare(&l, f.p, f.exact, near);
+      three_ways(&l, f.p, f.exact, near);
       study_text(all->conditions, "%s\t%ld", s->name, (long)i + 1);
       study_number(all->conditions, num_arb.get_d(near->trace), 6);
       add_lost(all->conditions, &l);
@@ -601,9 +280,9 @@ static bool study_line(struct tables *all) {
       struct found f;
       found_init(&f, model, num_arb.get_d(o->e1), num_arb.get_d(o->e2));
       for (slong i = 0; i < f.list.n; i++) {
-        struct lost l;
+        struct three_ways l;
         if (f.list.orbit[i].admissible != TRUTH_TRUE) continue;
-        compare(&l, f.p, f.exact, &f.list.orbit[i]);
+        three_ways(&l, f.p, f.exact, &f.list.orbit[i]);
         study_text(all->singular, "1e-%02d", k);
         study_number(all->singular, fmpq_get_d(tb), 15);
         study_number(all->singular, num_arb.get_d(f.list.orbit[i].trace), 6);
@@ -664,8 +343,8 @@ static void plot(struct study_page *page, const struct study_table *t) {
               "set ylabel 'digits of 16 lost in double'\nset key top right\nset datafile missing 'fails'\nplot ",
               singular_line);
   for (int k = 0; k < COUNT(column); k++)
-    text_printf(out, "%s$d%d using 1:2 with linespoints pt %d dt %d lc %d title '%s'", k ? ", \\\n  " : "", k, k + 1,
-                k + 1, k + 1, column[k]);
+    text_printf(out, "%s$d%d using 1:2 with linespoints pt %d dt %d lc '%s' title '%s'", k ? ", \\\n  " : "", k, k + 1,
+                k + 1, bench_colour(k), column[k]);
   text_add(out, "\n");
   text_clear(&cell);
 }

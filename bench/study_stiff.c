@@ -90,7 +90,7 @@ static bool take_orbit(struct scene_at *s) {
 }
 
 static void find_scene(struct scene_at *s, int decade) {
-  static const double first[] = {2.19, 1.8, 2.6, 3.2, 1.4}, second[] = {0.9, 0.5, 1.3, 0.7};
+  static const double first[] = {2.19, 1.8, 2.6, 3.2, 1.4, 1, 10}, second[] = {0.9, 0.5, 1.3, 0.7, 0.1, 15};
   double chi = 0.8, eta = pow(10, decade), omega = sqrt(chi * eta);
   *s = (struct scene_at){.decade = decade};
   num_vec_init(&s->truth, N_OUT, num_ctx_arb(TRUTH_BITS));
@@ -305,8 +305,8 @@ static void plot(struct study_page *page, const struct study_table *runs, double
     text_printf(out, "set ylabel '%s'\nset key %s noenhanced\nplot ", panel == 0 ? "seconds" : "largest relative error",
                 panel == 0 ? "top left" : "off");
     for (int k = 0; k < COUNT(methods); k++)
-      text_printf(out, "%s$m%d using 1:%d with linespoints pt %d dt %d lc %d title '%s'", k ? ", \\\n  " : "", k,
-                  2 + panel, k + 1, k + 1, k + 1, methods[k].id);
+      text_printf(out, "%s$m%d using 1:%d with linespoints pt %d dt %d lc '%s' title '%s'", k ? ", \\\n  " : "", k,
+                  2 + panel, k + 1, k + 1, bench_colour(k), methods[k].id);
     text_add(out, "\n");
   }
   text_add(out, "unset multiplot\n");
@@ -322,7 +322,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       page, "orbits", "The orbits", "eta\ttried\te1\te2\tt_a\tt_b\tt_c\tt_d\tturns\ttrace\tbits",
       "chi = 0.8 and V = 1; the doubles are taken exactly. tried: pairs (e1, e2) until one had an admissible orbit "
       "that is "
-      "certified, of at most 20: e1 is one of five factors times the larger of omega and 1/omega, e2 one of four times "
+      "certified, of at most 42: e1 is one of seven factors times the larger of omega and 1/omega, e2 one of six times "
       "the "
       "smaller of 1 and 1/omega. turns: the angle of the fast mode over phase H. bits: at which it was certified.");
   struct study_table *runs = study_table(

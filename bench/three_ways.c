@@ -1,0 +1,105 @@
+/* Newton's iteration in double on the paper's equations, on six and on the return map, from the orbit itself: what stays is
+   what rounding does. */
+#include "bench/three_ways.h"
+
+#include <gsl/gsl_linalg.h>
+#include <math.h>
+
+#include "bench/jobs.h"
+#include "stickslip/paper_route.h"
+
+/* digits_lost of paper_route.h; x: t_a, t_b, t_c, t_d, z_10, z_20. */
+static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {
+  arb_t off;
+  double worst = 0, period = 0, reach = fabs(x[ROUTE_Z]) + fabs(x[ROUTE_Z + 1]);
+  arb_init(off);
+  for (int i = 0; i < ROUTE_Z; i++) period += fabs(x[i]);
+  for (int i = 0; i < N_ROUTE; i++) {
+    arb_set_d(off, x[i]);
+    arb_sub(off, off, i < ROUTE_Z ? o->t[i] : i == ROUTE_Z ? o->z10 : o->z20, THREE_WAYS_BITS);
+    worst = fmax(worst, fabs(num_arb.get_d(off)) / (i < ROUTE_Z ? period : reach));
+  }
+  arb_clear(off);
+  return isfinite(worst) ? fmax(0, log10(ldexp(worst, 53))) : (double)NAN;
+}
+
+static double row_norm(const double *m, int n) {
+  double most = 0;
+  for (int i = 0; i < n; i++) {
+    double sum = 0;
+    for (int k = 0; k < n; k++) sum += fabs(m[i * n + k]);
+    most = fmax(most, sum);
+  }
+  return most;
+}
+
+/* The condition number of the six equations' Jacobian in the row-sum norm. */
+static double condition_six(const double *params, const double x[SIX]) {
+  double f[SIX], j[SIX * SIX], inverse[SIX * SIX], norm;
+  int sign;
+  bench_six(f, j, params, x);
+  norm = row_norm(j, SIX);
+  gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX), b = gsl_matrix_view_array(inverse, SIX, SIX);
+  gsl_permutation *perm = gsl_permutation_alloc(SIX);
+  gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
+  bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
+  if (!singular) gsl_linalg_LU_invert(&a.matrix, perm, &b.matrix);
+  gsl_permutation_free(perm);
+  return singular ? INFINITY : norm * row_norm(inverse, SIX);
+}
+
+/* Newton's iteration on the six equations from x; its last steps stay at the level of rounding. */
+static void solve_six(double x[SIX], const double *params) {
+  enum { STEPS = 8 };
+  for (int n = 0; n < STEPS; n++) {
+    double f[SIX], j[SIX * SIX], dx[SIX];
+    int sign;
+    bench_six(f, j, params, x);
+    gsl_matrix_view a = gsl_matrix_view_array(j, SIX, SIX);
+    gsl_vector_view b = gsl_vector_view_array(f, SIX), d = gsl_vector_view_array(dx, SIX);
+    gsl_permutation *perm = gsl_permutation_alloc(SIX);
+    gsl_linalg_LU_decomp(&a.matrix, perm, &sign);
+    bool singular = gsl_linalg_LU_det(&a.matrix, sign) == 0;
+    if (!singular) gsl_linalg_LU_solve(&a.matrix, perm, &b.vector, &d.vector);
+    gsl_permutation_free(perm);
+    for (int i = 0; i < SIX; i++) x[i] = singular ? (double)NAN : x[i] - dx[i];
+    if (singular) return;
+  }
+}
+
+static void six_of(double x[SIX], const struct dyn_orbit *o) {
+  x[0] = num_arb.get_d(o->z10);
+  x[1] = num_arb.get_d(o->z20);
+  for (int i = 0; i < N_PHASES; i++) x[2 + i] = num_arb.get_d(o->t[i]);
+}
+
+static double lost_by_six(const double *params, const struct dyn_orbit *o) {
+  double x[SIX];
+  six_of(x, o);
+  solve_six(x, params);
+  const double y[N_ROUTE] = {x[2], x[3], x[4], x[5], x[0], x[1]};
+  return digits_lost(y, o);
+}
+
+static double lost_by_map(const double *params, const struct dyn_orbit *o) {
+  double x[N_ROUTE + 1], r = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+  long steps;
+  return bench_orbit_by_map(x, &steps, params, r) ? (double)NAN : digits_lost(x, o);
+}
+
+void three_ways(struct three_ways *l, const double *params, const fmpq *exact, const struct dyn_orbit *o) {
+  struct paper_route route;
+  double x[SIX];
+  six_of(x, o);
+  paper_route_init(&route, THREE_WAYS_BITS);
+  paper_route_run(&route, exact, o->guess);
+  *l = (struct three_ways){.paper = route.digits_lost,
+                           .six = lost_by_six(params, o),
+                           .map = lost_by_map(params, o),
+                           .k_paper = route.condition.jacobian,
+                           .k_n1 = route.condition.n1,
+                           .k_n3 = route.condition.n3,
+                           .k_six = condition_six(params, x),
+                           .k_map = 1 / fabs(1 - num_arb.get_d(o->trace))};
+  paper_route_clear(&route);
+}
