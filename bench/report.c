@@ -372,8 +372,6 @@ void bench_markdown(struct text *out, const struct bench_result *r, bool figures
   for (int i = 0; i < r->n; i++) markdown_table(out, &r->table[i], figures);
   markdown_verdicts(out, &r->verdicts);
   markdown_ratios(out, r);
-  for (int i = 0; i < r->n_pages; i++)
-    text_printf(out, "\n%s: [%s.md](%s.md)\n", r->page[i].study->title, r->page[i].study->id, r->page[i].study->id);
   markdown_machine(out);
 }
 

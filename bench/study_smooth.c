@@ -278,6 +278,23 @@ static void add_rates(struct study_table *t, const struct reference *ref, enum s
   }
 }
 
+/* One line: the mean rate over the upper half of the decades, where there are errors at both of its ends. */
+static void say_rate(struct text *out, const struct reference *ref, enum smooth_law law, const struct fall *f,
+                     int decades) {
+  int from = decades / 2, any = 0;
+  for (int k = 1; k <= decades; k++) any += isfinite(f->state[k]);
+  text_printf(out, "- %s, %s: ", ref->name, smooth_law_name[law]);
+  double period = log10(f->period[from] / f->period[decades]) / (decades - from);
+  double state = log10(f->state[from] / f->state[decades]) / (decades - from);
+  if (any == 0)
+    text_printf(out, "no periodic motion with a stick phase at any of the %d slopes\n", decades);
+  else if (isfinite(state))
+    text_printf(out, "from s = 1e%d to 1e%d the state's error falls as s^-%.3f, the period's as s^-%.3f\n", from,
+                decades, state, period);
+  else
+    text_printf(out, "a periodic motion with a stick phase at %d of %d slopes\n", any, decades);
+}
+
 /* The periodic motion of the first solver that has one, by slope. */
 static void keep(struct fall *f, int k, const struct reference *ref, const struct motion *o) {
   if (isfinite(f->period[k]) || strcmp(o->state, "periodic") != 0) return;
@@ -367,6 +384,7 @@ static bool run_smooth(struct study_page *page, const struct bench_env *env) {
         }
       }
       add_rates(rates, &ref, (enum smooth_law)law, &fall, decades);
+      say_rate(&page->found, &ref, (enum smooth_law)law, &fall, decades);
     }
   }
   plot(page, rates);

@@ -364,6 +364,9 @@ static bool run(struct study_page *page, const struct bench_env *env) {
     study_text(totals, "%s\t%d\t%d\t%d\t%d\t%d", methods[k].id, c->runs, c->word, c->late, c->early, c->given_up);
     study_row(totals);
   }
+  for (int k = 0; k < COUNT(methods); k++)
+    text_printf(&page->found, "- %s: the right word in %d of %d runs, another event in %d, none in %d\n", methods[k].id,
+                sums[k].word, sums[k].runs, sums[k].late + sums[k].early, sums[k].given_up);
   plot(page, runs, 1e-8);
   return sums[0].runs > 0;
 }

@@ -1,4 +1,4 @@
-/* stickslip bench: error against run time, job by job; tables to the standard output, files with --out. */
+/* stickslip bench: error against run time, job by job, and studies; tables to the standard output, files with --out. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -8,10 +8,11 @@
 #include "stickslip/arena.h"
 
 static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
+static const char studies[] = "studies";   /* all of them; only run when asked for */
 
 static int parse_job(const struct options *o) {
   struct text names;
-  bool known = !o->job || strcmp(o->job, verdicts) == 0;
+  bool known = !o->job || strcmp(o->job, verdicts) == 0 || strcmp(o->job, studies) == 0;
   text_init(&names);
   for (int i = 0; i < n_bench_jobs; i++) {
     known = known || strcmp(o->job, bench_jobs[i]->id) == 0;
@@ -21,7 +22,7 @@ static int parse_job(const struct options *o) {
     known = known || strcmp(o->job, bench_studies[i]->id) == 0;
     text_printf(&names, "%s, ", bench_studies[i]->id);
   }
-  if (!known) text_printf(&names, "%s, not %.200s", verdicts, o->job);
+  if (!known) text_printf(&names, "%s, %s, not %.200s", studies, verdicts, o->job);
   int status = known ? EXIT_AS_RECORDED : usage("--job takes one of %s", text_str(&names));
   text_clear(&names);
   return status;
@@ -29,6 +30,15 @@ static int parse_job(const struct options *o) {
 
 static bool asked_for(const struct options *o, const char *job) {
   return !o->job || strcmp(o->job, job) == 0;
+}
+
+static bool study_asked_for(const struct options *o, const struct study *study) {
+  return o->job && (strcmp(o->job, studies) == 0 || strcmp(o->job, study->id) == 0);
+}
+
+/* Whether there is anything besides studies. */
+static bool has_jobs(const struct bench_result *r) {
+  return r->n > 0 || r->verdicts.n > 0;
 }
 
 static bool put(const char *folder, const char *name, const char *suffix, const struct text *body, struct diag *d) {
@@ -84,10 +94,10 @@ static bool write_files(const char *folder, const struct bench_result *r, struct
   if (ok && !drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
   text_reset(&body);
   bench_markdown(&body, r, drawn);
-  ok = ok && put(folder, "bench", ".md", &body, d);
+  ok = ok && (!has_jobs(r) || put(folder, "bench", ".md", &body, d));
   text_reset(&body);
   bench_json(&body, r);
-  ok = ok && put(folder, "bench", ".json", &body, d);
+  ok = ok && (!has_jobs(r) || put(folder, "bench", ".json", &body, d));
   text_clear(&body);
   return ok;
 }
@@ -107,7 +117,7 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
   r->page = ss_malloc((size_t)n_bench_studies * sizeof *r->page);
   for (int i = 0; i < n_bench_studies; i++) {
     const struct study *study = bench_studies[i];
-    if (!asked_for(o, study->id)) continue;
+    if (!study_asked_for(o, study)) continue;
     if (terminal) fprintf(stderr, "\r\033[K%s", study->title);
     if (!study_run(&r->page[r->n_pages++], study, env, r->quick)) {
       fprintf(stderr, "stickslip: the study %s could not be made\n", study->id);
@@ -126,9 +136,9 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
   text_init(&body);
   if (o->json)
     bench_json(&body, r);
-  else
+  else if (has_jobs(r))
     bench_markdown(&body, r, false);
-  for (int i = 0; i < r->n_pages && !o->json; i++) study_markdown(&body, &r->page[i], false);
+  for (int i = 0; i < r->n_pages && !o->json; i++) bench_study_markdown(&body, &r->page[i], false);
   fputs(text_str(&body), stdout);
   text_clear(&body);
   return true;

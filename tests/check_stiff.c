@@ -1,0 +1,378 @@
+/* Studies: their tables; smoothed friction against SciPy; what the stiff scenes, the smoothed laws and the paper's own
+   procedure must show, with margins that no rounding crosses.
+
+   Independent data: smooth.tsv (SciPy's Radau method) and procedure.tsv (mpmath) of tests/oracle.  The rates 2/3 and 1/3 are
+   those of the passage of a fold: a mass breaks loose late by (k rho)^(-1/3), with k the curvature of the law's top, which
+   grows as s^2 and s, and rho the rate of the force; the creep u_s s |v| = |f| falls as 1/s. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include "bench/bench.h"
+#include "bench/printed_digits.h"
+#include "bench/smooth.h"
+#include "dynamics/dual.h"
+#include "scratch.h"
+#include "suites.h"
+
+/* --- Tables. --- */
+
+START_TEST(a_table_is_what_was_put_in) {
+  struct study_page page = {.n = 0};
+  struct text cell, out;
+  text_init(&cell);
+  text_init(&out);
+  struct study_table *t = study_table(&page, "t", "A table", "a\tab\tb", "Three columns.");
+  study_text(t, "%d\t%s", 1, "two");
+  study_number(t, 1.0 / 3, 3);
+  study_row(t);
+  study_number(t, NAN, 3);
+  study_number(t, INFINITY, 3);
+  study_text(t, "x");
+  study_row(t);
+  ck_assert_int_eq(study_rows(t), 2);
+  ck_assert_str_eq(study_cell(&cell, t, 0, "a"), "1");
+  ck_assert_str_eq(study_cell(&cell, t, 0, "ab"), "two");
+  ck_assert_str_eq(study_cell(&cell, t, 0, "b"), "0.333");
+  ck_assert_str_eq(study_cell(&cell, t, 1, "a"), "-");
+  ck_assert_str_eq(study_cell(&cell, t, 1, "b"), "x");
+  ck_assert_str_eq(study_cell(&cell, t, 2, "a"), "");
+  ck_assert_str_eq(study_cell(&cell, t, 0, "c"), "");
+  static const struct study study = {.id = "s", .title = "S", .question = "Why?"};
+  page.study = &study;
+  text_init(&page.found);
+  text_init(&page.plot);
+  study_markdown(&out, &page, false);
+  ck_assert_ptr_nonnull(strstr(text_str(&out), "| a | ab | b |\n| --- | ---: | ---: |\n| 1 | two | 0.333 |\n"));
+  study_clear(&page);
+  text_clear(&cell);
+  text_clear(&out);
+}
+END_TEST
+
+/* --- Smoothed laws. --- */
+
+static const double example[N_PARAMS] = {2.0 / 3, 2, 1, 2, 0.25}, limits[2] = {2.5, 0.95};
+
+START_TEST(laws_have_their_values) {
+  struct smooth m;
+  enum smooth_law law = (enum smooth_law)_i;
+  for (double s = 10; s < 2e8; s *= 10) {
+    smooth_init(&m, law, s, example, limits);
+    for (int mass = 0; mass < 2; mass++) {
+      double rate, most = 0, sliding = limits[mass] - example[P_E1 + mass];
+      ck_assert(smooth_friction(&rate, &m, mass, 0) == 0);
+      ck_assert(rate < 0);
+      ck_assert(fabs(smooth_friction(&rate, &m, mass, -60 / s * m.width) - sliding) < 1e-12);
+      for (double x = 0.01; x < 30; x += 0.01) {
+        double u = smooth_friction(&rate, &m, mass, -x / s);
+        ck_assert(u == -smooth_friction(&rate, &m, mass, x / s));
+        most = fmax(most, u);
+      }
+      double limit = law == LAW_TANH ? sliding : limits[mass], h = 1e-5 / s, p = -1.7 / s;
+      ck_assert_msg(most <= limit * (1 + 1e-13) && most > limit * (1 - 1e-5), "law %d, s %g: %.17g", law, s, most);
+      double up = smooth_friction(&rate, &m, mass, p + h), down = smooth_friction(&rate, &m, mass, p - h);
+      smooth_friction(&rate, &m, mass, p);
+      ck_assert(fabs((up - down) / (2 * h) - rate) < 1e-8 * s);
+    }
+  }
+}
+END_TEST
+
+static int fields(double *x, int most, char *line) {
+  int n = 0;
+  strtok(line, "\t\n");
+  for (char *p; n < most && (p = strtok(NULL, "\t\n")) != NULL;) x[n++] = atof(p);
+  return n;
+}
+
+START_TEST(passages_are_those_of_scipy) {
+  static const char *const solvers[] = {"msbdf", "bsimp", "rk8pd"};
+  char line[1000];
+  double x[13], y[STEPPER_SIZE], t = 0;
+  int passages = 0;
+  struct smooth m;
+  struct stepper *stepper = NULL;
+  struct stepper_system system;
+  FILE *file = fopen("tests/oracle/smooth.tsv", "r");
+  ck_assert_ptr_nonnull(file);
+  while (fgets(line, sizeof line, file)) {
+    if (strncmp(line, "start", 5) == 0) {
+      ck_assert_int_eq(fields(x, 13, line), 13);
+      smooth_init(&m, LAW_STRIBECK, x[7], x, x + 5);
+      m.level = x[8];
+      memcpy(y, x + 9, sizeof y);
+      system = smooth_system(&m, 1e-10, 0.1);
+      stepper = stepper_open(solvers[_i], &system);
+      ck_assert_ptr_nonnull(stepper);
+    } else if (strncmp(line, "passage", 7) == 0) {
+      struct smooth_passage s;
+      ck_assert_int_eq(fields(x, 4, line), 4);
+      ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 100, 100000), SS_OK);
+      t += s.time;
+      ck_assert_msg(fabs(t - x[0]) < 1e-6, "%s: %.12g, not %.12g", solvers[_i], t, x[0]);
+      for (int i = 0; i < 3; i++) ck_assert(fabs(y[i] - x[1 + i]) < 1e-6);
+      passages++;
+    }
+  }
+  fclose(file);
+  stepper_close(stepper);
+  ck_assert_int_eq(passages, 3);
+}
+END_TEST
+
+START_TEST(a_return_that_does_not_come) {
+  struct smooth m;
+  struct smooth_passage s;
+  double y[STEPPER_SIZE] = {1.1, -1.9, 0, 0};
+  smooth_init(&m, LAW_STRIBECK, 100, example, limits);
+  struct stepper_system system = smooth_system(&m, 1e-8, 0.1);
+  ck_assert_ptr_null(stepper_open("no such solver", &system));
+  struct stepper *stepper = stepper_open("bsimp", &system);
+  m.level = -1000;
+  ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 30, 100000), SS_DOMAIN);
+  ck_assert_int_eq(smooth_return(&s, y, stepper, &m, 1, 30, 10), SS_UNABLE);
+  stepper_close(stepper);
+}
+END_TEST
+
+/* --- What the studies show. --- */
+
+static const struct study *study_named(const char *id) {
+  for (int i = 0; i < n_bench_studies; i++)
+    if (strcmp(bench_studies[i]->id, id) == 0) return bench_studies[i];
+  ck_abort_msg("no study %s", id);
+}
+
+static void make(struct study_page *page, const char *id) {
+  ck_assert(study_run(page, study_named(id), &(struct bench_env){.data = "verify"}, true));
+}
+
+static const struct study_table *table(const struct study_page *page, const char *id) {
+  for (int i = 0; i < page->n; i++)
+    if (strcmp(page->table[i].id, id) == 0) return &page->table[i];
+  ck_abort_msg("no table %s", id);
+}
+
+static bool is(const struct study_table *t, int row, const char *column, const char *value) {
+  struct text cell;
+  text_init(&cell);
+  bool same = strcmp(study_cell(&cell, t, row, column), value) == 0;
+  text_clear(&cell);
+  return same;
+}
+
+static double number(const struct study_table *t, int row, const char *column) {
+  struct text cell;
+  text_init(&cell);
+  const char *s = study_cell(&cell, t, row, column);
+  char *end;
+  double x = strtod(s, &end);
+  if (end == s) x = NAN;
+  text_clear(&cell);
+  return x;
+}
+
+START_TEST(stiff_scenes) {
+  struct study_page page;
+  make(&page, "stiff");
+  const struct study_table *orbits = table(&page, "orbits"), *runs = table(&page, "runs"),
+                           *sum = table(&page, "totals");
+  ck_assert_int_eq(study_rows(orbits), 5);
+  for (int i = 0; i < 5; i++) ck_assert_msg(number(orbits, i, "bits") >= 64, "row %d", i);
+  int closed = 0, good = 0;
+  for (int i = 0; i < study_rows(runs); i++) {
+    if (is(runs, i, "method", "closed-double")) {
+      closed++;
+      ck_assert(is(runs, i, "outcome", "ok") && number(runs, i, "error") < 1e-8);
+    }
+    /* nobody loses the word at a tight tolerance where nothing is stiff, and the error is small then */
+    if (is(runs, i, "eta", "1e-6") && is(runs, i, "tolerance", "1e-08")) {
+      ck_assert(is(runs, i, "outcome", "ok") && number(runs, i, "error") < 1e-5);
+      good++;
+    }
+    /* a million turns of the fast mode are more than the steps allowed */
+    if (is(runs, i, "eta", "1e+12") && is(runs, i, "tolerance", "1e-08")) ck_assert(is(runs, i, "outcome", "gives up"));
+  }
+  ck_assert_int_eq(closed, 5);
+  ck_assert_int_ge(good, 4);
+  for (int i = 0; i < study_rows(sum); i++)
+    ck_assert(number(sum, i, "runs") ==
+              number(sum, i, "word") + number(sum, i, "late") + number(sum, i, "early") + number(sum, i, "gives_up"));
+  study_clear(&page);
+}
+END_TEST
+
+START_TEST(smoothed_laws) {
+  struct study_page page;
+  make(&page, "smooth");
+  const struct study_table *rates = table(&page, "rates");
+  int seen = 0;
+  for (int i = 0; i < study_rows(rates); i++) {
+    if (is(rates, i, "law", "tanh")) ck_assert(is(rates, i, "state_error", "-")); /* no stick phase is left */
+    if (!is(rates, i, "s", "1e4") || is(rates, i, "law", "tanh")) continue;
+    bool narrow = is(rates, i, "law", "stribeck");
+    double rate = number(rates, i, "state_rate"), creep = number(rates, i, "creep_rate");
+    ck_assert_msg(narrow ? rate > 0.55 && rate < 0.75 : rate > 0.2 && rate < 0.42, "row %d: %g", i, rate);
+    ck_assert_msg(creep > 0.9 && creep < 1.1, "row %d: %g", i, creep);
+    seen++;
+  }
+  ck_assert_int_eq(seen, 4);
+  study_clear(&page);
+}
+END_TEST
+
+START_TEST(printed_times_as_mpmath_has_them) {
+  char line[1000];
+  struct num_ctx ctx = dual_ctx(PRINTED_BITS);
+  struct num_vec params, t;
+  arb_ptr out = _arb_vec_init(N_WANTED), value = _arb_vec_init(1);
+  static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
+  int seen = 0;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&t, 3, ctx);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arb_set_str(value, data[i], PRINTED_BITS);
+    num_dual.set_arb(num_vec_at(&params, i), value, PRINTED_BITS);
+  }
+  FILE *file = fopen("tests/oracle/procedure.tsv", "r");
+  ck_assert_ptr_nonnull(file);
+  while (fgets(line, sizeof line, file)) {
+    char *field[8];
+    int n = 0;
+    if (line[0] == '#') continue;
+    for (char *p = strtok(line, "\t\n"); p && n < 8; p = strtok(NULL, "\t\n")) field[n++] = p;
+    ck_assert_int_eq(n, 8);
+    for (int k = 0; k < 3; k++) {
+      arb_set_str(value, field[2 + k], PRINTED_BITS);
+      num_dual.set_arb(num_vec_at(&t, k), value, PRINTED_BITS);
+    }
+    printed_by_row(out, NULL, atoi(field[1]), &params, &t);
+    for (int k = 0; k < N_WANTED; k++) {
+      arb_set_str(value, field[5 + k], PRINTED_BITS);
+      arb_sub(value, value, out + k, PRINTED_BITS);
+      ck_assert_msg(fabs(arf_get_d(arb_midref(value), ARF_RND_NEAR)) < 1e-26, "row %d, number %d", seen, k);
+      ck_assert(arb_rel_accuracy_bits(out + k) > 150);
+    }
+    seen++;
+  }
+  fclose(file);
+  ck_assert_int_eq(seen, 8);
+  num_vec_clear(&params);
+  num_vec_clear(&t);
+  _arb_vec_clear(out, N_WANTED);
+  _arb_vec_clear(value, 1);
+}
+END_TEST
+
+/* A bound over the whole box promises no more than its points keep; more printed digits give more; the numbers of mpmath
+   give the digits in the table. */
+START_TEST(the_papers_procedure) {
+  static const char *const wanted[] = {"t_a", "z10", "z20"};
+  struct study_page page;
+  char column[40];
+  make(&page, "procedure");
+  const struct study_table *printed = table(&page, "printed"), *line = table(&page, "singular");
+  for (int i = 0; i < study_rows(printed); i++)
+    for (int k = 0; k < 3; k++) {
+      snprintf(column, sizeof column, "%s_worst", wanted[k]);
+      double worst = number(printed, i, column), at = number(printed, i, wanted[k]);
+      snprintf(column, sizeof column, "%s_sure", wanted[k]);
+      double sure = number(printed, i, column);
+      ck_assert_msg(worst <= at && !(sure > worst), "row %d, %s", i, wanted[k]);
+      if (is(printed, i, "scene", "paper") && is(printed, i, "printed", "8") && isfinite(sure))
+        ck_assert(sure > worst - 0.3); /* the bound is not far from what happens */
+    }
+  /* |t_a - 0.5322807...|/0.5322807 of procedure.tsv at four digits: 10^-1.13 and 10^-1.04 */
+  for (int i = 0; i < study_rows(printed); i++)
+    if (is(printed, i, "scene", "paper") && is(printed, i, "orbit", "2") && is(printed, i, "printed", "4"))
+      ck_assert(!is(printed, i, "way", "(45), first") || fabs(number(printed, i, "t_a") - 1.13) < 0.06);
+  ck_assert_int_eq(study_rows(line), 4);
+  for (int i = 1; i < 4; i++) { /* ten times as near, ten times the condition number; the others do not notice */
+    double grows = number(line, i, "cond_N1-I") / number(line, i - 1, "cond_N1-I");
+    ck_assert(grows > 9 && grows < 11);
+    ck_assert(number(line, i, "cond_six") < 200 && number(line, i, "cond_map") < 1);
+    ck_assert(number(line, i, "six") < 2 && number(line, i, "map") < 2);
+  }
+  ck_assert(number(line, 3, "paper") > 3);
+  study_clear(&page);
+}
+END_TEST
+
+START_TEST(without_scenes_there_is_no_study) {
+  struct study_page page;
+  ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = NULL}, true));
+  study_clear(&page);
+  ck_assert(!study_run(&page, study_named(_i ? "smooth" : "procedure"), &(struct bench_env){.data = "tests"}, true));
+  study_clear(&page);
+}
+END_TEST
+
+/* --- The command. --- */
+
+static int command(const char *path, const char *args) {
+  struct text line;
+  text_init(&line);
+  text_printf(&line, "%s%s %s bench %s >%s", path ? "PATH=" : "", path ? path : "", program(), args,
+              scratch_path("out"));
+  text_printf(&line, " 2>%s", scratch_path("err"));
+  int status = system(text_str(&line));
+  text_clear(&line);
+  ck_assert(WIFEXITED(status));
+  return WEXITSTATUS(status);
+}
+
+static bool exists(const char *name) {
+  struct stat st;
+  return stat(scratch_path(name), &st) == 0;
+}
+
+START_TEST(a_study_has_a_page_of_its_own) {
+  struct text args;
+  text_init(&args);
+  text_printf(&args, "--quick --job procedure --out %s", scratch_path("page"));
+  ck_assert_int_eq(command(scratch_path(""), text_str(&args)), 0);
+  ck_assert(exists("page/procedure.md") && exists("page/procedure-printed.tsv") &&
+            exists("page/procedure-singular.tsv"));
+  ck_assert(!exists("page/bench.md") && !exists("page/stiff.md") && !exists("page/procedure.svg"));
+  text_reset(&args);
+  ck_assert_int_eq(command(NULL, "--quick --job procedure --json"), 0);
+  text_printf(&args, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2", python(), scratch_path("out"));
+  ck_assert_int_eq(system(text_str(&args)), 0);
+  text_clear(&args);
+}
+END_TEST
+
+START_TEST(hostile_studies) {
+  static const char *const args[] = {"--job stif", "--job studies,stiff", "--job STIFF", "--job stiff paper",
+                                     "--job smooth --digits 3"};
+  ck_assert_int_eq(command(NULL, args[_i]), 2);
+}
+END_TEST
+
+Suite *stiff_suite(void) {
+  Suite *s = suite_create("stiff");
+  TCase *c = tcase_create("parts");
+  tcase_add_test(c, a_table_is_what_was_put_in);
+  tcase_add_loop_test(c, laws_have_their_values, 0, N_LAWS);
+  tcase_add_loop_test(c, passages_are_those_of_scipy, 0, 3);
+  tcase_add_test(c, a_return_that_does_not_come);
+  tcase_add_test(c, printed_times_as_mpmath_has_them);
+  suite_add_tcase(s, c);
+  c = tcase_create("studies");
+  tcase_add_test(c, stiff_scenes);
+  tcase_add_test(c, smoothed_laws);
+  tcase_add_test(c, the_papers_procedure);
+  tcase_add_loop_test(c, without_scenes_there_is_no_study, 0, 2);
+  suite_add_tcase(s, c);
+  c = tcase_create("command");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, a_study_has_a_page_of_its_own);
+  tcase_add_loop_test(c, hostile_studies, 0, 5);
+  suite_add_tcase(s, c);
+  return s;
+}
