@@ -8,7 +8,7 @@
 #include "stickslip/json.h"
 #include "stickslip/text.h"
 
-enum { STUDY_TABLES = 4 };
+enum { STUDY_TABLES = 5 };
 
 struct study_table {
   const char *id, *title, *note; /* note: what the columns are */

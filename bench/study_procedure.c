@@ -56,7 +56,14 @@ static void found_clear(struct found *f) {
   _fmpq_vec_clear(f->exact, N_PARAMS);
 }
 
+/* Digits asked for; orbits, how often their working precision was raised, and the most bits it had beyond those asked for. */
+static const int asked[] = {15, 50, 150, 300, 1000};
+struct planned {
+  long orbits, raises, most;
+};
+
 struct tables {
+  struct planned planned[COUNT(asked)];
   struct study_table *conditions, *printed, *summary, *singular;
   bool quick;
   double worst[3];    /* digits lost by paper, six and map, where they do not fail; over the orbits of scenes */
@@ -117,12 +124,41 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
   _arb_vec_clear(truth_of, N_WANTED);
 }
 
+static void count_rungs(struct tables *all, const fmpq *params) {
+  for (int k = 0; k < (all->quick ? 2 : COUNT(asked)); k++) {
+    struct planned *p = &all->planned[k];
+    slong prec = (slong)ceil(asked[k] * log2(10)) + 64;
+    struct dyn_orbits list;
+    dyn_orbits_find(&list, params, prec, NULL);
+    p->orbits += list.n;
+    p->raises += list.raises;
+    if (list.n > 0) p->most = FLINT_MAX(p->most, list.bits - prec);
+    dyn_orbits_clear(&list);
+  }
+}
+
+static void add_rungs(struct study_page *page, const struct tables *all) {
+  struct study_table *t = study_table(
+      page, "precision", "The first working precision", "digits\torbits\traised\tbeyond",
+      "The orbits of the scenes that give e1 and e2, enclosed to so many digits and 64 bits more. raised: how often "
+      "the "
+      "working precision had to be raised, over all of them; beyond: the most bits that the first one had beyond those "
+      "asked for (planned from a pilot run above 512 bits, 40 below).");
+  for (int k = 0; k < COUNT(asked); k++) {
+    const struct planned *p = &all->planned[k];
+    if (p->orbits == 0) continue;
+    study_text(t, "%d\t%ld\t%ld\t%ld", asked[k], p->orbits, p->raises, p->most);
+    study_row(t);
+  }
+}
+
 /* Every orbit of a scene, and of scenes that give times every one of the forces that belong to them. */
 static void study_scene(struct tables *all, const struct scene *s) {
   struct dyn_orbits list;
   int times = 0;
   for (int k = KEY_TA; k <= KEY_TD; k++) times += s->given[k];
   if (scene_is_box(s) || (!scene_has_forces(s) && times < 2)) return;
+  if (scene_has_forces(s)) count_rungs(all, s->value);
   audit_orbits(&list, s, PREC);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
@@ -388,6 +424,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
                   "the one at which det(N_1 - I) changes its sign. Columns as above.");
   bool good = study_scenes(&all, env->data);
   summarize(&all);
+  add_rungs(page, &all);
   good = study_line(&all) && good;
   text_printf(
       &page->found,

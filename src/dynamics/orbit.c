@@ -16,11 +16,14 @@ const char *const dyn_condition_id[N_CONDITIONS] = {
 };
 
 enum { GUARD = 40, RAISES = 4 };
+/* Of the pilot that plans the working precision; bits beyond what it lost. */
+enum { PLANNED_FROM = 512, PILOT = 192, SPARE = 8 };
 
 /* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one. */
 struct solution {
   arb_t x[2], box[2];
   bool up, grazing;
+  slong work; /* the precision at which it was found */
 };
 
 static void solution_init(struct solution *s) {
@@ -394,16 +397,37 @@ static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solutio
   return first;
 }
 
-/* The orbit of a solution to the wanted accuracy, the working precision being raised as long as that helps.  *first as
-   judge returns it. */
-static int finish(struct dyn_orbit *o, truth *first, const fmpq *params, struct solution *sol, slong prec,
+/* The working precision that gives prec bits of every number of the orbit near (t_b, t_c).  How many bits the worst of
+   them loses is the orbit's own (its condition) and hardly depends on the precision, so a pilot at a low one tells; it is
+   worth its time where a failed attempt would cost more than it. */
+static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec) {
+  struct solution pilot;
+  struct dyn_orbit o;
+  if (prec <= PLANNED_FROM) return prec + GUARD;
+  solution_init(&pilot);
+  dyn_orbit_init(&o);
+  arb_set_d(pilot.x[0], tb);
+  arb_set_d(pilot.x[1], tc);
+  pilot.up = up;
+  slong left = 0;
+  if (!solve(&pilot, params, PILOT) && !describe(&o, params, &pilot, PILOT)) left = dyn_orbit_accuracy(&o);
+  dyn_orbit_clear(&o);
+  solution_clear(&pilot);
+  return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
+}
+
+/* The orbit of a solution to prec bits, the working precision being raised, *raises times, as long as that helps.
+   *first as judge returns it. */
+static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *params, struct solution *sol, slong prec,
                   const struct dyn_limits *lim) {
-  slong work = prec + GUARD;
+  slong work = sol->work;
   int status = describe(o, params, sol, work);
+  *raises = 0;
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + GUARD;
     status = solve(sol, params, work);
     if (!status) status = describe(o, params, sol, work);
+    ++*raises;
   }
   *first = judge(o, params, sol, FLINT_MIN(work, 128), lim->max_steps);
   if (*first == TRUTH_UNKNOWN || undecided(o)) *first = judge(o, params, sol, work, lim->max_steps);
@@ -421,8 +445,10 @@ int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double
   s.up = up;
   s.grazing = false;
   *first = TRUTH_UNKNOWN;
-  int status = solve(&s, params, prec + GUARD);
-  if (!status) status = finish(o, first, params, &s, prec, lim);
+  s.work = plan(params, tb, tc, up, prec);
+  long raises;
+  int status = solve(&s, params, s.work);
+  if (!status) status = finish(o, first, &raises, params, &s, prec, lim);
   solution_clear(&s);
   return status;
 }
@@ -469,8 +495,14 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     struct solution pair[2];
     int n = 0;
     for (int k = 0; k < 2; k++) solution_init(&pair[k]);
-    status |= resolve(pair, &n, params, &search.zeros[i], prec + GUARD);
-    for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
+    const struct zero *z = &search.zeros[i];
+    slong work = z->fold ? prec + GUARD : plan(params, z->tb, z->tc, z->up, prec);
+    status |= resolve(pair, &n, params, z, work);
+    for (int k = 0; k < n; k++) {
+      pair[k].work = work;
+      add_solution(&found, &pair[k]);
+    }
+    list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);
     for (int k = n; k < 2; k++) solution_clear(&pair[k]);
   }
   list->orbit = ss_malloc((found.n + 1) * sizeof *list->orbit);
@@ -478,7 +510,9 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     struct dyn_orbit *o = &list->orbit[list->n];
     truth first;
     dyn_orbit_init(o);
-    status |= finish(o, &first, params, &found.s[i], prec, lim);
+    long raises;
+    status |= finish(o, &first, &raises, params, &found.s[i], prec, lim);
+    list->raises += raises;
     if (first == TRUTH_FALSE)
       dyn_orbit_clear(o);
     else
