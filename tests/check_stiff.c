@@ -200,6 +200,9 @@ START_TEST(stiff_scenes) {
   }
   ck_assert_int_eq(closed, 5);
   ck_assert_int_ge(good, 4);
+  double strays = 0;
+  for (int i = 0; i < study_rows(sum); i++) strays += number(sum, i, "late");
+  ck_assert(strays >= 1); /* long steps at a loose tolerance do pass an event by, and that is seen */
   for (int i = 0; i < study_rows(sum); i++)
     ck_assert(number(sum, i, "runs") ==
               number(sum, i, "word") + number(sum, i, "late") + number(sum, i, "early") + number(sum, i, "gives_up"));
