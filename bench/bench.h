@@ -9,6 +9,7 @@
 #ifndef STICKSLIP_BENCH_H
 #define STICKSLIP_BENCH_H
 
+#include "stickslip/arena.h"
 #include "stickslip/audit.h"
 
 enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
@@ -28,12 +29,15 @@ struct bench_env {
   const struct scene *scene;
 };
 
-enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP };
-extern const char *const bench_kind_name[SET_STEP + 1]; /* "", "bits", "tolerance", "step" */
+enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP, SET_DIGITS, N_SETS };
+extern const char *const bench_kind_name[N_SETS]; /* "", "bits", "tolerance", "step", "digits" */
 
 struct bench_method {
   const char *id, *title;
   const struct num_type *type;
+  const char *arithmetic; /* of a peer, which has no type here */
+  bool bare;              /* takes for granted what others find or check: rough times, the arc, first events */
+  bool absent;            /* not installed: has one row, which says so */
   enum bench_kind kind;
   const double *settings; /* n of them; without any the method runs once */
   int n;
@@ -83,13 +87,14 @@ struct bench_row {
 };
 struct bench_table {
   const struct bench_job *job;
+  const struct bench_method **method; /* the job's, then the peers' */
+  int n_methods;
   struct bench_row *row;
   int n, cap;
   int cases;           /* inputs taken */
   double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
   double truth_digits; /* of the truth, at the worst output */
   bool quick;
-  struct text inputs; /* TSV: each input, 17 digits, and its true outputs, 60 digits */
 };
 
 /* A method in balls and its like in MPFR, at equal true error. */
@@ -115,12 +120,42 @@ struct bench_verdicts {
   bool quick;
 };
 
+/* Where a method spends its time, by samples of the program counter: how much in each library ("stickslip" being the
+   program), and in which functions, as far as libraries tell them; the largest first. */
+enum { BENCH_PARTS = 6 };
+struct bench_part {
+  char where[64];
+  double share;
+};
+struct bench_profile {
+  const struct bench_method *method; /* NULL: none */
+  double setting;
+  long samples;
+  int n_libraries, n_functions;
+  struct bench_part library[BENCH_PARTS], function[BENCH_PARTS];
+};
+
 /* A ratio that is asked for. */
 struct bench_ratio {
   char name[160];
   double value; /* NAN: not measured */
   double goal;  /* NAN: stated without one */
   bool at_most;
+  struct bench_profile profile; /* of what keeps it from its goal */
+};
+enum bench_outcome { RATIO_MET, RATIO_NOT_MET, RATIO_STATED, RATIO_NOT_MEASURED };
+enum bench_outcome bench_outcome(const struct bench_ratio *r);
+
+/* Rows measured elsewhere on the same inputs, bench/peers. */
+struct bench_peers {
+  struct arena arena;
+  struct bench_peer {
+    const struct bench_job *job;
+    struct bench_method method;
+    struct bench_row row;
+  } * peer;
+  size_t n, cap;
+  struct text versions; /* "name: value" lines */
 };
 
 struct bench_result {
@@ -130,6 +165,7 @@ struct bench_result {
   int n_ratios, cap_ratios;
   bool quick;
   struct bench_verdicts verdicts; /* empty unless asked for */
+  struct bench_peers peers;       /* likewise */
 };
 
 extern const struct bench_job *const bench_jobs[];
@@ -141,6 +177,24 @@ void bench_table_clear(struct bench_table *t);
 /* The row, or NULL; setting is ignored for methods without one. */
 const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting);
 
+/* The inputs and their truths alone, as TSV: 17 digits, and 60.  false as above. */
+bool bench_inputs(struct text *out, const struct bench_job *job, bool quick);
+/* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be called. */
+bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,
+                     const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void));
+/* Appends a row; which of them are on the front is decided anew. */
+void bench_add_row(struct bench_table *t, const struct bench_method *m, const struct bench_row *row);
+/* The fastest method whose worst error is at most 10^log_error; rigorous: among balls.  Bare methods do not count.
+   NULL: none. */
+const struct bench_row *bench_best(const struct bench_table *t, double log_error, bool rigorous);
+
+/* Reads the table that bench/peers/peers.py writes; false with d set at the first mistake. */
+bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d);
+void bench_peers_clear(struct bench_peers *p);
+/* Adds the rows of the table's job, which refer to p. */
+void bench_peers_add(struct bench_table *t, const struct bench_peers *p);
+
+enum { BENCH_COSTS = 64 };
 /* What proof costs in this job, at most `most` entries; returns their number. */
 int bench_costs(struct bench_cost *out, int most, const struct bench_table *t);
 /* Times of orbits and Jacobians by digits, of claims one by one and together. */
@@ -149,6 +203,8 @@ void bench_verdicts_clear(struct bench_verdicts *v);
 
 /* The ratios that the tables allow, and those that need measurements of their own. */
 void bench_ratios(struct bench_result *r);
+/* Profiles what keeps ratios from their goals.  Nothing where the system does not tell the program counter. */
+void bench_profiles(struct bench_result *r, const struct bench_env *env);
 void bench_result_clear(struct bench_result *r);
 
 /* Seconds since some start. */
@@ -158,17 +214,30 @@ double bench_time(void (*f)(void *), void *arg);
 
 /* --- Output; everything said in words comes from the rows. --- */
 
+/* What report.c and pages.c print alike. */
+void bench_add_error(struct text *out, double log);                  /* an error from its log10 */
+void bench_add_setting(struct text *out, const struct bench_row *r); /* "128", "1e-06"; nothing without one */
+void bench_add_state(struct text *out, const struct bench_row *r);   /* "ok", or why not and how often */
+const char *bench_outcome_name(enum bench_outcome o);                /* "met", "not met", ... */
+
+/* log10 of the errors that the guide gives a method for. */
+extern const int bench_targets[];
+extern const int n_bench_targets;
+
 void bench_tsv(struct text *out, const struct bench_table *t);
 void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
-/* figures: refer to the SVG files. */
-void bench_markdown(struct text *out, const struct bench_result *r, bool figures);
+/* The page that holds all together; pages: it refers to those of the jobs, figures: to SVG files. */
+void bench_markdown(struct text *out, const struct bench_result *r, bool pages, bool figures);
+void bench_job_markdown(struct text *out, const struct bench_table *t, bool figures);
 /* JOB.svg, and JOB-steps.svg when there are methods with steps. */
 void bench_gnuplot(struct text *out, const struct bench_table *t);
 bool bench_has_steps(const struct bench_table *t);
+/* verdicts.svg. */
+void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v);
 /* Runs gnuplot on a script in a folder; false when it is not there or fails. */
 bool bench_draw(const char *folder, const struct text *script);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */
-void bench_machine(struct text *out);
+void bench_machine(struct text *out, const struct bench_result *r);
 
 #endif

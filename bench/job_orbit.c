@@ -246,11 +246,12 @@ static int run_paper(void *self, struct num_vec *out, long *steps, const struct 
 /* --- The table. --- */
 
 static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
-#define BITS         .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
-#define SOLVER(name) .type = &num_double, .data = name, .open = open_solver, .close = close_solver, .run = run_solver
+#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
+#define SOLVER(name)                                                                                                   \
+  .type = &num_double, .bare = true, .data = name, .open = open_solver, .close = close_solver, .run = run_solver
 
 static const struct bench_method methods[] = {
-    {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double,
+    {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double, .bare = true,
      .run = run_hand},
     {"return-map", "Newton's iteration on the suite's return map of r in double", .type = &num_double,
      .run = run_return_map},
@@ -258,10 +259,10 @@ static const struct bench_method methods[] = {
     {"gsl-hybridsj", "GSL's hybridsj on six unknowns, derivatives given", SOLVER("hybridsj")},
     {"gsl-hybrids", "GSL's hybrids on six unknowns", SOLVER("hybrids")},
     {"paper-double", "the paper's equations (44)-(46) by Newton's iteration in double", .type = &num_double,
-     .run = run_paper},
-    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, BITS, .run = run_paper},
-    {"newton-mpfr", "Newton's iteration on (r, t_b, t_c) in MPFR at doubling precision", .type = &num_mpfr, BITS,
-     .run = run_newton_mpfr},
+     .bare = true, .run = run_paper},
+    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, .bare = true, BITS, .run = run_paper},
+    {"newton-mpfr", "Newton's iteration on (r, t_b, t_c) in MPFR at doubling precision", .type = &num_mpfr,
+     .bare = true, BITS, .run = run_newton_mpfr},
     {"find-arb", "the suite's search for every orbit, each proved, in balls", .type = &num_arb, BITS, .run = run_find},
 };
 

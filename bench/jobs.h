@@ -65,13 +65,17 @@ typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps
 int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
                       bench_phase_run run, void *self);
 
-/* --- cvode.c: SUNDIALS' CVODE with its own rootfinding, where it is installed; the method's data is "adams" or "bdf". --- */
+/* --- cvode.c: SUNDIALS' CVODE with its own rootfinding; the method's data is "adams" or "bdf". --- */
 
 #ifdef STICKSLIP_SUNDIALS
+enum { HAS_CVODE = 1 };
+#else
+enum { HAS_CVODE = 0 }; /* then it cannot be opened, and its version is "not installed" */
+#endif
+const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
 int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
-#endif
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 
