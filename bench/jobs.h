@@ -41,6 +41,15 @@ void bench_six(double f[SIX], double j[SIX * SIX], const double *params, const d
 /* The example's parameters in double, job_orbit.c. */
 extern const double bench_example[];
 
+/* --- sides.c: both sides of a claim's sentence at one of its points, to a number of digits. --- */
+
+struct bench_sides;
+/* NULL: the claim has no sentence, or no point at which both sides have values. */
+struct bench_sides *bench_sides_new(const struct bench_env *env, const struct claim *c);
+void bench_sides_free(struct bench_sides *b);
+/* false when they could not be enclosed so closely. */
+bool bench_sides_run(struct bench_sides *b, long digits);
+
 /* --- newton_mpfr.c --- */
 
 /* The orbit near (t_b, t_c) by Newton's iteration at a precision that doubles, in MPFR: t_a, t_b, t_c, t_d, z_10, z_20,

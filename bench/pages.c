@@ -151,6 +151,37 @@ static void longest_claims(struct text *out, const struct bench_verdicts *v) {
   free(claim);
 }
 
+/* The claims whose sides take longest, by digits. */
+static void longest_sides(struct text *out, const struct bench_verdicts *v) {
+  enum { SHOWN = 12 };
+  const struct bench_work **last = ss_malloc((v->n + 1) * sizeof *last);
+  size_t n = 0, n_failed = 0;
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *w = &v->work[i], *next = i + 1 < v->n ? w + 1 : NULL;
+    if (w->kind != WORK_SIDES) continue;
+    n_failed += !w->good;
+    bool ends = !next || next->kind != WORK_SIDES || strcmp(next->id, w->id) != 0;
+    if (ends && w->good) last[n++] = w;
+  }
+  qsort(last, n, sizeof(const struct bench_work *), by_seconds);
+  if (n + n_failed > 0)
+    text_printf(
+        out,
+        "\nBoth sides of %zu claims, each alone (times that could not be had: %zu). Those that take longest:\n\n"
+        "| claim | time to so many digits |\n| --- | --- |\n",
+        n, n_failed);
+  for (size_t i = 0; i < n && i < SHOWN; i++) {
+    const struct bench_work *w = last[i];
+    while (w > v->work && w[-1].kind == WORK_SIDES && strcmp(w[-1].id, w->id) == 0) w--;
+    text_printf(out, "| %s | ", w->id);
+    for (; w <= last[i]; w++) {
+      add_time(out, 1e9 * w->seconds);
+      text_printf(out, " to %ld%s", w->size, w < last[i] ? ", " : " |\n");
+    }
+  }
+  free(last);
+}
+
 /* Time per unit of size against the one before: the exponent of growth. */
 static double growth(const struct bench_verdicts *v, size_t i) {
   const struct bench_work *w = &v->work[i], *last = i > 0 ? w - 1 : NULL;
@@ -161,14 +192,14 @@ static double growth(const struct bench_verdicts *v, size_t i) {
 static void verdicts(struct text *out, const struct bench_verdicts *v, bool figures) {
   if (v->n == 0) return;
   text_add(out,
-           "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and the paper's formulas to a number "
-           "of digits, and the first claims\ntogether. Growth is the power of the size with which the time has "
-           "grown since the row above.\n");
+           "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and both sides of every claim that "
+           "has two, at one of its\npoints, to a number of digits; the first claims judged together. Growth is the "
+           "power of the size with which\nthe time has grown since the row above.\n");
   if (figures) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
   text_add(out, "\n| work | digits or claims | time | growth |\n| --- | ---: | ---: | ---: |\n");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *w = &v->work[i];
-    if (w->kind == WORK_CLAIM) continue;
+    if (w->kind >= WORK_CLAIM) continue;
     text_printf(out, "| %s | %ld | ", bench_work_name[w->kind], w->size);
     add_time(out, 1e9 * w->seconds);
     text_add(out, " | ");
@@ -179,6 +210,7 @@ static void verdicts(struct text *out, const struct bench_verdicts *v, bool figu
     text_add(out, " |\n");
   }
   longest_claims(out, v);
+  longest_sides(out, v);
 }
 
 /* --- A job. --- */
