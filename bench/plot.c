@@ -117,12 +117,13 @@ void bench_gnuplot(struct text *out, const struct bench_table *t) {
   snprintf(floor_line, sizeof floor_line, "%.4f with lines dt 3 lw 2 lc '#404040' title 'limit of rounded inputs'",
            log10(t->floor));
   add_data(out, t);
-  text_printf(out,
-              "%sset output '%s.svg'\nset multiplot title '%s'\nset xlabel 'least time of one call, seconds'\n"
-              "set format '10^{%%g}'\nset xtics 1\nset ytics 2\nset grid lc '#d0d0d0'\nset bmargin at screen 0.1\n"
-              "set tmargin at screen 0.92\nset lmargin at screen 0.08\nset rmargin at screen 0.41\n"
-              "set ylabel 'worst error' offset 1\nset yrange [-18:0]\nset key at screen 0.99,0.93 right noenhanced\n",
-              terminal, t->job->id, t->job->title);
+  text_printf(
+      out,
+      "%sset output '%s.svg'\nset multiplot title '%s'\nset xlabel 'least time of one call, seconds'\n"
+      "set format '10^{%%g}'\nset xtics 1\nset ytics 4\nset grid ytics lc '#d0d0d0'\nset bmargin at screen 0.1\n"
+      "set tmargin at screen 0.92\nset lmargin at screen 0.08\nset rmargin at screen 0.41\n"
+      "set ylabel 'worst error' offset 1\nset yrange [-18:0]\nset key at screen 0.99,0.93 right noenhanced\n",
+      terminal, t->job->id, t->job->title);
   add_curves(out, t, "1:2", IN_DOUBLE, floor_line, true);
   if (goes_beyond(t)) {
     text_add(out, "set lmargin at screen 0.49\nset rmargin at screen 0.80\nunset ylabel\nset yrange [*:-1.2]\n"
@@ -134,8 +135,8 @@ void bench_gnuplot(struct text *out, const struct bench_table *t) {
   if (!bench_has_steps(t)) return;
   text_printf(out,
               "reset\n%sset output '%s-steps.svg'\nset title '%s'\nset xlabel 'step'\nset ylabel 'worst error'\n"
-              "set format '10^{%%g}'\nset xrange [-13:0]\nset yrange [-18:0]\nset xtics 1\nset ytics 2\n"
-              "set grid lc '#d0d0d0'\nset key outside right noenhanced\n",
+              "set format '10^{%%g}'\nset xrange [-13:0]\nset yrange [-18:0]\nset xtics 1\nset ytics 4\n"
+              "set grid ytics lc '#d0d0d0'\nset key outside right noenhanced\n",
               terminal, t->job->id, t->job->title);
   add_curves(out, t, "3:2", ALL, floor_line, true);
 }
@@ -153,7 +154,7 @@ void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v) {
   for (int kind = 0; kind < WORK_CLAIM; kind++) add_work(out, v, (enum bench_work_kind)kind);
   text_printf(out,
               "%sset output 'verdicts.svg'\nset multiplot layout 1,2 title 'What verdicts cost'\nset logscale xy\n"
-              "set format y '10^{%%T}'\nset grid lc '#d0d0d0'\nset key top left noenhanced\n"
+              "set format y '10^{%%T}'\nset grid ytics lc '#d0d0d0'\nset key top left noenhanced\n"
               "set ylabel 'least time, seconds'\nset xlabel 'digits'\nplot ",
               terminal);
   for (int kind = 0, n = 0; kind < WORK_CLAIM; kind++)

@@ -187,11 +187,38 @@ static void json_verdicts(struct json *w, const struct bench_verdicts *v) {
   json_array(w, "verdicts");
   for (size_t i = 0; i < v->n; i++) {
     const struct bench_work *k = &v->work[i];
+    if (k->kind >= WORK_CLAIM) continue;
     json_object(w, NULL);
     json_string(w, "work", bench_work_name[k->kind]);
-    json_string(w, "id", k->id[0] ? k->id : NULL);
     json_long(w, "size", k->size);
     json_number(w, "seconds", k->seconds);
+    json_end_object(w);
+  }
+  json_end_array(w);
+}
+
+/* A claim's sides by digits. */
+static void json_sides(struct json *w, const struct bench_verdicts *v, const char *id) {
+  char digits[24];
+  json_object(w, "sides");
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *k = &v->work[i];
+    if (k->kind != WORK_SIDES || strcmp(k->id, id) != 0) continue;
+    snprintf(digits, sizeof digits, "%ld", k->size);
+    json_number(w, digits, k->seconds);
+  }
+  json_end_object(w);
+}
+
+static void json_claims(struct json *w, const struct bench_verdicts *v) {
+  json_array(w, "claims");
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *k = &v->work[i];
+    if (k->kind != WORK_CLAIM) continue;
+    json_object(w, NULL);
+    json_string(w, "id", k->id);
+    json_number(w, "judged", k->seconds);
+    json_sides(w, v, k->id);
     json_end_object(w);
   }
   json_end_array(w);
@@ -272,6 +299,7 @@ void bench_json(struct text *out, const struct bench_result *r) {
   for (int i = 0; i < r->n_ratios; i++) json_ratio(&w, &r->ratio[i]);
   json_end_array(&w);
   json_verdicts(&w, &r->verdicts);
+  json_claims(&w, &r->verdicts);
   json_string(&w, "machine", text_str(&machine));
   json_end_object(&w);
   text_clear(&machine);
