@@ -70,7 +70,7 @@ static void add_parts(struct text *out, const struct bench_part *part, int n) {
 
 static void add_profile(struct text *out, const struct bench_profile *p) {
   text_printf(out, "| %s", p->method->id);
-  if (p->method->kind != SET_NONE) text_printf(out, ", %s %.3g", bench_kind_name[p->method->kind], p->setting);
+  if (p->method->kind != SET_NONE) text_printf(out, ", %s %.0f", bench_kind_name[p->method->kind], p->setting);
   text_printf(out, " | %ld | ", p->samples);
   add_parts(out, p->library, p->n_libraries);
   text_add(out, " | ");

@@ -111,7 +111,7 @@ void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool 
   *v = (struct bench_verdicts){.quick = quick};
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_ORBITS, "", digits[i], 0);
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_JACOBIAN, "", digits[i], 0);
-  measure_sides(v, env, quick ? 4 * alone : n, quick ? QUICK_LEVELS : LEVELS);
+  measure_sides(v, env, alone, quick ? QUICK_LEVELS : LEVELS);
   for (size_t i = 0; i < alone; i++) measure(v, env, WORK_CLAIM, env->claims->claim[i].id, 1, i);
   for (size_t k = 1; k <= alone; k = k < alone && 2 * k > alone ? alone : 2 * k) {
     measure(v, env, WORK_CLAIMS, "", (long)k, 0);
