@@ -231,7 +231,7 @@ static void add_row(struct text *out, const struct bench_row *r, bool whole) {
     if (isfinite(r->steps)) text_printf(out, "%.3g", r->steps);
     text_add(out, " | ");
     bench_add_state(out, r);
-    if (r->capped) text_printf(out, "; %d inputs only", r->cases);
+    if (r->capped) text_printf(out, "; on %d of the inputs", r->cases);
   }
   text_add(out, " |\n");
 }

@@ -97,10 +97,12 @@ bool bench_has_steps(const struct bench_table *t) {
   return any;
 }
 
-static bool goes_beyond(const struct bench_table *t) {
-  bool any = false;
-  for (int i = 0; i < t->n; i++) any = any || in_part(&t->row[i], BEYOND);
-  return any;
+/* The most digits that any row has; 0 when none is beyond double. */
+static double most_digits(const struct bench_table *t) {
+  double most = 0;
+  for (int i = 0; i < t->n; i++)
+    if (in_part(&t->row[i], BEYOND)) most = fmax(most, -t->row[i].worst);
+  return most;
 }
 
 /* 10^-20 to 10^-2000 where the axis is the logarithm of the digits. */
@@ -125,9 +127,11 @@ void bench_gnuplot(struct text *out, const struct bench_table *t) {
       "set ylabel 'worst error' offset 1\nset yrange [-18:0]\nset key at screen 0.99,0.93 right noenhanced\n",
       terminal, t->job->id, t->job->title);
   add_curves(out, t, "1:2", IN_DOUBLE, floor_line, true);
-  if (goes_beyond(t)) {
-    text_add(out, "set lmargin at screen 0.49\nset rmargin at screen 0.80\nunset ylabel\nset yrange [*:-1.2]\n"
-                  "unset key\n");
+  if (most_digits(t) > 0) {
+    text_printf(out,
+                "set lmargin at screen 0.49\nset rmargin at screen 0.80\nunset ylabel\nset yrange [%.3f:-1.2]\n"
+                "unset key\n",
+                -log10(most_digits(t)) - 0.05);
     add_digit_tics(out);
     add_curves(out, t, "1:4", BEYOND, "", false);
   }
@@ -135,7 +139,7 @@ void bench_gnuplot(struct text *out, const struct bench_table *t) {
   if (!bench_has_steps(t)) return;
   text_printf(out,
               "reset\n%sset output '%s-steps.svg'\nset title '%s'\nset xlabel 'step'\nset ylabel 'worst error'\n"
-              "set format '10^{%%g}'\nset xrange [-13:0]\nset yrange [-18:0]\nset xtics 1\nset ytics 4\n"
+              "set format '10^{%%g}'\nset xrange [-13:0]\nset yrange [-18:0]\nset xtics 2\nset ytics 4\n"
               "set grid ytics lc '#d0d0d0'\nset key outside right noenhanced\n",
               terminal, t->job->id, t->job->title);
   add_curves(out, t, "3:2", ALL, floor_line, true);
@@ -152,11 +156,12 @@ static void add_work(struct text *out, const struct bench_verdicts *v, enum benc
 
 void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v) {
   for (int kind = 0; kind < WORK_CLAIM; kind++) add_work(out, v, (enum bench_work_kind)kind);
-  text_printf(out,
-              "%sset output 'verdicts.svg'\nset multiplot layout 1,2 title 'What verdicts cost'\nset logscale xy\n"
-              "set format y '10^{%%T}'\nset grid ytics lc '#d0d0d0'\nset key top left noenhanced\n"
-              "set ylabel 'least time, seconds'\nset xlabel 'digits'\nplot ",
-              terminal);
+  text_printf(
+      out,
+      "%sset output 'verdicts.svg'\nset multiplot layout 1,2 title 'What verdicts cost'\nset logscale xy\n"
+      "set format y '10^{%%T}'\nset grid ytics lc '#d0d0d0'\nset key top left noenhanced\nunset mxtics\nunset mytics\n"
+      "set ylabel 'least time, seconds'\nset xlabel 'digits'\nplot ",
+      terminal);
   for (int kind = 0, n = 0; kind < WORK_CLAIM; kind++)
     if (kind != WORK_CLAIMS) {
       text_printf(out, "%s$w%d using 1:2 with linespoints lc '%s' pt %d ps 0.8 dt %d lw 1.2 title '%s'", n ? ", " : "",

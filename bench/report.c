@@ -117,7 +117,6 @@ static void json_row(struct json *w, const struct bench_row *r) {
   json_number(w, "ns_least", r->least_ns);
   json_number(w, "ns_median", r->median_ns);
   json_number(w, "steps", r->steps);
-  json_long(w, "calls", r->calls);
   json_bool(w, "front", r->front);
   json_end_object(w);
   text_clear(&t);
