@@ -49,6 +49,8 @@ struct bench_sides *bench_sides_new(const struct bench_env *env, const struct cl
 void bench_sides_free(struct bench_sides *b);
 /* false when they could not be enclosed so closely. */
 bool bench_sides_run(struct bench_sides *b, long digits);
+/* The largest radius, relative to what is above 1, is at most 10^-digits. */
+bool bench_close_enough(const struct num_vec *balls, long digits);
 
 /* --- newton_mpfr.c --- */
 

@@ -208,13 +208,16 @@ static double bits_in(const char *name) {
 }
 
 static void profile(struct bench_ratio *r, const struct bench_env *env, bool quick) {
-  size_t k = 0;
-  while (k < sizeof subjects / sizeof *subjects && !strstr(r->name, subjects[k].words)) k++;
-  if (k == sizeof subjects / sizeof *subjects) return;
-  const struct bench_method *m = method_of(subjects[k].job, subjects[k].method);
+  const struct bench_job *job = NULL;
+  const struct bench_method *m = NULL;
+  for (int k = 0; k < COUNT(subjects) && !m; k++)
+    if (strstr(r->name, subjects[k].words)) {
+      job = subjects[k].job;
+      m = method_of(job, subjects[k].method);
+    }
   double setting = m && m->kind == SET_BITS ? bits_in(r->name) : NAN;
   if (!m || (m->kind == SET_BITS && isnan(setting))) return;
-  if (!bench_keep_busy(subjects[k].job, m, setting, env, quick ? 0.05 : 0.4, begin, end) || n_samples == 0) return;
+  if (!bench_keep_busy(job, m, setting, env, quick ? 0.05 : 0.4, begin, end) || n_samples == 0) return;
   r->profile = (struct bench_profile){.method = m, .setting = setting};
   add_up(&r->profile);
 }

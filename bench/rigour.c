@@ -11,11 +11,9 @@
 static const struct {
   const struct bench_job *job;
   const char *plain, *balls;
-} pairs[] = {{&bench_propagator, "closed-mpfr", "closed-arb"},
-             {&bench_propagator, "taylor-mpfr", "arb-expm"},
-             {&bench_map, "closed-mpfr", "closed-arb"},
-             {&bench_jacobian, "implicit-mpfr", "implicit-arb"},
-             {&bench_orbit, "newton-mpfr", "find-arb"}};
+} pairs[] = {{&bench_propagator, "closed-mpfr", "closed-arb"}, {&bench_propagator, "taylor-mpfr", "arb-expm"},
+             {&bench_map, "closed-mpfr", "closed-arb"},        {&bench_jacobian, "implicit-mpfr", "implicit-arb"},
+             {&bench_orbit, "newton-mpfr", "near-arb"},        {&bench_orbit, "newton-mpfr", "find-arb"}};
 
 /* The time of the method at the given error (log10); NAN when it is not that good. */
 static double time_at(const struct bench_table *t, const char *method, double error) {

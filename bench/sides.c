@@ -13,8 +13,7 @@ struct bench_sides {
   struct point p;
 };
 
-/* The largest radius, relative to what is above 1, is at most 10^-digits. */
-static bool close_enough(const struct num_vec *v, long digits) {
+bool bench_close_enough(const struct num_vec *v, long digits) {
   slong bits = (slong)((double)digits * 3.3219281) + 1;
   for (slong i = 0; i < v->len; i++) {
     arb_srcptr x = num_vec_at(v, i);
@@ -34,7 +33,7 @@ bool bench_sides_run(struct bench_sides *b, long digits) {
     num_vec_init(&lhs, b->s.n, num_ctx_arb(prec));
     num_vec_init(&rhs, b->s.n, num_ctx_arb(prec));
     int status = sentence_values(&lhs, &rhs, &b->s, &b->p, VARIANT_CLOSED, cache);
-    good = status == SS_OK && close_enough(&lhs, digits) && close_enough(&rhs, digits);
+    good = status == SS_OK && bench_close_enough(&lhs, digits) && bench_close_enough(&rhs, digits);
     num_vec_clear(&rhs);
     num_vec_clear(&lhs);
     orbit_cache_free(cache);

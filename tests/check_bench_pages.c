@@ -252,6 +252,26 @@ static struct bench_sides *sides_of(const struct bench_env *env, const char *id)
   ck_abort_msg("no claim %s", id);
 }
 
+/* A radius of 10^-20: absolute below 1, relative above it; a ball without an end is close to nothing. */
+START_TEST(closeness_is_relative_above_one) {
+  struct num_vec v;
+  num_vec_init(&v, 2, num_ctx_arb(200));
+  arb_ptr small = num_vec_at(&v, 0), large = num_vec_at(&v, 1);
+  arb_set_d(small, 0.25);
+  arb_set_d(large, 1e9);
+  ck_assert(bench_close_enough(&v, 60));
+  mag_set_d(arb_radref(small), 1e-20);
+  ck_assert(bench_close_enough(&v, 19) && !bench_close_enough(&v, 21));
+  mag_set_d(arb_radref(large), 1e-15);
+  ck_assert(bench_close_enough(&v, 19) && !bench_close_enough(&v, 25));
+  mag_set_d(arb_radref(large), 1e-8);
+  ck_assert(bench_close_enough(&v, 16) && !bench_close_enough(&v, 18));
+  arb_pos_inf(large);
+  ck_assert(!bench_close_enough(&v, 1));
+  num_vec_clear(&v);
+}
+END_TEST
+
 START_TEST(sides_of_claims_come_to_any_digits) {
   struct model m;
   struct claims claims = {.n = 0};
@@ -351,6 +371,7 @@ Suite *bench_pages_suite(void) {
   tcase_add_test(c, what_is_absent_has_one_row);
   tcase_add_loop_test(c, a_missed_goal_has_its_profile, 0, 5);
   tcase_add_test(c, other_ratios_have_none);
+  tcase_add_test(c, closeness_is_relative_above_one);
   tcase_add_test(c, sides_of_claims_come_to_any_digits);
   suite_add_tcase(s, c);
   c = tcase_create("files");
