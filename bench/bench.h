@@ -237,6 +237,8 @@ void bench_gnuplot(struct text *out, const struct bench_table *t);
 bool bench_has_steps(const struct bench_table *t);
 /* verdicts.svg. */
 void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v);
+/* The figure without the groups that hold nothing, which gnuplot writes in numbers. */
+void bench_squeeze(struct text *out, const char *svg);
 /* Runs gnuplot on a script in a folder; false when it is not there or fails. */
 bool bench_draw(const char *folder, const struct text *script);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */

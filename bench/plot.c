@@ -174,6 +174,21 @@ void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v) {
               WORK_CLAIMS, colours[0], bench_work_name[WORK_CLAIMS]);
 }
 
+void bench_squeeze(struct text *out, const char *svg) {
+  static const char open[] = "<g ", close[] = "</g>\n";
+  const char *group = NULL; /* the line before, when it opens a group */
+  for (const char *line = svg; *line;) {
+    size_t len = strcspn(line, "\n");
+    const char *next = line + len + (line[len] == '\n');
+    bool closes = group && strncmp(line, close, sizeof close - 1) == 0;
+    if (group && !closes) text_add_n(out, group, (size_t)(line - group));
+    group = !closes && strncmp(line, open, sizeof open - 1) == 0 && strchr(line, '>') == line + len - 1 ? line : NULL;
+    if (!group && !closes) text_add_n(out, line, (size_t)(next - line));
+    line = next;
+  }
+  if (group) text_add(out, group);
+}
+
 /* In the child: gnuplot in the folder, reading its script from the pipe. */
 static void become_gnuplot(const char *folder, const int ends[2]) {
   signal(SIGPIPE, SIG_DFL);

@@ -100,6 +100,24 @@ START_TEST(figures_tell_methods_apart) {
 }
 END_TEST
 
+/* Groups without anything in them go, whatever stands around them; nothing else does. */
+START_TEST(figures_lose_their_empty_groups) {
+  static const char *const cases[][2] = {{"<svg>\n<g a>\n</g>\n</svg>\n", "<svg>\n</svg>\n"},
+                                         {"<g a>\n</g>\n<g b>\n</g>\nx", "x"},
+                                         {"<g a>\n<path/>\n</g>\n", "<g a>\n<path/>\n</g>\n"},
+                                         {"<g a>\n\t<g b>\n\t</g>\n</g>\n", "<g a>\n\t<g b>\n\t</g>\n</g>\n"},
+                                         {"<g a>\n<g b>\n</g>\n<path/>\n</g>\n", "<g a>\n<path/>\n</g>\n"},
+                                         {"<g a><path/></g>\n</g>\n", "<g a><path/></g>\n</g>\n"},
+                                         {"<g a>", "<g a>"},
+                                         {"", ""}};
+  struct text out;
+  text_init(&out);
+  bench_squeeze(&out, cases[_i][0]);
+  ck_assert_str_eq(text_str(&out), cases[_i][1]);
+  text_clear(&out);
+}
+END_TEST
+
 /* --- Peers. --- */
 
 #define HEAD                                                                                                           \
@@ -368,6 +386,7 @@ Suite *bench_pages_suite(void) {
   tcase_add_test(c, the_fastest_that_is_close_enough_is_advised);
   tcase_add_test(c, the_first_page_begins_with_advice);
   tcase_add_test(c, figures_tell_methods_apart);
+  tcase_add_loop_test(c, figures_lose_their_empty_groups, 0, 8);
   tcase_add_test(c, what_is_absent_has_one_row);
   tcase_add_loop_test(c, a_missed_goal_has_its_profile, 0, 5);
   tcase_add_test(c, other_ratios_have_none);

@@ -82,6 +82,28 @@ static void remove_stale(const struct files *f) {
   }
 }
 
+/* Notes a figure that gnuplot has written, and takes out what makes it large.  One that cannot be read stays as it is. */
+static void take_figure(struct files *f, const char *name, const char *suffix) {
+  struct text path, body;
+  struct source svg;
+  struct diag d;
+  enum { MOST = 1 << 24 };
+  diag_init(&d);
+  text_init(&path);
+  text_init(&body);
+  join_path(&path, f->folder, name);
+  text_add(&path, suffix);
+  if (source_read(&svg, text_str(&path), MOST, &d)) {
+    bench_squeeze(&body, svg.text);
+    put(f, name, suffix, &body);
+    source_clear(&svg);
+  } else {
+    text_printf(&f->written, "|%s%s|", name, suffix);
+  }
+  text_clear(&body);
+  text_clear(&path);
+}
+
 /* false when gnuplot is not there or fails: then there are no figures at all. */
 static bool draw_all(struct files *f, const struct bench_result *r) {
   struct text body;
@@ -91,14 +113,14 @@ static bool draw_all(struct files *f, const struct bench_result *r) {
     text_reset(&body);
     bench_gnuplot(&body, &r->table[i]);
     drawn = bench_draw(f->folder, &body);
-    text_printf(&f->written, "|%s.svg|", r->table[i].job->id);
-    if (bench_has_steps(&r->table[i])) text_printf(&f->written, "|%s-steps.svg|", r->table[i].job->id);
+    if (drawn) take_figure(f, r->table[i].job->id, ".svg");
+    if (drawn && bench_has_steps(&r->table[i])) take_figure(f, r->table[i].job->id, "-steps.svg");
   }
   text_reset(&body);
   if (r->verdicts.n > 0 && drawn) {
     bench_verdicts_gnuplot(&body, &r->verdicts);
     drawn = bench_draw(f->folder, &body);
-    text_printf(&f->written, "|%s.svg|", verdicts);
+    if (drawn) take_figure(f, verdicts, ".svg");
   }
   if (!drawn) text_reset(&f->written);
   if (!drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
