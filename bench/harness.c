@@ -297,23 +297,10 @@ static void take_times(struct bench_row *row, struct trial *t, const struct benc
   free(s);
 }
 
-static void add_method(struct bench_table *t, const struct bench_method *m) {
-  t->method = ss_realloc(t->method, (size_t)(t->n_methods + 1) * sizeof(const struct bench_method *));
-  t->method[t->n_methods++] = m;
-}
-
-static void add_row(struct bench_table *t, const struct bench_row *row) {
-  if (t->n == t->cap) {
-    t->cap = t->cap ? 2 * t->cap : 64;
-    t->row = ss_realloc(t->row, (size_t)t->cap * sizeof *t->row);
-  }
-  t->row[t->n++] = *row;
-}
-
 static void run_setting(struct bench_table *t, const struct bench_method *m, double setting, const struct sample *s,
                         const struct bench_env *env) {
   struct trial trial;
-  struct bench_row row = {.method = m, .setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
+  struct bench_row row = {.setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
   trial_init(&trial, t->job, s, t->cases, context_of(m, setting));
   if (m->open) trial.self = m->open(m, setting, env);
   if (m->open && !trial.self) {
@@ -328,7 +315,7 @@ static void run_setting(struct bench_table *t, const struct bench_method *m, dou
     if (m->close) m->close(trial.self);
   }
   trial_clear(&trial);
-  add_row(t, &row);
+  bench_add_row(t, m, &row);
 }
 
 static const double *settings_of(int *n, const struct bench_method *m, bool quick) {
@@ -343,11 +330,8 @@ static void run_method(struct bench_table *t, const struct bench_method *m, cons
       .failure = "not installed", .setting = NAN, .worst = NAN, .median = NAN, .least_ns = NAN, .median_ns = NAN};
   int n;
   const double *setting = settings_of(&n, m, t->quick);
-  add_method(t, m);
   if (m->absent) {
-    struct bench_row row = nothing;
-    row.method = m;
-    add_row(t, &row);
+    bench_add_row(t, m, &nothing);
     return;
   }
   if (m->kind == SET_NONE) run_setting(t, m, NAN, s, env);
@@ -367,20 +351,6 @@ static slong truth_bits(const struct bench_job *job, bool quick) {
       if ((slong)setting[k] > most) most = (slong)setting[k];
   }
   return most + SPARE_BITS;
-}
-
-/* A row is on the front when no other is at least as good in both and better in one. */
-static void find_front(struct bench_table *t) {
-  for (int i = 0; i < t->n; i++) {
-    struct bench_row *r = &t->row[i];
-    r->front = !r->failure;
-    for (int k = 0; k < t->n && r->front; k++) {
-      const struct bench_row *o = &t->row[k];
-      if (o->failure || k == i) continue;
-      bool as_good = o->worst <= r->worst && o->least_ns <= r->least_ns;
-      if (as_good && (o->worst < r->worst || o->least_ns < r->least_ns)) r->front = false;
-    }
-  }
 }
 
 static double accuracy(const struct sample *s, const struct bench_job *job) {
@@ -420,7 +390,6 @@ bool bench_run(struct bench_table *t, const struct bench_job *job, const struct 
   }
   bool good = a.n == a.wanted && t->truth_digits >= TRUE_DIGITS;
   for (int i = 0; i < job->n_methods && good; i++) run_method(t, &job->methods[i], a.s, env);
-  find_front(t);
   samples_clear(&a, job);
   return good;
 }
@@ -462,43 +431,6 @@ bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, 
   trial_clear(&t);
   samples_clear(&a, job);
   return ready;
-}
-
-/* --- The table afterwards. --- */
-
-void bench_add_row(struct bench_table *t, const struct bench_method *m, const struct bench_row *row) {
-  struct bench_row own = *row;
-  int k = 0;
-  while (k < t->n_methods && strcmp(t->method[k]->id, m->id) != 0) k++;
-  if (k == t->n_methods) add_method(t, m);
-  own.method = t->method[k];
-  add_row(t, &own);
-  find_front(t);
-}
-
-const struct bench_row *bench_best(const struct bench_table *t, double log_error, bool rigorous) {
-  const struct bench_row *best = NULL;
-  for (int i = 0; i < t->n; i++) {
-    const struct bench_row *r = &t->row[i];
-    const struct num_type *type = r->method->type;
-    if (r->failure || r->method->bare || r->worst > log_error || (rigorous && !(type && type->rigorous))) continue;
-    if (!best || r->least_ns < best->least_ns) best = r;
-  }
-  return best;
-}
-
-void bench_table_clear(struct bench_table *t) {
-  free(t->row);
-  free(t->method);
-  *t = (struct bench_table){.n = 0};
-}
-
-const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting) {
-  for (int i = 0; i < t->n; i++) {
-    const struct bench_row *r = &t->row[i];
-    if (strcmp(r->method->id, method) == 0 && (r->method->kind == SET_NONE || r->setting == setting)) return r;
-  }
-  return NULL;
 }
 
 static double repeat(void (*f)(void *), void *arg, long n) {

@@ -1,7 +1,11 @@
 /* Where the time of a method goes: while it runs over its inputs again and again, a clock interrupts it some thousand times
    a second and notes the program counter.  Afterwards the counters are named, from the program's own symbol table and from
-   what libraries export; a place in a library without a name counts for the library. */
+   what libraries export; a place in a library without a name counts for the library.  For Linux; elsewhere there are no
+   profiles. */
 #define _GNU_SOURCE
+#include "bench/jobs.h"
+
+#if defined(__linux__) && (defined(__x86_64__) || defined(__aarch64__))
 #include <dlfcn.h>
 #include <elf.h>
 #include <link.h>
@@ -13,7 +17,6 @@
 #include <sys/time.h>
 #include <ucontext.h>
 
-#include "bench/jobs.h"
 #include "stickslip/arena.h"
 
 enum { MOST_SAMPLES = 8192, PERIOD_US = 200 };
@@ -21,28 +24,20 @@ enum { MOST_SAMPLES = 8192, PERIOD_US = 200 };
 static void *sample[MOST_SAMPLES];
 static volatile sig_atomic_t n_samples;
 
-#if defined(__x86_64__) && defined(__linux__)
 static void *counter_of(const ucontext_t *u) {
+#if defined(__x86_64__)
   return (void *)u->uc_mcontext.gregs[REG_RIP];
-}
-#elif defined(__aarch64__) && defined(__linux__)
-static void *counter_of(const ucontext_t *u) {
-  return (void *)u->uc_mcontext.pc;
-}
 #else
-static void *counter_of(const ucontext_t *u) {
-  (void)u;
-  return NULL;
-}
+  return (void *)u->uc_mcontext.pc;
 #endif
+}
 
 static void take(int number, siginfo_t *info, void *context) {
   (void)number, (void)info;
   void *at = counter_of(context);
-  if (at && n_samples < MOST_SAMPLES) {
-    sample[n_samples] = at;
-    n_samples = n_samples + 1;
-  }
+  if (n_samples == MOST_SAMPLES) return;
+  sample[n_samples] = at;
+  n_samples = n_samples + 1;
 }
 
 static struct sigaction before;
@@ -226,3 +221,8 @@ void bench_profiles(struct bench_result *r, const struct bench_env *env) {
   for (int i = 0; i < r->n_ratios; i++)
     if (bench_outcome(&r->ratio[i]) == RATIO_NOT_MET) profile(&r->ratio[i], env, r->quick);
 }
+#else
+void bench_profiles(struct bench_result *r, const struct bench_env *env) {
+  (void)r, (void)env;
+}
+#endif

@@ -674,6 +674,7 @@ START_TEST(hostile_options) {
                {"--quick --inputs x --out y", 2, "--inputs goes with"},
                {"--quick --inputs x --peers y", 2, "--inputs goes with"},
                {"--quick --inputs x --json", 2, "--inputs goes with"},
+               {"--quick --job verdicts --inputs x", 2, "the job verdicts has none"},
                {"--quick --job verdicts --peers /nowhere", 3, "/nowhere"},
                {"--quick --job verdicts --peers verify", 3, "verify"},
                {"--quick --job verdicts --peers verify/errata.eq", 3, "verify/errata.eq:"},
@@ -838,7 +839,7 @@ Suite *bench_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("command");
   tcase_add_checked_fixture(c, scratch_open, scratch_close);
-  tcase_add_loop_test(c, hostile_options, 0, 20);
+  tcase_add_loop_test(c, hostile_options, 0, 21);
   tcase_add_test(c, a_full_disk_is_noticed);
   tcase_add_test(c, without_gnuplot_there_is_no_figure);
   tcase_add_test(c, a_gnuplot_that_dies_is_no_harm);

@@ -57,9 +57,13 @@ def named(row):
     return f"`{row['method']}`{setting} ({duration(row['ns_least'])})"
 
 
-def advice(job, error, which="fastest"):
-    found = [g[which] for g in job["guide"] if g["error"] == error and g[which]]
-    return f"{error}: {named(found[0])}" if found else f"{error}: none"
+def advice(job, errors, which="fastest"):
+    """Methods with the least of these errors that each is advised for."""
+    chosen = {}
+    for error in errors:
+        row = next((g[which] for g in job["guide"] if g["error"] == error), None)
+        chosen[named(row) if row else "none"] = error
+    return " and ".join(f"{name} down to {error}" for name, error in chosen.items())
 
 
 def fastest_peer(job, error):
@@ -80,13 +84,13 @@ def bench(old):
     job, orbit, peer = jobs["map"], jobs["orbit"], fastest_peer(jobs["map"], 1e-12)
     ours = next((g["fastest"] for g in job["guide"] if g["error"] == "1e-12"), None)
     first = f"On {machine.get('cpu', 'an unnamed processor')} with {machine['compiler']}, one Poincare map with its events "
-    first += "is had soonest with an error of at most " + ", ".join(advice(job, e) for e in ("1e-6", "1e-12", "1e-30"))
-    first += f"; as an enclosure, {advice(job, '1e-12', 'enclosed')}"
+    first += f"takes {advice(job, ('1e-6', '1e-12', '1e-30'))}, errors being the worst of many inputs, and as an enclosure "
+    first += advice(job, ("1e-12",), "enclosed")
     if peer and ours:
         times = float(peer["ns_least"]) / float(ours["ns_least"])
-        first += f"; of the peers that find events, {peer['method']} comes next at 1e-12, in {times:.3g} times the time"
-    second = f"The periodic orbit with its multiplier from the printed guess, {advice(orbit, '1e-12')}; every orbit "
-    second += f"proved, {advice(orbit, '1e-30', 'enclosed')}."
+        first += f"; the fastest integrator that reaches 1e-12, `{peer['method']}`, needs {times:.3g} times as long"
+    second = f"The periodic orbit with its multiplier from the printed guess takes {advice(orbit, ('1e-12',))}; enclosed, with "
+    second += f"first events and conditions proved, {advice(orbit, ('1e-30',), 'enclosed')}."
     states = [q["state"] for q in r["ratios"]]
     third = f"{states.count('met')} of {states.count('met') + states.count('not met')} speed goals are met; every method at "
     third += "every setting, with figures, is in [reports/bench](reports/bench/bench.md)."

@@ -261,6 +261,7 @@ int run_bench(const struct options *o, const char *data) {
   diag_init(&d);
   if (status) return status;
   if (o->n_operands) return usage("bench takes no operand, not %.200s", o->operand[0]);
+  if (o->inputs && o->job && strcmp(o->job, verdicts) == 0) return usage("--inputs: the job %s has none", verdicts);
   if (o->inputs && (o->out || o->json || o->peers)) return usage("--inputs goes with --job and --quick alone%s", "");
   return o->inputs ? write_inputs(o, &d) : measure(o, data, &d);
 }
