@@ -76,8 +76,11 @@ mutate: $(B)/stickslip ## damage every formula of the paper one token at a time:
 	$(B)/stickslip mutate --count all --out reports/mutation
 
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/
-	$(B)/stickslip bench --out reports/bench
-	$(PYTHON) bench/peers/peers.py reports/bench
+	rm -f $(B)/peers/peers.tsv
+	$(B)/stickslip bench --inputs $(B)/peers
+	-$(PYTHON) bench/peers/peers.py $(B)/peers
+	$(B)/stickslip bench --out reports/bench $$([ ! -f $(B)/peers/peers.tsv ] || echo --peers $(B)/peers/peers.tsv)
+	$(PYTHON) tools/readme.py
 
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)

@@ -5,11 +5,17 @@
    largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of one call,
    from batches of calls over all inputs in turn.
 
+   Files: job_*.c hold the jobs with their tables of methods; yardstick, six, newton_mpfr, formula, motion, ode and cvode
+   what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c, verdicts.c and sides.c
+   measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c, pages.c, plot.c and machine.c
+   write.
+
    Clocks are read here and in the command line, nowhere else; the library knows no time. */
 #ifndef STICKSLIP_BENCH_H
 #define STICKSLIP_BENCH_H
 
 #include "bench/study.h"
+#include "stickslip/arena.h"
 #include "stickslip/audit.h"
 
 enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
@@ -30,12 +36,15 @@ struct bench_env {
   const char *data; /* the folder that holds scenes/; NULL: studies of them fail */
 };
 
-enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP };
-extern const char *const bench_kind_name[SET_STEP + 1]; /* "", "bits", "tolerance", "step" */
+enum bench_kind { SET_NONE, SET_BITS, SET_TOLERANCE, SET_STEP, SET_DIGITS, N_SETS };
+extern const char *const bench_kind_name[N_SETS]; /* "", "bits", "tolerance", "step", "digits" */
 
 struct bench_method {
   const char *id, *title;
   const struct num_type *type;
+  const char *arithmetic; /* of a peer, which has no type here */
+  bool bare;              /* takes for granted what others find or check: rough times, the arc, first events */
+  bool absent;            /* not installed: has one row, which says so */
   enum bench_kind kind;
   const double *settings; /* n of them; without any the method runs once */
   int n;
@@ -85,13 +94,14 @@ struct bench_row {
 };
 struct bench_table {
   const struct bench_job *job;
+  const struct bench_method **method; /* the job's, then the peers' */
+  int n_methods;
   struct bench_row *row;
   int n, cap;
   int cases;           /* inputs taken */
   double floor;        /* the error that rounding each input to 53 bits can make, at the worst input */
   double truth_digits; /* of the truth, at the worst output */
   bool quick;
-  struct text inputs; /* TSV: each input, 17 digits, and its true outputs, 60 digits */
 };
 
 /* A method in balls and its like in MPFR, at equal true error. */
@@ -100,13 +110,15 @@ struct bench_cost {
   double digits, plain_ns, balls_ns;
 };
 
-/* Work of the program on the paper's scene: size is a number of digits, or of claims
-   judged (eq-3 brings eq-3b with it). */
-enum bench_work_kind { WORK_ORBITS, WORK_JACOBIAN, WORK_CLAIMS, WORK_CLAIM };
-extern const char *const bench_work_name[WORK_CLAIM + 1]; /* "orbits", "jacobian", "claims", "claim" */
+/* Work of the program on the paper's scene: size is a number of digits, or of claims judged (eq-3 brings eq-3b with
+   it).  WORK_SIDES: both sides of a claim at one of its points; WORK_ALL_SIDES: those of all claims together, one that
+   cannot be had left out. */
+enum bench_work_kind { WORK_ORBITS, WORK_JACOBIAN, WORK_ALL_SIDES, WORK_CLAIMS, WORK_CLAIM, WORK_SIDES };
+extern const char
+    *const bench_work_name[WORK_SIDES + 1]; /* "orbits", "jacobian", "all sides", "claims", "claim", "sides" */
 struct bench_work {
   enum bench_work_kind kind;
-  char id[64]; /* of WORK_CLAIM */
+  char id[64]; /* of WORK_CLAIM and WORK_SIDES */
   long size;
   double seconds; /* the least; NAN when it failed */
   bool good;
@@ -117,12 +129,42 @@ struct bench_verdicts {
   bool quick;
 };
 
+/* Where a method spends its time, by samples of the program counter: how much in each library ("stickslip" being the
+   program), and in which functions, as far as libraries tell them; the largest first. */
+enum { BENCH_PARTS = 6 };
+struct bench_part {
+  char where[64];
+  double share;
+};
+struct bench_profile {
+  const struct bench_method *method; /* NULL: none */
+  double setting;
+  long samples;
+  int n_libraries, n_functions;
+  struct bench_part library[BENCH_PARTS], function[BENCH_PARTS];
+};
+
 /* A ratio that is asked for. */
 struct bench_ratio {
   char name[160];
   double value; /* NAN: not measured */
   double goal;  /* NAN: stated without one */
   bool at_most;
+  struct bench_profile profile; /* of what keeps it from its goal */
+};
+enum bench_outcome { RATIO_MET, RATIO_NOT_MET, RATIO_STATED, RATIO_NOT_MEASURED };
+enum bench_outcome bench_outcome(const struct bench_ratio *r);
+
+/* Rows measured elsewhere on the same inputs, bench/peers. */
+struct bench_peers {
+  struct arena arena;
+  struct bench_peer {
+    const struct bench_job *job;
+    struct bench_method method;
+    struct bench_row row;
+  } * peer;
+  size_t n, cap;
+  struct text versions; /* "name: value" lines */
 };
 
 struct bench_result {
@@ -134,6 +176,7 @@ struct bench_result {
   struct bench_verdicts verdicts; /* empty unless asked for */
   struct study_page *page;
   int n_pages;
+  struct bench_peers peers; /* likewise */
 };
 
 extern const struct bench_job *const bench_jobs[];
@@ -145,6 +188,24 @@ void bench_table_clear(struct bench_table *t);
 /* The row, or NULL; setting is ignored for methods without one. */
 const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting);
 
+/* The inputs and their truths alone, as TSV: 17 digits, and 60.  false as above. */
+bool bench_inputs(struct text *out, const struct bench_job *job, bool quick);
+/* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be called. */
+bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,
+                     const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void));
+/* Appends a row; which of them are on the front is decided anew. */
+void bench_add_row(struct bench_table *t, const struct bench_method *m, const struct bench_row *row);
+/* The fastest method whose worst error is at most 10^log_error; rigorous: among balls.  Bare methods do not count.
+   NULL: none. */
+const struct bench_row *bench_best(const struct bench_table *t, double log_error, bool rigorous);
+
+/* Reads the table that bench/peers/peers.py writes; false with d set at the first mistake. */
+bool bench_peers_read(struct bench_peers *p, const char *path, struct diag *d);
+void bench_peers_clear(struct bench_peers *p);
+/* Adds the rows of the table's job, which refer to p. */
+void bench_peers_add(struct bench_table *t, const struct bench_peers *p);
+
+enum { BENCH_COSTS = 64 };
 /* What proof costs in this job, at most `most` entries; returns their number. */
 int bench_costs(struct bench_cost *out, int most, const struct bench_table *t);
 /* Times of orbits and Jacobians by digits, of claims one by one and together. */
@@ -153,6 +214,8 @@ void bench_verdicts_clear(struct bench_verdicts *v);
 
 /* The ratios that the tables allow, and those that need measurements of their own. */
 void bench_ratios(struct bench_result *r);
+/* Profiles what keeps ratios from their goals.  Nothing where the system does not tell the program counter. */
+void bench_profiles(struct bench_result *r, const struct bench_env *env);
 void bench_result_clear(struct bench_result *r);
 
 /* Seconds since some start. */
@@ -162,21 +225,36 @@ double bench_time(void (*f)(void *), void *arg);
 
 /* --- Output; everything said in words comes from the rows. --- */
 
+/* What report.c and pages.c print alike. */
+void bench_add_error(struct text *out, double log);                  /* an error from its log10 */
+void bench_add_setting(struct text *out, const struct bench_row *r); /* "128", "1e-06"; nothing without one */
+void bench_add_state(struct text *out, const struct bench_row *r);   /* "ok", or why not and how often */
+const char *bench_outcome_name(enum bench_outcome o);                /* "met", "not met", ... */
+
+/* log10 of the errors that the guide gives a method for. */
+extern const int bench_targets[];
+extern const int n_bench_targets;
+
 void bench_tsv(struct text *out, const struct bench_table *t);
 void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);
 void bench_json(struct text *out, const struct bench_result *r);
-/* figures: refer to the SVG files. */
-void bench_markdown(struct text *out, const struct bench_result *r, bool figures);
+/* The page that holds all together; pages: it refers to those of the jobs, figures: to SVG files. */
+void bench_markdown(struct text *out, const struct bench_result *r, bool pages, bool figures);
+void bench_job_markdown(struct text *out, const struct bench_table *t, bool figures);
 /* The page of a study. */
 void bench_study_markdown(struct text *out, const struct study_page *page, bool figure);
 /* JOB.svg, and JOB-steps.svg when there are methods with steps. */
 void bench_gnuplot(struct text *out, const struct bench_table *t);
 bool bench_has_steps(const struct bench_table *t);
+/* verdicts.svg. */
+void bench_verdicts_gnuplot(struct text *out, const struct bench_verdicts *v);
+/* The figure without the groups that hold nothing, which gnuplot writes in numbers. */
+void bench_squeeze(struct text *out, const char *svg);
 /* Of the k-th curve of a figure. */
 const char *bench_colour(int k);
 /* Runs gnuplot on a script in a folder; false when it is not there or fails. */
 bool bench_draw(const char *folder, const struct text *script);
 /* CPU, cores, compiler, libraries, as "name: value" lines. */
-void bench_machine(struct text *out);
+void bench_machine(struct text *out, const struct bench_result *r); /* r may be NULL */
 
 #endif

@@ -1,17 +1,23 @@
 /* SUNDIALS' CVODE as a peer: its Adams and BDF formulas, and its own rootfinding on its interpolant, as a user would take
-   them.  Compiled to nothing where SUNDIALS is not installed. */
+   them.  Where SUNDIALS is not installed nothing of it is compiled. */
 #include "bench/jobs.h"
 
 #ifdef STICKSLIP_SUNDIALS
 #include <nvector/nvector_serial.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sundials/sundials_version.h>
 #include <sunlinsol/sunlinsol_dense.h>
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
 #include "bench/sundials.h"
 #include "stickslip/arena.h"
+
+const char *bench_cvode_version(void) {
+  static char version[32];
+  return SUNDIALSGetVersion(version, sizeof version) == 0 ? version : "unknown";
+}
 
 struct cvode {
   struct bench_motion motion;
@@ -110,5 +116,23 @@ static int run_phase(double *t, void *self, double y[N_Y], long *steps) {
 int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r) {
   struct cvode *c = self;
   return bench_motion_pass(t, r_end, steps, &c->motion, params, r, run_phase, c);
+}
+#else
+const char *bench_cvode_version(void) {
+  return "not installed";
+}
+
+void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env) {
+  (void)m, (void)tolerance, (void)env;
+  return NULL;
+}
+
+void bench_cvode_close(void *self) {
+  (void)self;
+}
+
+int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r) {
+  (void)t, (void)r_end, (void)steps, (void)self, (void)params, (void)r;
+  return SS_UNABLE;
 }
 #endif

@@ -14,7 +14,7 @@
 
 #include "stickslip/arena.h"
 
-const char *const bench_kind_name[] = {"", "bits", "tolerance", "step"};
+const char *const bench_kind_name[] = {"", "bits", "tolerance", "step", "digits"};
 
 static const double BATCH = 1e-3; /* seconds */
 enum { SPARE_BITS = 192, MOVE_BITS = 80, MOST_TRIES = 4000, MOST_BATCHES = 25, TRUE_DIGITS = 60 };
@@ -297,42 +297,48 @@ static void take_times(struct bench_row *row, struct trial *t, const struct benc
   free(s);
 }
 
-static struct bench_row *new_row(struct bench_table *t) {
-  if (t->n == t->cap) {
-    t->cap = t->cap ? 2 * t->cap : 64;
-    t->row = ss_realloc(t->row, (size_t)t->cap * sizeof *t->row);
-  }
-  return &t->row[t->n++];
-}
-
 static void run_setting(struct bench_table *t, const struct bench_method *m, double setting, const struct sample *s,
                         const struct bench_env *env) {
   struct trial trial;
-  struct bench_row *row = new_row(t);
-  *row = (struct bench_row){.method = m, .setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
+  struct bench_row row = {.setting = setting, .worst = -INFINITY, .least_ns = NAN, .median_ns = NAN};
   trial_init(&trial, t->job, s, t->cases, context_of(m, setting));
   if (m->open) trial.self = m->open(m, setting, env);
   if (m->open && !trial.self) {
-    row->failure = "cannot be set up";
-    row->worst = row->median = NAN;
+    row.failure = "cannot be set up";
+    row.worst = row.median = NAN;
   } else {
-    first_pass(row, &trial, m, t->quick ? 0.1 : 2);
-    if (row->failure)
-      row->worst = NAN;
+    first_pass(&row, &trial, m, t->quick ? 0.1 : 1);
+    if (row.failure)
+      row.worst = NAN;
     else
-      take_times(row, &trial, m, t->quick);
+      take_times(&row, &trial, m, t->quick);
     if (m->close) m->close(trial.self);
   }
   trial_clear(&trial);
+  bench_add_row(t, m, &row);
 }
-
-/* --- The job. --- */
 
 static const double *settings_of(int *n, const struct bench_method *m, bool quick) {
   bool few = quick && m->quick;
   *n = m->kind == SET_NONE ? 0 : few ? m->n_quick : m->n;
   return few ? m->quick : m->settings;
 }
+
+static void run_method(struct bench_table *t, const struct bench_method *m, const struct sample *s,
+                       const struct bench_env *env) {
+  static const struct bench_row nothing = {
+      .failure = "not installed", .setting = NAN, .worst = NAN, .median = NAN, .least_ns = NAN, .median_ns = NAN};
+  int n;
+  const double *setting = settings_of(&n, m, t->quick);
+  if (m->absent) {
+    bench_add_row(t, m, &nothing);
+    return;
+  }
+  if (m->kind == SET_NONE) run_setting(t, m, NAN, s, env);
+  for (int k = 0; k < n; k++) run_setting(t, m, setting[k], s, env);
+}
+
+/* --- The job. --- */
 
 static slong truth_bits(const struct bench_job *job, bool quick) {
   slong most = 64;
@@ -347,20 +353,6 @@ static slong truth_bits(const struct bench_job *job, bool quick) {
   return most + SPARE_BITS;
 }
 
-/* A row is on the front when no other is at least as good in both and better in one. */
-static void find_front(struct bench_table *t) {
-  for (int i = 0; i < t->n; i++) {
-    struct bench_row *r = &t->row[i];
-    r->front = !r->failure;
-    for (int k = 0; k < t->n && r->front; k++) {
-      const struct bench_row *o = &t->row[k];
-      if (o->failure || k == i) continue;
-      bool as_good = o->worst <= r->worst && o->least_ns <= r->least_ns;
-      if (as_good && (o->worst < r->worst || o->least_ns < r->least_ns)) r->front = false;
-    }
-  }
-}
-
 static double accuracy(const struct sample *s, const struct bench_job *job) {
   double least = INFINITY;
   for (int i = 0; i < job->n_out; i++) {
@@ -370,62 +362,75 @@ static double accuracy(const struct sample *s, const struct bench_job *job) {
   return least;
 }
 
-/* For whoever wants to recheck an error, or to try a method of his own on the same inputs. */
-static void record_inputs(struct bench_table *t, const struct sample *s) {
-  const struct bench_job *job = t->job;
-  text_reset(&t->inputs);
-  for (int i = 0; i < job->n_in + job->n_out; i++)
-    text_printf(&t->inputs, "%s%d%s", i < job->n_in ? "in" : "out", i < job->n_in ? i + 1 : i - job->n_in + 1,
-                i + 1 < job->n_in + job->n_out ? "\t" : "\n");
-  for (int k = 0; k < t->cases; k++) {
-    for (int i = 0; i < job->n_in; i++) text_printf(&t->inputs, "%.17g\t", s[k].x[i]);
-    for (int i = 0; i < job->n_out; i++) {
-      if (num_print(&t->inputs, num_vec_at(&s[k].out, i), TRUE_DIGITS)) text_add(&t->inputs, "-");
-      text_add(&t->inputs, i + 1 < job->n_out ? "\t" : "\n");
-    }
-  }
+/* --- The samples of a job. --- */
+
+struct samples {
+  struct sample *s;
+  int n, wanted; /* taken */
+};
+
+static void samples_take(struct samples *a, const struct bench_job *job, slong prec, int wanted) {
+  *a = (struct samples){ss_malloc((size_t)wanted * sizeof *a->s), 0, wanted};
+  for (int i = 0; i < wanted; i++) sample_init(&a->s[i], job, prec);
+  for (long n = 0; n < MOST_TRIES && a->n < wanted; n++) a->n += sample_take(&a->s[a->n], job, n);
+}
+
+static void samples_clear(struct samples *a, const struct bench_job *job) {
+  for (int i = 0; i < a->wanted; i++) sample_clear(&a->s[i], job);
+  free(a->s);
 }
 
 bool bench_run(struct bench_table *t, const struct bench_job *job, const struct bench_env *env, bool quick) {
-  int wanted = quick ? job->n_quick : job->n_cases;
-  slong prec = truth_bits(job, quick);
-  struct sample *s = ss_malloc((size_t)wanted * sizeof *s);
-  *t = (struct bench_table){.job = job, .quick = quick, .truth_digits = INFINITY};
-  text_init(&t->inputs);
-  for (int i = 0; i < wanted; i++) sample_init(&s[i], job, prec);
-  for (long n = 0; n < MOST_TRIES && t->cases < wanted; n++)
-    if (sample_take(&s[t->cases], job, n)) {
-      t->floor = fmax(t->floor, s[t->cases].floor);
-      t->truth_digits = fmin(t->truth_digits, accuracy(&s[t->cases], job));
-      t->cases++;
-    }
-  bool good = t->cases == wanted && t->truth_digits >= TRUE_DIGITS;
-  record_inputs(t, s);
-  for (int i = 0; i < job->n_methods && good; i++) {
-    const struct bench_method *m = &job->methods[i];
-    int n;
-    const double *setting = settings_of(&n, m, quick);
-    if (m->kind == SET_NONE) run_setting(t, m, NAN, s, env);
-    for (int k = 0; k < n; k++) run_setting(t, m, setting[k], s, env);
+  struct samples a;
+  samples_take(&a, job, truth_bits(job, quick), quick ? job->n_quick : job->n_cases);
+  *t = (struct bench_table){.job = job, .quick = quick, .truth_digits = INFINITY, .cases = a.n};
+  for (int i = 0; i < a.n; i++) {
+    t->floor = fmax(t->floor, a.s[i].floor);
+    t->truth_digits = fmin(t->truth_digits, accuracy(&a.s[i], job));
   }
-  find_front(t);
-  for (int i = 0; i < wanted; i++) sample_clear(&s[i], job);
-  free(s);
+  bool good = a.n == a.wanted && t->truth_digits >= TRUE_DIGITS;
+  for (int i = 0; i < job->n_methods && good; i++) run_method(t, &job->methods[i], a.s, env);
+  samples_clear(&a, job);
   return good;
 }
 
-void bench_table_clear(struct bench_table *t) {
-  free(t->row);
-  text_clear(&t->inputs);
-  *t = (struct bench_table){.n = 0};
+bool bench_inputs(struct text *out, const struct bench_job *job, bool quick) {
+  struct samples a;
+  samples_take(&a, job, 64 + SPARE_BITS, quick ? job->n_quick : job->n_cases);
+  bool good = a.n == a.wanted;
+  for (int i = 0; i < job->n_in + job->n_out; i++)
+    text_printf(out, "%s%d%s", i < job->n_in ? "in" : "out", i < job->n_in ? i + 1 : i - job->n_in + 1,
+                i + 1 < job->n_in + job->n_out ? "\t" : "\n");
+  for (int k = 0; k < a.n; k++) {
+    for (int i = 0; i < job->n_in; i++) text_printf(out, "%.17g\t", a.s[k].x[i]);
+    for (int i = 0; i < job->n_out; i++) {
+      good = !num_print(out, num_vec_at(&a.s[k].out, i), TRUE_DIGITS) && good;
+      text_add(out, i + 1 < job->n_out ? "\t" : "\n");
+    }
+  }
+  samples_clear(&a, job);
+  return good;
 }
 
-const struct bench_row *bench_find(const struct bench_table *t, const char *method, double setting) {
-  for (int i = 0; i < t->n; i++) {
-    const struct bench_row *r = &t->row[i];
-    if (strcmp(r->method->id, method) == 0 && (r->method->kind == SET_NONE || r->setting == setting)) return r;
-  }
-  return NULL;
+bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,
+                     const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void)) {
+  struct samples a;
+  struct trial t;
+  struct num_ctx ctx = context_of(m, setting);
+  long steps = 0;
+  samples_take(&a, job, ctx.prec + SPARE_BITS, job->n_quick);
+  trial_init(&t, job, a.s, a.n, ctx);
+  if (m->open) t.self = m->open(m, setting, env);
+  bool ready = a.n > 0 && (!m->open || t.self) && begin();
+  double until = bench_now() + seconds;
+  do
+    for (int i = 0; i < a.n && ready; i++) m->run(t.self, &t.out, &steps, &t.in[i]);
+  while (ready && bench_now() < until);
+  if (ready) end();
+  if (m->close && t.self) m->close(t.self);
+  trial_clear(&t);
+  samples_clear(&a, job);
+  return ready;
 }
 
 static double repeat(void (*f)(void *), void *arg, long n) {

@@ -142,12 +142,10 @@ static int run_ode(void *self, struct num_vec *out, long *steps, const struct be
   return bench_ode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
 }
 
-#ifdef STICKSLIP_SUNDIALS
 static int run_cvode(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   double *o = (double *)(void *)out->data;
   return bench_cvode_map(o, &o[OUT_R], steps, self, c->x, c->x[IN_R]);
 }
-#endif
 
 /* --- The table. --- */
 
@@ -166,7 +164,7 @@ static const double few_tolerances[] = {1e-6, 1e-8, 1e-10, 1e-13};
 
 static const struct bench_method methods[] = {
     {"hand-written", "C by hand: Newton's iteration from rough t_b and t_c, no search", .type = &num_double,
-     .run = run_yardstick},
+     .bare = true, .run = run_yardstick},
     {"closed-double", "the suite's return map in double, first roots searched", .type = &num_double,
      .run = run_return_map},
     {"arc-double", "the suite's arc over any number type, in double", .type = &num_double, .open = open_arc,
@@ -181,12 +179,10 @@ static const struct bench_method methods[] = {
     ODE(msadams),
     ODE(bsimp),
     ODE(msbdf),
-#ifdef STICKSLIP_SUNDIALS
     {"cvode-adams", "SUNDIALS' CVODE, Adams formulas, with its rootfinding", TOLERANCES, .data = "adams",
-     .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
+     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
     {"cvode-bdf", "SUNDIALS' CVODE, BDF formulas, with its rootfinding", TOLERANCES, .data = "bdf",
-     .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
-#endif
+     .absent = !HAS_CVODE, .open = bench_cvode_open, .close = bench_cvode_close, .run = run_cvode},
 };
 
 const struct bench_job bench_map = {

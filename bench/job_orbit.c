@@ -11,6 +11,7 @@
 
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
+#include "dynamics/dyn_impl.h"
 #include "stickslip/arena.h"
 #include "stickslip/paper_route.h"
 
@@ -41,25 +42,32 @@ static const struct dyn_orbit *nearest(const struct dyn_orbits *list) {
   return best;
 }
 
+static void take_orbit(struct num_vec *out, const struct dyn_orbit *o) {
+  for (int i = 0; i < N_PHASES; i++) arb_set(num_vec_at(out, OUT_TA + i), o->t[i]);
+  arb_set(num_vec_at(out, OUT_Z10), o->z10);
+  arb_set(num_vec_at(out, OUT_Z20), o->z20);
+  arb_set(num_vec_at(out, OUT_TRACE), o->trace);
+}
+
 static int find_orbit(struct num_vec *out, long *steps, const fmpq *params, slong prec) {
   struct dyn_orbits list;
   int status = dyn_orbits_find(&list, params, prec, NULL);
   const struct dyn_orbit *o = nearest(&list);
   *steps = list.evaluations;
   if (!o) status |= SS_DOMAIN;
-  for (int i = 0; i < N_PHASES && o; i++) arb_set(num_vec_at(out, OUT_TA + i), o->t[i]);
-  if (o) {
-    arb_set(num_vec_at(out, OUT_Z10), o->z10);
-    arb_set(num_vec_at(out, OUT_Z20), o->z20);
-    arb_set(num_vec_at(out, OUT_TRACE), o->trace);
-  }
+  if (o) take_orbit(out, o);
   dyn_orbits_clear(&list);
   return status;
 }
 
-static int find_at(struct num_vec *out, long *steps, const struct num_vec *in) {
+static fmpq *exact_params(const struct num_vec *in) {
   fmpq *params = _fmpq_vec_init(N_PARAMS);
   for (int i = 0; i < N_PARAMS; i++) arf_get_fmpq(&params[i], arb_midref((arb_srcptr)num_vec_at(in, i)));
+  return params;
+}
+
+static int find_at(struct num_vec *out, long *steps, const struct num_vec *in) {
+  fmpq *params = exact_params(in);
   int status = find_orbit(out, steps, params, out->ctx.prec);
   _fmpq_vec_clear(params, N_PARAMS);
   return status;
@@ -135,6 +143,25 @@ static int run_newton_mpfr(void *self, struct num_vec *out, long *steps, const s
   if (*steps == 0) return SS_UNABLE;
   int status = bench_newton_mpfr(out, &refined, c->x, s.tb, s.tc, s.r_end > 0);
   *steps += refined;
+  return status;
+}
+
+/* The same orbit enclosed, its events proved the first ones. */
+static int run_near(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  struct yardstick k;
+  struct yardstick_pass s;
+  struct dyn_orbit o;
+  truth first;
+  (void)self;
+  yardstick_init(&k, c->x);
+  *steps = yardstick_orbit(&s, &k, printed[PR_TB], printed[PR_TC]);
+  if (*steps == 0) return SS_UNABLE;
+  fmpq *params = exact_params(&c->in);
+  int status = dyn_orbit_near(&o, &first, params, s.tb, s.tc, s.r_end > 0, out->ctx.prec, &dyn_limits_default);
+  if (!status) take_orbit(out, &o);
+  if (first != TRUTH_TRUE) status |= SS_UNABLE;
+  dyn_orbit_clear(&o);
+  _fmpq_vec_clear(params, N_PARAMS);
   return status;
 }
 
@@ -249,11 +276,12 @@ static int run_paper(void *self, struct num_vec *out, long *steps, const struct 
 /* --- The table. --- */
 
 static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
-#define BITS         .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
-#define SOLVER(name) .type = &num_double, .data = name, .open = open_solver, .close = close_solver, .run = run_solver
+#define BITS .kind = SET_BITS, .settings = precisions, .n = COUNT(precisions), .quick = precisions, .n_quick = 3
+#define SOLVER(name)                                                                                                   \
+  .type = &num_double, .bare = true, .data = name, .open = open_solver, .close = close_solver, .run = run_solver
 
 static const struct bench_method methods[] = {
-    {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double,
+    {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double, .bare = true,
      .run = run_hand},
     {"return-map", "Newton's iteration on the suite's return map of r in double", .type = &num_double,
      .run = run_return_map},
@@ -261,10 +289,12 @@ static const struct bench_method methods[] = {
     {"gsl-hybridsj", "GSL's hybridsj on six unknowns, derivatives given", SOLVER("hybridsj")},
     {"gsl-hybrids", "GSL's hybrids on six unknowns", SOLVER("hybrids")},
     {"paper-double", "the paper's equations (44)-(46) by Newton's iteration in double", .type = &num_double,
-     .run = run_paper},
-    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, BITS, .run = run_paper},
-    {"newton-mpfr", "Newton's iteration on (r, t_b, t_c) in MPFR at doubling precision", .type = &num_mpfr, BITS,
-     .run = run_newton_mpfr},
+     .bare = true, .run = run_paper},
+    {"paper-mpfr", "the same in MPFR", .type = &num_mpfr, .bare = true, BITS, .run = run_paper},
+    {"newton-mpfr", "Newton's iteration on (r, t_b, t_c) in MPFR at doubling precision", .type = &num_mpfr,
+     .bare = true, BITS, .run = run_newton_mpfr},
+    {"near-arb", "the same orbit in balls, its events proved first and every condition judged", .type = &num_arb, BITS,
+     .run = run_near},
     {"find-arb", "the suite's search for every orbit, each proved, in balls", .type = &num_arb, BITS, .run = run_find},
 };
 

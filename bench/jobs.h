@@ -45,6 +45,17 @@ extern const double bench_example[];
 /* The orbit by Newton's iteration on the return map of r, in double: t_a, t_b, t_c, t_d, z_10, z_20, trace. */
 int bench_orbit_by_map(double *out, long *steps, const double *params, double r);
 
+/* --- sides.c: both sides of a claim's sentence at one of its points, to a number of digits. --- */
+
+struct bench_sides;
+/* NULL: the claim has no sentence, or no point at which both sides have values. */
+struct bench_sides *bench_sides_new(const struct bench_env *env, const struct claim *c);
+void bench_sides_free(struct bench_sides *b);
+/* false when they could not be enclosed so closely. */
+bool bench_sides_run(struct bench_sides *b, long digits);
+/* The largest radius, relative to what is above 1, is at most 10^-digits. */
+bool bench_close_enough(const struct num_vec *balls, long digits);
+
 /* --- newton_mpfr.c --- */
 
 /* The orbit near (t_b, t_c) by Newton's iteration at a precision that doubles, in MPFR: t_a, t_b, t_c, t_d, z_10, z_20,
@@ -80,14 +91,18 @@ typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps
 int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
                       bench_phase_run run, void *self);
 
-/* --- cvode.c: SUNDIALS' CVODE with its own rootfinding, where it is installed; the method's data is "adams" or "bdf". --- */
+/* --- cvode.c: SUNDIALS' CVODE with its own rootfinding; the method's data is "adams" or "bdf". --- */
 
 #ifdef STICKSLIP_SUNDIALS
+enum { HAS_CVODE = 1 };
+#else
+enum { HAS_CVODE = 0 }; /* then it cannot be opened, and its version is "not installed" */
+#endif
+const char *bench_cvode_version(void);
 void *bench_cvode_open(const struct bench_method *m, double tolerance, const struct bench_env *env);
 void bench_cvode_close(void *self);
 void bench_cvode_limits(void *self, const struct bench_limits *limits);
 int bench_cvode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r);
-#endif
 
 /* --- ode.c: GSL's integrators; the method's data is the name. --- */
 

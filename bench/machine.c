@@ -5,7 +5,7 @@
 #include <sys/utsname.h>
 #include <unistd.h>
 
-#include "bench/bench.h"
+#include "bench/jobs.h"
 
 /* The value of the first line of /proc/cpuinfo that begins with key. */
 static bool cpu_line(char *value, size_t size, const char *key) {
@@ -23,12 +23,25 @@ static bool cpu_line(char *value, size_t size, const char *key) {
   return found;
 }
 
-void bench_machine(struct text *out) {
-  char cpu[256], frequency[256];
+/* The first line of a file of the system. */
+static bool first_line(char *value, size_t size, const char *path) {
+  FILE *f = fopen(path, "r");
+  bool found = f && fgets(value, (int)size, f);
+  if (f) fclose(f);
+  if (found) value[strcspn(value, "\n")] = '\0';
+  return found;
+}
+
+void bench_machine(struct text *out, const struct bench_result *r) {
+  char cpu[256], frequency[256], line[256];
   struct utsname u;
   if (cpu_line(cpu, sizeof cpu, "model name")) text_printf(out, "cpu: %s\n", cpu);
   if (cpu_line(frequency, sizeof frequency, "cpu MHz")) text_printf(out, "clock: %s MHz at the time\n", frequency);
   text_printf(out, "cores: %ld\n", sysconf(_SC_NPROCESSORS_ONLN));
+  bool told = first_line(line, sizeof line, "/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor");
+  text_printf(out, "governor: %s\n", told ? line : "not told by the system");
+  if (first_line(line, sizeof line, "/proc/loadavg"))
+    text_printf(out, "load: %.*s in the last minute\n", (int)strcspn(line, " "), line);
   if (uname(&u) == 0) text_printf(out, "system: %s %s %s\n", u.sysname, u.release, u.machine);
 #if defined(__clang__)
   text_printf(out, "compiler: %s\n", __VERSION__);
@@ -38,8 +51,11 @@ void bench_machine(struct text *out) {
 #if !defined(__OPTIMIZE__)
   text_add(out, "built without optimization\n");
 #endif
-  text_printf(out, "GSL: %s\nMPFR: %s\nFLINT: %s\n", gsl_version, mpfr_get_version(), FLINT_VERSION);
+  text_printf(out, "GSL: %s\nMPFR: %s\nGMP: %s\nFLINT: %s\n", gsl_version, mpfr_get_version(), gmp_version,
+              FLINT_VERSION);
 #if __FLINT_RELEASE < 30000
   text_printf(out, "Arb: %s\n", arb_version);
 #endif
+  text_printf(out, "SUNDIALS: %s\n", bench_cvode_version());
+  if (r) text_add(out, text_str(&r->peers.versions));
 }

@@ -17,6 +17,7 @@ void bench_result_clear(struct bench_result *r) {
   free(r->page);
   free(r->ratio);
   bench_verdicts_clear(&r->verdicts);
+  bench_peers_clear(&r->peers);
   *r = (struct bench_result){.n = 0};
 }
 
@@ -33,6 +34,12 @@ static void add(struct bench_result *r, double value, bool at_most, double goal,
   va_start(list, fmt);
   vsnprintf(q->name, sizeof q->name, fmt, list);
   va_end(list);
+}
+
+enum bench_outcome bench_outcome(const struct bench_ratio *r) {
+  if (isnan(r->value)) return RATIO_NOT_MEASURED;
+  if (isnan(r->goal)) return RATIO_STATED;
+  return (r->at_most ? r->value <= r->goal : r->value >= r->goal) ? RATIO_MET : RATIO_NOT_MET;
 }
 
 static const struct bench_table *table_of(const struct bench_result *r, const struct bench_job *job) {

@@ -1,7 +1,7 @@
 /* Job 6: what verdicts cost.  A claim is judged at the precision that decides it, so its verdict does not depend on digits
-   asked for; orbits and Jacobians do, and are asked for more and more of them.  Claims are judged alone, one by one, and the
-   first n of them together: how the audit grows.  Each is done once, or until a tenth of a second is used up; the least
-   time counts. */
+   asked for; orbits, Jacobians and the two sides of each claim do, and are asked for more and more of them.  Claims are
+   judged alone, one by one, and the first n of them together: how the audit grows.  Each is done once, or until a tenth of
+   a second is used up; the least time counts. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -10,7 +10,7 @@
 #include "bench/jobs.h"
 #include "stickslip/arena.h"
 
-const char *const bench_work_name[] = {"orbits", "jacobian", "claims", "claim"};
+const char *const bench_work_name[] = {"orbits", "jacobian", "all sides", "claims", "claim", "sides"};
 
 static bool do_orbits(const struct bench_env *env, long digits) {
   struct dyn_orbits list;
@@ -58,12 +58,17 @@ static bool do_work(struct bench_work *w, const struct bench_env *env, size_t fr
   }
 }
 
-static void measure(struct bench_verdicts *v, const struct bench_env *env, enum bench_work_kind kind, const char *id,
-                    long size, size_t from) {
+static struct bench_work *new_work(struct bench_verdicts *v, enum bench_work_kind kind, const char *id, long size) {
   v->work = ss_grow(v->work, v->n, &v->cap, sizeof *v->work);
   struct bench_work *w = &v->work[v->n++];
   *w = (struct bench_work){.kind = kind, .size = size, .seconds = INFINITY, .good = true};
   snprintf(w->id, sizeof w->id, "%s", id);
+  return w;
+}
+
+static void measure(struct bench_verdicts *v, const struct bench_env *env, enum bench_work_kind kind, const char *id,
+                    long size, size_t from) {
+  struct bench_work *w = new_work(v, kind, id, size);
   double begin = bench_now(), spent = 0;
   do {
     double start = bench_now();
@@ -75,6 +80,30 @@ static void measure(struct bench_verdicts *v, const struct bench_env *env, enum 
   if (!w->good) w->seconds = NAN;
 }
 
+/* --- The two sides of each claim. --- */
+
+static const long digits_of_sides[] = {15, 100, 1000, 10000};
+enum { LEVELS = COUNT(digits_of_sides), QUICK_LEVELS = 2 };
+static const double most_seconds = 1; /* a claim that takes longer is not asked for more digits */
+
+static void measure_sides(struct bench_verdicts *v, const struct bench_env *env, size_t claims, int levels) {
+  double total[LEVELS] = {0};
+  for (size_t i = 0; i < claims; i++) {
+    struct bench_sides *b = bench_sides_new(env, &env->claims->claim[i]);
+    double seconds = 0;
+    for (int k = 0; b && k < levels && seconds < most_seconds; k++) {
+      struct bench_work *w = new_work(v, WORK_SIDES, env->claims->claim[i].id, digits_of_sides[k]);
+      double start = bench_now();
+      w->good = bench_sides_run(b, w->size);
+      seconds = bench_now() - start;
+      w->seconds = w->good ? seconds : NAN;
+      if (w->good) total[k] += seconds;
+    }
+    if (b) bench_sides_free(b);
+  }
+  for (int k = 0; k < levels; k++) new_work(v, WORK_ALL_SIDES, "", digits_of_sides[k])->seconds = total[k];
+}
+
 void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool quick) {
   static const long digits[] = {15, 50, 100, 300, 1000, 3000, 10000};
   enum { QUICK_DIGITS = 3, QUICK_CLAIMS = 4 };
@@ -82,6 +111,7 @@ void bench_verdicts(struct bench_verdicts *v, const struct bench_env *env, bool 
   *v = (struct bench_verdicts){.quick = quick};
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_ORBITS, "", digits[i], 0);
   for (int i = 0; i < (quick ? QUICK_DIGITS : COUNT(digits)); i++) measure(v, env, WORK_JACOBIAN, "", digits[i], 0);
+  measure_sides(v, env, alone, quick ? QUICK_LEVELS : LEVELS);
   for (size_t i = 0; i < alone; i++) measure(v, env, WORK_CLAIM, env->claims->claim[i].id, 1, i);
   for (size_t k = 1; k <= alone; k = k < alone && 2 * k > alone ? alone : 2 * k) {
     measure(v, env, WORK_CLAIMS, "", (long)k, 0);

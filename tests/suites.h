@@ -33,5 +33,6 @@ Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *bench_suite(void);
 Suite *stiff_suite(void);
+Suite *bench_pages_suite(void);
 
 #endif

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
-"""Writes the verdict table of README.md from reports/paper/audit.json, with the mutation score of the whole population
-from reports/mutation/mutation.json; where that was not made, the score that README.md has stays.  --check only compares."""
+"""Writes the generated parts of README.md: the verdict table from reports/paper/audit.json, with the mutation score of
+the whole population from reports/mutation/mutation.json, and which method to use from reports/bench/bench.json.  What was
+not made, or by a quick run, leaves what README.md says as it is.  --check only compares."""
 import json
 import pathlib
 import sys
 
-BEGIN, END = "<!-- verdicts: made by tools/readme.py -->", "<!-- end of verdicts -->"
-
+VERDICTS = "<!-- verdicts: made by tools/readme.py -->", "<!-- end of verdicts -->"
+BENCH = "<!-- bench: made by tools/readme.py -->", "<!-- end of bench -->"
+PEERS = ("gsl-", "cvode-", "scipy-", "mpmath-", "pari-", "python")
 
 SCORE = "Damaged on purpose: "
 
@@ -42,15 +44,75 @@ def table(old):
     return "\n".join(lines)
 
 
+def duration(ns):
+    ns = float(ns)
+    for size, unit in ((1e9, "s"), (1e6, "ms"), (1e3, "us")):
+        if ns >= size:
+            return f"{ns / size:.3g} {unit}"
+    return f"{ns:.3g} ns"
+
+
+def named(row):
+    setting = f" at {row['setting']} {row['kind']}" if row["kind"] == "bits" else ""
+    return f"`{row['method']}`{setting} ({duration(row['ns_least'])})"
+
+
+def advice(job, errors, which="fastest"):
+    """Methods with the least of these errors that each is advised for."""
+    chosen = {}
+    for error in errors:
+        row = next((g[which] for g in job["guide"] if g["error"] == error), None)
+        chosen[named(row) if row else "none"] = error
+    return " and ".join(f"{name} down to {error}" for name, error in chosen.items())
+
+
+def fastest_peer(job, error):
+    """Of those that find events themselves."""
+    bare = {m["method"] for m in job["methods"] if m["bare"]}
+    rows = [r for r in job["rows"] if r["state"] == "ok" and r["method"].startswith(PEERS) and r["method"] not in bare
+            and float(r["error_worst"]) <= error]
+    return min(rows, key=lambda r: float(r["ns_least"]), default=None)
+
+
+def bench(old):
+    path = pathlib.Path("reports/bench/bench.json")
+    r = json.loads(path.read_text()) if path.exists() else {"quick": True, "jobs": []}
+    jobs = {j["job"]: j for j in r["jobs"]}
+    if r["quick"] or not {"map", "orbit"} <= set(jobs):
+        return old
+    machine = dict(line.split(": ", 1) for line in r["machine"].splitlines())
+    job, orbit, peer = jobs["map"], jobs["orbit"], fastest_peer(jobs["map"], 1e-12)
+    ours = next((g["fastest"] for g in job["guide"] if g["error"] == "1e-12"), None)
+    first = f"On {machine.get('cpu', 'an unnamed processor')} with {machine['compiler']}, one Poincare map with its events "
+    first += f"takes {advice(job, ('1e-6', '1e-12', '1e-30'))}, errors being the worst of many inputs, and as an enclosure "
+    first += advice(job, ("1e-12",), "enclosed")
+    if peer and ours:
+        times = float(peer["ns_least"]) / float(ours["ns_least"])
+        first += f"; the fastest integrator that reaches 1e-12, `{peer['method']}`, needs {times:.3g} times as long"
+    second = f"The periodic orbit with its multiplier from the printed guess takes {advice(orbit, ('1e-12',))}; enclosed, with "
+    second += f"first events and conditions proved, {advice(orbit, ('1e-30',), 'enclosed')}."
+    states = [q["state"] for q in r["ratios"]]
+    third = f"{states.count('met')} of {states.count('met') + states.count('not met')} speed goals are met; every method at "
+    third += "every setting, with figures, is in [reports/bench](reports/bench/bench.md)."
+    return f"{first}.\n{second}\n{third}"
+
+
+def replace(text, marks, make):
+    """The text with what stands between the marks made anew; a README without them has no such part."""
+    if marks[0] not in text:
+        return text
+    head, rest = text.split(marks[0])
+    old, tail = rest.split(marks[1])
+    return f"{head}{marks[0]}\n{make(old.strip())}\n{marks[1]}{tail}"
+
+
 def main():
     path = pathlib.Path("README.md")
     text = path.read_text()
-    head, rest = text.split(BEGIN)
-    old, tail = rest.split(END)
-    new = f"{head}{BEGIN}\n{table(old)}\n{END}{tail}"
+    new = replace(replace(text, VERDICTS, table), BENCH, bench)
     if "--check" in sys.argv:
         if new != text:
-            print("README.md: the verdict table is stale; run tools/readme.py")
+            print("README.md: a generated part is stale; run tools/readme.py")
         return int(new != text)
     path.write_text(new)
     return 0

@@ -1,6 +1,7 @@
 /* stickslip bench: error against run time, job by job, and studies; tables to the standard output, files with --out. */
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "bench/bench.h"
@@ -41,65 +42,164 @@ static bool has_jobs(const struct bench_result *r) {
   return r->n > 0 || r->verdicts.n > 0;
 }
 
-static bool put(const char *folder, const char *name, const char *suffix, const struct text *body, struct diag *d) {
+/* Adds "name" + suffix with its text to the files of a folder. */
+struct files {
+  const char *folder;
+  struct text written; /* names, each between two bars */
+  struct diag *d;
+  bool ok;
+};
+
+static void put(struct files *f, const char *name, const char *suffix, const struct text *body) {
   struct text file, path;
   text_init(&file);
   text_init(&path);
   text_printf(&file, "%s%s", name, suffix);
-  join_path(&path, folder, text_str(&file));
-  bool ok = file_write(text_str(&path), text_str(body), body->len, d);
+  join_path(&path, f->folder, text_str(&file));
+  f->ok = f->ok && file_write(text_str(&path), text_str(body), body->len, f->d);
+  text_printf(&f->written, "|%s|", text_str(&file));
   text_clear(&path);
   text_clear(&file);
-  return ok;
 }
 
-/* ID.md, ID-TABLE.tsv and, with gnuplot, ID.svg.  *drawn: whether every figure could be made. */
-static bool write_study(bool *drawn, const char *folder, const struct study_page *page, struct diag *d) {
+/* A file that an earlier run wrote and this one does not would be taken for a result of this one. */
+static void remove_if_stale(const struct files *f, const char *name, const char *suffix) {
+  struct text mark, path;
+  text_init(&mark);
+  text_init(&path);
+  text_printf(&mark, "|%s%s|", name, suffix);
+  if (!strstr(text_str(&f->written), text_str(&mark))) {
+    join_path(&path, f->folder, name);
+    text_add(&path, suffix);
+    remove(text_str(&path));
+  }
+  text_clear(&path);
+  text_clear(&mark);
+}
+
+/* A folder with a bench.json is one of ours. */
+static bool is_report(const char *folder) {
+  struct text path;
+  struct stat st;
+  text_init(&path);
+  join_path(&path, folder, "bench.json");
+  bool there = stat(text_str(&path), &st) == 0;
+  text_clear(&path);
+  return there;
+}
+
+static void remove_stale(const struct files *f) {
+  static const char *const suffix[] = {".md", ".tsv", ".svg", "-steps.svg"};
+  for (size_t k = 0; k < sizeof suffix / sizeof *suffix; k++) {
+    for (int i = 0; i < n_bench_jobs; i++) remove_if_stale(f, bench_jobs[i]->id, suffix[k]);
+    remove_if_stale(f, verdicts, suffix[k]);
+  }
+}
+
+/* Notes a figure that gnuplot has written, and takes out what makes it large.  One that cannot be read stays as it is. */
+static void take_figure(struct files *f, const char *name, const char *suffix) {
+  struct text path, body;
+  struct source svg;
+  struct diag d;
+  enum { MOST = 1 << 24 };
+  diag_init(&d);
+  text_init(&path);
+  text_init(&body);
+  join_path(&path, f->folder, name);
+  text_add(&path, suffix);
+  if (source_read(&svg, text_str(&path), MOST, &d)) {
+    bench_squeeze(&body, svg.text);
+    put(f, name, suffix, &body);
+    source_clear(&svg);
+  } else {
+    text_printf(&f->written, "|%s%s|", name, suffix);
+  }
+  text_clear(&body);
+  text_clear(&path);
+}
+
+static void no_figures(void) {
+  fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
+}
+
+/* false when gnuplot is not there or fails: then there are no figures at all. */
+static bool draw_all(struct files *f, const struct bench_result *r) {
+  struct text body;
+  bool drawn = f->ok;
+  text_init(&body);
+  for (int i = 0; i < r->n && drawn; i++) {
+    text_reset(&body);
+    bench_gnuplot(&body, &r->table[i]);
+    drawn = bench_draw(f->folder, &body);
+    if (drawn) take_figure(f, r->table[i].job->id, ".svg");
+    if (drawn && bench_has_steps(&r->table[i])) take_figure(f, r->table[i].job->id, "-steps.svg");
+  }
+  text_reset(&body);
+  if (r->verdicts.n > 0 && drawn) {
+    bench_verdicts_gnuplot(&body, &r->verdicts);
+    drawn = bench_draw(f->folder, &body);
+    if (drawn) take_figure(f, verdicts, ".svg");
+  }
+  if (!drawn) text_reset(&f->written);
+  if (!drawn) no_figures();
+  text_clear(&body);
+  return drawn;
+}
+
+/* ID.md, ID-TABLE.tsv and, with gnuplot, ID.svg. */
+static void write_study(struct files *f, const struct study_page *page) {
   struct text body, name;
   text_init(&body);
   text_init(&name);
-  bool ok = true;
-  for (int i = 0; i < page->n && ok; i++) {
+  for (int i = 0; i < page->n; i++) {
     text_reset(&name);
     text_printf(&name, "%s-%s", page->study->id, page->table[i].id);
-    ok = put(folder, text_str(&name), ".tsv", &page->table[i].tsv, d);
+    put(f, text_str(&name), ".tsv", &page->table[i].tsv);
   }
-  bool figure = ok && page->plot.len > 0 && bench_draw(folder, &page->plot);
-  *drawn = *drawn && (figure || page->plot.len == 0);
+  bool figure = f->ok && page->plot.len > 0 && bench_draw(f->folder, &page->plot);
+  if (page->plot.len > 0 && !figure) no_figures();
   bench_study_markdown(&body, page, figure);
-  ok = ok && put(folder, page->study->id, ".md", &body, d);
+  put(f, page->study->id, ".md", &body);
   text_clear(&name);
   text_clear(&body);
-  return ok;
 }
 
-/* The figures first: the page shows those that there are. */
+/* The figures first: the pages show those that there are. */
 static bool write_files(const char *folder, const struct bench_result *r, struct diag *d) {
   struct text body;
+  struct files f = {.folder = folder, .d = d, .ok = folder_make(folder, d)};
+  bool again = is_report(folder);
   text_init(&body);
-  bool ok = folder_make(folder, d), drawn = true;
-  for (int i = 0; i < r->n && ok; i++) {
+  text_init(&f.written);
+  bool drawn = draw_all(&f, r);
+  for (int i = 0; i < r->n; i++) {
+    const char *id = r->table[i].job->id;
     text_reset(&body);
     bench_tsv(&body, &r->table[i]);
-    ok = put(folder, r->table[i].job->id, ".tsv", &body, d);
-    ok = ok && put(folder, r->table[i].job->id, "-inputs.tsv", &r->table[i].inputs, d);
+    put(&f, id, ".tsv", &body);
     text_reset(&body);
-    bench_gnuplot(&body, &r->table[i]);
-    drawn = drawn && ok && bench_draw(folder, &body);
+    bench_job_markdown(&body, &r->table[i], drawn);
+    put(&f, id, ".md", &body);
   }
-  for (int i = 0; i < r->n_pages && ok; i++) ok = write_study(&drawn, folder, &r->page[i], d);
+  for (int i = 0; i < r->n_pages; i++) write_study(&f, &r->page[i]);
   text_reset(&body);
   bench_verdicts_tsv(&body, &r->verdicts);
-  ok = ok && (r->verdicts.n == 0 || put(folder, verdicts, ".tsv", &body, d));
-  if (ok && !drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
+  if (r->verdicts.n > 0) put(&f, verdicts, ".tsv", &body);
   text_reset(&body);
-  bench_markdown(&body, r, drawn);
-  ok = ok && (!has_jobs(r) || put(folder, "bench", ".md", &body, d));
+  bench_markdown(&body, r, true, drawn);
+  if (has_jobs(r)) put(&f, "bench", ".md", &body);
   text_reset(&body);
   bench_json(&body, r);
-  ok = ok && (!has_jobs(r) || put(folder, "bench", ".json", &body, d));
+  if (has_jobs(r)) put(&f, "bench", ".json", &body);
+  if (f.ok && again && has_jobs(r)) remove_stale(&f);
+  text_clear(&f.written);
   text_clear(&body);
-  return ok;
+  return f.ok;
+}
+
+static int no_inputs(const struct bench_job *job) {
+  fprintf(stderr, "stickslip: the job %s has not enough inputs with a known truth\n", job->id);
+  return EXIT_INTERNAL;
 }
 
 static int run_jobs(struct bench_result *r, const struct options *o, const struct bench_env *env) {
@@ -109,10 +209,9 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
   for (int i = 0; i < n_bench_jobs; i++) {
     if (!asked_for(o, bench_jobs[i]->id)) continue;
     if (terminal) fprintf(stderr, "\r\033[K%s", bench_jobs[i]->title);
-    if (!bench_run(&r->table[r->n++], bench_jobs[i], env, r->quick)) {
-      fprintf(stderr, "stickslip: the job %s has not enough inputs with a known truth\n", bench_jobs[i]->id);
-      status = EXIT_INTERNAL;
-    }
+    struct bench_table *t = &r->table[r->n++];
+    if (!bench_run(t, bench_jobs[i], env, r->quick)) status = no_inputs(bench_jobs[i]);
+    bench_peers_add(t, &r->peers);
   }
   r->page = ss_malloc((size_t)n_bench_studies * sizeof *r->page);
   for (int i = 0; i < n_bench_studies; i++) {
@@ -127,6 +226,7 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
   if (terminal) fputs("\r\033[K", stderr);
   if (asked_for(o, verdicts)) bench_verdicts(&r->verdicts, env, r->quick);
   bench_ratios(r);
+  bench_profiles(r, env);
   return status;
 }
 
@@ -137,7 +237,11 @@ static bool deliver(const struct bench_result *r, const struct options *o, struc
   if (o->json)
     bench_json(&body, r);
   else if (has_jobs(r))
-    bench_markdown(&body, r, false);
+    bench_markdown(&body, r, false, false);
+  for (int i = 0; i < r->n && !o->json; i++) {
+    text_add(&body, "\n");
+    bench_job_markdown(&body, &r->table[i], false);
+  }
   for (int i = 0; i < r->n_pages && !o->json; i++) bench_study_markdown(&body, &r->page[i], false);
   fputs(text_str(&body), stdout);
   text_clear(&body);
@@ -166,21 +270,46 @@ static void inputs_clear(struct inputs *in) {
   scene_clear(&in->scene);
 }
 
-int run_bench(const struct options *o, const char *data) {
-  int status = parse_job(o);
-  if (status) return status;
-  if (o->n_operands) return usage("bench takes no operand, not %.200s", o->operand[0]);
-  struct diag d;
+/* JOB-inputs.tsv for whoever wants to try a method of his own, or to recheck an error. */
+static int write_inputs(const struct options *o, struct diag *d) {
+  struct files f = {.folder = o->inputs, .d = d, .ok = folder_make(o->inputs, d)};
+  struct text body;
+  int status = EXIT_AS_RECORDED;
+  text_init(&f.written);
+  text_init(&body);
+  for (int i = 0; i < n_bench_jobs && f.ok; i++) {
+    if (!asked_for(o, bench_jobs[i]->id)) continue;
+    text_reset(&body);
+    if (!bench_inputs(&body, bench_jobs[i], o->quick)) status = no_inputs(bench_jobs[i]);
+    put(&f, bench_jobs[i]->id, "-inputs.tsv", &body);
+  }
+  text_clear(&body);
+  text_clear(&f.written);
+  return f.ok ? status : bad_input(d);
+}
+
+static int measure(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
   struct bench_result r = {.quick = o->quick};
-  diag_init(&d);
-  bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_make(o->out, &d));
+  int status = EXIT_AS_RECORDED;
+  bool ok = inputs_load(&in, data, o, d) && (!o->peers || bench_peers_read(&r.peers, o->peers, d)) &&
+            (!o->out || folder_make(o->out, d));
   if (ok) {
     status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene, data});
-    ok = deliver(&r, o, &d);
+    ok = deliver(&r, o, d);
   }
-  if (!ok) status = bad_input(&d);
   bench_result_clear(&r);
   inputs_clear(&in);
-  return status;
+  return ok ? status : bad_input(d);
+}
+
+int run_bench(const struct options *o, const char *data) {
+  int status = parse_job(o);
+  struct diag d;
+  diag_init(&d);
+  if (status) return status;
+  if (o->n_operands) return usage("bench takes no operand, not %.200s", o->operand[0]);
+  if (o->inputs && o->job && strcmp(o->job, verdicts) == 0) return usage("--inputs: the job %s has none", verdicts);
+  if (o->inputs && (o->out || o->json || o->peers)) return usage("--inputs goes with --job and --quick alone%s", "");
+  return o->inputs ? write_inputs(o, &d) : measure(o, data, &d);
 }

@@ -36,7 +36,7 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job;
+      *certificate, *along, *job, *inputs, *peers;
   bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, help;
 };
 

@@ -56,6 +56,8 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--basin", FOR_ORBIT, NULL, &o->basin},
                {"--job", FOR_BENCH, &o->job, NULL},
                {"--quick", FOR_BENCH, NULL, &o->quick},
+               {"--inputs", FOR_BENCH, &o->inputs, NULL},
+               {"--peers", FOR_BENCH, &o->peers, NULL},
                {"--tape", FOR_EXPLAIN, NULL, &o->tape},
                {"--receipt", FOR_EXPLAIN, NULL, &o->receipt},
                {"--method", FOR_JACOBIAN | FOR_ORBIT, &o->method, NULL},

@@ -1,0 +1,321 @@
+/* The pages for readers.  The first holds what all jobs share: which method to use, the ratios with what keeps them from
+   their goals, what verdicts cost, the machine; each job has a page of its own.  Every number, and every sentence that
+   depends on one, is made from the rows. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "bench/bench.h"
+#include "stickslip/arena.h"
+
+const int bench_targets[] = {-6, -12, -30, -100, -300};
+const int n_bench_targets = sizeof bench_targets / sizeof *bench_targets;
+
+/* A time with three digits and its unit. */
+static void add_time(struct text *out, double ns) {
+  static const struct {
+    double size;
+    const char *name;
+  } unit[] = {{1e9, "s"}, {1e6, "ms"}, {1e3, "us"}, {0, "ns"}};
+  if (!isfinite(ns)) {
+    text_add(out, "-");
+    return;
+  }
+  int k = 0;
+  while (ns < unit[k].size) k++;
+  double x = unit[k].size > 0 ? ns / unit[k].size : ns;
+  text_printf(out, "%.*f %s", x < 10 ? 2 : x < 100 ? 1 : 0, x, unit[k].name);
+}
+
+static void add_kind_and_setting(struct text *out, const struct bench_row *r) {
+  if (r->method->kind == SET_NONE || isnan(r->setting)) return;
+  text_printf(out, "%s ", bench_kind_name[r->method->kind]);
+  bench_add_setting(out, r);
+}
+
+/* --- Which method. --- */
+
+static void add_choice(struct text *out, const struct bench_row *r) {
+  text_printf(out, " | %s", r ? r->method->id : "none");
+  if (r && r->method->kind != SET_NONE) text_add(out, ", ");
+  if (r) add_kind_and_setting(out, r);
+  text_add(out, " | ");
+  add_time(out, r ? r->least_ns : NAN);
+}
+
+static void guide(struct text *out, const struct bench_result *r) {
+  if (r->n == 0) return;
+  text_add(out, "\n## Which method to use\n\n"
+                "For an error that is at most so large at every input tried: the fastest method, and the fastest that "
+                "returns an\nenclosure. Bare methods, which take for granted what others find or check\n"
+                "(rough times, the arc, first events), are left out.\n\n"
+                "| job | error at most | fastest | time | fastest enclosure | time |\n"
+                "| --- | ---: | --- | ---: | --- | ---: |\n");
+  for (int i = 0; i < r->n; i++)
+    for (int k = 0; k < n_bench_targets; k++) {
+      const struct bench_row *fastest = bench_best(&r->table[i], bench_targets[k], false);
+      if (!fastest) continue;
+      text_printf(out, "| %s | 1e%d", r->table[i].job->id, bench_targets[k]);
+      add_choice(out, fastest);
+      add_choice(out, bench_best(&r->table[i], bench_targets[k], true));
+      text_add(out, " |\n");
+    }
+}
+
+/* --- Ratios. --- */
+
+static void add_parts(struct text *out, const struct bench_part *part, int n) {
+  for (int i = 0; i < n; i++) text_printf(out, "%s%s %.0f %%", i ? ", " : "", part[i].where, 100 * part[i].share);
+}
+
+static void add_profile(struct text *out, const struct bench_profile *p) {
+  text_printf(out, "| %s", p->method->id);
+  if (p->method->kind != SET_NONE) text_printf(out, ", %s %.0f", bench_kind_name[p->method->kind], p->setting);
+  text_printf(out, " | %ld | ", p->samples);
+  add_parts(out, p->library, p->n_libraries);
+  text_add(out, " | ");
+  add_parts(out, p->function, p->n_functions);
+  text_add(out, " |\n");
+}
+
+static void profiles(struct text *out, const struct bench_result *r) {
+  bool any = false;
+  for (int i = 0; i < r->n_ratios; i++) {
+    const struct bench_profile *p = &r->ratio[i].profile;
+    bool seen = !p->method;
+    for (int k = 0; k < i && !seen; k++) {
+      const struct bench_profile *q = &r->ratio[k].profile;
+      seen = q->method == p->method && (q->setting == p->setting || p->method->kind == SET_NONE);
+    }
+    if (seen) continue;
+    if (!any)
+      text_add(out, "\nWhere the time goes in what keeps a ratio from its goal: the libraries and the "
+                    "functions that were found at work.\n\n| method | samples | libraries | functions |\n"
+                    "| --- | ---: | --- | --- |\n");
+    any = true;
+    add_profile(out, p);
+  }
+}
+
+static void ratios(struct text *out, const struct bench_result *r) {
+  if (r->n_ratios == 0) return;
+  int met = 0, with_goal = 0;
+  for (int i = 0; i < r->n_ratios; i++) {
+    enum bench_outcome o = bench_outcome(&r->ratio[i]);
+    met += o == RATIO_MET;
+    with_goal += o == RATIO_MET || o == RATIO_NOT_MET;
+  }
+  text_printf(out, "\n## Ratios\n\n%d of %d measured goals are met.\n\n```\n", met, with_goal);
+  for (int i = 0; i < r->n_ratios; i++) {
+    const struct bench_ratio *q = &r->ratio[i];
+    text_printf(out, "%s: ", q->name);
+    if (isnan(q->value))
+      text_add(out, "not measured");
+    else
+      text_printf(out, "%.3g", q->value);
+    if (isnan(q->goal))
+      text_add(out, " (no goal)\n");
+    else
+      text_printf(out, " (goal: at %s %.3g; %s)\n", q->at_most ? "most" : "least", q->goal,
+                  bench_outcome_name(bench_outcome(q)));
+  }
+  text_add(out, "```\n");
+  profiles(out, r);
+}
+
+/* --- Verdicts. --- */
+
+static int by_seconds(const void *x, const void *y) {
+  const struct bench_work *a = *(const struct bench_work *const *)x, *b = *(const struct bench_work *const *)y;
+  return (a->seconds < b->seconds) - (a->seconds > b->seconds);
+}
+
+/* The claims that take longest, which is where to look first. */
+static void longest_claims(struct text *out, const struct bench_verdicts *v) {
+  enum { SHOWN = 12 };
+  const struct bench_work **claim = ss_malloc((v->n + 1) * sizeof *claim);
+  size_t n = 0;
+  for (size_t i = 0; i < v->n; i++)
+    if (v->work[i].kind == WORK_CLAIM && v->work[i].good) claim[n++] = &v->work[i];
+  qsort(claim, n, sizeof(const struct bench_work *), by_seconds);
+  text_printf(
+      out,
+      "\nClaims judged one by one (those with a suffix together with their first): %zu. Those that take longest:\n\n"
+      "| claim | time |\n| --- | ---: |\n",
+      n);
+  for (size_t i = 0; i < n && i < SHOWN; i++) {
+    text_printf(out, "| %s | ", claim[i]->id);
+    add_time(out, 1e9 * claim[i]->seconds);
+    text_add(out, " |\n");
+  }
+  free(claim);
+}
+
+/* The claims whose sides take longest, by digits. */
+static void longest_sides(struct text *out, const struct bench_verdicts *v) {
+  enum { SHOWN = 12 };
+  const struct bench_work **last = ss_malloc((v->n + 1) * sizeof *last);
+  size_t n = 0, n_failed = 0;
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *w = &v->work[i], *next = i + 1 < v->n ? w + 1 : NULL;
+    if (w->kind != WORK_SIDES) continue;
+    n_failed += !w->good;
+    bool ends = !next || next->kind != WORK_SIDES || strcmp(next->id, w->id) != 0;
+    if (ends && w->good) last[n++] = w;
+  }
+  qsort(last, n, sizeof(const struct bench_work *), by_seconds);
+  if (n + n_failed > 0)
+    text_printf(
+        out,
+        "\nBoth sides of %zu claims, each alone (times that could not be had: %zu). Those that take longest:\n\n"
+        "| claim | time to so many digits |\n| --- | --- |\n",
+        n, n_failed);
+  for (size_t i = 0; i < n && i < SHOWN; i++) {
+    const struct bench_work *w = last[i];
+    while (w > v->work && w[-1].kind == WORK_SIDES && strcmp(w[-1].id, w->id) == 0) w--;
+    text_printf(out, "| %s | ", w->id);
+    for (; w <= last[i]; w++) {
+      add_time(out, 1e9 * w->seconds);
+      text_printf(out, " to %ld%s", w->size, w < last[i] ? ", " : " |\n");
+    }
+  }
+  free(last);
+}
+
+/* Time per unit of size against the one before: the exponent of growth. */
+static double growth(const struct bench_verdicts *v, size_t i) {
+  const struct bench_work *w = &v->work[i], *last = i > 0 ? w - 1 : NULL;
+  if (!last || last->kind != w->kind || !w->good || !last->good || last->size == w->size) return NAN;
+  return log(w->seconds / last->seconds) / log((double)w->size / (double)last->size);
+}
+
+static void verdicts(struct text *out, const struct bench_verdicts *v, bool figures) {
+  if (v->n == 0) return;
+  text_add(out,
+           "\n## What verdicts cost\n\nOn the paper's scene: orbits, Jacobians and both sides of every claim that "
+           "has two, at one of its\npoints, to a number of digits; the first claims judged together. Growth is the "
+           "power of the size with which\nthe time has grown since the row above.\n");
+  if (figures) text_add(out, "\n![time against digits and claims](verdicts.svg)\n");
+  text_add(out, "\n| work | digits or claims | time | growth |\n| --- | ---: | ---: | ---: |\n");
+  for (size_t i = 0; i < v->n; i++) {
+    const struct bench_work *w = &v->work[i];
+    if (w->kind >= WORK_CLAIM) continue;
+    text_printf(out, "| %s | %ld | ", bench_work_name[w->kind], w->size);
+    add_time(out, 1e9 * w->seconds);
+    text_add(out, " | ");
+    if (!w->good)
+      text_add(out, "failed");
+    else if (isfinite(growth(v, i)))
+      text_printf(out, "%.2f", growth(v, i));
+    text_add(out, " |\n");
+  }
+  longest_claims(out, v);
+  longest_sides(out, v);
+}
+
+/* --- A job. --- */
+
+static void add_row(struct text *out, const struct bench_row *r, bool whole) {
+  text_printf(out, "| %s | ", r->method->id);
+  add_kind_and_setting(out, r);
+  text_add(out, " | ");
+  bench_add_error(out, r->worst);
+  text_add(out, " | ");
+  bench_add_error(out, r->failure ? NAN : r->median);
+  text_add(out, " | ");
+  add_time(out, r->least_ns);
+  text_add(out, " | ");
+  add_time(out, r->median_ns);
+  if (whole) {
+    text_add(out, " | ");
+    if (isfinite(r->steps)) text_printf(out, "%.3g", r->steps);
+    text_add(out, " | ");
+    bench_add_state(out, r);
+    if (r->capped) text_printf(out, "; on %d of the inputs", r->cases);
+  }
+  text_add(out, " |\n");
+}
+
+/* The front from the fastest to the most accurate. */
+static void front(struct text *out, const struct bench_table *t) {
+  text_add(out, "\nThe front: nothing here is both faster and closer.\n\n"
+                "| method | setting | worst error | median error | least time | median time |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: |\n");
+  double last = -1;
+  for (;;) {
+    const struct bench_row *next = NULL;
+    for (int i = 0; i < t->n; i++) {
+      const struct bench_row *r = &t->row[i];
+      if (r->front && r->least_ns > last && (!next || r->least_ns < next->least_ns)) next = r;
+    }
+    if (!next) break;
+    add_row(out, next, false);
+    last = next->least_ns;
+  }
+}
+
+static void methods(struct text *out, const struct bench_table *t) {
+  text_add(out, "\n| method | what it is |\n| --- | --- |\n");
+  for (int i = 0; i < t->n_methods; i++)
+    text_printf(out, "| %s | %s%s |\n", t->method[i]->id, t->method[i]->title, t->method[i]->bare ? " (bare)" : "");
+}
+
+static void costs(struct text *out, const struct bench_table *t) {
+  struct bench_cost cost[BENCH_COSTS];
+  int n = bench_costs(cost, BENCH_COSTS, t);
+  if (n == 0) return;
+  text_add(out, "\nThe price of proof: balls against MPFR at equal true error, the time of balls read between their "
+                "settings.\n\n| MPFR | balls | digits | MPFR's time | balls' time | ratio |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: |\n");
+  for (int i = 0; i < n; i++) {
+    text_printf(out, "| %s | %s | %.0f | ", cost[i].plain, cost[i].balls, floor(cost[i].digits));
+    add_time(out, cost[i].plain_ns);
+    text_add(out, " | ");
+    add_time(out, cost[i].balls_ns);
+    text_printf(out, " | %.2f |\n", cost[i].balls_ns / cost[i].plain_ns);
+  }
+}
+
+void bench_job_markdown(struct text *out, const struct bench_table *t, bool figures) {
+  text_printf(out, "# %s\n\nGiven: %s. Wanted: %s.\n", t->job->title, t->job->inputs, t->job->outputs);
+  text_printf(out, "%d inputs; the truth has %.0f digits or more; rounding each input to 53 bits can cost %.1e.\n",
+              t->cases, floor(t->truth_digits), t->floor);
+  if (figures) text_printf(out, "\n![error against time](%s.svg)\n", t->job->id);
+  if (figures && bench_has_steps(t)) text_printf(out, "\n![error against step](%s-steps.svg)\n", t->job->id);
+  front(out, t);
+  costs(out, t);
+  methods(out, t);
+  text_add(out, "\nAll that was run:\n\n"
+                "| method | setting | worst error | median error | least time | median time | steps | outcome |\n"
+                "| --- | --- | ---: | ---: | ---: | ---: | ---: | --- |\n");
+  for (int i = 0; i < t->n; i++) add_row(out, &t->row[i], true);
+}
+
+static void machine(struct text *out, const struct bench_result *r) {
+  text_add(out, "\n## Machine\n\n```\n");
+  bench_machine(out, r);
+  text_add(out, "```\n");
+}
+
+/* --- The page that holds all together. --- */
+
+void bench_markdown(struct text *out, const struct bench_result *r, bool pages, bool figures) {
+  text_add(
+      out,
+      "# Error against run time\n\nErrors are true ones, against enclosures, the worst and the median over the "
+      "inputs, in units of the output's\nsize; for balls the radius counts as error. Times are of one call, the "
+      "least and the median of batches that go\nthrough all inputs. What failed has no time and is on no front.\n");
+  if (r->quick) text_add(out, "\nA quick run: few inputs, few batches; its times are rough.\n");
+  guide(out, r);
+  for (int i = 0; i < r->n && pages; i++)
+    text_printf(out, "%s- [%s](%s.md)\n", i ? "" : "\n", r->table[i].job->title, r->table[i].job->id);
+  ratios(out, r);
+  verdicts(out, &r->verdicts, figures);
+  machine(out, r);
+}
+
+void bench_study_markdown(struct text *out, const struct study_page *page, bool figure) {
+  text_printf(out, "# Stability: %s\n", page->study->title);
+  study_markdown(out, page, figure);
+  machine(out, NULL);
+}

@@ -1,0 +1,404 @@
+/* What the benchmarks say about their rows: peers measured elsewhere, which method to use, what is not installed, where the
+   time goes, both sides of claims, the sentences of the README; and that a folder holds the last run alone.
+
+   Rows are made here, so that what must be chosen is known. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "bench/jobs.h"
+#include "scratch.h"
+#include "stickslip/dynamics.h"
+#include "suites.h"
+
+/* --- Which method. --- */
+
+static const struct bench_method by_hand = {"by-hand", "", .type = &num_double, .bare = true};
+static const struct bench_method quick = {"quick", "", .type = &num_double};
+static const struct bench_method broken = {"broken", "", .type = &num_double};
+static const struct bench_method exact = {"exact", "", .type = &num_mpfr, .kind = SET_BITS};
+static const struct bench_method balls = {"balls", "", .type = &num_arb, .kind = SET_BITS};
+static const struct bench_method other = {"other", "", .arithmetic = "gp", .kind = SET_DIGITS};
+
+static struct bench_row rows[] = {{.method = &by_hand, .cases = 4, .worst = -15, .median = -16, .least_ns = 1},
+                                  {.method = &quick, .cases = 4, .worst = -13, .median = -16, .least_ns = 10},
+                                  {.method = &broken, .cases = 4, .failures = 1, .failure = "gives up", .least_ns = 2},
+                                  {.method = &exact, .setting = 64, .cases = 4, .worst = -18, .least_ns = 40},
+                                  {.method = &exact, .setting = 128, .cases = 4, .worst = -37, .least_ns = 50},
+                                  {.method = &balls, .setting = 64, .cases = 4, .worst = -11, .least_ns = 60},
+                                  {.method = &balls, .setting = 128, .cases = 4, .worst = -35, .least_ns = 70},
+                                  {.method = &other, .setting = 50, .cases = 4, .worst = -50, .least_ns = 900}};
+static const struct bench_method *methods[] = {&by_hand, &quick, &broken, &exact, &balls, &other};
+static const struct bench_table table = {.job = &bench_map,
+                                         .method = methods,
+                                         .n_methods = COUNT(methods),
+                                         .row = rows,
+                                         .n = COUNT(rows),
+                                         .cases = 4,
+                                         .floor = 1e-15,
+                                         .truth_digits = 90};
+
+static const char *best(double log_error, bool rigorous) {
+  static char name[80];
+  const struct bench_row *r = bench_best(&table, log_error, rigorous);
+  snprintf(name, sizeof name, "%s %g", r ? r->method->id : "none", r ? r->setting : 0);
+  return name;
+}
+
+START_TEST(the_fastest_that_is_close_enough_is_advised) {
+  ck_assert_str_eq(best(-6, false), "quick 0"); /* not the bare one, not the failed one */
+  ck_assert_str_eq(best(-12, false), "quick 0");
+  ck_assert_str_eq(best(-14, false), "exact 64");
+  ck_assert_str_eq(best(-30, false), "exact 128");
+  ck_assert_str_eq(best(-40, false), "other 50");
+  ck_assert_str_eq(best(-60, false), "none 0");
+  ck_assert_str_eq(best(-6, true), "balls 64");
+  ck_assert_str_eq(best(-12, true), "balls 128");
+  ck_assert_str_eq(best(-40, true), "none 0");
+}
+END_TEST
+
+static bool holds(const struct text *t, const char *what) {
+  return strstr(text_str(t), what) != NULL;
+}
+
+START_TEST(the_first_page_begins_with_advice) {
+  struct text page;
+  struct bench_table one = table;
+  struct bench_result r = {.table = &one, .n = 1};
+  text_init(&page);
+  bench_markdown(&page, &r, true, true);
+  ck_assert(holds(&page, "## Which method to use"));
+  ck_assert(holds(&page, "| map | 1e-6 | quick | 10.0 ns | balls, bits 64 | 60.0 ns |\n"));
+  ck_assert(holds(&page, "| map | 1e-30 | exact, bits 128 | 50.0 ns | balls, bits 128 | 70.0 ns |\n"));
+  ck_assert(!holds(&page, "1e-100") && holds(&page, "(map.md)") && !holds(&page, "## Ratios"));
+  text_reset(&page);
+  bench_job_markdown(&page, &table, true);
+  ck_assert(holds(&page, "| by-hand |  (bare) |") && holds(&page, "| failed: gives up (1 of 4) |"));
+  ck_assert(holds(&page, "| other | digits 50 | 1.0e-50 |"));
+  text_clear(&page);
+}
+END_TEST
+
+/* Colours, markers and dashes differ, the key names each method once, what lies beyond double has an axis of its own. */
+START_TEST(figures_tell_methods_apart) {
+  struct text script;
+  text_init(&script);
+  bench_gnuplot(&script, &table);
+  ck_assert(holds(&script, "$m1 using 1:2 with points lc '#0072b2' pt 2 "));
+  ck_assert(holds(&script, "$m3 using 1:4 with linespoints lc '#d55e00' pt 3 ps 0.8 dt 3 lw 1.2 notitle"));
+  ck_assert(holds(&script, "keyentry with linespoints lc '#d55e00' pt 3 ps 0.8 dt 3 lw 1.2 title 'exact'"));
+  ck_assert(holds(&script, "-15.0000 with lines") && holds(&script, "'10^{-50}' -1.69897"));
+  const char *key = strstr(text_str(&script), "title 'other'");
+  ck_assert(key && !strstr(key + 1, "title 'other'"));
+  text_clear(&script);
+}
+END_TEST
+
+/* Groups without anything in them go, whatever stands around them; nothing else does. */
+START_TEST(figures_lose_their_empty_groups) {
+  static const char *const cases[][2] = {{"<svg>\n<g a>\n</g>\n</svg>\n", "<svg>\n</svg>\n"},
+                                         {"<g a>\n</g>\n<g b>\n</g>\nx", "x"},
+                                         {"<g a>\n<path/>\n</g>\n", "<g a>\n<path/>\n</g>\n"},
+                                         {"<g a>\n\t<g b>\n\t</g>\n</g>\n", "<g a>\n\t<g b>\n\t</g>\n</g>\n"},
+                                         {"<g a>\n<g b>\n</g>\n<path/>\n</g>\n", "<g a>\n<path/>\n</g>\n"},
+                                         {"<g a><path/></g>\n</g>\n", "<g a><path/></g>\n</g>\n"},
+                                         {"<g a>", "<g a>"},
+                                         {"", ""}};
+  struct text out;
+  text_init(&out);
+  bench_squeeze(&out, cases[_i][0]);
+  ck_assert_str_eq(text_str(&out), cases[_i][1]);
+  text_clear(&out);
+}
+END_TEST
+
+/* --- Peers. --- */
+
+#define HEAD                                                                                                           \
+  "# GP: 1.2\njob\tmethod\ttitle\tarithmetic\tkind\tsetting\tbare\tstate\tinputs\tfailures\terror_worst\terror_"       \
+  "median\tns_least\tns_median\n"
+#define GOOD "map\tpeer\tA peer\tgp\tdigits\t50\tno\tok\t3\t0\t1e-49\t1e-50\t700\t800\n"
+
+START_TEST(peers_stand_among_the_others) {
+  struct bench_peers p;
+  struct diag d;
+  struct bench_table t = {.job = &bench_map, .cases = 4};
+  struct text out;
+  diag_init(&d);
+  text_init(&out);
+  const char *path =
+      scratch_put("peers.tsv", HEAD GOOD "map\tgone\tNot here\tgp\t\t\tno\tnot installed\t0\t0\t-\t-\t-\t-\n"
+                                         "map\tpeer\tA peer\tgp\tdigits\t18\tno\tfailed: gives up\t3\t1\t-\t-\t-\t-\n"
+                                         "orbit\tpeer\tA peer\tgp\t\t\tyes\tok\t3\t0\t1e-9\t1e-9\t7\t8\n");
+  ck_assert_msg(bench_peers_read(&p, path, &d), "%s", d.message);
+  bench_peers_add(&t, &p);
+  ck_assert_str_eq(text_str(&p.versions), "GP: 1.2\n");
+  ck_assert_int_eq(t.n, 3);
+  ck_assert_int_eq(t.n_methods, 2);
+  const struct bench_row *r = bench_find(&t, "peer", 50);
+  ck_assert(r && r->front && r->capped && r->cases == 3 && fabs(r->worst + 49) < 1e-9 && r->least_ns == 700);
+  ck_assert(bench_best(&t, -40, false) == r && !bench_best(&t, -40, true));
+  r = bench_find(&t, "peer", 18);
+  ck_assert(r->failure && !r->front && isnan(r->least_ns) && isnan(r->worst));
+  bench_tsv(&out, &t);
+  ck_assert(holds(&out, "map\tgone\tgp\t\t\tnot installed\t0\t0\t-\t-\t-\t-\t"));
+  ck_assert(holds(&out, "map\tpeer\tgp\tdigits\t18\tfailed: gives up (1 of 3)\t"));
+  ck_assert(holds(&out, "map\tpeer\tgp\tdigits\t50\tok\t3\t0\t1.0e-49\t1.0e-50\t700\t800\t\t0\tyes\n"));
+  text_clear(&out);
+  bench_table_clear(&t);
+  bench_peers_clear(&p);
+}
+END_TEST
+
+/* Each mistake is refused where it stands. */
+START_TEST(tables_that_cannot_be_are_refused) {
+  static const struct {
+    const char *text, *place;
+  } cases[] = {{"", "peers.tsv: "},
+               {"# a: b\n", "peers.tsv: "},
+               {"job\tmethod\n", "peers.tsv:1:1:"},
+               {HEAD "map\tpeer\n", "peers.tsv:3:1:"},
+               {HEAD GOOD "\n", "peers.tsv:4:1:"},
+               {HEAD "nojob\tpeer\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:1:"},
+               {HEAD "map\tclosed-double\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:5:"},
+               {HEAD "map\tp'x\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:5:"},
+               {HEAD "map\tp\tA|B\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:7:"},
+               {HEAD "map\tp\tA\tgp\tword\t5\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:12:"},
+               {HEAD "map\tp\tA\tgp\tbits\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
+               {HEAD "map\tp\tA\tgp\tbits\t-5\tno\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
+               {HEAD "map\tp\tA\tgp\t\t\tmaybe\tok\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:14:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tfine\t3\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:17:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t0\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:22:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t1\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:22:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t99999999999999999999\t0\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:20:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\tnan\t1e-9\t7\t8\n", "peers.tsv:3:24:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t0.9\t1e-9\t7\t8\n", "peers.tsv:3:24:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-8\t7\t8\n", "peers.tsv:3:29:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t0\t8\n", "peers.tsv:3:34:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tok\t3\t0\t1e-9\t1e-9\t7\tinf\n", "peers.tsv:3:36:"},
+               {HEAD "map\tp\tA\tgp\t\t\tno\tfailed: x\t3\t1\t1e-9\t1e-9\t7\t8\n", "peers.tsv:3:31:"}};
+  struct bench_peers p;
+  struct diag d;
+  ck_assert_int_lt(_i, COUNT(cases));
+  diag_init(&d);
+  ck_assert_msg(!bench_peers_read(&p, scratch_put("peers.tsv", cases[_i].text), &d), "%s", cases[_i].text);
+  ck_assert_msg(strstr(d.message, cases[_i].place) != NULL, "%s: %s", cases[_i].place, d.message);
+  bench_peers_clear(&p);
+}
+END_TEST
+
+/* --- What is not installed. --- */
+
+START_TEST(what_is_absent_has_one_row) {
+  struct bench_table t;
+  struct bench_method absent = {"absent", "", .type = &num_double, .kind = SET_TOLERANCE, .absent = true};
+  struct bench_job job = bench_propagator;
+  job.methods = &absent;
+  job.n_methods = 1;
+  ck_assert(bench_run(&t, &job, &(struct bench_env){.model = NULL}, true));
+  ck_assert_int_eq(t.n, 1);
+  ck_assert_str_eq(t.row[0].failure, "not installed");
+  ck_assert(!t.row[0].front && isnan(t.row[0].least_ns) && t.row[0].cases == 0);
+  bench_table_clear(&t);
+}
+END_TEST
+
+/* --- Where the time goes. --- */
+
+static struct bench_ratio profiled(const char *name) {
+  struct bench_ratio ratio = {.value = 9, .goal = 1, .at_most = true};
+  struct bench_result r = {.ratio = &ratio, .n_ratios = 1, .quick = true};
+  snprintf(ratio.name, sizeof ratio.name, "%s", name);
+  bench_profiles(&r, &(struct bench_env){.model = NULL});
+  return ratio;
+}
+
+static double sum(const struct bench_part *part, int n) {
+  double s = 0;
+  for (int i = 0; i < n; i++) {
+    ck_assert(part[i].where[0] && part[i].share > 0 && (i == 0 || part[i].share <= part[i - 1].share));
+    s += part[i].share;
+  }
+  return s;
+}
+
+START_TEST(a_missed_goal_has_its_profile) {
+  static const struct {
+    const char *ratio, *method;
+    double setting;
+  } cases[] = {{"map in double, first roots searched / hand-written map, no search", "closed-double", NAN},
+               {"CVODE at its best accuracy / map in double", "closed-double", NAN},
+               {"MPFR map at 256 bits / 11 mpfr_sin_cos", "closed-mpfr", 256},
+               {"MPFR map at 128 bits / map in balls", "closed-arb", 128},
+               {"GSL's hybrids / the suite's orbit and multiplier", "return-map", NAN}};
+  struct bench_ratio r = profiled(cases[_i].ratio);
+  if (!r.profile.method) return; /* a system that does not tell the program counter */
+  ck_assert_str_eq(r.profile.method->id, cases[_i].method);
+  ck_assert(isnan(cases[_i].setting) || r.profile.setting == cases[_i].setting);
+  ck_assert(r.profile.samples > 0 && r.profile.n_libraries > 0);
+  ck_assert(sum(r.profile.library, r.profile.n_libraries) <= 1 + 1e-9);
+  ck_assert(sum(r.profile.function, r.profile.n_functions) <= 1 + 1e-9);
+  struct text page;
+  text_init(&page);
+  bench_markdown(&page, &(struct bench_result){.ratio = &r, .n_ratios = 1}, false, false);
+  ck_assert(holds(&page, "0 of 1 measured goals are met") && holds(&page, "| method | samples |"));
+  ck_assert(holds(&page, r.profile.library[0].where));
+  text_clear(&page);
+}
+END_TEST
+
+START_TEST(other_ratios_have_none) {
+  struct bench_ratio met = {.name = "map in double / x", .value = 0.5, .goal = 1, .at_most = true};
+  bench_profiles(&(struct bench_result){.ratio = &met, .n_ratios = 1}, &(struct bench_env){.model = NULL});
+  ck_assert_ptr_null(met.profile.method);
+  ck_assert_ptr_null(profiled("MPFR map without a precision").profile.method);
+  ck_assert_ptr_null(profiled("something else").profile.method);
+}
+END_TEST
+
+/* --- Both sides of claims. --- */
+
+static struct bench_sides *sides_of(const struct bench_env *env, const char *id) {
+  for (size_t i = 0; i < env->claims->n; i++)
+    if (strcmp(env->claims->claim[i].id, id) == 0) return bench_sides_new(env, &env->claims->claim[i]);
+  ck_abort_msg("no claim %s", id);
+}
+
+/* A radius of 10^-20: absolute below 1, relative above it; a ball without an end is close to nothing. */
+START_TEST(closeness_is_relative_above_one) {
+  struct num_vec v;
+  num_vec_init(&v, 2, num_ctx_arb(200));
+  arb_ptr small = num_vec_at(&v, 0), large = num_vec_at(&v, 1);
+  arb_set_d(small, 0.25);
+  arb_set_d(large, 1e9);
+  ck_assert(bench_close_enough(&v, 60));
+  mag_set_d(arb_radref(small), 1e-20);
+  ck_assert(bench_close_enough(&v, 19) && !bench_close_enough(&v, 21));
+  mag_set_d(arb_radref(large), 1e-15);
+  ck_assert(bench_close_enough(&v, 19) && !bench_close_enough(&v, 25));
+  mag_set_d(arb_radref(large), 1e-8);
+  ck_assert(bench_close_enough(&v, 16) && !bench_close_enough(&v, 18));
+  arb_pos_inf(large);
+  ck_assert(!bench_close_enough(&v, 1));
+  num_vec_clear(&v);
+}
+END_TEST
+
+START_TEST(sides_of_claims_come_to_any_digits) {
+  struct model m;
+  struct claims claims = {.n = 0};
+  struct scene scene;
+  struct diag d;
+  diag_init(&d);
+  model_init(&m);
+  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
+            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
+            claims_load(&claims, "verify/claims", "claim", &d) && scene_load(&scene, "paper", "verify", &d);
+  ck_assert_msg(ok, "%s", d.message);
+  const struct bench_env env = {.model = &m, .claims = &claims, .scene = &scene};
+  struct bench_sides *s = sides_of(&env, "eq-27"); /* a matrix and the model's */
+  ck_assert(s && bench_sides_run(s, 15) && bench_sides_run(s, 700));
+  bench_sides_free(s);
+  ck_assert_ptr_null(sides_of(&env, "num-t_a")); /* a printed number has one side */
+  scene_clear(&scene);
+  claims_clear(&claims);
+  model_clear(&m);
+}
+END_TEST
+
+/* --- The folder and the README. --- */
+
+static int shell(const char *fmt, const char *what) {
+  struct text line;
+  text_init(&line);
+  text_printf(&line, "%s", what);
+  text_printf(&line, fmt, scratch_path(""));
+  int status = system(text_str(&line));
+  text_clear(&line);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static bool exists(const char *name) {
+  struct stat st;
+  return stat(scratch_path(name), &st) == 0;
+}
+
+/* The second run writes nothing of the first's job; what is not the program's stays, and so does everything in a folder
+   without a bench.json. */
+START_TEST(a_folder_holds_the_last_run_alone) {
+  static const char args[] = " bench --quick --job propagator --out %s/page >/dev/null 2>&1";
+  ck_assert_int_eq(shell("mkdir %s/page", ""), 0);
+  scratch_put("page/map.svg", "mine");
+  ck_assert_int_eq(shell(args, program()), 0);
+  ck_assert(exists("page/propagator.md") && exists("page/propagator.tsv") && exists("page/map.svg"));
+  ck_assert(!exists("page/map.tsv") && !exists("page/propagator-inputs.tsv"));
+  scratch_put("page/orbit.svg", "of an earlier run");
+  scratch_put("page/notes.md", "mine");
+  ck_assert_int_eq(shell(" bench --quick --job verdicts --out %s/page >/dev/null 2>&1", program()), 0);
+  ck_assert(exists("page/verdicts.tsv") && exists("page/bench.md") && exists("page/notes.md"));
+  ck_assert(!exists("page/propagator.md") && !exists("page/propagator.tsv") && !exists("page/orbit.svg"));
+}
+END_TEST
+
+/* A run, said not to be a quick one, as the README says it. */
+START_TEST(the_readme_has_its_sentences_from_the_rows) {
+  static const char made[] = "cd %1$s && mkdir -p reports/bench && sed 's/\"quick\": true/\"quick\": false/' all.json "
+                             "> reports/bench/bench.json";
+  struct text line;
+  struct source s;
+  struct diag d;
+  char here[1000];
+  diag_init(&d);
+  ck_assert_ptr_nonnull(getcwd(here, sizeof here));
+  scratch_put("README.md",
+              "before\n<!-- bench: made by tools/readme.py -->\nold words\n<!-- end of bench -->\nbehind\n");
+  ck_assert_int_eq(shell(" bench --quick --json > %s/all.json 2>/dev/null", program()), 0);
+  text_init(&line);
+  text_printf(&line, "cd %s && mkdir -p reports/bench && cp all.json reports/bench/bench.json && %s %s/tools/readme.py",
+              scratch_path(""), python(), here);
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  ck_assert_msg(source_read(&s, scratch_path("README.md"), 1 << 20, &d), "%s", d.message);
+  ck_assert(strstr(s.text, "old words") != NULL); /* a quick run says nothing */
+  source_clear(&s);
+  ck_assert_int_eq(shell(made, ""), 0);
+  text_reset(&line);
+  text_printf(&line, "cd %s && %s %s/tools/readme.py && %s %s/tools/readme.py --check", scratch_path(""), python(),
+              here, python(), here);
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  ck_assert_msg(source_read(&s, scratch_path("README.md"), 1 << 20, &d), "%s", d.message);
+  ck_assert(strncmp(s.text, "before\n", 7) == 0 && strstr(s.text, "behind\n") && !strstr(s.text, "old words"));
+  ck_assert(strstr(s.text, "one Poincare map with its events takes `closed-double` (") &&
+            strstr(s.text, "speed goals are met") && strstr(s.text, "(reports/bench/bench.md)"));
+  source_clear(&s);
+  text_clear(&line);
+}
+END_TEST
+
+Suite *bench_pages_suite(void) {
+  Suite *s = suite_create("bench_pages");
+  TCase *c = tcase_create("rows");
+  tcase_add_test(c, the_fastest_that_is_close_enough_is_advised);
+  tcase_add_test(c, the_first_page_begins_with_advice);
+  tcase_add_test(c, figures_tell_methods_apart);
+  tcase_add_loop_test(c, figures_lose_their_empty_groups, 0, 8);
+  tcase_add_test(c, what_is_absent_has_one_row);
+  tcase_add_loop_test(c, a_missed_goal_has_its_profile, 0, 5);
+  tcase_add_test(c, other_ratios_have_none);
+  tcase_add_test(c, closeness_is_relative_above_one);
+  tcase_add_test(c, sides_of_claims_come_to_any_digits);
+  suite_add_tcase(s, c);
+  c = tcase_create("files");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, peers_stand_among_the_others);
+  tcase_add_loop_test(c, tables_that_cannot_be_are_refused, 0, 23);
+  tcase_add_test(c, a_folder_holds_the_last_run_alone);
+  tcase_add_test(c, the_readme_has_its_sentences_from_the_rows);
+  suite_add_tcase(s, c);
+  return s;
+}
