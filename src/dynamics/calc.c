@@ -2,25 +2,62 @@
 
    Each operation takes a fresh element from a pool, so that a formula needs no names for its temporaries, and ORs its
    status into the calc, so that it is looked at once.  Loops release the pool to a mark. */
+#include <math.h>
 #include <stdlib.h>
 
 #include "dyn_impl.h"
 #include "stickslip/arena.h"
 
-enum { CALC_CHUNK = 32 };
+enum { CALC_CHUNK = 32, KEPT_CALCS = 4, KEPT_CHUNKS = 32, KEPT_BITS = 2048 };
+
+/* Balls of more than two words own memory, and a pass takes hundreds of them: the elements of the last few calcs wait for
+   the next ones.  flint_cleanup, which each thread calls at its end, frees them. */
+static _Thread_local struct kept {
+  char **pool;
+  slong made, cap;
+} kept[KEPT_CALCS];
+static _Thread_local int n_kept;
+static _Thread_local bool registered;
 
 static void *element(const struct calc *c, slong i) {
-  return c->pool[i / CALC_CHUNK] + (size_t)(i % CALC_CHUNK) * c->ctx.type->size;
+  return c->pool[i / CALC_CHUNK] + (size_t)(i % CALC_CHUNK) * c->stride;
+}
+
+static void free_elements(struct calc *c) {
+  bool own = !c->ctx.type->plain && c->ctx.type != &num_mpfr;
+  for (slong i = 0; i < c->made && own; i++) c->ctx.type->clear(element(c, i));
+  for (slong i = 0; i < c->cap; i++) free(c->pool[i]);
+  free(c->pool);
+}
+
+static void free_kept(void) {
+  while (n_kept > 0) {
+    const struct kept *k = &kept[--n_kept];
+    free_elements(&(struct calc){
+        .ctx = num_ctx_arb(53), .stride = sizeof(arb_struct), .pool = k->pool, .made = k->made, .cap = k->cap});
+  }
+  registered = false;
 }
 
 void calc_init(struct calc *c, struct num_ctx ctx) {
-  *c = (struct calc){.ctx = ctx};
+  *c = (struct calc){.ctx = ctx, .stride = ctx.type->size};
+  if (ctx.type == &num_mpfr) c->stride += mpfr_custom_get_size(ctx.prec);
+  if (ctx.type == &num_arb && n_kept > 0) {
+    const struct kept *k = &kept[--n_kept];
+    c->pool = k->pool;
+    c->made = k->made;
+    c->cap = k->cap;
+  }
 }
 
 void calc_clear(struct calc *c) {
-  for (slong i = 0; i < c->made && !c->ctx.type->plain; i++) c->ctx.type->clear(element(c, i));
-  for (slong i = 0; i < c->cap; i++) free(c->pool[i]);
-  free(c->pool);
+  if (c->ctx.type != &num_arb || n_kept == KEPT_CALCS || c->cap > KEPT_CHUNKS || c->ctx.prec > KEPT_BITS) {
+    free_elements(c);
+    return;
+  }
+  if (!registered) flint_register_cleanup_function(free_kept);
+  registered = true;
+  kept[n_kept++] = (struct kept){c->pool, c->made, c->cap};
 }
 
 slong calc_mark(const struct calc *c) {
@@ -34,11 +71,14 @@ void calc_release(struct calc *c, slong mark) {
 void *calc_new(struct calc *c) {
   if (c->used == c->cap * CALC_CHUNK) {
     c->pool = ss_realloc(c->pool, (size_t)(c->cap + 1) * sizeof *c->pool);
-    c->pool[c->cap++] = ss_malloc(CALC_CHUNK * c->ctx.type->size);
+    c->pool[c->cap++] = ss_malloc(CALC_CHUNK * c->stride);
   }
   void *x = element(c, c->used++);
   if (c->used > c->made) {
-    c->ctx.type->init(x, c->ctx.prec);
+    if (c->ctx.type == &num_mpfr)
+      mpfr_custom_init_set(x, MPFR_ZERO_KIND, 0, c->ctx.prec, (char *)x + sizeof(mpfr_t));
+    else
+      c->ctx.type->init(x, c->ctx.prec);
     c->made++;
   }
   return x;
@@ -108,6 +148,54 @@ void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x) {
   c->status |= c->ctx.type->sin_cos(s, co, x, c->ctx.prec);
   *sine = s;
   *cosine = co;
+}
+
+val calc_div_ui(struct calc *c, val x, ulong n) {
+  void *z = calc_new(c);
+  if (c->ctx.type == &num_arb)
+    arb_div_ui(z, x, n, c->ctx.prec);
+  else if (c->ctx.type == &num_mpfr)
+    mpfr_div_ui(z, x, n, MPFR_RNDN);
+  else
+    c->status |= c->ctx.type->div(z, x, calc_d(c, (double)n), c->ctx.prec);
+  return z;
+}
+
+val calc_middle(struct calc *c, val x) {
+  if (!c->ctx.type->rigorous) return x;
+  arb_ptr z = calc_new(c);
+  arb_get_mid_arb(z, x);
+  return z;
+}
+
+slong calc_exponent(const struct calc *c, val x) {
+  if (c->ctx.type == &num_mpfr) {
+    mpfr_srcptr y = x;
+    return mpfr_regular_p(y) ? FLINT_MAX(mpfr_get_exp(y), CALC_TINY) : mpfr_zero_p(y) ? CALC_TINY : -CALC_TINY;
+  }
+  if (c->ctx.type == &num_arb) {
+    mag_t size;
+    mag_init(size);
+    arb_get_mag(size, x);
+    slong e = mag_is_inf(size)                        ? -CALC_TINY
+              : mag_cmp_2exp_si(size, CALC_TINY) < 0  ? CALC_TINY
+              : mag_cmp_2exp_si(size, -CALC_TINY) > 0 ? -CALC_TINY
+                                                      : fmpz_get_si(MAG_EXPREF(size));
+    mag_clear(size);
+    return e;
+  }
+  int e;
+  double size = c->ctx.type->get_d(x);
+  frexp(size, &e);
+  return size == 0 ? CALC_TINY : isfinite(size) ? e : -CALC_TINY;
+}
+
+val calc_within(struct calc *c, val x, val bound) {
+  if (!c->ctx.type->rigorous) return x;
+  arb_ptr z = calc_new(c);
+  arb_set(z, x);
+  arb_add_error(z, bound);
+  return z;
 }
 
 bool calc_lt(const struct calc *c, val x, val y) {

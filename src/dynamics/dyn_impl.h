@@ -109,6 +109,7 @@ struct calc {
   struct num_ctx ctx;
   int status;
   slong used, made, cap; /* elements in use, initialised ones, chunks */
+  size_t stride;         /* from element to element: an mpfr number has its limbs behind it */
   char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
 };
 void calc_init(struct calc *c, struct num_ctx ctx);
@@ -130,6 +131,23 @@ val calc_atan2(struct calc *c, val y, val x);
 val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
+val calc_div_ui(struct calc *c, val x, ulong n);
+val calc_middle(struct calc *c, val x); /* of a ball, as an exact one; else x */
+/* An e with |x| < 2^e, as small as the type tells: about |x| = 2^e; CALC_TINY of zero. */
+enum { CALC_TINY = -(1 << 28) };
+slong calc_exponent(const struct calc *c, val x);
+val calc_within(struct calc *c, val x, val bound); /* in balls: every point within |bound| of x; else x */
+
+/* --- turn.c --- */
+
+/* A kept angle; exact in balls. */
+struct turn {
+  val at, sine, cosine;
+};
+/* sin x and 1 - cos x; by Taylor's series when |x| <= 1/4. */
+void turn_small(val *sine, val *versine, struct calc *c, val x);
+/* The sine and cosine of the kept angle plus x, from what turn_small has given for x. */
+void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val s, val v);
 
 /* --- flow.c --- */
 
@@ -264,6 +282,14 @@ struct double_map {
 /* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
    the change between steps and the measured noise.  The status of the map where it has no value nearby. */
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
+
+/* --- map.c --- */
+
+/* dyn_arc_run from times that are near the events to an eighth at least, in mpfr or in balls: those of near (elements of
+   the arc's type), of guess, or, when both are NULL, first ones of the return map in double precision.  SS_UNABLE also
+   where a longer way may find the arc. */
+int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+            const double guess[N_PHASES]);
 
 /* --- arc.c --- */
 
