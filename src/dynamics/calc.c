@@ -140,7 +140,24 @@ val calc_atan2(struct calc *c, val y, val x) {
 }
 
 val calc_dot(struct calc *c, val a, val x, val b, val y) {
-  return calc_add(c, calc_mul(c, a, x), calc_mul(c, b, y));
+  return calc_dot_from(c, NULL, a, x, false, b, y);
+}
+
+/* Arb's sum of products rounds once, and takes half the time of its parts; it borrows the operands. */
+static val ball_dot(struct calc *c, val start, val a, val x, bool minus, val b, val y) {
+  arb_ptr z = calc_new(c);
+  arb_struct left[2] = {*(arb_srcptr)a, *(arb_srcptr)b}, right[2] = {*(arb_srcptr)x, *(arb_srcptr)y};
+  if (minus) ARF_NEG(arb_midref(left + 1));
+  arb_dot(z, start, 0, left, 1, right, 1, 2, c->ctx.prec);
+  if (!arb_is_finite(z)) c->status |= SS_UNABLE;
+  return z;
+}
+
+val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, val y) {
+  if (c->ctx.type == &num_arb) return ball_dot(c, start, a, x, minus, b, y);
+  val first = calc_mul(c, a, x), second = calc_mul(c, b, y);
+  val sum = minus ? calc_sub(c, first, second) : calc_add(c, first, second);
+  return start ? calc_add(c, start, sum) : sum;
 }
 
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x) {
@@ -168,26 +185,34 @@ val calc_middle(struct calc *c, val x) {
   return z;
 }
 
+static slong exponent_of(const fmpz *e) {
+  if (COEFF_IS_MPZ(*e)) return fmpz_sgn(e) < 0 ? CALC_TINY : -CALC_TINY;
+  return FLINT_MAX(FLINT_MIN(*e, -CALC_TINY), CALC_TINY);
+}
+
 slong calc_exponent(const struct calc *c, val x) {
   if (c->ctx.type == &num_mpfr) {
     mpfr_srcptr y = x;
     return mpfr_regular_p(y) ? FLINT_MAX(mpfr_get_exp(y), CALC_TINY) : mpfr_zero_p(y) ? CALC_TINY : -CALC_TINY;
   }
   if (c->ctx.type == &num_arb) {
-    mag_t size;
-    mag_init(size);
-    arb_get_mag(size, x);
-    slong e = mag_is_inf(size)                        ? -CALC_TINY
-              : mag_cmp_2exp_si(size, CALC_TINY) < 0  ? CALC_TINY
-              : mag_cmp_2exp_si(size, -CALC_TINY) > 0 ? -CALC_TINY
-                                                      : fmpz_get_si(MAG_EXPREF(size));
-    mag_clear(size);
-    return e;
+    arf_srcptr mid = arb_midref((arb_srcptr)x);
+    mag_srcptr radius = arb_radref((arb_srcptr)x);
+    if (!arf_is_finite(mid) || mag_is_inf(radius)) return -CALC_TINY;
+    slong e = arf_is_zero(mid) ? CALC_TINY : exponent_of(ARF_EXPREF(mid));
+    return mag_is_zero(radius) ? e : FLINT_MAX(e, exponent_of(MAG_EXPREF(radius)) + 1);
   }
   int e;
   double size = c->ctx.type->get_d(x);
   frexp(size, &e);
   return size == 0 ? CALC_TINY : isfinite(size) ? e : -CALC_TINY;
+}
+
+val calc_round(struct calc *c, val x) {
+  void *z = calc_new(c);
+  c->ctx.type->set(z, x);
+  if (c->ctx.type == &num_arb) arb_set_round(z, z, c->ctx.prec);
+  return z;
 }
 
 val calc_within(struct calc *c, val x, val bound) {

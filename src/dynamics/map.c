@@ -29,15 +29,20 @@ struct motion {
   val om[2], a[2], b[2], base, drift;
 };
 
+/* om x, om being 1 when it is NULL. */
+static val times(struct calc *c, val om, val x) {
+  return om ? calc_mul(c, om, x) : x;
+}
+
 /* The motion from time d on. */
 static struct motion later(struct calc *c, const struct motion *m, val d) {
   struct motion at = *m;
-  at.base = calc_add(c, m->base, calc_mul(c, m->drift, d));
+  if (m->drift) at.base = calc_add(c, m->base, calc_mul(c, m->drift, d));
   for (int i = 0; i < m->n; i++) {
     val s, v;
-    turn_small(&s, &v, c, calc_mul(c, m->om[i], d));
+    turn_small(&s, &v, c, times(c, m->om[i], d));
     at.a[i] = calc_sub(c, m->a[i], calc_dot(c, m->b[i], s, m->a[i], v));
-    at.b[i] = calc_add(c, m->b[i], calc_sub(c, calc_mul(c, m->a[i], s), calc_mul(c, m->b[i], v)));
+    at.b[i] = calc_dot_from(c, m->b[i], m->a[i], s, true, m->b[i], v);
   }
   return at;
 }
@@ -49,26 +54,49 @@ static val value_of(struct calc *c, const struct motion *m) {
 }
 
 static val rate_of(struct calc *c, const struct motion *m) {
-  val f = m->drift;
-  for (int i = 0; i < m->n; i++) f = calc_sub(c, f, calc_mul(c, m->om[i], m->b[i]));
-  return f;
+  val f = m->n == 1 ? m->b[0] : calc_dot(c, m->om[0], m->b[0], m->om[1], m->b[1]);
+  return m->drift ? calc_sub(c, m->drift, f) : calc_neg(c, f);
+}
+
+static struct motion shortened(struct calc *c, const struct motion *m) {
+  struct motion s = {.n = m->n, .drift = m->drift ? calc_round(c, m->drift) : NULL};
+  for (int i = 0; i < m->n; i++) {
+    s.om[i] = m->om[i] ? calc_round(c, m->om[i]) : NULL;
+    s.a[i] = calc_round(c, m->a[i]);
+    s.b[i] = calc_round(c, m->b[i]);
+  }
+  return s;
+}
+
+/* The second and the third derivative. */
+static void derivatives(val *bend, val *jerk, struct calc *c, const struct motion *m) {
+  if (m->n == 1) {
+    *bend = calc_neg(c, m->a[0]);
+    *jerk = m->b[0];
+    return;
+  }
+  val square[2], cube[2];
+  for (int i = 0; i < 2; i++) {
+    square[i] = calc_mul(c, m->om[i], m->om[i]);
+    cube[i] = calc_mul(c, square[i], m->om[i]);
+  }
+  *bend = calc_neg(c, calc_dot(c, square[0], m->a[0], square[1], m->a[1]));
+  *jerk = calc_dot(c, cube[0], m->b[0], cube[1], m->b[1]);
 }
 
 /* The step to the root to third order beyond the first, u - c2 u^2 + (2 c2^2 - c3) u^3 with c_k = f^(k)/(k! f'); the
-   error is about *size^3 of it, *size being given as an exponent. */
-static val first_step(slong *size, struct calc *c, const struct motion *m, val f) {
-  val bend = calc_d(c, 0), jerk = bend, fastest = m->om[m->n - 1];
-  for (int i = 0; i < m->n; i++) {
-    val square = calc_mul(c, m->om[i], m->om[i]);
-    bend = calc_sub(c, bend, calc_mul(c, square, m->a[i]));
-    jerk = calc_add(c, jerk, calc_mul(c, calc_mul(c, square, m->om[i]), m->b[i]));
-  }
-  val scale = calc_div(c, calc_d(c, -1), rate_of(c, m)), u = calc_mul(c, scale, f), part = calc_mul(c, scale, u);
+   error is about 2^(-3 small) of it. */
+static val first_step(slong *small, struct calc *c, const struct motion *exact, val f) {
+  struct motion m = shortened(c, exact);
+  val bend, jerk, fastest = m.om[m.n - 1];
+  derivatives(&bend, &jerk, c, &m);
+  val scale = calc_div(c, calc_d(c, -1), rate_of(c, &m)), u = calc_mul(c, scale, calc_round(c, f));
+  val part = calc_mul(c, scale, u);
   val y = calc_div_ui(c, calc_mul(c, bend, part), 2); /* -c2 u */
   val x = calc_div_ui(c, calc_mul(c, calc_mul(c, jerk, part), u), 6);
-  val more = calc_add(c, y, calc_add(c, x, calc_mul(c, calc_d(c, 2), calc_mul(c, y, y))));
-  *size = FLINT_MAX(FLINT_MAX(calc_exponent(c, y), (calc_exponent(c, x) + 1) / 2),
-                    calc_exponent(c, u) + calc_exponent(c, fastest));
+  val square = calc_mul(c, y, y), more = calc_add(c, calc_add(c, y, x), calc_add(c, square, square));
+  *small = -FLINT_MAX(FLINT_MAX(calc_exponent(c, y), (calc_exponent(c, x) + 1) / 2),
+                      calc_exponent(c, u) + (fastest ? calc_exponent(c, fastest) : 1));
   return calc_middle(c, calc_add(c, u, calc_mul(c, u, more)));
 }
 
@@ -82,7 +110,8 @@ static void bend_of(mag_t bend, const struct motion *m) {
     arb_get_mag(part, m->a[i]);
     arb_get_mag(more, m->b[i]);
     mag_add(part, part, more);
-    arb_get_mag(more, m->om[i]);
+    mag_one(more);
+    if (m->om[i]) arb_get_mag(more, m->om[i]);
     mag_mul(part, part, more);
     mag_addmul(bend, part, more);
   }
@@ -156,25 +185,28 @@ static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
 /* The motion at its root near 0, from there on; *t = at + the root.  scale: exponent of what cancels in the value. */
 static struct motion to_root(val *t, struct maker *k, const struct motion *m, val at, slong scale) {
   struct calc *c = k->c, *half = k->half;
-  slong size, prec = c->ctx.prec;
-  val f = value_of(c, m), d = first_step(&size, half, m, f);
-  slong near = calc_exponent(half, d) - calc_exponent(c, at);
-  if (size > -3) half->status |= SS_UNABLE;
-  struct motion end = *m;
-  for (slong order = 8;; order *= 2) {
-    if (half->status || c->status) return end;
-    end = later(c, m, d);
-    f = value_of(c, &end);
-    if (order >= prec || -near - (order - 1) * size >= prec) break;
-    d = calc_middle(c, calc_sub(c, d, calc_div(half, f, rate_of(half, &end))));
+  slong small, prec = c->ctx.prec, most = half->ctx.prec;
+  val f = value_of(c, m), d = first_step(&small, half, m, f);
+  slong near = calc_exponent(c, at) - calc_exponent(half, d), good = near + FLINT_MIN(3 * small, most);
+  struct motion root = *m;
+  if (small < 3) half->status |= SS_UNABLE;
+  for (;;) { /* good: bits of at + d, of which a step of Newton's makes more */
+    if (half->status | c->status) return root;
+    root = later(c, m, d);
+    f = value_of(c, &root);
+    slong gain = FLINT_MIN(small + good - near, most);
+    if (good + gain >= prec) break;
+    good += gain;
+    d = calc_middle(c, calc_sub(c, d, calc_div(half, f, rate_of(half, &root))));
   }
+  struct motion end = shortened(half, &root);
   val rate = rate_of(half, &end);
   val h = c->ctx.type->rigorous ? proved_step(half, &end, f, rate) : calc_neg(half, calc_div(half, f, rate));
-  struct motion root = end;
   for (int i = 0; i < m->n; i++) {
-    val turned = calc_mul(half, m->om[i], h);
-    root.a[i] = moved(c, end.a[i], calc_neg(half, calc_mul(half, turned, end.b[i])), turned, end.a[i], end.b[i]);
-    root.b[i] = moved(c, end.b[i], calc_mul(half, turned, end.a[i]), turned, end.a[i], end.b[i]);
+    val turned = times(half, end.om[i], h), back = calc_neg(half, calc_mul(half, turned, end.b[i]));
+    val on = calc_mul(half, turned, end.a[i]);
+    root.a[i] = moved(c, root.a[i], back, turned, end.a[i], end.b[i]);
+    root.b[i] = moved(c, root.b[i], on, turned, end.a[i], end.b[i]);
   }
   *t = calc_add(c, calc_add(c, at, d), h);
   k->lost += FLINT_MAX(scale - calc_exponent(half, rate) - calc_exponent(c, *t), 0);
@@ -231,9 +263,9 @@ static void pass_gamma(val w[2], struct course *o, struct maker *k, val near) {
   calc_sin_cos(c, &sine, &cosine, near);
   val base = calc_add(c, slide, calc_sub(c, e1, calc_sub(c, rb, r)));
   struct motion f = {1,
-                     {m->one, NULL},
+                     {NULL, NULL},
                      {calc_neg(c, calc_dot(c, e1, cosine, m->a, sine)), NULL},
-                     {calc_sub(c, calc_mul(c, m->a, cosine), calc_mul(c, e1, sine)), NULL},
+                     {calc_dot_from(c, NULL, m->a, cosine, true, e1, sine), NULL},
                      base,
                      m->a};
   f = to_root(&o->t[PHASE_GAMMA], k, &f, near, largest(c, (val[]){e1, rb, r, slide}, 4));
@@ -250,24 +282,23 @@ static void pass_h(val *r, val *q, struct course *o, struct maker *k, const val 
   const struct ball_params *m = &k->m;
   const struct spectrum *s = &m->spectrum;
   val V = m->p[P_V], v1 = o->z[2][DZ_1], pull = calc_mul(c, m->p[P_ETA], m->p[P_E2]);
-  val v[2] = {calc_dot(c, s->above, v1, s->couple, V),
-              calc_sub(c, calc_mul(c, s->below, v1), calc_mul(c, s->couple, V))};
+  val v[2] = {calc_dot(c, s->above, v1, s->couple, V), calc_dot_from(c, NULL, s->below, v1, true, s->couple, V)};
   val force[2] = {calc_dot(c, s->above, wb[0], s->couple, pull),
-                  calc_sub(c, calc_mul(c, s->below, wb[0]), calc_mul(c, s->couple, pull))};
-  struct motion p = {.n = 2, .base = calc_neg(c, V), .drift = m->zero};
+                  calc_dot_from(c, NULL, s->below, wb[0], true, s->couple, pull)};
+  struct motion p = {.n = 2, .base = calc_neg(c, V), .drift = NULL};
   for (int i = 0; i < 2; i++) {
     val sine, cosine, b = calc_div(c, force[i], s->om[i]);
     calc_sin_cos(c, &sine, &cosine, calc_mul(c, s->om[i], near));
     p.om[i] = s->om[i];
-    p.a[i] = calc_sub(c, calc_mul(c, v[i], cosine), calc_mul(c, b, sine));
+    p.a[i] = calc_dot_from(c, NULL, v[i], cosine, true, b, sine);
     p.b[i] = calc_dot(c, v[i], sine, b, cosine);
   }
   slong scale = largest(c, (val[]){V, p.a[0], p.b[0], p.a[1], p.b[1]}, 5);
   p = to_root(&o->t[PHASE_H], k, &p, near, scale);
   if (c->status | k->half->status) return;
   val pull0 = calc_mul(c, s->om[0], p.b[0]), pull1 = calc_mul(c, s->om[1], p.b[1]), w = calc_add(c, pull0, pull1);
-  val v2 = calc_sub(c, calc_mul(c, s->below, p.a[0]), calc_mul(c, s->above, p.a[1]));
-  val f2 = calc_sub(c, calc_mul(c, s->below, pull0), calc_mul(c, s->above, pull1));
+  val v2 = calc_dot_from(c, NULL, s->below, p.a[0], true, s->above, p.a[1]);
+  val f2 = calc_dot_from(c, NULL, s->below, pull0, true, s->above, pull1);
   val each = calc_div(c, m->one, s->couple);
   v2 = calc_mul(c, v2, each);
   *q = calc_sub(c, v2, V);
@@ -292,7 +323,7 @@ static void pass_c(struct course *o, struct maker *k, val r, val q, val near) {
   else if (!calc_lt(c, m->zero, ahead))
     c->status |= SS_UNABLE;
   if (c->status) return;
-  val back = calc_div(c, calc_sub(c, calc_mul(c, y, cosine), calc_mul(c, r, sine)), end);
+  val back = calc_div(c, calc_dot_from(c, NULL, y, cosine, true, r, sine), end);
   val t = calc_add(c, near, calc_div(c, small_arcsine(c, back), m->omega));
   o->t[PHASE_C] = t;
   k->lost += FLINT_MAX(
@@ -331,7 +362,8 @@ static int level(struct dyn_arc *a, slong *lost, struct given *g, slong prec, bo
   const struct num_type *type = g->params->ctx.type;
   val p[N_PARAMS], near[N_EVENTS], w[2] = {NULL, NULL}, r = NULL, q = NULL;
   calc_init(&c, (struct num_ctx){type, prec});
-  calc_init(&half, (struct num_ctx){type, prec / 2 + 32});
+  slong start = prec <= FIRST ? 44 : prec / 8; /* bits of the times */
+  calc_init(&half, (struct num_ctx){type, FLINT_MAX((prec + SPARE - start) / 2, 32)});
   for (int i = 0; i < N_PARAMS; i++) p[i] = rounded(&c, num_vec_at(g->params, i), !last);
   for (int i = 0; i < N_EVENTS; i++) near[i] = rounded(&c, num_vec_at(&g->near, i), true);
   ball_params_make(&k.m, &c, p);

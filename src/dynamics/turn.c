@@ -12,10 +12,10 @@ static bool small_angle(const struct calc *c, val x) {
 
 /* first - first y/((n+1)(n+2)) + ..., to the calc's precision; a later term of a ball needs fewer bits. */
 static val alternating(struct calc *c, val first, val y, ulong n) {
-  slong prec = c->ctx.prec, size = calc_exponent(c, first);
+  slong prec = c->ctx.prec, size = calc_exponent(c, first), fall = calc_exponent(c, y);
   val sum = first, term = first;
   for (bool minus = true; size >= -prec; minus = !minus, n += 2) {
-    if (c->ctx.type->rigorous) c->ctx.prec = FLINT_MAX(prec + size, 32);
+    if (c->ctx.type->rigorous) c->ctx.prec = FLINT_MAX(prec + size + fall, 32);
     term = calc_div_ui(c, calc_mul(c, term, y), (n + 1) * (n + 2));
     c->ctx.prec = prec;
     size = calc_exponent(c, term);
@@ -38,6 +38,6 @@ void turn_small(val *sine, val *versine, struct calc *c, val x) {
 }
 
 void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val s, val v) {
-  *sine = calc_add(c, from->sine, calc_sub(c, calc_mul(c, from->cosine, s), calc_mul(c, from->sine, v)));
+  *sine = calc_dot_from(c, from->sine, from->cosine, s, true, from->sine, v);
   *cosine = calc_sub(c, from->cosine, calc_dot(c, from->sine, s, from->cosine, v));
 }
