@@ -143,14 +143,14 @@ val calc_within(struct calc *c, val x, val bound); /* in balls: every point with
 
 /* --- turn.c --- */
 
-/* A kept angle; exact in balls. */
+/* The sine and cosine of a kept angle. */
 struct turn {
-  val at, sine, cosine;
+  val sine, cosine;
 };
 /* sin x and 1 - cos x; by Taylor's series when |x| <= 1/4. */
 void turn_small(val *sine, val *versine, struct calc *c, val x);
-/* The sine and cosine of the kept angle plus x, from what turn_small has given for x. */
-void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val s, val v);
+/* The sine and cosine of the kept angle plus x. */
+void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val x);
 
 /* --- flow.c --- */
 
@@ -179,6 +179,9 @@ struct ball_params {
   val p[N_PARAMS];
   val a, zero, one, two, stiff, omega; /* a = (1 - chi) V, stiff = chi eta, omega its root */
   struct spectrum spectrum;
+  bool kept; /* passes near (near_tb, near_tc), which are exact, turn the sines and cosines there */
+  val near_tb, near_tc;
+  struct turn turn_b, turn_c[2];
 };
 /* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
 struct ball_modes {
@@ -195,6 +198,8 @@ struct ball_pass {
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */
 void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
+/* Keeps the sines and cosines at (tb, tc) for passes with the same calc.  Without this each pass makes its own. */
+void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);

@@ -37,7 +37,9 @@ void turn_small(val *sine, val *versine, struct calc *c, val x) {
   *versine = alternating(c, calc_div_ui(c, y, 2), y, 2);
 }
 
-void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val s, val v) {
+void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val x) {
+  val s, v;
+  turn_small(&s, &v, c, x);
   *sine = calc_dot_from(c, from->sine, from->cosine, s, true, from->sine, v);
   *cosine = calc_sub(c, from->cosine, calc_dot(c, from->sine, s, from->cosine, v));
 }
