@@ -14,15 +14,14 @@ static bool small_angle(const struct calc *c, val x) {
 static val alternating(struct calc *c, val first, val y, ulong n) {
   slong prec = c->ctx.prec, size = calc_exponent(c, first), fall = calc_exponent(c, y);
   val sum = first, term = first;
-  for (bool minus = true; size >= -prec; minus = !minus, n += 2) {
-    if (c->ctx.type->rigorous) c->ctx.prec = FLINT_MAX(prec + size + fall, 32);
+  for (bool minus = true;; minus = !minus, n += 2) {
+    if (c->ctx.type->rigorous) c->ctx.prec = FLINT_MAX(prec + size + fall + 8, 32);
     term = calc_div_ui(c, calc_mul(c, term, y), (n + 1) * (n + 2));
     c->ctx.prec = prec;
     size = calc_exponent(c, term);
     if (size < -prec) return calc_within(c, sum, term);
     sum = minus ? calc_sub(c, sum, term) : calc_add(c, sum, term);
   }
-  return sum;
 }
 
 void turn_small(val *sine, val *versine, struct calc *c, val x) {
