@@ -262,6 +262,59 @@ START_TEST(a_double_root_and_none_are_not_proved) {
 }
 END_TEST
 
+/* Below the crest by e, with a ball of 2 e: its middle has a root, and some of its points have none. */
+START_TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
+  double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4), t[N_PHASES];
+  double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest));
+  for (int k = 2; k < 30; k += 3)
+    for (int wide = 0; wide < 2; wide++) {
+      struct trip p;
+      double below = ldexp(1, -k);
+      x[6] = x[5] + 2 - (rise - below);
+      ck_assert(first_times(t, x));
+      pass_open(&p, x, num_ctx_arb(192));
+      mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), wide ? 2 * below : below / 1024);
+      ck_assert_msg((pass_quick(&p, NULL, t) == SS_OK) == !wide, "2^-%d", k);
+      pass_close(&p);
+    }
+  flint_cleanup();
+}
+END_TEST
+
+/* Only r is wide, so that hardly anything but the motion's own bend makes an enclosure wider than the range: its ends
+   are arcs of the ends of r.  At the first start w is 0 at the middle's t_b, where w' has an extremum. */
+START_TEST(a_wide_r_is_enclosed_to_its_ends) {
+  struct rng r = {77};
+  double t[N_PHASES], at = PI - atan2(2, 0.25), rise = 0.25 * (at - sin(at)) + 2 * (1 - cos(at));
+  double x[N_START] = {0.75, 1, 1, 2, 1.5, 0, 2 - rise};
+  for (int n = 0; n < 60; n++) {
+    double radius = n == 0 ? 1e-2 : exp2(part(&r, -14, -5));
+    if (n > 0) {
+      random_start(x, &r);
+      x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
+      x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(&r, -2, 2));
+    }
+    struct trip wide, end;
+    pass_open(&wide, x, num_ctx_arb(128));
+    mag_set_d(arb_radref((arb_ptr)num_vec_at(&wide.start, 1)), radius);
+    bool ok = first_times(t, x) && pass_quick(&wide, NULL, t) == SS_OK;
+    ck_assert(ok || n > 0);
+    for (int k = -4; k <= 4 && ok; k++) {
+      double y[N_START];
+      memcpy(y, x, sizeof y);
+      y[6] += 0.25 * k * radius;
+      pass_open(&end, y, num_ctx_arb(256));
+      ck_assert_int_eq(pass_slow(&end, t), SS_OK);
+      for (int i = 0; i < VALUES; i++)
+        ck_assert_msg(arb_overlaps(value_at(&wide, i), value_at(&end, i)), "%s radius %g value %d", show(y), radius, i);
+      pass_close(&end);
+    }
+    pass_close(&wide);
+  }
+  flint_cleanup();
+}
+END_TEST
+
 /* Events near the guess, first or not: in phase C each half turn has one, with r of the other sign. */
 START_TEST(events_are_those_near_the_guess) {
   const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
@@ -365,6 +418,8 @@ Suite *map_suite(void) {
   tcase_add_test(c, arcs_of_mpmath);
   tcase_add_loop_test(c, wide_balls_hold_the_arcs_of_their_points, 0, 4);
   tcase_add_test(c, a_double_root_and_none_are_not_proved);
+  tcase_add_test(c, a_ball_that_reaches_beyond_the_crest_is_not_proved);
+  tcase_add_test(c, a_wide_r_is_enclosed_to_its_ends);
   tcase_add_test(c, events_are_those_near_the_guess);
   tcase_add_test(c, near_times_of_a_few_bits);
   tcase_add_test(c, turns_enclose_sines);
