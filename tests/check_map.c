@@ -337,6 +337,27 @@ START_TEST(events_are_those_near_the_guess) {
 }
 END_TEST
 
+/* Guesses that are none: an answer, whatever it is, and no hang. */
+START_TEST(wild_guesses_end) {
+  const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
+  static const double wild[] = {0, -0.0, 1e-300, -1, 1e15, 1e300, INFINITY, NAN};
+  double t[N_PHASES];
+  ck_assert(first_times(t, x));
+  for (size_t k = 0; k < sizeof wild / sizeof *wild; k++)
+    for (int at = 1; at < 2 * N_PHASES; at++) {
+      struct trip p;
+      double guess[N_PHASES];
+      memcpy(guess, t, sizeof t);
+      guess[at % N_PHASES] = wild[k];
+      pass_open(&p, x, at < N_PHASES ? num_ctx_mpfr(200) : num_ctx_arb(200));
+      int status = pass_quick(&p, NULL, guess);
+      ck_assert(status == SS_OK || status == SS_UNABLE);
+      pass_close(&p);
+    }
+  flint_cleanup();
+}
+END_TEST
+
 /* From times of a third of the bits, as differences take them. */
 START_TEST(near_times_of_a_few_bits) {
   const double x[N_START] = {0.8, 1.0, 1.0, 2.7844, 0.8587, 0.8921, -2.1958};
@@ -421,6 +442,7 @@ Suite *map_suite(void) {
   tcase_add_test(c, a_ball_that_reaches_beyond_the_crest_is_not_proved);
   tcase_add_test(c, a_wide_r_is_enclosed_to_its_ends);
   tcase_add_test(c, events_are_those_near_the_guess);
+  tcase_add_test(c, wild_guesses_end);
   tcase_add_test(c, near_times_of_a_few_bits);
   tcase_add_test(c, turns_enclose_sines);
   suite_add_tcase(s, c);

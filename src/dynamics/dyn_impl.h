@@ -136,7 +136,8 @@ void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
 val calc_div_ui(struct calc *c, val x, ulong n);
 val calc_middle(struct calc *c, val x); /* of a ball, as an exact one; else x */
-/* An e with |x| < 2^e, as small as the type tells: about |x| = 2^e; CALC_TINY of zero. */
+/* About log2 |x|, for a ball of its largest point: |x| < 2^(e+1), and 2^(e-2) <= |x|; CALC_TINY of zero, -CALC_TINY of
+   what is not finite. */
 enum { CALC_TINY = -(1 << 28) };
 slong calc_exponent(const struct calc *c, val x);
 val calc_within(struct calc *c, val x, val bound); /* in balls: every point within |bound| of x; else x */

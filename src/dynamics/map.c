@@ -5,7 +5,7 @@
    derivative.  The root is then some products away: a first step of fourth order, Newton's iteration with the kept
    sines turned by what it moved, and the motion at the root comes with it.  Phase C ends at an angle that differs from a
    kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision, from
-   times of an eighth of that.
+   times of an eighth of that, and those from a double.
 
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a
@@ -84,8 +84,8 @@ static void derivatives(val *bend, val *jerk, struct calc *c, const struct motio
   *jerk = calc_dot(c, cube[0], m->b[0], cube[1], m->b[1]);
 }
 
-/* The step to the root to third order beyond the first, u - c2 u^2 + (2 c2^2 - c3) u^3 with c_k = f^(k)/(k! f'); the
-   error is about 2^(-3 small) of it. */
+/* The step to the root to fourth order, u - c2 u^2 + (2 c2^2 - c3) u^3 with u = -f/f' and c_k = f^(k)/(k! f'); the error
+   is about 2^(-3 small) of it. */
 static val first_step(slong *small, struct calc *c, const struct motion *exact, val f) {
   struct motion m = shortened(c, exact);
   val bend, jerk, fastest = m.om[m.n - 1];
@@ -100,7 +100,7 @@ static val first_step(slong *small, struct calc *c, const struct motion *exact, 
   return calc_middle(c, calc_add(c, u, calc_mul(c, u, more)));
 }
 
-/* Bounds of |f''| at all times, and of the motion of oscillation i around a point. */
+/* A bound of |f''| at all times. */
 static void bend_of(mag_t bend, const struct motion *m) {
   mag_t part, more;
   mag_init(part);
@@ -160,7 +160,8 @@ static val proved_step(struct calc *c, const struct motion *m, val f, val rate) 
   return h;
 }
 
-/* x + rate h, and in balls what (h om)^2/2 of the oscillation's amplitude can change. */
+/* x + move, for a part x of the oscillation of a and b that turns by a small angle; in balls with what the square of the
+   angle can change. */
 static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
   val sum = calc_add(c, x, move);
   if (!c->ctx.type->rigorous) return sum;
@@ -187,7 +188,8 @@ static struct motion to_root(val *t, struct maker *k, const struct motion *m, va
   struct calc *c = k->c, *half = k->half;
   slong small, prec = c->ctx.prec, most = half->ctx.prec;
   val f = value_of(c, m), d = first_step(&small, half, m, f);
-  slong near = calc_exponent(c, at) - calc_exponent(half, d), good = near + FLINT_MIN(3 * small, most);
+  slong near = FLINT_MAX(calc_exponent(c, calc_add(c, at, d)) - calc_exponent(half, d), -prec);
+  slong good = near + FLINT_MIN(3 * small, most);
   struct motion root = *m;
   if (small < 3) half->status |= SS_UNABLE;
   for (;;) { /* good: bits of at + d, of which a step of Newton's makes more */
@@ -419,8 +421,7 @@ int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, c
   struct given g = {.params = params, .z10 = z10, .z20 = z20};
   double t[N_PHASES];
   int status = SS_OK;
-  if (!near && !guess) status = first_times(t, &g);
-  if (status) return status;
+  if (!near && !guess && first_times(t, &g)) return SS_UNABLE;
   num_vec_init(&g.near, N_EVENTS, (struct num_ctx){type, work});
   for (slong i = 0; i < N_EVENTS && !status; i++) {
     void *x = num_vec_at(&g.near, i);
@@ -433,9 +434,10 @@ int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, c
   if (!status && lost > GUARD - SPARE && exact_start(&g))
     status = lost > 2 * prec + MOST_LOST ? SS_UNABLE : climb(a, &lost, &g, prec + lost + SPARE, true);
   num_vec_clear(&g.near);
-  for (slong i = 0; i < a->t.len && type == &num_arb && !status; i++)
+  if (status) return SS_UNABLE;
+  for (slong i = 0; i < a->t.len && type == &num_arb; i++)
     arb_set_round(num_vec_at(&a->t, i), num_vec_at(&a->t, i), prec);
-  for (slong i = 0; i < a->z.len && type == &num_arb && !status; i++)
+  for (slong i = 0; i < a->z.len && type == &num_arb; i++)
     arb_set_round(num_vec_at(&a->z, i), num_vec_at(&a->z, i), prec);
-  return status;
+  return SS_OK;
 }
