@@ -210,8 +210,10 @@ slong calc_exponent(const struct calc *c, val x) {
 
 val calc_round(struct calc *c, val x) {
   void *z = calc_new(c);
-  c->ctx.type->set(z, x);
-  if (c->ctx.type == &num_arb) arb_set_round(z, z, c->ctx.prec);
+  if (c->ctx.type == &num_arb)
+    arb_set_round(z, x, c->ctx.prec);
+  else
+    c->ctx.type->set(z, x);
   return z;
 }
 
