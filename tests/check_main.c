@@ -14,6 +14,7 @@ int main(void) {
   srunner_add_suite(r, tape_suite());
   srunner_add_suite(r, model_suite());
   srunner_add_suite(r, dynamics_suite());
+  srunner_add_suite(r, map_suite());
   srunner_add_suite(r, given_suite());
   srunner_add_suite(r, complete_suite());
   srunner_add_suite(r, coulomb_suite());

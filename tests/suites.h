@@ -11,6 +11,7 @@ Suite *edit_suite(void);
 Suite *tape_suite(void);
 Suite *model_suite(void);
 Suite *dynamics_suite(void);
+Suite *map_suite(void);
 Suite *given_suite(void);
 Suite *complete_suite(void);
 Suite *coulomb_suite(void);

@@ -77,11 +77,21 @@ static int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val
   return status;
 }
 
+/* The quick way does not know every case; what it cannot do is done phase by phase. */
+static bool by_map(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+                   const double guess[4]) {
+  const struct num_type *type = params->ctx.type;
+  if (type != &num_mpfr && type != &num_arb) return false;
+  return map_run(a, params, z10, z20, near, guess) == SS_OK;
+}
+
 int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near) {
+  if (by_map(a, params, z10, z20, near, NULL)) return SS_OK;
   return arc_run(a, params, z10, z20, near, NULL);
 }
 
 int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
                 const double guess[4]) {
+  if (by_map(a, params, z10, z20, NULL, guess)) return SS_OK;
   return arc_run(a, params, z10, z20, NULL, guess);
 }

@@ -22,6 +22,34 @@ void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAM
   m->stiff = calc_mul(c, m->p[P_CHI], m->p[P_ETA]);
   m->omega = calc_sqrt(c, m->stiff);
   m->spectrum = flow_spectrum(c, m->p);
+  m->kept = false;
+}
+
+void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc) {
+  m->kept = true;
+  m->near_tb = tb;
+  m->near_tc = tc;
+  calc_sin_cos(c, &m->turn_b.sine, &m->turn_b.cosine, tb);
+  for (int i = 0; i < 2; i++)
+    calc_sin_cos(c, &m->turn_c[i].sine, &m->turn_c[i].cosine, calc_mul(c, m->spectrum.om[i], tc));
+}
+
+static void turn_gamma(val *sine, val *cosine, struct calc *c, const struct ball_params *m, val tb) {
+  if (m->kept)
+    turn_by(sine, cosine, c, &m->turn_b, calc_sub(c, tb, m->near_tb));
+  else
+    calc_sin_cos(c, sine, cosine, tb);
+}
+
+static void turns_h(val sine[2], val cosine[2], struct calc *c, const struct ball_params *m, val tc) {
+  val move = m->kept ? calc_sub(c, tc, m->near_tc) : tc;
+  for (int i = 0; i < 2; i++) {
+    val angle = calc_mul(c, m->spectrum.om[i], move);
+    if (m->kept)
+      turn_by(&sine[i], &cosine[i], c, &m->turn_c[i], angle);
+    else
+      calc_sin_cos(c, &sine[i], &cosine[i], angle);
+  }
 }
 
 /* From velocities v and forces f = (w, chi eta r). */
@@ -56,7 +84,7 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
   val V = m->p[P_V], e1 = m->p[P_E1], e2 = m->p[P_E2], sine, cosine;
   s->tb = tb;
   s->tc = tc;
-  calc_sin_cos(c, &sine, &cosine, tb);
+  turn_gamma(&sine, &cosine, c, m, tb);
   s->wb = calc_dot(c, e1, cosine, m->a, sine);
   val dwb = calc_sub(c, calc_mul(c, m->a, cosine), calc_mul(c, e1, sine));
   s->pb = calc_sub(c, dwb, m->a);
@@ -68,7 +96,7 @@ void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_param
   s->modes = modes_from(c, &m->spectrum, v, f);
   struct ball_modes shift = modes_from(c, &m->spectrum, dv, df);
   val sines[2], cosines[2];
-  for (int i = 0; i < 2; i++) calc_sin_cos(c, &sines[i], &cosines[i], calc_mul(c, m->spectrum.om[i], tc));
+  turns_h(sines, cosines, c, m, tc);
   modes_at(v, f, c, &m->spectrum, &s->modes, sines, cosines);
   modes_at(dv, df, c, &m->spectrum, &shift, sines, cosines);
 

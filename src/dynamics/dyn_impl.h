@@ -109,6 +109,7 @@ struct calc {
   struct num_ctx ctx;
   int status;
   slong used, made, cap; /* elements in use, initialised ones, chunks */
+  size_t stride;         /* from element to element: an mpfr number has its limbs behind it */
   char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
 };
 void calc_init(struct calc *c, struct num_ctx ctx);
@@ -128,8 +129,29 @@ val calc_mul(struct calc *c, val x, val y);
 val calc_div(struct calc *c, val x, val y);
 val calc_atan2(struct calc *c, val y, val x);
 val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
+/* start + a x + b y, or start + a x - b y; start may be NULL for 0. */
+val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, val y);
+val calc_round(struct calc *c, val x); /* to the calc's precision */
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
+val calc_div_ui(struct calc *c, val x, ulong n);
+val calc_middle(struct calc *c, val x); /* of a ball, as an exact one; else x */
+/* About log2 |x|, for a ball of its largest point: |x| < 2^(e+1), and 2^(e-2) <= |x|; CALC_TINY of zero, -CALC_TINY of
+   what is not finite. */
+enum { CALC_TINY = -(1 << 28) };
+slong calc_exponent(const struct calc *c, val x);
+val calc_within(struct calc *c, val x, val bound); /* in balls: every point within |bound| of x; else x */
+
+/* --- turn.c --- */
+
+/* The sine and cosine of a kept angle. */
+struct turn {
+  val sine, cosine;
+};
+/* sin x and 1 - cos x; by Taylor's series when |x| <= 1/4. */
+void turn_small(val *sine, val *versine, struct calc *c, val x);
+/* The sine and cosine of the kept angle plus x. */
+void turn_by(val *sine, val *cosine, struct calc *c, const struct turn *from, val x);
 
 /* --- flow.c --- */
 
@@ -158,6 +180,9 @@ struct ball_params {
   val p[N_PARAMS];
   val a, zero, one, two, stiff, omega; /* a = (1 - chi) V, stiff = chi eta, omega its root */
   struct spectrum spectrum;
+  bool kept; /* passes near (near_tb, near_tc), which are exact, turn the sines and cosines there */
+  val near_tb, near_tc;
+  struct turn turn_b, turn_c[2];
 };
 /* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
 struct ball_modes {
@@ -174,6 +199,8 @@ struct ball_pass {
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
 /* The same from elements, which must outlive m. */
 void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
+/* Keeps the sines and cosines at (tb, tc) for passes with the same calc.  Without this each pass makes its own. */
+void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
@@ -264,6 +291,14 @@ struct double_map {
 /* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
    the change between steps and the measured noise.  The status of the map where it has no value nearby. */
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
+
+/* --- map.c --- */
+
+/* dyn_arc_run from times that are near the events to an eighth at least, in mpfr or in balls: those of near (elements of
+   the arc's type), of guess, or, when both are NULL, first ones of the return map in double precision.  SS_UNABLE also
+   where a longer way may find the arc. */
+int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+            const double guess[N_PHASES]);
 
 /* --- arc.c --- */
 

@@ -19,11 +19,14 @@ enum { GUARD = 40, RAISES = 4 };
 /* Of the pilot that plans the working precision; bits beyond what it lost. */
 enum { PLANNED_FROM = 512, PILOT = 192, SPARE = 8 };
 
-/* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one. */
+/* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one.  The calc and
+   what it holds, the kept sines and cosines near the solution, are those of the last precision, 0 when there is none. */
 struct solution {
   arb_t x[2], box[2];
   bool up, grazing;
-  slong work; /* the precision at which it was found */
+  slong prec;
+  struct calc c;
+  struct ball_params m;
 };
 
 static void solution_init(struct solution *s) {
@@ -31,6 +34,12 @@ static void solution_init(struct solution *s) {
     arb_init(s->x[i]);
     arb_init(s->box[i]);
   }
+  s->prec = 0;
+}
+
+static void close_calc(struct solution *s) {
+  if (s->prec) calc_clear(&s->c);
+  s->prec = 0;
 }
 
 static void solution_clear(struct solution *s) {
@@ -38,91 +47,92 @@ static void solution_clear(struct solution *s) {
     arb_clear(s->x[i]);
     arb_clear(s->box[i]);
   }
-}
-
-/* The midpoint of x as an exact element. */
-static val middle(struct calc *c, val x) {
-  arb_ptr z = calc_new(c);
-  arb_get_mid_arb(z, x);
-  return z;
+  close_calc(s);
 }
 
 /* y = inverse of the derivative of (pc, defect) by (t_b, t_c), rounded to midpoints. */
 static void invert(val y[4], struct calc *c, const struct ball_pass *s) {
   val ww = calc_neg(c, s->wc), det = calc_sub(c, calc_mul(c, s->pc_tb, s->defect_tc), calc_mul(c, ww, s->defect_tb));
-  y[0] = middle(c, calc_div(c, s->defect_tc, det));
-  y[1] = middle(c, calc_div(c, s->wc, det));
-  y[2] = middle(c, calc_neg(c, calc_div(c, s->defect_tb, det)));
-  y[3] = middle(c, calc_div(c, s->pc_tb, det));
+  y[0] = calc_middle(c, calc_div(c, s->defect_tc, det));
+  y[1] = calc_middle(c, calc_div(c, s->wc, det));
+  y[2] = calc_middle(c, calc_neg(c, calc_div(c, s->defect_tb, det)));
+  y[3] = calc_middle(c, calc_div(c, s->pc_tb, det));
+}
+
+/* A calc of the precision, with the sines and cosines at the midpoints of x. */
+static void open_calc(struct solution *s, const fmpq *params, slong prec) {
+  close_calc(s);
+  s->prec = prec;
+  calc_init(&s->c, num_ctx_arb(prec));
+  ball_params_init(&s->m, &s->c, params);
+  for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
+  ball_params_keep(&s->m, &s->c, calc_middle(&s->c, s->x[0]), calc_middle(&s->c, s->x[1]));
 }
 
 /* One level of Newton's iteration from the midpoints of x, until a step shows that half of the bits are settled. */
-static int newton_level(arb_t x[2], const fmpq *params, bool up, slong prec) {
-  struct calc c;
-  struct ball_params m;
+static int newton_level(struct solution *s, const fmpq *params, slong prec) {
+  open_calc(s, params, prec);
+  struct calc *c = &s->c;
   bool settled = false;
-  calc_init(&c, num_ctx_arb(prec));
-  ball_params_init(&m, &c, params);
-  val small = calc_two_to(&c, -prec / 2 - 4);
-  slong mark = calc_mark(&c);
-  for (int i = 0; i < 40 && !settled && !c.status; i++) {
-    struct ball_pass s;
+  val small = calc_two_to(c, -prec / 2 - 4);
+  slong mark = calc_mark(c);
+  for (int i = 0; i < 40 && !settled && !c->status; i++) {
+    struct ball_pass at;
     val y[4];
-    for (int k = 0; k < 2; k++) arb_set_round(x[k], x[k], prec);
-    ball_pass_make(&s, &c, &m, middle(&c, x[0]), middle(&c, x[1]), up);
-    invert(y, &c, &s);
+    for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
+    ball_pass_make(&at, c, &s->m, calc_middle(c, s->x[0]), calc_middle(c, s->x[1]), s->up);
+    invert(y, c, &at);
     settled = true;
     for (int k = 0; k < 2; k++) {
-      val step = middle(&c, calc_dot(&c, y[2 * k], s.pc, y[2 * k + 1], s.defect));
-      val limit = middle(&c, calc_mul(&c, small, calc_abs(&c, x[k])));
-      if (!calc_lt(&c, calc_abs(&c, step), limit)) settled = false;
-      arb_get_mid_arb(x[k], calc_sub(&c, x[k], step));
+      val step = calc_middle(c, calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect));
+      val limit = calc_middle(c, calc_mul(c, small, calc_abs(c, s->x[k])));
+      if (!calc_lt(c, calc_abs(c, step), limit)) settled = false;
+      arb_get_mid_arb(s->x[k], calc_sub(c, s->x[k], step));
     }
-    calc_release(&c, mark);
+    calc_release(c, mark);
   }
-  calc_clear(&c);
-  return settled ? c.status : c.status | SS_UNABLE;
+  return settled ? c->status : c->status | SS_UNABLE;
 }
 
-static int newton(arb_t x[2], const fmpq *params, bool up, slong prec) {
+static int newton(struct solution *s, const fmpq *params, slong prec) {
   slong ladder[FLINT_BITS], n = 0;
   int status = SS_OK;
   for (slong bits = prec; bits > 192; bits = bits / 2 + 24) ladder[n++] = bits;
   ladder[n++] = FLINT_MIN(prec, 192);
-  while (n > 0 && !status) status |= newton_level(x, params, up, ladder[--n]);
+  while (n > 0 && !status) status |= newton_level(s, params, ladder[--n]);
   return status;
 }
 
-/* Krawczyk's operator around the midpoints of s->x, on boxes that grow until one is mapped into its interior. */
-static int enclose(struct solution *s, const fmpq *params, slong prec) {
-  struct calc c;
-  struct ball_params m;
+/* Krawczyk's operator around the midpoints of s->x, on boxes that grow until one is mapped into its interior.  The calc is
+   that of Newton's last level. */
+static int enclose(struct solution *s) {
+  struct calc *c = &s->c;
+  const struct ball_params *m = &s->m;
   struct ball_pass at;
   val y[4], mid[2], shift[2];
-  calc_init(&c, num_ctx_arb(prec));
-  ball_params_init(&m, &c, params);
-  for (int k = 0; k < 2; k++) mid[k] = middle(&c, s->x[k]);
-  ball_pass_make(&at, &c, &m, mid[0], mid[1], s->up);
-  invert(y, &c, &at);
+  slong start = calc_mark(c);
+  for (int k = 0; k < 2; k++) mid[k] = calc_middle(c, s->x[k]);
+  ball_pass_make(&at, c, m, mid[0], mid[1], s->up);
+  invert(y, c, &at);
   for (int k = 0; k < 2; k++) {
-    shift[k] = calc_dot(&c, y[2 * k], at.pc, y[2 * k + 1], at.defect);
+    shift[k] = calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect);
     arb_set(s->box[k], mid[k]);
     arb_get_mag(arb_radref(s->box[k]), shift[k]);
     mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
   }
   bool proved = false;
-  slong mark = calc_mark(&c);
-  for (int i = 0; i < 10 && !proved && !c.status; i++) {
-    calc_release(&c, mark);
-    ball_pass_make(&at, &c, &m, s->box[0], s->box[1], s->up);
-    val j[4] = {at.pc_tb, calc_neg(&c, at.wc), at.defect_tb, at.defect_tc};
+  slong mark = calc_mark(c);
+  for (int i = 0; i < 10 && !proved && !c->status; i++) {
+    calc_release(c, mark);
+    ball_pass_make(&at, c, m, s->box[0], s->box[1], s->up);
+    val j[4] = {at.pc_tb, calc_neg(c, at.wc), at.defect_tb, at.defect_tc};
     proved = true;
     for (int k = 0; k < 2; k++) {
-      val image = calc_sub(&c, mid[k], shift[k]);
+      val image = calc_sub(c, mid[k], shift[k]);
       for (int l = 0; l < 2; l++) {
-        val rest = calc_neg(&c, calc_dot(&c, y[2 * k], j[l], y[2 * k + 1], j[2 + l]));
-        if (k == l) rest = calc_add(&c, rest, m.one);
-        image = calc_add(&c, image, calc_mul(&c, rest, calc_sub(&c, s->box[l], mid[l])));
+        val rest = calc_neg(c, calc_dot(c, y[2 * k], j[l], y[2 * k + 1], j[2 + l]));
+        if (k == l) rest = calc_add(c, rest, m->one);
+        image = calc_add(c, image, calc_mul(c, rest, calc_sub(c, s->box[l], mid[l])));
       }
       arb_set(s->x[k], image);
       if (!arb_contains_interior(s->box[k], s->x[k])) proved = false;
@@ -130,13 +140,13 @@ static int enclose(struct solution *s, const fmpq *params, slong prec) {
     if (!proved)
       for (int k = 0; k < 2; k++) mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
   }
-  calc_clear(&c);
+  calc_release(c, start);
   return proved ? SS_OK : SS_UNABLE;
 }
 
 static int solve(struct solution *s, const fmpq *params, slong prec) {
-  int status = newton(s->x, params, s->up, prec);
-  return status ? status : enclose(s, params, prec);
+  int status = newton(s, params, prec);
+  return status ? status : enclose(s);
 }
 
 static bool same_solution(const struct solution *s, const struct solution *t) {
@@ -153,8 +163,8 @@ static int slope_at(struct ball_pass *s, struct calc *c, const struct ball_param
   val small = calc_two_to(c, -c->ctx.prec / 2);
   for (int i = 0; i < 40 && !c->status; i++) {
     ball_pass_make(s, c, m, tb, tc, up);
-    val step = middle(c, calc_div(c, s->pc, s->wc)); /* pc' = -wc */
-    tc = middle(c, calc_add(c, tc, step));
+    val step = calc_middle(c, calc_div(c, s->pc, s->wc)); /* pc' = -wc */
+    tc = calc_middle(c, calc_add(c, tc, step));
     if (!calc_lt(c, calc_mul(c, small, calc_abs(c, tc)), calc_abs(c, step))) {
       ball_pass_make(s, c, m, tb, tc, up);
       return c->status;
@@ -177,11 +187,11 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
   status |= slope_at(&b, &c, &m, tb, tc, zero->up);
   bool settled = false;
   for (int i = 0; i < 60 && !status && !settled; i++) {
-    bend = middle(&c, calc_div(&c, calc_sub(&c, b.defect_tb, a.defect_tb), calc_sub(&c, b.tb, a.tb)));
-    val step = middle(&c, calc_neg(&c, calc_div(&c, b.defect_tb, bend)));
+    bend = calc_middle(&c, calc_div(&c, calc_sub(&c, b.defect_tb, a.defect_tb), calc_sub(&c, b.tb, a.tb)));
+    val step = calc_middle(&c, calc_neg(&c, calc_div(&c, b.defect_tb, bend)));
     settled = calc_lt(&c, calc_abs(&c, step), small);
     a = b;
-    status |= slope_at(&b, &c, &m, middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->up);
+    status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->up);
   }
   *n = 0;
   val square = calc_neg(&c, calc_div(&c, calc_mul(&c, m.two, b.defect), bend));
@@ -377,16 +387,6 @@ void dyn_orbit_clear(struct dyn_orbit *o) {
   for (int i = 0; i < 4; i++) arb_clear(o->t[i]);
 }
 
-static int describe(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec) {
-  struct calc c;
-  struct ball_params m;
-  calc_init(&c, num_ctx_arb(prec));
-  ball_params_init(&m, &c, params);
-  int status = dyn_orbit_describe(o, &c, &m, sol->x[0], sol->x[1], sol->up);
-  calc_clear(&c);
-  return status;
-}
-
 static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec, long max_steps) {
   struct calc c;
   struct ball_params m;
@@ -410,7 +410,8 @@ static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec)
   arb_set_d(pilot.x[1], tc);
   pilot.up = up;
   slong left = 0;
-  if (!solve(&pilot, params, PILOT) && !describe(&o, params, &pilot, PILOT)) left = dyn_orbit_accuracy(&o);
+  if (!solve(&pilot, params, PILOT) && !dyn_orbit_describe(&o, &pilot.c, &pilot.m, pilot.x[0], pilot.x[1], up))
+    left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
   solution_clear(&pilot);
   return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
@@ -420,13 +421,13 @@ static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec)
    *first as judge returns it. */
 static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *params, struct solution *sol, slong prec,
                   const struct dyn_limits *lim) {
-  slong work = sol->work;
-  int status = describe(o, params, sol, work);
+  slong work = sol->prec;
+  int status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
   *raises = 0;
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
     work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + GUARD;
     status = solve(sol, params, work);
-    if (!status) status = describe(o, params, sol, work);
+    if (!status) status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
     ++*raises;
   }
   *first = judge(o, params, sol, FLINT_MIN(work, 128), lim->max_steps);
@@ -445,9 +446,8 @@ int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double
   s.up = up;
   s.grazing = false;
   *first = TRUTH_UNKNOWN;
-  s.work = plan(params, tb, tc, up, prec);
   long raises;
-  int status = solve(&s, params, s.work);
+  int status = solve(&s, params, plan(params, tb, tc, up, prec));
   if (!status) status = finish(o, first, &raises, params, &s, prec, lim);
   solution_clear(&s);
   return status;
@@ -498,10 +498,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     const struct zero *z = &search.zeros[i];
     slong work = z->fold ? prec + GUARD : plan(params, z->tb, z->tc, z->up, prec);
     status |= resolve(pair, &n, params, z, work);
-    for (int k = 0; k < n; k++) {
-      pair[k].work = work;
-      add_solution(&found, &pair[k]);
-    }
+    for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
     list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);
     for (int k = n; k < 2; k++) solution_clear(&pair[k]);
   }

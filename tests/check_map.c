@@ -1,0 +1,450 @@
+/* The pass through the word at many digits against three other ways: mpmath with matrix exponentials (tests/oracle), the
+   phases one by one by dyn_event and dyn_flow at four times the precision, and exact points inside wide balls.  What
+   cannot be proved must not be claimed. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/dynamics/dyn_impl.h"
+#include "laws_num.h"
+#include "stickslip/dynamics.h"
+#include "suites.h"
+
+enum { N_START = N_PARAMS + 2, VALUES = N_PHASES + (N_PHASES + 1) * N_STATE };
+
+/* An arc with the parameters and positions it starts from. */
+struct trip {
+  struct num_vec params, start;
+  struct dyn_arc arc;
+};
+
+static void pass_open(struct trip *p, const double x[N_START], struct num_ctx ctx) {
+  num_vec_init(&p->params, N_PARAMS, ctx);
+  num_vec_init(&p->start, 2, ctx);
+  dyn_arc_init(&p->arc, ctx);
+  for (int i = 0; i < N_START; i++)
+    ctx.type->set_d(i < N_PARAMS ? num_vec_at(&p->params, i) : num_vec_at(&p->start, i - N_PARAMS), x[i], ctx.prec);
+}
+
+static void pass_close(struct trip *p) {
+  num_vec_clear(&p->params);
+  num_vec_clear(&p->start);
+  dyn_arc_clear(&p->arc);
+}
+
+static int pass_quick(struct trip *p, const struct num_vec *near, const double *guess) {
+  return map_run(&p->arc, &p->params, num_vec_at(&p->start, 0), num_vec_at(&p->start, 1), near, guess);
+}
+
+/* The same phase by phase. */
+static int pass_slow(struct trip *p, const double guess[N_PHASES]) {
+  const struct num_type *type = p->arc.z.ctx.type;
+  const void *V = num_vec_at(&p->params, P_V);
+  int status = SS_OK;
+  for (int i = 0; i < N_STATE; i++) type->set(num_vec_at(&p->arc.z, i), i < DZ_1 ? num_vec_at(&p->start, i) : V);
+  for (int ph = 0; ph < N_PHASES && !status; ph++) {
+    struct num_vec from = {p->arc.z.ctx, N_STATE, num_vec_at(&p->arc.z, ph * N_STATE)};
+    struct num_vec to = {p->arc.z.ctx, N_STATE, num_vec_at(&p->arc.z, (ph + 1) * N_STATE)};
+    status = dyn_event(num_vec_at(&p->arc.t, ph), (enum phase)ph, &p->params, &from, guess[ph]);
+    if (!status) status = dyn_flow(&to, (enum phase)ph, &p->params, &from, num_vec_at(&p->arc.t, ph));
+    if (ph == PHASE_H) type->set(num_vec_at(&to, DZ_1), V);
+    if (ph == PHASE_C) type->set(num_vec_at(&to, DZ_2), V);
+  }
+  return status;
+}
+
+static const void *value_at(const struct trip *p, int i) {
+  return i < N_PHASES ? num_vec_at(&p->arc.t, i) : num_vec_at(&p->arc.z, i - N_PHASES);
+}
+
+/* What the error of value i is measured by: a time itself, the larger of two positions or velocities. */
+static double scale_at(const struct trip *p, int i) {
+  const struct num_type *type = p->arc.z.ctx.type;
+  double x = fabs(type->get_d(value_at(p, i)));
+  return i < N_PHASES ? x : fmax(x, fabs(type->get_d(value_at(p, N_PHASES + ((i - N_PHASES) ^ 1)))));
+}
+
+static const char *show(const double x[N_START]) {
+  static char text[300];
+  snprintf(text, sizeof text, "chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g z10 %.17g z20 %.17g", x[0], x[1], x[2],
+           x[3], x[4], x[5], x[6]);
+  return text;
+}
+
+/* The times of the first events in double precision; false where there is no such arc or one so near to a grazing one
+   that digits are lost by the dozen. */
+static bool first_times(double t[N_PHASES], const double x[N_START]) {
+  double end, slope;
+  if (dyn_return_map_d(&end, &slope, t, x, x[6] - x[5], NULL) || !(fabs(slope) < 1e6)) return false;
+  t[0] = (x[P_E1] - x[5] + x[P_CHI] * x[6]) / ((1 - x[P_CHI]) * x[P_V]);
+  return fabs(t[0]) > 1e-3;
+}
+
+static double part(struct rng *r, double low, double high) {
+  return low + (high - low) * (double)rng_between(r, 0, 1 << 20) / (1 << 20);
+}
+
+/* Every kind of parameter: 1 - chi and chi down to 2^-20, the others over factors of a thousand, t_b from tiny to long. */
+static void random_start(double x[N_START], struct rng *r) {
+  double small = exp2(part(r, -20, -1));
+  x[P_CHI] = rng_between(r, 0, 1) ? small : 1 - small;
+  x[P_ETA] = exp2(part(r, -5, 5)) / (x[P_CHI] < 0.1 ? x[P_CHI] : 1);
+  x[P_V] = exp2(part(r, -5, 5));
+  x[P_E1] = x[P_V] * exp2(part(r, -3, 4));
+  x[P_E2] = x[P_V] * exp2(part(r, -4, 3));
+  x[5] = part(r, -4, 4) * x[P_V];
+  x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(r, -24, 4));
+}
+
+/* log2 of how far v lies from the exact, at most, its radius included. */
+static double error_of(const struct num_type *type, const void *v, arb_srcptr exact) {
+  arb_t x;
+  mag_t most;
+  arb_init(x);
+  mag_init(most);
+  type->get_arb(x, v);
+  arb_sub(x, x, exact, 20000);
+  arb_get_mag(most, x);
+  double e = mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
+  mag_clear(most);
+  arb_clear(x);
+  return e;
+}
+
+static const slong precisions[] = {53, 64, 100, 128, 192, 256, 333, 512, 700, 1024, 2048, 4096};
+enum { N_PRECISIONS = sizeof precisions / sizeof *precisions };
+
+static void against_phases(const double x[N_START], const double t[N_PHASES], slong prec, int *quick) {
+  struct trip exact, p[2];
+  pass_open(&exact, x, num_ctx_arb(4 * prec + 300));
+  pass_open(&p[0], x, num_ctx_arb(prec));
+  pass_open(&p[1], x, num_ctx_mpfr(prec));
+  bool known = pass_slow(&exact, t) == SS_OK;
+  for (int k = 0; k < 2 && known; k++) {
+    if (pass_quick(&p[k], NULL, t)) continue;
+    ++*quick;
+    for (int i = 0; i < VALUES; i++) {
+      arb_srcptr true_value = value_at(&exact, i);
+      ck_assert_msg(k == 1 || arb_overlaps(value_at(&p[k], i), true_value), "%s value %d is not enclosed", show(x), i);
+      double e = error_of(p[k].arc.z.ctx.type, value_at(&p[k], i), true_value), most = log2(scale_at(&exact, i)) + 2;
+      ck_assert_msg(e <= most - (double)prec, "%s %s value %d at %ld bits: error 2^%.1f of 2^%.1f", show(x),
+                    k ? "mpfr" : "balls", i, (long)prec, e, most - 2);
+    }
+  }
+  for (int k = 0; k < 2; k++) pass_close(&p[k]);
+  pass_close(&exact);
+}
+
+START_TEST(arcs_are_those_of_the_phases) {
+  struct rng r = {(uint64_t)_i + 7};
+  double x[N_START], t[N_PHASES];
+  int tried = 0, quick = 0;
+  while (tried < 40) {
+    random_start(x, &r);
+    if (!first_times(t, x)) continue;
+    tried++;
+    against_phases(x, t, precisions[_i], &quick);
+  }
+  ck_assert_msg(quick >= 76, "%d of 80 at %ld bits", quick, (long)precisions[_i]);
+  flint_cleanup();
+}
+END_TEST
+
+/* Each line: parameters, start, four times, two positions, of which digits are rounded at the 60th. */
+START_TEST(arcs_of_mpmath) {
+  FILE *f = fopen("tests/oracle/arcs.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/arcs.tsv; the tests run in the project's folder");
+  char line[2000];
+  int rows = 0;
+  while (fgets(line, sizeof line, f)) {
+    if (*line == '#') continue;
+    double x[N_START];
+    char *at = strtok(line, "\t\n");
+    for (int i = 0; i < N_START; i++, at = strtok(NULL, "\t\n")) x[i] = strtod(at, NULL);
+    struct trip p[2];
+    pass_open(&p[0], x, num_ctx_arb(160));
+    pass_open(&p[1], x, num_ctx_mpfr(160));
+    for (int k = 0; k < 2; k++)
+      ck_assert_msg(pass_quick(&p[k], NULL, NULL) == SS_OK, "%s %s", show(x), k ? "mpfr" : "balls");
+    arb_t value;
+    arb_init(value);
+    for (int i = 0; i < N_PHASES + 2; i++, at = strtok(NULL, "\t\n")) {
+      ck_assert(at != NULL && arb_set_str(value, at, 400) == 0);
+      mag_t last;
+      mag_init(last);
+      arb_get_mag(last, value);
+      mag_mul_2exp_si(last, last, -196); /* more than half a unit in the 60th place */
+      arb_add_error_mag(value, last);
+      mag_clear(last);
+      int v = i < N_PHASES ? i : VALUES - 2 * N_PHASES + i;
+      ck_assert_msg(arb_overlaps(value_at(&p[0], v), value), "%s value %d", show(x), v);
+      for (int k = 0; k < 2; k++) {
+        double e = error_of(p[k].arc.z.ctx.type, value_at(&p[k], v), value), size = log2(scale_at(&p[k], v));
+        ck_assert_msg(e < size - 158, "%s %s value %d: error 2^%.1f of 2^%.1f", show(x), k ? "mpfr" : "balls", v, e,
+                      size);
+      }
+    }
+    arb_clear(value);
+    for (int k = 0; k < 2; k++) pass_close(&p[k]);
+    rows++;
+  }
+  fclose(f);
+  ck_assert_int_eq(rows, 8);
+  flint_cleanup();
+}
+END_TEST
+
+/* Balls around a start, down to points: what is answered encloses the arcs of points inside, of corners too. */
+START_TEST(wide_balls_hold_the_arcs_of_their_points) {
+  struct rng r = {(uint64_t)_i + 100};
+  int proved = 0, refused = 0;
+  for (int n = 0; n < 60; n++) {
+    double x[N_START], t[N_PHASES], radius = exp2(part(&r, -30, -2));
+    random_start(x, &r);
+    x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
+    x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(&r, -3, 3));
+    if (!first_times(t, x)) continue;
+    struct trip wide;
+    pass_open(&wide, x, num_ctx_arb(128));
+    for (int i = 0; i < N_START; i++) {
+      arb_ptr v = i < N_PARAMS ? num_vec_at(&wide.params, i) : num_vec_at(&wide.start, i - N_PARAMS);
+      mag_set_d(arb_radref(v), radius * fabs(x[i]));
+    }
+    bool ok = pass_quick(&wide, NULL, t) == SS_OK;
+    proved += ok;
+    refused += !ok;
+    for (int k = 0; k < 6 && ok; k++) {
+      double y[N_START];
+      for (int i = 0; i < N_START; i++) {
+        double side = k < 3 ? (double)rng_between(&r, -1, 1) : part(&r, -1, 1);
+        y[i] = x[i] * (1 + 0.999 * side * radius);
+      }
+      struct trip point;
+      pass_open(&point, y, num_ctx_arb(256));
+      double near[N_PHASES];
+      for (int i = 0; i < N_PHASES; i++) near[i] = num_arb.get_d(value_at(&wide, i));
+      int status = pass_slow(&point, near);
+      ck_assert_msg(status == SS_OK || radius > 1e-3, "%s radius %g: no arc inside", show(y), radius);
+      for (int i = 0; i < VALUES && status == SS_OK; i++)
+        ck_assert_msg(arb_contains(value_at(&wide, i), value_at(&point, i)) || radius < 1e-13 || i == N_PHASES ||
+                          arb_overlaps(value_at(&wide, i), value_at(&point, i)),
+                      "%s radius %g value %d", show(y), radius, i);
+      pass_close(&point);
+    }
+    pass_close(&wide);
+  }
+  ck_assert_msg(proved > 20 && refused > 2, "%d proved, %d refused", proved, refused);
+  flint_cleanup();
+}
+END_TEST
+
+/* In phase Gamma chi r rises by a (t - sin t) + e1 (1 - cos t), with a crest at pi + 2 atan(a/e1) and the next rise above
+   it far later.  A start whose rise is the crest's has a double root, a little less two near it, a little more none. */
+START_TEST(a_double_root_and_none_are_not_proved) {
+  double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4);
+  double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest)), guess[N_PHASES] = {0, crest, 1, 1};
+  static const double off[] = {0, 1e-12, -1e-12, 0x1p-40, 0.5};
+  for (int k = 0; k < 5; k++)
+    for (int side = -1; side <= 1; side++) {
+      struct trip p;
+      x[6] = x[5] + 2 - (rise + off[k]);
+      guess[PHASE_GAMMA] = crest + 1e-7 * side;
+      pass_open(&p, x, num_ctx_arb(128));
+      if (k < 4) mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), 1e-6);
+      ck_assert_msg(pass_quick(&p, NULL, guess) == SS_UNABLE, "off %g side %d", off[k], side);
+      ck_assert_int_eq(dyn_arc_run(&p.arc, &p.params, num_vec_at(&p.start, 0), num_vec_at(&p.start, 1), guess),
+                       SS_UNABLE);
+      pass_close(&p);
+    }
+  flint_cleanup();
+}
+END_TEST
+
+/* Below the crest by e, with a ball of 2 e: its middle has a root, and some of its points have none. */
+START_TEST(a_ball_that_reaches_beyond_the_crest_is_not_proved) {
+  double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4), t[N_PHASES];
+  double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest));
+  for (int k = 2; k < 30; k += 3)
+    for (int wide = 0; wide < 2; wide++) {
+      struct trip p;
+      double below = ldexp(1, -k);
+      x[6] = x[5] + 2 - (rise - below);
+      ck_assert(first_times(t, x));
+      pass_open(&p, x, num_ctx_arb(192));
+      mag_set_d(arb_radref((arb_ptr)num_vec_at(&p.start, 1)), wide ? 2 * below : below / 1024);
+      ck_assert_msg((pass_quick(&p, NULL, t) == SS_OK) == !wide, "2^-%d", k);
+      pass_close(&p);
+    }
+  flint_cleanup();
+}
+END_TEST
+
+/* Only r is wide, so that hardly anything but the motion's own bend makes an enclosure wider than the range: its ends
+   are arcs of the ends of r.  At the first start w is 0 at the middle's t_b, where w' has an extremum. */
+START_TEST(a_wide_r_is_enclosed_to_its_ends) {
+  struct rng r = {77};
+  double t[N_PHASES], at = PI - atan2(2, 0.25), rise = 0.25 * (at - sin(at)) + 2 * (1 - cos(at));
+  double x[N_START] = {0.75, 1, 1, 2, 1.5, 0, 2 - rise};
+  for (int n = 0; n < 60; n++) {
+    double radius = n == 0 ? 1e-2 : exp2(part(&r, -14, -5));
+    if (n > 0) {
+      random_start(x, &r);
+      x[P_CHI] = 0.1 + 0.8 * x[P_CHI];
+      x[6] = x[5] + x[P_E2] / x[P_CHI] - x[P_V] * exp2(part(&r, -2, 2));
+    }
+    struct trip wide, end;
+    pass_open(&wide, x, num_ctx_arb(128));
+    mag_set_d(arb_radref((arb_ptr)num_vec_at(&wide.start, 1)), radius);
+    bool ok = first_times(t, x) && pass_quick(&wide, NULL, t) == SS_OK;
+    ck_assert(ok || n > 0);
+    for (int k = -4; k <= 4 && ok; k++) {
+      double y[N_START];
+      memcpy(y, x, sizeof y);
+      y[6] += 0.25 * k * radius;
+      pass_open(&end, y, num_ctx_arb(256));
+      ck_assert_int_eq(pass_slow(&end, t), SS_OK);
+      for (int i = 0; i < VALUES; i++)
+        ck_assert_msg(arb_overlaps(value_at(&wide, i), value_at(&end, i)), "%s radius %g value %d", show(y), radius, i);
+      pass_close(&end);
+    }
+    pass_close(&wide);
+  }
+  flint_cleanup();
+}
+END_TEST
+
+/* Events near the guess, first or not: in phase C each half turn has one, with r of the other sign. */
+START_TEST(events_are_those_near_the_guess) {
+  const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
+  double t[N_PHASES];
+  ck_assert(first_times(t, x));
+  for (int turns = 0; turns < 4; turns++)
+    for (int k = 0; k < 2; k++) {
+      double guess[N_PHASES] = {t[0], t[1] * 1.002, t[2] * 0.999, t[3] + turns * PI / sqrt(0.9375) + 0.01};
+      struct trip quick, slow;
+      pass_open(&quick, x, k ? num_ctx_mpfr(300) : num_ctx_arb(300));
+      pass_open(&slow, x, num_ctx_arb(400));
+      ck_assert_int_eq(pass_quick(&quick, NULL, guess), SS_OK);
+      ck_assert_int_eq(pass_slow(&slow, guess), SS_OK);
+      for (int i = 0; i < VALUES; i++)
+        ck_assert(error_of(quick.arc.z.ctx.type, value_at(&quick, i), value_at(&slow, i)) < -290);
+      pass_close(&quick);
+      pass_close(&slow);
+    }
+  flint_cleanup();
+}
+END_TEST
+
+/* Guesses that are none: an answer, whatever it is, and no hang. */
+START_TEST(wild_guesses_end) {
+  const double x[N_START] = {0.75, 1.25, 1.0, 2.5, 1.5, 0.25, -1.0};
+  static const double wild[] = {0, -0.0, 1e-300, -1, 1e15, 1e300, INFINITY, NAN};
+  double t[N_PHASES];
+  ck_assert(first_times(t, x));
+  for (size_t k = 0; k < sizeof wild / sizeof *wild; k++)
+    for (int at = 1; at < 2 * N_PHASES; at++) {
+      struct trip p;
+      double guess[N_PHASES];
+      memcpy(guess, t, sizeof t);
+      guess[at % N_PHASES] = wild[k];
+      pass_open(&p, x, at < N_PHASES ? num_ctx_mpfr(200) : num_ctx_arb(200));
+      int status = pass_quick(&p, NULL, guess);
+      ck_assert(status == SS_OK || status == SS_UNABLE);
+      pass_close(&p);
+    }
+  flint_cleanup();
+}
+END_TEST
+
+/* From times of a third of the bits, as differences take them. */
+START_TEST(near_times_of_a_few_bits) {
+  const double x[N_START] = {0.8, 1.0, 1.0, 2.7844, 0.8587, 0.8921, -2.1958};
+  struct trip p, exact;
+  double t[N_PHASES];
+  ck_assert(first_times(t, x));
+  pass_open(&p, x, num_ctx_mpfr(600));
+  pass_open(&exact, x, num_ctx_arb(900));
+  ck_assert_int_eq(pass_slow(&exact, t), SS_OK);
+  struct num_vec near;
+  num_vec_init(&near, N_PHASES, num_ctx_mpfr(600));
+  for (slong bits = 8; bits <= 600; bits += 74) {
+    for (int i = 0; i < N_PHASES; i++) {
+      mpfr_ptr v = num_vec_at(&near, i);
+      num_mpfr.set_arb(v, value_at(&exact, i), 600);
+      mpfr_prec_round(v, bits, MPFR_RNDN);
+      mpfr_prec_round(v, 600, MPFR_RNDN);
+    }
+    ck_assert_int_eq(pass_quick(&p, &near, NULL), SS_OK);
+    for (int i = 0; i < VALUES; i++)
+      ck_assert_msg(error_of(&num_mpfr, value_at(&p, i), value_at(&exact, i)) < -594, "%ld bits", (long)bits);
+  }
+  num_vec_clear(&near);
+  pass_close(&p);
+  pass_close(&exact);
+  flint_cleanup();
+}
+END_TEST
+
+/* sin x and 1 - cos x by the series, and a kept angle turned, against Arb's own at four times the bits. */
+START_TEST(turns_enclose_sines) {
+  struct rng r = {9};
+  for (int n = 0; n < 400; n++) {
+    slong prec = precisions[n % N_PRECISIONS];
+    struct calc c;
+    calc_init(&c, num_ctx_arb(prec));
+    double angle = part(&r, -50, 50), move = exp2(part(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
+    if (n % 40 == 0) move = 0;
+    arb_ptr x = calc_new(&c);
+    arb_set_d(x, move);
+    if (n % 3 == 0) mag_set_d(arb_radref(x), fabs(move) / 8);
+    struct turn kept;
+    val s, v, sine, cosine;
+    calc_sin_cos(&c, &kept.sine, &kept.cosine, calc_d(&c, angle));
+    turn_small(&s, &v, &c, x);
+    turn_by(&sine, &cosine, &c, &kept, x);
+    arb_t exact[4], y;
+    arb_init(y);
+    for (int k = 0; k < 4; k++) arb_init(exact[k]);
+    arb_set_d(y, move);
+    arb_sin_cos(exact[0], exact[1], y, 4 * prec);
+    arb_sub_ui(exact[1], exact[1], 1, 4 * prec);
+    arb_neg(exact[1], exact[1]);
+    arb_set_d(y, angle);
+    arf_t m;
+    arf_init(m);
+    arf_set_d(m, move);
+    arb_add_arf(y, y, m, ARF_PREC_EXACT);
+    arf_clear(m);
+    arb_sin_cos(exact[2], exact[3], y, 4 * prec);
+    const val got[4] = {s, v, sine, cosine};
+    for (int k = 0; k < 4; k++) {
+      ck_assert_msg(arb_overlaps(got[k], exact[k]), "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
+      ck_assert_msg(n % 3 == 0 || mag_cmp_2exp_si(arb_radref((arb_srcptr)got[k]), 10 - prec) < 0,
+                    "%ld bits, %.17g + %.17g, %d", (long)prec, angle, move, k);
+      arb_clear(exact[k]);
+    }
+    arb_clear(y);
+    calc_clear(&c);
+  }
+  flint_cleanup();
+}
+END_TEST
+
+Suite *map_suite(void) {
+  Suite *s = suite_create("map");
+  TCase *c = tcase_create("map");
+  tcase_add_loop_test(c, arcs_are_those_of_the_phases, 0, N_PRECISIONS);
+  tcase_add_test(c, arcs_of_mpmath);
+  tcase_add_loop_test(c, wide_balls_hold_the_arcs_of_their_points, 0, 4);
+  tcase_add_test(c, a_double_root_and_none_are_not_proved);
+  tcase_add_test(c, a_ball_that_reaches_beyond_the_crest_is_not_proved);
+  tcase_add_test(c, a_wide_r_is_enclosed_to_its_ends);
+  tcase_add_test(c, events_are_those_near_the_guess);
+  tcase_add_test(c, wild_guesses_end);
+  tcase_add_test(c, near_times_of_a_few_bits);
+  tcase_add_test(c, turns_enclose_sines);
+  suite_add_tcase(s, c);
+  return s;
+}
