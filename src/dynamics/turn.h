@@ -88,4 +88,35 @@ TURN_INLINE struct turn turn_of(double x) {
   return t;
 }
 
+/* (atan x - x)/x^3 by z = x^2, z < 0.172. */
+TURN_INLINE double turn_angle_part(double z) {
+  return -0x1.5555555555555p-2 +
+         z * (0x1.99999999982d4p-3 +
+              z * (-0x1.249249238c278p-3 +
+                   z * (0x1.c71c71317322cp-4 +
+                        z * (-0x1.745d006143d6bp-4 +
+                             z * (0x1.3b1191efcab8ep-4 +
+                                  z * (-0x1.10f0a118f1698p-4 +
+                                       z * (0x1.df51536cc5d54p-5 +
+                                            z * (-0x1.9de7ea2105a92p-5 +
+                                                 z * (0x1.3a69f27493c39p-5 + z * -0x1.2abdade2ebe2cp-6)))))))));
+}
+
+/* The angle in [0, pi] of the point (x, y), y >= 0, not both zero: within 4 u of its value, where neither is so large or
+   small that sums overflow or quotients underflow.  The tangent is brought to |q| <= tan(pi/8) by turning the point by a
+   multiple of pi/4, which costs one division. */
+TURN_INLINE double turn_angle(double y, double x) {
+  const double eighth = 0x1.921fb54442d18p-1, lost = 0x1.1a62633145c07p-55; /* pi/4, and what it lacks */
+  double across = x < 0 ? -x : x;
+  double low = y < across ? y : across, high = y < across ? across : y;
+  double wide = low > 0.41421356237309503 * high ? 1 : 0;
+  double q = (low - wide * high) / (high + wide * low), z = q * q;
+  double bow = q * z * turn_angle_part(z);
+  /* +-q and a multiple of pi/4: low/high, then its complement if y is high, then that to pi if x < 0 */
+  double sign = y < across ? 1 : -1, steps = y < across ? wide : 2 - wide;
+  sign = x < 0 ? -sign : sign;
+  steps = x < 0 ? 4 - steps : steps;
+  return steps * eighth + (sign * q + (sign * bow + steps * lost));
+}
+
 #endif
