@@ -10,7 +10,7 @@ enum { LANES = 64 };
 struct lanes {
   double params[N_PARAMS][LANES], guess[2][LANES], out[N_DYN_OUT][LANES];
   uint64_t broken[LANES], status[LANES];
-  double parts[LANES]; /* in which phase H asks to be looked at, about; 0: it was, or the point is given up */
+  double parts[LANES]; /* in which phase H is to be looked at, about; 0: no more to be done */
 };
 /* A look at phase H in parts of time h: the state at the end of the last part, and what was seen up to there. */
 struct march {

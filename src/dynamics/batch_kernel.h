@@ -14,7 +14,7 @@
 
 static const double NOISE = 64 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
-static const double PART_ANGLE = 1.5;     /* of the fast oscillation in a part of phase H */
+static const double PART_ANGLE = 1.25;    /* of the fast oscillation in a part of phase H */
 static const double DOUBT = 0x1p-30;      /* relative: what is nearer to zero has no sign */
 
 /* Everything at a pair (t_b, t_c), as in warm.c. */
@@ -122,6 +122,23 @@ TURN_INLINE struct node lane_middle(const struct lane *x) {
                        k->sigma[0] * force0 + k->sigma[1] * force1};
 }
 
+/* The least and the greatest w in phase C, which turns by `turn` and ends at wf.  Inside it w' = a - chi q vanishes only
+   where q > 0: in a valley at the angle u before the end, and on a hill at pi - u. */
+struct range {
+  double least, most;
+};
+
+TURN_INLINE struct range lane_force(const struct lane *x, double turn, double wf) {
+  const struct slip *k = &x->k;
+  double fast = k->chi * k->omc * x->r_end, r = x->n.pull * k->soft;
+  double s = fast > k->a ? k->a / fast : 1, c = sqrt((1 - s) * (1 + s)), u = turn_angle(s, c);
+  double w_u = x->n.w + k->a * (turn - u) / k->omc - k->chi * (x->r_end * c - r);
+  double w_pi = x->n.w + k->a * (turn - (PI - u)) / k->omc + k->chi * (x->r_end * c + r);
+  double least = x->n.w < wf ? x->n.w : wf, most = x->n.w < wf ? wf : x->n.w;
+  bool inner = fast > k->a, valley = inner & (u < turn) & (w_u < least), hill = inner & (PI - u < turn) & (w_pi > most);
+  return (struct range){valley ? w_u : least, hill ? w_pi : most};
+}
+
 TURN_INLINE bool in_domain(const double p[N_PARAMS]) {
   bool in = p[P_CHI] < 1;
   for (int i = 0; i < N_PARAMS; i++) in &= (p[i] > 0) & (p[i] < INFINITY);
@@ -152,15 +169,14 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   struct below early = lane_below(&x, &start, &middle, 0.5 * x.tc, false);
   struct below late = lane_below(&x, &middle, &x.n, 0.5 * x.tc, true);
   bool up = x.n.q > 0, below = early.first & late.first & (up | (early.second & late.second));
-  ok &= !(up & (k->chi * k->omc * x.r_end > k->a)); /* w could have its extremes inside phase C */
 
   double r = x.n.pull * k->soft, same = x.r_end * r > 0 ? x.r_end + r : 1;
   double turn = turn_angle(fabs(x.n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
   double left = x.r_end * r > 0 ? x.n.q * x.n.q * k->soft / same : x.r_end - r;
   double w = x.n.w - k->chi * left, slack = k->e1 - w, ta = slack / k->a - td, wf = w + k->a * td;
-  double most = x.n.w > wf ? x.n.w : wf, least = x.n.w < wf ? x.n.w : wf;
+  struct range range = lane_force(&x, turn, wf);
   double force = k->e1 + fabs(x.n.w) + fabs(wf);
-  double doubt_a = DOUBT * (force / k->a + td), doubt_w = DOUBT * force, room = k->e1 - most;
+  double doubt_a = DOUBT * (force / k->a + td), doubt_w = DOUBT * force, room = k->e1 - range.most;
   ok &= (fabs(ta) > doubt_a) & (fabs(room) > doubt_w);
 
   l->out[DYN_OUT_Z10][j] = (wf + k->chi * x.r_end) / k->ease;
@@ -171,7 +187,7 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   l->out[DYN_OUT_TD][j] = td;
   l->out[DYN_OUT_PERIOD][j] = x.tb + x.tc + slack / k->a;
   l->out[DYN_OUT_TRACE][j] = x.radius_tb / x.g.p;
-  l->out[DYN_OUT_U1][j] = 0.5 * (k->e1 - (least < k->e1 ? least : k->e1));
+  l->out[DYN_OUT_U1][j] = 0.5 * (k->e1 - (range.least < k->e1 ? range.least : k->e1));
   l->out[DYN_OUT_U2][j] = 0.5 * k->chi * x.g.rise;
   uint64_t broken = (ta < 0 ? UINT64_C(1) << COND_TA : 0) | (room < 0 ? UINT64_C(1) << COND_C_W : 0) |
                     (up ? UINT64_C(1) << COND_H_V2 | UINT64_C(1) << COND_C_V2 : 0);
