@@ -1,9 +1,7 @@
 /* The return map of r in double precision.
 
    t_b: the rise of phase Gamma is the same seen from its crest backwards, so only its first half is ever solved, from a
-   start in sin(t/2) that is good to some percent.  t_c: if m2 kept the belt's speed, phase H would go on as phase Gamma and
-   end at the crest of the rise; from there Householder's iteration, all of its derivatives being linear in the state, goes to
-   a root, and slip.c proves that none comes before it.  Of either event the sine and cosine are asked for
+   start in sin(t/2) that is good to some percent.  t_c: slip.c.  Of either event the sine and cosine are asked for
    once or twice and then moved.  Whatever does not work out is left to the walk of wave.c. */
 #include "stickslip/return_map.h"
 
@@ -19,15 +17,14 @@ struct rise_end {
   struct half_angle b;
 };
 
-/* The time in (0, fall/2 + a bit) at which the rise is g > 0: t = 2 asin y with
-   g = 2 e1 y^2 + (4/3) a y^3 (1 + 0.3 y^2 + ...). */
+/* The time in (0, 2 pi/3) or (0, fall/2) at which the rise is g > 0.  With y = sin(t/2) it is
+   2 e1 y^2 + (4/3) a y^3 (1 + 0.3 y^2 + ...): a start within some percent is y = s (1 + 0.8 z)/(1 + 1.3 z + 0.084 z^2),
+   s^2 = g/(2 e1), z = (2/3)(a/e1) s (1 + ...). */
 static bool first_half(struct rise_end *x, const struct slip *k, double g) {
-  double scale = 0.5 / k->e1, v = g * scale, slope = (4.0 / 3) * k->a * scale;
-  double y = sqrt(v / (1 + slope * sqrt(v / (1 + slope * sqrt(v)))));
-  double yy = y * y;
-  y = fmin(y / sqrt(1 + slope * y * yy * (0.3 + 0.4 * yy) / (1 + slope * y)), 1);
-  yy = y * y;
-  double t = 2 * y * (1 + yy * (1.0 / 6 + yy * (0.075 + yy * 0.12)));
+  double scale = 0.5 / k->e1, v = g * scale, s = sqrt(v), slope = (4.0 / 3) * k->a * scale;
+  double z = slope * s, y = s * (1 + 0.798 * z) / (1 + z * (1.298 + 0.084 * z));
+  y = y < 1 ? y : 1;
+  double yy = y * y, t = 2 * y * (1 + yy * (1.0 / 6 + yy * (0.075 + yy * 0.12)));
   struct half_angle b = half_angle(t);
   for (int i = 0; i < MOST_STEPS; i++) {
     struct gamma_end at = gamma_at(k, t, b);
@@ -42,15 +39,17 @@ static bool first_half(struct rise_end *x, const struct slip *k, double g) {
   return false;
 }
 
-/* The first time at which the rise is g > 0, and how far off the next crest is. */
-static bool rise_reaches(struct rise_end *x, double *ahead, const struct slip *k, double g) {
-  double tilt = atan2(k->a, k->e1), fall = PI + 2 * tilt, top = k->a * fall + 2 * k->e1, whole = 0;
+/* The first time at which the rise is g > 0. */
+static bool rise_reaches(struct rise_end *x, const struct slip *k, double g) {
+  if (g < 1.2283 * k->a + 1.5 * k->e1) return first_half(x, k, g); /* at 2 pi/3, where it is steep */
+  double fall = PI + 2 * atan2(k->a, k->e1), top = k->a * fall + 2 * k->e1, whole = 0;
   if (g > top) {
     double turn = 2 * PI * k->a;
     whole = ceil((g - top) / turn);
     g -= whole * turn;
   }
-  if (!(fabs(top - g) > SLIP_DOUBT * top && g > SLIP_DOUBT * whole * k->a)) return false; /* touches a crest */
+  /* touches a crest */
+  if (!(top - g > SLIP_DOUBT * top && g > SLIP_DOUBT * (top + whole * k->a))) return false;
   bool back = g > 0.5 * top;
   if (!first_half(x, k, back ? top - g : g)) return false;
   if (back) {
@@ -58,7 +57,6 @@ static bool rise_reaches(struct rise_end *x, double *ahead, const struct slip *k
     x->t = fall - x->t;
     x->b = (struct half_angle){c * x->b.c + s * x->b.s, c * x->b.s - s * x->b.c};
   }
-  *ahead = fall - x->t;
   x->t += 2 * PI * whole;
   return true;
 }
@@ -75,11 +73,10 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g, con
   struct slip_motion h = {.k = k};
   struct rise_end begin;
   struct stop end;
-  double ahead;
-  if (!rise_reaches(&begin, &ahead, k, g) || begin.t > lim->t_max) return false;
+  if (!rise_reaches(&begin, k, g) || begin.t > lim->t_max) return false;
   h.g = gamma_at(k, begin.t, begin.b);
   h.m = slip_modes(k, &h.g);
-  if (slip_first_root(&end, &h, ahead, lim->t_max)) return false;
+  if (slip_first_root(&end, &h, lim->t_max)) return false;
   double r_end = slip_radius(k, &end.n), td = slip_td(k, &end.n, r_end);
   double behind = slip_behind(k, &h.g, &h.m, end.x, end.t) / k->V;
   double defect = slip_gain(k, &end.n, r_end) + g;

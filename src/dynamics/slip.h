@@ -45,6 +45,11 @@ static inline double full_versine(struct half_angle x) {
   return 2 * x.s * x.s;
 }
 
+/* Without a call, as fmax is one. */
+static inline double larger(double x, double y) {
+  return x > y ? x : y;
+}
+
 /* What the parameters fix. */
 struct slip {
   double chi, V, e1, rb, pull_b; /* r and chi eta r at the end of phase Gamma */
@@ -206,7 +211,7 @@ static inline bool course_below(const struct course *x, const struct course *y, 
   double c1 = x->f + d0 * (1.0 / 6), c2 = x->f + d0 * (1.0 / 3) + dd0 * (1.0 / 30);
   double c5 = y->f - d1 * (1.0 / 6), c4 = y->f - d1 * (1.0 / 3) + dd1 * (1.0 / 30);
   double c3 = 0.5 * (x->f + y->f + 0.4 * (d0 - d1) + 0.05 * (dd0 + dd1)) + sixth * h6 * (1.0 / 14400);
-  double most = fmax(fmax(c1, c2), fmax(c3, fmax(c4, c5)));
+  double most = larger(larger(c1, c2), larger(c3, larger(c4, c5)));
   return x->f <= 0 && y->f <= 0 && most < -noise;
 }
 
@@ -251,9 +256,8 @@ struct stop {
 void stop_at(struct stop *x, const struct slip_motion *h, double t);
 /* Whether z'_mass < V between the start and the stop, which for mass 0 is a root; a time surely above V says no. */
 truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop *last);
-/* The first root of z_1' - V, proved to be that, and simple; with a time near which it may be.  SS_UNABLE: not so plain, or
-   beyond t_max. */
-int slip_first_root(struct stop *x, const struct slip_motion *h, double guess, double t_max);
+/* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or beyond t_max. */
+int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max);
 
 /* --- Phase C turns (r, q/omega) to the radius r_end. --- */
 
