@@ -15,7 +15,6 @@
 static const double NOISE = 64 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
 static const double PART_ANGLE = 1.25;    /* of the fast oscillation in a part of phase H */
-static const double DOUBT = 0x1p-30;      /* relative: what is nearer to zero has no sign */
 
 /* Everything at a pair (t_b, t_c), as in warm.c. */
 struct lane {
@@ -70,20 +69,15 @@ TURN_INLINE void lane_evaluate(struct lane *x) {
   const struct slip *k = &x->k;
   x->g = gamma_at(k, x->tb, x->b);
   x->m = slip_modes(k, &x->g);
-  struct slip_modes rate = slip_modes_rate(k, &x->g);
   x->n = slip_node(k, &x->m, &x->g, x->c);
-  double s0 = full_sine(x->c[0]), c0 = 1 - full_versine(x->c[0]), s1 = full_sine(x->c[1]),
-         c1 = 1 - full_versine(x->c[1]);
-  double speed0 = rate.a[0] * c0 - rate.b[0] * s0, speed1 = rate.a[1] * c1 - rate.b[1] * s1;
-  double force0 = k->om[0] * (rate.a[0] * s0 + rate.b[0] * c0), force1 = k->om[1] * (rate.a[1] * s1 + rate.b[1] * c1);
-  double q_tb = k->sigma[0] * speed0 + k->sigma[1] * speed1;
-  double r_tb = (k->sigma[0] * force0 + k->sigma[1] * force1) * k->soft, r = x->n.pull * k->soft;
+  struct change d = slip_change(k, &x->g, x->c);
+  double r = x->n.pull * k->soft;
   x->r = k->rb - x->g.rise;
   x->r_end = slip_radius(k, &x->n);
   x->defect = slip_gain(k, &x->n, x->r_end) + x->g.rise;
-  x->p_tb = speed0 + speed1;
+  x->p_tb = d.p;
   double per = 1 / x->r_end;
-  x->radius_tb = (r * r_tb + x->n.q * q_tb * k->soft) * per;
+  x->radius_tb = k->soft * (r * d.pull + x->n.q * d.q) * per;
   x->defect_tb = x->radius_tb - x->g.p;
   x->defect_tc = -r * x->n.p * per;
   double scale = 1 / (x->p_tb * x->defect_tc + x->n.w * x->defect_tb);
@@ -101,7 +95,8 @@ TURN_INLINE bool lane_converged(const struct lane *x, double guess_b, double gue
   double step_b = fabs(x->step[0]), step_c = fabs(x->step[1]), far_b = fabs(x->tb - guess_b);
   double far_c = fabs(x->tc - guess_c), q = fabs(x->n.q), radius = fabs(x->r_end);
   bool settled = (step_b <= NOISE * off_b) & (step_c <= NOISE * off_c);
-  bool posed = (off_b < WORST * x->tb) & (off_c < WORST * x->tc) & (q > DOUBT * k->V) & (radius > DOUBT * reach);
+  bool posed =
+      (off_b < WORST * x->tb) & (off_c < WORST * x->tc) & (q > SLIP_DOUBT * k->V) & (radius > SLIP_DOUBT * reach);
   bool near = (far_b < 0.5 * guess_b) & (far_c < 0.5 * guess_c) & (x->tb < 2 * PI) & (x->tc * k->om[1] < TURN_REACH);
   return settled & posed & near;
 }
@@ -117,8 +112,8 @@ TURN_INLINE struct below lane_below(const struct lane *x, const struct node *fro
   slip_bounds(sixth, size, &x->k, &x->m);
   struct course a = course_1(&x->k, from), b = course_1(&x->k, to), c = course_2(&x->k, from), d = course_2(&x->k, to);
   if (at_root) b.f = 0;
-  return (struct below){course_below(&a, &b, h, sixth[0], DOUBT * size[0]),
-                        course_below(&c, &d, h, sixth[1], DOUBT * size[1])};
+  return (struct below){course_below(&a, &b, h, sixth[0], SLIP_DOUBT * size[0]),
+                        course_below(&c, &d, h, sixth[1], SLIP_DOUBT * size[1])};
 }
 
 /* At half the time the whole angles are the half angles of the end. */
@@ -194,7 +189,7 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
 
   const struct slip *k = &x.k;
   bool ok = lane_converged(&x, l->guess[0][j], l->guess[1][j]);
-  ok &= -x.g.p > DOUBT * (k->a + k->e1) * x.b.s; /* before the first crest of the rise */
+  ok &= -x.g.p > SLIP_DOUBT * (k->a + k->e1) * x.b.s; /* before the first crest of the rise */
   struct node start = slip_start(k, &x.g), middle = lane_middle(&x);
   struct below early = lane_below(&x, &start, &middle, 0.5 * x.tc, false);
   struct below late = lane_below(&x, &middle, &x.n, 0.5 * x.tc, true);
@@ -202,7 +197,7 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
 
   struct close e = lane_close(&x);
   double force = k->e1 + fabs(x.n.w) + fabs(k->e1 - k->a * e.ta);
-  double doubt_a = DOUBT * (force / k->a + e.period), doubt_w = DOUBT * force;
+  double doubt_a = SLIP_DOUBT * (force / k->a + e.period), doubt_w = SLIP_DOUBT * force;
   ok &= (fabs(e.ta) > doubt_a) & (fabs(e.least) > doubt_w);
 
   l->out[DYN_OUT_Z10][j] = (k->e1 + k->chi * x.r) / k->ease - k->V * e.ta;
@@ -290,11 +285,11 @@ TURN_INLINE void march_part(struct march *m, double part, int j) {
   slip_bounds(sixth, size, k, &x.m);
   to.p *= inside; /* at the end the root itself */
   struct course a = course_1(k, &from), b = course_1(k, &to), c = course_2(k, &from), d = course_2(k, &to);
-  bool first = course_below(&a, &b, m->h[j], sixth[0], DOUBT * size[0]);
-  bool second = course_below(&c, &d, m->h[j], sixth[1], DOUBT * size[1]);
+  bool first = course_below(&a, &b, m->h[j], sixth[0], SLIP_DOUBT * size[0]);
+  bool second = course_below(&c, &d, m->h[j], sixth[1], SLIP_DOUBT * size[1]);
   m->below[j] *= here & !first ? 0 : 1;
   m->slow[j] *= here & !second ? 0 : 1;
-  m->above[j] += here & (to.q > DOUBT * size[1]) ? 1 : 0;
+  m->above[j] += here & (to.q > SLIP_DOUBT * size[1]) ? 1 : 0;
   m->p[j] = to.p;
   m->q[j] = to.q;
   m->w[j] = to.w;

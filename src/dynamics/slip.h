@@ -21,11 +21,12 @@ static inline struct half_angle half_angle(double x) {
   return (struct half_angle){sin(0.5 * x), cos(0.5 * x)};
 }
 
-/* The same of x + d, |d| < 2^-6: relative 2^-60. */
+/* The same of x + d, |d| < 1/4: the series err by less than 2^-58. */
+#define HALF_ANGLE_NEAR 0.25
 static inline struct half_angle half_angle_move(struct half_angle x, double d) {
   double h = 0.5 * d, hh = h * h;
-  double sine = h * (1 - hh * (1.0 / 6 - hh * (1.0 / 120 - hh * (1.0 / 5040))));
-  double versine = hh * (0.5 - hh * (1.0 / 24 - hh * (1.0 / 720)));
+  double sine = h - h * hh * ((1.0 / 6 - hh * (1.0 / 120)) + hh * hh * (1.0 / 5040 - hh * (1.0 / 362880)));
+  double versine = hh * ((0.5 - hh * (1.0 / 24)) + hh * hh * (1.0 / 720 - hh * (1.0 / 40320)));
   return (struct half_angle){x.s + (x.c * sine - x.s * versine), x.c - (x.s * sine + x.c * versine)};
 }
 
@@ -140,14 +141,6 @@ static inline struct slip_modes slip_modes(const struct slip *k, const struct ga
                               (k->own[1] * g->w - k->cross * k->pull_b) * k->inverse[1]}};
 }
 
-/* Their derivatives by t_b, r at its end being fixed. */
-static inline struct slip_modes slip_modes_rate(const struct slip *k, const struct gamma_end *g) {
-  return (struct slip_modes){
-      {-k->own[0] * g->w, -k->own[1] * g->w},
-      {k->own[0] * g->dw * k->inverse[0], k->own[1] * g->dw * k->inverse[1]},
-  };
-}
-
 /* A time in phase H: velocities over the belt's, w, and pull = chi eta r; how far pull has come, and the sum of pull there and
    at the start. */
 struct node {
@@ -174,6 +167,23 @@ static inline struct node slip_node(const struct slip *k, const struct slip_mode
                        k->pull_b + pull,
                        pull,
                        sum[0] + sum[1]};
+}
+
+/* Derivatives by t_b at a fixed time. */
+struct change {
+  double p, q, pull;
+};
+
+static inline struct change slip_change(const struct slip *k, const struct gamma_end *g, const struct half_angle x[2]) {
+  double speed[2], force[2];
+  for (int i = 0; i < 2; i++) { /* r at the end of phase Gamma is fixed */
+    double a = -k->own[i] * g->w, b = k->own[i] * g->dw * k->inverse[i];
+    double sine = full_sine(x[i]), cosine = 1 - full_versine(x[i]);
+    speed[i] = a * cosine - b * sine;
+    force[i] = k->om[i] * (a * sine + b * cosine);
+  }
+  return (struct change){speed[0] + speed[1], k->sigma[0] * speed[0] + k->sigma[1] * speed[1],
+                         k->sigma[0] * force[0] + k->sigma[1] * force[1]};
 }
 
 /* --- First roots. ---
@@ -217,6 +227,36 @@ static inline void slip_bounds(double sixth[2], double size[2], const struct sli
   sixth[0] = bent[0] + bent[1];
   sixth[1] = fabs(k->sigma[0]) * bent[0] + fabs(k->sigma[1]) * bent[1];
 }
+
+/* A step to a simple root of f, from its derivatives: what is left is of the fourth order. */
+static inline double quartic_step(double f, double f1, double f2, double f3) {
+  double slope = f1 * f1, bend = f * f2;
+  return -f * (6 * slope - 3 * bend) / (f1 * (6 * slope - 6 * bend) + f * f * f3);
+}
+
+/* --- slip.c --- */
+
+/* Phase H from one end of phase Gamma. */
+struct slip_motion {
+  const struct slip *k;
+  struct gamma_end g;
+  struct slip_modes m;
+};
+/* A time in it, the half angles there and the node. */
+struct stop {
+  double t;
+  struct half_angle x[2];
+  struct node n;
+};
+
+/* What is nearer to zero than this part of its size has no sign. */
+#define SLIP_DOUBT 0x1p-30
+
+void stop_at(struct stop *x, const struct slip_motion *h, double t);
+/* Whether z'_mass < V between the start and the stop, which for mass 0 is a root; a time surely above V says no. */
+truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop *last);
+/* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or beyond t_max. */
+int slip_first_root(struct stop *x, const struct slip_motion *h, double t_max);
 
 /* --- Phase C turns (r, q/omega) to the radius r_end. --- */
 
