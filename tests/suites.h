@@ -32,6 +32,7 @@ Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *turn_suite(void);
+Suite *batch_suite(void);
 Suite *bench_suite(void);
 
 #endif

@@ -210,13 +210,15 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   l->out[DYN_OUT_TRACE][j] = x.radius_tb / x.g.p;
   l->out[DYN_OUT_U1][j] = e.most > 0 ? 0.5 * e.most : 0;
   l->out[DYN_OUT_U2][j] = 0.5 * k->chi * x.g.rise;
-  double broken = (e.ta < 0 ? 1 << COND_TA : 0) + (e.least < 0 ? 1 << COND_C_W : 0);
-  broken += up ? 1 << COND_H_V2 | 1 << COND_C_V2 : 0;
+  const double no_ta = 1 << COND_TA, no_w = 1 << COND_C_W, no_v2 = 1 << COND_H_V2 | 1 << COND_C_V2;
+  const double fine = SS_OK, outside = SS_DOMAIN,
+               unable = SS_UNABLE; /* as numbers: SSE2 has no masks for integers of 64 bits */
+  double broken = (e.ta < 0 ? no_ta : 0.0) + (e.least < 0 ? no_w : 0.0) + (up ? no_v2 : 0.0);
   bool in = in_domain(p);
   ok &= in;
-  l->broken[j] = ok ? broken : 0;
-  l->status[j] = !in ? SS_DOMAIN : ok & below ? SS_OK : SS_UNABLE;
-  l->parts[j] = ok & !below ? (x.tc * k->om[1]) * (1 / PART_ANGLE) + 1 : 0;
+  l->broken[j] = ok ? broken : 0.0;
+  l->status[j] = !in ? outside : (ok & below) ? fine : unable;
+  l->parts[j] = (ok & !below) ? (x.tc * k->om[1]) * (1 / PART_ANGLE) + 1 : 0.0;
 }
 
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
@@ -287,9 +289,9 @@ TURN_INLINE void march_part(struct march *m, double part, int j) {
   struct course a = course_1(k, &from), b = course_1(k, &to), c = course_2(k, &from), d = course_2(k, &to);
   bool first = course_below(&a, &b, m->h[j], sixth[0], SLIP_DOUBT * size[0]);
   bool second = course_below(&c, &d, m->h[j], sixth[1], SLIP_DOUBT * size[1]);
-  m->below[j] *= here & !first ? 0 : 1;
-  m->slow[j] *= here & !second ? 0 : 1;
-  m->above[j] += here & (to.q > SLIP_DOUBT * size[1]) ? 1 : 0;
+  m->below[j] *= (here & !first) ? 0 : 1;
+  m->slow[j] *= (here & !second) ? 0 : 1;
+  m->above[j] += (here & (to.q > SLIP_DOUBT * size[1])) ? 1 : 0;
   m->p[j] = to.p;
   m->q[j] = to.q;
   m->w[j] = to.w;
