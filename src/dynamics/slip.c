@@ -1,14 +1,14 @@
 /* First roots in phase H by nodes.
 
-   A stretch of two radians or so of the fast mode between two nodes is decided at once (slip.h).  Nodes are marched from the
+   A stretch of a radian or two of the fast mode between two nodes is decided at once (slip.h).  Nodes are marched from the
    start, each turned from the one before, until one lies above zero; there Householder's iteration goes to the root, all
    of its derivatives being linear in the state.  A stretch that stays open is halved. */
 #include "slip.h"
 
 enum { MOST_NODES = 96, MOST_STEPS = 8 };
 static const double SETTLED = 0x1p-13; /* of an angle: the error after a step of this size is its fourth power */
-static const double STRIDE = 2.2;      /* between nodes, of the angle of the fast mode; ... */
-static const struct half_angle STRIDE_TURN = {0.8912073600614353, 0.4535961214255774}; /* ... sine and cosine of 1.1 */
+static const double STRIDE = 1.5;      /* between nodes, of the angle of the fast mode; ... */
+static const struct half_angle STRIDE_TURN = {0.6816387600233341, 0.7316888688738209}; /* ... sine and cosine of 0.75 */
 
 void stop_at(struct stop *x, const struct slip_motion *h, double t) {
   x->t = t;
