@@ -207,9 +207,19 @@ static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
       "Newton's iteration on the suite's return map / the suite's orbit from a guess");
 }
 
+static void sweep_ratios(struct bench_result *r) {
+  struct bench_lanes b;
+  bench_lanes(&b);
+  for (int i = 0; i < b.n; i++)
+    add(r, b.gain[i], false, strcmp(b.set[i], "baseline") == 0 ? NAN : 4,
+        "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
+  add(r, b.two, false, 1.8, "sweep in lanes: one thread / two");
+}
+
 void bench_ratios(struct bench_result *r) {
   const struct bench_table *map = table_of(r, &bench_map), *orbit = table_of(r, &bench_orbit);
   if (map) map_ratios(r, map);
   if (map) growth_ratio(r);
   if (orbit) orbit_ratios(r, orbit);
+  if (orbit) sweep_ratios(r);
 }
