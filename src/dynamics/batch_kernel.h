@@ -14,7 +14,7 @@
 
 static const double NOISE = 64 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
-static const double PART_ANGLE = 1.25;    /* of the fast oscillation in a part of phase H */
+static const double PART_ANGLE = 2.0;     /* of the fast oscillation in a part of phase H */
 
 /* Everything at a pair (t_b, t_c), as in warm.c. */
 struct lane {
@@ -24,8 +24,8 @@ struct lane {
   struct gamma_end g;
   struct slip_modes m;
   struct node n;
-  double r, r_end, defect;
-  double p_tb, radius_tb, defect_tb, defect_tc;
+  double r, r_end;
+  double p_tb, turn_tb, defect_tb; /* by t_b; the last two times r_end, turn_tb that of r_end */
   double step[2];
 };
 
@@ -64,8 +64,9 @@ TURN_INLINE void lane_move(struct lane *x) {
   x->c[1] = half_angle_move(x->c[1], x->k.om[1] * x->step[1]);
 }
 
-/* The equations, their derivatives and Newton's step. */
-TURN_INLINE void lane_evaluate(struct lane *x) {
+/* The equations, their derivatives and Newton's step; that of r_end is multiplied by r_end, which saves divisions.  exact:
+   with the defect formed from changes. */
+TURN_INLINE void lane_evaluate(struct lane *x, bool exact) {
   const struct slip *k = &x->k;
   x->g = gamma_at(k, x->tb, x->b);
   x->m = slip_modes(k, &x->g);
@@ -74,29 +75,27 @@ TURN_INLINE void lane_evaluate(struct lane *x) {
   double r = x->n.pull * k->soft;
   x->r = k->rb - x->g.rise;
   x->r_end = slip_radius(k, &x->n);
-  x->defect = slip_gain(k, &x->n, x->r_end) + x->g.rise;
+  double defect = x->r_end * (exact ? slip_gain(k, &x->n, x->r_end) + x->g.rise : x->r_end - x->r);
   x->p_tb = d.p;
-  double per = 1 / x->r_end;
-  x->radius_tb = k->soft * (r * d.pull + x->n.q * d.q) * per;
-  x->defect_tb = x->radius_tb - x->g.p;
-  x->defect_tc = -r * x->n.p * per;
-  double scale = 1 / (x->p_tb * x->defect_tc + x->n.w * x->defect_tb);
-  x->step[0] = -(x->defect_tc * x->n.p + x->n.w * x->defect) * scale;
-  x->step[1] = -(x->p_tb * x->defect - x->defect_tb * x->n.p) * scale;
+  x->turn_tb = k->soft * (r * d.pull + x->n.q * d.q);
+  x->defect_tb = x->turn_tb - x->r_end * x->g.p;
+  double defect_tc = -r * x->n.p, scale = 1 / (x->p_tb * defect_tc + x->n.w * x->defect_tb);
+  x->step[0] = -(defect_tc * x->n.p + x->n.w * defect) * scale;
+  x->step[1] = -(x->p_tb * defect - x->defect_tb * x->n.p) * scale;
 }
 
-/* Another step would be rounding, and rounding leaves digits. */
+/* Another step would be rounding, and rounding leaves digits: t_b is off by units of all_b/steep_b, t_c of all_c/steep_c. */
 TURN_INLINE bool lane_converged(const struct lane *x, double guess_b, double guess_c) {
   const struct slip *k = &x->k;
-  double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) / k->omc;
-  double size = fabs(x->m.a[0]) + fabs(x->m.b[0]) + fabs(x->m.a[1]) + fabs(x->m.b[1]);
-  double off_b = (reach + fabs(x->r) + k->rb + x->g.rise) / fabs(x->defect_tb);
-  double off_c = (size + fabs(x->g.p) + fabs(x->p_tb) * off_b) / fabs(x->n.w);
+  double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) * (k->soft * k->omc), radius = fabs(x->r_end);
+  double size = fabs(x->m.a[0]) + fabs(x->m.b[0]) + fabs(x->m.a[1]) + fabs(x->m.b[1]) + fabs(x->g.p);
+  double steep_b = fabs(x->defect_tb), all_b = (reach + fabs(x->r) + k->rb + x->g.rise) * radius;
+  double steep_c = fabs(x->n.w) * steep_b, all_c = size * steep_b + fabs(x->p_tb) * all_b;
   double step_b = fabs(x->step[0]), step_c = fabs(x->step[1]), far_b = fabs(x->tb - guess_b);
-  double far_c = fabs(x->tc - guess_c), q = fabs(x->n.q), radius = fabs(x->r_end);
-  bool settled = (step_b <= NOISE * off_b) & (step_c <= NOISE * off_c);
-  bool posed =
-      (off_b < WORST * x->tb) & (off_c < WORST * x->tc) & (q > SLIP_DOUBT * k->V) & (radius > SLIP_DOUBT * reach);
+  double far_c = fabs(x->tc - guess_c), q = fabs(x->n.q);
+  bool settled = (step_b * steep_b <= NOISE * all_b) & (step_c * steep_c <= NOISE * all_c);
+  bool posed = (all_b < WORST * (x->tb * steep_b)) & (all_c < WORST * (x->tc * steep_c)) & (q > SLIP_DOUBT * k->V) &
+               (radius > SLIP_DOUBT * reach);
   bool near = (far_b < 0.5 * guess_b) & (far_c < 0.5 * guess_c) & (x->tb < 2 * PI) & (x->tc * k->om[1] < TURN_REACH);
   return settled & posed & near;
 }
@@ -145,18 +144,18 @@ TURN_INLINE struct close lane_close(const struct lane *x) {
   double both = x->r_end + r, left = x->r_end * r > 0 ? x->n.q * x->n.q * k->soft / both : x->r_end - r;
   double sine = full_sine(x->b), versine = full_versine(x->b), change = x->n.w - x->g.w;
   double short_c = (k->e1 * versine - k->a * sine) - change, slack = short_c + k->chi * left;
-  double behind = slip_behind(k, &x->g, &x->m, x->c, x->tc) / k->V, others = x->tb + x->tc;
+  double behind = slip_behind(k, &x->g, &x->m, x->c, x->tc), others = x->tb + x->tc;
   double size = k->e1 * versine + k->a * fabs(sine) + fabs(x->n.w) + fabs(x->g.w) + k->chi * (fabs(r) + fabs(x->r_end));
   bool by_force = size < k->a * others;
-  double ta = by_force ? slack / k->a - td : (behind - others) - td;
-  double period = by_force ? others + slack / k->a : behind;
+  double time = (by_force ? slack : behind) / (by_force ? k->a : k->V);
+  double ta = (by_force ? time : time - others) - td, period = by_force ? others + time : time;
 
-  double fast = k->chi * k->omc * x->r_end, end = k->a * ta, way = k->a / k->omc;
-  double s = fast > k->a ? k->a / fast : 1, c = sqrt((1 - s) * (1 + s)), u = turn_angle(s, c), pull = k->chi * x->r_end;
-  double valley = end + (way * u - pull * (s * s / (1 + c))), hill = end + (way * (PI - u) - pull * (1 + c));
+  double fast = k->chi * k->omc * x->r_end, end = k->a * ta, slow = k->soft * k->omc;
+  bool inner = fast > k->a;
+  double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = turn_angle(k->a, root);
+  double valley = end + slow * k->a * (u - k->a / (fast + root)), hill = end + slow * (k->a * (PI - u) - (fast + root));
   double least = short_c < end ? short_c : end, most = short_c < end ? end : short_c;
-  bool in_valley = (fast > k->a) & (u < turn) & (valley > most),
-       on_hill = (fast > k->a) & (PI - u < turn) & (hill < least);
+  bool in_valley = inner & (u < turn) & (valley > most), on_hill = inner & (PI - u < turn) & (hill < least);
   return (struct close){td, ta, period, on_hill ? hill : least, in_valley ? valley : most};
 }
 
@@ -175,17 +174,19 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   x.tc = l->guess[1][j];
   struct half_angle at[3];
   lane_turn(at, &x);
-  lane_place(&x, at, 0, 0);
-  lane_evaluate(&x);
+  x.b = at[0];
+  x.c[0] = at[1];
+  x.c[1] = at[2];
+  lane_evaluate(&x, false);
   lane_move(&x);
-  lane_evaluate(&x);
+  lane_evaluate(&x, false);
   lane_step(&x);
   lane_turn(at, &x);
   lane_place(&x, at, 0, 0);
-  lane_evaluate(&x);
+  lane_evaluate(&x, true);
   lane_place(&x, at, x.step[0], x.step[1]);
   lane_step(&x);
-  lane_evaluate(&x);
+  lane_evaluate(&x, true);
 
   const struct slip *k = &x.k;
   bool ok = lane_converged(&x, l->guess[0][j], l->guess[1][j]);
@@ -197,8 +198,8 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
 
   struct close e = lane_close(&x);
   double force = k->e1 + fabs(x.n.w) + fabs(k->e1 - k->a * e.ta);
-  double doubt_a = SLIP_DOUBT * (force / k->a + e.period), doubt_w = SLIP_DOUBT * force;
-  ok &= (fabs(e.ta) > doubt_a) & (fabs(e.least) > doubt_w);
+  double way = k->a * fabs(e.ta), room = fabs(e.least);
+  ok &= (way > SLIP_DOUBT * (force + k->a * e.period)) & (room > SLIP_DOUBT * force);
 
   l->out[DYN_OUT_Z10][j] = (k->e1 + k->chi * x.r) / k->ease - k->V * e.ta;
   l->out[DYN_OUT_Z20][j] = (k->e1 + x.r) / k->ease - k->V * e.ta;
@@ -207,7 +208,7 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   l->out[DYN_OUT_TC][j] = x.tc;
   l->out[DYN_OUT_TD][j] = e.td;
   l->out[DYN_OUT_PERIOD][j] = e.period;
-  l->out[DYN_OUT_TRACE][j] = x.radius_tb / x.g.p;
+  l->out[DYN_OUT_TRACE][j] = x.turn_tb / (x.r_end * x.g.p);
   l->out[DYN_OUT_U1][j] = e.most > 0 ? 0.5 * e.most : 0;
   l->out[DYN_OUT_U2][j] = 0.5 * k->chi * x.g.rise;
   const double no_ta = 1 << COND_TA, no_w = 1 << COND_C_W, no_v2 = 1 << COND_H_V2 | 1 << COND_C_V2;
