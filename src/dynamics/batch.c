@@ -11,7 +11,11 @@
 
 enum { MOST_PARTS = 256, FINER = 4 };
 
-#define FLAT __attribute__((flatten))
+#if defined(__GNUC__)
+#define FLAT __attribute__((flatten)) /* all of a loop's calls are inlined, or it is not vectorised */
+#else
+#define FLAT
+#endif
 
 #if defined(__GNUC__) && defined(__x86_64__)
 #if defined(__clang__)
