@@ -10,7 +10,7 @@
 
 enum { MOST_STEPS = 16 };
 static const double SETTLED = 0x1p-27; /* relative: the step after one of this size is rounding */
-static const double WORST = 0x1p20;    /* times rounding: how far off t_b or t_c may be in relative terms */
+static const double WORST = 0x1p8;     /* times rounding: how far off t_b, t_c or the positions may be, relatively */
 
 /* Everything at a pair (t_b, t_c). */
 struct point {
@@ -61,14 +61,17 @@ static void newton_step(double step[2], const struct point *x) {
   step[1] = -(x->p_tb * x->defect - x->defect_tb * x->n.p) * per;
 }
 
-/* Rounding moves t_b and t_c by no more than a part that leaves digits. */
+/* Whether rounding in the two equations moves t_b and t_c by little. */
 static bool well_posed(const struct point *x, const struct slip *k) {
-  double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) / k->omc, size = 0;
+  const struct node *n = &x->n;
+  double size = 0, reach = fabs(x->r_end), noise = reach;
+  if (x->r_end > 0) /* as in slip_gain */
+    noise = k->soft * (fabs(n->pull_change * n->pull_sum) * k->soft + n->q * n->q) / (x->r_end + k->rb);
   for (int i = 0; i < 2; i++) size += fabs(x->h.m.a[i]) + fabs(x->h.m.b[i]);
-  double off_b = (reach + fabs(x->r) + k->rb + x->h.g.rise) / fabs(x->defect_tb);
-  double off_c = (size + fabs(x->h.g.p) + fabs(x->p_tb) * off_b) / fabs(x->n.w);
-  return off_b < WORST * x->tb && off_c < WORST * x->tc && fabs(x->n.q) > SLIP_DOUBT * k->V &&
-         fabs(x->r_end) > SLIP_DOUBT * reach;
+  double off_b = (noise + x->h.g.rise) / fabs(x->defect_tb);
+  double off_c = (size + fabs(x->p_tb) * off_b) / fabs(n->w);
+  return off_b < WORST * x->tb && off_c < WORST * x->tc && fabs(n->q) > SLIP_DOUBT * k->omc * reach &&
+         fabs(n->q) > SLIP_DOUBT * size;
 }
 
 /* Newton's iteration; the times stay within a factor of two of the guess. */
@@ -91,26 +94,27 @@ static bool converge(struct point *x, const struct slip *k, const double guess[2
   return false;
 }
 
-static void put_outputs(double out[N_DYN_OUT], const struct point *x, const struct slip *k) {
+/* false where the positions, 1/(1 - chi) of a small difference, are lost. */
+static bool put_outputs(double out[N_DYN_OUT], const struct point *x, const struct slip *k) {
   double period = slip_behind(k, &x->h.g, &x->h.m, x->c, x->tc) / k->V, td = slip_td(k, &x->n, x->r_end);
   double ta = ((period - x->tb) - x->tc) - td;
-  out[DYN_OUT_Z10] = (k->e1 + k->chi * x->r_end) / k->ease - k->V * ta;
-  out[DYN_OUT_Z20] = (k->e1 + x->r_end) / k->ease - k->V * ta;
+  double z10 = (k->e1 + k->chi * x->r_end) / k->ease - k->V * ta, z20 = z10 + x->r_end;
+  out[DYN_OUT_Z10] = z10;
+  out[DYN_OUT_Z20] = z20;
   out[DYN_OUT_TA] = ta;
   out[DYN_OUT_TB] = x->tb;
   out[DYN_OUT_TC] = x->tc;
   out[DYN_OUT_TD] = td;
   out[DYN_OUT_PERIOD] = period;
   out[DYN_OUT_TRACE] = x->radius_tb / x->h.g.p;
+  return k->e1 + fabs(x->r_end) < WORST * k->ease * larger(fabs(z10), fabs(z20));
 }
 
 int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]) {
   struct slip k;
   struct point x;
   if (!slip_init(&k, params)) return SS_DOMAIN;
-  if (!converge(&x, &k, guess)) return SS_UNABLE;
-  put_outputs(out, &x, &k);
-  return SS_OK;
+  return converge(&x, &k, guess) && put_outputs(out, &x, &k) ? SS_OK : SS_UNABLE;
 }
 
 /* --- Conditions. --- */
@@ -152,8 +156,7 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   double range[2];
   *violations = *unsure = 0;
   if (!slip_init(&k, params)) return SS_DOMAIN;
-  if (!converge(&x, &k, guess)) return SS_UNABLE;
-  put_outputs(out, &x, &k);
+  if (!(converge(&x, &k, guess) && put_outputs(out, &x, &k))) return SS_UNABLE;
   /* before the first crest of the rise z_1' < V in phase Gamma, and t_b is a first root */
   if (exceeds(-x.h.g.p, SLIP_DOUBT * (k.a + k.e1) * x.b.s) != TRUTH_TRUE) return SS_UNABLE;
   const struct stop end = {x.tc, {x.c[0], x.c[1]}, x.n};
