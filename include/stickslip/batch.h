@@ -10,7 +10,7 @@
 #include "stickslip/warm.h"
 
 /* The orbits near guess[0][j] = t_b, guess[1][j] = t_c; three steps of Newton's iteration go from there, so that a guess
-   within a thousandth is good enough.  For each point j < n:
+   within some ten-thousandths is good enough.  For each point j < n:
    status[j] = SS_OK: out[...][j] and violations[j] are what dyn_orbit_warm gives with nothing unsure, but for rounding.
    SS_DOMAIN: outside the domain of dynamics.h.
    SS_UNABLE: ask dyn_orbit_warm; this alone says nothing about the point (the guess was too far off for the steps, or a

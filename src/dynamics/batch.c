@@ -119,7 +119,7 @@ static void fill(struct lanes *l, const struct points *p, const slong *point, sl
 
 static void solve(struct open *open, const struct points *p, slong first, slong n, const struct set *set) {
   struct lanes l;
-  slong point[LANES];
+  slong point[LANES] = {first};
   for (slong j = 0; j < n; j++) point[j] = first + j;
   fill(&l, p, point, n);
   set->run(&l);

@@ -12,7 +12,7 @@
 #include "slip.h"
 #include "turn.h"
 
-static const double NOISE = 64 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
+static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
 static const double PART_ANGLE = 2.0;     /* of the fast oscillation in a part of phase H */
 
@@ -166,12 +166,10 @@ TURN_INLINE bool in_domain(const double p[N_PARAMS]) {
 }
 
 TURN_INLINE void lane_run(struct lanes *l, int j) {
-  struct lane x;
+  struct lane x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
   double p[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
   slip_set(&x.k, p);
-  x.tb = l->guess[0][j];
-  x.tc = l->guess[1][j];
   struct half_angle at[3];
   lane_turn(at, &x);
   x.b = at[0];
@@ -225,11 +223,10 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
 
 TURN_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
-  struct lane x;
+  struct lane x = {.tb = l->out[DYN_OUT_TB][j]};
   double p[N_PARAMS], parts = l->parts[j];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
   slip_set(&x.k, p);
-  x.tb = l->out[DYN_OUT_TB][j];
   x.b = lane_half(x.tb);
   x.g = gamma_at(&x.k, x.tb, x.b);
   x.m = slip_modes(&x.k, &x.g);
