@@ -45,6 +45,11 @@ static inline double full_versine(struct half_angle x) {
   return 2 * x.s * x.s;
 }
 
+/* Without a call, as fmax is one. */
+static inline double larger(double x, double y) {
+  return x > y ? x : y;
+}
+
 /* What the parameters fix. */
 struct slip {
   double chi, V, e1, rb, pull_b; /* r and chi eta r at the end of phase Gamma */

@@ -4,13 +4,13 @@
    modulo 4; pi/2 is taken off in three pieces, of which k times the first two is exact.  Polynomials (minimax, leading
    coefficients rounded first) give sin and 1 - cos of r; k chooses, swaps and changes signs through bits.
 
-   For |x| <= TURN_REACH, with u = 2^-53: sine and cosine are within 2.4 u |their value| + 2^-97 (that of the reduction:
+   For |x| <= TURN_REACH, with u = 2^-53: sine and cosine are within 1.7 u |their value| + 2^-97 (that of the reduction:
    three roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9), the others as told at struct turn.
    check_turn.c proves it: truncation in balls, rounding operation by operation.  For other x, NaN and infinities too, the
    results have no meaning, and nothing traps: the caller asks |x| <= TURN_REACH.
 
    Only +, -, *, bit operations and, of comparisons, one: the bits of the results are the same at any width of vectors as
-   long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 60. */
+   long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 65. */
 #ifndef STICKSLIP_TURN_H
 #define STICKSLIP_TURN_H
 
@@ -28,7 +28,7 @@
 struct turn {
   double sine, cosine;
   double
-      versine; /* 1 - cosine: within 3.4 u of its value, relatively, for 2^-300 < |x| < pi/4; elsewhere within 2.6 u */
+      versine; /* 1 - cosine: within 2.3 u of its value, relatively, for 2^-300 < |x| < pi/4; elsewhere within 2.6 u */
   double excess; /* x - sine: within 4.2 u, relatively, there; elsewhere within u (|x| + 1.6) */
 };
 
