@@ -339,6 +339,29 @@ START_TEST(worst_arguments) {
 }
 END_TEST
 
+/* The angle of a point: measured, in all octants and next to the multiples of pi/8, where its parts change. */
+START_TEST(angles) {
+  double worst = 0;
+  mpfr_t x, y;
+  uint64_t state = 22;
+  mpfr_inits2(200, x, y, (mpfr_ptr)NULL);
+  for (int i = 0; i < 60000; i++) {
+    double angle = i % 2 == 0 ? 3.14159 * uniform(&state) : (double)(i % 18 / 2) * 0.39269908169872414;
+    double size = ldexp(1, (int)(uniform(&state) * 40) - 20),
+           near = i % 3 == 0 ? 0 : ldexp(uniform(&state) - 0.5, -(i % 50));
+    double across = size * cos(angle + near), up = fabs(size * sin(angle + near));
+    mpfr_set_d(x, across, MPFR_RNDN);
+    mpfr_set_d(y, up, MPFR_RNDN);
+    mpfr_atan2(y, y, x, MPFR_RNDN);
+    if (up > 0) worst = fmax(worst, miss(turn_angle(up, across), y, mpfr_get_d(y, MPFR_RNDA)));
+  }
+  mpfr_clears(x, y, (mpfr_ptr)NULL);
+  ck_assert_msg(worst < 4, "%g units", worst);
+  ck_assert(turn_angle(0, 1) == 0 && turn_angle(1, 0) == 0x1.921fb54442d18p+0 &&
+            turn_angle(0, -1) == 0x1.921fb54442d18p+1);
+}
+END_TEST
+
 START_TEST(edges) {
   struct turn zero = turn_of(0), less = turn_of(-0.0);
   ck_assert(zero.sine == 0 && zero.cosine == 1 && zero.versine == 0 && zero.excess == 0);
@@ -359,6 +382,7 @@ Suite *turn_suite(void) {
   tcase_add_test(c, the_proof_is_about_the_code);
   tcase_add_test(c, random_arguments);
   tcase_add_test(c, worst_arguments);
+  tcase_add_test(c, angles);
   tcase_add_test(c, edges);
   suite_add_tcase(s, c);
   return s;
