@@ -14,6 +14,7 @@
 #include "dynamics/dyn_impl.h"
 #include "stickslip/arena.h"
 #include "stickslip/paper_route.h"
+#include "stickslip/warm.h"
 
 enum { OUT_TA, OUT_TB, OUT_TC, OUT_TD, OUT_Z10, OUT_Z20, OUT_TRACE, N_ORBIT_OUT };
 static const int groups[N_ORBIT_OUT] = {0, 0, 0, 0, 1, 1, 2};
@@ -111,6 +112,35 @@ static int run_return_map(void *self, struct num_vec *out, long *steps, const st
 }
 
 /* --- In (t_b, t_c), r being what t_b makes it. --- */
+
+typedef int (*warm_solver)(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]);
+
+static int run_warm(warm_solver solve_near, double *o, long *steps, const double *params) {
+  static const enum dyn_output wanted[N_ORBIT_OUT] = {DYN_OUT_TA,  DYN_OUT_TB,  DYN_OUT_TC,   DYN_OUT_TD,
+                                                      DYN_OUT_Z10, DYN_OUT_Z20, DYN_OUT_TRACE};
+  double out[N_DYN_OUT];
+  const double guess[2] = {printed[PR_TB], printed[PR_TC]};
+  int status = solve_near(out, params, guess);
+  *steps = 1;
+  for (int i = 0; i < N_ORBIT_OUT && !status; i++) o[i] = out[wanted[i]];
+  return status;
+}
+
+static int run_bare(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  return run_warm(dyn_orbit_bare, (double *)(void *)out->data, steps, c->x);
+}
+
+static int warm_admissible(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]) {
+  unsigned violations, unsure;
+  int status = dyn_orbit_warm(out, &violations, &unsure, params, guess);
+  return status ? status : violations | unsure ? SS_UNABLE : SS_OK;
+}
+
+static int run_judged(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
+  (void)self;
+  return run_warm(warm_admissible, (double *)(void *)out->data, steps, c->x);
+}
 
 static void from_pass(double *o, const struct yardstick_pass *s, const struct yardstick *k) {
   double wf = s->wc + k->a * s->td - k->chi * (s->r_end - s->rc);
@@ -283,6 +313,9 @@ static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
 static const struct bench_method methods[] = {
     {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double, .bare = true,
      .run = run_hand},
+    {"from-guess", "the suite's orbit from a guess of t_b and t_c in double", .type = &num_double, .run = run_bare},
+    {"from-guess-judged", "the same with its first roots proved and every condition checked", .type = &num_double,
+     .run = run_judged},
     {"return-map", "Newton's iteration on the suite's return map of r in double", .type = &num_double,
      .run = run_return_map},
     {"gsl-newton", "GSL's newton on six unknowns, derivatives given", SOLVER("newton")},

@@ -91,6 +91,17 @@ typedef int (*bench_phase_run)(double *t, void *self, double y[N_Y], long *steps
 int bench_motion_pass(double t[3], double *r_end, long *steps, struct bench_motion *m, const double *params, double r,
                       bench_phase_run run, void *self);
 
+/* --- lanes.c: a sweep by the scalar solver and in lanes. --- */
+
+enum { MOST_SETS = 4 };
+struct bench_lanes {
+  int n;
+  const char *set[MOST_SETS]; /* instruction sets that the machine has, the widest first; on one core, */
+  double gain[MOST_SETS];     /* the scalar solver's time over the lanes' */
+  double two;                 /* the widest on one thread over two */
+};
+void bench_lanes(struct bench_lanes *b);
+
 /* --- cvode.c: SUNDIALS' CVODE with its own rootfinding; the method's data is "adams" or "bdf". --- */
 
 #ifdef STICKSLIP_SUNDIALS

@@ -253,14 +253,27 @@ static void growth_ratio(struct bench_result *r) {
   add(r, value, true, 1, "growth of the MPFR map from 1000 to 10000 digits / that of mpfr_sin_cos");
 }
 
+/* GSL's solvers start from the same guess, and get the multiplier from the same formulas. */
 static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
-  double suite = time_of(t, "return-map", NAN), hand = time_of(t, "hand-written", NAN);
-  add(r, time_of(t, "gsl-newton", NAN) / suite, false, 9,
-      "GSL's newton on six unknowns / the suite's orbit and multiplier");
-  add(r, time_of(t, "gsl-hybrids", NAN) / suite, false, 15, "GSL's hybrids / the suite's orbit and multiplier");
-  add(r, time_of(t, "gsl-newton", NAN) / hand, false, NAN,
-      "GSL's newton on six unknowns / hand-written orbit and multiplier");
-  add(r, time_of(t, "gsl-hybrids", NAN) / hand, false, NAN, "GSL's hybrids / hand-written orbit and multiplier");
+  double suite = time_of(t, "from-guess", NAN), hand = time_of(t, "hand-written", NAN);
+  double newton = time_of(t, "gsl-newton", NAN), hybrids = time_of(t, "gsl-hybrids", NAN);
+  add(r, newton / suite, false, 9, "GSL's newton on six unknowns / the suite's orbit and multiplier from a guess");
+  add(r, hybrids / suite, false, 15, "GSL's hybrids / the suite's orbit and multiplier from a guess");
+  add(r, time_of(t, "from-guess-judged", NAN) / suite, true, NAN,
+      "the same with first roots proved and conditions checked / without");
+  add(r, newton / hand, false, NAN, "GSL's newton on six unknowns / hand-written orbit and multiplier");
+  add(r, hybrids / hand, false, NAN, "GSL's hybrids / hand-written orbit and multiplier");
+  add(r, time_of(t, "return-map", NAN) / suite, true, NAN,
+      "Newton's iteration on the suite's return map / the suite's orbit from a guess");
+}
+
+static void sweep_ratios(struct bench_result *r) {
+  struct bench_lanes b;
+  bench_lanes(&b);
+  for (int i = 0; i < b.n; i++)
+    add(r, b.gain[i], false, strcmp(b.set[i], "baseline") == 0 ? NAN : 4,
+        "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
+  add(r, b.two, false, 1.8, "sweep in lanes: one thread / two");
 }
 
 void bench_ratios(struct bench_result *r) {
@@ -268,4 +281,5 @@ void bench_ratios(struct bench_result *r) {
   if (map) map_ratios(r, map);
   if (map) growth_ratio(r);
   if (orbit) orbit_ratios(r, orbit);
+  if (orbit) sweep_ratios(r);
 }

@@ -35,6 +35,8 @@ int main(void) {
   srunner_add_suite(r, bifurcate_suite());
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());
+  srunner_add_suite(r, turn_suite());
+  srunner_add_suite(r, batch_suite());
   srunner_add_suite(r, bench_suite());
   srunner_add_suite(r, stiff_suite());
   srunner_add_suite(r, bench_pages_suite());

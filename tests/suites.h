@@ -32,6 +32,8 @@ Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
+Suite *turn_suite(void);
+Suite *batch_suite(void);
 Suite *bench_suite(void);
 Suite *stiff_suite(void);
 Suite *bench_pages_suite(void);

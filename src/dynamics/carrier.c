@@ -175,21 +175,3 @@ void carrier_times(double *ta, double *td, const struct carrier *k, const struct
   *td = turn / k->omc;
   *ta = (k->e1 - s->wc + k->chi * (s->r_end - s->rc)) / k->a - *td;
 }
-
-int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
-                     const struct dyn_limits *lim) {
-  struct carrier k;
-  struct pass s;
-  if (!lim) lim = &dyn_limits_default;
-  if (carrier_init(&k, params) || !(r < k.e2 / k.chi)) return SS_DOMAIN;
-  double tb = carrier_time(&k, k.e2 / k.chi - r);
-  if (tb > lim->t_max) return SS_UNABLE;
-  carrier_pass(&s, &k, tb, lim);
-  if (s.status) return s.status;
-  *r_out = s.r_end;
-  if (slope) *slope = s.slope / s.pb + 1;
-  t[1] = s.tb;
-  t[2] = s.tc;
-  carrier_times(&t[0], &t[3], &k, &s);
-  return SS_OK;
-}

@@ -1,0 +1,110 @@
+/* Orbits in lanes against the scalar solver: a sweep of the example over e2, every orbit at each point, guessed from the point
+   before.  What the lanes leave open is done by the scalar solver, in the time of the lanes.  The peers take turns, so
+   that a busy machine meets all of them; the least time of each counts. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "bench/jobs.h"
+#include "dynamics/batch_impl.h"
+#include "dynamics/dyn_impl.h"
+#include "stickslip/arena.h"
+
+enum { LINE = 4096, ROUNDS = 100 };
+static const double low = 0.80, high = 0.90; /* of e2 */
+
+struct sweep {
+  slong n;
+  double *params[N_PARAMS], *guess[2], *out[N_DYN_OUT];
+  unsigned *violations;
+  int *status;
+};
+
+static void sweep_init(struct sweep *s, size_t n) {
+  s->n = 0;
+  for (int i = 0; i < N_PARAMS; i++) s->params[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < 2; i++) s->guess[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < N_DYN_OUT; i++) s->out[i] = ss_malloc(n * sizeof(double));
+  s->violations = ss_malloc(n * sizeof *s->violations);
+  s->status = ss_malloc(n * sizeof *s->status);
+}
+
+static void sweep_clear(struct sweep *s) {
+  for (int i = 0; i < N_PARAMS; i++) free(s->params[i]);
+  for (int i = 0; i < 2; i++) free(s->guess[i]);
+  for (int i = 0; i < N_DYN_OUT; i++) free(s->out[i]);
+  free(s->violations);
+  free(s->status);
+}
+
+/* One orbit along the line from its times at the low end. */
+static void add_branch(struct sweep *s, double tb, double tc) {
+  for (int i = 0; i < LINE; i++) {
+    double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {tb, tc};
+    unsigned violations, unsure;
+    for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
+    p[P_E2] = low + (high - low) * i / (LINE - 1);
+    if (dyn_orbit_warm(out, &violations, &unsure, p, guess)) return;
+    for (int k = 0; k < N_PARAMS; k++) s->params[k][s->n] = p[k];
+    s->guess[0][s->n] = tb;
+    s->guess[1][s->n++] = tc;
+    tb = out[DYN_OUT_TB];
+    tc = out[DYN_OUT_TC];
+  }
+}
+
+static void one_by_one(struct sweep *s, slong j) {
+  double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->guess[0][j], s->guess[1][j]};
+  unsigned unsure;
+  for (int k = 0; k < N_PARAMS; k++) p[k] = s->params[k][j];
+  s->status[j] = dyn_orbit_warm(out, &s->violations[j], &unsure, p, guess);
+  for (int k = 0; k < N_DYN_OUT; k++) s->out[k][j] = out[k];
+}
+
+static double time_scalar(struct sweep *s) {
+  double begin = bench_now();
+  for (slong j = 0; j < s->n; j++) one_by_one(s, j);
+  return bench_now() - begin;
+}
+
+static double time_lanes(struct sweep *s, int set, int jobs) {
+  const double *params[N_PARAMS], *guess[2] = {s->guess[0], s->guess[1]};
+  for (int i = 0; i < N_PARAMS; i++) params[i] = s->params[i];
+  batch_set_use(set);
+  double begin = bench_now();
+  dyn_orbits_batch(s->out, s->violations, s->status, params, guess, s->n, jobs);
+  for (slong j = 0; j < s->n; j++)
+    if (s->status[j] == SS_UNABLE) one_by_one(s, j);
+  double took = bench_now() - begin;
+  batch_set_use(-1);
+  return took;
+}
+
+void bench_lanes(struct bench_lanes *b) {
+  struct search found;
+  struct sweep s;
+  double p[N_PARAMS], scalar = INFINITY, two = INFINITY, best[MOST_SETS];
+  int widest = -1;
+  for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
+  p[P_E2] = low;
+  *b = (struct bench_lanes){.two = NAN};
+  if (search_run(&found, p, &dyn_limits_default) == SS_OK) {
+    sweep_init(&s, LINE * found.n + 1);
+    for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].tb, found.zeros[i].tc);
+    for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;
+    for (int round = 0; round < ROUNDS; round++) {
+      scalar = fmin(scalar, time_scalar(&s));
+      for (int set = 0; set < MOST_SETS && batch_set_name(set); set++)
+        if (batch_set_here(set)) best[set] = fmin(best[set], time_lanes(&s, set, 1));
+      two = fmin(two, time_lanes(&s, -1, 2)); /* both cores must be free at once */
+    }
+    for (int set = 0; set < MOST_SETS && batch_set_name(set); set++) {
+      if (!batch_set_here(set)) continue;
+      if (widest < 0) widest = set;
+      b->set[b->n] = batch_set_name(set);
+      b->gain[b->n++] = scalar / best[set];
+    }
+    if (widest >= 0) b->two = best[widest] / two;
+    sweep_clear(&s);
+  }
+  search_clear(&found);
+}

@@ -1,0 +1,126 @@
+/* The return map of r in double precision.
+
+   t_b: the rise of phase Gamma is the same seen from its crest backwards, so only its first half is ever solved, from a
+   start in sin(t/2) that is good to some percent.  t_c: slip.c.  Of either event the sine and cosine are asked for
+   once or twice and then moved.  Whatever does not work out is left to the walk of wave.c. */
+#include "stickslip/return_map.h"
+
+#include "slip.h"
+
+enum { MOST_STEPS = 8 };
+static const double SETTLED = 0x1p-13; /* relative: the error after a step of this size is its fourth power */
+
+/* --- t_b. --- */
+
+struct rise_end {
+  double t;
+  struct half_angle b;
+};
+
+/* The time in (0, 2 pi/3) or (0, fall/2) at which the rise is g > 0.  With y = sin(t/2) it is
+   2 e1 y^2 + (4/3) a y^3 (1 + 0.3 y^2 + ...): a start within some percent is y = s (1 + 0.8 z)/(1 + 1.3 z + 0.084 z^2),
+   s^2 = g/(2 e1), z = (2/3)(a/e1) s (1 + ...). */
+static bool first_half(struct rise_end *x, const struct slip *k, double g) {
+  double scale = 0.5 / k->e1, v = g * scale, s = sqrt(v), slope = (4.0 / 3) * k->a * scale;
+  double z = slope * s, y = s * (1 + 0.798 * z) / (1 + z * (1.298 + 0.084 * z));
+  y = y < 1 ? y : 1;
+  double yy = y * y, t = 2 * y * (1 + yy * (1.0 / 6 + yy * (0.075 + yy * 0.12)));
+  struct half_angle b = half_angle(t);
+  for (int i = 0; i < MOST_STEPS; i++) {
+    struct gamma_end at = gamma_at(k, t, b);
+    double step = quartic_step(at.rise - g, -at.p, at.w, at.dw);
+    t += step;
+    if (!(t > 0 && t < 3.5)) return false;
+    b = fabs(step) < HALF_ANGLE_NEAR ? half_angle_move(b, step) : half_angle(t);
+    if (fabs(step) > SETTLED * t) continue;
+    *x = (struct rise_end){t, b};
+    return true;
+  }
+  return false;
+}
+
+/* The first time at which the rise is g > 0. */
+static bool rise_reaches(struct rise_end *x, const struct slip *k, double g) {
+  if (g < 1.2283 * k->a + 1.5 * k->e1) return first_half(x, k, g); /* at 2 pi/3, where it is steep */
+  double fall = PI + 2 * atan2(k->a, k->e1), top = k->a * fall + 2 * k->e1, whole = 0;
+  if (g > top) {
+    double turn = 2 * PI * k->a;
+    whole = ceil((g - top) / turn);
+    g -= whole * turn;
+  }
+  /* touches a crest */
+  if (!(top - g > SLIP_DOUBT * top && g > SLIP_DOUBT * (top + whole * k->a))) return false;
+  bool back = g > 0.5 * top;
+  if (!first_half(x, k, back ? top - g : g)) return false;
+  if (back) {
+    double per = 1 / sqrt(k->a * k->a + k->e1 * k->e1), s = k->a * per, c = k->e1 * per;
+    x->t = fall - x->t;
+    x->b = (struct half_angle){c * x->b.c + s * x->b.s, c * x->b.s - s * x->b.c};
+  }
+  x->t += 2 * PI * whole;
+  return true;
+}
+
+/* --- The map. --- */
+
+static double slope_of(const struct slip_motion *h, const struct stop *x, double r_end) {
+  const struct slip *k = h->k;
+  struct change d = slip_change(k, &h->g, x->x);
+  return k->soft * (x->n.pull * k->soft * d.pull + x->n.q * d.q) / (r_end * h->g.p);
+}
+
+static bool fast_map(struct dyn_return *out, const struct slip *k, double g, const struct dyn_limits *lim) {
+  struct slip_motion h = {.k = k};
+  struct rise_end begin;
+  struct stop end;
+  if (!rise_reaches(&begin, k, g) || begin.t > lim->t_max) return false;
+  h.g = gamma_at(k, begin.t, begin.b);
+  h.m = slip_modes(k, &h.g);
+  if (slip_first_root(&end, &h, lim->t_max)) return false;
+  double r_end = slip_radius(k, &end.n), td = slip_td(k, &end.n, r_end);
+  double behind = slip_behind(k, &h.g, &h.m, end.x, end.t) / k->V;
+  double defect = slip_gain(k, &end.n, r_end) + g;
+  out->t[PHASE_D] = k->chi * defect / k->a + ((behind - begin.t) - end.t) - td;
+  out->t[PHASE_GAMMA] = begin.t;
+  out->t[PHASE_H] = end.t;
+  out->t[PHASE_C] = td;
+  out->r_end = r_end;
+  out->slope = slope_of(&h, &end, r_end);
+  out->grazing = out->searched = false;
+  return true;
+}
+
+/* By the walk of wave.c. */
+static int slow_map(struct dyn_return *out, const double params[N_PARAMS], double g, const struct dyn_limits *lim) {
+  struct carrier k;
+  struct pass s;
+  if (carrier_init(&k, params)) return SS_DOMAIN;
+  double tb = carrier_time(&k, g);
+  if (!(tb <= lim->t_max)) return SS_UNABLE;
+  carrier_pass(&s, &k, tb, lim);
+  if (s.status) return s.status;
+  *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing, true};
+  carrier_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
+  return SS_OK;
+}
+
+int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+  struct slip k;
+  if (!lim) lim = &dyn_limits_default;
+  if (!slip_init(&k, params)) return SS_DOMAIN;
+  if (!isfinite(r)) return SS_UNABLE;
+  double g = k.rb - r;
+  if (!(g > 0)) return SS_DOMAIN;
+  return fast_map(out, &k, g, lim) ? SS_OK : slow_map(out, params, g, lim);
+}
+
+int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
+                     const struct dyn_limits *lim) {
+  struct dyn_return x;
+  int status = dyn_return_map(&x, params, r, lim);
+  if (status) return status;
+  *r_out = x.r_end;
+  if (slope) *slope = x.slope;
+  for (int i = 0; i < N_PHASES; i++) t[i] = x.t[i];
+  return SS_OK;
+}

@@ -1,0 +1,471 @@
+/* Orbits in lanes.
+
+   Held against balls (dyn_orbit_near: existence proved, every condition decided) with condition numbers from differences of
+   balls; against the scalar solver; and against itself on every instruction set, at every place and size. */
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "dynamics/batch_impl.h"
+#include "dynamics/dyn_impl.h"
+#include "stickslip/arena.h"
+#include "suites.h"
+
+static const double unit = 0x1p-53;
+
+/* Points with the orbit that the search found there. */
+struct table {
+  slong n, cap;
+  double *params[N_PARAMS], *guess[2], *out[N_DYN_OUT];
+  unsigned *violations;
+  int *status;
+};
+
+static void table_init(struct table *t, slong cap) {
+  *t = (struct table){.cap = cap};
+  size_t n = (size_t)cap;
+  for (int i = 0; i < N_PARAMS; i++) t->params[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < 2; i++) t->guess[i] = ss_malloc(n * sizeof(double));
+  for (int i = 0; i < N_DYN_OUT; i++) t->out[i] = ss_malloc(n * sizeof(double));
+  t->violations = ss_malloc(n * sizeof *t->violations);
+  t->status = ss_malloc(n * sizeof *t->status);
+}
+
+static void table_clear(struct table *t) {
+  for (int i = 0; i < N_PARAMS; i++) free(t->params[i]);
+  for (int i = 0; i < 2; i++) free(t->guess[i]);
+  for (int i = 0; i < N_DYN_OUT; i++) free(t->out[i]);
+  free(t->violations);
+  free(t->status);
+}
+
+static void table_add(struct table *t, const double p[N_PARAMS], double tb, double tc) {
+  if (t->n == t->cap) return;
+  for (int i = 0; i < N_PARAMS; i++) t->params[i][t->n] = p[i];
+  t->guess[0][t->n] = tb;
+  t->guess[1][t->n++] = tc;
+}
+
+static uint64_t state;
+
+static double uniform(void) {
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return (double)(state >> 11) * 0x1p-53;
+}
+
+/* Every orbit that the search finds, its times moved by relative steps up to `off`. */
+static void add_orbits(struct table *t, const double p[N_PARAMS], double off) {
+  struct search s;
+  if (search_run(&s, p, &dyn_limits_default) == SS_OK)
+    for (size_t i = 0; i < s.n; i++)
+      table_add(t, p, s.zeros[i].tb * (1 + off * (2 * uniform() - 1)), s.zeros[i].tc * (1 + off * (2 * uniform() - 1)));
+  search_clear(&s);
+}
+
+static void any_params(double p[N_PARAMS]) {
+  p[P_CHI] = 0.03 + 0.95 * uniform();
+  p[P_ETA] = exp(5 * uniform() - 2.5);
+  p[P_V] = exp(2 * uniform() - 1);
+  p[P_E1] = p[P_V] * exp(3 * uniform() - 1.5);
+  p[P_E2] = p[P_V] * exp(4 * uniform() - 3);
+}
+
+static void run(struct table *t) {
+  const double *params[N_PARAMS], *guess[2] = {t->guess[0], t->guess[1]};
+  for (int i = 0; i < N_PARAMS; i++) params[i] = t->params[i];
+  dyn_orbits_batch(t->out, t->violations, t->status, params, guess, t->n, 1);
+}
+
+/* --- Truth. --- */
+
+static void outputs_of(arb_srcptr x[N_DYN_OUT], const struct dyn_orbit *o) {
+  arb_srcptr all[N_DYN_OUT] = {o->z10,  o->z20,    o->t[0],  o->t[1],     o->t[2],
+                               o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  for (int i = 0; i < N_DYN_OUT; i++) x[i] = all[i];
+}
+
+/* The orbit at parameters p (1 + shift) in one of them. */
+static bool orbit_at(struct dyn_orbit *o, truth *first, const struct table *t, slong j, int moved, double shift) {
+  fmpq params[N_PARAMS];
+  arf_t x;
+  arf_init(x);
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(&params[i]);
+    arf_set_d(x, t->params[i][j]);
+    if (i == moved) {
+      arf_t more;
+      arf_init(more);
+      arf_set_d(more, 1 + shift);
+      arf_mul(x, x, more, ARF_PREC_EXACT, ARF_RND_DOWN);
+      arf_clear(more);
+    }
+    arf_get_fmpq(&params[i], x);
+  }
+  bool up = t->violations[j] & 1u << COND_C_V2;
+  int status =
+      dyn_orbit_near(o, first, params, t->out[DYN_OUT_TB][j], t->out[DYN_OUT_TC][j], up, 160, &dyn_limits_default);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
+  arf_clear(x);
+  return status == SS_OK;
+}
+
+/* Condition numbers by central differences; false where an orbit is lost on the way. */
+static bool conditions(double condition[N_DYN_OUT], const struct table *t, slong j, const struct dyn_orbit *o) {
+  const double shift = 0x1p-45;
+  arb_srcptr at[N_DYN_OUT];
+  arb_t d;
+  bool all = true;
+  arb_init(d);
+  outputs_of(at, o);
+  for (int i = 0; i < N_DYN_OUT; i++) condition[i] = 0;
+  for (int k = 0; k < N_PARAMS && all; k++) {
+    struct dyn_orbit low, high;
+    truth first;
+    all &= orbit_at(&low, &first, t, j, k, -shift);
+    all &= orbit_at(&high, &first, t, j, k, shift);
+    arb_srcptr x[N_DYN_OUT], y[N_DYN_OUT];
+    outputs_of(x, &low);
+    outputs_of(y, &high);
+    for (int i = 0; i < N_DYN_OUT && all; i++) {
+      arb_sub(d, y[i], x[i], 200);
+      arb_div(d, d, at[i], 200);
+      condition[i] += fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) / (2 * shift);
+    }
+    dyn_orbit_clear(&low);
+    dyn_orbit_clear(&high);
+  }
+  arb_clear(d);
+  return all;
+}
+
+struct score {
+  slong ok, unable, wrong;
+  double worst; /* error over its bound */
+  char where[400];
+};
+
+static unsigned violations_of(const struct dyn_orbit *o, bool *sure) {
+  unsigned broken = 0;
+  *sure = true;
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    if (o->holds[i] == TRUTH_FALSE) broken |= 1u << i;
+    if (o->holds[i] == TRUTH_UNKNOWN) *sure = false;
+  }
+  return broken;
+}
+
+/* Holds the results against balls. */
+static void judge(struct score *s, const struct table *t) {
+  for (slong j = 0; j < t->n; j++) {
+    struct dyn_orbit o;
+    truth first;
+    double condition[N_DYN_OUT];
+    bool sure;
+    if (t->status[j] != SS_OK) {
+      s->unable++;
+      continue;
+    }
+    s->ok++;
+    bool any = orbit_at(&o, &first, t, j, -1, 0);
+    if (!any || first != TRUTH_TRUE || violations_of(&o, &sure) != t->violations[j] || !sure) {
+      s->wrong++;
+      snprintf(s->where, sizeof s->where, "%.17g %.17g %.17g %.17g %.17g: orbit %d first %d violations %x, got %x",
+               t->params[0][j], t->params[1][j], t->params[2][j], t->params[3][j], t->params[4][j], any, first,
+               any ? violations_of(&o, &sure) : 0, t->violations[j]);
+    } else if (conditions(condition, t, j, &o)) {
+      arb_srcptr x[N_DYN_OUT];
+      arb_t d;
+      arb_init(d);
+      outputs_of(x, &o);
+      for (int i = 0; i < N_DYN_OUT; i++) {
+        arb_set_d(d, t->out[i][j]);
+        arb_sub(d, d, x[i], 200);
+        arb_div(d, d, x[i], 200);
+        double error = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) / (8 * fmax(1, condition[i]) * unit);
+        if (error > s->worst || isnan(error)) {
+          s->worst = error;
+          snprintf(s->where, sizeof s->where,
+                   "%.17g %.17g %.17g %.17g %.17g (%.17g %.17g): output %d, condition %g, %g of the bound",
+                   t->params[0][j], t->params[1][j], t->params[2][j], t->params[3][j], t->params[4][j],
+                   t->out[DYN_OUT_TB][j], t->out[DYN_OUT_TC][j], i, condition[i], error);
+        }
+      }
+      arb_clear(d);
+    }
+    dyn_orbit_clear(&o);
+  }
+}
+
+static void check_score(const struct score *s, double bound, double decided) {
+  ck_assert_msg(s->wrong == 0, "%ld wrong: %s", (long)s->wrong, s->where);
+  ck_assert_msg(s->worst <= bound, "%s", s->where);
+  ck_assert_msg((double)s->ok >= decided * (double)(s->ok + s->unable), "%ld decided, %ld left open", (long)s->ok,
+                (long)s->unable);
+}
+
+static void score(struct table *t, double bound, double decided) {
+  struct score s = {0};
+  run(t);
+  judge(&s, t);
+  check_score(&s, bound, decided);
+  table_clear(t);
+}
+
+/* --- Ordinary sweeps: everything is decided, and about within the bound. --- */
+
+static const double lines[][N_PARAMS + 1] = {
+    /* chi, eta, V, e1, e2, and the other end of e2; the example, and scenes of verify/scenes */
+    {0.8, 1, 1, 2.7844, 0.80, 0.90},     {0.8, 1, 1, 2.7844, 1.5, 1.8},          {0.73, 0.31, 0.98, 1.19, 0.15, 0.17},
+    {0.71, 7.7, 0.28, 1.07, 0.84, 0.86}, {0.87, 0.32, 0.45, 0.242, 0.27, 0.285}, {0.5, 1.5, 0.7, 1.47, 0.5, 0.55},
+};
+enum { N_LINES = sizeof lines / sizeof *lines };
+
+START_TEST(ordinary_sweeps_against_balls) {
+  struct table t;
+  table_init(&t, 60);
+  state = 30;
+  for (int i = 0; i < 9; i++) {
+    double p[N_PARAMS];
+    memcpy(p, lines[_i], sizeof p);
+    p[P_E2] += (lines[_i][N_PARAMS] - p[P_E2]) * i / 8;
+    add_orbits(&t, p, 1e-5);
+  }
+  score(&t, 2, 0.75);
+}
+END_TEST
+
+/* --- Everywhere: nothing false. --- */
+
+START_TEST(random_points_against_balls) {
+  struct table t;
+  table_init(&t, 160);
+  state = 31;
+  for (double p[N_PARAMS]; t.n < t.cap;) {
+    any_params(p);
+    add_orbits(&t, p, 1e-4);
+  }
+  score(&t, 4, 0.6);
+}
+END_TEST
+
+/* Changes of the example along e2 (stickslip bifurcate paper --along e2=0.5:3): flip, t_a = 0, fold, c_v2 (q = 0 at the end of
+   phase H), h_v1 (grazing), gamma_v1, gamma_r. */
+static const double changes[] = {1.81105820302190, 2.10396606985610, 1.11210011005519, 1.80776061081459,
+                                 1.35907930480268, 2.49032031002043, 1.98570014878484};
+
+START_TEST(beside_changes_against_balls) {
+  struct table t;
+  table_init(&t, 100);
+  state = 32;
+  for (double off = 1e-2; off > 1e-13; off *= 0.01)
+    for (int side = -1; side <= 1; side += 2) {
+      double p[N_PARAMS] = {0.8, 1, 1, 2.7844, changes[_i] + side * off};
+      add_orbits(&t, p, 1e-7);
+    }
+  ck_assert_int_gt(t.n, 10);
+  score(&t, 1e3, 0.3);
+}
+END_TEST
+
+START_TEST(extreme_points_against_balls) {
+  struct table t;
+  table_init(&t, 80);
+  state = 33;
+  for (int i = 0; i < 250; i++) {
+    double p[N_PARAMS];
+    any_params(p);
+    p[P_CHI] = i % 2 == 0 ? pow(10, -4 * uniform()) / 2 : 1 - pow(10, -5 * uniform()) / 2;
+    p[P_ETA] = pow(10, 6 * uniform() - 3);
+    add_orbits(&t, p, 1e-5);
+  }
+  score(&t, 1e3, 0);
+}
+END_TEST
+
+/* From far off any orbit may come out, but no other point. */
+START_TEST(far_guesses_against_balls) {
+  struct table t;
+  table_init(&t, 120);
+  state = 34;
+  for (double p[N_PARAMS]; t.n < t.cap;) {
+    any_params(p);
+    add_orbits(&t, p, 0.05);
+  }
+  score(&t, 1e3, 0);
+}
+END_TEST
+
+/* --- The scalar solver. --- */
+
+START_TEST(as_the_scalar_solver) {
+  struct table t;
+  slong both = 0, left = 0, alone = 0;
+  table_init(&t, 3000);
+  state = 35;
+  for (double p[N_PARAMS]; t.n < t.cap;) {
+    any_params(p);
+    add_orbits(&t, p, 1e-5);
+  }
+  run(&t);
+  for (slong j = 0; j < t.n; j++) {
+    double out[N_DYN_OUT], p[N_PARAMS], guess[2] = {t.guess[0][j], t.guess[1][j]};
+    unsigned violations, unsure;
+    for (int i = 0; i < N_PARAMS; i++) p[i] = t.params[i][j];
+    int status = dyn_orbit_warm(out, &violations, &unsure, p, guess);
+    if (t.status[j] != SS_OK) {
+      left += status == SS_OK && !unsure;
+      for (int i = 0; i < N_DYN_OUT; i++) ck_assert(isnan(t.out[i][j]));
+      ck_assert_uint_eq(t.violations[j], 0);
+      continue;
+    }
+    if (status != SS_OK ||
+        unsure) { /* each may give up near a double zero; that this one is right is seen from balls */
+      alone++;
+      continue;
+    }
+    both++;
+    ck_assert_uint_eq(violations, t.violations[j]);
+    for (int i = DYN_OUT_TB; i <= DYN_OUT_PERIOD; i++) ck_assert(fabs(out[i] - t.out[i][j]) <= 1e-7 * fabs(out[i]));
+  }
+  ck_assert_msg(left * 50 <= both, "%ld of %ld points that the scalar solver decides are left open", (long)left,
+                (long)(both + left));
+  ck_assert_msg(alone * 200 <= both, "%ld of %ld points are left open by the scalar solver alone", (long)alone,
+                (long)both);
+  table_clear(&t);
+}
+END_TEST
+
+/* --- Bits. --- */
+
+static bool same_bits(const struct table *s, const struct table *t, slong from, slong n) {
+  bool same = true;
+  for (int i = 0; i < N_DYN_OUT; i++) same &= memcmp(s->out[i] + from, t->out[i], (size_t)n * sizeof(double)) == 0;
+  same &= memcmp(s->violations + from, t->violations, (size_t)n * sizeof *t->violations) == 0;
+  return same && memcmp(s->status + from, t->status, (size_t)n * sizeof *t->status) == 0;
+}
+
+/* Orbits and garbage. */
+static void mixture(struct table *t) {
+  static const double odd[] = {0, -1, 1, NAN, INFINITY, -INFINITY, 1e-320, 1e308, 1e-200, 0x1p60};
+  state = 36;
+  for (double p[N_PARAMS]; t->n < t->cap;) {
+    any_params(p);
+    add_orbits(t, p, 1e-3);
+    if (t->n == t->cap) break;
+    double guess[2] = {4 * uniform(), 20 * uniform()}, value = odd[(int)(uniform() * 10)];
+    int which = (int)(uniform() * (N_PARAMS + 2));
+    *(which < N_PARAMS ? &p[which] : &guess[which - N_PARAMS]) = value;
+    table_add(t, p, guess[0], guess[1]);
+  }
+}
+
+START_TEST(same_bits_on_every_instruction_set) {
+  struct table t, other;
+  table_init(&t, 1500);
+  table_init(&other, 1500);
+  mixture(&t);
+  mixture(&other);
+  batch_set_use(-1);
+  run(&t);
+  int sets = 0;
+  for (int set = 0; batch_set_name(set); set++) {
+    if (!batch_set_here(set)) continue;
+    batch_set_use(set);
+    run(&other);
+    ck_assert_msg(same_bits(&t, &other, 0, t.n), "%s", batch_set_name(set));
+    sets++;
+  }
+  batch_set_use(-1);
+  ck_assert_int_ge(sets, 1);
+  table_clear(&t);
+  table_clear(&other);
+}
+END_TEST
+
+START_TEST(same_bits_alone_and_among_others) {
+  static const slong sizes[] = {0, 1, 2, 63, 64, 65, 127, 1023, 1025};
+  struct table t, part;
+  table_init(&t, 2600);
+  mixture(&t);
+  run(&t);
+  for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++)
+    for (slong from = 0; from < 1500; from += 731) {
+      table_init(&part, 2600);
+      for (slong j = from; j < from + sizes[k]; j++) {
+        double p[N_PARAMS];
+        for (int i = 0; i < N_PARAMS; i++) p[i] = t.params[i][j];
+        table_add(&part, p, t.guess[0][j], t.guess[1][j]);
+      }
+      run(&part);
+      ck_assert(same_bits(&t, &part, from, sizes[k]));
+      table_clear(&part);
+    }
+  table_clear(&t);
+}
+END_TEST
+
+START_TEST(same_bits_in_threads) {
+  struct table t, other;
+  table_init(&t, 5000);
+  table_init(&other, 5000);
+  mixture(&t);
+  mixture(&other);
+  run(&t);
+  for (int jobs = -1; jobs <= 3; jobs += 2) {
+    const double *params[N_PARAMS], *guess[2] = {other.guess[0], other.guess[1]};
+    for (int i = 0; i < N_PARAMS; i++) params[i] = other.params[i];
+    int all = dyn_orbits_batch(other.out, other.violations, other.status, params, guess, other.n, jobs);
+    ck_assert_int_eq(all, SS_DOMAIN | SS_UNABLE);
+    ck_assert(same_bits(&t, &other, 0, t.n));
+  }
+  table_clear(&t);
+  table_clear(&other);
+}
+END_TEST
+
+START_TEST(outside_the_domain) {
+  static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
+  enum { N_BAD = sizeof bad / sizeof *bad };
+  struct table t;
+  table_init(&t, 3 * N_PARAMS * N_BAD + 1);
+  const double good[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
+  for (int i = 0; i < N_PARAMS; i++)
+    for (int k = 0; k < N_BAD; k++) {
+      double p[N_PARAMS];
+      memcpy(p, good, sizeof p);
+      table_add(&t, p, 2.005, 1.49);
+      p[i] = bad[k];
+      table_add(&t, p, 2.005, 1.49);
+      table_add(&t, good, k % 2 == 0 ? bad[k] : 2.005, k % 2 == 1 ? bad[k] : 1.49);
+    }
+  double one[N_PARAMS] = {1, 1, 1, 2.7844, 0.8587};
+  table_add(&t, one, 2.005, 1.49);
+  run(&t);
+  for (slong j = 0; j < t.n; j++) {
+    static const int want[3] = {SS_OK, SS_DOMAIN, SS_UNABLE};
+    ck_assert_int_eq(t.status[j], j == t.n - 1 ? SS_DOMAIN : want[j % 3]);
+    ck_assert(isnan(t.out[DYN_OUT_TRACE][j]) == (t.status[j] != SS_OK));
+    if (t.status[j] == SS_OK)
+      ck_assert(fabs(t.out[DYN_OUT_TRACE][j] - -1.02322618938757) < 1e-13); /* stickslip orbit paper */
+  }
+  table_clear(&t);
+}
+END_TEST
+
+Suite *batch_suite(void) {
+  Suite *s = suite_create("batch");
+  TCase *c = tcase_create("batch");
+  tcase_add_loop_test(c, ordinary_sweeps_against_balls, 0, N_LINES);
+  tcase_add_test(c, random_points_against_balls);
+  tcase_add_loop_test(c, beside_changes_against_balls, 0, (int)(sizeof changes / sizeof *changes));
+  tcase_add_test(c, extreme_points_against_balls);
+  tcase_add_test(c, far_guesses_against_balls);
+  tcase_add_test(c, as_the_scalar_solver);
+  tcase_add_test(c, same_bits_on_every_instruction_set);
+  tcase_add_test(c, same_bits_alone_and_among_others);
+  tcase_add_test(c, same_bits_in_threads);
+  tcase_add_test(c, outside_the_domain);
+  suite_add_tcase(s, c);
+  return s;
+}
