@@ -69,6 +69,13 @@ static double slope_of(const struct slip_motion *h, const struct stop *x, double
   return k->soft * (x->n.pull * k->soft * d.pull + x->n.q * d.q) / (r_end * h->g.p);
 }
 
+/* Nothing has overflowed. */
+static bool is_sound(const struct dyn_return *x) {
+  bool sound = isfinite(x->r_end) && isfinite(x->t[PHASE_D]);
+  for (int i = PHASE_GAMMA; i < N_PHASES; i++) sound = sound && x->t[i] > 0 && isfinite(x->t[i]);
+  return sound;
+}
+
 static bool fast_map(struct dyn_return *out, const struct slip *k, double g, const struct dyn_limits *lim) {
   struct slip_motion h = {.k = k};
   struct rise_end begin;
@@ -87,7 +94,7 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g, con
   out->r_end = r_end;
   out->slope = slope_of(&h, &end, r_end);
   out->grazing = out->searched = false;
-  return true;
+  return is_sound(out);
 }
 
 /* By the walk of wave.c. */
@@ -101,7 +108,7 @@ static int slow_map(struct dyn_return *out, const double params[N_PARAMS], doubl
   if (s.status) return s.status;
   *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing, true};
   carrier_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
-  return SS_OK;
+  return is_sound(out) ? SS_OK : SS_UNABLE;
 }
 
 int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
