@@ -33,5 +33,6 @@ Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *bench_suite(void);
 Suite *return_map_suite(void);
+Suite *warm_suite(void);
 
 #endif
