@@ -122,8 +122,8 @@ START_TEST(errors_are_those_of_the_inputs) {
     if (dyn_return_map(&got, x, x[N_PARAMS], NULL) || got.grazing || !errors_of(error, x, &got)) continue;
     searched += got.searched;
     for (int i = 0; i < N_MAP; i++) {
-      ck_assert_msg(error[i] < 1024, "output %d: %g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g", i, error[i],
-                    x[0], x[1], x[2], x[3], x[4], x[5]);
+      ck_assert_msg(error[i] < 1024, "output %d: %g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g", i,
+                    error[i], x[0], x[1], x[2], x[3], x[4], x[5]);
       all[n++] = error[i];
     }
   }
@@ -208,13 +208,15 @@ END_TEST
 START_TEST(crests_of_the_rise) {
   const double p[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
   double a = 0.2, fall = acos(-1) + 2 * atan2(a, p[P_E1]), crest = a * fall + 2 * p[P_E1], top = p[P_E2] / p[P_CHI];
-  for (int k = 2; k < 48; k++)
+  for (int k = 2; k < 52; k++)
     for (int side = -1; side <= 1; side += 2) {
       struct dyn_return got;
       double g = crest * (1 + side * ldexp(1, -k));
       if (dyn_return_map(&got, p, top - g, NULL)) continue; /* phase H from there can be beyond every limit */
+      if (k > 45) ck_assert(got.grazing);
+      if (got.grazing) continue;
       if (side < 0) ck_assert_double_le(got.t[PHASE_GAMMA], fall * (1 + 1e-7));
-      if (side > 0 && k < 40) ck_assert_double_gt(got.t[PHASE_GAMMA], 2 * acos(-1));
+      if (side > 0) ck_assert_double_gt(got.t[PHASE_GAMMA], 2 * acos(-1));
     }
 }
 END_TEST
