@@ -188,7 +188,7 @@ static const struct {
 } subjects[] = {{"/ map in balls", &bench_map, "closed-arb"},
                 {"MPFR map", &bench_map, "closed-mpfr"},
                 {"map in double", &bench_map, "closed-double"},
-                {"the suite's orbit", &bench_orbit, "return-map"}};
+                {"the suite's orbit", &bench_orbit, "from-guess"}};
 
 static const struct bench_method *method_of(const struct bench_job *job, const char *id) {
   for (int i = 0; i < job->n_methods; i++)

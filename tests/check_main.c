@@ -35,8 +35,10 @@ int main(void) {
   srunner_add_suite(r, bifurcate_suite());
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());
-  srunner_add_suite(r, turn_suite());
+  srunner_add_suite(r, sincos_suite());
   srunner_add_suite(r, batch_suite());
+  srunner_add_suite(r, return_map_suite());
+  srunner_add_suite(r, warm_suite());
   srunner_add_suite(r, bench_suite());
   srunner_add_suite(r, stiff_suite());
   srunner_add_suite(r, bench_pages_suite());

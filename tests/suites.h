@@ -32,10 +32,12 @@ Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
-Suite *turn_suite(void);
+Suite *sincos_suite(void);
 Suite *batch_suite(void);
 Suite *bench_suite(void);
 Suite *stiff_suite(void);
 Suite *bench_pages_suite(void);
+Suite *return_map_suite(void);
+Suite *warm_suite(void);
 
 #endif

@@ -177,7 +177,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 void dyn_orbits_clear(struct dyn_orbits *list);
 
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
-   (NULL if not wanted). */
+   (NULL if not wanted); return_map.h has more of it. */
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim);
 

@@ -5,7 +5,7 @@
    error has a bound for all time, t_d by the circle that phase C turns on.  Where that is not plain - an event that grazes,
    close roots, a very long phase - the parabolas of dyn_first_event_d decide, slower, and grazing says so.
 
-   Errors are a few times those that rounding the parameters and r would make. */
+   Errors are a few times those that rounding the parameters and r would make, as tests/check_return_map.c asserts. */
 #ifndef STICKSLIP_RETURN_MAP_H
 #define STICKSLIP_RETURN_MAP_H
 

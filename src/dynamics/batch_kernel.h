@@ -9,8 +9,8 @@
 #ifndef STICKSLIP_BATCH_KERNEL_H
 #define STICKSLIP_BATCH_KERNEL_H
 
+#include "sincos.h"
 #include "slip.h"
-#include "turn.h"
 
 static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
@@ -29,35 +29,35 @@ struct lane {
   double step[2];
 };
 
-TURN_INLINE struct half_angle lane_half(double x) {
-  struct turn t = turn_of(0.5 * x);
+SINCOS_INLINE struct half_angle lane_half(double x) {
+  struct sine_cosine t = sincos_of(0.5 * x);
   return (struct half_angle){t.sine, t.cosine};
 }
 
-TURN_INLINE struct half_angle lane_nudge(struct half_angle x, double off) {
+SINCOS_INLINE struct half_angle lane_nudge(struct half_angle x, double off) {
   return (struct half_angle){x.s + (x.c * off - x.s * (0.5 * off * off)), x.c - (x.s * off + x.c * (0.5 * off * off))};
 }
 
 /* The half angles at t_b and t_c moved by the steps, which stay unrounded, as what om t lost does. */
-TURN_INLINE void lane_place(struct lane *x, const struct half_angle at[3], double step_b, double step_c) {
+SINCOS_INLINE void lane_place(struct lane *x, const struct half_angle at[3], double step_b, double step_c) {
   const struct slip *k = &x->k;
   x->b = lane_nudge(at[0], 0.5 * step_b);
   for (int i = 0; i < 2; i++)
     x->c[i] = lane_nudge(at[1 + i], 0.5 * (product_rest(k->om[i], x->tc) + k->rest[i] * x->tc + k->om[i] * step_c));
 }
 
-TURN_INLINE void lane_turn(struct half_angle at[3], const struct lane *x) {
+SINCOS_INLINE void lane_turn(struct half_angle at[3], const struct lane *x) {
   at[0] = lane_half(x->tb);
   at[1] = lane_half(x->k.om[0] * x->tc);
   at[2] = lane_half(x->k.om[1] * x->tc);
 }
 
-TURN_INLINE void lane_step(struct lane *x) {
+SINCOS_INLINE void lane_step(struct lane *x) {
   x->tb += x->step[0];
   x->tc += x->step[1];
 }
 
-TURN_INLINE void lane_move(struct lane *x) {
+SINCOS_INLINE void lane_move(struct lane *x) {
   lane_step(x);
   x->b = half_angle_move(x->b, x->step[0]);
   x->c[0] = half_angle_move(x->c[0], x->k.om[0] * x->step[1]);
@@ -66,7 +66,7 @@ TURN_INLINE void lane_move(struct lane *x) {
 
 /* The equations, their derivatives and Newton's step; that of r_end is multiplied by r_end, which saves divisions.  exact:
    with the defect formed from changes. */
-TURN_INLINE void lane_evaluate(struct lane *x, bool exact) {
+SINCOS_INLINE void lane_evaluate(struct lane *x, bool exact) {
   const struct slip *k = &x->k;
   x->g = gamma_at(k, x->tb, x->b);
   x->m = slip_modes(k, &x->g);
@@ -85,7 +85,7 @@ TURN_INLINE void lane_evaluate(struct lane *x, bool exact) {
 }
 
 /* Another step would be rounding, and rounding leaves digits: t_b is off by units of all_b/steep_b, t_c of all_c/steep_c. */
-TURN_INLINE bool lane_converged(const struct lane *x, double guess_b, double guess_c) {
+SINCOS_INLINE bool lane_converged(const struct lane *x, double guess_b, double guess_c) {
   const struct slip *k = &x->k;
   double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) * (k->soft * k->omc), radius = fabs(x->r_end);
   double size = fabs(x->m.a[0]) + fabs(x->m.b[0]) + fabs(x->m.a[1]) + fabs(x->m.b[1]) + fabs(x->g.p);
@@ -96,7 +96,7 @@ TURN_INLINE bool lane_converged(const struct lane *x, double guess_b, double gue
   bool settled = (step_b * steep_b <= NOISE * all_b) & (step_c * steep_c <= NOISE * all_c);
   bool posed = (all_b < WORST * (x->tb * steep_b)) & (all_c < WORST * (x->tc * steep_c)) & (q > SLIP_DOUBT * k->V) &
                (radius > SLIP_DOUBT * reach);
-  bool near = (far_b < 0.5 * guess_b) & (far_c < 0.5 * guess_c) & (x->tb < 2 * PI) & (x->tc * k->om[1] < TURN_REACH);
+  bool near = (far_b < 0.5 * guess_b) & (far_c < 0.5 * guess_c) & (x->tb < 2 * PI) & (x->tc * k->om[1] < SINCOS_REACH);
   return settled & posed & near;
 }
 
@@ -105,8 +105,8 @@ struct below {
   bool first, second;
 };
 
-TURN_INLINE struct below lane_below(const struct lane *x, const struct node *from, const struct node *to, double h,
-                                    bool at_root) {
+SINCOS_INLINE struct below lane_below(const struct lane *x, const struct node *from, const struct node *to, double h,
+                                      bool at_root) {
   double sixth[2], size[2];
   slip_bounds(sixth, size, &x->k, &x->m);
   struct course a = course_1(&x->k, from), b = course_1(&x->k, to), c = course_2(&x->k, from), d = course_2(&x->k, to);
@@ -116,7 +116,7 @@ TURN_INLINE struct below lane_below(const struct lane *x, const struct node *fro
 }
 
 /* At half the time the whole angles are the half angles of the end. */
-TURN_INLINE struct node lane_middle(const struct lane *x) {
+SINCOS_INLINE struct node lane_middle(const struct lane *x) {
   const struct slip *k = &x->k;
   const struct slip_modes *m = &x->m;
   double v0 = 1 - x->c[0].c, v1 = 1 - x->c[1].c;
@@ -137,10 +137,10 @@ struct close {
 
 /* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.  Inside
    phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at pi - u. */
-TURN_INLINE struct close lane_close(const struct lane *x) {
+SINCOS_INLINE struct close lane_close(const struct lane *x) {
   const struct slip *k = &x->k;
   bool up = x->n.q > 0;
-  double r = x->n.pull * k->soft, turn = turn_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
+  double r = x->n.pull * k->soft, turn = sincos_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
   double both = x->r_end + r, left = x->r_end * r > 0 ? x->n.q * x->n.q * k->soft / both : x->r_end - r;
   double sine = full_sine(x->b), versine = full_versine(x->b), change = x->n.w - x->g.w;
   double short_c = (k->e1 * versine - k->a * sine) - change, slack = short_c + k->chi * left;
@@ -152,20 +152,20 @@ TURN_INLINE struct close lane_close(const struct lane *x) {
 
   double fast = k->chi * k->omc * x->r_end, end = k->a * ta, slow = k->soft * k->omc;
   bool inner = fast > k->a;
-  double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = turn_angle(k->a, root);
+  double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = sincos_angle(k->a, root);
   double valley = end + slow * k->a * (u - k->a / (fast + root)), hill = end + slow * (k->a * (PI - u) - (fast + root));
   double least = short_c < end ? short_c : end, most = short_c < end ? end : short_c;
   bool in_valley = inner & (u < turn) & (valley > most), on_hill = inner & (PI - u < turn) & (hill < least);
   return (struct close){td, ta, period, on_hill ? hill : least, in_valley ? valley : most};
 }
 
-TURN_INLINE bool in_domain(const double p[N_PARAMS]) {
+SINCOS_INLINE bool in_domain(const double p[N_PARAMS]) {
   bool in = p[P_CHI] < 1;
   for (int i = 0; i < N_PARAMS; i++) in &= (p[i] > 0) & (p[i] < INFINITY);
   return in;
 }
 
-TURN_INLINE void lane_run(struct lanes *l, int j) {
+SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   struct lane x = {.tb = l->guess[0][j], .tc = l->guess[1][j]};
   double p[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
@@ -222,7 +222,7 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
 
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
 
-TURN_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
+SINCOS_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
   struct lane x = {.tb = l->out[DYN_OUT_TB][j]};
   double p[N_PARAMS], parts = l->parts[j];
   for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
@@ -260,7 +260,7 @@ TURN_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
   m->above[j] = 0;
 }
 
-TURN_INLINE void march_part(struct march *m, double part, int j) {
+SINCOS_INLINE void march_part(struct march *m, double part, int j) {
   struct lane x;
   struct slip *k = &x.k;
   k->chi = m->chi[j];

@@ -42,14 +42,11 @@ static bool first_half(struct rise_end *x, const struct slip *k, double g) {
 /* The first time at which the rise is g > 0. */
 static bool rise_reaches(struct rise_end *x, const struct slip *k, double g) {
   if (g < 1.2283 * k->a + 1.5 * k->e1) return first_half(x, k, g); /* at 2 pi/3, where it is steep */
-  double fall = PI + 2 * atan2(k->a, k->e1), top = k->a * fall + 2 * k->e1, whole = 0;
-  if (g > top) {
-    double turn = 2 * PI * k->a;
-    whole = ceil((g - top) / turn);
-    g -= whole * turn;
-  }
-  /* touches a crest */
-  if (!(top - g > SLIP_DOUBT * top && g > SLIP_DOUBT * (top + whole * k->a))) return false;
+  double fall = PI + 2 * atan2(k->a, k->e1), top = k->a * fall + 2 * k->e1, turn = 2 * PI * k->a, whole = 0;
+  double doubt = SLIP_DOUBT * (top + g);
+  if (g > top) whole = ceil((g - top) / turn);
+  g -= whole * turn;
+  if (!(top - g > doubt && (whole == 0 || g - (top - turn) > doubt))) return false; /* nearly touches a crest */
   bool back = g > 0.5 * top;
   if (!first_half(x, k, back ? top - g : g)) return false;
   if (back) {
@@ -67,6 +64,13 @@ static double slope_of(const struct slip_motion *h, const struct stop *x, double
   const struct slip *k = h->k;
   struct change d = slip_change(k, &h->g, x->x);
   return k->soft * (x->n.pull * k->soft * d.pull + x->n.q * d.q) / (r_end * h->g.p);
+}
+
+/* Nothing has overflowed. */
+static bool is_sound(const struct dyn_return *x) {
+  bool sound = isfinite(x->r_end) && isfinite(x->t[PHASE_D]);
+  for (int i = PHASE_GAMMA; i < N_PHASES; i++) sound = sound && x->t[i] > 0 && isfinite(x->t[i]);
+  return sound;
 }
 
 static bool fast_map(struct dyn_return *out, const struct slip *k, double g, const struct dyn_limits *lim) {
@@ -87,7 +91,14 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g, con
   out->r_end = r_end;
   out->slope = slope_of(&h, &end, r_end);
   out->grazing = out->searched = false;
-  return true;
+  return is_sound(out);
+}
+
+/* Whether the rise touches g at a crest, within rounding. */
+static bool touches(const struct carrier *k, double g) {
+  double crest = carrier_rise(k, k->fall), noise = 1e-13 * (g + crest), turn = 2 * PI * k->a;
+  double over = g - crest - (g > crest ? turn * nearbyint((g - crest) / turn) : 0);
+  return fabs(over) < noise;
 }
 
 /* By the walk of wave.c. */
@@ -99,9 +110,9 @@ static int slow_map(struct dyn_return *out, const double params[N_PARAMS], doubl
   if (!(tb <= lim->t_max)) return SS_UNABLE;
   carrier_pass(&s, &k, tb, lim);
   if (s.status) return s.status;
-  *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing, true};
+  *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing || touches(&k, g), true};
   carrier_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
-  return SS_OK;
+  return is_sound(out) ? SS_OK : SS_UNABLE;
 }
 
 int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {

@@ -1,4 +1,4 @@
-/* The straight-line sine and cosine of src/dynamics/turn.h: proofs of their error bounds, and measurements.
+/* The straight-line sine and cosine of src/dynamics/sincos.h: proofs of their error bounds, and measurements.
 
    Proof.  With x = k pi/2 + r + tail the error is that of the reduction (the comment at its bound), that of the
    polynomials (their difference from the series, as a polynomial with small coefficients, enclosed on pieces of z in
@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "dynamics/turn.h"
+#include "dynamics/sincos.h"
 #include "stickslip/flint_compat.h"
 #include "suites.h"
 
@@ -196,7 +196,7 @@ static double truncation(const double *part, int n, int first, int odd, int powe
   return worst * slack + 0x1p-200; /* the terms that are left out: below 1/60! */
 }
 
-/* --- The bounds of turn.h. --- */
+/* --- The bounds of sincos.h. --- */
 
 static const double widest = 0x1.921fb54442d19p-1 * (1 + 0x1p-30); /* |r| is less */
 
@@ -253,7 +253,7 @@ START_TEST(the_proof_is_about_the_code) {
     struct traced q[N_TRACED];
     double low = high * 0.98;
     trace(q, low, high);
-    struct turn t = turn_of(q[R].at);
+    struct sine_cosine t = sincos_of(q[R].at);
     ck_assert(t.sine == q[SINE].at && t.cosine == q[COSINE].at);
     ck_assert(t.versine == q[SAGITTA].at && t.excess == -q[BOW].at);
     for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
@@ -279,7 +279,7 @@ static double miss(double got, mpfr_srcptr want, double of) {
 
 static void measure(struct worst *w, double x) {
   mpfr_t s, c, v, e;
-  struct turn t = turn_of(x);
+  struct sine_cosine t = sincos_of(x);
   mpfr_inits2(300, s, c, v, e, (mpfr_ptr)NULL);
   mpfr_set_d(v, x, MPFR_RNDN);
   mpfr_sin_cos(s, c, v, MPFR_RNDN);
@@ -333,8 +333,8 @@ START_TEST(worst_arguments) {
     measure(&w, nextafter(at, 2 * at));
   }
   mpfr_clear(x);
-  measure(&w, TURN_REACH);
-  measure(&w, -TURN_REACH);
+  measure(&w, SINCOS_REACH);
+  measure(&w, -SINCOS_REACH);
   check_worst(&w);
 }
 END_TEST
@@ -353,30 +353,30 @@ START_TEST(angles) {
     mpfr_set_d(x, across, MPFR_RNDN);
     mpfr_set_d(y, up, MPFR_RNDN);
     mpfr_atan2(y, y, x, MPFR_RNDN);
-    if (up > 0) worst = fmax(worst, miss(turn_angle(up, across), y, mpfr_get_d(y, MPFR_RNDA)));
+    if (up > 0) worst = fmax(worst, miss(sincos_angle(up, across), y, mpfr_get_d(y, MPFR_RNDA)));
   }
   mpfr_clears(x, y, (mpfr_ptr)NULL);
   ck_assert_msg(worst < 4, "%g units", worst);
-  ck_assert(turn_angle(0, 1) == 0 && turn_angle(1, 0) == 0x1.921fb54442d18p+0 &&
-            turn_angle(0, -1) == 0x1.921fb54442d18p+1);
+  ck_assert(sincos_angle(0, 1) == 0 && sincos_angle(1, 0) == 0x1.921fb54442d18p+0 &&
+            sincos_angle(0, -1) == 0x1.921fb54442d18p+1);
 }
 END_TEST
 
 START_TEST(edges) {
-  struct turn zero = turn_of(0), less = turn_of(-0.0);
+  struct sine_cosine zero = sincos_of(0), less = sincos_of(-0.0);
   ck_assert(zero.sine == 0 && zero.cosine == 1 && zero.versine == 0 && zero.excess == 0);
   ck_assert(less.sine == 0 && less.cosine == 1 && less.versine == 0 && less.excess == 0);
-  ck_assert(turn_of(0x1p-1074).sine == 0x1p-1074 && turn_of(-0x1p-600).sine == -0x1p-600);
-  ck_assert(isnan(turn_of(NAN).sine) && isnan(turn_of(NAN).cosine) && isnan(turn_of(INFINITY).sine));
+  ck_assert(sincos_of(0x1p-1074).sine == 0x1p-1074 && sincos_of(-0x1p-600).sine == -0x1p-600);
+  ck_assert(isnan(sincos_of(NAN).sine) && isnan(sincos_of(NAN).cosine) && isnan(sincos_of(INFINITY).sine));
   for (double x = 0x1p-20; x < 0x1p20; x *= 1.7) {
-    struct turn t = turn_of(x), back = turn_of(-x);
+    struct sine_cosine t = sincos_of(x), back = sincos_of(-x);
     ck_assert(back.sine == -t.sine && back.cosine == t.cosine && back.versine == t.versine && back.excess == -t.excess);
   }
 }
 END_TEST
 
-Suite *turn_suite(void) {
-  Suite *s = suite_create("turn");
+Suite *sincos_suite(void) {
+  Suite *s = suite_create("sincos");
   TCase *c = tcase_create("turn");
   tcase_add_test(c, errors_are_proved);
   tcase_add_test(c, the_proof_is_about_the_code);

@@ -1,0 +1,295 @@
+/* The return map in double precision, held against arcs in balls, whose formulas and first-event search are others; its
+   errors are asserted relative to the condition number.  Traps: starts on both sides of a jump, where a hump of z_1'
+   almost reaches V and a later root lies in wait; the flow over any number type, sampled, then must not cross before t_c. */
+#include "stickslip/return_map.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "laws_num.h"
+#include "suites.h"
+
+enum { N_IN = N_PARAMS + 1, N_MAP = 4, MOVE = 60, PREC = 160 };
+
+static double unit(struct rng *r) {
+  return (double)(rng_next(r) >> 11) * 0x1p-53;
+}
+
+/* chi near 0 or 1 too, eta, e1/V and e2/V over e^6; r a little or far below e2/chi. */
+static void random_input(double x[N_IN], struct rng *r) {
+  double edge = exp(-7 * unit(r)), kind = unit(r);
+  x[P_CHI] = kind < 0.2 ? 0.5 * edge : kind < 0.4 ? 1 - 0.5 * edge : 0.1 + 0.8 * unit(r);
+  x[P_ETA] = exp(6 * unit(r) - 3);
+  x[P_V] = exp(4 * unit(r) - 2);
+  x[P_E1] = x[P_V] * exp(6 * unit(r) - 4);
+  x[P_E2] = x[P_V] * exp(6 * unit(r) - 4);
+  x[N_PARAMS] = x[P_E2] / x[P_CHI] - x[P_V] * exp(10 * unit(r) - 8);
+}
+
+/* t_b, t_c, t_d and r at the end, in balls, from inputs of which one is moved by 2^-MOVE of itself.  guess may be NULL. */
+static int truth_at(struct num_vec *out, const double x[N_IN], int moved, const double *guess) {
+  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_vec params;
+  struct dyn_arc arc;
+  arb_t r, z[2];
+  num_vec_init(&params, N_PARAMS, ctx);
+  dyn_arc_init(&arc, ctx);
+  arb_init(r);
+  for (int i = 0; i < 2; i++) arb_init(z[i]);
+  for (int i = 0; i < N_IN; i++) {
+    arb_ptr to = i < N_PARAMS ? num_vec_at(&params, i) : r;
+    arb_t step;
+    arb_init(step);
+    arb_set_d(to, x[i]);
+    arb_mul_2exp_si(step, to, -MOVE);
+    if (i == moved) arb_add(to, to, step, PREC);
+    arb_clear(step);
+  }
+  /* z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r */
+  arb_srcptr chi = num_vec_at(&params, P_CHI), e1 = num_vec_at(&params, P_E1);
+  arb_mul(z[0], chi, r, PREC);
+  arb_add(z[0], z[0], e1, PREC);
+  arb_sub_ui(z[1], chi, 1, PREC);
+  arb_neg(z[1], z[1]);
+  arb_div(z[0], z[0], z[1], PREC);
+  arb_add(z[1], z[0], r, PREC);
+  int status = dyn_arc_run(&arc, &params, z[0], z[1], guess);
+  for (int i = 0; i < 3 && !status; i++) arb_set(num_vec_at(out, i), num_vec_at(&arc.t, 1 + i));
+  if (!status) {
+    arb_srcptr end = num_vec_at(&arc.z, N_PHASES * N_STATE);
+    arb_sub(num_vec_at(out, 3), end + Z_2, end + Z_1, PREC);
+  }
+  for (int i = 0; i < 2; i++) arb_clear(z[i]);
+  arb_clear(r);
+  dyn_arc_clear(&arc);
+  num_vec_clear(&params);
+  return status;
+}
+
+/* |x - y| / |y| */
+static double apart(arb_srcptr x, arb_srcptr y) {
+  arb_t d;
+  arb_init(d);
+  arb_sub(d, x, y, PREC);
+  arb_div(d, d, y, PREC);
+  double e = fabs(num_arb.get_d(d));
+  arb_clear(d);
+  return e;
+}
+
+/* The error of each output in units of 2^-53 (1 + condition number); false where there is no truth. */
+static bool errors_of(double error[N_MAP], const double x[N_IN], const struct dyn_return *got) {
+  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_vec at, moved;
+  const double guess[N_PHASES] = {0, got->t[1], got->t[2], got->t[3]};
+  double condition[N_MAP] = {0};
+  num_vec_init(&at, N_MAP, ctx);
+  num_vec_init(&moved, N_MAP, ctx);
+  bool good = truth_at(&at, x, -1, NULL) == SS_OK;
+  for (int k = 0; k < N_IN && good; k++) {
+    good = truth_at(&moved, x, k, guess) == SS_OK;
+    for (int i = 0; i < N_MAP && good; i++)
+      condition[i] += ldexp(apart(num_vec_at(&moved, i), num_vec_at(&at, i)), MOVE);
+  }
+  for (int i = 0; i < N_MAP && good; i++) {
+    arb_t y;
+    arb_init(y);
+    arb_set_d(y, i < 3 ? got->t[1 + i] : got->r_end);
+    error[i] = ldexp(apart(y, num_vec_at(&at, i)), 53) / (1 + condition[i]);
+    arb_clear(y);
+  }
+  num_vec_clear(&moved);
+  num_vec_clear(&at);
+  return good;
+}
+
+static int by_size(const void *x, const void *y) {
+  double a = *(const double *)x, b = *(const double *)y;
+  return (a > b) - (a < b);
+}
+
+START_TEST(errors_are_those_of_the_inputs) {
+  enum { TRIALS = 500 };
+  struct rng r = {(uint64_t)_i};
+  double all[TRIALS * N_MAP];
+  size_t n = 0;
+  int searched = 0;
+  for (int trial = 0; trial < TRIALS; trial++) {
+    double x[N_IN], error[N_MAP];
+    struct dyn_return got;
+    random_input(x, &r);
+    if (dyn_return_map(&got, x, x[N_PARAMS], NULL) || got.grazing || !errors_of(error, x, &got)) continue;
+    searched += got.searched;
+    for (int i = 0; i < N_MAP; i++) {
+      ck_assert_msg(error[i] < 1024, "output %d: %g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g", i,
+                    error[i], x[0], x[1], x[2], x[3], x[4], x[5]);
+      all[n++] = error[i];
+    }
+  }
+  ck_assert_uint_gt(n, 2 * TRIALS);
+  ck_assert_int_lt(searched, TRIALS / 10);
+  qsort(all, n, sizeof *all, by_size);
+  ck_assert_double_lt(all[n / 2], 1);
+  ck_assert_double_lt(all[n - n / 100], 8);
+}
+END_TEST
+
+/* The greatest z_1' - V in phase H before t_c, by the flow over doubles, but for the last stretch. */
+static double highest_before(const double x[N_IN], const struct dyn_return *got) {
+  enum { SAMPLES = 4000 };
+  struct num_ctx ctx = num_ctx_double();
+  struct num_vec params, z, from, to;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&z, N_STATE, ctx);
+  num_vec_init(&from, N_STATE, ctx);
+  num_vec_init(&to, N_STATE, ctx);
+  double *p = (double *)(void *)params.data, *s = (double *)(void *)z.data, *e = (double *)(void *)to.data;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = x[i];
+  s[Z_1] = (x[P_E1] + x[P_CHI] * x[N_PARAMS]) / (1 - x[P_CHI]);
+  s[Z_2] = s[Z_1] + x[N_PARAMS];
+  s[DZ_1] = s[DZ_2] = x[P_V];
+  ck_assert_int_eq(dyn_flow(&from, PHASE_GAMMA, &params, &z, &got->t[PHASE_GAMMA]), SS_OK);
+  double most = -INFINITY;
+  for (int i = 1; i < SAMPLES; i++) {
+    double t = got->t[PHASE_H] * i / SAMPLES;
+    ck_assert_int_eq(dyn_flow(&to, PHASE_H, &params, &from, &t), SS_OK);
+    most = fmax(most, e[DZ_1] - x[P_V]);
+  }
+  num_vec_clear(&to);
+  num_vec_clear(&from);
+  num_vec_clear(&z);
+  num_vec_clear(&params);
+  return most;
+}
+
+/* Closes in on a jump of t_c between two starts; false when there is none. */
+static bool find_jump(double *low, double *high, double x[N_IN]) {
+  struct dyn_return a, b, m;
+  x[N_PARAMS] = *low;
+  if (dyn_return_map(&a, x, *low, NULL) || dyn_return_map(&b, x, *high, NULL)) return false;
+  if (fabs(a.t[PHASE_H] - b.t[PHASE_H]) < 0.5) return false;
+  for (int i = 0; i < 50; i++) {
+    double mid = 0.5 * (*low + *high);
+    if (dyn_return_map(&m, x, mid, NULL)) return false;
+    if (fabs(m.t[PHASE_H] - a.t[PHASE_H]) < fabs(m.t[PHASE_H] - b.t[PHASE_H]))
+      *low = mid, a = m;
+    else
+      *high = mid, b = m;
+  }
+  return fabs(a.t[PHASE_H] - b.t[PHASE_H]) > 0.3;
+}
+
+START_TEST(no_root_is_passed_by_at_a_jump) {
+  struct rng r = {(uint64_t)_i};
+  int jumps = 0;
+  for (int trial = 0; trial < 400 && jumps < 12; trial++) {
+    double x[N_IN];
+    random_input(x, &r);
+    double top = x[P_E2] / x[P_CHI], low = top - 3 * x[P_V] * unit(&r), high = low + 0.25 * (top - low);
+    if (!find_jump(&low, &high, x)) continue;
+    jumps++;
+    for (int k = 0; k < 40; k++) {
+      struct dyn_return got;
+      double away = ldexp(fabs(low) + x[P_V], -k - 4);
+      x[N_PARAMS] = k % 2 == 0 ? low - away : high + away;
+      if (!(x[N_PARAMS] < top) || dyn_return_map(&got, x, x[N_PARAMS], NULL) || got.grazing) continue;
+      double most = highest_before(x, &got);
+      ck_assert_msg(most < 1e-11 * (x[P_V] + x[P_E1]) / (1 - x[P_CHI]),
+                    "%g before t_c %.17g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g r %.17g", most, got.t[PHASE_H],
+                    x[0], x[1], x[2], x[3], x[4], x[5]);
+    }
+  }
+  ck_assert_int_ge(jumps, 4);
+}
+END_TEST
+
+/* At a crest of the rise the first root is double: told, or taken on the right side. */
+START_TEST(crests_of_the_rise) {
+  const double p[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
+  double a = 0.2, fall = acos(-1) + 2 * atan2(a, p[P_E1]), crest = a * fall + 2 * p[P_E1], top = p[P_E2] / p[P_CHI];
+  for (int k = 2; k < 52; k++)
+    for (int side = -1; side <= 1; side += 2) {
+      struct dyn_return got;
+      double g = crest * (1 + side * ldexp(1, -k));
+      if (dyn_return_map(&got, p, top - g, NULL)) continue; /* phase H from there can be beyond every limit */
+      if (k > 45) ck_assert(got.grazing);
+      if (got.grazing) continue;
+      if (side < 0) ck_assert_double_le(got.t[PHASE_GAMMA], fall * (1 + 1e-7));
+      if (side > 0) ck_assert_double_gt(got.t[PHASE_GAMMA], 2 * acos(-1));
+    }
+}
+END_TEST
+
+START_TEST(slope_is_the_derivative) {
+  struct rng r = {(uint64_t)_i};
+  int n = 0;
+  for (int trial = 0; trial < 200; trial++) {
+    double x[N_IN];
+    struct dyn_return at, up, down;
+    random_input(x, &r);
+    double h = 1e-6 * x[P_V];
+    if (dyn_return_map(&at, x, x[N_PARAMS], NULL) || dyn_return_map(&up, x, x[N_PARAMS] + h, NULL) ||
+        dyn_return_map(&down, x, x[N_PARAMS] - h, NULL))
+      continue;
+    double slope = (up.r_end - down.r_end) / (2 * h), bend = fabs(up.r_end - 2 * at.r_end + down.r_end) / h;
+    double noise = 1e-9 * (fabs(at.r_end) / x[P_V] + 1) / fmax(1 - x[P_CHI], 0.01);
+    if (bend > 1e-4 * fabs(slope) || fabs(at.t[2] - up.t[2]) > 1e-3 || fabs(at.t[2] - down.t[2]) > 1e-3) continue;
+    n++;
+    ck_assert_msg(fabs(slope - at.slope) < 1e-3 * fabs(slope) + noise, "%.17g, differences %.17g", at.slope, slope);
+  }
+  ck_assert_int_gt(n, 40);
+}
+END_TEST
+
+START_TEST(outside_the_domain) {
+  const double good[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587}, bad[] = {0, -1, NAN, INFINITY, -INFINITY};
+  struct dyn_return got;
+  double r = -1.3;
+  ck_assert_int_eq(dyn_return_map(&got, good, r, NULL), SS_OK);
+  for (int k = 0; k < N_PARAMS; k++)
+    for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+      double p[N_PARAMS];
+      for (int l = 0; l < N_PARAMS; l++) p[l] = l == k ? bad[i] : good[l];
+      ck_assert_int_eq(dyn_return_map(&got, p, r, NULL), SS_DOMAIN);
+    }
+  const double one[N_PARAMS] = {1, 1, 1, 2.7844, 0.8587};
+  ck_assert_int_eq(dyn_return_map(&got, one, r, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, good, 0.8587 / 0.8, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, good, 5, NULL), SS_DOMAIN);
+  ck_assert_int_eq(dyn_return_map(&got, good, NAN, NULL), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, good, -INFINITY, NULL), SS_UNABLE);
+  ck_assert_int_eq(dyn_return_map(&got, good, -1e300, NULL), SS_UNABLE); /* t_b beyond every limit */
+  const struct dyn_limits shorter = {1, 100000};
+  ck_assert_int_eq(dyn_return_map(&got, good, r, &shorter), SS_UNABLE);
+}
+END_TEST
+
+/* Numbers at the ends of the exponents: any status, no trap, no endless loop. */
+START_TEST(huge_and_tiny) {
+  static const double size[] = {1e-310, 1e-160, 1e-8, 1, 1e8, 1e160, 1e308};
+  enum { N = sizeof size / sizeof *size };
+  struct rng r = {1};
+  for (int trial = 0; trial < 1500; trial++) {
+    double p[N_PARAMS], start = (unit(&r) - 0.5) * size[rng_between(&r, 0, N - 1)];
+    struct dyn_return got;
+    for (int i = 0; i < N_PARAMS; i++) p[i] = size[rng_between(&r, 0, i == P_CHI ? 2 : N - 1)];
+    if (dyn_return_map(&got, p, start, NULL) == SS_OK)
+      for (int i = 1; i < N_PHASES; i++) ck_assert(got.t[i] > 0 && isfinite(got.t[i]));
+  }
+}
+END_TEST
+
+Suite *return_map_suite(void) {
+  Suite *s = suite_create("return_map");
+  TCase *t = tcase_create("return_map");
+  tcase_set_timeout(t, 120);
+  tcase_add_loop_test(t, errors_are_those_of_the_inputs, 0, 2);
+  tcase_add_loop_test(t, no_root_is_passed_by_at_a_jump, 0, 4);
+  tcase_add_test(t, crests_of_the_rise);
+  tcase_add_loop_test(t, slope_is_the_derivative, 0, 2);
+  tcase_add_test(t, outside_the_domain);
+  tcase_add_test(t, huge_and_tiny);
+  suite_add_tcase(s, t);
+  return s;
+}

@@ -1,0 +1,239 @@
+/* The orbit from a guess, held against the certified list of the search: numbers relative to their condition, every condition
+   that is told, and no orbit that the list does not have, whatever the guess. */
+#include "stickslip/warm.h"
+
+#include <check.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "../src/dynamics/dyn_impl.h"
+#include "laws_num.h"
+#include "suites.h"
+
+enum { PREC = 100, MOVE = 60 };
+
+static double unit(struct rng *r) {
+  return (double)(rng_next(r) >> 11) * 0x1p-53;
+}
+
+static void random_params(double p[N_PARAMS], struct rng *r) {
+  p[P_CHI] = 0.05 + 0.92 * unit(r);
+  p[P_ETA] = exp(4 * unit(r) - 2);
+  p[P_V] = exp(4 * unit(r) - 2);
+  p[P_E1] = p[P_V] * exp(4 * unit(r) - 2);
+  p[P_E2] = p[P_V] * exp(4 * unit(r) - 3);
+}
+
+static fmpq *exact(const double p[N_PARAMS]) {
+  fmpq *q = _fmpq_vec_init(N_PARAMS);
+  arf_t x;
+  arf_init(x);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arf_set_d(x, p[i]);
+    arf_get_fmpq(q + i, x);
+  }
+  arf_clear(x);
+  return q;
+}
+
+static arb_srcptr output_of(const struct dyn_orbit *o, enum dyn_output i) {
+  arb_srcptr all[N_DYN_OUT] = {o->z10,  o->z20,    o->t[0],  o->t[1],     o->t[2],
+                               o->t[3], o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  return all[i];
+}
+
+/* |x - y| / |y| */
+static double apart(arb_srcptr x, arb_srcptr y) {
+  arb_t d;
+  arb_init(d);
+  arb_sub(d, x, y, 2 * PREC);
+  arb_div(d, d, y, 2 * PREC);
+  double e = fabs(num_arb.get_d(d));
+  arb_clear(d);
+  return e;
+}
+
+/* The condition number of every output, from orbits in balls at moved parameters; false where one does not follow. */
+static bool conditions_of(double condition[N_DYN_OUT], const struct dyn_orbit *o, const fmpq *params) {
+  const struct dyn_limits few = {1000, 10};
+  bool good = true, up = arb_lt(o->z10, o->z20);
+  fmpq *moved = _fmpq_vec_init(N_PARAMS);
+  fmpq_t factor;
+  fmpq_init(factor);
+  fmpz_one_2exp(fmpq_denref(factor), MOVE);
+  fmpz_add_ui(fmpq_numref(factor), fmpq_denref(factor), 1);
+  for (int i = 0; i < N_DYN_OUT; i++) condition[i] = 0;
+  for (int k = 0; k < N_PARAMS && good; k++) {
+    struct dyn_orbit near;
+    truth first;
+    for (int i = 0; i < N_PARAMS; i++) fmpq_set(moved + i, params + i);
+    fmpq_mul(moved + k, moved + k, factor);
+    good = dyn_orbit_near(&near, &first, moved, o->guess[PHASE_GAMMA], o->guess[PHASE_H], up, PREC, &few) == SS_OK;
+    for (int i = 0; i < N_DYN_OUT && good; i++)
+      condition[i] += ldexp(apart(output_of(&near, (enum dyn_output)i), output_of(o, (enum dyn_output)i)), MOVE);
+    dyn_orbit_clear(&near);
+  }
+  fmpq_clear(factor);
+  _fmpq_vec_clear(moved, N_PARAMS);
+  return good;
+}
+
+static int by_size(const void *x, const void *y) {
+  double a = *(const double *)x, b = *(const double *)y;
+  return (a > b) - (a < b);
+}
+
+struct tally {
+  double *error;
+  size_t n;
+  int orbits, admissible, refused, refused_admissible;
+};
+
+static void check_conditions(const struct dyn_orbit *o, unsigned violations, unsigned unsure) {
+  ck_assert_uint_eq(violations & unsure, 0);
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    if ((unsure >> i & 1) || o->holds[i] == TRUTH_UNKNOWN) continue;
+    ck_assert_msg(o->holds[i] == (violations >> i & 1 ? TRUTH_FALSE : TRUTH_TRUE), "%s", dyn_condition_id[i]);
+  }
+}
+
+static void check_orbit(struct tally *y, const struct dyn_orbit *o, const double p[N_PARAMS], const fmpq *q,
+                        struct rng *r) {
+  double out[N_DYN_OUT], bare[N_DYN_OUT], condition[N_DYN_OUT], guess[2];
+  unsigned violations, unsure;
+  for (int i = 0; i < 2; i++) guess[i] = o->guess[PHASE_GAMMA + i] * (1 + 1e-3 * (unit(r) - 0.5));
+  int status = dyn_orbit_warm(out, &violations, &unsure, p, guess);
+  y->orbits++;
+  y->admissible += o->admissible == TRUTH_TRUE;
+  y->refused += status != SS_OK;
+  y->refused_admissible += status != SS_OK && o->admissible == TRUTH_TRUE;
+  bool other = fabs(out[DYN_OUT_TB] - o->guess[PHASE_GAMMA]) > 1e-6 * o->guess[PHASE_GAMMA];
+  if (status || other || !conditions_of(condition, o, q)) return;
+  check_conditions(o, violations, unsure);
+  ck_assert_int_eq(dyn_orbit_bare(bare, p, guess), SS_OK);
+  ck_assert_mem_eq(bare, out, DYN_OUT_U1 * sizeof *out);
+  for (int i = 0; i < N_DYN_OUT; i++) {
+    arb_t x;
+    arb_init(x);
+    arb_set_d(x, out[i]);
+    arb_srcptr want = output_of(o, (enum dyn_output)i);
+    double error = arb_equal(x, want) ? 0 : ldexp(apart(x, want), 53) / (1 + condition[i]);
+    arb_clear(x);
+    ck_assert_msg(error < 1024, "output %d: %g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g t_b %.17g t_c %.17g", i,
+                  error, p[0], p[1], p[2], p[3], p[4], guess[0], guess[1]);
+    y->error[y->n++] = error;
+  }
+}
+
+START_TEST(numbers_and_conditions) {
+  enum { SETS = 150, MOST = 16 };
+  struct rng r = {(uint64_t)_i};
+  struct tally y = {.error = malloc((size_t)SETS * MOST * N_DYN_OUT * sizeof(double))};
+  ck_assert_ptr_nonnull(y.error);
+  for (int trial = 0; trial < SETS; trial++) {
+    double p[N_PARAMS];
+    struct dyn_orbits list;
+    random_params(p, &r);
+    fmpq *q = exact(p);
+    dyn_orbits_find(&list, q, PREC, NULL);
+    for (slong k = 0; k < list.n && k < MOST; k++) check_orbit(&y, &list.orbit[k], p, q, &r);
+    dyn_orbits_clear(&list);
+    _fmpq_vec_clear(q, N_PARAMS);
+  }
+  ck_assert_int_gt(y.admissible, SETS / 20);
+  ck_assert_int_le(20 * y.refused_admissible, y.admissible);
+  qsort(y.error, y.n, sizeof *y.error, by_size);
+  ck_assert_double_lt(y.error[y.n / 2], 1);
+  ck_assert_double_lt(y.error[y.n - y.n / 40], 8);
+  free(y.error);
+}
+END_TEST
+
+/* From guesses anywhere: what is returned is in the list. */
+START_TEST(no_orbit_is_invented) {
+  enum { SETS = 60, GUESSES = 200 };
+  struct rng r = {(uint64_t)_i};
+  int found = 0;
+  for (int trial = 0; trial < SETS; trial++) {
+    double p[N_PARAMS];
+    struct dyn_orbits list;
+    random_params(p, &r);
+    fmpq *q = exact(p);
+    int status = dyn_orbits_find(&list, q, PREC, NULL);
+    for (int k = 0; k < GUESSES && status == SS_OK; k++) {
+      double guess[2] = {6.2 * unit(&r), 30 * unit(&r) * unit(&r)}, out[N_DYN_OUT];
+      unsigned violations, unsure;
+      if (dyn_orbit_warm(out, &violations, &unsure, p, guess)) continue;
+      bool known = false;
+      for (slong i = 0; i < list.n; i++) {
+        const double *t = list.orbit[i].guess;
+        if (fabs(t[PHASE_GAMMA] - out[DYN_OUT_TB]) > 1e-8 || fabs(t[PHASE_H] - out[DYN_OUT_TC]) > 1e-8) continue;
+        known = true;
+        check_conditions(&list.orbit[i], violations, unsure);
+      }
+      ck_assert_msg(known, "t_b %.17g t_c %.17g; chi %.17g eta %.17g V %.17g e1 %.17g e2 %.17g", out[DYN_OUT_TB],
+                    out[DYN_OUT_TC], p[0], p[1], p[2], p[3], p[4]);
+      found++;
+    }
+    dyn_orbits_clear(&list);
+    _fmpq_vec_clear(q, N_PARAMS);
+  }
+  ck_assert_int_gt(found, SETS);
+}
+END_TEST
+
+static const double example[N_PARAMS] = {0.8, 1, 1, 2.7844, 0.8587};
+
+START_TEST(hostile) {
+  const double bad[] = {0, -1, NAN, INFINITY, -INFINITY, 1e300, 1e-300}, good[2] = {2, 1.5};
+  double out[N_DYN_OUT];
+  unsigned violations, unsure;
+  ck_assert_int_eq(dyn_orbit_warm(out, &violations, &unsure, example, good), SS_OK);
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    for (int k = 0; k < 2; k++) {
+      double guess[2] = {good[0], good[1]};
+      guess[k] = bad[i];
+      ck_assert_int_eq(dyn_orbit_warm(out, &violations, &unsure, example, guess), SS_UNABLE);
+    }
+    for (int k = 0; k < N_PARAMS; k++) {
+      double p[N_PARAMS];
+      memcpy(p, example, sizeof p);
+      p[k] = bad[i];
+      int status = dyn_orbit_warm(out, &violations, &unsure, p, good);
+      if (i < 5) ck_assert_int_eq(status, SS_DOMAIN);
+      for (int l = 0; l < N_DYN_OUT && status == SS_OK; l++) ck_assert(isfinite(out[l]));
+    }
+  }
+  const double one[N_PARAMS] = {1, 1, 1, 2.7844, 0.8587};
+  ck_assert_int_eq(dyn_orbit_warm(out, &violations, &unsure, one, good), SS_DOMAIN);
+}
+END_TEST
+
+/* Every number at the ends of the exponents: a status, no trap, and no number that is none. */
+START_TEST(huge_and_tiny) {
+  static const double size[] = {1e-310, 1e-160, 1e-8, 1, 1e8, 1e160, 1e308};
+  enum { N = sizeof size / sizeof *size };
+  struct rng r = {1};
+  for (int trial = 0; trial < 20000; trial++) {
+    double p[N_PARAMS], out[N_DYN_OUT], guess[2];
+    unsigned violations, unsure;
+    for (int i = 0; i < N_PARAMS; i++) p[i] = size[rng_between(&r, 0, i == P_CHI ? 2 : N - 1)];
+    for (int i = 0; i < 2; i++) guess[i] = 6 * unit(&r) * size[rng_between(&r, 2, 4)];
+    if (dyn_orbit_warm(out, &violations, &unsure, p, guess)) continue;
+    for (int i = 0; i < N_DYN_OUT; i++) ck_assert(isfinite(out[i]));
+  }
+}
+END_TEST
+
+Suite *warm_suite(void) {
+  Suite *s = suite_create("warm");
+  TCase *t = tcase_create("warm");
+  tcase_set_timeout(t, 120);
+  tcase_add_loop_test(t, numbers_and_conditions, 0, 3);
+  tcase_add_loop_test(t, no_orbit_is_invented, 0, 3);
+  tcase_add_test(t, hostile);
+  tcase_add_test(t, huge_and_tiny);
+  suite_add_tcase(s, t);
+  return s;
+}
