@@ -1,0 +1,43 @@
+/* The periodic orbit of the word near a guess, with its multiplier, in double precision.
+
+   For a caller who knows roughly where the orbit is: Newton's iteration on (t_b, t_c), r being what t_b makes it, a few
+   hundred nanoseconds.  Nothing is searched.  What the answer claims is checked, and where double precision cannot tell
+   the status or `unsure` says so; the search of dynamics.h then decides.
+
+   Error of every output: at most 8 max(1, condition) 2^-53 relative, the condition number being the sum over the
+   parameters of |d ln output / d ln parameter|. */
+#ifndef STICKSLIP_WARM_H
+#define STICKSLIP_WARM_H
+
+#include "stickslip/dynamics.h"
+
+/* Period and times in order of the word; trace: the multiplier, the slope of the return map of r; u1, u2: u_r1_min and
+   u_r2_min of struct dyn_orbit. */
+enum dyn_output {
+  DYN_OUT_Z10,
+  DYN_OUT_Z20,
+  DYN_OUT_TA,
+  DYN_OUT_TB,
+  DYN_OUT_TC,
+  DYN_OUT_TD,
+  DYN_OUT_PERIOD,
+  DYN_OUT_TRACE,
+  DYN_OUT_U1,
+  DYN_OUT_U2,
+  N_DYN_OUT
+};
+
+/* The orbit near guess = (t_b, t_c).  Bit i of *violations is set when condition i of dyn_condition_id is surely broken;
+   of *unsure when double precision cannot tell.  Both zero: the orbit is admissible.
+   SS_OK: out is an orbit of the word, t_b, t_c and t_d proved to be first roots up to rounding.
+   SS_DOMAIN: outside the domain of dynamics.h.
+   SS_UNABLE: no convergence near the guess; t_b or t_c is not a first root; too near a grazing event, a fold or another
+   double zero to keep the error; t_b later than the first crest of the rise, where m1 outruns the belt in phase Gamma. */
+int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure, const double params[N_PARAMS],
+                   const double guess[2]);
+
+/* The same without conditions, u1 and u2 and without the proof of first roots: what a solver of equations gives.
+   out[DYN_OUT_U1] and after are not set. */
+int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]);
+
+#endif

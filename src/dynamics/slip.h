@@ -1,0 +1,215 @@
+/* The word in double precision as straight-line code, from half-angle sines and cosines alone.
+
+   Shared by the return map (return_map.c) and the orbit from a guess (warm.c).  Phase Gamma turns (w, a); phase H is
+   two oscillations, of which mass 2 follows mode i by the factor sigma[i].  What changes along a phase is formed as a
+   change, 2 sin(x/2) (A sin(x/2) + B cos(x/2)) for each mode, and an amplitude that is small because 1 - chi is has no
+   difference of large numbers in it: so positions never enter, and short phases keep their digits.  A node is the state
+   at one time; two nodes with bounds for all time prove that a velocity stays below the belt's between them. */
+#ifndef STICKSLIP_SLIP_H
+#define STICKSLIP_SLIP_H
+
+#include <math.h>
+
+#include "dyn_impl.h"
+
+/* The sine and cosine of half of an angle. */
+struct half_angle {
+  double s, c;
+};
+
+static inline struct half_angle half_angle(double x) {
+  return (struct half_angle){sin(0.5 * x), cos(0.5 * x)};
+}
+
+/* The same of x + d, |d| < 2^-6: relative 2^-60. */
+static inline struct half_angle half_angle_move(struct half_angle x, double d) {
+  double h = 0.5 * d, hh = h * h;
+  double sine = h * (1 - hh * (1.0 / 6 - hh * (1.0 / 120 - hh * (1.0 / 5040))));
+  double versine = hh * (0.5 - hh * (1.0 / 24 - hh * (1.0 / 720)));
+  return (struct half_angle){x.s + (x.c * sine - x.s * versine), x.c - (x.s * sine + x.c * versine)};
+}
+
+static inline double full_sine(struct half_angle x) {
+  return 2 * x.s * x.c;
+}
+
+static inline double full_versine(struct half_angle x) {
+  return 2 * x.s * x.s;
+}
+
+/* What the parameters fix. */
+struct slip {
+  double chi, V, e1, rb, pull_b; /* r and chi eta r at the end of phase Gamma */
+  double a, ease;                /* (1 - chi) V; 1 - chi */
+  double stiff, soft, omc;       /* chi eta, its inverse and root */
+  double om[2], inverse[2];      /* of phase H, and 1/om */
+  double own[2];                 /* share of a change of z_1' in each mode */
+  double lead, drag;             /* both masses at V: the slow mode has lead V, the fast one own[1] drag */
+  double cross;                  /* share of a force on mass 2, minus it in the fast mode */
+  double sigma[2];               /* of mass 2 in each mode, as a multiple of mass 1 */
+};
+
+static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
+  double least = INFINITY, most = 0;
+  for (int i = 0; i < N_PARAMS; i++) {
+    least = fmin(least, p[i]);
+    most = fmax(most, p[i]);
+    if (isnan(p[i])) return false;
+  }
+  if (!(least > 0 && most < INFINITY && p[P_CHI] < 1)) return false;
+  double chi = p[P_CHI], ease = 1 - chi, stiff = chi * p[P_ETA], couple = chi * stiff, lead = stiff - 1;
+  double gap = sqrt(lead * lead + 4 * couple), large = 0.5 * (gap + fabs(lead)), small = couple / large;
+  double above = lead > 0 ? large : small, below = lead > 0 ? small : large, top = 1 + above, per_gap = 1 / gap;
+  double bottom = stiff * ease / top;
+  k->chi = chi;
+  k->V = p[P_V];
+  k->e1 = p[P_E1];
+  k->rb = p[P_E2] / chi;
+  k->pull_b = p[P_ETA] * p[P_E2];
+  k->a = ease * p[P_V];
+  k->ease = ease;
+  k->stiff = stiff;
+  k->soft = 1 / stiff;
+  k->omc = sqrt(stiff);
+  k->om[0] = sqrt(bottom);
+  k->om[1] = sqrt(top);
+  k->inverse[0] = 1 / k->om[0];
+  k->inverse[1] = 1 / k->om[1];
+  k->own[0] = above * per_gap;
+  k->own[1] = below * per_gap;
+  k->cross = chi * per_gap;
+  k->lead = (above + chi) * per_gap;
+  k->drag = k->a / top;
+  k->sigma[0] = below / chi;
+  k->sigma[1] = -above / chi;
+  return true;
+}
+
+/* The end of phase Gamma. */
+struct gamma_end {
+  double rise, p, w, dw; /* r has risen by; z_1' - V; w and w' */
+};
+
+/* x - sin x from the half angle. */
+static inline double turned(double x, struct half_angle b) {
+  if (x > 0.5) return x - full_sine(b);
+  double y = x * x;
+  return x * y *
+         (1.0 / 6 -
+          y * (1.0 / 120 - y * (1.0 / 5040 - y * (1.0 / 362880 - y * (1.0 / 39916800 - y * (1.0 / 6227020800))))));
+}
+
+static inline struct gamma_end gamma_at(const struct slip *k, double t, struct half_angle b) {
+  double sine = full_sine(b), versine = full_versine(b), swing = 2 * b.s * (k->a * b.s + k->e1 * b.c);
+  return (struct gamma_end){k->a * turned(t, b) + k->e1 * versine, -swing, k->e1 * (1 - versine) + k->a * sine,
+                            k->a - swing};
+}
+
+/* Phase H from that end: z_1' is the sum over modes of a cos - b sin. */
+struct slip_modes {
+  double a[2], b[2];
+};
+
+static inline struct slip_modes slip_modes(const struct slip *k, const struct gamma_end *g) {
+  return (struct slip_modes){{k->own[0] * g->p + k->lead * k->V, k->own[1] * (g->p + k->drag)},
+                             {(k->own[0] * g->w + k->cross * k->pull_b) * k->inverse[0],
+                              (k->own[1] * g->w - k->cross * k->pull_b) * k->inverse[1]}};
+}
+
+/* Their derivatives by t_b, r at its end being fixed. */
+static inline struct slip_modes slip_modes_rate(const struct slip *k, const struct gamma_end *g) {
+  return (struct slip_modes){
+      {-k->own[0] * g->w, -k->own[1] * g->w},
+      {k->own[0] * g->dw * k->inverse[0], k->own[1] * g->dw * k->inverse[1]},
+  };
+}
+
+/* A time in phase H: velocities over the belt's, w, and pull = chi eta r. */
+struct node {
+  double p, q, w, pull;
+};
+
+static inline struct node slip_start(const struct slip *k, const struct gamma_end *g) {
+  return (struct node){g->p, 0, g->w, k->pull_b};
+}
+
+static inline struct node slip_node(const struct slip *k, const struct slip_modes *m, double start,
+                                    const struct half_angle x[2]) {
+  double change[2], force[2];
+  for (int i = 0; i < 2; i++) {
+    double sine = full_sine(x[i]), versine = full_versine(x[i]);
+    change[i] = m->a[i] * versine + m->b[i] * sine;
+    force[i] = k->om[i] * (m->a[i] * sine + m->b[i] * (1 - versine));
+  }
+  return (struct node){start - (change[0] + change[1]), -(k->sigma[0] * change[0] + k->sigma[1] * change[1]),
+                       force[0] + force[1], k->sigma[0] * force[0] + k->sigma[1] * force[1]};
+}
+
+/* --- First roots. ---
+
+   Between two times x < y the polynomial of degree 5 with f, f', f'' of both ends errs by at most
+   sixth/720 (s - x)^3 (y - s)^3, sixth a bound of the sixth derivative for all time.  As a polynomial of degree 6 in
+   Bernstein's form the error is one coefficient, and no value exceeds the largest coefficient. */
+
+/* One velocity at both ends: its value, derivative and second derivative. */
+struct course {
+  double f, d, dd;
+};
+
+static inline struct course course_1(const struct slip *k, const struct node *n) {
+  return (struct course){n->p, -n->w, k->chi * n->q - k->a - n->p};
+}
+
+static inline struct course course_2(const struct slip *k, const struct node *n) {
+  return (struct course){n->q, -n->pull, k->stiff * (n->p - n->q)};
+}
+
+/* f < 0 inside (x, y), y - x = h, by more than the noise but near an end that is a root itself. */
+static inline bool course_below(const struct course *x, const struct course *y, double h, double sixth, double noise) {
+  double d0 = h * x->d, d1 = h * y->d, dd0 = h * h * x->dd, dd1 = h * h * y->dd, h6 = h * h * h * h * h * h;
+  double c1 = x->f + d0 * (1.0 / 6), c2 = x->f + d0 * (1.0 / 3) + dd0 * (1.0 / 30);
+  double c5 = y->f - d1 * (1.0 / 6), c4 = y->f - d1 * (1.0 / 3) + dd1 * (1.0 / 30);
+  double c3 = 0.5 * (x->f + y->f + 0.4 * (d0 - d1) + 0.05 * (dd0 + dd1)) + sixth * h6 * (1.0 / 14400);
+  double most = fmax(fmax(c1, c2), fmax(c3, fmax(c4, c5)));
+  return x->f <= 0 && y->f <= 0 && most < -noise;
+}
+
+/* Bounds of z_1' and z_2', and of their sixth derivatives. */
+static inline void slip_bounds(double sixth[2], double size[2], const struct slip *k, const struct slip_modes *m) {
+  double each[2], bent[2];
+  for (int i = 0; i < 2; i++) {
+    double square = k->om[i] * k->om[i];
+    each[i] = fabs(m->a[i]) + fabs(m->b[i]);
+    bent[i] = each[i] * (square * square * square);
+  }
+  size[0] = each[0] + each[1];
+  size[1] = fabs(k->sigma[0]) * each[0] + fabs(k->sigma[1]) * each[1];
+  sixth[0] = bent[0] + bent[1];
+  sixth[1] = fabs(k->sigma[0]) * bent[0] + fabs(k->sigma[1]) * bent[1];
+}
+
+/* --- Phase C turns (r, q/omega) to the radius r_end while w drifts. --- */
+
+struct ending {
+  double r_end, td, ta;
+  double wf, slack; /* w at the end; a (t_d + t_a) */
+};
+
+static inline double slip_radius(const struct slip *k, const struct node *n) {
+  double r = n->pull * k->soft, radius = sqrt(r * r + n->q * n->q * k->soft);
+  bool up = n->q > 0 || (n->q == 0 && r < 0);
+  return up ? radius : -radius;
+}
+
+static inline void slip_ending(struct ending *e, const struct slip *k, const struct node *n) {
+  double r = n->pull * k->soft, sign = e->r_end > 0 ? 1 : -1;
+  e->td = atan2(fabs(n->q), sign * k->omc * r) / k->omc;
+  /* r_end - r without cancellation where both have one sign */
+  double left = e->r_end * r > 0 ? n->q * n->q * k->soft / (e->r_end + r) : e->r_end - r;
+  double w = n->w - k->chi * left;
+  e->slack = k->e1 - w;
+  e->ta = e->slack / k->a - e->td;
+  e->wf = w + k->a * e->td;
+}
+
+#endif
