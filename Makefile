@@ -11,7 +11,7 @@ B        ?= build
 DATADIR  ?= $(PREFIX)/share/stickslip
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
-STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread
 SO    = libstickslip.so.0
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)

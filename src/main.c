@@ -7,8 +7,6 @@
 #include "cli/cli.h"
 #include "stickslip/dynamics.h"
 
-#define VERSION "0.1.0"
-
 static const char help[] =
     "stickslip " VERSION ": audits a paper on periodic stick-slip orbits of two masses on a moving belt\n"
     "\n"
@@ -116,7 +114,8 @@ static const struct command {
                 {"repair", FOR_REPAIR, run_repair},
                 {"bifurcate", FOR_BIFURCATE, run_bifurcate},
                 {"diff", FOR_DIFF, run_diff},
-                {"bench", FOR_BENCH, run_bench}};
+                {"bench", FOR_BENCH, run_bench},
+                {"sweep", FOR_SWEEP, run_sweep}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -160,7 +159,7 @@ int main(int argc, char **argv) {
   if (argc < 2)
     return usage(
         "a command is needed: %s",
-        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate, diff or bench");
+        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate, diff, bench or sweep");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -13,8 +13,10 @@ enum { PREC = 64 };
 static const double narrow = 1e-6; /* of |trace| - 1, and of a static friction over its bound */
 
 const char *const dyn_family_status_name[N_FAMILY_STATUS] = {
-    [FAMILY_OK] = "ok",         [FAMILY_UNDECIDED] = "undecided", [FAMILY_FOLD] = "fold", [FAMILY_CONVERGENCE] = "no convergence",
-    [FAMILY_BUDGET] = "budget", [FAMILY_RANGE] = "range",         [FAMILY_STOPPED] = "stopped"};
+    [FAMILY_OK] = "ok",          [FAMILY_UNDECIDED] = "undecided",
+    [FAMILY_FOLD] = "fold",      [FAMILY_CONVERGENCE] = "no convergence",
+    [FAMILY_BUDGET] = "budget",  [FAMILY_RANGE] = "range",
+    [FAMILY_STOPPED] = "stopped"};
 
 truth dyn_member_admissible(const struct dyn_member *m) {
   return m->violations ? TRUTH_FALSE : m->unsure || m->word != TRUTH_TRUE ? TRUTH_UNKNOWN : TRUTH_TRUE;
@@ -65,8 +67,8 @@ static truth exceeds(const fmpq *u, const arb_t bound) {
 
 static void from_balls(struct dyn_member *m, const struct dyn_orbit *o, const struct family_line *l) {
   const arb_struct *all[N_DYN_OUT] = {
-      [DYN_OUT_Z10] = o->z10,    [DYN_OUT_Z20] = o->z20,     [DYN_OUT_TA] = o->t[0],        [DYN_OUT_TB] = o->t[1],
-      [DYN_OUT_TC] = o->t[2],    [DYN_OUT_TD] = o->t[3],     [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
+      [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
+      [DYN_OUT_TC] = o->t[2],     [DYN_OUT_TD] = o->t[3],    [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
       [DYN_OUT_U1] = o->u_r1_min, [DYN_OUT_U2] = o->u_r2_min};
   *m = (struct dyn_member){.stable = o->stable, .word = TRUTH_TRUE, .up = o->holds[COND_C_V2] == TRUTH_FALSE};
   for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = arf_get_d(arb_midref(all[i]), ARF_RND_NEAR);
@@ -121,8 +123,7 @@ void family_judge(struct dyn_member *m, struct family_line *l) {
 
 /* The phase C of the warm start's orbit may turn the other way; then it is another orbit. */
 bool family_solve(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
-  if (guess[0] < l->crest &&
-      dyn_orbit_warm(m->out, &m->violations, &m->unsure, l->params, guess) == SS_OK) {
+  if (guess[0] < l->crest && dyn_orbit_warm(m->out, &m->violations, &m->unsure, l->params, guess) == SS_OK) {
     l->f->followed++;
     family_judge(m, l);
     return m->up == up;
