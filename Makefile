@@ -7,7 +7,10 @@ LIBDIR   ?= $(PREFIX)/lib
 INCDIR   ?= $(PREFIX)/include
 MANDIR   ?= $(PREFIX)/share/man
 PYTHON   ?= /usr/bin/python3
-B        ?= build
+# MPI=1: stickslip sweep spreads over the processes of mpirun; a build of its own
+MPI      ?=
+MPICC    ?= mpicc
+B        ?= build$(if $(MPI),/mpi)
 DATADIR  ?= $(PREFIX)/share/stickslip
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
@@ -23,8 +26,8 @@ PEERS = $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n
 LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
-CLI   = $(sort $(wildcard src/cli/*.c))
-SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
+CLI   = $(filter-out $(if $(MPI),,%_mpi.c),$(sort $(wildcard src/cli/*.c)))
+SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
@@ -61,11 +64,16 @@ $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
 
-$(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
+$(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(MPI),-DSTICKSLIP_MPI)
 $(B)/bench/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<
+
+ifneq ($(MPI),)
+$(B)/stickslip: private CC = $(MPICC)
+$(B)/src/cli/%.o: CC = $(MPICC)
+endif
 
 -include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(B)/src/main.d
 

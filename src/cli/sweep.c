@@ -79,6 +79,19 @@ static int load_scene(struct sweep *q, const struct options *o, const char *data
   return status;
 }
 
+#ifdef STICKSLIP_MPI
+static int serve(const struct sweep *q, int jobs) {
+  struct diag d;
+  diag_init(&d);
+  struct pool *p = pool_open(q, jobs, &d);
+  if (!p) return bad_input(&d);
+  int status = ranks_serve(q, p, jobs);
+  sweep_stop();
+  pool_close(p);
+  return status;
+}
+#endif
+
 static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
   struct sink s;
   struct diag d;
@@ -92,16 +105,30 @@ static int sweep_with(struct sweep *q, const struct options *o, const char *data
   int jobs, status = parse_jobs(&jobs, o->jobs);
   if (!status) status = parse_request(q, o);
   if (!status) status = load_scene(q, o, data);
-  if (!status) status = write_all_rows(q, o, jobs);
+  if (status) return status;
+  sweep_listen(true);
+#ifdef STICKSLIP_MPI
+  if (!o->jobs) jobs = ranks_jobs();
+  status = ranks_number() > 0 ? serve(q, jobs) : write_all_rows(q, o, jobs);
+#else
+  status = write_all_rows(q, o, jobs);
+#endif
+  sweep_listen(false);
   return status;
 }
 
 int run_sweep(const struct options *o, const char *data) {
   struct sweep q = {.n_axes = 0};
+#ifdef STICKSLIP_MPI
+  ranks_open();
+#endif
   for (int i = 0; i < MAX_OVER; i++) range_init(&q.range[i]);
   int status = sweep_with(&q, o, data);
   for (int i = 0; i < q.n_axes; i++) dyn_axis_clear(&q.axis[i]);
   for (int i = 0; i < MAX_OVER; i++) range_clear(&q.range[i]);
   scene_clear(&q.scene);
+#ifdef STICKSLIP_MPI
+  ranks_close(status);
+#endif
   return status;
 }

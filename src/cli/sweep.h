@@ -76,15 +76,19 @@ bool pool_take(struct pool *p, slong *unit, struct text *rows, int wait);
 
 /* --- sweep_run.c --- */
 
+/* From here SIGINT and SIGTERM set sweep_stopped, or no longer do. */
+void sweep_listen(bool on);
+void sweep_stop(void);
 /* An exit status. */
 int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs);
 
 #ifdef STICKSLIP_MPI
 /* --- sweep_mpi.c --- */
 
-/* Every process calls it first, and the last one last.  Of the processes rank 0 writes, the others compute for it. */
+/* Every process calls open first and close last.  Rank 0 writes, the others compute for it; what they have to say about
+   the command line, rank 0 says too, so their standard error is closed. */
 void ranks_open(void);
-void ranks_close(void);
+void ranks_close(int status);
 int ranks_number(void); /* this one's */
 int ranks_count(void);
 /* --jobs where none is given: the processors of this machine shared among its ranks. */
@@ -92,14 +96,16 @@ int ranks_jobs(void);
 /* Ranks other than 0: computes what rank 0 asks for until it asks for no more; an exit status. */
 int ranks_serve(const struct sweep *q, struct pool *p, int jobs);
 
-/* Rank 0. */
+/* The other ranks, as rank 0 sees them. */
 struct helpers;
 struct helpers *helpers_open(const struct sweep *q);
-/* Sends the others home; abandoned: without waiting for those that were lost. */
+/* Sends them home. */
 void helpers_close(struct helpers *h);
-/* A rank that has room for one more unit, and the unit sent there; false when there is none. */
+/* Whether there are any. */
+bool helpers_waiting(const struct helpers *h);
+/* Hands the unit to a rank that has room for it; false when there is none. */
 bool helpers_give(struct helpers *h, slong unit);
-/* What has come: a unit that is done with its rows, or one that a lost rank had (*lost). */
+/* What has come: the rows of a unit, or (*lost) a unit that a lost rank had; false when nothing has. */
 bool helpers_take(struct helpers *h, slong *unit, bool *lost, struct text *rows);
 #endif
 

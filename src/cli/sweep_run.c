@@ -5,6 +5,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "stickslip/arena.h"
 #include "sweep.h"
 
 enum { AHEAD = 1024, WAIT = 20 };
@@ -20,8 +21,12 @@ static void on_signal(int number) {
   stopped = 1;
 }
 
-static void listen(void (*handler)(int)) {
-  struct sigaction a = {.sa_handler = handler, .sa_flags = SA_RESTART};
+void sweep_stop(void) {
+  stopped = 1;
+}
+
+void sweep_listen(bool on) {
+  struct sigaction a = {.sa_handler = on ? on_signal : SIG_DFL, .sa_flags = SA_RESTART};
   sigemptyset(&a.sa_mask);
   sigaction(SIGINT, &a, NULL);
   sigaction(SIGTERM, &a, NULL);
@@ -36,8 +41,10 @@ struct run {
   const struct sweep *q;
   struct sink *sink;
   struct pool *pool;
-  int room;            /* units that the threads may have at a time */
-  int busy;            /* that they have */
+  int room;     /* units that the threads may have at a time */
+  int busy;     /* that they have */
+  slong *again; /* units that are to be handed out once more */
+  size_t n_again, cap_again;
   slong next, written; /* units handed out, and units in the sink */
   struct waiting ring[AHEAD];
   struct diag d;
@@ -69,14 +76,26 @@ static void show_progress(struct run *r) {
 
 /* --- Handing out, taking in. --- */
 
+/* The next unit to be handed out; -1 when none is, for now. */
+static slong next_unit(const struct run *r) {
+  if (r->n_again > 0) return r->again[r->n_again - 1];
+  return r->next < r->q->units && r->next < r->written + AHEAD ? r->next : -1;
+}
+
+static void advance(struct run *r) {
+  if (r->n_again > 0)
+    r->n_again--;
+  else
+    r->next++;
+}
+
 static void give(struct run *r) {
-  const slong end = r->q->units < r->written + AHEAD ? r->q->units : r->written + AHEAD;
-  while (r->next < end && r->busy < r->room) {
-    pool_give(r->pool, r->next++);
-    r->busy++;
+  for (slong unit; r->busy < r->room && (unit = next_unit(r)) >= 0; r->busy++) {
+    pool_give(r->pool, unit);
+    advance(r);
   }
 #ifdef STICKSLIP_MPI
-  while (r->next < end && helpers_give(r->helpers, r->next)) r->next++;
+  for (slong unit; (unit = next_unit(r)) >= 0 && helpers_give(r->helpers, unit);) advance(r);
 #endif
 }
 
@@ -89,27 +108,33 @@ static void put(struct run *r, slong unit, struct text *rows) {
   *rows = old;
 }
 
+#ifdef STICKSLIP_MPI
+static void take_from_ranks(struct run *r, struct text *rows) {
+  slong unit;
+  bool lost;
+  while (helpers_take(r->helpers, &unit, &lost, rows)) {
+    if (!lost) {
+      put(r, unit, rows);
+      continue;
+    }
+    r->again = ss_grow(r->again, r->n_again, &r->cap_again, sizeof *r->again);
+    r->again[r->n_again++] = unit;
+  }
+}
+#endif
+
 static void take(struct run *r, struct text *rows) {
   slong unit;
   int wait = WAIT;
 #ifdef STICKSLIP_MPI
-  bool lost;
-  if (helpers_busy(r->helpers)) wait = 1;
-  while (helpers_take(r->helpers, &unit, &lost, rows)) {
-    wait = 0;
-    if (lost) {
-      pool_give(r->pool, unit);
-      r->busy++;
-    } else {
-      put(r, unit, rows);
-    }
-  }
+  take_from_ranks(r, rows);
+  if (helpers_waiting(r->helpers)) wait = 1;
 #endif
-  if (!pool_take(r->pool, &unit, rows, wait)) return;
-  do {
+  while (pool_take(r->pool, &unit, rows, wait)) {
     r->busy--;
     put(r, unit, rows);
-  } while (pool_take(r->pool, &unit, rows, 0));
+    wait = 0;
+  }
 }
 
 static bool write_ready(struct run *r) {
@@ -148,19 +173,23 @@ static int loop(struct run *r) {
 }
 
 int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
-  struct run *r = calloc(1, sizeof *r);
-  if (!r) abort();
+  struct run *r = ss_malloc(sizeof *r);
   *r = (struct run){.q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
   diag_init(&r->d);
   r->terminal = isatty(STDERR_FILENO);
   clock_gettime(CLOCK_MONOTONIC, &r->begun);
-  listen(on_signal);
   r->pool = pool_open(q, jobs, &r->d);
+#ifdef STICKSLIP_MPI
+  r->helpers = helpers_open(q);
+#endif
   int status = r->pool ? loop(r) : bad_input(&r->d);
-  stopped = 1; /* what is under way is not wanted any more */
+  sweep_stop(); /* what is under way is not wanted any more */
   if (r->pool) pool_close(r->pool);
-  listen(SIG_DFL);
+#ifdef STICKSLIP_MPI
+  helpers_close(r->helpers);
+#endif
   for (int i = 0; i < AHEAD; i++) text_clear(&r->ring[i].rows);
+  free(r->again);
   free(r);
   return status;
 }
