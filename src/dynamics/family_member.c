@@ -36,17 +36,25 @@ void family_line_init(struct family_line *l, struct dyn_family *f, const struct 
 
 void family_line_clear(struct family_line *l) {
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
+  lanes_clear(&l->lanes);
 }
 
 void family_move(struct family_line *l, slong i) {
   l->at = i;
   l->params[l->q->axis->vary] = dyn_axis_d(l->q->axis, i);
-  l->crest = PI + 2 * atan2((1 - l->params[P_CHI]) * l->params[P_V], l->params[P_E1]);
+}
+
+/* The first crest of phase Gamma. */
+static double crest(const struct family_line *l) {
+  return PI + 2 * atan2((1 - l->params[P_CHI]) * l->params[P_V], l->params[P_E1]);
+}
+
+double family_apart(const struct dyn_member *a, const struct dyn_member *b) {
+  return fabs(a->out[DYN_OUT_TB] - b->out[DYN_OUT_TB]) + fabs(a->out[DYN_OUT_TC] - b->out[DYN_OUT_TC]);
 }
 
 bool family_same(const struct dyn_member *a, const struct dyn_member *b) {
-  double apart = fabs(a->out[DYN_OUT_TB] - b->out[DYN_OUT_TB]) + fabs(a->out[DYN_OUT_TC] - b->out[DYN_OUT_TC]);
-  return a->up == b->up && apart <= 1e-6 * (a->out[DYN_OUT_TB] + a->out[DYN_OUT_TC]);
+  return a->up == b->up && family_apart(a, b) <= 1e-6 * (a->out[DYN_OUT_TB] + a->out[DYN_OUT_TC]);
 }
 
 /* --- In balls. --- */
@@ -123,7 +131,7 @@ void family_judge(struct dyn_member *m, struct family_line *l) {
 
 /* The phase C of the warm start's orbit may turn the other way; then it is another orbit. */
 bool family_solve(struct dyn_member *m, struct family_line *l, const double guess[2], bool up) {
-  if (guess[0] < l->crest && dyn_orbit_warm(m->out, &m->violations, &m->unsure, l->params, guess) == SS_OK) {
+  if (guess[0] < crest(l) && dyn_orbit_warm(m->out, &m->violations, &m->unsure, l->params, guess) == SS_OK) {
     l->f->followed++;
     family_judge(m, l);
     return m->up == up;
@@ -152,7 +160,7 @@ void family_add(struct dyn_family *f, struct dyn_family_point *p, struct dyn_mem
 }
 
 static bool wanted(const struct family_line *l, double tb) {
-  return l->q->late || tb < l->crest;
+  return l->q->late || tb < crest(l);
 }
 
 /* Each zero of the search by a warm start; false where that is not enough to be sure of the list. */
