@@ -23,7 +23,9 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS = $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
-LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
+# threads of the batch kernel; without OpenMP it uses one
+OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_threads() < 1;}\n' | $(CC) $(CFLAGS) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
+LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out $(if $(MPI),,%_mpi.c),$(sort $(wildcard src/cli/*.c)))
@@ -65,6 +67,8 @@ $(B)/tests/%.o: tests/%.c Makefile
 	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
 
 $(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(MPI),-DSTICKSLIP_MPI)
+# vectorised: no flag here may change a bit of a result
+$(B)/src/dynamics/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math $(OPENMP)
 $(B)/bench/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -112,7 +116,7 @@ install: all ## install program, library, headers, man page and data (PREFIX, DE
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
 	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(OPENMP) $(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 

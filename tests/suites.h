@@ -31,6 +31,7 @@ Suite *mutate_suite(void);
 Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
+Suite *turn_suite(void);
 Suite *bench_suite(void);
 
 #endif

@@ -49,14 +49,8 @@ struct slip {
   double sigma[2];               /* of mass 2 in each mode, as a multiple of mass 1 */
 };
 
-static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
-  double least = INFINITY, most = 0;
-  for (int i = 0; i < N_PARAMS; i++) {
-    least = fmin(least, p[i]);
-    most = fmax(most, p[i]);
-    if (isnan(p[i])) return false;
-  }
-  if (!(least > 0 && most < INFINITY && p[P_CHI] < 1)) return false;
+/* In the domain; straight-line code, as is everything here. */
+static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
   double chi = p[P_CHI], ease = 1 - chi, stiff = chi * p[P_ETA], couple = chi * stiff, lead = stiff - 1;
   double gap = sqrt(lead * lead + 4 * couple), large = 0.5 * (gap + fabs(lead)), small = couple / large;
   double above = lead > 0 ? large : small, below = lead > 0 ? small : large, top = 1 + above, per_gap = 1 / gap;
@@ -82,6 +76,17 @@ static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
   k->drag = k->a / top;
   k->sigma[0] = below / chi;
   k->sigma[1] = -above / chi;
+}
+
+static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
+  double least = INFINITY, most = 0;
+  for (int i = 0; i < N_PARAMS; i++) {
+    least = fmin(least, p[i]);
+    most = fmax(most, p[i]);
+    if (isnan(p[i])) return false;
+  }
+  if (!(least > 0 && most < INFINITY && p[P_CHI] < 1)) return false;
+  slip_set(k, p);
   return true;
 }
 
@@ -170,8 +175,7 @@ static inline bool course_below(const struct course *x, const struct course *y, 
   double c1 = x->f + d0 * (1.0 / 6), c2 = x->f + d0 * (1.0 / 3) + dd0 * (1.0 / 30);
   double c5 = y->f - d1 * (1.0 / 6), c4 = y->f - d1 * (1.0 / 3) + dd1 * (1.0 / 30);
   double c3 = 0.5 * (x->f + y->f + 0.4 * (d0 - d1) + 0.05 * (dd0 + dd1)) + sixth * h6 * (1.0 / 14400);
-  double most = fmax(fmax(c1, c2), fmax(c3, fmax(c4, c5)));
-  return x->f <= 0 && y->f <= 0 && most < -noise;
+  return (x->f <= 0) & (y->f <= 0) & (c1 < -noise) & (c2 < -noise) & (c3 < -noise) & (c4 < -noise) & (c5 < -noise);
 }
 
 /* Bounds of z_1' and z_2', and of their sixth derivatives. */

@@ -1,0 +1,349 @@
+/* The straight-line sine and cosine of src/dynamics/turn.h: proofs of their error bounds, and measurements.
+
+   Proof.  With x = k pi/2 + r + tail the error is that of the reduction (the comment at its bound), that of the
+   polynomials (their difference from the series, as a polynomial with small coefficients, enclosed on pieces of z in
+   centred form) and that of rounding (each operation of the header is repeated here on an enclosure of its exact value
+   with a bound of its error, piece by piece).  That the repeated operations are the header's is seen from equal bits.
+
+   Measurements against MPFR: random arguments of every size, the doubles next to multiples of pi/2, the edges. */
+#include <check.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+
+#include "dynamics/turn.h"
+#include "stickslip/flint_compat.h"
+#include "suites.h"
+
+enum { BITS = 160, TERMS = 30, PIECES = 4096 };
+static const double unit = 0x1p-53;
+
+/* --- The rounding of one polynomial piece. --- */
+
+/* A quantity: the double that the header has at the piece's middle, an enclosure of what exact arithmetic would have on
+   the whole piece, and a bound of the difference between computed and exact. */
+struct traced {
+  double at;
+  arb_t exact;
+  double error;
+};
+
+static double magnitude(const arb_t x) {
+  arf_t bound;
+  arf_init(bound);
+  arb_get_abs_ubound_arf(bound, x, 64);
+  double d = arf_get_d(bound, ARF_RND_CEIL);
+  arf_clear(bound);
+  return d;
+}
+
+/* Half a unit in the last place of anything up to size. */
+static double rounding(double size) {
+  int e;
+  frexp(size * (1 + 1e-12), &e);
+  return ldexp(1, e - 54);
+}
+
+static const double slack = 1 + 1e-12; /* for the few operations on error bounds themselves */
+
+static void traced_set(struct traced *z, double at, double low, double high) {
+  arb_t end;
+  arb_init(end);
+  arb_init(z->exact);
+  z->at = at;
+  z->error = 0;
+  arb_set_d(z->exact, low);
+  arb_set_d(end, high);
+  arb_union(z->exact, z->exact, end, BITS);
+  arb_clear(end);
+}
+
+static void traced_clear(struct traced *z) {
+  arb_clear(z->exact);
+}
+
+static void traced_add(struct traced *z, const struct traced *x, const struct traced *y) {
+  double error = x->error + y->error;
+  z->at = x->at + y->at;
+  arb_add(z->exact, x->exact, y->exact, BITS);
+  z->error = (error + rounding(magnitude(z->exact) + error)) * slack;
+}
+
+static void traced_mul(struct traced *z, const struct traced *x, const struct traced *y) {
+  double error = (x->error * magnitude(y->exact) + y->error * magnitude(x->exact) + x->error * y->error) * slack;
+  z->at = x->at * y->at;
+  arb_mul(z->exact, x->exact, y->exact, BITS);
+  z->error = (error + rounding(magnitude(z->exact) + error)) * slack;
+}
+
+static void traced_scale(struct traced *z, double power_of_two) {
+  arb_t factor;
+  arb_init(factor);
+  arb_set_d(factor, power_of_two);
+  z->at *= power_of_two;
+  arb_mul(z->exact, z->exact, factor, BITS);
+  z->error *= fabs(power_of_two);
+  arb_clear(factor);
+}
+
+static const double sine_part[] = {-0x1.5555555555555p-3, 0x1.1111111111067p-7,   -0x1.a01a019ffdba2p-13,
+                                   0x1.71de3a32a93f8p-19, -0x1.ae642ad5e63d4p-26, 0x1.6108b3a86cfc9p-33,
+                                   -0x1.9f70e4a638736p-41};
+static const double cosine_part[] = {0x1.5555555555555p-5,  -0x1.6c16c16c16664p-10, 0x1.a01a019ec32bdp-16,
+                                     -0x1.27e4f9898328p-22, 0x1.1eeaefa8f1c23p-29,  -0x1.9034073fa6881p-37};
+enum { SINE_PART = sizeof sine_part / sizeof *sine_part, COSINE_PART = sizeof cosine_part / sizeof *cosine_part };
+
+static void traced_polynomial(struct traced *p, const double *coefficient, int n, const struct traced *z) {
+  struct traced c;
+  traced_set(p, coefficient[n - 1], coefficient[n - 1], coefficient[n - 1]);
+  for (int i = n - 2; i >= 0; i--) {
+    traced_set(&c, coefficient[i], coefficient[i], coefficient[i]);
+    traced_mul(p, z, p);
+    traced_add(p, &c, p);
+    traced_clear(&c);
+  }
+}
+
+enum { R, TAIL, Z, BOW, SAGITTA, SINE, COSINE, N_TRACED };
+
+/* The header's operations for r in [low, high]; tail may be anything up to half a unit in r's last place. */
+static void trace(struct traced q[N_TRACED], double low, double high) {
+  struct traced p, h;
+  double mid = low + 0.5 * (high - low), most = rounding(high);
+  traced_set(&q[R], mid, low, high);
+  traced_set(&q[TAIL], 0, -most, most);
+  for (int i = Z; i < N_TRACED; i++) traced_set(&q[i], 0, 0, 0);
+  traced_mul(&q[Z], &q[R], &q[R]);
+
+  traced_polynomial(&p, sine_part, SINE_PART, &q[Z]);
+  traced_mul(&q[BOW], &q[R], &q[Z]);
+  traced_mul(&q[BOW], &q[BOW], &p);
+  traced_add(&q[SINE], &q[BOW], &q[TAIL]);
+  traced_add(&q[SINE], &q[R], &q[SINE]);
+  traced_clear(&p);
+
+  traced_polynomial(&p, cosine_part, COSINE_PART, &q[Z]);
+  traced_set(&h, 0, 0, 0);
+  traced_mul(&h, &q[Z], &q[Z]);
+  traced_mul(&p, &h, &p);
+  traced_scale(&p, -1);
+  h.at = q[Z].at;
+  arb_set(h.exact, q[Z].exact);
+  h.error = q[Z].error;
+  traced_scale(&h, 0.5);
+  traced_add(&q[SAGITTA], &h, &p);
+  traced_mul(&h, &q[R], &q[TAIL]);
+  traced_add(&q[SAGITTA], &q[SAGITTA], &h);
+  traced_clear(&p);
+  traced_set(&p, 1, 1, 1);
+  h.at = q[SAGITTA].at;
+  arb_set(h.exact, q[SAGITTA].exact);
+  h.error = q[SAGITTA].error;
+  traced_scale(&h, -1);
+  traced_add(&q[COSINE], &p, &h);
+  traced_clear(&p);
+  traced_clear(&h);
+}
+
+/* --- The truncation. --- */
+
+/* A bound over 0 <= z <= most of |z^power (P(z) - series(z))|, P the part and the series that of (sin r - r)/r^3 (first 1,
+   odd 1) or (cos r - 1 + r^2/2)/r^4 (first 2, odd 0) by z = r^2: (-1)^(i + first) z^i / (2 (i + first) + odd)!. */
+static double truncation(const double *part, int n, int first, int odd, int power, double most) {
+  arb_poly_t difference;
+  arb_t z, mid, value, slope, off;
+  double worst = 0;
+  arb_poly_init(difference);
+  arb_init(z), arb_init(mid), arb_init(value), arb_init(slope), arb_init(off);
+  for (int i = TERMS - 1; i >= 0; i--) {
+    arb_fac_ui(value, (ulong)(2 * (i + first) + odd), BITS);
+    arb_inv(value, value, BITS);
+    if ((i + first) % 2 == 0) arb_neg(value, value);
+    arb_set_d(off, i < n ? part[i] : 0);
+    arb_add(value, value, off, BITS);
+    arb_poly_set_coeff_arb(difference, i, value);
+  }
+  arb_poly_shift_left(difference, difference, power);
+  for (int k = 0; k < PIECES; k++) { /* value(mid) + slope(piece) (piece - mid) */
+    arb_set_d(mid, most * (k + 0.5) / PIECES);
+    arb_set(z, mid);
+    mag_set_d(arb_radref(z), most / PIECES * 0.5001);
+    arb_sub(off, z, mid, BITS);
+    arb_poly_evaluate2(value, slope, difference, z, BITS);
+    arb_mul(slope, slope, off, BITS);
+    arb_poly_evaluate(value, difference, mid, BITS);
+    arb_add(value, value, slope, BITS);
+    worst = fmax(worst, magnitude(value));
+  }
+  arb_poly_clear(difference);
+  arb_clear(z), arb_clear(mid), arb_clear(value), arb_clear(slope), arb_clear(off);
+  return worst * slack + 0x1p-200; /* the terms that are left out: below 1/60! */
+}
+
+/* --- The bounds of turn.h. --- */
+
+static const double widest = 0x1.921fb54442d19p-1 * (1 + 0x1p-30); /* |r| is less */
+
+/* The largest of each bound over all r, in units of 2^-53: relative ones. */
+struct bounds {
+  double sine, cosine, versine, excess;
+};
+
+/* The truncations for r below some limit. */
+struct truncations {
+  double limit, sine, cosine, versine, excess;
+};
+
+static struct truncations truncations_to(double r) {
+  double z = r * r * slack;
+  return (struct truncations){
+      r, truncation(sine_part, SINE_PART, 1, 1, 1, z), truncation(cosine_part, COSINE_PART, 2, 0, 2, z),
+      truncation(cosine_part, COSINE_PART, 2, 0, 1, z), truncation(sine_part, SINE_PART, 1, 1, 0, z)};
+}
+
+static void widen(struct bounds *b, const struct truncations *cut, double low, double high) {
+  struct traced q[N_TRACED];
+  const double z = high * high, least = low * low, tail = rounding(high), lost = tail * z; /* tail (1 - cos r) */
+  trace(q, low, high);
+  double sine = q[SINE].error + high * cut->sine + lost;
+  double cosine = q[COSINE].error + cut->cosine + lost + tail * tail;
+  double versine = q[SAGITTA].error + z * cut->versine;
+  double excess = q[BOW].error + z * high * cut->excess;
+  b->sine = fmax(b->sine, sine / (low * (1 - least / 6)));
+  b->cosine = fmax(b->cosine, cosine / (1 - z / 2));
+  b->versine = fmax(b->versine, versine / (least * (0.5 - least / 24)));
+  b->excess = fmax(b->excess, excess / (low * least / 6 * (1 - least / 20)));
+  for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
+}
+
+/* Below the last piece z is under 2^-80: sine = r and cosine = 1 but for one rounding, and the parts are their first
+   coefficients. */
+START_TEST(errors_are_proved) {
+  struct bounds b = {0};
+  struct truncations cut = truncations_to(widest);
+  for (double high = widest; high > 0x1p-40; high *= 1 - 1.0 / 128) {
+    if (high < cut.limit / 4) cut = truncations_to(high);
+    widen(&b, &cut, high * (1 - 1.0 / 128), high);
+  }
+  ck_assert_msg(b.sine < 1.6 * unit && b.cosine < 2.4 * unit && b.versine < 3.4 * unit && b.excess < 4.2 * unit,
+                "units: sine %g cosine %g versine %g excess %g", b.sine / unit, b.cosine / unit, b.versine / unit,
+                b.excess / unit);
+}
+END_TEST
+
+/* The operations that are bounded are those that run. */
+START_TEST(the_proof_is_about_the_code) {
+  for (double high = 0.78; high > 0x1p-30; high *= 0.97) {
+    struct traced q[N_TRACED];
+    double low = high * 0.98;
+    trace(q, low, high);
+    struct turn t = turn_of(q[R].at);
+    ck_assert(t.sine == q[SINE].at && t.cosine == q[COSINE].at);
+    ck_assert(t.versine == q[SAGITTA].at && t.excess == -q[BOW].at);
+    for (int i = 0; i < N_TRACED; i++) traced_clear(&q[i]);
+  }
+}
+END_TEST
+
+/* --- Measured. --- */
+
+struct worst {
+  double sine, cosine, versine, excess;
+};
+
+/* |got - want| in units of 2^-53 of want (or of one, or of x), less what the reduction may add. */
+static double miss(double got, mpfr_srcptr want, double of) {
+  mpfr_t d;
+  mpfr_init2(d, 64);
+  mpfr_d_sub(d, got, want, MPFR_RNDA);
+  double e = fabs(mpfr_get_d(d, MPFR_RNDA));
+  mpfr_clear(d);
+  return fmax(e - 0x1p-97, 0) / (of * unit);
+}
+
+static void measure(struct worst *w, double x) {
+  mpfr_t s, c, v, e;
+  struct turn t = turn_of(x);
+  mpfr_inits2(300, s, c, v, e, (mpfr_ptr)NULL);
+  mpfr_set_d(v, x, MPFR_RNDN);
+  mpfr_sin_cos(s, c, v, MPFR_RNDN);
+  mpfr_sub(e, v, s, MPFR_RNDN);
+  mpfr_ui_sub(v, 1, c, MPFR_RNDN);
+  bool small = fabs(x) < 0x1.921fb54442d18p-1;
+  w->sine = fmax(w->sine, miss(t.sine, s, fabs(mpfr_get_d(s, MPFR_RNDA))));
+  w->cosine = fmax(w->cosine, miss(t.cosine, c, fabs(mpfr_get_d(c, MPFR_RNDA))));
+  w->versine = fmax(w->versine, miss(t.versine, v, small ? mpfr_get_d(v, MPFR_RNDA) : 1) / (small ? 3.4 : 2.6));
+  w->excess =
+      fmax(w->excess, miss(t.excess, e, small ? fabs(mpfr_get_d(e, MPFR_RNDA)) : 1.6 + fabs(x)) / (small ? 4.2 : 1));
+  mpfr_clears(s, c, v, e, (mpfr_ptr)NULL);
+}
+
+static void check_worst(const struct worst *w) {
+  ck_assert_msg(w->sine < 2.4 && w->cosine < 2.4, "sine %g, cosine %g units of 2^-53", w->sine, w->cosine);
+  ck_assert_msg(w->versine <= 1 && w->excess <= 1, "versine %g, excess %g of their bounds", w->versine, w->excess);
+}
+
+static double uniform(uint64_t *state) {
+  *state = *state * 6364136223846793005u + 1442695040888963407u;
+  return (double)(*state >> 11) * 0x1p-53;
+}
+
+START_TEST(random_arguments) {
+  struct worst w = {0};
+  uint64_t state = 20;
+  for (int i = 0; i < 60000; i++) {
+    double size = ldexp(1, (int)(uniform(&state) * 60) - 40); /* to 2^20 */
+    measure(&w, (2 * uniform(&state) - 1) * size);
+  }
+  for (int i = 0; i < 60000; i++) measure(&w, 40 * uniform(&state));
+  check_worst(&w);
+}
+END_TEST
+
+/* Next to k pi/2, where what is left is smallest, and next to odd multiples of pi/4, where k changes. */
+START_TEST(worst_arguments) {
+  struct worst w = {0};
+  mpfr_t x;
+  uint64_t state = 21;
+  mpfr_init2(x, 200);
+  for (int i = 1; i < 24000; i++) {
+    long k = i < 12000 ? i : (long)(uniform(&state) * 0x1p20 * 4 / 3.15);
+    mpfr_const_pi(x, MPFR_RNDN);
+    mpfr_mul_si(x, x, k, MPFR_RNDN);
+    mpfr_div_2ui(x, x, 2, MPFR_RNDN);
+    double at = mpfr_get_d(x, MPFR_RNDN);
+    measure(&w, at);
+    measure(&w, -nextafter(at, 0));
+    measure(&w, nextafter(at, 2 * at));
+  }
+  mpfr_clear(x);
+  measure(&w, TURN_REACH);
+  measure(&w, -TURN_REACH);
+  check_worst(&w);
+}
+END_TEST
+
+START_TEST(edges) {
+  struct turn zero = turn_of(0), less = turn_of(-0.0);
+  ck_assert(zero.sine == 0 && zero.cosine == 1 && zero.versine == 0 && zero.excess == 0);
+  ck_assert(less.sine == 0 && less.cosine == 1 && less.versine == 0 && less.excess == 0);
+  ck_assert(turn_of(0x1p-1074).sine == 0x1p-1074 && turn_of(-0x1p-600).sine == -0x1p-600);
+  ck_assert(isnan(turn_of(NAN).sine) && isnan(turn_of(NAN).cosine) && isnan(turn_of(INFINITY).sine));
+  for (double x = 0x1p-20; x < 0x1p20; x *= 1.7) {
+    struct turn t = turn_of(x), back = turn_of(-x);
+    ck_assert(back.sine == -t.sine && back.cosine == t.cosine && back.versine == t.versine && back.excess == -t.excess);
+  }
+}
+END_TEST
+
+Suite *turn_suite(void) {
+  Suite *s = suite_create("turn");
+  TCase *c = tcase_create("turn");
+  tcase_add_test(c, errors_are_proved);
+  tcase_add_test(c, the_proof_is_about_the_code);
+  tcase_add_test(c, random_arguments);
+  tcase_add_test(c, worst_arguments);
+  tcase_add_test(c, edges);
+  suite_add_tcase(s, c);
+  return s;
+}
