@@ -75,6 +75,20 @@ static const char help[] =
     "      fronts, and the ratios that are asked for; --out writes bench.md, bench.json, tables for each job and, "
     "with\n"
     "      gnuplot, a figure; --quick: few inputs and short timings\n"
+    "  stickslip sweep SCENE --over NAME=A:B:N [--over NAME=A:B:N] [--all] [--search-every N] [--digits N] [--jobs N]\n"
+    "                  [--csv FILE [--resume] | --json]\n"
+    "      the admissible orbits (with --all and in JSON: every orbit) at N values of one or two of chi, eta, V, e1, "
+    "e2 "
+    "from\n"
+    "      A to B, in double precision, along the last --over; CSV goes to stdout without --csv, which writes "
+    "FILE.part "
+    "and\n"
+    "      renames it when complete; --resume continues a FILE.part.  Orbits are searched for at every N-th point (by\n"
+    "      default up to 256 apart, at least 64 times a line) and where an orbit ends or begins, and followed "
+    "between:\n"
+    "      one that begins and ends between two searches can be missing.  At most 1000000000 points; Ctrl-C and "
+    "SIGTERM\n"
+    "      end it with status 5\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -157,9 +171,8 @@ static void on_abort(int signal) {
 int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
-    return usage(
-        "a command is needed: %s",
-        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate, diff, bench or sweep");
+    return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list, check, "
+                                            "mutate, repair, bifurcate, diff, bench or sweep");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -33,5 +33,6 @@ Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *turn_suite(void);
 Suite *bench_suite(void);
+Suite *sweep_suite(void);
 
 #endif

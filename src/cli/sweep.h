@@ -1,12 +1,11 @@
 /* What the files of the sweep share.
 
-   sweep         the command line, and which points are asked for
-   sweep_rows    the rows of a unit of work
-   sweep_number  doubles as decimals
-   sweep_file    where the rows go; taking up an interrupted file
-   sweep_pool    threads
-   sweep_run     handing out units, and putting them in order
-   sweep_mpi     the same over processes (make MPI=1 only) */
+   sweep       the command line, and which points are asked for
+   sweep_rows  the rows of a unit of work
+   sweep_file  where the rows go; taking up an interrupted file
+   sweep_pool  threads
+   sweep_run   handing out units, and putting them in order
+   sweep_mpi   the same over processes (make MPI=1 only) */
 #ifndef STICKSLIP_SWEEP_H
 #define STICKSLIP_SWEEP_H
 
@@ -30,14 +29,6 @@ struct sweep {
 static inline const struct dyn_axis *sweep_line_axis(const struct sweep *q) {
   return &q->axis[q->n_axes - 1];
 }
-
-/* --- sweep_number.c --- */
-
-enum { NUMBER_MAX = 40 };
-/* x as %.*g gives it, with 1 to 15 digits; its length. */
-int number_digits(char out[NUMBER_MAX], double x, int digits);
-/* The shortest of 15 to 17 digits that reads back as x. */
-int number_whole(char out[NUMBER_MAX], double x);
 
 /* --- sweep_rows.c --- */
 

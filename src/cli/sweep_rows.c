@@ -2,8 +2,10 @@
 
    CSV: a head of comments that says what was asked, so that a file speaks for itself and an interrupted one can be told
    from another; then a row for each orbit, and one for a point without any.  JSON: one object for each point. */
+#include <stdlib.h>
 #include <string.h>
 
+#include "stickslip/decimal.h"
 #include "sweep.h"
 
 /* Columns, in the order of the contract. */
@@ -46,8 +48,8 @@ static void head_csv(struct text *out, const struct sweep *q) {
     num_print_q(out, q->range[i].to);
     text_printf(out, " : %ld", (long)q->axis[i].n);
   }
-  text_printf(out, "\n# %s, a search at every %ld points, %ld digits of double precision\npoint",
-              q->all ? "all orbits" : "admissible orbits", (long)q->every, (long)q->digits);
+  text_printf(out, "\n# orbits: %s; search_every = %ld; digits = %ld, of double precision\npoint",
+              q->all ? "all" : "admissible", (long)q->every, (long)q->digits);
   for (int i = 0; i < q->n_axes; i++) text_printf(out, ",%s", axis_name(q, i));
   text_add(out, ",orbit");
   for (int i = 0; i < N_DYN_OUT; i++) text_printf(out, ",%s", column[i].name);
@@ -111,16 +113,16 @@ struct place {
 };
 
 static void add_number(struct text *out, double x, slong digits) {
-  char shown[NUMBER_MAX];
-  text_add_n(out, shown, (size_t)number_digits(shown, x, (int)digits));
+  char shown[DECIMAL_MAX];
+  text_add_n(out, shown, (size_t)decimal_digits(shown, x, (int)digits));
 }
 
 static void begin_row(struct text *out, const struct sweep *q, const struct place *at) {
-  char shown[NUMBER_MAX];
+  char shown[DECIMAL_MAX];
   text_add_n(out, shown, (size_t)snprintf(shown, sizeof shown, "%ld", (long)at->point));
   for (int i = 0; i < q->n_axes; i++) {
     text_add_char(out, ',');
-    text_add_n(out, shown, (size_t)number_whole(shown, at->value[i]));
+    text_add_n(out, shown, (size_t)decimal_whole(shown, at->value[i]));
   }
 }
 
@@ -170,10 +172,10 @@ static void point_csv(struct text *out, const struct sweep *q, const struct dyn_
 }
 
 static void member_json(struct json *j, const struct dyn_member *m, slong digits) {
-  char shown[NUMBER_MAX];
+  char shown[DECIMAL_MAX];
   json_object(j, NULL);
   for (int i = 0; i < N_DYN_OUT; i++) {
-    number_digits(shown, m->out[column[i].out], (int)digits);
+    decimal_digits(shown, m->out[column[i].out], (int)digits);
     json_string(j, column[i].name, shown);
   }
   json_truth(j, "stable", m->stable);
@@ -187,10 +189,10 @@ static void member_json(struct json *j, const struct dyn_member *m, slong digits
 
 static void point_json(struct json *j, const struct sweep *q, const struct dyn_family *f,
                        const struct dyn_family_point *p, const struct place *at) {
-  char shown[NUMBER_MAX];
+  char shown[DECIMAL_MAX];
   json_object(j, NULL);
   for (int i = 0; i < q->n_axes; i++) {
-    number_whole(shown, at->value[i]);
+    decimal_whole(shown, at->value[i]);
     json_string(j, axis_name(q, i), shown);
   }
   json_string(j, "status", p->status == FAMILY_OK && p->n == 0 ? "none" : dyn_family_status_name[p->status]);

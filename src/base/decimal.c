@@ -2,13 +2,14 @@
 
    A product by a power of ten up to 10^22 is known exactly as the rounded product and a fused remainder; of their sum the
    nearest integer holds the digits. */
+#include "stickslip/decimal.h"
+
 #include <math.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "sweep.h"
-
-enum { POWERS = 23, DIGITS = 15 };
+enum { POWERS = 23 };
 static const double power[POWERS] = {1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6,  1e7,  1e8,  1e9,  1e10, 1e11,
                                      1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
@@ -39,7 +40,7 @@ static bool decompose(double *n, int *k, double x, int digits) {
 
 /* n 10^-k without the zeros behind its last digit. */
 static int put(char *out, bool negative, double n, int k) {
-  char digit[DIGITS + 8];
+  char digit[DECIMAL_DIGITS + 8];
   unsigned long long v = (unsigned long long)n;
   int len = 0, count = 0;
   while (k > 0 && v % 10 == 0) {
@@ -57,22 +58,23 @@ static int put(char *out, bool negative, double n, int k) {
   return len;
 }
 
-int number_digits(char out[NUMBER_MAX], double x, int digits) {
+int decimal_digits(char out[DECIMAL_MAX], double x, int digits) {
   double n;
   int k;
   bool plain = fabs(x) >= 1e-4 && fabs(x) < power[digits] / 2; /* where %g has no exponent */
   if (plain && decompose(&n, &k, fabs(x), digits)) return put(out, x < 0, n, k);
-  return snprintf(out, NUMBER_MAX, "%.*g", digits, x);
+  return snprintf(out, DECIMAL_MAX, "%.*g", digits, x);
 }
 
-int number_whole(char out[NUMBER_MAX], double x) {
+int decimal_whole(char out[DECIMAL_MAX], double x) {
   double n;
   int k, len = 0;
   bool plain = fabs(x) >= 1e-4 && fabs(x) < 1e14;
   /* a quotient of two exact doubles is what the decimal reads as */
-  if (plain && decompose(&n, &k, fabs(x), DIGITS) && k >= 0 && n / power[k] == fabs(x)) return put(out, x < 0, n, k);
-  for (int digits = DIGITS; digits <= 17; digits++) {
-    len = snprintf(out, NUMBER_MAX, "%.*g", digits, x);
+  if (plain && decompose(&n, &k, fabs(x), DECIMAL_DIGITS) && k >= 0 && n / power[k] == fabs(x))
+    return put(out, x < 0, n, k);
+  for (int digits = DECIMAL_DIGITS; digits <= 17; digits++) {
+    len = snprintf(out, DECIMAL_MAX, "%.*g", digits, x);
     if (strtod(out, NULL) == x) break;
   }
   return len;
