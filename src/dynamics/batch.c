@@ -149,9 +149,9 @@ static void look(struct open *rest, const struct open *open, slong from, slong n
   for (slong j = 0; j < n; j++) {
     slong point = open->point[from + j];
     bool late = p->violations[point] & 1u << COND_C_V2; /* z_2' > V at the end of phase H */
-    if (m.below[j] && (m.slow[j] || m.above[j] || late)) {
+    if (m.below[j] == 1 && (m.slow[j] == 1 || m.above[j] > 0 || late)) {
       p->status[point] = SS_OK;
-      if (m.above[j]) p->violations[point] |= 1u << COND_H_V2;
+      if (m.above[j] > 0) p->violations[point] |= 1u << COND_H_V2;
     } else {
       double parts = open->parts[from + j];
       rest->point[rest->n] = point;

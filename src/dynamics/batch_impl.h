@@ -2,22 +2,21 @@
 #ifndef STICKSLIP_BATCH_IMPL_H
 #define STICKSLIP_BATCH_IMPL_H
 
-#include <stdint.h>
-
 #include "stickslip/batch.h"
 
 enum { LANES = 64 };
 struct lanes {
   double params[N_PARAMS][LANES], guess[2][LANES], out[N_DYN_OUT][LANES];
-  uint64_t broken[LANES], status[LANES];
-  double parts[LANES]; /* in which phase H is to be looked at, about; 0: no more to be done */
+  double broken[LANES], status[LANES]; /* integers */
+  double parts[LANES];                 /* in which phase H is to be looked at, about; 0: no more to be done */
 };
 /* A look at phase H in parts of time h: the state at the end of the last part, and what was seen up to there. */
 struct march {
   double chi[LANES], a[LANES], stiff[LANES], om[2][LANES], sigma[2][LANES], amount[2][LANES], other[2][LANES];
-  double start[LANES], parts[LANES], h[LANES], by_s[2][LANES], by_c[2][LANES], at_s[2][LANES], at_c[2][LANES];
+  double pull_b[LANES], start_p[LANES], start_w[LANES], parts[LANES], h[LANES], by_s[2][LANES], by_c[2][LANES],
+      at_s[2][LANES], at_c[2][LANES];
   double p[LANES], q[LANES], w[LANES], pull[LANES];
-  uint64_t below[LANES], slow[LANES], above[LANES]; /* z_1' < V; z_2' < V; z_2' > V somewhere */
+  double below[LANES], slow[LANES], above[LANES]; /* 1, or 0: z_1' < V, z_2' < V; how often z_2' > V was seen */
 };
 
 /* An instruction set that kernels exist for here; NULL after the last. */

@@ -35,10 +35,22 @@ TURN_INLINE struct half_angle lane_half(double x) {
   return (struct half_angle){t.sine, t.cosine};
 }
 
-TURN_INLINE void lane_turn(struct lane *x) {
-  x->b = lane_half(x->tb);
-  x->c[0] = lane_half(x->k.om[0] * x->tc);
-  x->c[1] = lane_half(x->k.om[1] * x->tc);
+TURN_INLINE struct half_angle lane_nudge(struct half_angle x, double off) {
+  return (struct half_angle){x.s + (x.c * off - x.s * (0.5 * off * off)), x.c - (x.s * off + x.c * (0.5 * off * off))};
+}
+
+/* The half angles at t_b and t_c moved by the steps, which stay unrounded, as what om t lost does. */
+TURN_INLINE void lane_place(struct lane *x, const struct half_angle at[3], double step_b, double step_c) {
+  const struct slip *k = &x->k;
+  x->b = lane_nudge(at[0], 0.5 * step_b);
+  for (int i = 0; i < 2; i++)
+    x->c[i] = lane_nudge(at[1 + i], 0.5 * (product_rest(k->om[i], x->tc) + k->rest[i] * x->tc + k->om[i] * step_c));
+}
+
+TURN_INLINE void lane_turn(struct half_angle at[3], const struct lane *x) {
+  at[0] = lane_half(x->tb);
+  at[1] = lane_half(x->k.om[0] * x->tc);
+  at[2] = lane_half(x->k.om[1] * x->tc);
 }
 
 TURN_INLINE void lane_step(struct lane *x) {
@@ -59,17 +71,16 @@ TURN_INLINE void lane_evaluate(struct lane *x) {
   x->g = gamma_at(k, x->tb, x->b);
   x->m = slip_modes(k, &x->g);
   struct slip_modes rate = slip_modes_rate(k, &x->g);
-  x->n = slip_node(k, &x->m, x->g.p, x->c);
+  x->n = slip_node(k, &x->m, &x->g, x->c);
   double s0 = full_sine(x->c[0]), c0 = 1 - full_versine(x->c[0]), s1 = full_sine(x->c[1]),
          c1 = 1 - full_versine(x->c[1]);
   double speed0 = rate.a[0] * c0 - rate.b[0] * s0, speed1 = rate.a[1] * c1 - rate.b[1] * s1;
   double force0 = k->om[0] * (rate.a[0] * s0 + rate.b[0] * c0), force1 = k->om[1] * (rate.a[1] * s1 + rate.b[1] * c1);
   double q_tb = k->sigma[0] * speed0 + k->sigma[1] * speed1;
   double r_tb = (k->sigma[0] * force0 + k->sigma[1] * force1) * k->soft, r = x->n.pull * k->soft;
-  double radius = sqrt(r * r + x->n.q * x->n.q * k->soft);
   x->r = k->rb - x->g.rise;
-  x->r_end = x->n.q > 0 ? radius : -radius;
-  x->defect = x->r_end - x->r;
+  x->r_end = slip_radius(k, &x->n);
+  x->defect = slip_gain(k, &x->n, x->r_end) + x->g.rise;
   x->p_tb = speed0 + speed1;
   double per = 1 / x->r_end;
   x->radius_tb = (r * r_tb + x->n.q * q_tb * k->soft) * per;
@@ -118,25 +129,40 @@ TURN_INLINE struct node lane_middle(const struct lane *x) {
   double change0 = m->a[0] * v0 + m->b[0] * x->c[0].s, change1 = m->a[1] * v1 + m->b[1] * x->c[1].s;
   double force0 = k->om[0] * (m->a[0] * x->c[0].s + m->b[0] * x->c[0].c);
   double force1 = k->om[1] * (m->a[1] * x->c[1].s + m->b[1] * x->c[1].c);
-  return (struct node){x->g.p - (change0 + change1), -(k->sigma[0] * change0 + k->sigma[1] * change1), force0 + force1,
-                       k->sigma[0] * force0 + k->sigma[1] * force1};
+  return (struct node){.p = x->g.p - (change0 + change1),
+                       .q = -(k->sigma[0] * change0 + k->sigma[1] * change1),
+                       .w = force0 + force1,
+                       .pull = k->sigma[0] * force0 + k->sigma[1] * force1};
 }
 
-/* The least and the greatest w in phase C, which turns by `turn` and ends at wf.  Inside it w' = a - chi q vanishes only
-   where q > 0: in a valley at the angle u before the end, and on a hill at pi - u. */
-struct range {
-  double least, most;
+/* The ends of the word. */
+struct close {
+  double td, ta, period;
+  double least, most; /* of e1 - w in phase C */
 };
 
-TURN_INLINE struct range lane_force(const struct lane *x, double turn, double wf) {
+/* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.  Inside
+   phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at pi - u. */
+TURN_INLINE struct close lane_close(const struct lane *x) {
   const struct slip *k = &x->k;
-  double fast = k->chi * k->omc * x->r_end, r = x->n.pull * k->soft;
-  double s = fast > k->a ? k->a / fast : 1, c = sqrt((1 - s) * (1 + s)), u = turn_angle(s, c);
-  double w_u = x->n.w + k->a * (turn - u) / k->omc - k->chi * (x->r_end * c - r);
-  double w_pi = x->n.w + k->a * (turn - (PI - u)) / k->omc + k->chi * (x->r_end * c + r);
-  double least = x->n.w < wf ? x->n.w : wf, most = x->n.w < wf ? wf : x->n.w;
-  bool inner = fast > k->a, valley = inner & (u < turn) & (w_u < least), hill = inner & (PI - u < turn) & (w_pi > most);
-  return (struct range){valley ? w_u : least, hill ? w_pi : most};
+  bool up = x->n.q > 0;
+  double r = x->n.pull * k->soft, turn = turn_angle(fabs(x->n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
+  double both = x->r_end + r, left = x->r_end * r > 0 ? x->n.q * x->n.q * k->soft / both : x->r_end - r;
+  double sine = full_sine(x->b), versine = full_versine(x->b), change = x->n.w - x->g.w;
+  double short_c = (k->e1 * versine - k->a * sine) - change, slack = short_c + k->chi * left;
+  double behind = slip_behind(k, &x->g, &x->m, x->c, x->tc) / k->V, others = x->tb + x->tc;
+  double size = k->e1 * versine + k->a * fabs(sine) + fabs(x->n.w) + fabs(x->g.w) + k->chi * (fabs(r) + fabs(x->r_end));
+  bool by_force = size < k->a * others;
+  double ta = by_force ? slack / k->a - td : (behind - others) - td;
+  double period = by_force ? others + slack / k->a : behind;
+
+  double fast = k->chi * k->omc * x->r_end, end = k->a * ta, way = k->a / k->omc;
+  double s = fast > k->a ? k->a / fast : 1, c = sqrt((1 - s) * (1 + s)), u = turn_angle(s, c), pull = k->chi * x->r_end;
+  double valley = end + (way * u - pull * (s * s / (1 + c))), hill = end + (way * (PI - u) - pull * (1 + c));
+  double least = short_c < end ? short_c : end, most = short_c < end ? end : short_c;
+  bool in_valley = (fast > k->a) & (u < turn) & (valley > most),
+       on_hill = (fast > k->a) & (PI - u < turn) & (hill < least);
+  return (struct close){td, ta, period, on_hill ? hill : least, in_valley ? valley : most};
 }
 
 TURN_INLINE bool in_domain(const double p[N_PARAMS]) {
@@ -152,14 +178,18 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   slip_set(&x.k, p);
   x.tb = l->guess[0][j];
   x.tc = l->guess[1][j];
-  lane_turn(&x);
-  lane_evaluate(&x);
-  lane_move(&x);
+  struct half_angle at[3];
+  lane_turn(at, &x);
+  lane_place(&x, at, 0, 0);
   lane_evaluate(&x);
   lane_move(&x);
   lane_evaluate(&x);
   lane_step(&x);
-  lane_turn(&x);
+  lane_turn(at, &x);
+  lane_place(&x, at, 0, 0);
+  lane_evaluate(&x);
+  lane_place(&x, at, x.step[0], x.step[1]);
+  lane_step(&x);
   lane_evaluate(&x);
 
   const struct slip *k = &x.k;
@@ -170,27 +200,23 @@ TURN_INLINE void lane_run(struct lanes *l, int j) {
   struct below late = lane_below(&x, &middle, &x.n, 0.5 * x.tc, true);
   bool up = x.n.q > 0, below = early.first & late.first & (up | (early.second & late.second));
 
-  double r = x.n.pull * k->soft, same = x.r_end * r > 0 ? x.r_end + r : 1;
-  double turn = turn_angle(fabs(x.n.q), (up ? k->omc : -k->omc) * r), td = turn / k->omc;
-  double left = x.r_end * r > 0 ? x.n.q * x.n.q * k->soft / same : x.r_end - r;
-  double w = x.n.w - k->chi * left, slack = k->e1 - w, ta = slack / k->a - td, wf = w + k->a * td;
-  struct range range = lane_force(&x, turn, wf);
-  double force = k->e1 + fabs(x.n.w) + fabs(wf);
-  double doubt_a = DOUBT * (force / k->a + td), doubt_w = DOUBT * force, room = k->e1 - range.most;
-  ok &= (fabs(ta) > doubt_a) & (fabs(room) > doubt_w);
+  struct close e = lane_close(&x);
+  double force = k->e1 + fabs(x.n.w) + fabs(k->e1 - k->a * e.ta);
+  double doubt_a = DOUBT * (force / k->a + e.period), doubt_w = DOUBT * force;
+  ok &= (fabs(e.ta) > doubt_a) & (fabs(e.least) > doubt_w);
 
-  l->out[DYN_OUT_Z10][j] = (wf + k->chi * x.r_end) / k->ease;
-  l->out[DYN_OUT_Z20][j] = (wf + x.r_end) / k->ease;
-  l->out[DYN_OUT_TA][j] = ta;
+  l->out[DYN_OUT_Z10][j] = (k->e1 + k->chi * x.r) / k->ease - k->V * e.ta;
+  l->out[DYN_OUT_Z20][j] = (k->e1 + x.r) / k->ease - k->V * e.ta;
+  l->out[DYN_OUT_TA][j] = e.ta;
   l->out[DYN_OUT_TB][j] = x.tb;
   l->out[DYN_OUT_TC][j] = x.tc;
-  l->out[DYN_OUT_TD][j] = td;
-  l->out[DYN_OUT_PERIOD][j] = x.tb + x.tc + slack / k->a;
+  l->out[DYN_OUT_TD][j] = e.td;
+  l->out[DYN_OUT_PERIOD][j] = e.period;
   l->out[DYN_OUT_TRACE][j] = x.radius_tb / x.g.p;
-  l->out[DYN_OUT_U1][j] = 0.5 * (k->e1 - (range.least < k->e1 ? range.least : k->e1));
+  l->out[DYN_OUT_U1][j] = e.most > 0 ? 0.5 * e.most : 0;
   l->out[DYN_OUT_U2][j] = 0.5 * k->chi * x.g.rise;
-  uint64_t broken = (ta < 0 ? UINT64_C(1) << COND_TA : 0) | (room < 0 ? UINT64_C(1) << COND_C_W : 0) |
-                    (up ? UINT64_C(1) << COND_H_V2 | UINT64_C(1) << COND_C_V2 : 0);
+  double broken = (e.ta < 0 ? 1 << COND_TA : 0) + (e.least < 0 ? 1 << COND_C_W : 0);
+  broken += up ? 1 << COND_H_V2 | 1 << COND_C_V2 : 0;
   bool in = in_domain(p);
   ok &= in;
   l->broken[j] = ok ? broken : 0;
@@ -216,7 +242,9 @@ TURN_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
   m->chi[j] = x.k.chi;
   m->a[j] = x.k.a;
   m->stiff[j] = x.k.stiff;
-  m->start[j] = x.g.p;
+  m->start_p[j] = x.g.p;
+  m->start_w[j] = x.g.w;
+  m->pull_b[j] = x.k.pull_b;
   m->p[j] = n.p;
   m->q[j] = n.q;
   m->w[j] = n.w;
@@ -243,6 +271,9 @@ TURN_INLINE void march_part(struct march *m, double part, int j) {
   k->chi = m->chi[j];
   k->a = m->a[j];
   k->stiff = m->stiff[j];
+  k->pull_b = m->pull_b[j];
+  x.g.p = m->start_p[j];
+  x.g.w = m->start_w[j];
   for (int i = 0; i < 2; i++) {
     double s = m->at_s[i][j], c = m->at_c[i][j], by_s = m->by_s[i][j], by_c = m->by_c[i][j];
     m->at_s[i][j] = x.c[i].s = s * by_c + c * by_s;
@@ -255,15 +286,15 @@ TURN_INLINE void march_part(struct march *m, double part, int j) {
   bool here = part < m->parts[j];
   double inside = part + 1 < m->parts[j] ? 1 : 0;
   double sixth[2], size[2];
-  struct node from = {m->p[j], m->q[j], m->w[j], m->pull[j]}, to = slip_node(k, &x.m, m->start[j], x.c);
+  struct node from = {.p = m->p[j], .q = m->q[j], .w = m->w[j], .pull = m->pull[j]}, to = slip_node(k, &x.m, &x.g, x.c);
   slip_bounds(sixth, size, k, &x.m);
   to.p *= inside; /* at the end the root itself */
   struct course a = course_1(k, &from), b = course_1(k, &to), c = course_2(k, &from), d = course_2(k, &to);
   bool first = course_below(&a, &b, m->h[j], sixth[0], DOUBT * size[0]);
   bool second = course_below(&c, &d, m->h[j], sixth[1], DOUBT * size[1]);
-  m->below[j] &= here & !first ? 0 : 1;
-  m->slow[j] &= here & !second ? 0 : 1;
-  m->above[j] |= here & (to.q > DOUBT * size[1]) ? 1 : 0;
+  m->below[j] *= here & !first ? 0 : 1;
+  m->slow[j] *= here & !second ? 0 : 1;
+  m->above[j] += here & (to.q > DOUBT * size[1]) ? 1 : 0;
   m->p[j] = to.p;
   m->q[j] = to.q;
   m->w[j] = to.w;

@@ -29,6 +29,13 @@ static inline struct half_angle half_angle_move(struct half_angle x, double d) {
   return (struct half_angle){x.s + (x.c * sine - x.s * versine), x.c - (x.s * sine + x.c * versine)};
 }
 
+/* x y - fl(x y) for x, y far from overflow and underflow, by Veltkamp's and Dekker's splitting. */
+static inline double product_rest(double x, double y) {
+  const double split = 0x1p27 + 1;
+  double bx = split * x, hx = bx - (bx - x), lx = x - hx, by = split * y, hy = by - (by - y), ly = y - hy;
+  return ((hx * hy - x * y) + hx * ly + lx * hy) + lx * ly;
+}
+
 static inline double full_sine(struct half_angle x) {
   return 2 * x.s * x.c;
 }
@@ -43,6 +50,7 @@ struct slip {
   double a, ease;                /* (1 - chi) V; 1 - chi */
   double stiff, soft, omc;       /* chi eta, its inverse and root */
   double om[2], inverse[2];      /* of phase H, and 1/om */
+  double rest[2];                /* what om lacks */
   double own[2];                 /* share of a change of z_1' in each mode */
   double lead, drag;             /* both masses at V: the slow mode has lead V, the fast one own[1] drag */
   double cross;                  /* share of a force on mass 2, minus it in the fast mode */
@@ -67,6 +75,8 @@ static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
   k->omc = sqrt(stiff);
   k->om[0] = sqrt(bottom);
   k->om[1] = sqrt(top);
+  k->rest[0] = -0.5 * (product_rest(k->om[0], k->om[0]) + (k->om[0] * k->om[0] - bottom)) / k->om[0];
+  k->rest[1] = 0.5 * ((top - k->om[1] * k->om[1]) - product_rest(k->om[1], k->om[1]) + (above - (top - 1))) / k->om[1];
   k->inverse[0] = 1 / k->om[0];
   k->inverse[1] = 1 / k->om[1];
   k->own[0] = above * per_gap;
@@ -88,6 +98,15 @@ static inline bool slip_init(struct slip *k, const double p[N_PARAMS]) {
   if (!(least > 0 && most < INFINITY && p[P_CHI] < 1)) return false;
   slip_set(k, p);
   return true;
+}
+
+/* Half of om t, whose rounding would grow with t. */
+static inline void slip_turn(struct half_angle x[2], const struct slip *k, double t) {
+  for (int i = 0; i < 2; i++) {
+    double off = 0.5 * (product_rest(k->om[i], t) + k->rest[i] * t);
+    struct half_angle at = half_angle(k->om[i] * t);
+    x[i] = (struct half_angle){at.s + at.c * off, at.c - at.s * off};
+  }
 }
 
 /* The end of phase Gamma. */
@@ -129,25 +148,32 @@ static inline struct slip_modes slip_modes_rate(const struct slip *k, const stru
   };
 }
 
-/* A time in phase H: velocities over the belt's, w, and pull = chi eta r. */
+/* A time in phase H: velocities over the belt's, w, and pull = chi eta r; how far pull has come, and the sum of pull there and
+   at the start. */
 struct node {
-  double p, q, w, pull;
+  double p, q, w, pull, pull_change, pull_sum;
 };
 
 static inline struct node slip_start(const struct slip *k, const struct gamma_end *g) {
-  return (struct node){g->p, 0, g->w, k->pull_b};
+  return (struct node){g->p, 0, g->w, k->pull_b, 0, 2 * k->pull_b};
 }
 
-static inline struct node slip_node(const struct slip *k, const struct slip_modes *m, double start,
+static inline struct node slip_node(const struct slip *k, const struct slip_modes *m, const struct gamma_end *g,
                                     const struct half_angle x[2]) {
-  double change[2], force[2];
+  double speed[2], force[2], sum[2];
   for (int i = 0; i < 2; i++) {
-    double sine = full_sine(x[i]), versine = full_versine(x[i]);
-    change[i] = m->a[i] * versine + m->b[i] * sine;
-    force[i] = k->om[i] * (m->a[i] * sine + m->b[i] * (1 - versine));
+    double sine = full_sine(x[i]), versine = full_versine(x[i]), swing = m->a[i] * sine;
+    speed[i] = m->a[i] * versine + m->b[i] * sine; /* changes */
+    force[i] = k->om[i] * (swing - m->b[i] * versine);
+    sum[i] = k->sigma[i] * k->om[i] * (swing + 2 * m->b[i] * (x[i].c * x[i].c));
   }
-  return (struct node){start - (change[0] + change[1]), -(k->sigma[0] * change[0] + k->sigma[1] * change[1]),
-                       force[0] + force[1], k->sigma[0] * force[0] + k->sigma[1] * force[1]};
+  double w = force[0] + force[1], pull = k->sigma[0] * force[0] + k->sigma[1] * force[1];
+  return (struct node){g->p - (speed[0] + speed[1]),
+                       -(k->sigma[0] * speed[0] + k->sigma[1] * speed[1]),
+                       g->w + w,
+                       k->pull_b + pull,
+                       pull,
+                       sum[0] + sum[1]};
 }
 
 /* --- First roots. ---
@@ -192,12 +218,7 @@ static inline void slip_bounds(double sixth[2], double size[2], const struct sli
   sixth[1] = fabs(k->sigma[0]) * bent[0] + fabs(k->sigma[1]) * bent[1];
 }
 
-/* --- Phase C turns (r, q/omega) to the radius r_end while w drifts. --- */
-
-struct ending {
-  double r_end, td, ta;
-  double wf, slack; /* w at the end; a (t_d + t_a) */
-};
+/* --- Phase C turns (r, q/omega) to the radius r_end. --- */
 
 static inline double slip_radius(const struct slip *k, const struct node *n) {
   double r = n->pull * k->soft, radius = sqrt(r * r + n->q * n->q * k->soft);
@@ -205,15 +226,23 @@ static inline double slip_radius(const struct slip *k, const struct node *n) {
   return up ? radius : -radius;
 }
 
-static inline void slip_ending(struct ending *e, const struct slip *k, const struct node *n) {
-  double r = n->pull * k->soft, sign = e->r_end > 0 ? 1 : -1;
-  e->td = atan2(fabs(n->q), sign * k->omc * r) / k->omc;
-  /* r_end - r without cancellation where both have one sign */
-  double left = e->r_end * r > 0 ? n->q * n->q * k->soft / (e->r_end + r) : e->r_end - r;
-  double w = n->w - k->chi * left;
-  e->slack = k->e1 - w;
-  e->ta = e->slack / k->a - e->td;
-  e->wf = w + k->a * e->td;
+/* r_end - r_b, small where phase H brings r to +r_b or -r_b with m2 at the belt's speed. */
+static inline double slip_gain(const struct slip *k, const struct node *n, double r_end) {
+  if (!(r_end > 0)) return r_end - k->rb;
+  return k->soft * (n->pull_change * (n->pull_sum * k->soft) + n->q * n->q) / (r_end + k->rb);
+}
+
+static inline double slip_td(const struct slip *k, const struct node *n, double r_end) {
+  double r = n->pull * k->soft;
+  return atan2(fabs(n->q), (r_end > 0 ? k->omc : -k->omc) * r) / k->omc;
+}
+
+/* How far m1 falls behind the belt: z_1 is where it was when t_a + t_b + t_c + t_d of the belt's way has made up for it. */
+static inline double slip_behind(const struct slip *k, const struct gamma_end *g, const struct slip_modes *m,
+                                 const struct half_angle x[2], double tc) {
+  double way[2];
+  for (int i = 0; i < 2; i++) way[i] = (m->a[i] * full_sine(x[i]) - m->b[i] * full_versine(x[i])) * k->inverse[i];
+  return g->rise + ((k->V * tc - way[0]) - way[1]);
 }
 
 #endif

@@ -74,9 +74,10 @@ TURN_INLINE struct turn turn_of(double x) {
   double r = rough + rest, tail = (rough - r) + rest;
 
   double z = r * r;
-  double bow = r * z * turn_sine_part(z);                              /* sin r - r */
-  double sagitta = (0.5 * z - z * z * turn_cosine_part(z)) + r * tail; /* 1 - cos */
-  double sine = r + (bow + tail), cosine = 1 - sagitta;
+  double bow = r * z * turn_sine_part(z); /* sin r - r */
+  double half = 0.5 * z, small = z * z * turn_cosine_part(z) - r * tail, high = 1 - half;
+  double sagitta = half - small; /* 1 - cos */
+  double sine = r + (bow + tail), cosine = high + (((1 - high) - half) + small);
 
   uint64_t quadrant = turn_bits(shifted), odd = -(quadrant & 1);
   uint64_t sine_sign = (quadrant & 2) << 62, cosine_sign = ((quadrant + 1) & 2) << 62;

@@ -27,7 +27,7 @@ struct point {
 
 static void point_turn(struct point *x, const struct slip *k) {
   x->b = half_angle(x->tb);
-  for (int i = 0; i < 2; i++) x->c[i] = half_angle(k->om[i] * x->tc);
+  slip_turn(x->c, k, x->tc);
 }
 
 static void point_move(struct point *x, const struct slip *k, const double step[2]) {
@@ -45,7 +45,7 @@ static void point_evaluate(struct point *x, const struct slip *k) {
   x->g = gamma_at(k, x->tb, x->b);
   x->m = slip_modes(k, &x->g);
   struct slip_modes rate = slip_modes_rate(k, &x->g);
-  x->n = slip_node(k, &x->m, x->g.p, x->c);
+  x->n = slip_node(k, &x->m, &x->g, x->c);
   double speed[2], force[2];
   for (int i = 0; i < 2; i++) {
     double sine = full_sine(x->c[i]), cosine = 1 - full_versine(x->c[i]);
@@ -56,7 +56,7 @@ static void point_evaluate(struct point *x, const struct slip *k) {
   double r_tb = (k->sigma[0] * force[0] + k->sigma[1] * force[1]) * k->soft, r = x->n.pull * k->soft;
   x->r = k->rb - x->g.rise;
   x->r_end = slip_radius(k, &x->n);
-  x->defect = x->r_end - x->r;
+  x->defect = slip_gain(k, &x->n, x->r_end) + x->g.rise;
   x->p_tb = speed[0] + speed[1];
   double per = 1 / x->r_end;
   x->radius_tb = (r * r_tb + x->n.q * q_tb * k->soft) * per;
@@ -100,27 +100,25 @@ static bool converge(struct point *x, const struct slip *k, const double guess[2
   return false;
 }
 
-static void put_outputs(double out[N_DYN_OUT], struct ending *e, const struct point *x, const struct slip *k) {
-  e->r_end = x->r_end;
-  slip_ending(e, k, &x->n);
-  double z = e->wf + k->chi * x->r_end;
-  out[DYN_OUT_Z10] = z / k->ease;
-  out[DYN_OUT_Z20] = (e->wf + x->r_end) / k->ease;
-  out[DYN_OUT_TA] = e->ta;
+static void put_outputs(double out[N_DYN_OUT], const struct point *x, const struct slip *k) {
+  double period = slip_behind(k, &x->g, &x->m, x->c, x->tc) / k->V, td = slip_td(k, &x->n, x->r_end);
+  double ta = ((period - x->tb) - x->tc) - td;
+  out[DYN_OUT_Z10] = (k->e1 + k->chi * x->r_end) / k->ease - k->V * ta;
+  out[DYN_OUT_Z20] = (k->e1 + x->r_end) / k->ease - k->V * ta;
+  out[DYN_OUT_TA] = ta;
   out[DYN_OUT_TB] = x->tb;
   out[DYN_OUT_TC] = x->tc;
-  out[DYN_OUT_TD] = e->td;
-  out[DYN_OUT_PERIOD] = x->tb + x->tc + e->slack / k->a;
+  out[DYN_OUT_TD] = td;
+  out[DYN_OUT_PERIOD] = period;
   out[DYN_OUT_TRACE] = x->radius_tb / x->g.p;
 }
 
 int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]) {
   struct slip k;
   struct point x;
-  struct ending e;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!converge(&x, &k, guess)) return SS_UNABLE;
-  put_outputs(out, &e, &x, &k);
+  put_outputs(out, &x, &k);
   return SS_OK;
 }
 
@@ -153,8 +151,8 @@ static truth stays_below(const struct slip *k, const struct point *x, int mass, 
     if (++used == MOST_NODES) return TRUTH_UNKNOWN;
     struct half_angle turn[2];
     double t = 0.5 * (from.t + to->t);
-    for (int i = 0; i < 2; i++) turn[i] = half_angle(k->om[i] * t);
-    stack[n] = (struct stop){t, slip_node(k, &x->m, x->g.p, turn)};
+    slip_turn(turn, k, t);
+    stack[n] = (struct stop){t, slip_node(k, &x->m, &x->g, turn)};
     double f = mass == 0 ? stack[n].n.p : stack[n].n.q;
     if (f > DOUBT * size[mass]) return TRUTH_FALSE;
     n++;
@@ -162,11 +160,11 @@ static truth stays_below(const struct slip *k, const struct point *x, int mass, 
   return TRUTH_TRUE;
 }
 
-/* The least and the greatest w in phase C; inside it w' = a - chi q vanishes only where q > 0. */
-static void force_range(double range[2], const struct slip *k, const struct point *x, const struct ending *e) {
-  range[0] = fmin(x->n.w, e->wf);
-  range[1] = fmax(x->n.w, e->wf);
-  double fast = k->chi * k->omc * x->r_end, turn = k->omc * e->td;
+/* The least and the greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0. */
+static void force_range(double range[2], const struct slip *k, const struct point *x, double wf, double td) {
+  range[0] = fmin(x->n.w, wf);
+  range[1] = fmax(x->n.w, wf);
+  double fast = k->chi * k->omc * x->r_end, turn = k->omc * td;
   if (!(fast > k->a)) return;
   double s = k->a / fast, c = sqrt((1 - s) * (1 + s));
   for (int i = 0; i < 2; i++) { /* the valley, then the hill */
@@ -195,21 +193,20 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
                    const double guess[2]) {
   struct slip k;
   struct point x;
-  struct ending e;
   struct verdicts v = {0, 0};
   double range[2];
   *violations = *unsure = 0;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!converge(&x, &k, guess)) return SS_UNABLE;
-  put_outputs(out, &e, &x, &k);
+  put_outputs(out, &x, &k);
   /* before the first crest of the rise z_1' < V in phase Gamma, and t_b is a first root */
   if (exceeds(-x.g.p, DOUBT * (k.a + k.e1) * x.b.s) != TRUTH_TRUE) return SS_UNABLE;
   const struct stop begin = {0, slip_start(&k, &x.g)}, end = {x.tc, x.n};
   if (stays_below(&k, &x, 0, &begin, &end) != TRUTH_TRUE) return SS_UNABLE;
   truth slow = x.n.q > 0 ? TRUTH_FALSE : stays_below(&k, &x, 1, &begin, &end);
-  force_range(range, &k, &x, &e);
-  double force = k.e1 + fabs(x.n.w) + fabs(e.wf);
-  judge(&v, COND_TA, exceeds(e.ta, DOUBT * (force / k.a + e.td)));
+  double ta = out[DYN_OUT_TA], wf = k.e1 - k.a * ta, force = k.e1 + fabs(x.n.w) + fabs(wf);
+  force_range(range, &k, &x, wf, out[DYN_OUT_TD]);
+  judge(&v, COND_TA, exceeds(ta, DOUBT * (force / k.a + out[DYN_OUT_PERIOD])));
   judge(&v, COND_H_V2, slow);
   judge(&v, COND_C_V2, x.n.q < 0 ? TRUTH_TRUE : TRUTH_FALSE);
   judge(&v, COND_C_W, exceeds(k.e1 - range[1], DOUBT * force));
