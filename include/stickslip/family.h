@@ -23,7 +23,8 @@ struct dyn_axis {
   int vary; /* one of P_CHI .. P_E2 */
   slong n;
   fmpz_t start, step, den; /* x_i = (start + i step)/den */
-  bool small;              /* all of them are doubles */
+  bool small;              /* all of these integers are doubles: in that case also here */
+  double begin, by, over;
 };
 /* n >= 1; both ends are included, and with n = 1 they are the same. */
 void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t to, slong n);

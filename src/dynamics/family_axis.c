@@ -26,6 +26,11 @@ void dyn_axis_init(struct dyn_axis *a, int vary, const fmpq_t from, const fmpq_t
   fmpz_mul_si(end, a->step, n - 1);
   fmpz_add(end, a->start, end);
   a->small = exact_in_double(a->start) && exact_in_double(end) && exact_in_double(a->den);
+  if (a->small) {
+    a->begin = fmpz_get_d(a->start);
+    a->by = fmpz_get_d(a->step);
+    a->over = fmpz_get_d(a->den);
+  }
   fmpq_clear(step);
   fmpz_clear(end);
 }
@@ -44,8 +49,8 @@ void dyn_axis_q(fmpq_t x, const struct dyn_axis *a, slong i) {
 }
 
 double dyn_axis_d(const struct dyn_axis *a, slong i) {
-  /* a quotient of integers that doubles hold is rounded once */
-  if (a->small) return (double)(fmpz_get_si(a->start) + i * fmpz_get_si(a->step)) / (double)fmpz_get_si(a->den);
+  /* a product and a sum of integers that doubles hold are exact, and their quotient is rounded once */
+  if (a->small) return (a->begin + a->by * (double)i) / a->over;
   fmpq_t x;
   double d;
   fmpq_init(x);

@@ -13,7 +13,8 @@
 
 /* --- Lanes. --- */
 
-static void lanes_room(struct lanes *a, slong n) {
+/* The parameters that do not vary are set once. */
+static void lanes_room(struct lanes *a, slong n, const struct family_line *l) {
   size_t size = (size_t)n * sizeof(double);
   if (n <= a->cap) return;
   for (int i = 0; i < N_PARAMS; i++) a->params[i] = ss_realloc(a->params[i], size);
@@ -21,6 +22,8 @@ static void lanes_room(struct lanes *a, slong n) {
   for (int i = 0; i < N_DYN_OUT; i++) a->out[i] = ss_realloc(a->out[i], size);
   a->violations = ss_realloc(a->violations, (size_t)n * sizeof *a->violations);
   a->status = ss_realloc(a->status, (size_t)n * sizeof *a->status);
+  for (int i = 0; i < N_PARAMS; i++)
+    for (slong k = 0; k < n; k++) a->params[i][k] = l->params[i];
   a->cap = n;
 }
 
@@ -48,6 +51,9 @@ struct stencil {
 };
 
 static struct stencil stencil(const struct strand *s, slong point, slong h) {
+  if (point - 3 * h >= s->first && point + 3 * h <= s->last)
+    return (struct stencil){
+        4, {point - 3 * h, point - h, point + h, point + 3 * h}, {-0.0625, 0.5625, 0.5625, -0.0625}};
   struct stencil a = {.n = 0};
   slong left = point - h, right = point + h < s->last ? point + h : s->last;
   if (left > s->first) a.node[a.n++] = left - 2 * h;
@@ -72,12 +78,13 @@ static double predict(const struct strand *s, slong row, const struct stencil *a
 static slong fill(struct strand *s, slong h) {
   struct lanes *a = s->lanes;
   slong n = 0;
-  lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1));
+  lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line);
+  double *varied = a->params[s->line->q->axis->vary];
   for (slong point = s->first + h; point < s->last; point += 2 * h) {
     struct stencil from = stencil(s, point, h);
-    family_move(s->line, point);
+    double x = dyn_axis_d(s->line->q->axis, point);
     for (slong k = 0; k < s->rows; k++, n++) {
-      for (int i = 0; i < N_PARAMS; i++) a->params[i][n] = s->line->params[i];
+      varied[n] = x;
       a->guess[0][n] = predict(s, k, &from, DYN_OUT_TB);
       a->guess[1][n] = predict(s, k, &from, DYN_OUT_TC);
     }

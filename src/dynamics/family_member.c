@@ -142,20 +142,28 @@ bool family_solve(struct dyn_member *m, struct family_line *l, const double gues
 
 /* --- All orbits of a point. --- */
 
-static int by_z10(const void *x, const void *y) {
-  const struct dyn_member *a = x, *b = y;
-  return (a->out[DYN_OUT_Z10] > b->out[DYN_OUT_Z10]) - (a->out[DYN_OUT_Z10] < b->out[DYN_OUT_Z10]);
+static void sort_by_z10(struct dyn_member *m, slong n) {
+  for (slong i = 1; i < n; i++) {
+    for (slong k = i; k > 0 && m[k].out[DYN_OUT_Z10] < m[k - 1].out[DYN_OUT_Z10]; k--) {
+      struct dyn_member t = m[k];
+      m[k] = m[k - 1];
+      m[k - 1] = t;
+    }
+  }
+}
+
+static bool is_open(const struct dyn_member *m) {
+  return m->word != TRUTH_TRUE || m->stable == TRUTH_UNKNOWN || m->unsure != 0;
 }
 
 void family_add(struct dyn_family *f, struct dyn_family_point *p, struct dyn_member *m, slong n) {
-  qsort(m, (size_t)n, sizeof *m, by_z10);
+  sort_by_z10(m, n);
   p->first = (slong)f->n_members;
   p->n = n;
   for (slong i = 0; i < n; i++) {
     f->member = ss_grow(f->member, f->n_members, &f->cap_members, sizeof *f->member);
     f->member[f->n_members++] = m[i];
-    bool open = m[i].word != TRUTH_TRUE || m[i].stable == TRUTH_UNKNOWN || m[i].unsure != 0;
-    if (open && p->status == FAMILY_OK) p->status = FAMILY_UNDECIDED;
+    if (is_open(&m[i]) && p->status == FAMILY_OK) p->status = FAMILY_UNDECIDED;
   }
 }
 
