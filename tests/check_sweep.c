@@ -427,6 +427,16 @@ START_TEST(bytes_do_not_depend_on_who_computes) {
 }
 END_TEST
 
+/* Each point once and in its place, across units: e2 = 1/2 + i/1000 exactly as decimals. */
+START_TEST(points_are_those_asked_for) {
+  shell_well(
+      "\"$P\" sweep paper --over e1=2.7:2.8:2 --over e2=0.5:3:2501 --search-every 700 | grep -v '^#' | grep -v point |"
+      " cut -d, -f1-3 | uniq > \"$D/got\"");
+  shell_well("awk 'BEGIN { for (i = 0; i < 5002; i++) printf \"%d,%.2g,%.4g\\n\", i, i < 2501 ? 2.7 : 2.8,"
+             " 0.5 + i % 2501 / 1000 }' > \"$D/want\" && cmp \"$D/got\" \"$D/want\"");
+}
+END_TEST
+
 /* A plane's line is the line swept alone: the column of e1 apart, the same rows. */
 START_TEST(lines_of_a_plane_are_lines) {
   shell_well("\"$P\" sweep paper --over e1=2.7844:3:2 --over e2=0.5:3:200 --search-every 50 --all |"
@@ -645,15 +655,9 @@ END_TEST
 
 /* --- Processes. --- */
 
-static const char *mpi_program(void) {
-  const char *given = getenv("STICKSLIP_MPI"), *path = given ? given : "build/mpi/stickslip";
-  return access(path, X_OK) == 0 && system("mpirun --version > /dev/null 2>&1") == 0 ? path : NULL;
-}
-
-/* Only where make MPI=1 made a program, and with a launcher. */
 START_TEST(ranks_give_the_same_bytes) {
-  const char *mpi = mpi_program();
-  if (!mpi) return;
+  const char *mpi = getenv("STICKSLIP_MPI");
+  if (!mpi || !*mpi || system("mpirun --version > /dev/null 2>&1") != 0) return;
   setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
   setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
   setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
@@ -682,6 +686,7 @@ Suite *sweep_suite(void) {
   suite_add_tcase(s, orbits);
   tcase_add_checked_fixture(program_case, scratch_open, scratch_close);
   tcase_add_test(program_case, bytes_do_not_depend_on_who_computes);
+  tcase_add_test(program_case, points_are_those_asked_for);
   tcase_add_test(program_case, lines_of_a_plane_are_lines);
   tcase_add_test(program_case, rows_say_what_was_found);
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);

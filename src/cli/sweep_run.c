@@ -1,5 +1,6 @@
 /* Units are handed out in order, to threads and to other processes, and written in order whoever is done first.  So many
-   may be ahead of the one that is waited for that nobody stands idle, and no more, so that memory stays bounded. */
+   may be ahead of the one that is waited for that nobody stands idle, and no more, nor more rows than HELD bytes, so that
+   memory stays bounded. */
 #include <signal.h>
 #include <stdlib.h>
 #include <time.h>
@@ -8,7 +9,7 @@
 #include "stickslip/arena.h"
 #include "sweep.h"
 
-enum { AHEAD = 1024, WAIT = 20 };
+enum { AHEAD = 1024, HELD = 1 << 26, WAIT = 20 };
 
 static volatile sig_atomic_t stopped;
 
@@ -47,6 +48,7 @@ struct run {
   size_t n_again, cap_again;
   slong next, written; /* units handed out, and units in the sink */
   struct waiting ring[AHEAD];
+  size_t held; /* bytes in the ring */
   struct diag d;
   bool terminal;
   struct timespec begun, shown;
@@ -79,6 +81,7 @@ static void show_progress(struct run *r) {
 /* The next unit to be handed out; -1 when none is, for now. */
 static slong next_unit(const struct run *r) {
   if (r->n_again > 0) return r->again[r->n_again - 1];
+  if (r->held > HELD) return -1; /* the unit that is waited for is under way */
   return r->next < r->q->units && r->next < r->written + AHEAD ? r->next : -1;
 }
 
@@ -103,6 +106,7 @@ static void put(struct run *r, slong unit, struct text *rows) {
   struct waiting *w = &r->ring[unit % AHEAD];
   if (unit < r->written || w->there) return; /* a rank that was taken for lost */
   w->there = true;
+  r->held += rows->len;
   struct text old = w->rows;
   w->rows = *rows;
   *rows = old;
@@ -141,7 +145,8 @@ static bool write_ready(struct run *r) {
   for (struct waiting *w; (w = &r->ring[r->written % AHEAD])->there; r->written++) {
     if (!sink_write(r->sink, &w->rows, &r->d)) return false;
     w->there = false;
-    text_reset(&w->rows);
+    r->held -= w->rows.len;
+    text_clear(&w->rows);
   }
   return true;
 }

@@ -171,6 +171,12 @@ static bool wanted(const struct family_line *l, double tb) {
   return l->q->late || tb < crest(l);
 }
 
+/* Newton's iteration from a zero of the search can only polish it. */
+static bool is_near(const struct dyn_member *m, const double zero[2]) {
+  double off = fabs(m->out[DYN_OUT_TB] - zero[0]) + fabs(m->out[DYN_OUT_TC] - zero[1]);
+  return off <= 1e-6 * (zero[0] + zero[1]);
+}
+
 /* Each zero of the search by a warm start; false where that is not enough to be sure of the list. */
 static bool list_warm(struct dyn_member *m, slong *n, struct family_line *l, const struct search *s) {
   *n = 0;
@@ -179,7 +185,7 @@ static bool list_warm(struct dyn_member *m, slong *n, struct family_line *l, con
     double guess[2] = {z->tb, z->tc};
     if (z->fold) return false;
     if (!wanted(l, z->tb)) continue;
-    if (!family_solve(&m[*n], l, guess, z->up)) return false;
+    if (!family_solve(&m[*n], l, guess, z->up) || !is_near(&m[*n], guess)) return false;
     for (slong k = 0; k < *n; k++)
       if (family_same(&m[k], &m[*n])) return false;
     ++*n;
