@@ -47,7 +47,10 @@ static int put(char *out, bool negative, double n, int k) {
     v /= 10;
     k--;
   }
-  for (; v > 0 || count <= k; v /= 10) digit[count++] = (char)('0' + v % 10);
+  do {
+    digit[count++] = (char)('0' + v % 10);
+    v /= 10;
+  } while (v > 0 || count <= k);
   if (negative) out[len++] = '-';
   while (count > 0) {
     if (count == k) out[len++] = '.';

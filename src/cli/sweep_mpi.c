@@ -90,7 +90,7 @@ static bool receive(struct text *body, const MPI_Status *s) {
   MPI_Get_count(s, MPI_BYTE, &len);
   text_reset(body);
   for (int i = 0; i < len; i++) text_add_char(body, ' ');
-  char none;
+  char none = 0;
   char *to = len > 0 ? body->data : &none;
   if (MPI_Irecv(to, len, MPI_BYTE, s->MPI_SOURCE, s->MPI_TAG, MPI_COMM_WORLD, &request) != MPI_SUCCESS) return false;
   for (double begun = now(); !done && now() - begun < LOST_AFTER;)
