@@ -103,7 +103,7 @@ static const char help[] =
     "disagree;\n"
     "2 usage; 3 bad input, or output that cannot be written; 4 with --strict: discrepancies or unknowns remain; 5 "
     "internal "
-    "error.\n";
+    "error, or a sweep that was interrupted.\n";
 
 static void print_help(void) {
   fputs(help, stdout);
