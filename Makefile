@@ -8,10 +8,13 @@ INCDIR   ?= $(PREFIX)/include
 MANDIR   ?= $(PREFIX)/share/man
 PYTHON   ?= /usr/bin/python3
 B        ?= build
+# MPI=1 builds, and installs, a program of which mpirun starts many: stickslip sweep shares its work among them
+MPI      ?=
+MPICC    ?= mpicc
 DATADIR  ?= $(PREFIX)/share/stickslip
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
-STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread
 SO    = libstickslip.so.0
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
@@ -25,8 +28,9 @@ OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_
 LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
 ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
-CLI   = $(sort $(wildcard src/cli/*.c))
-SRC   = $(filter-out $(CLI),$(sort $(wildcard src/*/*.c)))
+CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
+RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
+SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 OBJ   = $(SRC:%.c=$(B)/%.o)
@@ -36,13 +40,20 @@ PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all check verify mutate bench lint asan cover format install uninstall clean help
-all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker ## build the program, the library and the checker (default)
+all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
 $(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/libstickslip.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
+
+$(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/libstickslip.a
+	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
+
+$(B)/mpi/%.o: %.c Makefile
+	@mkdir -p $(@D)
+	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(ALL) -I. -Isrc -DSTICKSLIP_MPI -MMD -c -o $@ $<
 
 # shares no source with the program
 $(B)/stickslip-checker: verify/checker/check.c Makefile
@@ -71,7 +82,7 @@ $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<
 
--include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(B)/src/main.d
+-include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 
 verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
 	$(B)/stickslip verify
@@ -86,9 +97,9 @@ bench: $(B)/stickslip ## error against run time, by every method: writes reports
 	$(B)/stickslip bench --out reports/bench $$([ ! -f $(B)/peers/peers.tsv ] || echo --peers $(B)/peers/peers.tsv)
 	$(PYTHON) tools/readme.py
 
-check: all $(B)/check ## run the tests
+check: all $(B)/check ## run the tests; with MPI=1 those of mpirun too
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
-	STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check
+	STICKSLIP=$(B)/stickslip STICKSLIP_MPI=$(if $(MPI),$(B)/mpi/stickslip) PYTHON=$(PYTHON) $(B)/check
 
 lint: ## formatting, include arrows, static analysis
 	sh tools/lint.sh
@@ -105,7 +116,7 @@ format: ## rewrite the sources in the project's format
 
 install: all ## install program, library, headers, man page and data (PREFIX, DESTDIR)
 	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(DATADIR))
-	install $(B)/stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
+	install $(B)/$(if $(MPI),mpi/)stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so

@@ -7,8 +7,6 @@
 #include "cli/cli.h"
 #include "stickslip/dynamics.h"
 
-#define VERSION "0.1.0"
-
 static const char help[] =
     "stickslip " VERSION ": audits a paper on periodic stick-slip orbits of two masses on a moving belt\n"
     "\n"
@@ -83,6 +81,20 @@ static const char help[] =
     "      jobs: propagator, map, jacobian, orbit, verdicts; studies, only when asked for, write STUDY.md and tables:\n"
     "      stiff (orbits at eta from 1e-12 to 1e12 by explicit and implicit integrators), smooth (smoothed friction\n"
     "      laws), procedure (the paper's (44)-(46) as a method), or all three as studies\n"
+    "  stickslip sweep SCENE --over NAME=A:B:N [--over NAME=A:B:N] [--all] [--search-every N] [--digits N] [--jobs N]\n"
+    "                  [--csv FILE [--resume] | --json]\n"
+    "      the admissible orbits (with --all and in JSON: every orbit) at N values of one or two of chi, eta, V, e1, "
+    "e2 "
+    "from\n"
+    "      A to B, in double precision, along the last --over; CSV goes to stdout without --csv, which writes "
+    "FILE.part "
+    "and\n"
+    "      renames it when complete; --resume continues a FILE.part.  Orbits are searched for at every N-th point (by\n"
+    "      default up to 256 apart, at least 128 times a line) and where an orbit ends or begins, and followed "
+    "between:\n"
+    "      one that begins and ends between two searches can be missing.  At most 1000000000 points; Ctrl-C and "
+    "SIGTERM\n"
+    "      end it with status 5\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -97,7 +109,7 @@ static const char help[] =
     "disagree;\n"
     "2 usage; 3 bad input, or output that cannot be written; 4 with --strict: discrepancies or unknowns remain; 5 "
     "internal "
-    "error.\n";
+    "error, or a sweep that was interrupted.\n";
 
 static void print_help(void) {
   fputs(help, stdout);
@@ -122,7 +134,8 @@ static const struct command {
                 {"repair", FOR_REPAIR, run_repair},
                 {"bifurcate", FOR_BIFURCATE, run_bifurcate},
                 {"diff", FOR_DIFF, run_diff},
-                {"bench", FOR_BENCH, run_bench}};
+                {"bench", FOR_BENCH, run_bench},
+                {"sweep", FOR_SWEEP, run_sweep}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -164,9 +177,8 @@ static void on_abort(int signal) {
 int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
-    return usage(
-        "a command is needed: %s",
-        "verify, orbit, jacobian, simulate, readings, explain, list, check, mutate, repair, bifurcate, diff or bench");
+    return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list, check, "
+                                            "mutate, repair, bifurcate, diff, bench or sweep");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

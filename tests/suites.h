@@ -39,5 +39,6 @@ Suite *stiff_suite(void);
 Suite *bench_pages_suite(void);
 Suite *return_map_suite(void);
 Suite *warm_suite(void);
+Suite *sweep_suite(void);
 
 #endif

@@ -5,9 +5,10 @@ import re
 import sys
 
 HEADERS = {  # header -> module
-    "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base",
+    "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base", "part": "base", "decimal": "base",
     "num": "num", "ops": "num", "flint_compat": "num",
     "expr": "expr", "edit": "expr", "tape": "tape", "exact": "tape", "model": "model", "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics", "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics", "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics", "warm": "dynamics", "batch": "dynamics", "return_map": "dynamics",
+    "family": "dynamics",
     "audit": "audit", "scene": "audit", "result": "result", "mutation": "result", "report": "report", "report_mutation": "report",
 }
 ALLOWED = {

@@ -69,6 +69,8 @@ bool write_all(int fd, const char *data, size_t len);
    the old file or the new one and a failure leaves the old one.  What stands there already must be a regular file.
    false with d set on failure. */
 bool file_write(const char *path, const char *data, size_t len, struct diag *d);
+/* Whether nothing but a regular file stands at path, so that a rename may put another there; errno says why not. */
+bool file_replaceable(const char *path);
 /* Several files as one: all temporary files are written before the first is renamed, so that a failure to write any of
    them leaves every old file. */
 struct file_item {

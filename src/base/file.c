@@ -97,7 +97,7 @@ bool write_all(int fd, const char *data, size_t len) {
 }
 
 /* A rename would put a file in the place of a device or a pipe that others write to. */
-static bool can_replace(const char *path) {
+bool file_replaceable(const char *path) {
   struct stat st;
   if (stat(path, &st) != 0 || S_ISREG(st.st_mode)) return true;
   errno = S_ISDIR(st.st_mode) ? EISDIR : EINVAL;
@@ -107,7 +107,7 @@ static bool can_replace(const char *path) {
 /* Writes the data beside path and leaves the temporary file's name in beside; on failure nothing is left. */
 static bool write_beside(struct text *beside, const char *path, const char *data, size_t len, struct diag *d) {
   text_printf(beside, "%s.XXXXXX", path);
-  int fd = can_replace(path) ? mkstemp(beside->data) : -1;
+  int fd = file_replaceable(path) ? mkstemp(beside->data) : -1;
   bool ok = fd >= 0 && write_all(fd, data, len) && fchmod(fd, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) == 0;
   int err = errno;
   if (fd >= 0 && close(fd) != 0 && ok) {

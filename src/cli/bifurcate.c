@@ -9,47 +9,10 @@
 
 enum { STARTS = 257, MOST_DIGITS = 1000 };
 
-struct along {
-  int vary;
-  fmpq_t from, to;
-};
-
-static bool in_domain(const fmpq_t x, int vary) {
-  return fmpq_sgn(x) > 0 && (vary != P_CHI || fmpq_cmp_si(x, 1) < 0);
-}
-
-/* NAME=A:B */
-static int parse_along(struct along *a, const char *text) {
-  const char *equals = strchr(text, '='), *colon = equals ? strchr(equals, ':') : NULL;
-  if (!equals || !colon || strchr(colon + 1, ':'))
-    return usage("--along takes NAME=A:B, as in e2=0.5:3, not %.200s", text);
-  a->vary = -1;
-  for (int i = 0; i < N_SCENE_PARAMS; i++)
-    if (strlen(scene_key_name[i]) == (size_t)(equals - text) &&
-        strncmp(text, scene_key_name[i], (size_t)(equals - text)) == 0)
-      a->vary = i;
-  if (a->vary < 0) return usage("--along varies chi, eta, V, e1 or e2, not %.200s", text);
-  struct diag d;
-  diag_init(&d);
-  if (!scene_constant(a->from, equals + 1, (size_t)(colon - equals - 1), "--along", &d) ||
-      !scene_constant(a->to, colon + 1, strlen(colon + 1), "--along", &d)) {
-    fprintf(stderr, "%s\n", d.message);
-    return EXIT_USAGE;
-  }
-  if (!in_domain(a->from, a->vary) || !in_domain(a->to, a->vary))
-    return usage(a->vary == P_CHI ? "both ends of --along %.200s must lie between 0 and 1"
-                                  : "both ends of --along %.200s must be positive",
-                 text);
-  if (fmpq_equal(a->from, a->to)) return usage("the ends of --along %.200s are equal", text);
-  return EXIT_AS_RECORDED;
-}
-
-/* The line must keep u_r above e, as a scene does. */
-static int check_friction(const struct scene *s, const struct along *a, const char *text) {
-  int key = a->vary == P_E1 ? KEY_U_R1 : a->vary == P_E2 ? KEY_U_R2 : -1;
-  if (key < 0 || !s->given[key]) return EXIT_AS_RECORDED;
-  if (fmpq_cmp(a->from, &s->value[key]) < 0 && fmpq_cmp(a->to, &s->value[key]) < 0) return EXIT_AS_RECORDED;
-  return usage("--along %.200s must stay below the static friction that the scene gives", text);
+static int parse_along(struct range *a, const char *text) {
+  int status = range_parse(a, "--along", "%s takes NAME=A:B, as in e2=0.5:3, not %.200s", text, strlen(text));
+  if (!status && fmpq_cmp(a->from, a->to) == 0) return usage("the ends of --along %.200s are equal", text);
+  return status;
 }
 
 /* --- What is known of the orbits beside a change. --- */
@@ -147,7 +110,7 @@ static void branch_json(struct json *j, const struct dyn_branch *b, long number)
 }
 
 static void all_json(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
-                     const struct along *a, slong digits) {
+                     const struct range *a, slong digits) {
   struct json j;
   json_init(&j, out);
   json_object(&j, NULL);
@@ -206,7 +169,7 @@ static void change_text(struct text *out, const struct dyn_bifurcation *b, const
 }
 
 static void all_text(struct text *out, const struct dyn_bifurcations *list, const struct scene *s,
-                     const struct along *a, slong digits) {
+                     const struct range *a, slong digits) {
   const char *name = scene_key_name[a->vary];
   text_printf(out, "%s: %s from ", s->name, name);
   num_print_q(out, a->from);
@@ -229,7 +192,7 @@ static void all_text(struct text *out, const struct dyn_bifurcations *list, cons
 
 /* --- The command. --- */
 
-static int show(const struct scene *s, const struct along *a, const struct options *o, slong digits) {
+static int show(const struct scene *s, const struct range *a, const struct options *o, slong digits) {
   struct dyn_bifurcations list;
   const fmpq *u[2];
   for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
@@ -252,7 +215,7 @@ static int show(const struct scene *s, const struct along *a, const struct optio
   return EXIT_AS_RECORDED;
 }
 
-static int with_line(const struct options *o, const char *data, struct along *a, slong digits) {
+static int with_line(const struct options *o, const char *data, struct range *a, slong digits) {
   int status = parse_along(a, o->along);
   if (status) return status;
   struct scene s;
@@ -264,7 +227,7 @@ static int with_line(const struct options *o, const char *data, struct along *a,
     diag_set(&d, "%s: error: bifurcate needs a scene that gives e1 and e2", s.path);
     status = bad_input(&d);
   } else {
-    status = check_friction(&s, a, o->along);
+    status = range_check_friction(a, &s, "--along", o->along);
     if (!status) status = show(&s, a, o, digits);
   }
   scene_clear(&s);
@@ -273,16 +236,14 @@ static int with_line(const struct options *o, const char *data, struct along *a,
 
 int run_bifurcate(const struct options *o, const char *data) {
   slong digits;
-  struct along a;
+  struct range a;
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", o->digits);
   if (o->n_operands != 1) return usage("bifurcate takes one %s", "SCENE");
   if (!o->along) return usage("bifurcate needs --along %s", "NAME=A:B");
-  fmpq_init(a.from);
-  fmpq_init(a.to);
+  range_init(&a);
   status = with_line(o, data, &a, digits);
-  fmpq_clear(a.from);
-  fmpq_clear(a.to);
+  range_clear(&a);
   return status;
 }

@@ -7,10 +7,12 @@
 #include "stickslip/dynamics.h"
 #include "stickslip/json.h"
 
+#define VERSION "0.1.0"
+
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
-enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64 };
+enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64, MAX_OVER = 2, MAX_JOBS = 64 };
 
 /* Commands as bits, for the table of options. */
 enum {
@@ -27,7 +29,9 @@ enum {
   FOR_BIFURCATE = 1024,
   FOR_DIFF = 2048,
   FOR_BENCH = 4096,
-  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH
+  FOR_SWEEP = 8192,
+  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH |
+             FOR_SWEEP
 };
 
 struct options {
@@ -35,9 +39,11 @@ struct options {
   int n_operands;
   const char *only[MAX_ONLY];
   int n_only;
+  const char *over[MAX_OVER];
+  int n_over;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job, *inputs, *peers;
-  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, help;
+      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every;
+  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, all, resume, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -48,8 +54,25 @@ int bad_input(const struct diag *d);
 /* The words after the command.  Splits lists in place: they live in argv.  An exit status. */
 int parse_options(struct options *o, unsigned command, int argc, char **argv);
 int parse_digits(slong *digits, const struct options *o);
+/* A whole number from 1 (or 0) to most; false otherwise. */
+bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
+/* --jobs; text is NULL for one for each processor. */
+int parse_jobs(int *jobs, const char *text);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const char *at);
+
+/* What one parameter runs through, exactly. */
+struct range {
+  fmpq_t from, to;
+  int vary;
+};
+void range_init(struct range *r);
+void range_clear(struct range *r);
+/* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has another
+   form, with a %s for the option and a %.200s for the text. */
+int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len);
+/* The values must keep u_r above e, as a scene does. */
+int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
 
 /* The data folder into data. */
 bool find_data(struct text *data, struct diag *d);
@@ -107,5 +130,6 @@ int run_repair(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
 int run_diff(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);
+int run_sweep(const struct options *o, const char *data);
 
 #endif

@@ -1,5 +1,4 @@
 /* stickslip mutate and repair: damage to formulas, and edits that undo it. */
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -7,38 +6,20 @@
 #include "cli.h"
 #include "stickslip/report_mutation.h"
 
-enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000, MAX_JOBS = 64 };
+enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
 
 static void show_progress(size_t n, size_t of) {
   fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);
 }
 
-/* A whole number from 1 (or 0) to most; false otherwise. */
-static bool whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
-  char *end;
-  errno = 0;
-  *n = strtoull(text, &end, 10);
-  return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
-}
-
-static int parse_jobs(int *jobs, const char *text) {
-  unsigned long long n;
-  long cores = sysconf(_SC_NPROCESSORS_ONLN);
-  *jobs = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : (int)cores;
-  if (!text) return EXIT_AS_RECORDED;
-  if (!whole(&n, text, false, MAX_JOBS)) return usage("--jobs takes a whole number from 1 to 64, not %.200s", text);
-  *jobs = (int)n;
-  return EXIT_AS_RECORDED;
-}
-
 static int parse_mutation(struct mutation_options *q, const struct options *o) {
   unsigned long long n = DEFAULT_COUNT;
   *q = (struct mutation_options){.seed = 1, .only = o->only, .n_only = o->n_only};
-  if (o->seed && !whole(&q->seed, o->seed, true, ~0ULL))
+  if (o->seed && !parse_whole(&q->seed, o->seed, true, ~0ULL))
     return usage("--seed takes a whole number from 0 to 18446744073709551615, not %.200s", o->seed);
   if (o->count && strcmp(o->count, "all") == 0)
     n = 0;
-  else if (o->count && !whole(&n, o->count, false, MAX_COUNT))
+  else if (o->count && !parse_whole(&n, o->count, false, MAX_COUNT))
     return usage("--count takes a whole number from 1 to 1000000, or all, not %.200s", o->count);
   q->count = (long)n;
   return parse_jobs(&q->jobs, o->jobs);

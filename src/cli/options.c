@@ -2,6 +2,7 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 #include "cli.h"
 
@@ -40,7 +41,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--out", FOR_VERIFY | FOR_MUTATE | FOR_REPAIR | FOR_BENCH, &o->out, NULL},
                {"--strict", FOR_VERIFY, NULL, &o->strict},
                {"--quiet", FOR_VERIFY, NULL, &o->quiet},
-               {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_BIFURCATE, &o->digits, NULL},
+               {"--digits", FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_BIFURCATE | FOR_SWEEP, &o->digits, NULL},
                {"--json", FOR_JSON, NULL, &o->json},
                {"--at", FOR_JACOBIAN | FOR_EXPLAIN | FOR_SIMULATE, &o->at, NULL},
                {"--certificate", FOR_ORBIT, &o->certificate, NULL},
@@ -48,10 +49,15 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
                {"--samples", FOR_SIMULATE, &o->samples, NULL},
                {"--start", FOR_SIMULATE, &o->start, NULL},
                {"--csv", FOR_SIMULATE, NULL, &o->csv},
+               {"--csv", FOR_SWEEP, &o->csv_file, NULL},
+               {"--over", FOR_SWEEP, NULL, NULL},
+               {"--search-every", FOR_SWEEP, &o->search_every, NULL},
+               {"--all", FOR_SWEEP, NULL, &o->all},
+               {"--resume", FOR_SWEEP, NULL, &o->resume},
                {"--compare", FOR_SIMULATE, NULL, &o->compare},
                {"--seed", FOR_MUTATE, &o->seed, NULL},
                {"--count", FOR_MUTATE, &o->count, NULL},
-               {"--jobs", FOR_MUTATE | FOR_REPAIR, &o->jobs, NULL},
+               {"--jobs", FOR_MUTATE | FOR_REPAIR | FOR_SWEEP, &o->jobs, NULL},
                {"--along", FOR_BIFURCATE, &o->along, NULL},
                {"--basin", FOR_ORBIT, NULL, &o->basin},
                {"--job", FOR_BENCH, &o->job, NULL},
@@ -75,9 +81,14 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
     char *equals = strchr(arg, '=');
     size_t len = equals ? (size_t)(equals - arg) : strlen(arg);
     size_t k = 0, n = sizeof table / sizeof *table;
-    while (k < n && !(strlen(table[k].name) == len && strncmp(table[k].name, arg, len) == 0)) k++;
-    if (k == n) return usage("unknown option %.200s", arg);
-    if (!(table[k].commands & command)) return usage("the option %.200s does not belong to this command", arg);
+    bool known = false; /* two commands can give one name to different options */
+    for (; k < n; k++) {
+      bool named = strlen(table[k].name) == len && strncmp(table[k].name, arg, len) == 0;
+      if (named && (table[k].commands & command)) break;
+      known |= named;
+    }
+    if (k == n)
+      return usage(known ? "the option %.200s does not belong to this command" : "unknown option %.200s", arg);
     if (table[k].flag) {
       if (equals) return usage("the option %.200s takes no value", table[k].name);
       *table[k].flag = true;
@@ -85,11 +96,33 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv) {
     }
     char *value = equals ? equals + 1 : i + 1 < argc ? argv[++i] : NULL;
     if (!value || !*value) return usage("the option %s needs a value", table[k].name);
-    if (table[k].value)
+    if (table[k].value) {
       *table[k].value = value;
-    else if (!add_only(o, value))
+    } else if (table[k].commands == FOR_SWEEP) {
+      if (o->n_over == MAX_OVER) return usage("at most two --over, not %.200s too", value);
+      o->over[o->n_over++] = value;
+    } else if (!add_only(o, value)) {
       return usage("--only takes 1 to 256 names, not %.200s", value);
+    }
   }
+  return EXIT_AS_RECORDED;
+}
+
+bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most) {
+  char *end;
+  errno = 0;
+  *n = strtoull(text, &end, 10);
+  return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
+}
+
+int parse_jobs(int *jobs, const char *text) {
+  unsigned long long n;
+  long cores = sysconf(_SC_NPROCESSORS_ONLN);
+  *jobs = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : (int)cores;
+  if (!text) return EXIT_AS_RECORDED;
+  if (!parse_whole(&n, text, false, MAX_JOBS))
+    return usage("--jobs takes a whole number from 1 to 64, not %.200s", text);
+  *jobs = (int)n;
   return EXIT_AS_RECORDED;
 }
 

@@ -1,0 +1,134 @@
+/* stickslip sweep: the orbits over a line or a plane of parameter values, as CSV or JSON. */
+#include <string.h>
+
+#include "sweep.h"
+
+enum { DEFAULT_EVERY = 256, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
+
+static const char shape[] = "%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s";
+
+/* NAME=A:B:N, the i-th one. */
+static int parse_axis(struct sweep *q, int i, const char *text) {
+  const char *colon = strrchr(text, ':');
+  unsigned long long n;
+  struct range *r = &q->range[i];
+  int status = range_parse(r, "--over", shape, text, colon ? (size_t)(colon - text) : strlen(text));
+  if (status) return status;
+  if (!parse_whole(&n, colon + 1, false, MOST_POINTS))
+    return usage("--over %.200s: N is a whole number from 1 to 1000000000", text);
+  if ((n == 1) != fmpq_equal(r->from, r->to))
+    return usage(n == 1 ? "--over %.200s: one value cannot be both ends" : "the ends of --over %.200s are equal", text);
+  if (i == 1 && q->range[0].vary == r->vary) return usage("both --over vary %s", scene_key_name[r->vary]);
+  double held[2];
+  if (num_double.set_q(&held[0], r->from, 53) || num_double.set_q(&held[1], r->to, 53))
+    return usage("the ends of --over %.200s cannot be held in double precision", text);
+  dyn_axis_init(&q->axis[i], r->vary, r->from, r->to, (slong)n);
+  q->n_axes = i + 1;
+  return EXIT_AS_RECORDED;
+}
+
+/* Without --search-every: not too far apart on a line of few points either. */
+static slong default_every(slong n) {
+  slong part = (n - 1) / DEFAULT_SEARCHES;
+  return part < 1 ? 1 : part < DEFAULT_EVERY ? part : DEFAULT_EVERY;
+}
+
+/* How the points are shared out. */
+static int plan(struct sweep *q) {
+  slong n = sweep_line_axis(q)->n;
+  if (q->every == 0) q->every = default_every(n);
+  q->lines = q->n_axes > 1 ? q->axis[0].n : 1;
+  if (q->lines > MOST_POINTS / n) return usage("--over: at most %s points in all", "1000000000");
+  q->points = q->lines * n;
+  q->unit = q->every < UNIT_POINTS ? UNIT_POINTS / q->every * q->every : q->every;
+  q->per_line = (n + q->unit - 1) / q->unit;
+  q->units = q->lines * q->per_line;
+  return EXIT_AS_RECORDED;
+}
+
+static int parse_request(struct sweep *q, const struct options *o) {
+  unsigned long long every = 0;
+  int status = parse_digits(&q->digits, o);
+  if (status) return status;
+  if (q->digits > MOST_SWEEP_DIGITS)
+    return usage("sweep computes in double precision: --digits takes 1 to 15, not %.200s", o->digits);
+  if (o->n_operands != 1) return usage("sweep takes one %s", "SCENE");
+  if (o->n_over == 0) return usage("sweep needs --over %s", "NAME=A:B:N");
+  if (o->json && o->csv_file) return usage("--json goes with no %s", "--csv");
+  if (o->resume && !o->csv_file) return usage("--resume continues a file: it needs %s", "--csv FILE");
+  if (o->search_every && !parse_whole(&every, o->search_every, false, MOST_EVERY))
+    return usage("--search-every takes a whole number from 1 to 65536, not %.200s", o->search_every);
+  q->every = (slong)every;
+  q->json = o->json;
+  q->all = o->all || o->json;
+  for (int i = 0; i < o->n_over && !status; i++) status = parse_axis(q, i, o->over[i]);
+  return status ? status : plan(q);
+}
+
+static int load_scene(struct sweep *q, const struct options *o, const char *data) {
+  struct diag d;
+  diag_init(&d);
+  if (!scene_load(&q->scene, o->operand[0], data, &d)) return bad_input(&d);
+  if (!scene_has_forces(&q->scene)) {
+    diag_set(&d, "%s: error: sweep needs a scene that gives e1 and e2", q->scene.path);
+    return bad_input(&d);
+  }
+  int status = EXIT_AS_RECORDED;
+  for (int i = 0; i < q->n_axes && !status; i++)
+    status = range_check_friction(&q->range[i], &q->scene, "--over", o->over[i]);
+  return status;
+}
+
+#ifdef STICKSLIP_MPI
+static int serve(const struct sweep *q, int jobs) {
+  struct diag d;
+  diag_init(&d);
+  struct pool *p = pool_open(q, jobs, &d);
+  if (!p) return bad_input(&d);
+  int status = ranks_serve(q, p, jobs);
+  sweep_stop();
+  pool_close(p);
+  return status;
+}
+#endif
+
+static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
+  struct sink s;
+  struct diag d;
+  diag_init(&d);
+  int status = sink_open(&s, q, o, &d) ? sweep_carry_out(q, &s, jobs) : bad_input(&d);
+  sink_clear(&s);
+  return status;
+}
+
+static int sweep_with(struct sweep *q, const struct options *o, const char *data) {
+  int jobs, status = parse_jobs(&jobs, o->jobs);
+  if (!status) status = parse_request(q, o);
+  if (!status) status = load_scene(q, o, data);
+  if (status) return status;
+  sweep_listen(true);
+#ifdef STICKSLIP_MPI
+  if (!o->jobs) jobs = ranks_jobs();
+  status = ranks_number() > 0 ? serve(q, jobs) : write_all_rows(q, o, jobs);
+#else
+  status = write_all_rows(q, o, jobs);
+#endif
+  sweep_listen(false);
+  return status;
+}
+
+int run_sweep(const struct options *o, const char *data) {
+  struct sweep q = {.n_axes = 0};
+#ifdef STICKSLIP_MPI
+  ranks_open();
+#endif
+  for (int i = 0; i < MAX_OVER; i++) range_init(&q.range[i]);
+  int status = sweep_with(&q, o, data);
+  for (int i = 0; i < q.n_axes; i++) dyn_axis_clear(&q.axis[i]);
+  for (int i = 0; i < MAX_OVER; i++) range_clear(&q.range[i]);
+  scene_clear(&q.scene);
+#ifdef STICKSLIP_MPI
+  ranks_close(status);
+#endif
+  return status;
+}

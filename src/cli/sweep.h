@@ -1,0 +1,103 @@
+/* What the files of the sweep share.
+
+   sweep       the command line, and which points are asked for
+   sweep_rows  the rows of a unit of work
+   sweep_file  where the rows go; taking up an interrupted file
+   sweep_pool  threads
+   sweep_run   handing out units, and putting them in order
+   sweep_mpi   the same over processes (make MPI=1 only) */
+#ifndef STICKSLIP_SWEEP_H
+#define STICKSLIP_SWEEP_H
+
+#include "cli.h"
+#include "stickslip/family.h"
+#include "stickslip/part.h"
+
+/* A unit is a stretch of one line, so many points that it can stand for itself; whoever does it, its rows are the same. */
+enum { UNIT_POINTS = 1024, MOST_EVERY = 65536, MOST_POINTS = 1000000000 };
+
+struct sweep {
+  struct scene scene;
+  int n_axes; /* the last one runs along the lines */
+  struct range range[MAX_OVER];
+  struct dyn_axis axis[MAX_OVER];
+  slong every, digits;
+  bool all, json;
+  slong unit, per_line, lines, units, points; /* points of a unit, units of a line, and how many there are */
+};
+
+static inline const struct dyn_axis *sweep_line_axis(const struct sweep *q) {
+  return &q->axis[q->n_axes - 1];
+}
+
+/* --- sweep_rows.c --- */
+
+/* What stands before the first row and after the last. */
+void sweep_head(struct text *out, const struct sweep *q);
+void sweep_tail(struct text *out, const struct sweep *q);
+/* The rows of a unit; false when the run was told to stop before they were done. */
+bool sweep_rows(struct text *out, const struct sweep *q, slong unit);
+/* Set by SIGINT and SIGTERM. */
+bool sweep_stopped(void);
+
+/* --- sweep_file.c --- */
+
+struct sink {
+  struct part part; /* of --csv; else rows go to stdout */
+  bool to_file;
+  slong done; /* units that it holds */
+};
+bool sink_open(struct sink *s, const struct sweep *q, const struct options *o, struct diag *d);
+bool sink_write(struct sink *s, const struct text *rows, struct diag *d);
+bool sink_finish(struct sink *s, const struct sweep *q, struct diag *d);
+void sink_clear(struct sink *s);
+
+/* --- sweep_pool.c --- */
+
+struct pool;
+enum { POOL_ROOM = 2 * MAX_JOBS };
+/* NULL with d set when no thread can be made. */
+struct pool *pool_open(const struct sweep *q, int jobs, struct diag *d);
+/* Units under way are given up; sweep_stopped must be true unless there are none. */
+void pool_close(struct pool *p);
+/* At most POOL_ROOM units may be given and not taken. */
+void pool_give(struct pool *p, slong unit);
+/* A unit that is done, if there is one within so many milliseconds; its rows are appended to out. */
+bool pool_take(struct pool *p, slong *unit, struct text *rows, int wait);
+
+/* --- sweep_run.c --- */
+
+/* From here SIGINT and SIGTERM set sweep_stopped, or no longer do. */
+void sweep_listen(bool on);
+void sweep_stop(void);
+/* An exit status. */
+int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs);
+
+#ifdef STICKSLIP_MPI
+/* --- sweep_mpi.c --- */
+
+/* Every process calls open first and close last.  Rank 0 writes, the others compute for it; what they have to say about
+   the command line, rank 0 says too, so their standard error is closed. */
+void ranks_open(void);
+void ranks_close(int status);
+int ranks_number(void); /* this one's */
+int ranks_count(void);
+/* --jobs where none is given: the processors of this machine shared among its ranks. */
+int ranks_jobs(void);
+/* Ranks other than 0: computes what rank 0 asks for until it asks for no more; an exit status. */
+int ranks_serve(const struct sweep *q, struct pool *p, int jobs);
+
+/* The other ranks, as rank 0 sees them. */
+struct helpers;
+struct helpers *helpers_open(const struct sweep *q);
+/* Sends them home. */
+void helpers_close(struct helpers *h);
+/* Whether there are any. */
+bool helpers_waiting(const struct helpers *h);
+/* Hands the unit to a rank that has room for it; false when there is none. */
+bool helpers_give(struct helpers *h, slong unit);
+/* What has come: the rows of a unit, or (*lost) a unit that a lost rank had; false when nothing has. */
+bool helpers_take(struct helpers *h, slong *unit, bool *lost, struct text *rows);
+#endif
+
+#endif

@@ -1,0 +1,200 @@
+/* Units are handed out in order, to threads and to other processes, and written in order whoever is done first.  So many
+   may be ahead of the one that is waited for that nobody stands idle, and no more, nor more rows than HELD bytes, so that
+   memory stays bounded. */
+#include <signal.h>
+#include <stdlib.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "stickslip/arena.h"
+#include "sweep.h"
+
+enum { AHEAD = 1024, HELD = 1 << 26, WAIT = 20 };
+
+static volatile sig_atomic_t stopped;
+
+bool sweep_stopped(void) {
+  return stopped != 0;
+}
+
+static void on_signal(int number) {
+  (void)number;
+  stopped = 1;
+}
+
+void sweep_stop(void) {
+  stopped = 1;
+}
+
+void sweep_listen(bool on) {
+  struct sigaction a = {.sa_handler = on ? on_signal : SIG_DFL, .sa_flags = SA_RESTART};
+  sigemptyset(&a.sa_mask);
+  sigaction(SIGINT, &a, NULL);
+  sigaction(SIGTERM, &a, NULL);
+}
+
+/* Rows that wait for those before them: of unit u at u % AHEAD. */
+struct waiting {
+  bool there;
+  struct text rows;
+};
+struct run {
+  const struct sweep *q;
+  struct sink *sink;
+  struct pool *pool;
+  int room;     /* units that the threads may have at a time */
+  int busy;     /* that they have */
+  slong *again; /* units that are to be handed out once more */
+  size_t n_again, cap_again;
+  slong next, written; /* units handed out, and units in the sink */
+  struct waiting ring[AHEAD];
+  size_t held; /* bytes in the ring */
+  struct diag d;
+  bool terminal;
+  struct timespec begun, shown;
+  slong begun_at;
+#ifdef STICKSLIP_MPI
+  struct helpers *helpers;
+#endif
+};
+
+/* --- Progress. --- */
+
+static double seconds(const struct timespec *from, const struct timespec *to) {
+  return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
+}
+
+static void show_progress(struct run *r) {
+  struct timespec now;
+  if (!r->terminal) return;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  if (seconds(&r->shown, &now) < 0.2) return;
+  r->shown = now;
+  double done = (double)(r->written - r->begun_at), left = (double)(r->q->units - r->written);
+  long rest = done > 0 ? (long)(seconds(&r->begun, &now) / done * left + 0.5) : -1;
+  fprintf(stderr, "\r\033[K[%ld/%ld]", (long)r->written, (long)r->q->units);
+  if (rest >= 0) fprintf(stderr, " %ld:%02ld:%02ld left", rest / 3600, rest / 60 % 60, rest % 60);
+}
+
+/* --- Handing out, taking in. --- */
+
+/* The next unit to be handed out; -1 when none is, for now. */
+static slong next_unit(const struct run *r) {
+  if (r->n_again > 0) return r->again[r->n_again - 1];
+  if (r->held > HELD) return -1; /* the unit that is waited for is under way */
+  return r->next < r->q->units && r->next < r->written + AHEAD ? r->next : -1;
+}
+
+static void advance(struct run *r) {
+  if (r->n_again > 0)
+    r->n_again--;
+  else
+    r->next++;
+}
+
+static void give(struct run *r) {
+  for (slong unit; r->busy < r->room && (unit = next_unit(r)) >= 0; r->busy++) {
+    pool_give(r->pool, unit);
+    advance(r);
+  }
+#ifdef STICKSLIP_MPI
+  for (slong unit; (unit = next_unit(r)) >= 0 && helpers_give(r->helpers, unit);) advance(r);
+#endif
+}
+
+static void put(struct run *r, slong unit, struct text *rows) {
+  struct waiting *w = &r->ring[unit % AHEAD];
+  if (unit < r->written || w->there) return; /* a rank that was taken for lost */
+  w->there = true;
+  r->held += rows->len;
+  struct text old = w->rows;
+  w->rows = *rows;
+  *rows = old;
+}
+
+#ifdef STICKSLIP_MPI
+static void take_from_ranks(struct run *r, struct text *rows) {
+  slong unit;
+  bool lost;
+  while (helpers_take(r->helpers, &unit, &lost, rows)) {
+    if (!lost) {
+      put(r, unit, rows);
+      continue;
+    }
+    r->again = ss_grow(r->again, r->n_again, &r->cap_again, sizeof *r->again);
+    r->again[r->n_again++] = unit;
+  }
+}
+#endif
+
+static void take(struct run *r, struct text *rows) {
+  slong unit;
+  int wait = WAIT;
+#ifdef STICKSLIP_MPI
+  take_from_ranks(r, rows);
+  if (helpers_waiting(r->helpers)) wait = 1;
+#endif
+  while (pool_take(r->pool, &unit, rows, wait)) {
+    r->busy--;
+    put(r, unit, rows);
+    wait = 0;
+  }
+}
+
+static bool write_ready(struct run *r) {
+  for (struct waiting *w; (w = &r->ring[r->written % AHEAD])->there; r->written++) {
+    if (!sink_write(r->sink, &w->rows, &r->d)) return false;
+    w->there = false;
+    r->held -= w->rows.len;
+    text_clear(&w->rows);
+  }
+  return true;
+}
+
+static int say_interrupted(const struct run *r) {
+  if (r->sink->to_file)
+    fprintf(stderr, "stickslip: interrupted; %s holds %ld of %ld units of work: --resume continues it\n",
+            text_str(&r->sink->part.path), (long)r->written, (long)r->q->units);
+  else
+    fputs("stickslip: interrupted\n", stderr);
+  return EXIT_INTERNAL;
+}
+
+static int loop(struct run *r) {
+  struct text rows;
+  text_init(&rows);
+  bool ok = true;
+  while (ok && r->written < r->q->units && !stopped) {
+    give(r);
+    take(r, &rows);
+    ok = write_ready(r);
+    show_progress(r);
+  }
+  text_clear(&rows);
+  if (r->terminal) fputs("\r\033[K", stderr);
+  if (ok && r->written < r->q->units) return say_interrupted(r);
+  ok = ok && sink_finish(r->sink, r->q, &r->d);
+  return ok ? EXIT_AS_RECORDED : bad_input(&r->d);
+}
+
+int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
+  struct run *r = ss_malloc(sizeof *r);
+  *r = (struct run){.q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
+  diag_init(&r->d);
+  r->terminal = isatty(STDERR_FILENO);
+  clock_gettime(CLOCK_MONOTONIC, &r->begun);
+  r->pool = pool_open(q, jobs, &r->d);
+#ifdef STICKSLIP_MPI
+  r->helpers = helpers_open(q);
+#endif
+  int status = r->pool ? loop(r) : bad_input(&r->d);
+  sweep_stop(); /* what is under way is not wanted any more */
+  if (r->pool) pool_close(r->pool);
+#ifdef STICKSLIP_MPI
+  helpers_close(r->helpers);
+#endif
+  for (int i = 0; i < AHEAD; i++) text_clear(&r->ring[i].rows);
+  free(r->again);
+  free(r);
+  return status;
+}

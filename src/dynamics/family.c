@@ -1,0 +1,129 @@
+/* Anchors, and what stands between them.
+
+   Between two anchors that hold the same number of orbits each orbit is followed, level by level (family_level.c).  The
+   first level at which one is lost ends the attempt, and a point there is searched and becomes an anchor. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "family_impl.h"
+#include "stickslip/arena.h"
+
+static struct dyn_family_point *point_at(const struct family_line *l, slong begin, slong i) {
+  return &l->f->point[i - begin];
+}
+
+/* --- Matching the orbits of two anchors. --- */
+
+/* Fills both ends of the strand; each orbit takes the nearest one that is left.  A wrong match is found out between. */
+static bool match(struct strand *s, const struct dyn_family_point *a, const struct dyn_family_point *b) {
+  const struct dyn_member *from = s->line->f->member + a->first, *to = s->line->f->member + b->first;
+  bool *taken = ss_malloc((size_t)s->rows + 1), ok = true;
+  memset(taken, 0, (size_t)s->rows + 1);
+  for (slong k = 0; k < s->rows && ok; k++) {
+    slong best = -1;
+    for (slong i = 0; i < s->rows; i++)
+      if (!taken[i] && from[k].up == to[i].up &&
+          (best < 0 || family_apart(&from[k], &to[i]) < family_apart(&from[k], &to[best])))
+        best = i;
+    ok = best >= 0;
+    if (!ok) break;
+    taken[best] = true;
+    *family_at(s, k, s->first) = from[k];
+    *family_at(s, k, s->last) = to[best];
+  }
+  free(taken);
+  return ok;
+}
+
+/* Follows every orbit; the point to be searched, or -1. */
+static slong follow_all(struct strand *s) {
+  slong h = 1, lost = -1;
+  while (2 * h < s->last - s->first) h *= 2;
+  for (; h >= 1 && lost < 0; h /= 2) lost = family_level(s, h);
+  return lost;
+}
+
+/* --- Between two anchors. --- */
+
+static void keep(const struct strand *s, slong begin) {
+  struct dyn_member *here = ss_malloc(((size_t)s->rows + 1) * sizeof *here);
+  for (slong i = s->first + 1; i < s->last; i++) {
+    for (slong k = 0; k < s->rows; k++) here[k] = *family_at(s, k, i);
+    struct dyn_family_point *p = point_at(s->line, begin, i);
+    *p = (struct dyn_family_point){.x = dyn_axis_d(s->line->q->axis, i), .status = FAMILY_OK};
+    family_add(s->line->f, p, here, s->rows);
+  }
+  free(here);
+}
+
+/* Everything strictly between two anchors; else the point to be searched, or -1. */
+static slong between(struct family_line *l, slong begin, slong from, slong to) {
+  const struct dyn_family_point *a = point_at(l, begin, from), *b = point_at(l, begin, to);
+  if (to - from < 2) return -1;
+  bool clear = a->status <= FAMILY_UNDECIDED && b->status <= FAMILY_UNDECIDED;
+  if (!clear || a->n != b->n) return from + (to - from) / 2;
+  struct strand s = {.line = l, .lanes = &l->lanes, .first = from, .last = to, .rows = a->n};
+  s.m = ss_malloc(((size_t)(a->n * (to - from + 1)) + 1) * sizeof *s.m);
+  slong split = match(&s, a, b) ? follow_all(&s) : from + (to - from) / 2;
+  if (split < 0) keep(&s, begin);
+  free(s.m);
+  return split;
+}
+
+static void search_at(struct family_line *l, slong begin, slong i) {
+  family_move(l, i);
+  family_search(l, point_at(l, begin, i));
+}
+
+/* The points from one anchor to the next: anchors still to be reached lie on a stack, the nearest on top. */
+static void settle(struct family_line *l, slong begin, slong from, slong to) {
+  slong *ahead = ss_malloc((size_t)(to - from + 1) * sizeof *ahead), n = 0;
+  ahead[n++] = to;
+  while (n > 0) {
+    slong split = between(l, begin, from, ahead[n - 1]);
+    if (split < 0) {
+      from = ahead[--n];
+      continue;
+    }
+    search_at(l, begin, split);
+    ahead[n++] = split;
+  }
+  free(ahead);
+}
+
+static bool in_domain(const struct dyn_family_request *q, const struct dyn_axis *a, slong i) {
+  fmpq_t x;
+  bool ok = true;
+  fmpq_init(x);
+  for (int k = 0; k < N_PARAMS; k++) {
+    if (k == a->vary)
+      dyn_axis_q(x, a, i);
+    else
+      fmpq_set(x, &q->params[k]);
+    ok = ok && fmpq_sgn(x) > 0 && (k != P_CHI || fmpq_cmp_si(x, 1) < 0);
+  }
+  fmpq_clear(x);
+  return ok;
+}
+
+int dyn_family_find(struct dyn_family *f, const struct dyn_family_request *q, slong begin, slong end) {
+  *f = (struct dyn_family){.n_points = end - begin};
+  if (!in_domain(q, q->axis, begin) || !in_domain(q, q->axis, end - 1)) return SS_DOMAIN;
+  f->point = ss_malloc(((size_t)f->n_points + 1) * sizeof *f->point);
+  struct family_line l;
+  family_line_init(&l, f, q);
+  search_at(&l, begin, begin);
+  for (slong from = begin, to; from < end - 1; from = to) {
+    to = from + q->every < end - 1 ? from + q->every : end - 1;
+    search_at(&l, begin, to);
+    settle(&l, begin, from, to);
+  }
+  family_line_clear(&l);
+  return SS_OK;
+}
+
+void dyn_family_clear(struct dyn_family *f) {
+  free(f->point);
+  free(f->member);
+  *f = (struct dyn_family){.n_points = 0};
+}

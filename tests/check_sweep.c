@@ -1,0 +1,702 @@
+/* Sweeps.
+
+   Orbits along a line are held against the search in balls at single points, and against bifurcate, which follows curves in
+   balls: between two neighbouring points the number of orbits, of stable and of admissible ones must change by what it says
+   changes there, and by nothing else.  The program is held to one set of bytes, whoever computed them and however often it was
+   interrupted. */
+#include <check.h>
+#include <math.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "scratch.h"
+#include "stickslip/bifurcate.h"
+#include "stickslip/decimal.h"
+#include "stickslip/family.h"
+#include "stickslip/part.h"
+#include "suites.h"
+
+/* --- Lines. --- */
+
+struct line {
+  fmpq params[N_PARAMS];
+  fmpq_t from, to;
+  struct dyn_axis axis;
+};
+
+static void set_decimal(fmpq_t q, const char *s) {
+  ck_assert_msg(num_parse_decimal(q, s, strlen(s)) == SS_OK, "%s", s);
+}
+
+static void line_init(struct line *l, const char *const params[N_PARAMS], int vary, const char *from, const char *to,
+                      slong n) {
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(&l->params[i]);
+    set_decimal(&l->params[i], params[i]);
+  }
+  fmpq_init(l->from);
+  fmpq_init(l->to);
+  set_decimal(l->from, from);
+  set_decimal(l->to, to);
+  dyn_axis_init(&l->axis, vary, l->from, l->to, n);
+}
+
+static void line_clear(struct line *l) {
+  dyn_axis_clear(&l->axis);
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->params[i]);
+  fmpq_clear(l->from);
+  fmpq_clear(l->to);
+}
+
+static void find(struct dyn_family *f, const struct line *l, slong every, bool late) {
+  struct dyn_family_request q = {.params = l->params, .axis = &l->axis, .every = every, .late = late};
+  ck_assert_int_eq(dyn_family_find(f, &q, 0, l->axis.n), SS_OK);
+}
+
+static const char *const example[N_PARAMS] = {"0.8", "1", "1", "2.7844", "0.8587"};
+
+/* --- Values. --- */
+
+START_TEST(values_are_exact_and_rounded_once) {
+  static const char *const ends[][2] = {{"0.80", "0.90"},
+                                        {"3", "0.5"},
+                                        {"1e-300", "1e300"},
+                                        {"0.1234567890123456789012345678901234567890", "9"},
+                                        {"9007199254740993", "9007199254740995"}};
+  static const slong sizes[] = {2, 3, 7, 20000};
+  for (size_t i = 0; i < sizeof ends / sizeof *ends; i++)
+    for (size_t k = 0; k < sizeof sizes / sizeof *sizes; k++) {
+      struct line l;
+      fmpq_t x, want, step;
+      slong n = sizes[k];
+      line_init(&l, example, P_E2, ends[i][0], ends[i][1], n);
+      fmpq_init(x);
+      fmpq_init(want);
+      fmpq_init(step);
+      fmpq_sub(step, l.to, l.from);
+      fmpq_div(step, step, (fmpq_set_si(x, n - 1, 1), x));
+      for (slong j = 0; j<n; j += n> 100 ? 1 + j % 13 : 1) {
+        double d;
+        fmpq_set_si(want, j, 1);
+        fmpq_mul(want, want, step);
+        fmpq_add(want, want, l.from);
+        dyn_axis_q(x, &l.axis, j);
+        ck_assert(fmpq_equal(x, want));
+        ck_assert_int_eq(num_double.set_q(&d, want, 53), SS_OK);
+        ck_assert_msg(dyn_axis_d(&l.axis, j) == d, "%s:%s, %ld of %ld: %.17g is not %.17g", ends[i][0], ends[i][1],
+                      (long)j, (long)n, dyn_axis_d(&l.axis, j), d);
+      }
+      dyn_axis_q(x, &l.axis, n - 1);
+      ck_assert(fmpq_equal(x, l.to));
+      fmpq_clear(x);
+      fmpq_clear(want);
+      fmpq_clear(step);
+      line_clear(&l);
+    }
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+static unsigned long long seed = 20240917;
+static unsigned long long draw(void) {
+  seed = seed * 6364136223846793005ULL + 1442695040888963407ULL;
+  return seed >> 11;
+}
+
+static void same_decimal(double x) {
+  char got[DECIMAL_MAX], want[DECIMAL_MAX];
+  for (int digits = 1; digits <= DECIMAL_DIGITS; digits++) {
+    int len = decimal_digits(got, x, digits);
+    snprintf(want, sizeof want, "%.*g", digits, x);
+    ck_assert_msg(strcmp(got, want) == 0 && len == (int)strlen(want), "%a to %d digits: %s, not %s", x, digits, got,
+                  want);
+  }
+  decimal_whole(got, x);
+  ck_assert_msg(strtod(got, NULL) == x, "%a: %s", x, got);
+  for (int digits = 15; digits < 17; digits++) {
+    snprintf(want, sizeof want, "%.*g", digits, x);
+    if (strtod(want, NULL) != x) continue;
+    ck_assert_str_eq(got, want);
+    return;
+  }
+}
+
+/* Against printf: any size, few digits (ties of the last place among them), and the neighbours of powers of ten. */
+START_TEST(decimals_are_those_of_printf) {
+  static const double special[] = {0, -0.0, 1, 0.5, 2.5, 0.125, 1e15, 1e-5, 1e-4, 9.5, 99.5, 1e22, 1e23, 5e-324, 1e308};
+  for (size_t i = 0; i < sizeof special / sizeof *special; i++) {
+    same_decimal(special[i]);
+    same_decimal(-special[i]);
+  }
+  for (int e = -8; e < 20; e++) {
+    double x = pow(10, e);
+    same_decimal(nextafter(x, 0));
+    same_decimal(nextafter(x, INFINITY));
+  }
+  for (int i = 0; i < 20000; i++) {
+    double unit = ldexp((double)draw(), -53);
+    same_decimal(ldexp(unit, (int)(draw() % 60) - 20));
+    same_decimal((double)(draw() % 1000000) / 64); /* exact ties */
+    same_decimal(-(double)(draw() % 100000) / 1000);
+  }
+}
+END_TEST
+
+/* --- Orbits. --- */
+
+/* The orbits of a point against those that the search in balls finds at its exact parameters. */
+static void check_point(const struct dyn_family *f, const struct line *l, slong i, double slack) {
+  struct dyn_orbits list;
+  fmpq params[N_PARAMS];
+  for (int k = 0; k < N_PARAMS; k++) {
+    fmpq_init(&params[k]);
+    fmpq_set(&params[k], &l->params[k]);
+  }
+  dyn_axis_q(&params[l->axis.vary], &l->axis, i);
+  ck_assert_int_eq(dyn_orbits_find(&list, params, 128, NULL), SS_OK);
+  const struct dyn_family_point *p = &f->point[i];
+  ck_assert_msg(p->status == FAMILY_OK, "at %.17g: %s", p->x, dyn_family_status_name[p->status]);
+  ck_assert_msg(p->n == list.n, "at %.17g: %ld orbits, not %ld", p->x, (long)p->n, (long)list.n);
+  for (slong k = 0; k < list.n; k++) {
+    const struct dyn_orbit *o = &list.orbit[k];
+    const struct dyn_member *m = &f->member[p->first + k];
+    const arb_struct *all[N_DYN_OUT] = {
+        [DYN_OUT_Z10] = o->z10,     [DYN_OUT_Z20] = o->z20,    [DYN_OUT_TA] = o->t[0],       [DYN_OUT_TB] = o->t[1],
+        [DYN_OUT_TC] = o->t[2],     [DYN_OUT_TD] = o->t[3],    [DYN_OUT_PERIOD] = o->period, [DYN_OUT_TRACE] = o->trace,
+        [DYN_OUT_U1] = o->u_r1_min, [DYN_OUT_U2] = o->u_r2_min};
+    for (int j = 0; j < N_DYN_OUT; j++) {
+      double want = arf_get_d(arb_midref(all[j]), ARF_RND_NEAR);
+      ck_assert_msg(fabs(m->out[j] - want) <= slack * (1 + fabs(want)),
+                    "at %.17g: output %d of orbit %ld is %.17g, not %.17g", p->x, j, (long)k, m->out[j], want);
+    }
+    ck_assert_int_eq(m->stable, o->stable);
+    ck_assert_int_eq(dyn_member_admissible(m), o->admissible);
+    ck_assert_uint_eq(m->unsure, 0);
+    for (int j = 0; j < N_CONDITIONS; j++) ck_assert_int_eq(!(m->violations >> j & 1), o->holds[j] == TRUTH_TRUE);
+  }
+  dyn_orbits_clear(&list);
+  for (int k = 0; k < N_PARAMS; k++) fmpq_clear(&params[k]);
+}
+
+/* Each parameter in turn, over ranges in which orbits come and go. */
+START_TEST(orbits_are_those_of_the_search_in_balls) {
+  static const struct {
+    const char *params[N_PARAMS];
+    int vary;
+    const char *from, *to;
+  } lines[] = {{{"0.8", "1", "1", "2.7844", "0.8587"}, P_E2, "0.5", "3"},
+               {{"0.8", "1", "1", "2.7844", "0.8587"}, P_E1, "5", "0.3"},
+               {{"0.8", "1", "1", "2.7844", "0.8587"}, P_CHI, "0.2", "0.97"},
+               {{"0.6", "2.5", "0.7", "1.2", "0.4"}, P_V, "0.1", "3"},
+               {{"0.25", "0.3", "3", "5", "2"}, P_ETA, "0.1", "6"}};
+  for (size_t i = 0; i < sizeof lines / sizeof *lines; i++) {
+    struct line l;
+    struct dyn_family f;
+    line_init(&l, lines[i].params, lines[i].vary, lines[i].from, lines[i].to, 601);
+    find(&f, &l, 5, true);
+    for (slong k = 0; k < 601; k += 12) check_point(&f, &l, k, 1e-11);
+    dyn_family_clear(&f);
+    line_clear(&l);
+  }
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+struct census {
+  int n, stable, admissible;
+};
+
+static struct census census_of(const struct dyn_family *f, slong i) {
+  struct census c = {0, 0, 0};
+  for (slong k = 0; k < f->point[i].n; k++) {
+    const struct dyn_member *m = &f->member[f->point[i].first + k];
+    c.n++;
+    c.stable += m->stable == TRUTH_TRUE;
+    c.admissible += dyn_member_admissible(m) == TRUTH_TRUE;
+  }
+  return c;
+}
+
+static void count_beside(struct census *c, const struct dyn_beside *b, int sign) {
+  for (int i = 0; i < b->n; i++) {
+    if (b->word[i] == TRUTH_FALSE) continue;
+    c->n += sign;
+    c->stable += sign * (b->orbit[i].stable == TRUTH_TRUE);
+    c->admissible += sign * (b->orbit[i].admissible == TRUTH_TRUE);
+  }
+}
+
+/* What changes between points i and i + 1, by bifurcate. */
+static struct census change_at(const struct dyn_bifurcations *list, const struct line *l, slong i, int *events) {
+  struct census c = {0, 0, 0};
+  fmpq_t low, high;
+  fmpq_init(low);
+  fmpq_init(high);
+  dyn_axis_q(low, &l->axis, i);
+  dyn_axis_q(high, &l->axis, i + 1);
+  for (slong k = 0; k < list->n; k++) {
+    const struct dyn_bifurcation *b = &list->at[k];
+    if (fmpq_cmp(&b->low, low) < 0 || fmpq_cmp(&b->high, high) > 0) continue;
+    ++*events;
+    count_beside(&c, &b->beside[0], -1);
+    count_beside(&c, &b->beside[1], 1);
+  }
+  fmpq_clear(low);
+  fmpq_clear(high);
+  return c;
+}
+
+/* fold 1.112..., flip 1.811..., t_a = 0 at 2.103... and the others: nothing changes but there, and there all of it. */
+START_TEST(changes_are_where_bifurcate_has_them) {
+  enum { N = 2503 }; /* no value of the grid lies in a bracket */
+  const fmpq *u_r[2] = {NULL, NULL};
+  struct line l;
+  struct dyn_family f;
+  struct dyn_bifurcations list;
+  int events = 0;
+  line_init(&l, example, P_E2, "0.5", "3", N);
+  find(&f, &l, 256, true);
+  ck_assert_int_eq(dyn_bifurcations_find(&list, l.params, P_E2, l.from, l.to, u_r, 15, 257), SS_OK);
+  ck_assert_int_eq(list.n, 11);
+  for (slong i = 0; i + 1 < N; i++) {
+    struct census a = census_of(&f, i), b = census_of(&f, i + 1), c = change_at(&list, &l, i, &events);
+    ck_assert_msg(a.n + c.n == b.n && a.stable + c.stable == b.stable && a.admissible + c.admissible == b.admissible,
+                  "from %.17g to the next: %d, %d, %d and %d, %d, %d", f.point[i].x, a.n, a.stable, a.admissible, b.n,
+                  b.stable, b.admissible);
+  }
+  ck_assert_int_eq(events, 11);
+  ck_assert_int_lt((int)f.searched, N / 10); /* followed, not searched for again and again */
+  dyn_bifurcations_clear(&list);
+  dyn_family_clear(&f);
+  line_clear(&l);
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+/* With two anchors, with many and with nothing but anchors. */
+START_TEST(followed_or_searched_for_is_the_same) {
+  enum { N = 401 };
+  struct line l;
+  struct dyn_family f, g;
+  line_init(&l, example, P_E2, "0.5", "3", N);
+  find(&g, &l, 1, true);
+  ck_assert_int_eq(g.searched, N);
+  for (slong every = 7; every <= 7 * 64; every *= 8) {
+    find(&f, &l, every, true);
+    for (slong i = 0; i < N; i++) {
+      ck_assert_int_eq(f.point[i].n, g.point[i].n);
+      for (slong k = 0; k < f.point[i].n; k++) {
+        const struct dyn_member *a = &f.member[f.point[i].first + k], *b = &g.member[g.point[i].first + k];
+        ck_assert_uint_eq(a->violations, b->violations);
+        for (int j = 0; j < N_DYN_OUT; j++) ck_assert(fabs(a->out[j] - b->out[j]) <= 1e-11 * (1 + fabs(b->out[j])));
+      }
+    }
+    dyn_family_clear(&f);
+  }
+  dyn_family_clear(&g);
+  line_clear(&l);
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+/* A static friction that is passed on the line; u_r1_min grows with e2 there. */
+START_TEST(static_friction_counts) {
+  struct line l;
+  struct dyn_family f;
+  fmpq_t u;
+  int kept = 0, broken = 0;
+  line_init(&l, example, P_E2, "0.8", "0.9", 101);
+  fmpq_init(u);
+  set_decimal(u, "2.15");
+  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 50, .u_r = {u, NULL}};
+  ck_assert_int_eq(dyn_family_find(&f, &q, 0, 101), SS_OK);
+  for (size_t i = 0; i < f.n_members; i++) {
+    const struct dyn_member *m = &f.member[i];
+    bool over = m->out[DYN_OUT_U1] >= 2.15;
+    ck_assert_int_eq(m->violations >> MEMBER_U_R & 1, over);
+    if (m->violations & ~(1U << MEMBER_U_R)) continue;
+    kept += dyn_member_admissible(&f.member[i]) == TRUTH_TRUE;
+    broken += dyn_member_admissible(&f.member[i]) == TRUTH_FALSE;
+  }
+  ck_assert(kept > 10 && broken > 10 && kept + broken == 101);
+  dyn_family_clear(&f);
+  fmpq_clear(u);
+  line_clear(&l);
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+static int asked;
+static bool after_three(void) {
+  return ++asked > 3;
+}
+
+START_TEST(points_say_why_they_failed) {
+  struct line l;
+  struct dyn_family f;
+  line_init(&l, example, P_CHI, "0.5", "0.9999999999999999999999", 2);
+  find(&f, &l, 1, false);
+  ck_assert_int_eq(f.point[0].status, FAMILY_OK);
+  ck_assert_int_eq(f.point[1].status, FAMILY_RANGE);
+  dyn_family_clear(&f);
+  line_clear(&l);
+  line_init(&l, example, P_ETA, "1", "1e12", 2);
+  find(&f, &l, 1, false);
+  ck_assert_int_eq(f.point[1].status, FAMILY_BUDGET);
+  dyn_family_clear(&f);
+  line_clear(&l);
+  line_init(&l, example, P_E2, "0.8", "1", 300);
+  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1, .stop = after_three};
+  ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_OK);
+  ck_assert_int_eq(f.point[2].status, FAMILY_OK);
+  ck_assert_int_eq(f.point[299].status, FAMILY_STOPPED);
+  dyn_family_clear(&f);
+  set_decimal(&l.params[P_V], "0");
+  q.stop = NULL;
+  ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
+  dyn_family_clear(&f);
+  line_clear(&l);
+  flint_cleanup();
+  mpfr_free_cache();
+}
+END_TEST
+
+/* --- The program. --- */
+
+/* Runs a line of shell, in which $P is the program and $D the scratch folder; its exit status. */
+static int shell(const char *fmt, ...) {
+  char text[2000];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(text, sizeof text, fmt, ap);
+  va_end(ap);
+  setenv("P", program(), 1);
+  setenv("D", scratch_path(""), 1);
+  int s = system(text);
+  ck_assert_msg(s != -1 && WIFEXITED(s), "%s", text);
+  return WEXITSTATUS(s);
+}
+
+static void shell_well(const char *text) {
+  int s = shell("%s", text);
+  ck_assert_msg(s == 0, "%s: status %d", text, s);
+}
+
+static char *contents(const char *name, size_t *len) {
+  FILE *f = fopen(scratch_path(name), "rb");
+  ck_assert_msg(f != NULL, "%s", name);
+  struct text t;
+  text_init(&t);
+  char chunk[65536];
+  for (size_t n = fread(chunk, 1, sizeof chunk, f); n > 0; n = fread(chunk, 1, sizeof chunk, f))
+    text_add_n(&t, chunk, n);
+  text_add(&t, "");
+  fclose(f);
+  if (len) *len = t.len;
+  return t.data;
+}
+
+static void says(const char *name, const char *what) {
+  char *text = contents(name, NULL);
+  ck_assert_msg(strstr(text, what) != NULL, "no \"%s\" in %.500s", what, text);
+  free(text);
+}
+
+#define PLANE "sweep paper --over e1=2.2:3.4:5 --over e2=0.5:3:1500 --search-every 300"
+
+START_TEST(bytes_do_not_depend_on_who_computes) {
+  shell_well("\"$P\" " PLANE " > \"$D/out\"");
+  shell_well("\"$P\" " PLANE " --jobs 1 --csv \"$D/one\" && cmp \"$D/out\" \"$D/one\"");
+  shell_well("\"$P\" " PLANE " --jobs 2 --csv \"$D/two\" && cmp \"$D/out\" \"$D/two\"");
+  shell_well("\"$P\" " PLANE " --jobs 3 --csv \"$D/three\" && cmp \"$D/out\" \"$D/three\"");
+  shell_well("test ! -e \"$D/three.part\"");
+  shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 1 --json > \"$D/j1\"");
+  shell_well("\"$P\" sweep paper --over e2=0.5:3:1500 --jobs 3 --json > \"$D/j3\" && cmp \"$D/j1\" \"$D/j3\"");
+}
+END_TEST
+
+/* Each point once and in its place, across units: e2 = 1/2 + i/1000 exactly as decimals. */
+START_TEST(points_are_those_asked_for) {
+  shell_well(
+      "\"$P\" sweep paper --over e1=2.7:2.8:2 --over e2=0.5:3:2501 --search-every 700 | grep -v '^#' | grep -v point |"
+      " cut -d, -f1-3 | uniq > \"$D/got\"");
+  shell_well("awk 'BEGIN { for (i = 0; i < 5002; i++) printf \"%d,%.2g,%.4g\\n\", i, i < 2501 ? 2.7 : 2.8,"
+             " 0.5 + i % 2501 / 1000 }' > \"$D/want\" && cmp \"$D/got\" \"$D/want\"");
+}
+END_TEST
+
+/* A plane's line is the line swept alone: the column of e1 apart, the same rows. */
+START_TEST(lines_of_a_plane_are_lines) {
+  shell_well("\"$P\" sweep paper --over e1=2.7844:3:2 --over e2=0.5:3:200 --search-every 50 --all |"
+             " grep -v '^#' | grep -v point | head -n 300 | cut -d, -f3- > \"$D/plane\"");
+  shell_well("\"$P\" sweep paper --over e2=0.5:3:200 --search-every 50 --all | grep -v '^#' | grep -v point |"
+             " head -n 300 | cut -d, -f2- > \"$D/line\"");
+  shell_well("test $(wc -l < \"$D/line\") = 300 && cmp \"$D/plane\" \"$D/line\"");
+}
+END_TEST
+
+/* One value; the numbers are those of tests/oracle/orbits.tsv, set paper; the rows are in the words of the contract. */
+START_TEST(rows_say_what_was_found) {
+  shell_well("\"$P\" sweep paper --over e2=0.8587:0.8587:1 --all --digits 6 > \"$D/out\"");
+  says("out",
+       "point,e2,orbit,z10,z20,t_a,t_b,t_c,t_d,period,trace,u_r1_min,u_r2_min,stable,admissible,violations,status\n");
+  says("out", "\n# chi = 4/5, eta = 1, V = 1, e1 = 6961/2500\n");
+  says("out", "\n0,0.8587,1,");
+  says("out", ",true,false,h_v2,ok\n");
+  says("out", "\n0,0.8587,2,0.978188,-2.12469,0.532281,2.00533,1.48988,2.3473,6.3748,-1.02323,2.15516,1.6705,");
+  says("out", ",false,true,,ok\n");
+  shell_well("\"$P\" sweep paper --over e2=2.5:3:2 > \"$D/out\"");
+  says("out", "\n1,3,,,,,,,,,,,,,,,none\n");
+  shell_well("\"$P\" sweep paper --over e2=0.5:3:300 --json > \"$D/out\"");
+  ck_assert_int_eq(shell("\"%s\" tests/oracle/validate.py schema/sweep.schema.json \"$D/out\" > \"$D/err\"", python()),
+                   0);
+  shell_well("sed 's/\"status\": \"ok\"/\"status\": \"fine\"/' \"$D/out\" > \"$D/bad\"");
+  ck_assert_int_eq(shell("\"%s\" tests/oracle/validate.py schema/sweep.schema.json \"$D/bad\" > \"$D/err\"", python()),
+                   1);
+}
+END_TEST
+
+/* Whatever an interrupted run left: nothing but the head, a cut row, a whole unit and more. */
+START_TEST(resumed_files_are_those_of_one_run) {
+  size_t len;
+  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
+  char *whole = contents("whole", &len);
+  size_t head = (size_t)(strstr(whole, "\npoint,") - whole), unit = (size_t)(strstr(whole, "\n1500,") - whole);
+  head += strcspn(whole + head + 1, "\n") + 2;
+  const size_t cuts[] = {head, head + 1, head + 100, unit, unit + 1, unit + 3, len / 2, len - 1, len};
+  for (size_t i = 0; i < sizeof cuts / sizeof *cuts; i++) {
+    scratch_put_n("cut.part", whole, cuts[i]);
+    shell_well("\"$P\" " PLANE
+               " --csv \"$D/cut\" --resume && cmp \"$D/whole\" \"$D/cut\" && test ! -e \"$D/cut.part\"");
+  }
+  shell_well("\"$P\" " PLANE " --csv \"$D/fresh\" --resume && cmp \"$D/whole\" \"$D/fresh\"");
+  free(whole);
+}
+END_TEST
+
+START_TEST(wrong_parts_are_refused) {
+  size_t len;
+  shell_well("\"$P\" " PLANE " --csv \"$D/whole\"");
+  char *whole = contents("whole", &len);
+  scratch_put_n("cut.part", whole, len / 2);
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" 2> \"$D/err\""), 3);
+  says("err", "cut.part: error: exists, from a run that was interrupted or still goes on; --resume continues it");
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --all --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
+  says("err", "cut.part:6: error: belongs to another request: # orbits: admissible; search_every = 300;");
+  ck_assert_int_eq(shell("\"$P\" sweep stable --over e2=1:2:3 --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
+  says("err", "cut.part:2: error: belongs to another request: # scene: paper, where this one has # scene: stable");
+  shell_well("test ! -e \"$D/cut\" && cmp -n $(wc -c < \"$D/cut.part\") \"$D/whole\" \"$D/cut.part\"");
+  char *row = strstr(whole, "\n100,");
+  row[1] = '3'; /* the points 99, 300 and 101 follow each other */
+  scratch_put_n("cut.part", whole, len / 2);
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
+  says("err", "error: not a row of this sweep");
+  scratch_put("cut.part", "# stickslip");
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
+  says("err", "ends within its head");
+  free(whole);
+}
+END_TEST
+
+/* Two at a time on one file. */
+START_TEST(one_run_writes_a_file) {
+  struct part a;
+  struct diag d;
+  diag_init(&d);
+  part_init(&a, scratch_path("file"));
+  ck_assert(part_create(&a, &d));
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/file\" --resume 2> \"$D/err\""), 3);
+  says("err", "file.part: error: another process is writing this file");
+  part_clear(&a);
+}
+END_TEST
+
+static void interrupt_with(int number) {
+  enum { TRIES = 2000 };
+  const char *part = scratch_path("long.part");
+  struct stat st = {.st_size = 0};
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert(pid >= 0);
+  if (pid == 0) {
+    FILE *err = freopen(scratch_path("err"), "w", stderr);
+    if (err)
+      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:2000", "--csv",
+            scratch_path("long"), (char *)NULL);
+    _exit(127);
+  }
+  for (int i = 0; i < TRIES && (stat(part, &st) != 0 || st.st_size < 100000); i++)
+    nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
+  kill(pid, number);
+  int s;
+  ck_assert(waitpid(pid, &s, 0) == pid);
+  ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
+  says("err", "long.part holds ");
+  ck_assert(access(scratch_path("long"), F_OK) != 0);
+}
+
+START_TEST(signals_leave_a_file_to_resume) {
+  interrupt_with(SIGINT);
+  shell_well("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 --csv \"$D/long\" --resume");
+  shell_well("mv \"$D/long\" \"$D/first\"");
+  interrupt_with(SIGTERM);
+  shell_well("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 --csv \"$D/long\" --resume && cmp \"$D/first\" "
+             "\"$D/long\"");
+  shell_well("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 | cmp - \"$D/long\"");
+}
+END_TEST
+
+/* A disk that fills up is played by a limit on the size of files. */
+START_TEST(what_cannot_be_written_is_said) {
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 > /dev/full 2> \"$D/err\""), 3);
+  says("err", "standard output cannot be written: No space left on device");
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --json > /dev/full 2> \"$D/err\""), 3);
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv /dev/full 2> \"$D/err\""), 3);
+  says("err", "/dev/full: error: cannot be written");
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D\" 2> \"$D/err\""), 3);
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/none/x\" 2> \"$D/err\""), 3);
+  says("err", "none/x.part: error: cannot be written: No such file or directory");
+  shell_well("mkdir \"$D/locked\" && chmod 555 \"$D/locked\"");
+  if (geteuid() != 0)
+    ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/locked/x\" 2> \"$D/err\""), 3);
+  ck_assert_int_eq(shell("(trap '' XFSZ; ulimit -f 100; \"$P\" " PLANE " --csv \"$D/big\" 2> \"$D/err\")"), 3);
+  says("err", "big.part: error: cannot be written: File too large");
+  shell_well("\"$P\" " PLANE " --csv \"$D/big\" --resume && \"$P\" " PLANE " | cmp - \"$D/big\"");
+}
+END_TEST
+
+static const struct {
+  const char *args;
+  int status;
+  const char *says;
+} refusals[] = {
+    {"", 2, "sweep takes one SCENE"},
+    {"paper", 2, "sweep needs --over NAME=A:B:N"},
+    {"paper stable --over e2=1:2:3", 2, "sweep takes one SCENE"},
+    {"paper --over", 2, "--over needs a value"},
+    {"paper --over e2", 2, "--over takes NAME=A:B:N, as in e2=0.8:0.9:20000, not e2"},
+    {"paper --over e2=1:2", 2, "not e2=1:2"},
+    {"paper --over e2=1:2:3:4", 2, "not e2=1:2:3:4"},
+    {"paper --over :::", 2, "--over takes NAME=A:B:N"},
+    {"paper --over =::", 2, "--over varies chi, eta, V, e1 or e2"},
+    {"paper --over e2=:2:3", 2, "--over:1:1: error"},
+    {"paper --over e2=1::3", 2, "--over:1:1: error"},
+    {"paper --over e2=1:2:", 2, "--over e2=1:2:: N is a whole number from 1 to 1000000000"},
+    {"paper --over e2=1:2:0", 2, "N is a whole number"},
+    {"paper --over e2=1:2:-3", 2, "N is a whole number"},
+    {"paper --over e2=1:2:2.5", 2, "N is a whole number"},
+    {"paper --over e2=1:2:1e18", 2, "N is a whole number"},
+    {"paper --over e2=1:2:1000000000000000000", 2, "N is a whole number"},
+    {"paper --over e2=1:2:99999999999999999999999999", 2, "N is a whole number"},
+    {"paper --over e2=1:2:1", 2, "one value cannot be both ends"},
+    {"paper --over e2=1:1.0:2", 2, "the ends of --over e2=1:1.0:2 are equal"},
+    {"paper --over e2=nan:1:3", 2, "--over:1:1: error"},
+    {"paper --over e2=inf:1:3", 2, "--over:1:1: error"},
+    {"paper --over e2=1:1e400:3", 2, "cannot be held in double precision"},
+    {"paper --over e2=1e-400:1:3", 2, "cannot be held in double precision"},
+    {"paper --over e2=1:1e999999999:3", 2, "error"},
+    {"paper --over e2=0:1:3", 2, "both ends of --over e2=0:1:3 must be positive"},
+    {"paper --over e2=1:-1:3", 2, "must be positive"},
+    {"paper --over chi=0.5:1:3", 2, "must lie between 0 and 1"},
+    {"paper --over x=1:2:3", 2, "--over varies chi, eta, V, e1 or e2, not x=1:2:3"},
+    {"paper --over t_a=1:2:3", 2, "--over varies"},
+    {"paper --over e2=1:2:3 --over e2=1:2:4", 2, "both --over vary e2"},
+    {"paper --over V=1:2:3 --over e1=1:2:3 --over e2=1:2:3", 2, "at most two --over"},
+    {"paper --over e1=1:2:100000 --over e2=1:2:100000", 2, "at most 1000000000 points in all"},
+    {"paper --over e2=1:2:3 --json --csv x", 2, "--json goes with no --csv"},
+    {"paper --over e2=1:2:3 --resume", 2, "--resume continues a file: it needs --csv FILE"},
+    {"paper --over e2=1:2:3 --csv", 2, "--csv needs a value"},
+    {"paper --over e2=1:2:3 --all=yes", 2, "--all takes no value"},
+    {"paper --over e2=1:2:3 --search-every 0", 2, "--search-every takes a whole number from 1 to 65536, not 0"},
+    {"paper --over e2=1:2:3 --search-every 65537", 2, "not 65537"},
+    {"paper --over e2=1:2:3 --digits 16", 2, "--digits takes 1 to 15, not 16"},
+    {"paper --over e2=1:2:3 --jobs 0", 2, "--jobs takes a whole number from 1 to 64, not 0"},
+    {"paper --over e2=1:2:3 --samples 4", 2, "--samples does not belong to this command"},
+    {"nosuch --over e2=1:2:3", 3, "nosuch.scene: error: No such file"},
+    {"\"$D/times.scene\" --over e2=1:2:3", 3, "sweep needs a scene that gives e1 and e2"},
+    {"\"$D/box.scene\" --over e2=1:2:3", 3, "interval"},
+    {"\"$D/rough.scene\" --over e2=1:2:3", 2, "must stay below the static friction that the scene gives"},
+};
+
+START_TEST(hostile_options) {
+  scratch_put("times.scene", "chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\n");
+  scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 0.8587\n");
+  scratch_put("rough.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nu_r2 = 1.5\n");
+  for (size_t i = 0; i < sizeof refusals / sizeof *refusals; i++) {
+    int s = shell("\"$P\" sweep %s > \"$D/out\" 2> \"$D/err\"", refusals[i].args);
+    ck_assert_msg(s == refusals[i].status, "sweep %s: status %d", refusals[i].args, s);
+    says("err", refusals[i].says);
+    shell_well("test ! -s \"$D/out\"");
+  }
+}
+END_TEST
+
+/* Parameters at which nothing goes well still end, with a row for each point. */
+START_TEST(hostile_parameters) {
+  shell_well("\"$P\" sweep paper --over V=1e-300:1e300:3 > \"$D/out\"");
+  says("out", "\n2,1e+300,,,,,,,,,,,,,,,budget\n");
+  shell_well("\"$P\" sweep paper --over e1=1e-12:1e12:3 --all > \"$D/out\"");
+  shell_well("\"$P\" sweep paper --over chi=1e-12:0.99999999999999999999:3 --all > \"$D/out\"");
+  says("out", "\n2,1,,,,,,,,,,,,,,,range\n");
+}
+END_TEST
+
+/* --- Processes. --- */
+
+START_TEST(ranks_give_the_same_bytes) {
+  const char *mpi = getenv("STICKSLIP_MPI");
+  if (!mpi || !*mpi || system("mpirun --version > /dev/null 2>&1") != 0) return;
+  setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+  setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+  setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+  shell_well("\"$P\" " PLANE " > \"$D/alone\"");
+  for (int n = 1; n <= 3; n++) {
+    int s = shell("mpirun -n %d \"%s\" " PLANE " --csv \"$D/ranks\" 2> \"$D/err\" && cmp \"$D/alone\" \"$D/ranks\"", n,
+                  mpi);
+    ck_assert_msg(s == 0, "%d ranks: status %d", n, s);
+  }
+  ck_assert_int_eq(shell("mpirun -n 2 \"%s\" sweep paper --over e2=1:2:0 2> \"$D/err\"", mpi), 2);
+  says("err", "N is a whole number");
+}
+END_TEST
+
+Suite *sweep_suite(void) {
+  Suite *s = suite_create("sweep");
+  TCase *values = tcase_create("values"), *orbits = tcase_create("orbits"), *program_case = tcase_create("program");
+  tcase_add_test(values, values_are_exact_and_rounded_once);
+  tcase_add_test(values, decimals_are_those_of_printf);
+  suite_add_tcase(s, values);
+  tcase_add_test(orbits, orbits_are_those_of_the_search_in_balls);
+  tcase_add_test(orbits, changes_are_where_bifurcate_has_them);
+  tcase_add_test(orbits, followed_or_searched_for_is_the_same);
+  tcase_add_test(orbits, static_friction_counts);
+  tcase_add_test(orbits, points_say_why_they_failed);
+  suite_add_tcase(s, orbits);
+  tcase_add_checked_fixture(program_case, scratch_open, scratch_close);
+  tcase_add_test(program_case, bytes_do_not_depend_on_who_computes);
+  tcase_add_test(program_case, points_are_those_asked_for);
+  tcase_add_test(program_case, lines_of_a_plane_are_lines);
+  tcase_add_test(program_case, rows_say_what_was_found);
+  tcase_add_test(program_case, resumed_files_are_those_of_one_run);
+  tcase_add_test(program_case, wrong_parts_are_refused);
+  tcase_add_test(program_case, one_run_writes_a_file);
+  tcase_add_test(program_case, signals_leave_a_file_to_resume);
+  tcase_add_test(program_case, what_cannot_be_written_is_said);
+  tcase_add_test(program_case, hostile_options);
+  tcase_add_test(program_case, hostile_parameters);
+  tcase_add_test(program_case, ranks_give_the_same_bytes);
+  suite_add_tcase(s, program_case);
+  return s;
+}
