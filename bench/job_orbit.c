@@ -313,7 +313,8 @@ static const double precisions[] = {64, 128, 256, 512, 1024, 2048, 4096};
 static const struct bench_method methods[] = {
     {"hand-written", "C by hand: Newton's iteration on (r, t_b, t_c), r eliminated", .type = &num_double, .bare = true,
      .run = run_hand},
-    {"from-guess", "the suite's orbit from a guess of t_b and t_c in double", .type = &num_double, .run = run_bare},
+    {"from-guess", "the suite's orbit from a guess of t_b and t_c in double", .type = &num_double, .bare = true,
+     .run = run_bare},
     {"from-guess-judged", "the same with its first roots proved and every condition checked", .type = &num_double,
      .run = run_judged},
     {"return-map", "Newton's iteration on the suite's return map of r in double", .type = &num_double,
