@@ -27,7 +27,9 @@ enum {
   FOR_BIFURCATE = 1024,
   FOR_DIFF = 2048,
   FOR_BENCH = 4096,
-  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH
+  FOR_STABILITY = 1 << 20,
+  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH |
+             FOR_STABILITY
 };
 
 struct options {
@@ -36,7 +38,7 @@ struct options {
   const char *only[MAX_ONLY];
   int n_only;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job;
+      *certificate, *along, *job, *after;
   bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, help;
 };
 
@@ -48,6 +50,8 @@ int bad_input(const struct diag *d);
 /* The words after the command.  Splits lists in place: they live in argv.  An exit status. */
 int parse_options(struct options *o, unsigned command, int argc, char **argv);
 int parse_digits(slong *digits, const struct options *o);
+/* --jobs; all processors (at most 64) without it. */
+int parse_jobs(int *jobs, const char *text);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const char *at);
 
@@ -107,5 +111,6 @@ int run_repair(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
 int run_diff(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);
+int run_stability(const struct options *o, const char *data);
 
 #endif

@@ -21,7 +21,7 @@ static bool whole(unsigned long long *n, const char *text, bool zero, unsigned l
   return text[0] >= '0' && text[0] <= '9' && !errno && !*end && *n <= most && (zero || *n > 0);
 }
 
-static int parse_jobs(int *jobs, const char *text) {
+int parse_jobs(int *jobs, const char *text) {
   unsigned long long n;
   long cores = sysconf(_SC_NPROCESSORS_ONLN);
   *jobs = cores < 1 ? 1 : cores > MAX_JOBS ? MAX_JOBS : (int)cores;

@@ -1,0 +1,334 @@
+/* The rule that says why digits are lost.
+
+   A node v of the tape that is rounded once moves the result f by |v df/dv / f| units: the adjoint df/dv comes from one pass
+   from the result down, in balls.  The sum over the nodes (as if roundings were independent) is the predicted error; it
+   knows the true values alone, and nothing of what double precision did.  The cause is read off the way from the node whose
+   rounding matters most up to the result: where the relative error grows most on it, there the digits go. */
+#include <math.h>
+
+#include "stability_impl.h"
+
+enum { LEAST_NORMAL = -1022, LEAST_NUMBER = -1075, MOST_NUMBER = 1024 };
+
+static slong n_operands(const struct tape_instr *in) {
+  if (in->op == TAPE_CONST || in->op == TAPE_INPUT) return 0;
+  if (in->op == TAPE_ROOT) return in->b;
+  return in->b >= 0 ? 2 : 1;
+}
+
+static slong operand(const struct tape *t, slong i, slong k) {
+  const struct tape_instr *in = &t->code[i];
+  if (in->op == TAPE_ROOT) return t->links[in->a + k];
+  return k ? in->b : in->a;
+}
+
+static arb_ptr value(const struct digits_bench *w, slong i) {
+  return num_vec_at(&w->b, i);
+}
+
+/* --- Partial derivatives of a node by its operands --- */
+
+/* By a small difference: for operations that are not worth a line of their own. */
+static void partial_by_difference(arb_t z, const struct digits_bench *w, slong i, slong k) {
+  const struct tape_instr *in = &w->f->tape.code[i];
+  slong prec = w->prec;
+  arb_t h, moved, at[2];
+  arb_init(h);
+  arb_init(moved);
+  for (int j = 0; j < 2; j++) {
+    arb_init(at[j]);
+    slong o = operand(&w->f->tape, i, j < n_operands(in) ? j : 0);
+    arb_set(at[j], value(w, o));
+  }
+  arb_mul_2exp_si(h, at[k], -prec / 3);
+  mag_zero(arb_radref(h));
+  arb_add(at[k], at[k], h, 2 * prec);
+  switch (in->op) {
+#define NUM_UNARY(name)                                                                                                \
+  case TAPE_##name:                                                                                                    \
+    num_arb.name(moved, at[0], 2 * prec);                                                                              \
+    break;
+#define NUM_BINARY(name)                                                                                               \
+  case TAPE_##name:                                                                                                    \
+    num_arb.name(moved, at[0], at[1], 2 * prec);                                                                       \
+    break;
+#include "stickslip/ops.def"
+  default:
+    arb_indeterminate(moved);
+  }
+  arb_sub(z, moved, value(w, i), 2 * prec);
+  arb_div(z, z, h, prec);
+  arb_clear(h);
+  arb_clear(moved);
+  for (int j = 0; j < 2; j++) arb_clear(at[j]);
+}
+
+/* -w^k / P'(w) */
+static void partial_of_root(arb_t z, const struct digits_bench *w, slong i, slong k) {
+  const struct tape *t = &w->f->tape;
+  const struct tape_instr *in = &t->code[i];
+  slong prec = w->prec;
+  arb_t below, term;
+  arb_init(below);
+  arb_init(term);
+  for (slong j = 1; j < in->b; j++) {
+    arb_pow_ui(term, value(w, i), (ulong)(j - 1), prec);
+    arb_mul(term, term, value(w, t->links[in->a + j]), prec);
+    arb_addmul_si(below, term, j, prec);
+  }
+  arb_pow_ui(z, value(w, i), (ulong)k, prec);
+  arb_div(z, z, below, prec);
+  arb_neg(z, z);
+  arb_clear(below);
+  arb_clear(term);
+}
+
+static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
+  const struct tape *t = &w->f->tape;
+  const struct tape_instr *in = &t->code[i];
+  slong prec = w->prec;
+  switch (in->op) {
+  case TAPE_add:
+    arb_one(z);
+    break;
+  case TAPE_sub:
+    arb_set_si(z, k ? -1 : 1);
+    break;
+  case TAPE_neg:
+    arb_set_si(z, -1);
+    break;
+  case TAPE_mul:
+    arb_set(z, value(w, operand(t, i, 1 - k)));
+    break;
+  case TAPE_div:
+    arb_inv(z, value(w, in->b), prec);
+    if (k) arb_mul(z, z, value(w, i), prec);
+    if (k) arb_neg(z, z);
+    break;
+  case TAPE_sin:
+    arb_cos(z, value(w, in->a), prec);
+    break;
+  case TAPE_cos:
+    arb_sin(z, value(w, in->a), prec);
+    arb_neg(z, z);
+    break;
+  case TAPE_sqrt:
+    arb_mul_2exp_si(z, value(w, i), 1);
+    arb_inv(z, z, prec);
+    break;
+  case TAPE_POW:
+    arb_set_si(z, in->k - 1);
+    arb_pow(z, value(w, in->a), z, prec);
+    arb_mul_si(z, z, in->k, prec);
+    break;
+  case TAPE_ROOT:
+    partial_of_root(z, w, i, k);
+    break;
+  default:
+    partial_by_difference(z, w, i, k);
+  }
+}
+
+/* --- The adjoint --- */
+
+/* log2 of the rounding of a node in units of 2^-53 of its value: none where the value is a double, more where it is below
+   the normal numbers. */
+static double rounding(arb_srcptr v, double size) {
+  if (arb_is_exact(v) && arf_bits(arb_midref(v)) <= 53) return -INFINITY;
+  return fmin(53, fmax(0, LEAST_NORMAL - size));
+}
+
+/* log2 |v df/dv| */
+static double reach(const struct digits_bench *w, slong i) {
+  arb_srcptr a = num_vec_at(&w->adjoint, i);
+  return arb_is_zero(a) ? -INFINITY : log2_upper(a) + log2_upper(value(w, i));
+}
+
+static void fill_adjoint(struct digits_bench *w, slong which) {
+  const struct tape *t = &w->f->tape;
+  slong top = w->f->out[which];
+  arb_t p;
+  arb_init(p);
+  for (slong i = 0; i < t->n; i++) arb_zero(num_vec_at(&w->adjoint, i));
+  arb_one(num_vec_at(&w->adjoint, top));
+  for (slong i = top; i >= 0; i--) {
+    arb_srcptr a = num_vec_at(&w->adjoint, i);
+    if (arb_is_zero(a)) continue;
+    for (slong k = 0; k < n_operands(&t->code[i]); k++) {
+      arb_ptr z = num_vec_at(&w->adjoint, operand(t, i, k));
+      partial(p, w, i, k);
+      arb_addmul(z, a, p, w->prec);
+    }
+  }
+  arb_clear(p);
+}
+
+/* log2 of a sum of numbers given by their log2, scaled. */
+static double log2_add(double a, double b) {
+  double most = fmax(a, b), least = fmin(a, b);
+  return isinf(most) || isinf(least) ? most : most + log2(1 + exp2(least - most));
+}
+
+struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size) {
+  const struct tape *t = &w->f->tape;
+  double squares = -INFINITY, sum = -INFINITY;
+  bool fails = false;
+  fill_adjoint(w, which);
+  for (slong i = 0; i <= w->f->out[which]; i++) {
+    double r = reach(w, i) - size;
+    if (t->code[i].op == TAPE_INPUT) {
+      sum = log2_add(sum, r);
+      continue;
+    }
+    double small = rounding(value(w, i), log2_upper(value(w, i)));
+    squares = log2_add(squares, 2 * (r + small));
+    fails = fails || (small > 0 && r + small > 4);
+  }
+  return (struct digits_effect){fails ? NAN : squares / 2, sum};
+}
+
+bool digits_predicts_failure(const struct digits_bench *w) {
+  const struct tape *t = &w->f->tape;
+  for (slong i = 0; i < t->n; i++) {
+    if (log2_upper(value(w, i)) > MOST_NUMBER) return true;
+    if (t->code[i].op == TAPE_div && log2_upper(value(w, t->code[i].b)) < LEAST_NUMBER) return true;
+  }
+  return false;
+}
+
+bool digits_underflows(const struct digits_bench *w) {
+  for (slong i = 0; i < w->f->tape.n; i++)
+    if (rounding(value(w, i), log2_upper(value(w, i))) > 0) return true;
+  return false;
+}
+
+/* --- The cause --- */
+
+/* log2 of the relative error of node i over that of its operand k. */
+static double growth(const struct digits_bench *w, slong i, slong k) {
+  arb_t p;
+  arb_init(p);
+  partial(p, w, i, k);
+  double g = log2_upper(p) + log2_upper(value(w, operand(&w->f->tape, i, k))) - log2_upper(value(w, i));
+  arb_clear(p);
+  return g;
+}
+
+/* The consumer of node n through which most of its rounding reaches the result; -1 for the result itself. */
+static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, slong top) {
+  const struct tape *t = &w->f->tape;
+  slong best = -1;
+  double most = -INFINITY;
+  for (slong i = n + 1; i <= top; i++)
+    for (slong k = 0; k < n_operands(&t->code[i]); k++) {
+      if (operand(t, i, k) != n) continue;
+      double r = reach(w, i);
+      if (!isfinite(r)) continue;
+      r += growth(w, i, k);
+      if (best >= 0 && r <= most) continue;
+      most = r;
+      best = i;
+      *by = k;
+    }
+  return best;
+}
+
+/* The node whose rounding matters most. */
+static slong source_node(const struct digits_bench *w, slong top) {
+  slong best = top;
+  double most = -INFINITY;
+  for (slong i = 0; i <= top; i++) {
+    if (w->f->tape.code[i].op == TAPE_INPUT) continue;
+    double r = reach(w, i) + rounding(value(w, i), log2_upper(value(w, i)));
+    if (!(r > most)) continue;
+    most = r;
+    best = i;
+  }
+  return best;
+}
+
+/* The entry that is furthest off. */
+static slong worst_entry(const struct digits_bench *w) {
+  slong worst = 0;
+  double most = -INFINITY;
+  arb_t diff;
+  arb_init(diff);
+  for (slong k = 0; k < w->f->n; k++) {
+    slong i = w->f->out[k];
+    arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
+    arb_sub(diff, diff, value(w, i), w->prec);
+    double e = log2_upper(diff);
+    if (e > most) {
+      most = e;
+      worst = k;
+    }
+  }
+  arb_clear(diff);
+  return worst;
+}
+
+static enum loss_cause cause_of(enum tape_op op, bool divides) {
+  switch (op) {
+  case TAPE_add:
+  case TAPE_sub:
+    return divides ? CAUSE_SMALL_DIVISOR : CAUSE_CANCELLATION;
+  case TAPE_ROOT:
+    return CAUSE_ROOT;
+  case TAPE_mul:
+  case TAPE_div:
+  case TAPE_neg:
+  case TAPE_abs:
+    return CAUSE_ROUNDING;
+  default:
+    return CAUSE_ARGUMENT;
+  }
+}
+
+struct digits_cause digits_explain(struct digits_bench *w) {
+  const struct tape *t = &w->f->tape;
+  slong which = worst_entry(w), top = w->f->out[which], by = 0;
+  fill_adjoint(w, which);
+  slong n = source_node(w, top);
+  struct digits_cause c = {CAUSE_ROUNDING, n, 0};
+  bool divides = false; /* the culprit, behind which nothing but factors came, is a divisor */
+  bool open = false;
+  for (slong i = next_on_the_way(&by, w, n, top); n != top && i >= 0; i = next_on_the_way(&by, w, n, top)) {
+    double g = growth(w, i, by);
+    enum tape_op op = t->code[i].op;
+    if (open && op == TAPE_div && by == 1) divides = true;
+    if (op != TAPE_mul && op != TAPE_neg) open = false;
+    if (g > 1 && g > c.grows) {
+      c = (struct digits_cause){CAUSE_ROUNDING, i, g};
+      divides = false;
+      open = true;
+    }
+    n = i;
+  }
+  if (c.grows > 1) c.cause = cause_of(t->code[c.node].op, divides);
+  return c;
+}
+
+/* The first node that has no value though its operands have; else the smallest that underflows. */
+struct digits_cause digits_explain_failure(struct digits_bench *w) {
+  const struct tape *t = &w->f->tape;
+  for (slong i = 0; i < t->n; i++) {
+    if (w->d_flags[i] == SS_OK) continue;
+    enum tape_op op = t->code[i].op;
+    slong at = op == TAPE_div ? t->code[i].b : i;
+    bool tiny = log2_upper(value(w, at)) < LEAST_NORMAL;
+    if (w->d_flags[i] & SS_DOMAIN)
+      return (struct digits_cause){tiny ? CAUSE_UNDERFLOW : op == TAPE_ROOT ? CAUSE_ROOT : CAUSE_ZERO_DIVISOR, at, 0};
+    if (op == TAPE_ROOT) return (struct digits_cause){CAUSE_ROOT, i, 0};
+    return (struct digits_cause){log2_upper(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
+  }
+  struct digits_cause c = {CAUSE_UNDERFLOW, w->f->out[0], 0};
+  double most = -INFINITY;
+  fill_adjoint(w, worst_entry(w));
+  for (slong i = 0; i < t->n; i++) {
+    double small = rounding(value(w, i), log2_upper(value(w, i)));
+    if (small <= 0 || reach(w, i) + small <= most) continue;
+    most = reach(w, i) + small;
+    c.node = i;
+  }
+  return c;
+}

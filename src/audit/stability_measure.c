@@ -1,0 +1,184 @@
+/* One formula at one point: its value in double against a ball around the true one, at the same exact doubles. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "stability_impl.h"
+
+/* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
+enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
+
+void digits_bench_init(struct digits_bench *w, struct digits_formula *f) {
+  const struct tape *t = &f->tape;
+  *w = (struct digits_bench){.f = f, .prec = TRUTH_FIRST};
+  num_vec_init(&w->x, t->n_inputs, num_ctx_double());
+  num_vec_init(&w->d, t->n, num_ctx_double());
+  num_vec_init(&w->bx, t->n_inputs, num_ctx_arb(TRUTH_FIRST));
+  num_vec_init(&w->b, t->n, num_ctx_arb(TRUTH_FIRST));
+  num_vec_init(&w->adjoint, t->n, num_ctx_arb(TRUTH_FIRST));
+  w->d_flags = ss_malloc((size_t)t->n * sizeof *w->d_flags);
+  w->b_flags = ss_malloc((size_t)t->n * sizeof *w->b_flags);
+}
+
+void digits_bench_clear(struct digits_bench *w) {
+  num_vec_clear(&w->x);
+  num_vec_clear(&w->d);
+  num_vec_clear(&w->bx);
+  num_vec_clear(&w->b);
+  num_vec_clear(&w->adjoint);
+  free(w->d_flags);
+  free(w->b_flags);
+}
+
+static double log2_radius(arb_srcptr x) {
+  return mag_is_zero(arb_radref(x)) ? -INFINITY : mag_get_d_log2_approx(arb_radref(x));
+}
+
+/* The true values of all nodes at the working precision.  DIGITS_LOST: the entries are known well enough; *size is log2 of
+   the largest. */
+static enum digits_kind truth_at(double *size, struct digits_bench *w) {
+  const struct digits_formula *f = w->f;
+  w->b.ctx.prec = w->bx.ctx.prec = w->adjoint.ctx.prec = w->prec;
+  tape_eval(&w->b, w->b_flags, &f->tape, &w->bx);
+  int flags = SS_OK;
+  bool exact = true;
+  double radius = -INFINITY;
+  *size = -INFINITY;
+  for (slong k = 0; k < f->n; k++) {
+    arb_srcptr v = num_vec_at(&w->b, f->out[k]);
+    flags |= w->b_flags[f->out[k]];
+    if (flags) continue;
+    *size = fmax(*size, log2_upper(v));
+    radius = fmax(radius, log2_radius(v));
+    exact = exact && arb_is_zero(v);
+  }
+  if (flags & SS_DOMAIN) return DIGITS_OUTSIDE;
+  if (flags) return DIGITS_UNDECIDED;
+  if (exact) return DIGITS_ZERO;
+  return radius <= *size - TRUTH_BITS ? DIGITS_LOST : DIGITS_UNDECIDED;
+}
+
+/* Raises the precision until the truth is known.  What is still zero at the last precision counts as zero. */
+static enum digits_kind find_truth(double *size, struct digits_bench *w) {
+  enum digits_kind kind;
+  for (w->prec = TRUTH_FIRST;; w->prec *= 2) {
+    kind = truth_at(size, w);
+    if (kind != DIGITS_UNDECIDED || 2 * w->prec > TRUTH_LAST) break;
+  }
+  bool zero = kind == DIGITS_UNDECIDED;
+  for (slong k = 0; k < w->f->n; k++) {
+    slong i = w->f->out[k];
+    zero = zero && w->b_flags[i] == SS_OK && arb_contains_zero(num_vec_at(&w->b, i));
+  }
+  return zero ? DIGITS_ZERO : kind;
+}
+
+/* The formula in double: DIGITS_FAILED where an entry that a double can hold has no value. */
+static enum digits_kind run_double(double *error, struct digits_bench *w, double size) {
+  const struct digits_formula *f = w->f;
+  tape_eval(&w->d, w->d_flags, &f->tape, &w->x);
+  *error = -INFINITY;
+  arb_t diff;
+  arb_init(diff);
+  enum digits_kind kind = DIGITS_LOST;
+  for (slong k = 0; k < f->n; k++) {
+    slong i = f->out[k];
+    if (w->d_flags[i]) {
+      kind = DIGITS_FAILED;
+      continue;
+    }
+    arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
+    arb_sub(diff, diff, num_vec_at(&w->b, i), w->prec);
+    *error = fmax(*error, log2_upper(diff) - size + 53);
+  }
+  arb_clear(diff);
+  return kind;
+}
+
+static double digits_of(double bits) {
+  return fmin(STABILITY_DIGITS, fmax(0, bits * log10(2)));
+}
+
+static void set_inputs(struct digits_bench *w, const double *x) {
+  for (slong k = 0; k < w->f->tape.n_inputs; k++) {
+    *(double *)num_vec_at(&w->x, k) = x[k];
+    arb_set_d(num_vec_at(&w->bx, k), x[k]);
+  }
+}
+
+struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor) {
+  struct digits_loss r = {.predicted = NAN};
+  double size;
+  set_inputs(w, x);
+  r.kind = find_truth(&size, w);
+  if (r.kind != DIGITS_LOST) return r;
+  r.kind = size > 1023.99 || size < -1021.99 ? DIGITS_OUTSIDE : run_double(&r.error, w, size);
+  if (r.kind == DIGITS_OUTSIDE) return r;
+  r.observed = digits_of(r.error);
+  if (r.kind == DIGITS_LOST && r.observed <= floor) {
+    r.kind = DIGITS_LESS;
+    return r;
+  }
+  r.predicted = r.condition = -INFINITY;
+  for (slong k = 0; k < w->f->n; k++) {
+    struct digits_effect e = digits_adjoint(w, k, size);
+    r.predicted = isnan(e.predicted) || isnan(r.predicted) ? NAN : fmax(r.predicted, e.predicted);
+    r.condition = fmax(r.condition, e.condition);
+  }
+  if (digits_predicts_failure(w)) r.predicted = NAN;
+  r.problem = digits_of(r.condition);
+  r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
+  if (r.formula > 1 && digits_underflows(w)) r.kind = DIGITS_FAILED;
+  return r;
+}
+
+/* --- Condition numbers from symbolic derivatives --- */
+
+/* log2 of the largest sum over the inputs [from, to), over the size; NaN when not known to a few digits at this precision. */
+static double condition_at(struct digits_bench *w, slong from, slong to, slong prec) {
+  const struct digits_formula *f = w->f;
+  slong n = f->tape.n_inputs;
+  struct num_vec slope;
+  arb_t sum, term;
+  num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
+  arb_init(sum);
+  arb_init(term);
+  int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
+  w->bx.ctx.prec = prec;
+  tape_eval(&slope, flags, &f->slopes, &w->bx);
+  double most = -INFINITY, size = -INFINITY;
+  bool known = true;
+  for (slong i = 0; i < f->n; i++) {
+    arb_zero(sum);
+    for (slong k = from; k < to; k++) {
+      known = known && flags[i * n + k] == SS_OK;
+      arb_mul(term, num_vec_at(&w->bx, k), num_vec_at(&slope, i * n + k), prec);
+      arb_abs(term, term);
+      arb_add(sum, sum, term, prec);
+    }
+    known =
+        known && (arb_rel_accuracy_bits(sum) > 20 || log2_radius(sum) < log2_upper(num_vec_at(&w->b, f->out[i])) - 20);
+    most = fmax(most, log2_upper(sum));
+    size = fmax(size, log2_upper(num_vec_at(&w->b, f->out[i])));
+  }
+  free(flags);
+  arb_clear(sum);
+  arb_clear(term);
+  num_vec_clear(&slope);
+  return known ? most - size : NAN;
+}
+
+static double condition_of(struct digits_bench *w, slong from, slong to) {
+  double c = NAN;
+  slong n = w->f->slopes.n_inputs;
+  (void)n;
+  for (slong prec = w->prec; isnan(c) && prec <= 4 * w->prec; prec *= 2) c = condition_at(w, from, to, prec);
+  return c;
+}
+
+double digits_condition(struct digits_bench *w) {
+  return condition_of(w, 0, w->f->tape.n_inputs);
+}
+
+double digits_condition_by(struct digits_bench *w, slong k) {
+  return condition_of(w, k, k + 1);
+}

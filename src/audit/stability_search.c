@@ -1,0 +1,135 @@
+/* The worst point of a formula in a region: random coordinates, then a climb from the worst of them.  A step of the climb
+   moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses decides. */
+#include <math.h>
+#include <string.h>
+
+#include "stability_impl.h"
+
+struct search {
+  struct digits_bench bench;
+  struct digits_place *place;
+  struct digits_found *out;
+  double u[DIGITS_COORDINATES];
+  int n; /* coordinates */
+  uint64_t random;
+};
+
+static double uniform(uint64_t *state) {
+  return (double)(random_next(state) >> 11) * 0x1p-53;
+}
+
+static void count(struct digits_found *out, const struct digits_loss *r, const double *x, struct digits_bench *w) {
+  out->points += r->kind == DIGITS_LOST || r->kind == DIGITS_FAILED || r->kind == DIGITS_LESS;
+  out->outside += r->kind == DIGITS_OUTSIDE;
+  out->undecided += r->kind == DIGITS_UNDECIDED;
+  out->zero += r->kind == DIGITS_ZERO;
+  if (r->kind != DIGITS_FAILED) return;
+  if (!out->failed) {
+    out->failed = true;
+    memcpy(out->failure_x, x, (size_t)w->f->tape.n_inputs * sizeof *x);
+    out->failure = digits_explain_failure(w);
+  }
+  out->failures++;
+}
+
+static void judge_rule(struct digits_found *out, const struct digits_loss *r) {
+  if (r->kind != DIGITS_LOST && r->kind != DIGITS_FAILED) return;
+  double predicted = r->predicted * log10(2), observed = r->kind == DIGITS_FAILED ? (double)NAN : r->observed;
+  out->confusion[loss_bin(predicted)][loss_bin(observed)]++;
+}
+
+/* Measures the point of these coordinates, and keeps it when it is worse than the worst. */
+static void try_point(struct search *s, const double *u, bool judged) {
+  struct digits_found *out = s->out;
+  double x[DIGITS_INPUTS] = {0};
+  if (!digits_point(x, s->place, u)) {
+    out->outside++;
+    return;
+  }
+  struct digits_loss r = digits_measure(&s->bench, x, judged || !out->found ? -1 : out->loss.formula);
+  count(out, &r, x, &s->bench);
+  if (judged) judge_rule(out, &r);
+  if (r.kind != DIGITS_LOST || (out->found && r.formula < out->loss.formula)) return;
+  if (out->found && r.formula == out->loss.formula && r.observed <= out->loss.observed) return;
+  out->found = true;
+  out->loss = r;
+  memcpy(out->x, x, sizeof x);
+  memcpy(s->u, u, sizeof s->u);
+}
+
+static void draw(struct search *s, int samples) {
+  double u[DIGITS_COORDINATES] = {0};
+  for (int i = 0; i < samples; i++) {
+    for (int k = 0; k < s->n; k++) u[k] = uniform(&s->random);
+    try_point(s, u, true);
+    if (s->out->zero > 1 && s->out->points == 0) return; /* a formula of zero */
+  }
+}
+
+static double moved(double u, uint64_t *state) {
+  double way = uniform(state), scale = exp2(-50 * uniform(state));
+  if (way < 0.3) return uniform(state);
+  double v = u + (way < 0.65 ? scale : -scale);
+  return v < 0 ? 0 : v >= 1 ? 1 - 0x1p-53 : v;
+}
+
+static void climb(struct search *s, int steps) {
+  for (int i = 0; i < steps; i++) {
+    double u[DIGITS_COORDINATES];
+    memcpy(u, s->u, sizeof u);
+    int coordinates = uniform(&s->random) < 0.7 ? 1 : 2;
+    while (coordinates-- > 0) {
+      int k = (int)(uniform(&s->random) * s->n);
+      u[k] = moved(u[k], &s->random);
+    }
+    try_point(s, u, false);
+  }
+}
+
+/* What is found is measured again, with the condition number from the symbolic derivatives, and explained. */
+static void settle(struct search *s, struct digits_set *set, struct digits_formula *after) {
+  struct digits_found *out = s->out;
+  struct diag d;
+  diag_init(&d);
+  out->loss = digits_measure(&s->bench, out->x, -1);
+  out->why = digits_explain(&s->bench);
+  out->at_fault = out->loss.formula > log10(STABILITY_ALLOWED);
+  if (digits_slopes(s->bench.f, set, &d)) {
+    double c = digits_condition(&s->bench);
+    out->slopes = !isnan(c);
+    out->slopes_differ = fabs(c - out->loss.condition) > 1e-3 && c > -40;
+  }
+  out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
+  if (!after) return;
+  struct digits_bench w;
+  double x[DIGITS_INPUTS] = {0};
+  digits_bench_init(&w, after);
+  for (slong k = 0; k < after->tape.n_inputs; k++) {
+    slong i = digits_input(&s->bench.f->tape, after->tape.inputs[k]);
+    if (i >= 0) x[k] = out->x[i];
+  }
+  out->after = digits_measure(&w, x, -1);
+  digits_bench_clear(&w);
+}
+
+void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
+                   struct digits_formula *after, int region, struct digits_effort effort) {
+  struct search q = {.out = out};
+  struct text seed;
+  memset(out, 0, sizeof *out);
+  digits_bench_init(&q.bench, f);
+  q.place = digits_place_new(region, &q.bench, s);
+  out->applies = q.place != NULL;
+  if (q.place) {
+    text_init(&seed);
+    text_printf(&seed, "%s in %s", f->id, digits_region[region].id);
+    q.random = random_seed(text_str(&seed));
+    text_clear(&seed);
+    q.n = (int)(2 * f->tape.n_inputs) + DIGITS_SPARE;
+    draw(&q, effort.samples);
+    if (out->found) climb(&q, effort.steps);
+    if (out->found) settle(&q, s, after);
+  }
+  digits_place_free(q.place);
+  digits_bench_clear(&q.bench);
+}
