@@ -119,10 +119,10 @@ static const char *kept_str(struct stability_result *r, const char *s) {
   return arena_strndup(&r->arena, s, strlen(s));
 }
 
-static const char *node_text(struct study *st, const struct digits_formula *f, slong node) {
+static const char *node_text(struct study *st, const struct digits_formula *f, slong node, bool whole) {
   struct text t;
   text_init(&t);
-  digits_print_node(&t, &st->set, f, node);
+  digits_print_node(&t, &st->set, f, node, whole);
   const char *s = kept(st->out, &t);
   text_clear(&t);
   return s;
@@ -160,10 +160,10 @@ static void describe_cause(struct stability_row *z, struct study *st, const stru
   const struct tape_instr *in = &f->tape.code[found->why.node];
   z->cause = found->why.cause;
   z->node_grows = found->why.grows * log10(2);
-  z->node = node_text(st, f, found->why.node);
+  z->node = node_text(st, f, found->why.node, false);
   if (in->op == TAPE_CONST || in->op == TAPE_INPUT || in->op == TAPE_ROOT) return;
-  z->left = node_text(st, f, in->a);
-  if (in->b >= 0) z->right = node_text(st, f, in->b);
+  z->left = node_text(st, f, in->a, true);
+  if (in->b >= 0) z->right = node_text(st, f, in->b, true);
 }
 
 static void describe_row(struct stability_row *z, struct study *st, int formula, int region,
@@ -190,7 +190,7 @@ static void describe_row(struct stability_row *z, struct study *st, int formula,
   }
   if (!found->failed) return;
   z->failure = found->failure.cause;
-  z->failure_node = node_text(st, f, found->failure.node);
+  z->failure_node = node_text(st, f, found->failure.node, false);
   z->failure_witness = point_text(st, f, found->failure_x);
 }
 
@@ -474,7 +474,7 @@ static void print_conditions(struct text *out, struct digits_bench *w) {
 
 static void print_cause(struct text *out, struct study *st, const struct digits_formula *f, struct digits_cause c) {
   text_printf(out, "  %s, at ", loss_cause_says[c.cause]);
-  digits_print_node(out, &st->set, f, c.node);
+  digits_print_node(out, &st->set, f, c.node, false);
   if (c.grows > 0) text_printf(out, " (a relative error grows by %.1f digits there)", c.grows * log10(2));
   text_add_char(out, '\n');
 }

@@ -5,6 +5,7 @@
    knows the true values alone, and nothing of what double precision did.  The cause is read off the way from the node whose
    rounding matters most up to the result: where the relative error grows most on it, there the digits go. */
 #include <math.h>
+#include <stdlib.h>
 
 #include "stability_impl.h"
 
@@ -131,11 +132,22 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
 
 /* --- The adjoint --- */
 
-/* log2 of the rounding of a node in units of 2^-53 of its value: none where the value is a double, more where it is below
-   the normal numbers. */
-static double rounding(arb_srcptr v, double size) {
-  if (arb_is_exact(v) && arf_bits(arb_midref(v)) <= 53) return -INFINITY;
-  return fmin(53, fmax(0, LEAST_NORMAL - size));
+/* log2 of what rounding the true value of a node once changes in it, relative to it and in units of 2^-53: -inf where it is
+   a double. */
+static double rounding(arb_srcptr v) {
+  double nearest = arf_get_d(arb_midref(v), ARF_RND_NEAR);
+  if (!isfinite(nearest)) return 0;
+  arb_t off;
+  arb_init(off);
+  arb_set_d(off, nearest);
+  arb_sub(off, v, off, 64);
+  double r = arb_is_zero(off) ? -INFINITY : log2_upper(off) - log2_upper(v) + 53;
+  arb_clear(off);
+  return fmin(53, r);
+}
+
+static bool is_tiny(arb_srcptr v) {
+  return !arb_contains_zero(v) && log2_upper(v) < LEAST_NORMAL;
 }
 
 /* log2 |v df/dv| */
@@ -180,26 +192,48 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
       sum = log2_add(sum, r);
       continue;
     }
-    double small = rounding(value(w, i), log2_upper(value(w, i)));
-    squares = log2_add(squares, 2 * (r + small));
-    fails = fails || (small > 0 && r + small > 4);
+    double off = r + rounding(value(w, i));
+    squares = log2_add(squares, 2 * off);
+    fails = fails || (off > 4 && is_tiny(value(w, i)));
   }
   return (struct digits_effect){fails ? NAN : squares / 2, sum};
 }
 
-bool digits_predicts_failure(const struct digits_bench *w) {
-  const struct tape *t = &w->f->tape;
-  for (slong i = 0; i < t->n; i++) {
-    if (log2_upper(value(w, i)) > MOST_NUMBER) return true;
-    if (t->code[i].op == TAPE_div && log2_upper(value(w, t->code[i].b)) < LEAST_NUMBER) return true;
+/* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
+static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i) {
+  const struct tape_instr *in = &w->f->tape.code[i];
+  if (log2_upper(value(w, i)) < LEAST_NUMBER) return true;
+  switch (in->op) {
+  case TAPE_add:
+  case TAPE_sub: {
+    double a = zero[in->a] ? 0 : arf_get_d(arb_midref(value(w, in->a)), ARF_RND_NEAR);
+    double b = zero[in->b] ? 0 : arf_get_d(arb_midref(value(w, in->b)), ARF_RND_NEAR);
+    return a == (in->op == TAPE_add ? -b : b);
   }
-  return false;
+  case TAPE_mul:
+    return zero[in->a] || zero[in->b];
+  case TAPE_POW:
+    return in->k > 0 && zero[in->a];
+  case TAPE_neg:
+  case TAPE_abs:
+  case TAPE_sqrt:
+  case TAPE_sin:
+  case TAPE_div:
+    return zero[in->a];
+  default:
+    return false;
+  }
 }
 
-bool digits_underflows(const struct digits_bench *w) {
-  for (slong i = 0; i < w->f->tape.n; i++)
-    if (rounding(value(w, i), log2_upper(value(w, i))) > 0) return true;
-  return false;
+bool digits_predicts_failure(const struct digits_bench *w) {
+  const struct tape *t = &w->f->tape;
+  bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
+  for (slong i = 0; !fails && i < t->n; i++) {
+    zero[i] = becomes_zero(w, zero, i);
+    fails = log2_upper(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
+  }
+  free(zero);
+  return fails;
 }
 
 /* --- The cause --- */
@@ -239,7 +273,7 @@ static slong source_node(const struct digits_bench *w, slong top) {
   double most = -INFINITY;
   for (slong i = 0; i <= top; i++) {
     if (w->f->tape.code[i].op == TAPE_INPUT) continue;
-    double r = reach(w, i) + rounding(value(w, i), log2_upper(value(w, i)));
+    double r = reach(w, i) + rounding(value(w, i));
     if (!(r > most)) continue;
     most = r;
     best = i;
@@ -265,6 +299,41 @@ static slong worst_entry(const struct digits_bench *w) {
   }
   arb_clear(diff);
   return worst;
+}
+
+/* log2 of what the error of node i does to the result, in units of 2^-53 of the result's size 2^0. */
+static double error_through(const struct digits_bench *w, slong i) {
+  arb_t diff;
+  arb_init(diff);
+  arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
+  arb_sub(diff, diff, value(w, i), w->prec);
+  arb_mul(diff, diff, num_vec_at(&w->adjoint, i), w->prec);
+  double e = arb_is_zero(diff) ? -INFINITY : log2_upper(diff) + 53;
+  arb_clear(diff);
+  return e;
+}
+
+/* The node below the normal numbers whose error moves the result most. */
+static slong underflowing(double *most, const struct digits_bench *w) {
+  slong best = -1;
+  *most = -INFINITY;
+  for (slong i = 0; i < w->f->tape.n; i++) {
+    if (!is_tiny(value(w, i)) || w->d_flags[i]) continue;
+    double e = error_through(w, i);
+    if (!(e > *most)) continue;
+    *most = e;
+    best = i;
+  }
+  return best;
+}
+
+bool digits_underflows(struct digits_bench *w, double error, double size) {
+  double most;
+  bool any = false;
+  for (slong i = 0; i < w->f->tape.n; i++) any = any || is_tiny(value(w, i));
+  if (!any) return false;
+  fill_adjoint(w, worst_entry(w));
+  return underflowing(&most, w) >= 0 && most - size > error - 2;
 }
 
 static enum loss_cause cause_of(enum tape_op op, bool divides) {
@@ -321,14 +390,8 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
     if (op == TAPE_ROOT) return (struct digits_cause){CAUSE_ROOT, i, 0};
     return (struct digits_cause){log2_upper(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
   }
-  struct digits_cause c = {CAUSE_UNDERFLOW, w->f->out[0], 0};
-  double most = -INFINITY;
+  double most;
   fill_adjoint(w, worst_entry(w));
-  for (slong i = 0; i < t->n; i++) {
-    double small = rounding(value(w, i), log2_upper(value(w, i)));
-    if (small <= 0 || reach(w, i) + small <= most) continue;
-    most = reach(w, i) + small;
-    c.node = i;
-  }
-  return c;
+  slong i = underflowing(&most, w);
+  return (struct digits_cause){CAUSE_UNDERFLOW, i < 0 ? w->f->out[0] : i, 0};
 }

@@ -252,9 +252,10 @@ static bool is_current(const struct digits_set *s, const struct definition *def)
 
 static void keep_names(struct digits_set *s, const char *text, const struct matrix *m) {
   for (int k = 0; k < m->rows * m->cols; k++) {
-    if (m->e[k]->n_args == 0 && m->e[k]->kind != EXPR_CALL) continue;
+    const struct expr *e = m->e[k];
+    if (e->n_args == 0 || (e->kind == EXPR_NEG && e->args[0]->n_args == 0)) continue;
     s->name = ss_grow(s->name, s->n_names, &s->cap_names, sizeof *s->name);
-    s->name[s->n_names++] = (struct digits_name){m->e[k], entry_id(s, text, m, k)};
+    s->name[s->n_names++] = (struct digits_name){e, entry_id(s, text, m, k)};
   }
 }
 
@@ -409,23 +410,43 @@ bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *
 
 /* --- In the paper's notation --- */
 
-enum { SHOWN_DEPTH = 6 };
+enum { SHOWN_DEPTH = 5 };
 
-/* With names put in; what is deeper than that many levels becomes "...". */
-static const struct expr *named(struct digits_set *s, const struct expr *e, bool top, int depth) {
-  struct expr_pool *p = &s->el.pool;
-  for (size_t i = 0; !top && i < s->n_names; i++)
-    if (s->name[i].e == e) return expr_sym(p, s->name[i].name);
-  if (e->n_args == 0) return e;
-  if (depth == 0) return expr_sym(p, "...");
-  const struct expr *a = named(s, e->args[0], false, depth - 1);
-  if (e->kind == EXPR_POW) return expr_pow(p, a, e->exponent);
-  if (e->n_args == 1) return expr_op1(p, e->kind, a);
-  return expr_op2(p, e->kind, a, named(s, e->args[1], false, depth - 1));
+static bool is_one(const struct expr *e) {
+  return e->kind == EXPR_NUM && strcmp(e->name, "1") == 0;
 }
 
-void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node) {
-  expr_print(out, named(s, f->node[node], true, SHOWN_DEPTH));
+/* Without the zeros and ones that matrix products bring along; for reading only. */
+static const struct expr *tidy(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b) {
+  if (k == EXPR_MUL && (is_zero(a) || is_one(b))) return a;
+  if (k == EXPR_MUL && (is_zero(b) || is_one(a))) return b;
+  if (k == EXPR_DIV && (is_one(b) || is_zero(a))) return a;
+  if (k == EXPR_ADD && is_zero(a)) return b;
+  if ((k == EXPR_ADD || k == EXPR_SUB) && is_zero(b)) return a;
+  return expr_op2(p, k, a, b);
+}
+
+static const char *name_of(const struct digits_set *s, const struct expr *e) {
+  for (size_t i = 0; i < s->n_names; i++)
+    if (s->name[i].e == e) return s->name[i].name;
+  return NULL;
+}
+
+/* With names put in; what is deeper than that many levels becomes "...". */
+static const struct expr *named(struct digits_set *s, const struct expr *e, bool whole, int depth) {
+  struct expr_pool *p = &s->el.pool;
+  const char *name = whole ? name_of(s, e) : NULL;
+  if (name) return expr_sym(p, name);
+  if (e->n_args == 0) return e;
+  if (depth == 0) return expr_sym(p, "...");
+  const struct expr *a = named(s, e->args[0], true, depth - 1);
+  if (e->kind == EXPR_POW) return expr_pow(p, a, e->exponent);
+  if (e->n_args == 1) return expr_op1(p, e->kind, a);
+  return tidy(p, e->kind, a, named(s, e->args[1], true, depth - 1));
+}
+
+void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole) {
+  expr_print(out, named(s, f->node[node], whole, SHOWN_DEPTH));
 }
 
 void digits_print_point(struct text *out, const struct digits_formula *f, const double *x) {

@@ -48,8 +48,9 @@ bool digits_selected(const struct digits_formula *f, const char *operand);
 const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
 /* Makes f->slopes. */
 bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d);
-/* The node in the paper's notation: subexpressions that have a name in the paper by that name, what is deep as "...". */
-void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node);
+/* The node in the paper's notation: subexpressions that have a name in the paper by that name (whole: the node itself too),
+   factors 1 and terms 0 of matrix products left out, what is deep as "...". */
+void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
 /* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
 slong digits_input(const struct tape *t, const char *name); /* -1 */
@@ -111,8 +112,8 @@ struct digits_cause {
 /* Of the point measured last. */
 struct digits_cause digits_explain(struct digits_bench *w);
 struct digits_cause digits_explain_failure(struct digits_bench *w);
-/* A finite value that underflow has spoiled. */
-bool digits_underflows(const struct digits_bench *w);
+/* Has underflow spoiled the finite value, whose error (log2, in units of 2^-53 of 2^size) that explains? */
+bool digits_underflows(struct digits_bench *w, double error, double size);
 
 /* --- Regions (stability_region.c) --- */
 

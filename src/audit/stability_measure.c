@@ -127,7 +127,7 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
   if (digits_predicts_failure(w)) r.predicted = NAN;
   r.problem = digits_of(r.condition);
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
-  if (r.formula > 1 && digits_underflows(w)) r.kind = DIGITS_FAILED;
+  if (r.formula > 1 && digits_underflows(w, r.error, size)) r.kind = DIGITS_FAILED;
   return r;
 }
 
@@ -169,8 +169,6 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
 
 static double condition_of(struct digits_bench *w, slong from, slong to) {
   double c = NAN;
-  slong n = w->f->slopes.n_inputs;
-  (void)n;
   for (slong prec = w->prec; isnan(c) && prec <= 4 * w->prec; prec *= 2) c = condition_at(w, from, to, prec);
   return c;
 }
