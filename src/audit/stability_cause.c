@@ -113,6 +113,14 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
     arb_sin(z, value(w, in->a), prec);
     arb_neg(z, z);
     break;
+  case TAPE_cot:
+    arb_sqr(z, value(w, i), prec);
+    arb_add_ui(z, z, 1, prec);
+    arb_neg(z, z);
+    break;
+  case TAPE_abs:
+    arb_set_si(z, arb_is_negative(value(w, in->a)) ? -1 : 1);
+    break;
   case TAPE_sqrt:
     arb_mul_2exp_si(z, value(w, i), 1);
     arb_inv(z, z, prec);
@@ -141,19 +149,19 @@ static double rounding(arb_srcptr v) {
   arb_init(off);
   arb_set_d(off, nearest);
   arb_sub(off, v, off, 64);
-  double r = arb_is_zero(off) ? -INFINITY : log2_upper(off) - log2_upper(v) + 53;
+  double r = arb_is_zero(off) ? -INFINITY : digits_log2(off) - digits_log2(v) + 53;
   arb_clear(off);
   return fmin(53, r);
 }
 
 static bool is_tiny(arb_srcptr v) {
-  return !arb_contains_zero(v) && log2_upper(v) < LEAST_NORMAL;
+  return !arb_contains_zero(v) && digits_log2(v) < LEAST_NORMAL;
 }
 
 /* log2 |v df/dv| */
 static double reach(const struct digits_bench *w, slong i) {
   arb_srcptr a = num_vec_at(&w->adjoint, i);
-  return arb_is_zero(a) ? -INFINITY : log2_upper(a) + log2_upper(value(w, i));
+  return arb_is_zero(a) ? -INFINITY : digits_log2(a) + digits_log2(value(w, i));
 }
 
 static void fill_adjoint(struct digits_bench *w, slong which) {
@@ -181,28 +189,44 @@ static double log2_add(double a, double b) {
   return isinf(most) || isinf(least) ? most : most + log2(1 + exp2(least - most));
 }
 
+/* log2 of what the radius of a node's own ball moves in the result, in units of 2^-53. */
+static double haze(const struct digits_bench *w, slong i) {
+  arb_srcptr v = value(w, i), a = num_vec_at(&w->adjoint, i);
+  if (mag_is_zero(arb_radref(v)) || arb_is_zero(a)) return -INFINITY;
+  return digits_log2(a) + digits_log2_mag(arb_radref(v)) + 53;
+}
+
+/* log2 of what is not known of |v df/dv|. */
+static double blur(const struct digits_bench *w, slong i) {
+  arb_srcptr a = num_vec_at(&w->adjoint, i);
+  return mag_is_zero(arb_radref(a)) ? -INFINITY : digits_log2_mag(arb_radref(a)) + digits_log2(value(w, i));
+}
+
 struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size) {
   const struct tape *t = &w->f->tape;
-  double squares = -INFINITY, sum = -INFINITY;
+  double squares = -INFINITY, sum = -INFINITY, unknown = -INFINITY, hazy = -INFINITY;
   bool fails = false;
   fill_adjoint(w, which);
   for (slong i = 0; i <= w->f->out[which]; i++) {
     double r = reach(w, i) - size;
     if (t->code[i].op == TAPE_INPUT) {
       sum = log2_add(sum, r);
+      unknown = fmax(unknown, blur(w, i) - size);
       continue;
     }
     double off = r + rounding(value(w, i));
     squares = log2_add(squares, 2 * off);
+    hazy = fmax(hazy, haze(w, i) - size);
     fails = fails || (off > 4 && is_tiny(value(w, i)));
   }
-  return (struct digits_effect){fails ? NAN : squares / 2, sum};
+  bool known = unknown < fmax(0, sum) - 10 && hazy < fmax(0, squares / 2) - 3;
+  return (struct digits_effect){fails ? NAN : squares / 2, sum, known};
 }
 
 /* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
 static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
-  if (log2_upper(value(w, i)) < LEAST_NUMBER) return true;
+  if (digits_log2(value(w, i)) < LEAST_NUMBER) return true;
   switch (in->op) {
   case TAPE_add:
   case TAPE_sub: {
@@ -230,7 +254,7 @@ bool digits_predicts_failure(const struct digits_bench *w) {
   bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
   for (slong i = 0; !fails && i < t->n; i++) {
     zero[i] = becomes_zero(w, zero, i);
-    fails = log2_upper(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
+    fails = digits_log2(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
   }
   free(zero);
   return fails;
@@ -243,7 +267,7 @@ static double growth(const struct digits_bench *w, slong i, slong k) {
   arb_t p;
   arb_init(p);
   partial(p, w, i, k);
-  double g = log2_upper(p) + log2_upper(value(w, operand(&w->f->tape, i, k))) - log2_upper(value(w, i));
+  double g = digits_log2(p) + digits_log2(value(w, operand(&w->f->tape, i, k))) - digits_log2(value(w, i));
   arb_clear(p);
   return g;
 }
@@ -291,7 +315,7 @@ static slong worst_entry(const struct digits_bench *w) {
     slong i = w->f->out[k];
     arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
     arb_sub(diff, diff, value(w, i), w->prec);
-    double e = log2_upper(diff);
+    double e = digits_log2(diff);
     if (e > most) {
       most = e;
       worst = k;
@@ -308,7 +332,7 @@ static double error_through(const struct digits_bench *w, slong i) {
   arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
   arb_sub(diff, diff, value(w, i), w->prec);
   arb_mul(diff, diff, num_vec_at(&w->adjoint, i), w->prec);
-  double e = arb_is_zero(diff) ? -INFINITY : log2_upper(diff) + 53;
+  double e = arb_is_zero(diff) ? -INFINITY : digits_log2(diff) + 53;
   arb_clear(diff);
   return e;
 }
@@ -384,11 +408,11 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
     if (w->d_flags[i] == SS_OK) continue;
     enum tape_op op = t->code[i].op;
     slong at = op == TAPE_div ? t->code[i].b : i;
-    bool tiny = log2_upper(value(w, at)) < LEAST_NORMAL;
+    bool tiny = digits_log2(value(w, at)) < LEAST_NORMAL;
     if (w->d_flags[i] & SS_DOMAIN)
       return (struct digits_cause){tiny ? CAUSE_UNDERFLOW : op == TAPE_ROOT ? CAUSE_ROOT : CAUSE_ZERO_DIVISOR, at, 0};
     if (op == TAPE_ROOT) return (struct digits_cause){CAUSE_ROOT, i, 0};
-    return (struct digits_cause){log2_upper(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
+    return (struct digits_cause){digits_log2(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
   }
   double most;
   fill_adjoint(w, worst_entry(w));

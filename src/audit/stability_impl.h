@@ -85,6 +85,9 @@ struct digits_bench {
 };
 void digits_bench_init(struct digits_bench *w, struct digits_formula *f);
 void digits_bench_clear(struct digits_bench *w);
+/* log2 of an upper bound of |x|, to many digits; -inf for zero. */
+double digits_log2(arb_srcptr x);
+double digits_log2_mag(const mag_t x);
 /* What is lost at x.  Where the formula cannot lose more than `floor` digits, nothing but that is computed. */
 struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor);
 /* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they have no
@@ -99,6 +102,7 @@ double digits_condition_by(struct digits_bench *w, slong k);
    relative to 2^size, in units of 2^-53, and log2 of what the inputs' roundings would do.  Fills w->adjoint. */
 struct digits_effect {
   double predicted, condition;
+  bool known; /* to three digits, where the inputs matter at all */
 };
 struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size);
 /* Does the rule predict that no value comes out? */

@@ -29,8 +29,24 @@ void digits_bench_clear(struct digits_bench *w) {
   free(w->b_flags);
 }
 
+/* log2_upper is good to a bit; losses are told to tenths of digits. */
+double digits_log2_mag(const mag_t x) {
+  if (mag_is_zero(x)) return -INFINITY;
+  if (mag_is_inf(x)) return INFINITY;
+  return log2((double)MAG_MAN(x)) + fmpz_get_d(MAG_EXPREF(x)) - MAG_BITS;
+}
+
 static double log2_radius(arb_srcptr x) {
-  return mag_is_zero(arb_radref(x)) ? -INFINITY : mag_get_d_log2_approx(arb_radref(x));
+  return digits_log2_mag(arb_radref(x));
+}
+
+double digits_log2(arb_srcptr x) {
+  mag_t m;
+  mag_init(m);
+  arb_get_mag(m, x);
+  double r = digits_log2_mag(m);
+  mag_clear(m);
+  return r;
 }
 
 /* The true values of all nodes at the working precision.  DIGITS_LOST: the entries are known well enough; *size is log2 of
@@ -47,7 +63,7 @@ static enum digits_kind truth_at(double *size, struct digits_bench *w) {
     arb_srcptr v = num_vec_at(&w->b, f->out[k]);
     flags |= w->b_flags[f->out[k]];
     if (flags) continue;
-    *size = fmax(*size, log2_upper(v));
+    *size = fmax(*size, digits_log2(v));
     radius = fmax(radius, log2_radius(v));
     exact = exact && arb_is_zero(v);
   }
@@ -88,7 +104,7 @@ static enum digits_kind run_double(double *error, struct digits_bench *w, double
     }
     arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
     arb_sub(diff, diff, num_vec_at(&w->b, i), w->prec);
-    *error = fmax(*error, log2_upper(diff) - size + 53);
+    *error = fmax(*error, digits_log2(diff) - size + 53);
   }
   arb_clear(diff);
   return kind;
@@ -105,6 +121,24 @@ static void set_inputs(struct digits_bench *w, const double *x) {
   }
 }
 
+/* What roundings of the nodes and of the inputs do to the result, by the entry that they do most to. */
+static void find_effect(struct digits_loss *r, struct digits_bench *w, double size) {
+  for (bool known = false; !known;) {
+    known = true;
+    r->predicted = r->condition = -INFINITY;
+    for (slong k = 0; k < w->f->n; k++) {
+      struct digits_effect e = digits_adjoint(w, k, size);
+      r->predicted = isnan(e.predicted) || isnan(r->predicted) ? NAN : fmax(r->predicted, e.predicted);
+      r->condition = fmax(r->condition, e.condition);
+      known = known && e.known;
+    }
+    if (known || 2 * w->prec > TRUTH_LAST) return;
+    w->prec *= 2;
+    double same;
+    truth_at(&same, w);
+  }
+}
+
 struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor) {
   struct digits_loss r = {.predicted = NAN};
   double size;
@@ -118,12 +152,7 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
     r.kind = DIGITS_LESS;
     return r;
   }
-  r.predicted = r.condition = -INFINITY;
-  for (slong k = 0; k < w->f->n; k++) {
-    struct digits_effect e = digits_adjoint(w, k, size);
-    r.predicted = isnan(e.predicted) || isnan(r.predicted) ? NAN : fmax(r.predicted, e.predicted);
-    r.condition = fmax(r.condition, e.condition);
-  }
+  find_effect(&r, w, size);
   if (digits_predicts_failure(w)) r.predicted = NAN;
   r.problem = digits_of(r.condition);
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
@@ -137,14 +166,16 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
 static double condition_at(struct digits_bench *w, slong from, slong to, slong prec) {
   const struct digits_formula *f = w->f;
   slong n = f->tape.n_inputs;
-  struct num_vec slope;
+  struct num_vec in, slope; /* the derivatives meet the inputs in an order of their own */
   arb_t sum, term;
+  num_vec_init(&in, f->slopes.n_inputs, num_ctx_arb(prec));
   num_vec_init(&slope, f->n * n, num_ctx_arb(prec));
   arb_init(sum);
   arb_init(term);
   int *flags = ss_malloc((size_t)(f->n * n) * sizeof *flags);
-  w->bx.ctx.prec = prec;
-  tape_eval(&slope, flags, &f->slopes, &w->bx);
+  for (slong k = 0; k < f->slopes.n_inputs; k++)
+    arb_set(num_vec_at(&in, k), num_vec_at(&w->bx, digits_input(&f->tape, f->slopes.inputs[k])));
+  tape_eval(&slope, flags, &f->slopes, &in);
   double most = -INFINITY, size = -INFINITY;
   bool known = true;
   for (slong i = 0; i < f->n; i++) {
@@ -156,13 +187,14 @@ static double condition_at(struct digits_bench *w, slong from, slong to, slong p
       arb_add(sum, sum, term, prec);
     }
     known =
-        known && (arb_rel_accuracy_bits(sum) > 20 || log2_radius(sum) < log2_upper(num_vec_at(&w->b, f->out[i])) - 20);
-    most = fmax(most, log2_upper(sum));
-    size = fmax(size, log2_upper(num_vec_at(&w->b, f->out[i])));
+        known && (arb_rel_accuracy_bits(sum) > 20 || log2_radius(sum) < digits_log2(num_vec_at(&w->b, f->out[i])) - 20);
+    most = fmax(most, digits_log2(sum));
+    size = fmax(size, digits_log2(num_vec_at(&w->b, f->out[i])));
   }
   free(flags);
   arb_clear(sum);
   arb_clear(term);
+  num_vec_clear(&in);
   num_vec_clear(&slope);
   return known ? most - size : NAN;
 }

@@ -97,7 +97,7 @@ static void settle(struct search *s, struct digits_set *set, struct digits_formu
   if (digits_slopes(s->bench.f, set, &d)) {
     double c = digits_condition(&s->bench);
     out->slopes = !isnan(c);
-    out->slopes_differ = fabs(c - out->loss.condition) > 1e-3 && c > -40;
+    out->slopes_differ = fabs(fmax(c, 0) - fmax(out->loss.condition, 0)) > 0.01;
   }
   out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
   if (!after) return;
