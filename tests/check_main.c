@@ -35,6 +35,7 @@ int main(void) {
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());
   srunner_add_suite(r, bench_suite());
+  srunner_add_suite(r, stability_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);
   srunner_free(r);

@@ -32,5 +32,6 @@ Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *bench_suite(void);
+Suite *stability_suite(void);
 
 #endif
