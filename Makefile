@@ -33,7 +33,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify mutate bench lint asan cover format install uninstall clean help
+.PHONY: deps all check verify mutate bench stability lint asan cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -78,6 +78,9 @@ mutate: $(B)/stickslip ## damage every formula of the paper one token at a time:
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/
 	$(B)/stickslip bench --out reports/bench
 	$(PYTHON) bench/peers/peers.py reports/bench
+
+stability: $(B)/stickslip ## where the formulas lose digits, and why: writes reports/stability/
+	$(B)/stickslip stability --out reports/stability
 
 check: all $(B)/check ## run the tests
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)

@@ -194,11 +194,12 @@ static void describe_row(struct stability_row *z, struct study *st, int formula,
   z->failure_witness = point_text(st, f, found->failure_x);
 }
 
+/* The worst of all regions, or the first that comes within half a digit of it. */
 static void rate(struct stability_formula *f, const struct stability_row *row, long i,
                  const struct digits_found *found) {
   f->points += row[i].points;
   f->zero = f->zero || found->zero > 0;
-  if (row[i].found && (f->worst < 0 || row[i].formula_lost > row[f->worst].formula_lost)) f->worst = i;
+  if (row[i].found && (f->worst < 0 || row[i].formula_lost > row[f->worst].formula_lost + 0.5)) f->worst = i;
   if (row[i].failures && f->worst_failure < 0) f->worst_failure = i;
 }
 

@@ -357,7 +357,7 @@ bool digits_underflows(struct digits_bench *w, double error, double size) {
   for (slong i = 0; i < w->f->tape.n; i++) any = any || is_tiny(value(w, i));
   if (!any) return false;
   fill_adjoint(w, worst_entry(w));
-  return underflowing(&most, w) >= 0 && most - size > error - 2;
+  return underflowing(&most, w) >= 0 && most - size > fmin(error, 53) - 2;
 }
 
 static enum loss_cause cause_of(enum tape_op op, bool divides) {

@@ -280,9 +280,15 @@ static bool is_alias(const struct definition *def) {
   return def->stmt->kind == STMT_DEFINE && (e->kind == EXPR_SYM || e->kind == EXPR_CALL || e->kind == EXPR_INDEX);
 }
 
-static bool add_definition(struct digits_set *s, const struct definition *def, struct diag *d) {
+/* Scalars first, then matrices, then other names for them: what is there twice is known by the first. */
+enum definition_turn { TURN_SCALARS, TURN_MATRICES, TURN_ALIASES, N_TURNS };
+
+static bool add_definition(struct digits_set *s, const struct definition *def, enum definition_turn turn,
+                           struct diag *d) {
   struct matrix m;
+  if (is_alias(def) != (turn == TURN_ALIASES)) return true;
   if (!elaborate_text(&m, s, definition_text(s, def, argument_of(s, def)), def->section, d)) return false;
+  if (turn != TURN_ALIASES && (m.rows * m.cols > 1) != (turn == TURN_MATRICES)) return true;
   struct digits_formula f = {.id = definition_id(s, def),
                              .record = def->record->id_name,
                              .equation = def->equation,
@@ -319,9 +325,9 @@ bool digits_set_make(struct digits_set *s, const struct model *m, enum layer lay
   for (int functions = 0; functions < 2; functions++) /* a name without an argument is the shorter one */
     for (size_t i = 0; ok && i < m->n_defs; i++)
       if (is_current(s, &m->defs[i]) && !m->defs[i].stmt->param == !functions) ok = name_definition(s, &m->defs[i], d);
-  for (int aliases = 0; aliases < 2; aliases++)
+  for (int turn = 0; turn < N_TURNS; turn++)
     for (size_t i = 0; ok && i < m->n_defs; i++)
-      if (is_current(s, &m->defs[i]) && is_alias(&m->defs[i]) == (aliases != 0)) ok = add_definition(s, &m->defs[i], d);
+      if (is_current(s, &m->defs[i])) ok = add_definition(s, &m->defs[i], (enum definition_turn)turn, d);
   for (size_t i = 0; ok && i < m->n_records; i++)
     if (view_record(&s->el.view, m->records[i].id) == &m->records[i]) ok = add_sides(s, &m->records[i], d);
   return ok;
@@ -426,10 +432,25 @@ static const struct expr *tidy(struct expr_pool *p, enum expr_kind k, const stru
   return expr_op2(p, k, a, b);
 }
 
+/* Of one operation at most: shorter than its name. */
+static bool is_short(const struct expr *e) {
+  for (int k = 0; k < e->n_args; k++)
+    if (e->args[k]->n_args > 0) return false;
+  return true;
+}
+
+/* The shortest of its names; one of a scalar before that of an entry. */
 static const char *name_of(const struct digits_set *s, const struct expr *e) {
-  for (size_t i = 0; i < s->n_names; i++)
-    if (s->name[i].e == e) return s->name[i].name;
-  return NULL;
+  const char *best = NULL;
+  size_t least = 0;
+  for (size_t i = 0; !is_short(e) && i < s->n_names; i++) {
+    if (s->name[i].e != e) continue;
+    size_t length = strlen(s->name[i].name) + (strchr(s->name[i].name, '[') ? 100 : 0);
+    if (best && length >= least) continue;
+    best = s->name[i].name;
+    least = length;
+  }
+  return best;
 }
 
 /* With names put in; what is deeper than that many levels becomes "...". */

@@ -86,6 +86,40 @@ static void climb(struct search *s, int steps) {
   }
 }
 
+/* --- Numbers that are easier to read --- */
+
+/* x to so many bits. */
+static double shortened(double x, int bits) {
+  int e;
+  double m = frexp(x, &e);
+  return ldexp(rint(ldexp(m, bits)), e - bits);
+}
+
+/* Replaces each input by one of few bits where the point stays what it is. */
+static void simplify(struct search *s, double *x, bool (*same)(struct search *, const double *)) {
+  static const int bits[] = {1, 4, 12, 24};
+  for (slong k = 0; k < s->bench.f->tape.n_inputs; k++)
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
+      double was = x[k];
+      x[k] = shortened(was, bits[i]);
+      bool inside = s->bench.f->input[k] != INPUT_CHI || (x[k] > 0 && x[k] < 1);
+      if (inside && isfinite(x[k]) && same(s, x)) break;
+      x[k] = was;
+    }
+}
+
+/* No less than a twentieth of a digit is given up. */
+static bool is_as_bad(struct search *s, const double *x) {
+  struct digits_loss r = digits_measure(&s->bench, x, s->out->loss.formula - 0.05);
+  return r.kind == DIGITS_LOST && r.formula >= s->out->loss.formula - 0.05;
+}
+
+static bool fails_likewise(struct search *s, const double *x) {
+  if (digits_measure(&s->bench, x, -1).kind != DIGITS_FAILED) return false;
+  struct digits_cause c = digits_explain_failure(&s->bench);
+  return c.cause == s->out->failure.cause && c.node == s->out->failure.node;
+}
+
 /* What is found is measured again, with the condition number from the symbolic derivatives, and explained. */
 static void settle(struct search *s, struct digits_set *set, struct digits_formula *after) {
   struct digits_found *out = s->out;
@@ -128,6 +162,8 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
     q.n = (int)(2 * f->tape.n_inputs) + DIGITS_SPARE;
     draw(&q, effort.samples);
     if (out->found) climb(&q, effort.steps);
+    if (out->found && out->loss.formula > log10(STABILITY_ALLOWED)) simplify(&q, out->x, is_as_bad);
+    if (out->failed) simplify(&q, out->failure_x, fails_likewise);
     if (out->found) settle(&q, s, after);
   }
   digits_place_free(q.place);

@@ -313,6 +313,19 @@ static void add_maps(struct text *out, const struct stability_result *r, bool pi
   text_add_char(out, '\n');
 }
 
+/* Formulas whose true value is zero. */
+static void add_zeros(struct text *out, const struct stability_result *r) {
+  int n = 0;
+  for (int i = 0; i < r->n_formulas; i++) {
+    if (!r->formula[i].zero) continue;
+    text_printf(out, "%s`%s` (%s)",
+                n++ ? ", "
+                    : "Zero, or not to be told from zero, wherever they were tried, so that no relative error exists: ",
+                r->formula[i].id, r->formula[i].text);
+  }
+  if (n) text_add(out, ".\n\n");
+}
+
 void report_stability_markdown(struct text *out, const struct stability_result *r, bool maps) {
   text_add(out, "# Where the formulas lose digits\n\n");
   add_summary(out, r);
@@ -337,6 +350,7 @@ void report_stability_markdown(struct text *out, const struct stability_result *
            "## No value where there is one\n\nThe true value is one that a double holds, and the formula overflows, "
            "underflows or divides by zero on the way. The first region where it happened.\n\n");
   add_failures(out, r);
+  add_zeros(out, r);
   text_add(out, "## Regions\n\n");
   add_regions(out, r);
   text_printf(
@@ -344,7 +358,9 @@ void report_stability_markdown(struct text *out, const struct stability_result *
       "## Does the explanation predict?\n\nFrom the true values alone the rule adds up what one rounding of each "
       "node does to the result, and says how many digits will be lost; rows are its bins, columns what double "
       "precision lost, at every point drawn (not at those of the climbs). %ld condition numbers from symbolic "
-      "derivatives stand beside those of the adjoint, which the rule uses; %ld differ.\n\n",
+      "derivatives stand beside those of the adjoint, which the rule uses; %ld differ. The rule expects too much where "
+      "a "
+      "number near 1 is rounded twice and the second rounding undoes the first.\n\n",
       r->conditions, r->condition_differs);
   add_confusion(out, r);
   add_maps(out, r, maps);
