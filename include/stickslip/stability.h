@@ -23,6 +23,7 @@ enum { STABILITY_ALLOWED = 8 };
   X(SMALL_DIVISOR, "division by a small difference")                                                                   \
   X(ARGUMENT, "rounded argument of a function")                                                                        \
   X(ROOT, "root of a polynomial with rounded coefficients")                                                            \
+  X(CODE, "in the code of a function")                                                                                 \
   X(OVERFLOW, "overflow in an intermediate")                                                                           \
   X(UNDERFLOW, "underflow in an intermediate")                                                                         \
   X(ZERO_DIVISOR, "division by a difference that rounds to zero")
@@ -52,6 +53,7 @@ struct stability_formula {
   const char *inputs; /* joined by ", " */
   int entries, nodes;
   long points;               /* at which it was held against its true value */
+  bool kernel;               /* a function of the program: an error status is an answer, and no node is named */
   bool zero;                 /* its true value is zero wherever it was tried, so that no relative error exists */
   long worst, worst_failure; /* rows; -1 */
 };

@@ -71,7 +71,7 @@ static bool check_operands(const struct digits_set *s, const struct stability_op
 }
 
 static struct digits_formula *in_other_layer(struct study *st, const struct digits_formula *f) {
-  if (!st->have_other) return NULL;
+  if (!st->have_other || f->kernel) return NULL;
   const struct digits_formula *g = digits_find(&st->other, f->id);
   return g && g->n == f->n && !tape_same(&g->tape, &f->tape) ? &st->other.formula[g - st->other.formula] : NULL;
 }
@@ -120,6 +120,7 @@ static const char *kept_str(struct stability_result *r, const char *s) {
 }
 
 static const char *node_text(struct study *st, const struct digits_formula *f, slong node, bool whole) {
+  if (f->kernel) return kept_str(st->out, f->record);
   struct text t;
   text_init(&t);
   digits_print_node(&t, &st->set, f, node, whole);
@@ -150,6 +151,7 @@ static void describe_formula(struct stability_formula *z, struct study *st, cons
                                   .inputs = kept(st->out, &t),
                                   .entries = (int)f->n,
                                   .nodes = (int)f->tape.n,
+                                  .kernel = f->kernel != NULL,
                                   .worst = -1,
                                   .worst_failure = -1};
   text_clear(&t);
@@ -157,10 +159,11 @@ static void describe_formula(struct stability_formula *z, struct study *st, cons
 
 static void describe_cause(struct stability_row *z, struct study *st, const struct digits_formula *f,
                            const struct digits_found *found) {
-  const struct tape_instr *in = &f->tape.code[found->why.node];
   z->cause = found->why.cause;
   z->node_grows = found->why.grows * log10(2);
   z->node = node_text(st, f, found->why.node, false);
+  if (f->kernel) return;
+  const struct tape_instr *in = &f->tape.code[found->why.node];
   if (in->op == TAPE_CONST || in->op == TAPE_INPUT || in->op == TAPE_ROOT) return;
   z->left = node_text(st, f, in->a, true);
   if (in->b >= 0) z->right = node_text(st, f, in->b, true);
@@ -176,7 +179,7 @@ static void describe_row(struct stability_row *z, struct study *st, int formula,
                               .undecided = found->undecided + found->zero,
                               .failures = found->failures,
                               .found = found->found,
-                              .at_fault = found->at_fault || found->failed,
+                              .at_fault = found->at_fault || (found->failed && !f->kernel),
                               .after = NAN};
   if (found->found) {
     z->error = found->loss.error * log10(2);
@@ -490,7 +493,7 @@ static bool print_formula(struct text *out, struct study *st, struct digits_form
                           struct diag *d) {
   double x[DIGITS_INPUTS] = {0};
   struct digits_bench w;
-  if (!parse_point(x, f, at, d) || !digits_slopes(f, &st->set, d)) return false;
+  if (!parse_point(x, f, at, d) || (!f->kernel && !digits_slopes(f, &st->set, d))) return false;
   digits_bench_init(&w, f);
   struct digits_loss r = digits_measure(&w, x, -1);
   text_printf(out, "%s: %s\n", f->id, f->text);
@@ -501,13 +504,15 @@ static bool print_formula(struct text *out, struct study *st, struct digits_form
     if (r.kind == DIGITS_LOST) {
       text_printf(out, "  error 10^%.1f units of 2^-53; of %.1f digits lost the problem loses %.1f, the formula %.1f",
                   fmax(-99, r.error * log10(2)), r.observed, r.problem, r.formula);
-      if (isnan(r.predicted))
+      if (f->kernel)
+        text_add_char(out, '\n');
+      else if (isnan(r.predicted))
         text_add(out, "; the rule predicts a failure\n");
       else
         text_printf(out, "; the rule predicts %.1f\n", fmin(STABILITY_DIGITS, fmax(0, r.predicted * log10(2))));
     }
-    print_conditions(out, &w);
-    print_cause(out, st, f, r.kind == DIGITS_FAILED ? digits_explain_failure(&w) : digits_explain(&w));
+    if (!f->kernel) print_conditions(out, &w);
+    if (!f->kernel) print_cause(out, st, f, r.kind == DIGITS_FAILED ? digits_explain_failure(&w) : digits_explain(&w));
   }
   digits_bench_clear(&w);
   return true;

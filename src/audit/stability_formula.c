@@ -36,7 +36,7 @@ slong digits_input(const struct tape *t, const char *name) {
 
 /* --- What an input is --- */
 
-static enum input_class class_of(const char *name) {
+enum input_class digits_class_of(const char *name) {
   static const struct {
     const char *begin;
     bool whole;
@@ -88,7 +88,7 @@ static bool make_tape(struct digits_formula *f, struct digits_set *s, struct dia
   t->n_outputs = t->n;
   for (slong i = 0; i < t->n; i++) t->outputs[i] = i;
   f->input = arena_alloc(&s->arena, ((size_t)t->n_inputs + 1) * sizeof *f->input);
-  for (slong k = 0; k < t->n_inputs; k++) f->input[k] = class_of(t->inputs[k]);
+  for (slong k = 0; k < t->n_inputs; k++) f->input[k] = digits_class_of(t->inputs[k]);
   return true;
 }
 
@@ -159,7 +159,7 @@ static bool add_formula(struct digits_set *s, struct digits_formula f, struct di
     if (!make_tape(&f, s, d)) return false;
   }
   bool wanted = computes(&f.tape) && f.tape.n_inputs > 0 && f.tape.n_inputs <= DIGITS_INPUTS;
-  for (size_t i = 0; wanted && i < s->n; i++)
+  for (size_t i = 0; wanted && i < s->n; i++) /* the functions of the program are not there yet */
     if (same_formula(&s->formula[i], &f)) {
       s->formula[i].also = joined(&s->arena, s->formula[i].also, f.id);
       wanted = false;
@@ -330,6 +330,7 @@ bool digits_set_make(struct digits_set *s, const struct model *m, enum layer lay
       if (is_current(s, &m->defs[i])) ok = add_definition(s, &m->defs[i], (enum definition_turn)turn, d);
   for (size_t i = 0; ok && i < m->n_records; i++)
     if (view_record(&s->el.view, m->records[i].id) == &m->records[i]) ok = add_sides(s, &m->records[i], d);
+  digits_enrol_kernels(s);
   return ok;
 }
 

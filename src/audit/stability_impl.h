@@ -18,6 +18,8 @@ struct digits_name {
   const char *name;
 };
 
+struct digits_kernel;
+
 struct digits_formula {
   const char *id, *also, *record, *equation, *section, *text;
   slong n; /* entries */
@@ -28,6 +30,8 @@ struct digits_formula {
   enum input_class *input;  /* of each input */
   struct tape slopes;       /* derivative of entry i by input k at i n_inputs + k; made when first asked for */
   bool have_slopes;
+  const struct digits_kernel *kernel; /* a function of the program instead: the tape holds the inputs' names alone */
+  slong first;                        /* of its results, the first that is an entry */
 };
 
 /* The formulas of one layer: every definition and every side of a statement that computes something, entry by entry, and
@@ -54,6 +58,15 @@ void digits_print_node(struct text *out, struct digits_set *s, const struct digi
 /* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
 slong digits_input(const struct tape *t, const char *name); /* -1 */
+
+enum input_class digits_class_of(const char *name);
+
+/* --- The program's own functions (stability_kernel.c) --- */
+
+/* Adds each function's results one by one and together. */
+void digits_enrol_kernels(struct digits_set *s);
+int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in);
+double digits_kernel_condition(const struct digits_formula *f, const struct num_vec *in, double size);
 
 /* --- One point (stability_measure.c) --- */
 

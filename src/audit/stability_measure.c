@@ -7,16 +7,21 @@
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
 
+static slong n_nodes(const struct digits_formula *f) {
+  return f->kernel ? f->n : f->tape.n;
+}
+
 void digits_bench_init(struct digits_bench *w, struct digits_formula *f) {
   const struct tape *t = &f->tape;
+  slong n = n_nodes(f);
   *w = (struct digits_bench){.f = f, .prec = TRUTH_FIRST};
   num_vec_init(&w->x, t->n_inputs, num_ctx_double());
-  num_vec_init(&w->d, t->n, num_ctx_double());
+  num_vec_init(&w->d, n, num_ctx_double());
   num_vec_init(&w->bx, t->n_inputs, num_ctx_arb(TRUTH_FIRST));
-  num_vec_init(&w->b, t->n, num_ctx_arb(TRUTH_FIRST));
-  num_vec_init(&w->adjoint, t->n, num_ctx_arb(TRUTH_FIRST));
-  w->d_flags = ss_malloc((size_t)t->n * sizeof *w->d_flags);
-  w->b_flags = ss_malloc((size_t)t->n * sizeof *w->b_flags);
+  num_vec_init(&w->b, n, num_ctx_arb(TRUTH_FIRST));
+  num_vec_init(&w->adjoint, n, num_ctx_arb(TRUTH_FIRST));
+  w->d_flags = ss_malloc((size_t)n * sizeof *w->d_flags);
+  w->b_flags = ss_malloc((size_t)n * sizeof *w->b_flags);
 }
 
 void digits_bench_clear(struct digits_bench *w) {
@@ -49,12 +54,22 @@ double digits_log2(arb_srcptr x) {
   return r;
 }
 
+/* All nodes; of a function of the program its results, which share one status. */
+static void run(struct num_vec *out, int *flags, const struct digits_formula *f, const struct num_vec *in) {
+  if (!f->kernel) {
+    tape_eval(out, flags, &f->tape, in);
+    return;
+  }
+  int status = digits_kernel_run(out, f, in);
+  for (slong k = 0; k < f->n; k++) flags[k] = status;
+}
+
 /* The true values of all nodes at the working precision.  DIGITS_LOST: the entries are known well enough; *size is log2 of
    the largest. */
 static enum digits_kind truth_at(double *size, struct digits_bench *w) {
   const struct digits_formula *f = w->f;
   w->b.ctx.prec = w->bx.ctx.prec = w->adjoint.ctx.prec = w->prec;
-  tape_eval(&w->b, w->b_flags, &f->tape, &w->bx);
+  run(&w->b, w->b_flags, f, &w->bx);
   int flags = SS_OK;
   bool exact = true;
   double radius = -INFINITY;
@@ -91,7 +106,7 @@ static enum digits_kind find_truth(double *size, struct digits_bench *w) {
 /* The formula in double: DIGITS_FAILED where an entry that a double can hold has no value. */
 static enum digits_kind run_double(double *error, struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
-  tape_eval(&w->d, w->d_flags, &f->tape, &w->x);
+  run(&w->d, w->d_flags, f, &w->x);
   *error = -INFINITY;
   arb_t diff;
   arb_init(diff);
@@ -123,6 +138,11 @@ static void set_inputs(struct digits_bench *w, const double *x) {
 
 /* What roundings of the nodes and of the inputs do to the result, by the entry that they do most to. */
 static void find_effect(struct digits_loss *r, struct digits_bench *w, double size) {
+  if (w->f->kernel) {
+    r->predicted = NAN;
+    r->condition = digits_kernel_condition(w->f, &w->bx, size);
+    return;
+  }
   for (bool known = false; !known;) {
     known = true;
     r->predicted = r->condition = -INFINITY;
@@ -153,6 +173,7 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
     return r;
   }
   find_effect(&r, w, size);
+  if (isnan(r.condition)) r.kind = DIGITS_UNDECIDED;
   if (digits_predicts_failure(w)) r.predicted = NAN;
   r.problem = digits_of(r.condition);
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;

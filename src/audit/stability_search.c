@@ -32,8 +32,8 @@ static void count(struct digits_found *out, const struct digits_loss *r, const d
   out->failures++;
 }
 
-static void judge_rule(struct digits_found *out, const struct digits_loss *r) {
-  if (r->kind != DIGITS_LOST && r->kind != DIGITS_FAILED) return;
+static void judge_rule(struct digits_found *out, const struct digits_loss *r, const struct digits_bench *w) {
+  if (w->f->kernel || (r->kind != DIGITS_LOST && r->kind != DIGITS_FAILED)) return;
   double predicted = r->predicted * log10(2), observed = r->kind == DIGITS_FAILED ? (double)NAN : r->observed;
   out->confusion[loss_bin(predicted)][loss_bin(observed)]++;
 }
@@ -48,7 +48,7 @@ static void try_point(struct search *s, const double *u, bool judged) {
   }
   struct digits_loss r = digits_measure(&s->bench, x, judged || !out->found ? -1 : out->loss.formula);
   count(out, &r, x, &s->bench);
-  if (judged) judge_rule(out, &r);
+  if (judged) judge_rule(out, &r, &s->bench);
   if (r.kind != DIGITS_LOST || (out->found && r.formula < out->loss.formula)) return;
   if (out->found && r.formula == out->loss.formula && r.observed <= out->loss.observed) return;
   out->found = true;
@@ -128,7 +128,7 @@ static void settle(struct search *s, struct digits_set *set, struct digits_formu
   out->loss = digits_measure(&s->bench, out->x, -1);
   out->why = digits_explain(&s->bench);
   out->at_fault = out->loss.formula > log10(STABILITY_ALLOWED);
-  if (digits_slopes(s->bench.f, set, &d)) {
+  if (!s->bench.f->kernel && digits_slopes(s->bench.f, set, &d)) {
     double c = digits_condition(&s->bench);
     out->slopes = !isnan(c);
     out->slopes_differ = fabs(fmax(c, 0) - fmax(out->loss.condition, 0)) > 0.01;

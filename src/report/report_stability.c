@@ -53,15 +53,19 @@ static bool loses(const struct stability_row *row) {
 /* --- Counts --- */
 
 struct counts {
-  int formulas, at_fault, failing, zero;
+  int formulas, at_fault, failing, zero, kernels, kernels_at_fault;
   long points, diagonal, near, judged;
 };
 
 static struct counts count(const struct stability_result *r) {
-  struct counts c = {.formulas = r->n_formulas};
+  struct counts c = {.formulas = 0};
   for (int i = 0; i < r->n_formulas; i++) {
     const struct stability_formula *f = &r->formula[i];
     c.points += f->points;
+    c.kernels += f->kernel;
+    c.kernels_at_fault += f->kernel && f->worst >= 0 && loses(&r->row[f->worst]);
+    if (f->kernel) continue;
+    c.formulas++;
     c.zero += f->zero;
     c.failing += f->worst_failure >= 0;
     c.at_fault += f->worst >= 0 && loses(&r->row[f->worst]);
@@ -82,6 +86,8 @@ static void add_summary(struct text *out, const struct stability_result *r) {
       "%d formulas of the layer %s, %ld points: %d lose digits of their own (more than %d max(1, kappa) units), %d "
       "fail somewhere, %d are zero wherever they were tried",
       c.formulas, r->layer, c.points, c.at_fault, STABILITY_ALLOWED, c.failing, c.zero);
+  if (c.kernels)
+    text_printf(out, "; of %d results of the program's own functions %d do", c.kernels, c.kernels_at_fault);
   text_printf(out, "; the rule's bin is the observed one at %ld of %ld points, its neighbour at %ld", c.diagonal,
               c.judged, c.near);
 }
@@ -117,7 +123,7 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     write_digits(j, "observed", row->observed);
     write_digits(j, "problem", row->problem);
     write_digits(j, "formula_lost", row->formula_lost);
-    write_digits(j, "predicted", row->predicted);
+    write_digits(j, "predicted", r->formula[row->formula].kernel ? (double)NAN : row->predicted);
     write_cause(j, row);
     json_string(j, "witness", row->witness);
     write_digits(j, "after", row->after);
@@ -148,6 +154,7 @@ static void write_formula(struct json *j, const struct stability_formula *f) {
   json_long(j, "entries", f->entries);
   json_long(j, "nodes", f->nodes);
   json_long(j, "points", f->points);
+  json_bool(j, "kernel", f->kernel);
   json_bool(j, "zero", f->zero);
   json_end_object(j);
 }
@@ -268,7 +275,7 @@ static void add_ledger(struct text *out, const struct stability_result *r) {
 static void add_failures(struct text *out, const struct stability_result *r) {
   text_add(out, "| formula | region | failure | node | witness |\n| --- | --- | --- | --- | --- |\n");
   for (int i = 0; i < r->n_formulas; i++) {
-    if (r->formula[i].worst_failure < 0) continue;
+    if (r->formula[i].worst_failure < 0 || r->formula[i].kernel) continue;
     const struct stability_row *row = &r->row[r->formula[i].worst_failure];
     text_printf(out, "| `%s` | %s | %s | `%s` | `%s` |\n", r->formula[i].id, r->region[row->region].id,
                 loss_cause_says[row->failure], row->failure_node, row->failure_witness);
