@@ -163,6 +163,10 @@ START_TEST(another_layer_is_held_against_it) {
   const struct stability_row *row = row_of(&r, "cancels", "times-small");
   ck_assert_double_gt(row->formula_lost, 15);
   ck_assert_double_lt(row->after, 1);
+  for (int k = 0; k < r.n_regions; k++) {
+    double most = stability_row_at(&r, formula_of(&r, "cancels"), k)->after_most;
+    ck_assert_msg(most >= 0 && most < 1, "%s: %g", r.region[k].id, most);
+  }
   ck_assert(isnan(row_of(&r, "hides", "times-small")->after)); /* the same formula there */
   stability_result_clear(&r);
 }
@@ -326,6 +330,43 @@ START_TEST(regions_are_where_they_say) {
 }
 END_TEST
 
+/* --- The program's own functions --- */
+
+/* dyn_flow_matrix in phase Gamma: chi (1 - cos t) at [1,2], as the code has it, loses digits at small times; sin t at [1,3]
+   does not, and no entry of phase D does. */
+START_TEST(functions_of_the_program_are_judged) {
+  static const char *const only[] = {"dyn_flow_matrix-Gamma", "dyn_flow_matrix-D", "dyn_flow-D"};
+  struct stability_result r;
+  run(&r, only, 3, true, 2, -1);
+  ck_assert(row_of(&r, "dyn_flow_matrix-Gamma[1,3]", "times-small")->found);
+  ck_assert(!faulty(&r, "dyn_flow_matrix-Gamma[1,3]"));
+  ck_assert(!faulty(&r, "dyn_flow_matrix-D"));
+  ck_assert(!faulty(&r, "dyn_flow-D"));
+  ck_assert(r.formula[formula_of(&r, "dyn_flow-D[1]")].kernel);
+  stability_result_clear(&r);
+}
+END_TEST
+
+/* The condition number of z_1 + t z_1' where the terms nearly cancel, and of sin t, by hand. */
+START_TEST(condition_numbers_of_functions) {
+  static const char *const only[] = {"dyn_flow-D[1]", "dyn_flow_matrix-Gamma[1,3]"};
+  static const char *const at[] = {"chi=0.5,eta=1,t=1,z_1=1,z_2=0,z'_1=-0x1.fffffep-1,z'_2=0",
+                                   "chi=0.5,eta=1,t=0x1p+20"};
+  /* |z_1| + 2 |t z_1'| over 2^-24 is 5.0e7, 7.7 digits; t cot t at 2^20 is 2994479 (mpmath), 6.5 digits */
+  static const char *const says[] = {"the problem loses 7.7", "the problem loses 6.5"};
+  for (int i = 0; i < 2; i++) {
+    struct text t;
+    struct diag d;
+    text_init(&t);
+    diag_init(&d);
+    struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = &only[i], .n_only = 1, .jobs = 1};
+    ck_assert_msg(audit_stability_at(&t, &model, &q, at[i], &d), "%s", d.message);
+    ck_assert_msg(strstr(text_str(&t), says[i]) != NULL, "%s", text_str(&t));
+    text_clear(&t);
+  }
+}
+END_TEST
+
 /* --- The same bytes --- */
 
 static void all_reports(struct text *out, int jobs) {
@@ -466,6 +507,8 @@ Suite *stability_suite(void) {
   tcase_add_test(c, truth_and_condition_agree_with_mpmath);
   tcase_add_test(c, every_entry_is_enrolled);
   tcase_add_test(c, regions_are_where_they_say);
+  tcase_add_test(c, functions_of_the_program_are_judged);
+  tcase_add_test(c, condition_numbers_of_functions);
   tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
   tcase_add_test(c, bad_command_lines_are_refused);
   tcase_add_test(c, points_outside_are_told);

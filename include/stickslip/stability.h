@@ -72,7 +72,8 @@ struct stability_row {
       *node; /* the subexpression that loses the digits, and its operands where it is a difference, a quotient or */
   const char *left, *right; /* a function; NULL where there is none */
   const char *witness;      /* chi=0x1.8p-3,... */
-  double after; /* digits that the formula of the other layer loses there; NaN: none asked for, or it fails */
+  double after;      /* digits that the formula of the other layer loses there; NaN: none asked for, or it fails */
+  double after_most; /* the most that it loses at any of the points drawn in this region; NaN: none asked for */
   /* A point at which it fails. */
   enum loss_cause failure;
   const char *failure_node, *failure_witness; /* NULL without one */

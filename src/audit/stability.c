@@ -180,7 +180,8 @@ static void describe_row(struct stability_row *z, struct study *st, int formula,
                               .failures = found->failures,
                               .found = found->found,
                               .at_fault = found->at_fault || (found->failed && !f->kernel),
-                              .after = NAN};
+                              .after = NAN,
+                              .after_most = st->after[formula] ? found->after_most : (double)NAN};
   if (found->found) {
     z->error = found->loss.error * log10(2);
     z->observed = found->loss.observed;

@@ -152,7 +152,8 @@ struct digits_effort {
 struct digits_found {
   bool applies, found, failed, at_fault, slopes_differ, slopes;
   int points, outside, undecided, zero, failures;
-  struct digits_loss loss, after;
+  struct digits_loss loss, after; /* at the witness */
+  double after_most;              /* digits that the other layer loses by itself at the worst of all points drawn */
   struct digits_cause why, failure;
   double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS];
   int confusion[N_LOSS_BINS][N_LOSS_BINS];

@@ -6,7 +6,8 @@
 #include "stability_impl.h"
 
 struct search {
-  struct digits_bench bench;
+  struct digits_bench bench, other; /* other: the same formula in another layer */
+  bool have_other;
   struct digits_place *place;
   struct digits_found *out;
   double u[DIGITS_COORDINATES];
@@ -38,6 +39,17 @@ static void judge_rule(struct digits_found *out, const struct digits_loss *r, co
   out->confusion[loss_bin(predicted)][loss_bin(observed)]++;
 }
 
+/* The other layer at the same point. */
+static struct digits_loss measure_other(struct search *s, const double *x, double floor) {
+  struct digits_formula *f = s->other.f;
+  double y[DIGITS_INPUTS] = {0};
+  for (slong k = 0; k < f->tape.n_inputs; k++) {
+    slong i = digits_input(&s->bench.f->tape, f->tape.inputs[k]);
+    if (i >= 0) y[k] = x[i];
+  }
+  return digits_measure(&s->other, y, floor);
+}
+
 /* Measures the point of these coordinates, and keeps it when it is worse than the worst. */
 static void try_point(struct search *s, const double *u, bool judged) {
   struct digits_found *out = s->out;
@@ -49,6 +61,10 @@ static void try_point(struct search *s, const double *u, bool judged) {
   struct digits_loss r = digits_measure(&s->bench, x, judged || !out->found ? -1 : out->loss.formula);
   count(out, &r, x, &s->bench);
   if (judged) judge_rule(out, &r, &s->bench);
+  if (judged && s->have_other) {
+    struct digits_loss after = measure_other(s, x, out->after_most);
+    if (after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, after.formula);
+  }
   if (r.kind != DIGITS_LOST || (out->found && r.formula < out->loss.formula)) return;
   if (out->found && r.formula == out->loss.formula && r.observed <= out->loss.observed) return;
   out->found = true;
@@ -121,7 +137,7 @@ static bool fails_likewise(struct search *s, const double *x) {
 }
 
 /* What is found is measured again, with the condition number from the symbolic derivatives, and explained. */
-static void settle(struct search *s, struct digits_set *set, struct digits_formula *after) {
+static void settle(struct search *s, struct digits_set *set) {
   struct digits_found *out = s->out;
   struct diag d;
   diag_init(&d);
@@ -134,16 +150,9 @@ static void settle(struct search *s, struct digits_set *set, struct digits_formu
     out->slopes_differ = fabs(fmax(c, 0) - fmax(out->loss.condition, 0)) > 0.01;
   }
   out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
-  if (!after) return;
-  struct digits_bench w;
-  double x[DIGITS_INPUTS] = {0};
-  digits_bench_init(&w, after);
-  for (slong k = 0; k < after->tape.n_inputs; k++) {
-    slong i = digits_input(&s->bench.f->tape, after->tape.inputs[k]);
-    if (i >= 0) x[k] = out->x[i];
-  }
-  out->after = digits_measure(&w, x, -1);
-  digits_bench_clear(&w);
+  if (!s->have_other) return;
+  out->after = measure_other(s, out->x, -1);
+  if (out->after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, out->after.formula);
 }
 
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
@@ -152,6 +161,8 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
   struct text seed;
   memset(out, 0, sizeof *out);
   digits_bench_init(&q.bench, f);
+  q.have_other = after != NULL;
+  if (after) digits_bench_init(&q.other, after);
   q.place = digits_place_new(region, &q.bench, s);
   out->applies = q.place != NULL;
   if (q.place) {
@@ -164,8 +175,9 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
     if (out->found) climb(&q, effort.steps);
     if (out->found && out->loss.formula > log10(STABILITY_ALLOWED)) simplify(&q, out->x, is_as_bad);
     if (out->failed) simplify(&q, out->failure_x, fails_likewise);
-    if (out->found) settle(&q, s, after);
+    if (out->found) settle(&q, s);
   }
   digits_place_free(q.place);
+  if (after) digits_bench_clear(&q.other);
   digits_bench_clear(&q.bench);
 }

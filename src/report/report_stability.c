@@ -127,6 +127,7 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     write_cause(j, row);
     json_string(j, "witness", row->witness);
     write_digits(j, "after", row->after);
+    write_digits(j, "after_most", row->after_most);
     add_command(&command, r, row, row->witness);
     json_string(j, "command", text_str(&command));
   }
@@ -207,22 +208,23 @@ void report_stability_json(struct text *out, const struct stability_result *r) {
 /* --- Tables --- */
 
 void report_stability_tsv(struct text *out, const struct stability_result *r) {
-  char a[32], b[32], c[32], e[32], f[32];
-  text_add(out,
-           "formula\tregion\tpoints\toutside\tundecided\tfailures\tat fault\tdigits lost\tby the problem\tby the "
-           "formula\tpredicted\tafter\tcause\tnode\tleft\tright\twitness\tfailure\tfailure node\tfailure witness\n");
+  char a[32], b[32], c[32], e[32], f[32], g[32];
+  text_add(out, "formula\tregion\tpoints\toutside\tundecided\tfailures\tat fault\tdigits lost\tby the problem\tby the "
+                "formula\tpredicted\tafter\tafter, most\tcause\tnode\tleft\tright\twitness\tfailure\tfailure "
+                "node\tfailure witness\n");
   for (long i = 0; i < r->n_rows; i++) {
     const struct stability_row *row = &r->row[i];
     if (row->points + row->outside + row->undecided == 0) continue;
     bool found = row->found;
-    text_printf(out, "%s\t%s\t%ld\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n",
+    text_printf(out, "%s\t%s\t%ld\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n",
                 r->formula[row->formula].id, r->region[row->region].id, row->points, row->outside, row->undecided,
                 row->failures, row->at_fault ? "yes" : "no", or_none(found ? tenths(a, row->observed) : NULL),
                 or_none(found ? tenths(b, row->problem) : NULL), or_none(found ? tenths(c, row->formula_lost) : NULL),
                 or_none(found ? tenths(e, row->predicted) : NULL), or_none(found ? tenths(f, row->after) : NULL),
-                found ? loss_cause_says[row->cause] : "-", or_none(row->node), or_none(row->left), or_none(row->right),
-                or_none(row->witness), row->failure_witness ? loss_cause_says[row->failure] : "-",
-                or_none(row->failure_node), or_none(row->failure_witness));
+                or_none(found ? tenths(g, row->after_most) : NULL), found ? loss_cause_says[row->cause] : "-",
+                or_none(row->node), or_none(row->left), or_none(row->right), or_none(row->witness),
+                row->failure_witness ? loss_cause_says[row->failure] : "-", or_none(row->failure_node),
+                or_none(row->failure_witness));
   }
 }
 
@@ -251,7 +253,8 @@ static void add_cause(struct text *out, const struct stability_row *row, const c
     text_printf(out, " at %s%s%s", quote, row->node, quote);
 }
 
-static void add_ledger(struct text *out, const struct stability_result *r) {
+/* Of the formulas, or of the program's functions. */
+static void add_ledger(struct text *out, const struct stability_result *r, bool kernels) {
   char a[32], b[32], c[32];
   int n;
   const struct stability_row **row = ledger(&n, r);
@@ -260,7 +263,7 @@ static void add_ledger(struct text *out, const struct stability_result *r) {
   text_printf(out, "| --- | --- | --- | ---: | ---: | ---: | %s--- | --- |\n", r->after ? "---: | " : "");
   for (int i = 0; i < n; i++) {
     const struct stability_formula *f = &r->formula[row[i]->formula];
-    if (!loses(row[i])) continue;
+    if (!loses(row[i]) || f->kernel != kernels) continue;
     text_printf(out, "| `%s` | %s | %s | %s | %s | %s | ", f->id, *f->equation ? f->equation : f->record,
                 r->region[row[i]->region].id, or_none(tenths(a, row[i]->observed)), or_none(tenths(b, row[i]->problem)),
                 or_none(tenths(c, row[i]->formula_lost)));
@@ -352,12 +355,15 @@ void report_stability_markdown(struct text *out, const struct stability_result *
            "## Digits lost by the formula\n\nThe worst point of each formula that loses more than the conditioning "
            "allows, in the region where the search found it; `stickslip stability FORMULA --at WITNESS` shows it. "
            "ledger.tsv has every region.\n\n");
-  add_ledger(out, r);
+  add_ledger(out, r, false);
   text_add(out,
            "## No value where there is one\n\nThe true value is one that a double holds, and the formula overflows, "
            "underflows or divides by zero on the way. The first region where it happened.\n\n");
   add_failures(out, r);
   add_zeros(out, r);
+  text_add(out, "## The program's own functions\n\nResults of dynamics.h in double precision that lose more than the "
+                "conditioning allows and say nothing (an error status is an answer).\n\n");
+  add_ledger(out, r, true);
   text_add(out, "## Regions\n\n");
   add_regions(out, r);
   text_printf(
