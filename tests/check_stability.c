@@ -146,6 +146,40 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
 }
 END_TEST
 
+/* (1 + 1.5 2^-53) - 1 = 2^-52 in double: off by a third, 2^53/3 = 10^15.5 units. */
+START_TEST(errors_are_in_units_of_the_last_place) {
+  static const char *const only[] = {"hides"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "V=1,t=0x1.8p-53", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), "error 10^15.5 units") != NULL, "%s", text_str(&t));
+  ck_assert_ptr_nonnull(strstr(text_str(&t), "V 0.0 t 0.0"));
+  text_clear(&t);
+}
+END_TEST
+
+/* Every point drawn is in the matrix once, and the rule's bin is the observed one at nearly all. */
+START_TEST(the_rule_predicts) {
+  static const char *const only[] = {"cancels", "steady", "turned", "divides", "grows"};
+  struct stability_result r;
+  long all = 0, same = 0, lossy = 0;
+  run(&r, only, 5, false, 2, -1);
+  for (int a = 0; a < N_LOSS_BINS; a++)
+    for (int b = 0; b < N_LOSS_BINS; b++) {
+      all += r.confusion[a][b];
+      same += a == b ? r.confusion[a][b] : 0;
+      lossy += a == b && a > 0 ? r.confusion[a][b] : 0;
+    }
+  ck_assert_int_gt((int)all, 500);
+  ck_assert_int_gt((int)lossy, 100);
+  ck_assert_msg(same >= 0.97 * (double)all, "%ld of %ld", same, all);
+  stability_result_clear(&r);
+}
+END_TEST
+
 START_TEST(what_is_zero_has_no_relative_error) {
   static const char *const only[] = {"none"};
   struct stability_result r;
@@ -501,6 +535,8 @@ Suite *stability_suite(void) {
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
+  tcase_add_test(c, errors_are_in_units_of_the_last_place);
+  tcase_add_test(c, the_rule_predicts);
   tcase_add_test(c, what_is_zero_has_no_relative_error);
   tcase_add_test(c, another_layer_is_held_against_it);
   tcase_add_test(c, witnesses_reproduce);
