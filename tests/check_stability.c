@@ -316,6 +316,50 @@ START_TEST(truth_and_condition_agree_with_mpmath) {
 }
 END_TEST
 
+/* --- Worst cases that a search has found, kept as points (tests/stability.wc) --- */
+
+static void check_worst(struct digits_set *s, char *id, char *point) {
+  struct diag d;
+  diag_init(&d);
+  struct digits_formula *f = (struct digits_formula *)digits_find(s, id);
+  ck_assert_msg(f != NULL, "no formula %s", id);
+  double x[DIGITS_INPUTS] = {0};
+  struct digits_bench w;
+  take_point(x, f, point);
+  digits_bench_init(&w, f);
+  struct digits_loss r = digits_measure(&w, x, -1);
+  ck_assert_msg(r.kind == DIGITS_LOST && r.formula > log10(STABILITY_ALLOWED), "%s loses nothing there", id);
+  ck_assert_msg(digits_slopes(f, s, &d), "%s", d.message);
+  double c = digits_condition(&w);
+  ck_assert_msg(fabs(fmax(c, 0) - fmax(r.condition, 0)) < 0.01, "%s: condition 2^%g, adjoint 2^%g", id, c, r.condition);
+  ck_assert_msg(isnan(r.predicted) || r.predicted * log10(2) > r.observed - 1, "%s: predicted %g of %g", id,
+                r.predicted * log10(2), r.observed);
+  digits_bench_clear(&w);
+}
+
+START_TEST(worst_cases_stay_known) {
+  struct digits_set s;
+  struct diag d;
+  char line[4000];
+  int n = 0;
+  diag_init(&d);
+  ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
+  FILE *file = fopen("tests/stability.wc", "r");
+  ck_assert_msg(file != NULL, "no tests/stability.wc; the tests run in the project's folder");
+  while (fgets(line, sizeof line, file)) {
+    char *tab = strchr(line, '\t');
+    if (line[0] == '#' || !tab) continue;
+    *tab = '\0';
+    tab[1 + strcspn(tab + 1, "\n")] = '\0';
+    check_worst(&s, line, tab + 1);
+    n++;
+  }
+  fclose(file);
+  ck_assert_int_ge(n, 80);
+  digits_set_clear(&s);
+}
+END_TEST
+
 /* --- What is studied, and where --- */
 
 START_TEST(every_entry_is_enrolled) {
@@ -551,6 +595,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, another_layer_is_held_against_it);
   tcase_add_test(c, witnesses_reproduce);
   tcase_add_test(c, truth_and_condition_agree_with_mpmath);
+  tcase_add_test(c, worst_cases_stay_known);
   tcase_add_test(c, every_entry_is_enrolled);
   tcase_add_test(c, regions_are_where_they_say);
   tcase_add_test(c, functions_of_the_program_are_judged);

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "stickslip/json.h"
 
@@ -275,6 +276,61 @@ static void add_ledger(struct text *out, const struct stability_result *r, bool 
   free(row);
 }
 
+/* --- The nodes at which digits go --- */
+
+struct culprit {
+  const struct stability_row *worst;
+  int formulas, last; /* last: the formula counted last */
+};
+
+static bool same_node(const struct stability_row *a, const struct stability_row *b) {
+  return a->cause == b->cause && strcmp(a->node, b->node) == 0;
+}
+
+static int by_formulas(const void *a, const void *b) {
+  const struct culprit *x = a, *y = b;
+  if (x->formulas != y->formulas) return x->formulas < y->formulas ? 1 : -1;
+  return by_loss(&x->worst, &y->worst);
+}
+
+/* Every row in which a formula loses digits counts for the node that loses them.  An array to be freed. */
+static struct culprit *culprits(int *n, const struct stability_result *r) {
+  struct culprit *c = NULL;
+  size_t len = 0, cap = 0;
+  for (long i = 0; i < r->n_rows; i++) {
+    const struct stability_row *row = &r->row[i];
+    if (!loses(row) || r->formula[row->formula].kernel) continue;
+    size_t k = 0;
+    while (k < len && !same_node(c[k].worst, row)) k++;
+    if (k == len) {
+      c = ss_grow(c, len, &cap, sizeof *c);
+      c[len++] = (struct culprit){row, 0, -1};
+    }
+    c[k].formulas += c[k].last != row->formula;
+    c[k].last = row->formula;
+    if (by_loss(&row, &c[k].worst) < 0) c[k].worst = row;
+  }
+  if (len) qsort(c, len, sizeof *c, by_formulas);
+  *n = (int)len;
+  return c;
+}
+
+static void add_culprits(struct text *out, const struct stability_result *r) {
+  char a[32];
+  int n;
+  struct culprit *c = culprits(&n, r);
+  text_add(out, "| formulas | cause | digits | worst in | region |\n| ---: | --- | ---: | --- | --- |\n");
+  for (int i = 0; i < n; i++) {
+    const struct stability_row *row = c[i].worst;
+    text_printf(out, "| %d | ", c[i].formulas);
+    add_cause(out, row, "`");
+    text_printf(out, " | %s | `%s` | %s |\n", or_none(tenths(a, row->formula_lost)), r->formula[row->formula].id,
+                r->region[row->region].id);
+  }
+  text_add_char(out, '\n');
+  free(c);
+}
+
 static void add_failures(struct text *out, const struct stability_result *r) {
   text_add(out, "| formula | region | failure | node | witness |\n| --- | --- | --- | --- | --- |\n");
   for (int i = 0; i < r->n_formulas; i++) {
@@ -356,6 +412,8 @@ void report_stability_markdown(struct text *out, const struct stability_result *
            "allows, in the region where the search found it; `stickslip stability FORMULA --at WITNESS` shows it. "
            "ledger.tsv has every region.\n\n");
   add_ledger(out, r, false);
+  text_add(out, "## The nodes that lose them\n\nIn how many formulas, over all regions, and where most.\n\n");
+  add_culprits(out, r);
   text_add(out,
            "## No value where there is one\n\nThe true value is one that a double holds, and the formula overflows, "
            "underflows or divides by zero on the way. The first region where it happened.\n\n");
