@@ -2,7 +2,8 @@
    many digits double precision loses there, how many of them the problem loses and how many the formula, where and why.
 
    Errors are relative, in units of 2^-53 of the true value; a matrix is measured by its largest entry.  With kappa the
-   condition number, the sum over the inputs of |x df/dx| / |f|, the problem loses log10 max(1, kappa) digits; the formula
+   condition number, the sum over the inputs of |x df/dx| / |f|, the problem loses log10 max(1, kappa) digits (where a change of
+   an input by 2^-53 is too large for a derivative, the change of the result itself takes its place if it is larger); the formula
    what is lost beyond that.  A formula is at fault where its error exceeds STABILITY_ALLOWED max(1, kappa) 2^-53, or where
    a value that double precision can hold is not returned.  Digits are counted from 0 to STABILITY_DIGITS, all there are. */
 #ifndef STICKSLIP_STABILITY_H

@@ -81,9 +81,10 @@ enum digits_kind {
 
 struct digits_loss {
   enum digits_kind kind;
-  double error;                      /* log2 of the relative error in units of 2^-53 */
-  double condition;                  /* log2 of the condition number */
-  double predicted;                  /* log2 of the error predicted, in the same units; NaN: a failure */
+  double error;     /* log2 of the relative error in units of 2^-53 */
+  double condition; /* log2 of the condition number */
+  double moved;     /* log2 of the same with differences for derivatives; -inf where it is not needed */
+  double predicted; /* log2 of the error predicted, in the same units; NaN: a failure */
   double observed, problem, formula; /* digits */
 };
 

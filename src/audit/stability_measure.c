@@ -7,6 +7,9 @@
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
 
+/* log2 of a condition number at which 2^-53 of an input moves the result by a thousandth of itself or more. */
+static const double NOT_SMALL = 43;
+
 static slong n_nodes(const struct digits_formula *f) {
   return f->kernel ? f->n : f->tape.n;
 }
@@ -136,6 +139,42 @@ static void set_inputs(struct digits_bench *w, const double *x) {
   }
 }
 
+/* log2 of the sum over the inputs of what a change by 2^-53 of one, up or down, does to the result, in units of 2^-53 of
+   2^size: where a change that small is not small, the derivative does not tell. */
+static double moved(const struct digits_bench *w, double size) {
+  const struct digits_formula *f = w->f;
+  struct num_vec x, b;
+  int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
+  arb_t step, off;
+  double sum = 0;
+  num_vec_init(&x, f->tape.n_inputs, num_ctx_arb(w->prec));
+  num_vec_init(&b, n_nodes(f), num_ctx_arb(w->prec));
+  arb_init(step);
+  arb_init(off);
+  num_vec_set(&x, &w->bx);
+  for (slong k = 0; k < x.len; k++) {
+    double most = 0;
+    for (int sign = -1; sign <= 1; sign += 2) {
+      arb_mul_2exp_si(step, num_vec_at(&w->bx, k), -53);
+      arb_addmul_si(num_vec_at(&x, k), step, sign, w->prec);
+      run(&b, flags, f, &x);
+      for (slong i = 0; i < f->n; i++) {
+        if (flags[f->out[i]]) continue;
+        arb_sub(off, num_vec_at(&b, f->out[i]), num_vec_at(&w->b, f->out[i]), w->prec);
+        most = fmax(most, exp2(fmin(1000, digits_log2(off) - size)));
+      }
+      arb_set(num_vec_at(&x, k), num_vec_at(&w->bx, k));
+    }
+    sum += most;
+  }
+  free(flags);
+  num_vec_clear(&x);
+  num_vec_clear(&b);
+  arb_clear(step);
+  arb_clear(off);
+  return log2(sum) + 53;
+}
+
 /* What roundings of the nodes and of the inputs do to the result, by the entry that they do most to. */
 static void find_effect(struct digits_loss *r, struct digits_bench *w, double size) {
   if (w->f->kernel) {
@@ -175,7 +214,8 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
   find_effect(&r, w, size);
   if (isnan(r.condition)) r.kind = DIGITS_UNDECIDED;
   if (digits_predicts_failure(w)) r.predicted = NAN;
-  r.problem = digits_of(r.condition);
+  r.moved = r.condition > NOT_SMALL ? moved(w, size) : -INFINITY;
+  r.problem = digits_of(fmax(r.condition, r.moved));
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
   if (r.formula > 1 && digits_underflows(w, r.error, size)) r.kind = DIGITS_FAILED;
   return r;

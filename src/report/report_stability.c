@@ -401,7 +401,8 @@ void report_stability_markdown(struct text *out, const struct stability_result *
       "largest entry), is evaluated in double precision and in balls at the same exact doubles. Errors are relative, "
       "in "
       "units of 2^-53. With kappa the condition number, the sum over the inputs of |x df/dx|/|f| from symbolic "
-      "derivatives, the problem loses log10 kappa digits, the formula what is lost beyond that; at most %.1f. In each "
+      "derivatives (above 2^43 the change itself that 2^-53 of an input makes, if that is larger), the problem loses "
+      "log10 kappa digits, the formula what is lost beyond that; at most %.1f. In each "
       "region the points are drawn at random, then a climb looks for the worst; no formula, point or cause was put in "
       "by "
       "hand. A repetition on a machine with another C library may differ in tenths of digits and in witnesses.\n\n",
