@@ -351,13 +351,23 @@ static slong underflowing(double *most, const struct digits_bench *w) {
   return best;
 }
 
-bool digits_underflows(struct digits_bench *w, double error, double size) {
+/* The first node that has become zero; -1. */
+static slong vanished(const struct digits_bench *w) {
+  for (slong i = 0; i < w->f->tape.n; i++)
+    if (is_tiny(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0) return i;
+  return -1;
+}
+
+bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, double size) {
+  enum { UNEXPLAINED = 20 };
   double most;
   bool any = false;
   for (slong i = 0; i < w->f->tape.n; i++) any = any || is_tiny(value(w, i));
   if (!any) return false;
+  if (r->error > r->predicted + UNEXPLAINED && vanished(w) >= 0)
+    return true; /* no small change: a frequency became 0 */
   fill_adjoint(w, worst_entry(w));
-  return underflowing(&most, w) >= 0 && most - size > fmin(error, 53) - 2;
+  return underflowing(&most, w) >= 0 && most - size > fmin(r->error, 53) - 2;
 }
 
 static enum loss_cause cause_of(enum tape_op op, bool divides) {
@@ -419,5 +429,6 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
   double most;
   fill_adjoint(w, worst_entry(w));
   slong i = underflowing(&most, w);
+  if (i < 0) i = vanished(w);
   return (struct digits_cause){CAUSE_UNDERFLOW, i < 0 ? w->f->out[0] : i, 0};
 }

@@ -130,8 +130,8 @@ struct digits_cause {
 /* Of the point measured last. */
 struct digits_cause digits_explain(struct digits_bench *w);
 struct digits_cause digits_explain_failure(struct digits_bench *w);
-/* Has underflow spoiled the finite value, whose error (log2, in units of 2^-53 of 2^size) that explains? */
-bool digits_underflows(struct digits_bench *w, double error, double size);
+/* Has underflow spoiled the finite value, so that it explains the error? */
+bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, double size);
 
 /* --- Regions (stability_region.c) --- */
 

@@ -217,7 +217,7 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
   r.moved = r.condition > NOT_SMALL ? moved(w, size) : -INFINITY;
   r.problem = digits_of(fmax(r.condition, r.moved));
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
-  if (r.formula > 1 && digits_underflows(w, r.error, size)) r.kind = DIGITS_FAILED;
+  if (r.formula > 1 && digits_underflows(w, &r, size)) r.kind = DIGITS_FAILED;
   return r;
 }
 
