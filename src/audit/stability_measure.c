@@ -172,7 +172,7 @@ static double moved(const struct digits_bench *w, double size) {
   num_vec_clear(&b);
   arb_clear(step);
   arb_clear(off);
-  return log2(sum) + 53;
+  return sum > 0 ? log2(sum) + 53 : -INFINITY;
 }
 
 /* What roundings of the nodes and of the inputs do to the result, by the entry that they do most to. */
