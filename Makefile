@@ -39,7 +39,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify mutate bench lint asan cover format install uninstall clean help
+.PHONY: deps all check verify mutate bench stability lint asan cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -96,6 +96,10 @@ bench: $(B)/stickslip ## error against run time, by every method: writes reports
 	-$(PYTHON) bench/peers/peers.py $(B)/peers
 	$(B)/stickslip bench --out reports/bench $$([ ! -f $(B)/peers/peers.tsv ] || echo --peers $(B)/peers/peers.tsv)
 	$(PYTHON) tools/readme.py
+
+stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scenes: writes reports/stability/
+	$(B)/stickslip stability --out reports/stability
+	$(B)/stickslip bench --job studies --out reports/stability
 
 check: all $(B)/check ## run the tests; with MPI=1 those of mpirun too
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)

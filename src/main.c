@@ -95,6 +95,19 @@ static const char help[] =
     "      one that begins and ends between two searches can be missing.  At most 1000000000 points; Ctrl-C and "
     "SIGTERM\n"
     "      end it with status 5\n"
+    "  stickslip stability [FORMULA...] [--quick] [--layer printed|corrected] [--after printed|corrected] [--jobs N]\n"
+    "                   [--paper DIR] [--overlay FILE] [--json] [--out DIR]\n"
+    "      where the paper's formulas lose digits in double precision, by how many more than the problem loses, and "
+    "why:\n"
+    "      the worst points of every region (chi to 0, large times, beside poles, ...) that a search finds, with the "
+    "node\n"
+    "      that loses them; FORMULA is a name (H, H[1,3], ktilde_4), a statement's side (eq-46.2) or a record "
+    "(eq-36);\n"
+    "      --after holds another layer against it at the same points; --out writes stability.json, ledger.md, "
+    "ledger.tsv\n"
+    "      and maps; --quick: seconds instead of minutes, no maps\n"
+    "  stickslip stability FORMULA --at NAME=VALUE,... [--layer printed|corrected]\n"
+    "      the formula at one point (hexadecimal numbers are exact): value, true value, error, conditioning, cause\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
@@ -135,7 +148,8 @@ static const struct command {
                 {"bifurcate", FOR_BIFURCATE, run_bifurcate},
                 {"diff", FOR_DIFF, run_diff},
                 {"bench", FOR_BENCH, run_bench},
-                {"sweep", FOR_SWEEP, run_sweep}};
+                {"sweep", FOR_SWEEP, run_sweep},
+                {"stability", FOR_STABILITY, run_stability}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -178,7 +192,7 @@ int main(int argc, char **argv) {
   signal(SIGABRT, on_abort);
   if (argc < 2)
     return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list, check, "
-                                            "mutate, repair, bifurcate, diff, bench or sweep");
+                                            "mutate, repair, bifurcate, diff, bench, sweep or stability");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

@@ -43,6 +43,7 @@ int main(void) {
   srunner_add_suite(r, stiff_suite());
   srunner_add_suite(r, bench_pages_suite());
   srunner_add_suite(r, sweep_suite());
+  srunner_add_suite(r, stability_suite());
   srunner_run_all(r, CK_NORMAL);
   int failed = srunner_ntests_failed(r);
   srunner_free(r);

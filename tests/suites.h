@@ -40,5 +40,6 @@ Suite *bench_pages_suite(void);
 Suite *return_map_suite(void);
 Suite *warm_suite(void);
 Suite *sweep_suite(void);
+Suite *stability_suite(void);
 
 #endif

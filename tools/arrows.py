@@ -9,7 +9,7 @@ HEADERS = {  # header -> module
     "num": "num", "ops": "num", "flint_compat": "num",
     "expr": "expr", "edit": "expr", "tape": "tape", "exact": "tape", "model": "model", "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics", "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics", "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics", "warm": "dynamics", "batch": "dynamics", "return_map": "dynamics",
     "family": "dynamics",
-    "audit": "audit", "scene": "audit", "result": "result", "mutation": "result", "report": "report", "report_mutation": "report",
+    "audit": "audit", "scene": "audit", "result": "result", "mutation": "result", "stability": "result", "report": "report", "report_mutation": "report", "report_stability": "report",
 }
 ALLOWED = {
     "base": {"base"},

@@ -69,6 +69,7 @@
 #include "stickslip/paper_route.h"
 #include "stickslip/result.h"
 #include "stickslip/scene.h"
+#include "stickslip/stability.h"
 
 struct claim {
   const char *id;
@@ -260,6 +261,27 @@ void jacobian_phases_clear(struct jacobian_phases *p);
    the methods that locate events (see audit_jacobian). */
 bool audit_phases(struct jacobian_phases *out, const struct model *m, const struct scene *s,
                   const struct jacobian_request *q, struct diag *d);
+
+/* --- Digits --- */
+
+struct stability_options {
+  enum layer layer;        /* whose formulas are studied */
+  int after;               /* a layer whose formula of the same name is held against each at the worst points; -1 */
+  const char *const *only; /* ids of formulas, matrices or records; none: all */
+  int n_only;
+  bool quick;
+  int jobs;                              /* processes, 1 to 64 */
+  void (*progress)(size_t n, size_t of); /* or NULL */
+};
+
+/* Where the paper's formulas lose digits in double precision, by how many, and why (stability.h).  Everything is the same for
+   any number of processes; the last bits of the C library's sines and cosines decide about some of the search's steps.
+   false with d set when the files are at fault, nothing is selected or a process ended early. */
+bool audit_stability(struct stability_result *out, const struct model *m, const struct stability_options *opt,
+                     struct diag *d);
+/* The selected formulas at one point, "chi=0x1.8p-1,t=2": value, true value, error, conditioning by each input, cause. */
+bool audit_stability_at(struct text *out, const struct model *m, const struct stability_options *opt, const char *at,
+                        struct diag *d);
 
 /* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be checked
    without judging: syntax, names, shapes, attributes. */

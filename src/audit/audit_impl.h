@@ -106,6 +106,10 @@ struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_or
 /* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
 bool point_settle(struct point *p, struct orbit_cache *c);
 
+/* A stream of random bits, seeded from an id. */
+uint64_t random_next(uint64_t *state);
+uint64_t random_seed(const char *id);
+
 /* A stream of random points of one kind, seeded from an id. */
 struct sampler {
   uint64_t state;

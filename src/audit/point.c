@@ -88,14 +88,14 @@ bool point_settle(struct point *p, struct orbit_cache *c) {
 /* --- Sampling --- */
 
 /* splitmix64, and FNV-1a to seed it from an id. */
-static uint64_t next_random(uint64_t *state) {
+uint64_t random_next(uint64_t *state) {
   uint64_t z = (*state += 0x9E3779B97F4A7C15U);
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
   z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
   return z ^ (z >> 31);
 }
 
-static uint64_t seed_from(const char *id) {
+uint64_t random_seed(const char *id) {
   uint64_t h = 0xCBF29CE484222325U;
   for (; *id; id++) h = (h ^ (unsigned char)*id) * 0x100000001B3U;
   return h;
@@ -103,13 +103,13 @@ static uint64_t seed_from(const char *id) {
 
 /* k/den with k uniform in [lo, hi]. */
 static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {
-  slong k = lo + (slong)(next_random(state) % (uint64_t)(hi - lo + 1));
+  slong k = lo + (slong)(random_next(state) % (uint64_t)(hi - lo + 1));
   fmpq_set_si(q, k, den);
 }
 
 void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
                   const struct restriction *restriction) {
-  *s = (struct sampler){.state = seed_from(id), .kind = kind, .phase = phase, .restriction = restriction};
+  *s = (struct sampler){.state = random_seed(id), .kind = kind, .phase = phase, .restriction = restriction};
 }
 
 /* The parameters, with e1 and e2 in units of V, so that orbits and arcs are not rare. */
@@ -164,13 +164,13 @@ void sampler_next(struct point *p, struct sampler *s) {
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */
-    uint64_t pool = seed_from("orbits") + next_random(st) % POOL;
-    next_random(&pool);
+    uint64_t pool = random_seed("orbits") + random_next(st) % POOL;
+    random_next(&pool);
     draw_params(p, &pool, s->restriction);
   } else {
     draw_params(p, st, s->restriction);
   }
-  p->orbit = (slong)(next_random(st) % 1000);
+  p->orbit = (slong)(random_next(st) % 1000);
   draw(&p->q[Q_US1], st, 1, 40, 8);
   draw(&p->q[Q_US2], st, 1, 40, 8);
   draw(&p->q[Q_X], st, -40, 40, 7);

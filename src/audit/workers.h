@@ -7,7 +7,7 @@
 
 #include "stickslip/text.h"
 
-enum { WORKERS_MAX = 64, WORKERS_ITEM_MAX = 256 };
+enum { WORKERS_MAX = 64, WORKERS_ITEM_MAX = 2048 };
 
 /* Writes the result of item i. */
 typedef void work_fn(void *result, size_t i, void *arg);

@@ -30,8 +30,9 @@ enum {
   FOR_DIFF = 2048,
   FOR_BENCH = 4096,
   FOR_SWEEP = 8192,
+  FOR_STABILITY = 16384,
   FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH |
-             FOR_SWEEP
+             FOR_SWEEP | FOR_STABILITY
 };
 
 struct options {
@@ -42,7 +43,7 @@ struct options {
   const char *over[MAX_OVER];
   int n_over;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every;
+      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every, *after;
   bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, all, resume, help;
 };
 
@@ -56,7 +57,7 @@ int parse_options(struct options *o, unsigned command, int argc, char **argv);
 int parse_digits(slong *digits, const struct options *o);
 /* A whole number from 1 (or 0) to most; false otherwise. */
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
-/* --jobs; text is NULL for one for each processor. */
+/* --jobs; all processors (at most 64) when text is NULL. */
 int parse_jobs(int *jobs, const char *text);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const char *at);
@@ -131,5 +132,6 @@ int run_bifurcate(const struct options *o, const char *data);
 int run_diff(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);
 int run_sweep(const struct options *o, const char *data);
+int run_stability(const struct options *o, const char *data);
 
 #endif

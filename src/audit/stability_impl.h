@@ -1,0 +1,169 @@
+/* What the parts of the study of digits share: formulas ready to be run, regions, what is lost at a point, and why. */
+#ifndef STICKSLIP_STABILITY_IMPL_H
+#define STICKSLIP_STABILITY_IMPL_H
+
+#include "audit_impl.h"
+#include "stickslip/stability.h"
+
+/* Inputs of a formula, at most; coordinates of a search: two for an input, and those of a region. */
+enum { DIGITS_INPUTS = 32, DIGITS_SPARE = 6, DIGITS_COORDINATES = 2 * DIGITS_INPUTS + DIGITS_SPARE };
+
+/* What an input is, by its name: how far it may go, and whether it has a sign. */
+enum input_class { INPUT_CHI, INPUT_ETA, INPUT_V, INPUT_FORCE, INPUT_TIME, INPUT_STATE, INPUT_SIGN, N_INPUT_CLASSES };
+
+/* --- Formulas (stability_formula.c) --- */
+
+struct digits_name {
+  const struct expr *e;
+  const char *name;
+};
+
+struct digits_kernel;
+
+struct digits_formula {
+  const char *id, *also, *record, *equation, *section, *text;
+  slong n; /* entries */
+  const struct expr **entry;
+  struct tape tape;         /* every node is an output */
+  slong *out;               /* the entries' nodes */
+  const struct expr **node; /* the scalar of each node */
+  enum input_class *input;  /* of each input */
+  struct tape slopes;       /* derivative of entry i by input k at i n_inputs + k; made when first asked for */
+  bool have_slopes;
+  const struct digits_kernel *kernel; /* a function of the program instead: the tape holds the inputs' names alone */
+  slong first;                        /* of its results, the first that is an entry */
+};
+
+/* The formulas of one layer: every definition and every side of a statement that computes something, entry by entry, and
+   their matrices.  Formulas that are the same but for the names of their inputs are there once. */
+struct digits_set {
+  struct arena arena;
+  struct elaboration el;
+  struct digits_formula *formula;
+  size_t n, cap;
+  struct digits_name *name; /* of subexpressions that the paper names */
+  size_t n_names, cap_names;
+};
+
+bool digits_set_make(struct digits_set *s, const struct model *m, enum layer layer, struct diag *d);
+void digits_set_clear(struct digits_set *s);
+/* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
+bool digits_selected(const struct digits_formula *f, const char *operand);
+const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
+/* Makes f->slopes. */
+bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d);
+/* The node in the paper's notation: subexpressions that have a name in the paper by that name (whole: the node itself too),
+   factors 1 and terms 0 of matrix products left out, what is deep as "...". */
+void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
+/* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
+bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
+slong digits_input(const struct tape *t, const char *name); /* -1 */
+
+enum input_class digits_class_of(const char *name);
+
+/* --- The program's own functions (stability_kernel.c) --- */
+
+/* Adds each function's results one by one and together. */
+void digits_enrol_kernels(struct digits_set *s);
+int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in);
+double digits_kernel_condition(const struct digits_formula *f, const struct num_vec *in, double size);
+
+/* --- One point (stability_measure.c) --- */
+
+enum digits_kind {
+  DIGITS_LOST,      /* the losses have a meaning */
+  DIGITS_FAILED,    /* no value, though a double holds the true one */
+  DIGITS_OUTSIDE,   /* no true value, or none that a double holds */
+  DIGITS_ZERO,      /* the true value is zero, or cannot be told from it */
+  DIGITS_UNDECIDED, /* not known well enough at the highest precision */
+  DIGITS_LESS       /* no more than was asked about is lost, so that no more was computed */
+};
+
+struct digits_loss {
+  enum digits_kind kind;
+  double error;     /* log2 of the relative error in units of 2^-53 */
+  double condition; /* log2 of the condition number */
+  double moved;     /* log2 of the same with differences for derivatives; -inf where it is not needed */
+  double predicted; /* log2 of the error predicted, in the same units; NaN: a failure */
+  double observed, problem, formula; /* digits */
+};
+
+/* Registers for one formula. */
+struct digits_bench {
+  struct digits_formula *f;
+  struct num_vec x, d;  /* inputs and nodes in double */
+  struct num_vec bx, b; /* the same in balls */
+  struct num_vec adjoint;
+  int *d_flags, *b_flags;
+  slong prec;
+};
+void digits_bench_init(struct digits_bench *w, struct digits_formula *f);
+void digits_bench_clear(struct digits_bench *w);
+/* log2 of an upper bound of |x|, to many digits; -inf for zero. */
+double digits_log2(arb_srcptr x);
+double digits_log2_mag(const mag_t x);
+/* What is lost at x.  Where the formula cannot lose more than `floor` digits, nothing but that is computed. */
+struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor);
+/* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they have no
+   value there. */
+double digits_condition(struct digits_bench *w);
+/* log2 of |x_k f_k| over the size of the values, for input k. */
+double digits_condition_by(struct digits_bench *w, slong k);
+
+/* --- Why (stability_cause.c) --- */
+
+/* What rounding in every node does to entry `which` to first order, from the true values alone: log2 of the error predicted
+   relative to 2^size, in units of 2^-53, and log2 of what the inputs' roundings would do.  Fills w->adjoint. */
+struct digits_effect {
+  double predicted, condition;
+  bool known; /* to three digits, where the inputs matter at all */
+};
+struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size);
+/* Does the rule predict that no value comes out? */
+bool digits_predicts_failure(const struct digits_bench *w);
+
+struct digits_cause {
+  enum loss_cause cause;
+  slong node;
+  double grows; /* log2 */
+};
+/* Of the point measured last. */
+struct digits_cause digits_explain(struct digits_bench *w);
+struct digits_cause digits_explain_failure(struct digits_bench *w);
+/* Has underflow spoiled the finite value, so that it explains the error? */
+bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, double size);
+
+/* --- Regions (stability_region.c) --- */
+
+extern const struct stability_region digits_region[];
+extern const int n_digits_regions;
+struct digits_place; /* a region made ready for a formula */
+/* NULL when the region says nothing of the formula's inputs. */
+struct digits_place *digits_place_new(int region, struct digits_bench *w, struct digits_set *s);
+void digits_place_free(struct digits_place *p);
+/* The point of coordinates u, all in [0, 1); false when there is none. */
+bool digits_point(double *x, struct digits_place *p, const double *u);
+
+/* --- The search (stability_search.c) --- */
+
+struct digits_effort {
+  int samples, steps;
+};
+/* What one search has found; plain bytes, since it crosses a pipe. */
+struct digits_found {
+  bool applies, found, failed, at_fault, slopes_differ, slopes;
+  int points, outside, undecided, zero, failures;
+  struct digits_loss loss, after; /* at the witness */
+  double after_most;              /* digits that the other layer loses by itself at the worst of all points drawn */
+  struct digits_cause why, failure;
+  double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS];
+  int confusion[N_LOSS_BINS][N_LOSS_BINS];
+};
+/* The worst point of a formula in a region; `after` is the same formula in another layer, or NULL. */
+void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
+                   struct digits_formula *after, int region, struct digits_effort effort);
+
+/* chi=0x1.8p-3,... */
+void digits_print_point(struct text *out, const struct digits_formula *f, const double *x);
+
+#endif

@@ -1,0 +1,183 @@
+/* The worst point of a formula in a region: random coordinates, then a climb from the worst of them.  A step of the climb
+   moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses decides. */
+#include <math.h>
+#include <string.h>
+
+#include "stability_impl.h"
+
+struct search {
+  struct digits_bench bench, other; /* other: the same formula in another layer */
+  bool have_other;
+  struct digits_place *place;
+  struct digits_found *out;
+  double u[DIGITS_COORDINATES];
+  int n; /* coordinates */
+  uint64_t random;
+};
+
+static double uniform(uint64_t *state) {
+  return (double)(random_next(state) >> 11) * 0x1p-53;
+}
+
+static void count(struct digits_found *out, const struct digits_loss *r, const double *x, struct digits_bench *w) {
+  out->points += r->kind == DIGITS_LOST || r->kind == DIGITS_FAILED || r->kind == DIGITS_LESS;
+  out->outside += r->kind == DIGITS_OUTSIDE;
+  out->undecided += r->kind == DIGITS_UNDECIDED;
+  out->zero += r->kind == DIGITS_ZERO;
+  if (r->kind != DIGITS_FAILED) return;
+  if (!out->failed) {
+    out->failed = true;
+    memcpy(out->failure_x, x, (size_t)w->f->tape.n_inputs * sizeof *x);
+    out->failure = digits_explain_failure(w);
+  }
+  out->failures++;
+}
+
+static void judge_rule(struct digits_found *out, const struct digits_loss *r, const struct digits_bench *w) {
+  if (w->f->kernel || (r->kind != DIGITS_LOST && r->kind != DIGITS_FAILED)) return;
+  double predicted = r->predicted * log10(2), observed = r->kind == DIGITS_FAILED ? (double)NAN : r->observed;
+  out->confusion[loss_bin(predicted)][loss_bin(observed)]++;
+}
+
+/* The other layer at the same point. */
+static struct digits_loss measure_other(struct search *s, const double *x, double floor) {
+  struct digits_formula *f = s->other.f;
+  double y[DIGITS_INPUTS] = {0};
+  for (slong k = 0; k < f->tape.n_inputs; k++) {
+    slong i = digits_input(&s->bench.f->tape, f->tape.inputs[k]);
+    if (i >= 0) y[k] = x[i];
+  }
+  return digits_measure(&s->other, y, floor);
+}
+
+/* Measures the point of these coordinates, and keeps it when it is worse than the worst. */
+static void try_point(struct search *s, const double *u, bool judged) {
+  struct digits_found *out = s->out;
+  double x[DIGITS_INPUTS] = {0};
+  if (!digits_point(x, s->place, u)) {
+    out->outside++;
+    return;
+  }
+  struct digits_loss r = digits_measure(&s->bench, x, judged || !out->found ? -1 : out->loss.formula);
+  count(out, &r, x, &s->bench);
+  if (judged) judge_rule(out, &r, &s->bench);
+  if (judged && s->have_other) {
+    struct digits_loss after = measure_other(s, x, out->after_most);
+    if (after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, after.formula);
+  }
+  if (r.kind != DIGITS_LOST || (out->found && r.formula < out->loss.formula)) return;
+  if (out->found && r.formula == out->loss.formula && r.observed <= out->loss.observed) return;
+  out->found = true;
+  out->loss = r;
+  memcpy(out->x, x, sizeof x);
+  memcpy(s->u, u, sizeof s->u);
+}
+
+static void draw(struct search *s, int samples) {
+  double u[DIGITS_COORDINATES] = {0};
+  for (int i = 0; i < samples; i++) {
+    for (int k = 0; k < s->n; k++) u[k] = uniform(&s->random);
+    try_point(s, u, true);
+    if (s->out->zero > 1 && s->out->points == 0) return; /* a formula of zero */
+  }
+}
+
+static double moved(double u, uint64_t *state) {
+  double way = uniform(state), scale = exp2(-50 * uniform(state));
+  if (way < 0.3) return uniform(state);
+  double v = u + (way < 0.65 ? scale : -scale);
+  return v < 0 ? 0 : v >= 1 ? 1 - 0x1p-53 : v;
+}
+
+static void climb(struct search *s, int steps) {
+  for (int i = 0; i < steps; i++) {
+    double u[DIGITS_COORDINATES];
+    memcpy(u, s->u, sizeof u);
+    int coordinates = uniform(&s->random) < 0.7 ? 1 : 2;
+    while (coordinates-- > 0) {
+      int k = (int)(uniform(&s->random) * s->n);
+      u[k] = moved(u[k], &s->random);
+    }
+    try_point(s, u, false);
+  }
+}
+
+/* --- Numbers that are easier to read --- */
+
+/* x to so many bits. */
+static double shortened(double x, int bits) {
+  int e;
+  double m = frexp(x, &e);
+  return ldexp(rint(ldexp(m, bits)), e - bits);
+}
+
+/* Replaces each input by one of few bits where the point stays what it is. */
+static void simplify(struct search *s, double *x, bool (*same)(struct search *, const double *)) {
+  static const int bits[] = {1, 4, 12, 24};
+  for (slong k = 0; k < s->bench.f->tape.n_inputs; k++)
+    for (size_t i = 0; i < sizeof bits / sizeof *bits; i++) {
+      double was = x[k];
+      x[k] = shortened(was, bits[i]);
+      bool inside = s->bench.f->input[k] != INPUT_CHI || (x[k] > 0 && x[k] < 1);
+      if (inside && isfinite(x[k]) && same(s, x)) break;
+      x[k] = was;
+    }
+}
+
+/* No less than a twentieth of a digit is given up. */
+static bool is_as_bad(struct search *s, const double *x) {
+  struct digits_loss r = digits_measure(&s->bench, x, s->out->loss.formula - 0.05);
+  return r.kind == DIGITS_LOST && r.formula >= s->out->loss.formula - 0.05;
+}
+
+static bool fails_likewise(struct search *s, const double *x) {
+  if (digits_measure(&s->bench, x, -1).kind != DIGITS_FAILED) return false;
+  struct digits_cause c = digits_explain_failure(&s->bench);
+  return c.cause == s->out->failure.cause && c.node == s->out->failure.node;
+}
+
+/* What is found is measured again, with the condition number from the symbolic derivatives, and explained. */
+static void settle(struct search *s, struct digits_set *set) {
+  struct digits_found *out = s->out;
+  struct diag d;
+  diag_init(&d);
+  out->loss = digits_measure(&s->bench, out->x, -1);
+  out->why = digits_explain(&s->bench);
+  out->at_fault = out->loss.formula > log10(STABILITY_ALLOWED);
+  if (!s->bench.f->kernel && digits_slopes(s->bench.f, set, &d)) {
+    double c = digits_condition(&s->bench);
+    out->slopes = !isnan(c);
+    out->slopes_differ = fabs(fmax(c, 0) - fmax(out->loss.condition, 0)) > 0.01;
+  }
+  out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
+  if (!s->have_other) return;
+  out->after = measure_other(s, out->x, -1);
+  if (out->after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, out->after.formula);
+}
+
+void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
+                   struct digits_formula *after, int region, struct digits_effort effort) {
+  struct search q = {.out = out};
+  struct text seed;
+  memset(out, 0, sizeof *out);
+  digits_bench_init(&q.bench, f);
+  q.have_other = after != NULL;
+  if (after) digits_bench_init(&q.other, after);
+  q.place = digits_place_new(region, &q.bench, s);
+  out->applies = q.place != NULL;
+  if (q.place) {
+    text_init(&seed);
+    text_printf(&seed, "%s in %s", f->id, digits_region[region].id);
+    q.random = random_seed(text_str(&seed));
+    text_clear(&seed);
+    q.n = (int)(2 * f->tape.n_inputs) + DIGITS_SPARE;
+    draw(&q, effort.samples);
+    if (out->found) climb(&q, effort.steps);
+    if (out->found && out->loss.formula > log10(STABILITY_ALLOWED)) simplify(&q, out->x, is_as_bad);
+    if (out->failed) simplify(&q, out->failure_x, fails_likewise);
+    if (out->found) settle(&q, s);
+  }
+  digits_place_free(q.place);
+  if (after) digits_bench_clear(&q.other);
+  digits_bench_clear(&q.bench);
+}

@@ -1,0 +1,133 @@
+/* stickslip stability: where formulas lose digits. */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <unistd.h>
+
+#include "bench/bench.h"
+#include "cli.h"
+#include "stickslip/report_stability.h"
+
+static void show_progress(size_t n, size_t of) {
+  fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);
+}
+
+static int parse_layer(int *layer, const char *option, const char *name) {
+  for (*layer = 0; *layer < N_LAYERS; ++*layer)
+    if (strcmp(layer_name[*layer], name) == 0) return EXIT_AS_RECORDED;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s takes one of", option);
+  for (int i = 0; i < N_LAYERS; i++) text_printf(&t, " %s,", layer_name[i]);
+  text_printf(&t, " not %.200s", name);
+  int status = usage("%s", text_str(&t));
+  text_clear(&t);
+  return status;
+}
+
+static int parse_study(struct stability_options *q, const struct options *o) {
+  int layer = LAYER_PRINTED, after = -1;
+  int status = o->layer ? parse_layer(&layer, "--layer", o->layer) : EXIT_AS_RECORDED;
+  if (!status && o->after) status = parse_layer(&after, "--after", o->after);
+  if (!status && o->after && after == layer)
+    status = usage("--after takes another layer than --layer, not %s", o->after);
+  if (!status && o->at && o->n_operands == 0) status = usage("%s needs the name of a formula", "--at");
+  if (!status && o->at && (o->out || o->json || o->quick || o->after || o->jobs))
+    status = usage("%s shows one point: no --out, --json, --quick, --after, --jobs", "--at");
+  *q = (struct stability_options){.layer = (enum layer)layer,
+                                  .after = after,
+                                  .only = o->operand,
+                                  .n_only = o->n_operands,
+                                  .quick = o->quick,
+                                  .progress = isatty(STDERR_FILENO) ? show_progress : NULL};
+  return status ? status : parse_jobs(&q->jobs, o->jobs);
+}
+
+static bool put(const char *folder, const char *name, const struct text *body, struct diag *d) {
+  struct text path;
+  text_init(&path);
+  join_path(&path, folder, name);
+  bool ok = file_write(text_str(&path), text_str(body), body->len, d);
+  text_clear(&path);
+  return ok;
+}
+
+/* Each map as a table and, where gnuplot is installed, as a picture: *drawn. */
+static bool write_maps(bool *drawn, const char *folder, const struct stability_result *r, struct diag *d) {
+  struct text body;
+  char name[32], picture[32];
+  bool ok = true;
+  text_init(&body);
+  *drawn = r->n_maps > 0;
+  for (int i = 0; ok && i < r->n_maps; i++) {
+    snprintf(name, sizeof name, "map-%d.tsv", i + 1);
+    snprintf(picture, sizeof picture, "map-%d", i + 1);
+    text_reset(&body);
+    report_stability_map_tsv(&body, r, i);
+    ok = put(folder, name, &body, d);
+    text_reset(&body);
+    report_stability_gnuplot(&body, r, i, picture);
+    *drawn = ok && *drawn && bench_draw(folder, &body);
+  }
+  text_clear(&body);
+  if (ok && r->n_maps > 0 && !*drawn) fputs("stickslip: no figures: gnuplot is not installed, or failed\n", stderr);
+  return ok;
+}
+
+static bool write_files(const char *folder, const struct stability_result *r, struct diag *d) {
+  struct text body;
+  bool drawn;
+  text_init(&body);
+  bool ok = folder_make(folder, d) && write_maps(&drawn, folder, r, d);
+  if (ok) {
+    report_stability_markdown(&body, r, drawn);
+    ok = put(folder, "ledger.md", &body, d);
+  }
+  text_reset(&body);
+  report_stability_tsv(&body, r);
+  ok = ok && put(folder, "ledger.tsv", &body, d);
+  text_reset(&body);
+  report_stability_json(&body, r);
+  ok = ok && put(folder, "stability.json", &body, d);
+  text_clear(&body);
+  return ok;
+}
+
+static bool study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
+  struct stability_result r;
+  struct text body;
+  stability_result_init(&r);
+  text_init(&body);
+  bool ok = (!o->out || folder_make(o->out, d)) && audit_stability(&r, m, q, d);
+  if (q->progress) fputs("\r\033[K", stderr);
+  ok = ok && (!o->out || write_files(o->out, &r, d));
+  if (ok && o->json) report_stability_json(&body, &r);
+  if (ok && !o->json) report_stability_text(&body, &r);
+  if (ok) fputs(text_str(&body), stdout);
+  text_clear(&body);
+  stability_result_clear(&r);
+  return ok;
+}
+
+static bool show_point(const struct model *m, const struct stability_options *q, const char *at, struct diag *d) {
+  struct text body;
+  text_init(&body);
+  bool ok = audit_stability_at(&body, m, q, at, d);
+  if (ok) fputs(text_str(&body), stdout);
+  text_clear(&body);
+  return ok;
+}
+
+int run_stability(const struct options *o, const char *data) {
+  struct stability_options q;
+  int status = parse_study(&q, o);
+  if (status) return status;
+  struct diag d;
+  struct model m;
+  diag_init(&d);
+  model_init(&m);
+  bool ok = load_model(&m, data, o, &d) && (o->at ? show_point(&m, &q, o->at, &d) : study(&m, &q, o, &d));
+  if (!ok) status = bad_input(&d);
+  model_clear(&m);
+  return status;
+}
