@@ -106,8 +106,8 @@ static int e_unary(void *z, const void *x, slong prec) {
   return SS_UNABLE;
 }
 
-static int e_atan2(void *z, const void *y, const void *x, slong prec) {
-  (void)z, (void)y, (void)x, (void)prec;
+static int e_binary(void *z, const void *x, const void *y, slong prec) {
+  (void)z, (void)x, (void)y, (void)prec;
   return SS_UNABLE;
 }
 
@@ -165,11 +165,14 @@ const struct num_type num_exact = {
     .sin = e_unary,
     .cos = e_unary,
     .cot = e_unary,
+    .sinc = e_unary,
+    .stumpff = e_unary,
     .add = e_add,
     .sub = e_sub,
     .mul = e_mul,
     .div = e_div,
-    .atan2 = e_atan2,
+    .atan2 = e_binary,
+    .hypot = e_binary,
     .sin_cos = e_sin_cos,
     .pow_si = e_pow_si,
     .pi = e_pi,
