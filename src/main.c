@@ -24,7 +24,7 @@ static const char help[] =
     "of\n"
     "      z_2 - z_1 that the return map takes into itself; a scene with intervals gives enclosures over its box\n"
     "  stickslip jacobian SCENE [--at orbit:K|printed] [--method analytic|implicit|saltation|fd|fd-double|ode]\n"
-    "                   [--layer printed|corrected] [--digits N] [--json]\n"
+    "                   [--layer printed|corrected|stable] [--digits N] [--json]\n"
     "      the 2x2 Jacobian of one period: the paper's chain, implicit differentiation at the events, saltation "
     "matrices,\n"
     "      central differences in multiprecision (fd), in hardware arithmetic (fd-double, about eleven digits), or of\n"
