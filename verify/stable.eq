@@ -41,31 +41,53 @@ define stable-47
   equation: 47
   tex: H_1 = \begin{pmatrix} \alpha c_1 + \beta c_2 & \chi X \\ \omega^2 X & \beta c_1 + \alpha c_2 \end{pmatrix},
     X = \frac{c_1 - c_2}{\omega_2^2 - \omega_1^2}, W = X', Y' = X
-  note: the inverse of Lambda divides by lambda_2 - lambda_1.  The differences of like terms over omega_2^2 - omega_1^2 are
-    the sum of two forms, one for close and one for distant frequencies, weighted by rho and 1 - rho
+  note: the inverse of Lambda divides by lambda_2 - lambda_1.  Each entry is the sum of two forms of itself, weighted by rho
+    and apart = 1 - rho: in the half sum and difference of the frequencies, for close ones, and in the frequencies, for distant
+    ones.  Y is in turn the sum of a form for small times and one for large ones
   alpha := g_2/(g_2 + g_1)
   beta := g_1/(g_2 + g_1)
-  rho := (omega_1/omega_2)^2
-  near_X(t) := (sinc(omega_p*t/2)*sinc(omega_m*t/2))/2
-  near_W(t) := (cos(omega_p*t/2)*sinc(omega_m*t/2) + sinc(omega_p*t/2)*cos(omega_m*t/2))/2
-  half_c(t) := (sinc(t/2)^2)/2
-  third(t) := half_c(t) - stumpff(t)
-  near_Y(t) := ((omega_p/2)^2*third(omega_p*t/2) - (omega_m/2)^2*third(omega_m*t/2)
-    + (omega_m*omega_p*t/4)^2*(stumpff(omega_p*t/2)*half_c(omega_m*t/2) - half_c(omega_p*t/2)*stumpff(omega_m*t/2)))
-    /(2*omega_1*omega_2)
+  skew := (g_2 - g_1)/(g_2 + g_1)
+  rho := omega_1^2/(omega_1^2 + omega_p*omega_m)
+  apart := omega_p*omega_m/(omega_1^2 + omega_p*omega_m)
+  sin_cos(t) := sin(omega_p*t/2)*cos(omega_m*t/2)
+  cos_sin(t) := cos(omega_p*t/2)*sin(omega_m*t/2)
+  cos_cos(t) := cos(omega_p*t/2)*cos(omega_m*t/2)
+  sin_sin(t) := sin(omega_p*t/2)*sin(omega_m*t/2)
+  versed(t) := 2*sin(t/2)^2
+  lag(t) := t*(t*stumpff(t))
+  early(t) := (1/hypot(1, t))^2
+  late(t) := (t/hypot(1, t))^2
+  near_X(t) := sinc(omega_p*t/2)*(t*sinc(omega_m*t/2))
+  near_W(t) := cos(omega_p*t/2)*sinc(omega_m*t/2) + sinc(omega_p*t/2)*cos(omega_m*t/2)
+  near_Y_early(t) := versed(omega_p*t/2) - lag(omega_p*t/2) - (versed(omega_m*t/2) - lag(omega_m*t/2))
+    + lag(omega_p*t/2)*versed(omega_m*t/2) - versed(omega_p*t/2)*lag(omega_m*t/2)
+  near_Y_late(t) := sinc(omega_p*t/2)*cos(omega_m*t/2) - cos(omega_p*t/2)*sinc(omega_m*t/2)
+  near_Y(t) := early(omega_p*t/2)*near_Y_early(t) + late(omega_p*t/2)*near_Y_late(t)
   far_X(t) := 2*(sin(omega_2*t/2)^2 - sin(omega_1*t/2)^2)
-  far_Y(t) := stumpff(omega_2*t) - rho*stumpff(omega_1*t)
-  diff_X(t) := rho*(t^2*near_X(t)) + far_X(t)/omega_2^2
-  diff_W(t) := rho*(t*near_W(t)) + (sin(omega_2*t) - (omega_1/omega_2)*sin(omega_1*t))/omega_2
-  diff_Y(t) := t^3*(rho*near_Y(t) + far_Y(t))
-  scaled_X(t) := rho*((omega*t)^2*near_X(t)) + (omega/omega_2)^2*far_X(t)
-  scaled_Y(t) := t*((omega*t)^2*(rho*near_Y(t) + far_Y(t)))
-  H_1(t) := [alpha*cos(omega_1*t) + beta*cos(omega_2*t), chi*diff_X(t);
-             scaled_X(t), beta*cos(omega_1*t) + alpha*cos(omega_2*t)]
-  H_2(t) := [t*(alpha*sinc(omega_1*t) + beta*sinc(omega_2*t)), chi*diff_Y(t);
-             scaled_Y(t), t*(beta*sinc(omega_1*t) + alpha*sinc(omega_2*t))]
-  H_3(t) := [-(alpha*(omega_1*sin(omega_1*t)) + beta*(omega_2*sin(omega_2*t))), chi*diff_W(t);
-             omega*(omega*diff_W(t)), -(beta*(omega_1*sin(omega_1*t)) + alpha*(omega_2*sin(omega_2*t)))]
+  far_Y(t) := early(omega_2*t)*(lag(omega_2*t) - lag(omega_1*t)) + late(omega_2*t)*(sinc(omega_1*t) - sinc(omega_2*t))
+  both_Y(t) := (omega_1/omega_2)*near_Y(t)/2 + far_Y(t)
+  diff_X(t) := rho*(t*near_X(t))/2 + far_X(t)/omega_2^2
+  diff_W(t) := rho*(t*near_W(t))/2 + (sin(omega_2*t) - (omega_1/omega_2)*sin(omega_1*t))/omega_2
+  diff_Y(t) := t*(both_Y(t)/omega_2^2)
+  scaled_X(t) := rho*((omega*t)*(omega*near_X(t)))/2 + (omega/omega_2)^2*far_X(t)
+  scaled_Y(t) := t*((omega/omega_2)^2*both_Y(t))
+  near_11(t) := cos_cos(t) + skew*sin_sin(t)
+  near_22(t) := cos_cos(t) - skew*sin_sin(t)
+  far_11(t) := alpha*cos(omega_1*t) + beta*cos(omega_2*t)
+  far_22(t) := beta*cos(omega_1*t) + alpha*cos(omega_2*t)
+  spread := omega_m/(4*omega_1)
+  near_13(t) := sinc(omega_p*t/2)*cos(omega_m*t/2) + spread*(((omega_m + skew*omega_p)/omega_2)*near_Y_late(t))
+  near_24(t) := sinc(omega_p*t/2)*cos(omega_m*t/2) + spread*(((omega_m - skew*omega_p)/omega_2)*near_Y_late(t))
+  H_1(t) := [near_11(t) + apart*(far_11(t) - near_11(t)), chi*diff_X(t);
+             scaled_X(t), near_22(t) + apart*(far_22(t) - near_22(t))]
+  H_2(t) := [t*(rho*near_13(t) + apart*(alpha*sinc(omega_1*t) + beta*sinc(omega_2*t))), chi*diff_Y(t);
+             scaled_Y(t), t*(rho*near_24(t) + apart*(beta*sinc(omega_1*t) + alpha*sinc(omega_2*t)))]
+  H_3(t) := [-(rho*((omega_p - skew*omega_m)*sin_cos(t) + (omega_m - skew*omega_p)*cos_sin(t))/2
+               + apart*(alpha*(omega_1*sin(omega_1*t)) + beta*(omega_2*sin(omega_2*t)))),
+             chi*diff_W(t);
+             omega*(omega*diff_W(t)),
+             -(rho*((omega_p + skew*omega_m)*sin_cos(t) + (omega_m + skew*omega_p)*cos_sin(t))/2
+               + apart*(beta*(omega_1*sin(omega_1*t)) + alpha*(omega_2*sin(omega_2*t))))]
 
 define stable-49
   section: appendix_a
@@ -97,13 +119,18 @@ define stable-36
   tex: H_{11} + H_{12}, H_{21} + H_{22} = c_1 + \omega_1^2 X, H_{31} + H_{32}, H_{41} + H_{42} = -(1 - \chi) \omega^2 Y
   note: the sums of two entries cancel at small t_c (the last one) and large omega_2 t_c; they are the motion from z_1 = z_2
   g_3 := chi*(1 - chi)/(g_2 + chi)
-  sum_1 := ((g_2 + chi)/(g_2 + chi + g_3))*cos(omega_1*t_c) + (g_3/(g_2 + chi + g_3))*cos(omega_2*t_c)
+  alpha_c := (g_2 + chi)/(g_2 + chi + g_3)
+  beta_c := g_3/(g_2 + chi + g_3)
+  skew_c := (g_2 + chi - g_3)/(g_2 + chi + g_3)
+  near_sum(t) := cos_cos(t) + skew_c*sin_sin(t)
+  far_sum(t) := alpha_c*cos(omega_1*t) + beta_c*cos(omega_2*t)
+  sum_1 := near_sum(t_c) + apart*(far_sum(t_c) - near_sum(t_c))
   sum_2 := cos(omega_1*t_c) + omega_1^2*diff_X(t_c)
-  sum_3 := -(((g_2 + chi)/(g_2 + chi + g_3))*(omega_1*sin(omega_1*t_c))
-    + (g_3/(g_2 + chi + g_3))*(omega_2*sin(omega_2*t_c)))
+  sum_3 := -(rho*((omega_p - skew_c*omega_m)*sin_cos(t_c) + (omega_m - skew_c*omega_p)*cos_sin(t_c))/2
+    + apart*(alpha_c*(omega_1*sin(omega_1*t_c)) + beta_c*(omega_2*sin(omega_2*t_c))))
   sum_4 := -(1 - chi)*scaled_Y(t_c)
   ktilde_2 := z'_2c/(z_1c - chi*z_2c)
-  ktilde_3 := chi*eta*((z_1c - z_2c)/(z_1c - chi*z_2c))
+  ktilde_3 := omega*(omega*((z_1c - z_2c)/(z_1c - chi*z_2c)))
   J_c := [sum_1 + ktilde_1*sum_3, H_13 + ktilde_1*H_11;
           sum_2 + ktilde_2*sum_3, H_23 + ktilde_2*H_11;
           sum_4 + ktilde_3*sum_3, H_21 + ktilde_3*H_11]

@@ -360,12 +360,28 @@ static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f,
   return found;
 }
 
+/* sqrt(p/n) = sqrt(p n)/n for an integer n > 0. */
+static int root_over_integer(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  fmpz_mpoly_q_struct n, product;
+  exact_init(&n, f);
+  exact_init(&product, f);
+  fmpz_mpoly_set(&n.num, &x->den, ring());
+  fmpz_mpoly_set(&product.num, &x->num, ring());
+  int s = apply(num_exact.mul, &product, f, &product, &n);
+  if (s == SS_OK) s = exact_sqrt(z, f, &product);
+  if (s == SS_OK) s = apply(num_exact.div, z, f, z, &n);
+  exact_clear(&product, f);
+  exact_clear(&n, f);
+  return s;
+}
+
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   const fmpz_mpoly_q_struct *known = known_square_root(f, x);
   if (known) {
     fmpz_mpoly_q_set(z, known, ring());
     return SS_OK;
   }
+  if (fmpz_mpoly_is_fmpz(&x->den, ring()) && !fmpz_mpoly_is_one(&x->den, ring())) return root_over_integer(z, f, x);
   slong i = generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (i >= 0 && !f->gen[i].squared && fmpz_mpoly_is_one(&x->den, ring())) {
     f->gen[i].squared = true;
