@@ -64,7 +64,7 @@ static double decades(struct rng *r, double low, double high) {
 }
 
 void extreme_point_draw(struct extreme_point *p, uint64_t seed) {
-  p->rng.state = seed * 0x9e3779b97f4a7c15U;
+  *p = (struct extreme_point){.rng.state = seed * 0x9e3779b97f4a7c15U};
   struct rng *r = &p->rng;
   switch (rng_between(r, 0, 3)) {
   case 0:
@@ -157,7 +157,7 @@ double extreme_value(struct extreme_point *p, const char *name) {
   if (strcmp(name, "chi") == 0) return p->chi;
   if (strcmp(name, "eta") == 0) return p->eta;
   if (strcmp(name, "V") == 0) return p->scale * between(&r, 0.5, 2);
-  if (name[0] == 't') return draw_time(p, &r);
+  if (name[0] == 't') return draw_time(p, &r) * (1 + p->shift);
   if (strcmp(name, "z_200") == 0) return beside(p, name, draw_state(p, "z_100"));
   if (strcmp(name, "z_1c") == 0) return beside(p, name, p->chi * draw_state(p, "z_2c"));
   if (strcmp(name, "z_1b") == 0) return beside(p, name, p->chi * draw_state(p, "z_2b"));
@@ -231,7 +231,7 @@ static double loss_of(double value, int status, const arb_t truth, double condit
   double size = fabs(arf_get_d(arb_midref(truth), ARF_RND_NEAR));
   if (arb_is_zero(truth)) return status == SS_OK && value == 0 ? 0 : -1;
   if (!(size >= 0x1p-1000 && size <= 0x1p1020)) return -1;
-  if (condition > 0x1p50) return -1; /* no digit is promised */
+  if (condition > 0x1p46) return -1; /* no digit is promised */
   if (status != SS_OK) return INFINITY;
   arb_init(error);
   arb_init(unit);
@@ -249,7 +249,23 @@ static double loss_of(double value, int status, const arb_t truth, double condit
   return loss;
 }
 
+/* Where the slope of an entry is zero, its change within a few units of the last place is not. */
+static double condition_nearby(const struct extreme_form *f, const struct extreme_point *p, int i) {
+  struct extreme_result r;
+  double most = 0;
+  arb_ptr truth = _arb_vec_init(f->n);
+  for (int side = -1; side <= 1; side += 2) {
+    struct extreme_point q = *p;
+    q.shift = side * 0x1p-50;
+    find_truth(&r, truth, f, &q, 2048);
+    if (arb_is_finite(truth + i)) most = fmax(most, r.condition[i]);
+  }
+  _arb_vec_clear(truth, f->n);
+  return most;
+}
+
 void extreme_measure(struct extreme_result *r, struct extreme_form *f, const struct extreme_point *p) {
+  enum { PROMISED = 8, HOPELESS = 1000 };
   arb_ptr truth = _arb_vec_init(f->n);
   struct num_vec in, out;
   int status[MOST_ENTRIES];
@@ -261,6 +277,9 @@ void extreme_measure(struct extreme_result *r, struct extreme_form *f, const str
   for (int i = 0; i < f->n; i++) {
     r->value[i] = num_double.get_d(num_vec_at(&out, i));
     r->truth[i] = arf_get_d(arb_midref(truth + i), ARF_RND_NEAR);
+    r->loss[i] = loss_of(r->value[i], status[i], truth + i, r->condition[i]);
+    if (r->loss[i] <= PROMISED || r->loss[i] > HOPELESS) continue;
+    r->condition[i] = fmax(r->condition[i], condition_nearby(f, p, i));
     r->loss[i] = loss_of(r->value[i], status[i], truth + i, r->condition[i]);
   }
   num_vec_clear(&out);

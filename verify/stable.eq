@@ -41,14 +41,15 @@ define stable-47
   equation: 47
   tex: H_1 = \begin{pmatrix} \alpha c_1 + \beta c_2 & \chi X \\ \omega^2 X & \beta c_1 + \alpha c_2 \end{pmatrix},
     X = \frac{c_1 - c_2}{\omega_2^2 - \omega_1^2}, W = X', Y' = X
-  note: the inverse of Lambda divides by lambda_2 - lambda_1.  Each entry is the sum of two forms of itself, weighted by rho
-    and apart = 1 - rho: in the half sum and difference of the frequencies, for close ones, and in the frequencies, for distant
-    ones.  Y is in turn the sum of a form for small times and one for large ones
+  note: the inverse of Lambda divides by lambda_2 - lambda_1.  Each entry is the sum of two forms of itself: in the half sum
+    and difference of the frequencies, for close ones, and in the frequencies, for distant ones.  Their weights are rho and
+    apart = 1 - rho, the square of detune = 1 - omega_1^2/omega_2^2.  Y is in turn the sum of a form for small times and one for large ones
   alpha := g_2/(g_2 + g_1)
   beta := g_1/(g_2 + g_1)
   skew := (g_2 - g_1)/(g_2 + g_1)
-  rho := omega_1^2/(omega_1^2 + omega_p*omega_m)
-  apart := omega_p*omega_m/(omega_1^2 + omega_p*omega_m)
+  detune := omega_p*omega_m/(omega_1^2 + omega_p*omega_m)
+  rho := (omega_1^2/(omega_1^2 + omega_p*omega_m))*(1 + detune)
+  apart := detune^2
   sin_cos(t) := sin(omega_p*t/2)*cos(omega_m*t/2)
   cos_sin(t) := cos(omega_p*t/2)*sin(omega_m*t/2)
   cos_cos(t) := cos(omega_p*t/2)*cos(omega_m*t/2)
@@ -56,7 +57,7 @@ define stable-47
   versed(t) := 2*sin(t/2)^2
   lag(t) := t*(t*stumpff(t))
   early(t) := (1/hypot(1, t))^2
-  late(t) := (t/hypot(1, t))^2
+  late(t) := 1 - early(t)
   near_X(t) := sinc(omega_p*t/2)*(t*sinc(omega_m*t/2))
   near_W(t) := cos(omega_p*t/2)*sinc(omega_m*t/2) + sinc(omega_p*t/2)*cos(omega_m*t/2)
   near_Y_early(t) := versed(omega_p*t/2) - lag(omega_p*t/2) - (versed(omega_m*t/2) - lag(omega_m*t/2))
@@ -65,12 +66,11 @@ define stable-47
   near_Y(t) := early(omega_p*t/2)*near_Y_early(t) + late(omega_p*t/2)*near_Y_late(t)
   far_X(t) := 2*(sin(omega_2*t/2)^2 - sin(omega_1*t/2)^2)
   far_Y(t) := early(omega_2*t)*(lag(omega_2*t) - lag(omega_1*t)) + late(omega_2*t)*(sinc(omega_1*t) - sinc(omega_2*t))
-  both_Y(t) := (omega_1/omega_2)*near_Y(t)/2 + far_Y(t)
-  diff_X(t) := rho*(t*near_X(t))/2 + far_X(t)/omega_2^2
-  diff_W(t) := rho*(t*near_W(t))/2 + (sin(omega_2*t) - (omega_1/omega_2)*sin(omega_1*t))/omega_2
-  diff_Y(t) := t*(both_Y(t)/omega_2^2)
-  scaled_X(t) := rho*((omega*t)*(omega*near_X(t)))/2 + (omega/omega_2)^2*far_X(t)
-  scaled_Y(t) := t*((omega/omega_2)^2*both_Y(t))
+  diff_X(t) := rho*(t*near_X(t))/2 + detune*far_X(t)/omega_2^2
+  diff_W(t) := rho*(t*near_W(t))/2 + detune*(sin(omega_2*t) - (omega_1/omega_2)*sin(omega_1*t))/omega_2
+  diff_Y(t) := t*(rho*near_Y(t)/(2*omega*slip_s) + detune*far_Y(t)/omega_2^2)
+  scaled_X(t) := rho*((omega*t)*(omega*near_X(t)))/2 + detune*((omega/omega_2)^2*far_X(t))
+  scaled_Y(t) := t*(rho*(omega*near_Y(t))/(2*slip_s) + detune*((omega/omega_2)^2*far_Y(t)))
   near_11(t) := cos_cos(t) + skew*sin_sin(t)
   near_22(t) := cos_cos(t) - skew*sin_sin(t)
   far_11(t) := alpha*cos(omega_1*t) + beta*cos(omega_2*t)
