@@ -19,7 +19,7 @@ static void read_value(struct matrix *out, struct elaboration *el, const char *v
 }
 
 void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer layer, const char *value,
-                       const char *section) {
+                       const char *called, const char *section) {
   struct matrix v;
   struct diag d;
   diag_init(&d);
@@ -28,7 +28,7 @@ void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer
   f->n = v.rows * v.cols;
   ck_assert_msg(elaboration_tape(&f->tape, &f->el, v.e, f->n, &d), "%s", d.message);
   elaboration_init(&f->exact, (struct view){m, LAYER_STABLE, NULL, NULL}, NULL, 0);
-  read_value(&v, &f->exact, value, section);
+  read_value(&v, &f->exact, called, section);
   ck_assert_int_eq(v.rows * v.cols, f->n);
   struct tape plain;
   ck_assert_msg(elaboration_tape(&plain, &f->exact, v.e, f->n, &d), "%s", d.message);
@@ -148,7 +148,7 @@ static double draw_state(const struct extreme_point *p, const char *name) {
 /* Beside another value, at a distance of any size. */
 static double beside(const struct extreme_point *p, const char *name, double other) {
   struct rng r = stream(p, name);
-  if (rng_next(&r) % 2) return draw_state(p, name);
+  if (rng_next(&r) % 2 || fabs(other) < 0x1p-950) return draw_state(p, name);
   return other * (1 + (rng_next(&r) % 2 ? 1 : -1) * decades(&r, -52, -2));
 }
 
@@ -174,21 +174,21 @@ static void bind(struct num_vec *in, const struct tape *t, const struct extreme_
 }
 
 /* The truth of entry i to 80 bits and its condition, in one precision; false when that does not tell them. */
-static bool told(struct extreme_result *r, arb_t truth, const struct extreme_form *f, const struct num_vec *out,
+static bool told(struct extreme_result *r, arb_t ball, const struct extreme_form *f, const struct num_vec *out,
                  const struct num_vec *in, const int *status, int i) {
   slong at = i * (1 + f->truth.n_inputs);
   arb_t sum, part;
   bool ok = status[at] == SS_OK;
-  if (ok) arb_set(truth, num_vec_at(out, at));
-  if (ok && arb_is_zero(truth)) return true;
-  ok = ok && arb_rel_accuracy_bits(truth) >= 80;
+  if (ok) arb_set(ball, num_vec_at(out, at));
+  if (ok && arb_is_zero(ball)) return true;
+  ok = ok && arb_rel_accuracy_bits(ball) >= 80;
   arb_init(sum);
   arb_init(part);
   for (slong k = 0; ok && k < f->truth.n_inputs; k++) {
     ok = status[at + 1 + k] == SS_OK;
     if (!ok) break;
     arb_mul(part, num_vec_at(out, at + 1 + k), num_vec_at(in, k), 64);
-    arb_div(part, part, truth, 64);
+    arb_div(part, part, ball, 64);
     arb_abs(part, part);
     arb_add(sum, sum, part, 64);
   }
@@ -205,7 +205,7 @@ static bool told(struct extreme_result *r, arb_t truth, const struct extreme_for
   return ok;
 }
 
-static bool find_truth(struct extreme_result *r, arb_ptr truth, const struct extreme_form *f,
+static bool find_truth(struct extreme_result *r, arb_ptr ball, const struct extreme_form *f,
                        const struct extreme_point *p, slong prec) {
   struct num_vec in, out;
   int status[MOST_ENTRIES * (1 + MOST_INPUTS)];
@@ -215,8 +215,8 @@ static bool find_truth(struct extreme_result *r, arb_ptr truth, const struct ext
   tape_eval(&out, status, &f->truth, &in);
   bool all = true;
   for (int i = 0; i < f->n; i++) {
-    bool ok = told(r, truth + i, f, &out, &in, status, i);
-    if (!ok) arb_indeterminate(truth + i);
+    bool ok = told(r, ball + i, f, &out, &in, status, i);
+    if (!ok) arb_indeterminate(ball + i);
     all = all && ok;
   }
   num_vec_clear(&out);
@@ -225,21 +225,21 @@ static bool find_truth(struct extreme_result *r, arb_ptr truth, const struct ext
 }
 
 /* The error of a double, in units of what the condition explains; half a dozen of the least doubles are free. */
-static double loss_of(double value, int status, const arb_t truth, double condition) {
-  if (!arb_is_finite(truth)) return -1;
+static double loss_of(double value, int status, const arb_t ball, double condition) {
+  if (!arb_is_finite(ball)) return -1;
   arb_t error, unit;
-  double size = fabs(arf_get_d(arb_midref(truth), ARF_RND_NEAR));
-  if (arb_is_zero(truth)) return status == SS_OK && value == 0 ? 0 : -1;
+  double size = fabs(arf_get_d(arb_midref(ball), ARF_RND_NEAR));
+  if (arb_is_zero(ball)) return status == SS_OK && value == 0 ? 0 : -1;
   if (!(size >= 0x1p-1000 && size <= 0x1p1020)) return -1;
   if (condition > 0x1p46) return -1; /* no digit is promised */
   if (status != SS_OK) return INFINITY;
   arb_init(error);
   arb_init(unit);
   arb_set_d(error, value);
-  arb_sub(error, error, truth, 128);
+  arb_sub(error, error, ball, 128);
   arb_abs(error, error);
   arb_set_d(unit, fmax(1, condition));
-  arb_mul(unit, unit, truth, 128);
+  arb_mul(unit, unit, ball, 128);
   arb_abs(unit, unit);
   arb_mul_2exp_si(unit, unit, -53);
   arb_div(error, error, unit, 64);
@@ -249,42 +249,53 @@ static double loss_of(double value, int status, const arb_t truth, double condit
   return loss;
 }
 
+void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *p, slong prec) {
+  struct num_vec in, out;
+  num_vec_init(&in, t->n_inputs, num_ctx_arb(prec));
+  num_vec_init(&out, t->n_outputs, num_ctx_arb(prec));
+  bind(&in, t, p);
+  tape_eval(&out, NULL, t, &in);
+  for (slong i = 0; i < t->n_outputs; i++) arb_set(x + i, num_vec_at(&out, i));
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+}
+
 /* Where the slope of an entry is zero, its change within a few units of the last place is not. */
 static double condition_nearby(const struct extreme_form *f, const struct extreme_point *p, int i) {
   struct extreme_result r;
   double most = 0;
-  arb_ptr truth = _arb_vec_init(f->n);
+  arb_ptr ball = _arb_vec_init(f->n);
   for (int side = -1; side <= 1; side += 2) {
     struct extreme_point q = *p;
     q.shift = side * 0x1p-50;
-    find_truth(&r, truth, f, &q, 2048);
-    if (arb_is_finite(truth + i)) most = fmax(most, r.condition[i]);
+    find_truth(&r, ball, f, &q, 2048);
+    if (arb_is_finite(ball + i)) most = fmax(most, r.condition[i]);
   }
-  _arb_vec_clear(truth, f->n);
+  _arb_vec_clear(ball, f->n);
   return most;
 }
 
 void extreme_measure(struct extreme_result *r, struct extreme_form *f, const struct extreme_point *p) {
   enum { PROMISED = 8, HOPELESS = 1000 };
-  arb_ptr truth = _arb_vec_init(f->n);
+  arb_ptr ball = _arb_vec_init(f->n);
   struct num_vec in, out;
   int status[MOST_ENTRIES];
-  for (slong prec = 192; prec <= 20000 && !find_truth(r, truth, f, p, prec); prec *= 3) continue;
+  for (slong prec = 192; prec <= 20000 && !find_truth(r, ball, f, p, prec); prec *= 3) continue;
   num_vec_init(&in, f->tape.n_inputs, num_ctx_double());
   num_vec_init(&out, f->n, num_ctx_double());
   bind(&in, &f->tape, p);
   tape_eval(&out, status, &f->tape, &in);
   for (int i = 0; i < f->n; i++) {
     r->value[i] = num_double.get_d(num_vec_at(&out, i));
-    r->truth[i] = arf_get_d(arb_midref(truth + i), ARF_RND_NEAR);
-    r->loss[i] = loss_of(r->value[i], status[i], truth + i, r->condition[i]);
+    r->truth[i] = arf_get_d(arb_midref(ball + i), ARF_RND_NEAR);
+    r->loss[i] = loss_of(r->value[i], status[i], ball + i, r->condition[i]);
     if (r->loss[i] <= PROMISED || r->loss[i] > HOPELESS) continue;
     r->condition[i] = fmax(r->condition[i], condition_nearby(f, p, i));
-    r->loss[i] = loss_of(r->value[i], status[i], truth + i, r->condition[i]);
+    r->loss[i] = loss_of(r->value[i], status[i], ball + i, r->condition[i]);
   }
   num_vec_clear(&out);
   num_vec_clear(&in);
-  _arb_vec_clear(truth, f->n);
+  _arb_vec_clear(ball, f->n);
 }
 
 void extreme_print(struct text *out, const struct extreme_form *f, const struct extreme_point *p) {

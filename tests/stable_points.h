@@ -11,12 +11,14 @@ enum { MOST_ENTRIES = 16, MOST_INPUTS = 16 };
 /* A formula of one layer in double precision, and its truth. */
 struct extreme_form {
   struct elaboration el, exact;
-  struct tape tape, truth; /* truth: of the stable layer, each entry followed by its derivatives by the truth's inputs */
+  struct tape tape,
+      truth; /* truth: of the stable layer, each entry followed by its derivatives by the truth's inputs */
   int n;
 };
 
+/* called: what the value is called in the stable layer. */
 void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer layer, const char *value,
-                       const char *section);
+                       const char *called, const char *section);
 void extreme_form_clear(struct extreme_form *f);
 
 /* Exact doubles for the inputs of both tapes, by name. */
@@ -35,6 +37,9 @@ struct extreme_result {
   double loss[MOST_ENTRIES], condition[MOST_ENTRIES], truth[MOST_ENTRIES], value[MOST_ENTRIES];
 };
 void extreme_measure(struct extreme_result *r, struct extreme_form *f, const struct extreme_point *p);
+
+/* The outputs of a tape there, in balls of that precision; indeterminate where they have no value. */
+void extreme_balls(arb_ptr x, const struct tape *t, const struct extreme_point *p, slong prec);
 
 /* The inputs at that point as NAME=hexadecimal, ... */
 void extreme_print(struct text *out, const struct extreme_form *f, const struct extreme_point *p);

@@ -8,7 +8,7 @@ HEADERS = {  # header -> module
     "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base",
     "num": "num", "ops": "num", "flint_compat": "num",
     "expr": "expr", "edit": "expr", "tape": "tape", "exact": "tape", "model": "model", "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics", "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics", "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics",
-    "audit": "audit", "scene": "audit", "result": "result", "mutation": "result", "report": "report", "report_mutation": "report",
+    "audit": "audit", "scene": "audit", "stable": "audit", "result": "result", "mutation": "result", "report": "report", "report_mutation": "report",
 }
 ALLOWED = {
     "base": {"base"},

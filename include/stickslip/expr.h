@@ -141,7 +141,7 @@ const struct expr *expr_pow(struct expr_pool *p, const struct expr *a, int expon
 
 /* The derivative of a scalar with respect to a symbol, by the rules of calculus applied node by node.  A subexpression
    free of the symbol contributes nothing (so zeros do not pile up); nothing else is simplified.  d/dx of a call
-   f^(n)(u) is f^(n+1)(u) u'. */
+   f^(n)(u) is f^(n+1)(u) u'.  The derivatives of abs and of stumpff are not defined at 0, that of hypot not at the origin. */
 const struct expr *expr_diff(struct expr_pool *p, const struct expr *e, const char *sym);
 /* The scalar with every occurrence of a symbol replaced (inside call arguments too). */
 const struct expr *expr_subst(struct expr_pool *p, const struct expr *e, const char *sym, const struct expr *by);
