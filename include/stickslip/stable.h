@@ -17,6 +17,8 @@
 /* What a form replaces: "H_1(t)" of a section, or a record's id. */
 struct stable_proof {
   const char *name, *section;
+  const struct statement_record *record; /* of stable.eq */
+  const struct stmt *stmt;               /* the definition; NULL: the whole record */
   int entries;
   const char *why_not; /* NULL: proved */
   bool held;           /* with quantities as unknowns that are proved apart */
@@ -32,6 +34,9 @@ struct stable_proofs {
 /* One proof for each definition and record of the stable layer that has a corrected counterpart, in the order of the file;
    the other definitions are parts of these.  false with d set when a formula cannot be read; clear it all the same. */
 bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d);
+/* The forms of an equation number, or of a record that has none, one to a line with what came of its proof; nothing where
+   the layer has none. */
+void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record);
 void stable_proofs_clear(struct stable_proofs *p);
 
 #endif

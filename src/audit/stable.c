@@ -229,12 +229,11 @@ static bool bend_proved(const struct stable_proofs *p) {
   return false;
 }
 
-/* A value of the two layers, or (value NULL) the record that each of them has. */
-static bool prove(struct stable_proofs *out, const struct model *m, const char *value, const char *section,
+/* A value of the two layers, or (value NULL) the record that each of them has; p says where it stands. */
+static bool prove(struct stable_proofs *out, struct stable_proof p, const struct model *m, const char *value,
                   const struct statement_record *const record[2], struct diag *d) {
   const char *name = value ? value : record[1]->id;
-  struct stable_proof p = {.name = arena_strndup(&out->arena, name, strlen(name)),
-                           .section = arena_strndup(&out->arena, section, strlen(section))};
+  p.name = arena_strndup(&out->arena, name, strlen(name));
   bool ok = attempt(&p, m, value, record, 0, d);
   p.held = ok && p.why_not && bend_proved(out);
   if (p.held) ok = attempt(&p, m, value, record, N_HELD, d);
@@ -257,6 +256,12 @@ static bool counterpart(struct text *value, const struct model *m, const struct 
   return true;
 }
 
+static const struct statement_record *home(const struct model *m, const struct definition *def) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (m->records[i].record == def->record) return &m->records[i];
+  return NULL;
+}
+
 bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d) {
   *out = (struct stable_proofs){.n = 0};
   arena_init(&out->arena);
@@ -264,17 +269,48 @@ bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag 
   text_init(&value);
   bool ok = true;
   for (size_t i = 0; ok && i < m->n_defs; i++)
-    if (counterpart(&value, m, &m->defs[i])) ok = prove(out, m, text_str(&value), m->defs[i].section, NULL, d);
+    if (counterpart(&value, m, &m->defs[i])) {
+      struct stable_proof p = {.section = m->defs[i].section, .record = home(m, &m->defs[i]), .stmt = m->defs[i].stmt};
+      ok = prove(out, p, m, text_str(&value), NULL, d);
+    }
   for (size_t i = 0; ok && i < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
     if (r->rank != RANK_STABLE || strcmp(r->record->kind_name, "define") == 0) continue;
     struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
     const struct statement_record *both[2] = {view_record(&corrected, r->id), r};
     if (!both[0]) diag_set(d, "%s replaces no record", r->id);
-    ok = both[0] && prove(out, m, NULL, r->section, both, d);
+    ok = both[0] && prove(out, (struct stable_proof){.section = r->section, .record = r}, m, NULL, both, d);
   }
   text_clear(&value);
   return ok;
+}
+
+static bool concerns(const struct statement_record *r, const char *equation, const char *record) {
+  if (r->rank != RANK_STABLE) return false;
+  return equation && *r->equation ? strcmp(r->equation, equation) == 0 : record && strcmp(r->id, record) == 0;
+}
+
+void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record) {
+  bool any = false;
+  for (size_t i = 0; i < m->n_records; i++) any = any || concerns(&m->records[i], equation, record);
+  if (!any) return;
+  struct stable_proofs p;
+  struct diag d;
+  diag_init(&d);
+  bool ok = stable_prove(&p, m, &d);
+  if (!ok) text_printf(out, "%-11s cannot be read over these formulas: %s\n", "stable", d.message);
+  for (size_t i = 0; ok && i < p.n; i++) {
+    const struct statement_record *r = p.item[i].record;
+    if (!concerns(r, equation, record)) continue;
+    for (int k = 0; k < r->n_stmts; k++) {
+      if (p.item[i].stmt && r->stmts[k] != p.item[i].stmt) continue;
+      text_printf(out, "%-11s ", "stable");
+      stmt_print(out, r->stmts[k]);
+      text_printf(out, " (%s%s)\n", p.item[i].why_not ? "not proved: " : "proved equal",
+                  p.item[i].why_not ? p.item[i].why_not : "");
+    }
+  }
+  stable_proofs_clear(&p);
 }
 
 void stable_proofs_clear(struct stable_proofs *p) {
