@@ -109,7 +109,7 @@ define stable-50
 define stable-32
   section: stability
   equation: 32
-  note: chi_b overflows where the coefficients do not, and its rounding is felt near 1
+  note: chi_b overflows where V is far below z'_1b, and the coefficients do not
   gammatilde_1 := (chi*V - z'_1b)/(V - z'_1b)
   gammatilde_2 := (chi*z_2b - z_1b)*((chi - 1)/(V - z'_1b))
 
