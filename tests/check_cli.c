@@ -547,6 +547,41 @@ START_TEST(every_method_keeps_its_word) {
 }
 END_TEST
 
+/* The same numbers, by other forms. */
+START_TEST(the_stable_layer_gives_what_the_corrected_one_does) {
+  static const char *const cases[][2] = {{"paper", "orbit:1"},
+                                         {"paper", "orbit:2"},
+                                         {"paper", "printed"},
+                                         {"stable", "orbit:1"},
+                                         {"near-singular", "orbit:1"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct job stable, corrected;
+    const char *scene = cases[i][0], *at = cases[i][1];
+    run_well(&stable, "jacobian", scene, "--at", at, "--layer", "stable", "--digits", "30", "--json", NULL);
+    run_well(&corrected, "jacobian", scene, "--at", at, "--digits", "30", "--json", NULL);
+    for (int k = 0; k < 4; k++) {
+      char first[100];
+      snprintf(first, sizeof first, "%s", entry(stable.out, k));
+      ck_assert_str_eq(first, entry(corrected.out, k));
+    }
+    ck_assert_str_eq(member(stable.out, "layer"), "stable");
+    discard(&corrected);
+    discard(&stable);
+  }
+}
+END_TEST
+
+START_TEST(explain_shows_the_stable_form) {
+  struct job j;
+  run_well(&j, "explain", "eq-50", NULL);
+  ck_assert(strstr(j.out, "\nstable      C_1(t) := [1, 0; 2*sin(omega*t/2)^2, cos(omega*t)] (proved equal)\n"));
+  discard(&j);
+  run_well(&j, "explain", "eq-27", NULL);
+  ck_assert(!strstr(j.out, "\nstable "));
+  discard(&j);
+}
+END_TEST
+
 START_TEST(layers_differ_in_the_entries_not_in_the_trace) {
   static const char *const scenes[] = {"paper", "stable"}; /* V = 1 and V = 1.8 */
   for (int i = 0; i < 2; i++) {
@@ -1380,7 +1415,7 @@ static const struct {
     {{"jacobian", "paper", "--at", "2"}, 2, "--at takes orbit:K"},
     {{"jacobian", "paper", "--at", "orbit:9"}, 3, "there is no orbit 9; the scene has 2"},
     {{"jacobian", "paper", "--method", "euler"}, 2, "--method takes"},
-    {{"jacobian", "paper", "--layer", "stable"}, 2, "--layer takes"},
+    {{"jacobian", "paper", "--layer", "model"}, 2, "--layer takes printed, corrected or stable"},
     {{"jacobian", "paper", "--method", "fd-"}, 2, "not fd-"},
     {{"jacobian", "paper", "--phases=all"}, 2, "--phases takes no value"},
     {{"jacobian", "paper", "--phases", "--method", "fd"}, 2, "takes no --method"},
@@ -1717,6 +1752,8 @@ Suite *cli_suite(void) {
   tcase_add_test(c, three_methods_agree_with_differences_made_elsewhere);
   tcase_add_test(c, every_method_keeps_its_word);
   tcase_add_test(c, layers_differ_in_the_entries_not_in_the_trace);
+  tcase_add_test(c, the_stable_layer_gives_what_the_corrected_one_does);
+  tcase_add_test(c, explain_shows_the_stable_form);
   tcase_add_test(c, at_the_printed_numbers);
   tcase_add_test(c, every_method_states_its_accuracy);
   tcase_add_test(c, the_table_of_phases);

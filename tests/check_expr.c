@@ -106,9 +106,10 @@ static struct expr *power(const struct expr *a, int n) {
 
 /* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
 static void spell(struct text *out, const struct expr *e) {
-  static const char *const names[] = {"num", "sym", "call",      "neg",         "+",      "-",    "*",     "/",
-                                      "^",   "sin", "cos",       "cot",         "sqrt",   "abs",  "paren", "inv",
-                                      "det", "tr",  "transpose", "first_order", "matrix", "index"};
+  static const char *const names[] = {"num",       "sym",         "call",   "neg",   "+",   "-",    "*",
+                                      "/",         "^",           "sin",    "cos",   "cot", "sqrt", "abs",
+                                      "sinc",      "stumpff",     "hypot",  "paren", "inv", "det",  "tr",
+                                      "transpose", "first_order", "matrix", "index"};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
     text_add(out, e->name);
     return;
@@ -173,6 +174,10 @@ static const struct {
     /* functions */
     {"sin(a)*cos(b) + cot(c) - sqrt(d)", "(- (+ (* (sin a) (cos b)) (cot c)) (sqrt d))"},
     {"abs(tr(a) - 1)", "(abs (- (tr a) 1))"},
+    {"sinc(a/2)^2 - stumpff(b)", "(- (^ 2 (sinc (/ a 2))) (stumpff b))"},
+    {"hypot(a + b, -c)*hypot(hypot(a, b), [c])[1]",
+     "(* (hypot (+ a b) (neg c)) (index 1 (hypot (hypot a b) (matrix 1x1 c))))"},
+    {"sincs + hypotenuse", "(+ sincs hypotenuse)"},
     {"inv(A)*det(B) + tr(transpose(C))", "(+ (* (inv A) (det B)) (tr (transpose C)))"},
     {"first_order(f(a + x)*b; x)*y", "(* (first_order (* (call f 0 (+ a x)) b) x) y)"},
     {"first_order([a, b]; x, y) + first_ordered", "(+ (first_order (matrix 1x2 a b) x y) first_ordered)"},
@@ -331,6 +336,15 @@ static const struct {
     {false, "H()", "1:3", "\"H\" needs an argument"},
     {false, "H(a, b)", "1:4", "\"H\" takes one argument"},
     {false, "sin(a, b)", "1:6", "\"sin\" takes one argument"},
+    {false, "stumpff(a, b)", "1:10", "\"stumpff\" takes one argument"},
+    {false, "hypot(a)", "1:8", "\"hypot\" takes two arguments"},
+    {false, "hypot(a; b)", "1:8", "\"hypot\" takes two arguments"},
+    {false, "hypot(a, b, c)", "1:11", "\"hypot\" takes two arguments"},
+    {false, "hypot(a, b", "1:11", "opened at 1:6"},
+    {false, "hypot(, b)", "1:7", "\",\""},
+    {false, "hypot'(a, b)", "1:6", "takes no prime"},
+    {false, "hypot + 1", "1:1", "built-in"},
+    {true, "sinc := a", "1:1", "sinc"},
     /* operands */
     {false, "", "1:1", "the formula is empty"},
     {false, "  # nothing", "1:1", "the formula is empty"},
@@ -562,14 +576,20 @@ static struct expr *random_matrix(int depth) {
 }
 
 static struct expr *random_primary(int depth) {
-  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT,     EXPR_ABS,
-                                             EXPR_INV, EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE};
+  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT,       EXPR_SQRT, EXPR_ABS,    EXPR_INV,
+                                             EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE, EXPR_SINC, EXPR_STUMPFF};
   if (depth <= 0) return random_leaf();
   switch (below(6)) {
   case 0:
     return one(EXPR_PAREN, random_sum(depth - 1));
   case 1:
-    return one(functions[below(9)], random_sum(depth - 1));
+    if (below(8) == 0) {
+      struct expr *e = make(EXPR_HYPOT, 2);
+      e->args[0] = random_sum(depth - 1);
+      e->args[1] = random_sum(depth - 1);
+      return e;
+    }
+    return one(functions[below(11)], random_sum(depth - 1));
   case 2:
     return random_matrix(depth - 1);
   case 3: {
@@ -693,12 +713,13 @@ START_TEST(test_same) {
 END_TEST
 
 static const struct expr *random_scalar(int depth) {
-  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN, EXPR_COS, EXPR_COT, EXPR_SQRT, EXPR_ABS};
-  static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV};
+  static const enum expr_kind unary[] = {EXPR_NEG,  EXPR_SIN, EXPR_COS,  EXPR_COT,
+                                         EXPR_SQRT, EXPR_ABS, EXPR_SINC, EXPR_STUMPFF};
+  static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV, EXPR_HYPOT};
   if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
   switch (below(8)) {
   case 0:
-    return expr_op1(&pool, unary[below(6)], random_scalar(depth - 1));
+    return expr_op1(&pool, unary[below(8)], random_scalar(depth - 1));
   case 1:
     return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
   case 2:
@@ -707,7 +728,7 @@ static const struct expr *random_scalar(int depth) {
     return expr_call(&pool, "f", below(3), random_scalar(depth - 1));
   default: {
     const struct expr *a = random_scalar(depth - 1 - below(2));
-    return expr_op2(&pool, binary[below(4)], a, random_scalar(depth - 1 - below(2)));
+    return expr_op2(&pool, binary[below(5)], a, random_scalar(depth - 1 - below(2)));
   }
   }
 }
@@ -937,6 +958,9 @@ static const struct {
     {"cot(x)^(-1)", "\\left(\\cot\\left(x\\right)\\right)^{-1}"},
     {"(sin(x))^2", "\\left(\\sin\\left(x\\right)\\right)^{2}"},
     {"sqrt(1 - chi)", "\\sqrt{1 - \\chi}"},
+    {"sinc(x/2)^2/stumpff(x)", "\\frac{\\operatorname{sinc}^{2}\\left(\\frac{x}{2}\\right)}"
+                               "{\\operatorname{stumpff}\\left(x\\right)}"},
+    {"hypot(x, -y)^2", "\\left(\\operatorname{hypot}\\left(x, -y\\right)\\right)^{2}"},
     {"omega1^2", "\\omega_{1}^{2}"},
     {"z'_1b^2", "{z'_{1b}}^{2}"},
     {"x^(-2)", "x^{-2}"},
@@ -1133,6 +1157,12 @@ static long double node_value(const struct expr *e, long double a, long double b
     return a > 0 ? sqrtl(a) : NAN; /* not differentiable at 0 */
   case EXPR_ABS:
     return a == 0 ? NAN : fabsl(a);
+  case EXPR_SINC:
+    return a == 0 ? 1 : sinl(a) / a;
+  case EXPR_STUMPFF:
+    return a == 0 ? NAN : fabsl(a) < 1e-3L ? (1 - a * a / 20) / 6 : (a - sinl(a)) / (a * a * a);
+  case EXPR_HYPOT:
+    return a == 0 && b == 0 ? NAN : hypotl(a, b);
   default:
     return NAN;
   }
@@ -1203,6 +1233,12 @@ START_TEST(test_diff_table) {
       {"abs(x)", "x/abs(x)"},
       {"abs(x^2 - y)", "2*x*(x^2 - y)/abs(x^2 - y)"},
       {"sqrt(1 + x^2)", "x/sqrt(1 + x^2)"},
+      {"sinc(x)", "cos(x)/x - sin(x)/x^2"},
+      {"stumpff(x)", "(1 - cos(x))/x^3 - 3*(x - sin(x))/x^4"},
+      {"stumpff(y*x)", "y*((1 - cos(y*x))/(y*x)^3 - 3*(y*x - sin(y*x))/(y*x)^4)"},
+      {"hypot(x, y)", "x/sqrt(x^2 + y^2)"},
+      {"hypot(y, x^2)", "2*x^3/sqrt(y^2 + x^4)"},
+      {"hypot(y, 3)", "0"},
       {"f(x)", "f'(x)"},
       {"f''(x^2)", "2*x*f'''(x^2)"},
       {"f(f(x))", "f'(f(x))*f'(x)"},

@@ -89,6 +89,7 @@ START_TEST(formulas_are_set) {
       {"V \\sin^{2}\\left(x\\right)", ROW(MI("V") THIN SUP(MI("sin"), MN("2")) APPLY ROW(
                                           FENCE("false", "prefix", "(") MI("x") FENCE("false", "postfix", ")")))},
       {"\\operatorname{tr} J", ROW(MI("tr") APPLY THIN MI("J"))},
+      {"\\operatorname{sinc}^{2} x", ROW("<msup>" MI("sinc") MN("2") "</msup>" APPLY THIN MI("x"))},
       {"\\text{if } x", ROW("<mtext>if&#xA0;</mtext>" MI("x"))},
       {"\\mathrm{T}", UP("T")},
       {"\\mathcal{X}", MI("&#x1D4B3;")},

@@ -207,9 +207,9 @@ END_TEST
 
 START_TEST(overlays_by_rank) {
   static const char *const part[] = {"define p\n  equation: 5\n  x := 1\n", "define u\n  x := 2\n",
-                                     "define e\n  equation: 5\n  x := 3\n",
+                                     "define e\n  equation: 5\n  x := 3\n", "define s\n  equation: 5\n  x := 6\n",
                                      "define ctl\n  x := 4\ndefine ctl-2\n  x := 5\n"};
-  for (int i = 0; i < 4; i++) load(part[(i + _i) % 4], (enum rank)((i + _i) % 4));
+  for (int i = 0; i < 5; i++) load(part[(i + _i) % 5], (enum rank)((i + _i) % 5));
   static const struct {
     enum layer layer;
     const char *own, *control, *says;
@@ -217,12 +217,14 @@ START_TEST(overlays_by_rank) {
       {LAYER_PRINTED, NULL, NULL, "2"},    {LAYER_CORRECTED, NULL, NULL, "3"},    {LAYER_CORRECTED, "5", NULL, "2"},
       {LAYER_CORRECTED, "6", NULL, "3"},   {LAYER_CORRECTED, "", NULL, "3"},      {LAYER_PRINTED, NULL, "ctl", "4"},
       {LAYER_CORRECTED, "5", "ctl", "4"},  {LAYER_CORRECTED, NULL, "ctl-2", "5"}, {LAYER_CORRECTED, NULL, "ct", "3"},
-      {LAYER_PRINTED, NULL, "other", "2"},
+      {LAYER_PRINTED, NULL, "other", "2"}, {LAYER_STABLE, NULL, NULL, "6"},       {LAYER_STABLE, "5", NULL, "2"},
+      {LAYER_STABLE, "6", NULL, "6"},      {LAYER_STABLE, NULL, "ctl", "4"},
   };
   for (size_t i = 0; i < sizeof c / sizeof *c; i++)
     ck_assert_str_eq(says((struct view){&model, c[i].layer, c[i].own, c[i].control}, "", "x"), c[i].says);
   ck_assert_str_eq(layer_name[LAYER_PRINTED], "printed");
   ck_assert_str_eq(layer_name[LAYER_CORRECTED], "corrected");
+  ck_assert_str_eq(layer_name[LAYER_STABLE], "stable");
 }
 END_TEST
 
@@ -404,6 +406,8 @@ START_TEST(formulas_refused) {
       {"1/A", "1:1", "the divisor is a matrix; use inv(...): the shape is 2x2"},
       {"s + sin(A)", "1:5", "a scalar is needed here: the shape is 2x2"},
       {"A^2", "1:1", "a scalar is needed here: the shape is 2x2"},
+      {"hypot(s, v)", "1:1", "two scalars are needed here: the shapes are 1x1 and 2x1"},
+      {"stumpff(A)", "1:1", "a scalar is needed here: the shape is 2x2"},
       {"inv(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
       {"det(r)", "1:1", "a square matrix is needed: the shape is 1x2"},
       {"tr(v)", "1:1", "a square matrix is needed: the shape is 2x1"},
@@ -952,7 +956,7 @@ Suite *model_suite(void) {
   TCase *tc = tcase_create("files");
   tcase_add_checked_fixture(tc, setup, teardown);
   tcase_add_loop_test(tc, names_by_section, 0, 3);
-  tcase_add_loop_test(tc, overlays_by_rank, 0, 4);
+  tcase_add_loop_test(tc, overlays_by_rank, 0, 5);
   tcase_add_test(tc, overlays_and_sections);
   tcase_add_test(tc, records_replaced);
   tcase_add_test(tc, files_refused);

@@ -242,7 +242,8 @@ static void put_interval(const struct trial *t, int i, double low, double high) 
 /* How far a rounded result may be from the exact one, in units of 2^-prec of its size: half an ulp when it is correctly
    rounded; the C library promises less for the functions. */
 static slong tolerance(const struct num_type *f, int op) {
-  bool library = f == &num_double && (op == OP_sin || op == OP_cos || op == OP_cot || op == OP_atan2);
+  bool library = f == &num_double && (op == OP_sin || op == OP_cos || op == OP_cot || op == OP_atan2 || op == OP_sinc ||
+                                      op == OP_stumpff || op == OP_hypot);
   return library ? 4 : 1;
 }
 
@@ -349,7 +350,8 @@ END_TEST
 /* Results at exact points are as narrow as the precision promises: an enclosure that is always true but wide would pass
    every other law. */
 START_TEST(balls_are_tight) {
-  static const int tight[] = {OP_add, OP_sub, OP_mul, OP_div, OP_sqrt, OP_sin, OP_cos, OP_atan2};
+  static const int tight[] = {OP_add, OP_sub,   OP_mul,   OP_div,     OP_sqrt, OP_sin,
+                              OP_cos, OP_atan2, OP_hypot, OP_stumpff, OP_sinc};
   struct trial t;
   arb_t z;
   arb_init(z);
@@ -365,7 +367,7 @@ START_TEST(balls_are_tight) {
       }
       if (apply(&t.ctx, tight[k], at(&t, U), at(&t, X), at(&t, Y)) != SS_OK) continue;
       get(z, &t, U);
-      bool absolute = tight[k] == OP_sin || tight[k] == OP_cos;
+      bool absolute = tight[k] == OP_sin || tight[k] == OP_cos || tight[k] == OP_sinc;
       mag_t scale;
       mag_init(scale);
       arb_get_mag(scale, z);
@@ -770,6 +772,82 @@ START_TEST(atan2_laws) {
 }
 END_TEST
 
+/* x sinc x = sin x and x^3 stumpff x = x - sin x away from 0; both even, and 1 and 1/6 near 0 to the first order; the
+   slopes that the differentiator states; hypot as a root, symmetric and between its larger argument and their sum. */
+START_TEST(stable_function_laws) {
+  struct trial t;
+  trial_init(&t, law_context(_i), "sinc, stumpff, hypot");
+  const struct num_type *f = t.f;
+  slong prec = t.ctx.prec;
+  void *x = at(&t, X), *y = at(&t, Y), *z = at(&t, Z), *u = at(&t, U), *v = at(&t, V), *w = at(&t, W);
+  for (int i = 0; i < TRIALS; i++) {
+    trial_begin(&t, i, 60);
+    int s = f->hypot(u, x, y, prec) | f->hypot(v, y, x, prec);
+    require(&t, s == SS_OK && near(&t, U, V, -1, 0), "hypot(x, y) = hypot(y, x)");
+    s |= f->mul(v, x, x, prec) | f->mul(w, y, y, prec) | f->add(w, v, w, prec) | f->mul(v, u, u, prec);
+    require(&t, s == SS_OK && near(&t, V, W, -1, 8), "hypot(x, y)^2 = x^2 + y^2");
+    s |= f->sinc(u, x, prec) | f->neg(v, x, prec) | f->sinc(v, v, prec);
+    require(&t, s == SS_OK && near(&t, U, V, -1, 0), "sinc(-x) = sinc x");
+    s |= f->mul(u, u, x, prec) | f->sin(v, x, prec);
+    require(&t, s == SS_OK && near(&t, U, V, -1, 8), "x sinc x = sin x");
+    s |= f->sub(v, x, v, prec) | f->stumpff(u, x, prec) | f->neg(w, x, prec) | f->stumpff(w, w, prec);
+    require(&t, s == SS_OK && near(&t, U, W, -1, 0), "stumpff(-x) = stumpff x");
+    s |= f->pow_si(w, x, 3, prec) | f->mul(u, u, w, prec);
+    put_d(&t, Z, 2);
+    s |= f->abs(w, x, prec);
+    truth large = f->lt(z, w); /* below, x - sin x has lost the digits that stumpff keeps */
+    f->sin(w, x, prec);
+    f->abs(w, w, prec);
+    f->abs(z, x, prec);
+    f->add(w, z, w, prec);
+    require(&t, s == SS_OK && near(&t, U, V, large == TRUTH_TRUE ? -1 : W, 12), "x^3 stumpff x = x - sin x");
+  }
+  for (int k = 0; k < 2; k++) { /* at 0 and at 2^-200, where x - sin x is 0 to any precision here */
+    put_d(&t, X, k ? 0x1p-200 : 0);
+    put_d(&t, Y, 6);
+    require(&t, f->sinc(u, x, prec) == SS_OK && f->stumpff(v, x, prec) == SS_OK, "status near 0");
+    f->mul(v, v, y, prec);
+    put_d(&t, W, 1);
+    require(&t, near(&t, U, W, W, 1) && near(&t, V, W, W, 2), "sinc 0 = 1 and stumpff 0 = 1/6");
+    put_d(&t, Z, 0);
+    require(&t, f->hypot(u, x, z, prec) == SS_OK && near(&t, U, X, -1, 0), "hypot(x, 0) = x");
+  }
+  if (f == &num_double) {
+    put_d(&t, X, 3e300);
+    put_d(&t, Y, 4e300);
+    put_d(&t, Z, 5e300);
+    require(&t, f->hypot(u, x, y, prec) == SS_OK && near(&t, U, Z, -1, 2), "hypot does not overflow");
+    put_d(&t, X, 1.5e308);
+    require(&t, f->hypot(u, x, x, prec) == SS_UNABLE && is_nan(&t, U), "but where its value does");
+  }
+  trial_clear(&t);
+}
+END_TEST
+
+/* Balls of every width hold what they must: around 0, across 2, where the series ends, and wide ones. */
+START_TEST(stable_functions_of_wide_balls) {
+  static const double ends[][2] = {{-1, 1}, {0, 2}, {1, 3}, {-3, 1}, {-100, 100}, {2, 9}, {1.5, 2.5}, {-2, -1}};
+  struct trial t;
+  trial_init(&t, law_context(_i), "wide balls");
+  for (size_t i = 0; t.f->rigorous && i < sizeof ends / sizeof *ends; i++)
+    for (int k = 0; k <= 16; k++) {
+      put_interval(&t, X, ends[i][0], ends[i][1]);
+      put_interval(&t, Y, -1, 2);
+      put_d(&t, Z, ends[i][0] + (ends[i][1] - ends[i][0]) * k / 16);
+      const num_unary each[] = {t.f->sinc, t.f->stumpff};
+      for (int j = 0; j < 2; j++) {
+        int s = each[j](at(&t, U), at(&t, X), t.ctx.prec) | each[j](at(&t, V), at(&t, Z), t.ctx.prec);
+        require(&t, s == SS_OK && near(&t, U, V, -1, 0), "a point is not enclosed");
+      }
+      int s = t.f->hypot(at(&t, U), at(&t, X), at(&t, Y), t.ctx.prec);
+      put_d(&t, W, 0.5);
+      s |= t.f->hypot(at(&t, V), at(&t, Z), at(&t, W), t.ctx.prec);
+      require(&t, s == SS_OK && near(&t, U, V, -1, 0), "a point of the plane is not enclosed");
+    }
+  trial_clear(&t);
+}
+END_TEST
+
 START_TEST(power_laws) {
   struct trial t;
   trial_init(&t, law_context(_i), "pow_si");
@@ -935,6 +1013,8 @@ TCase *laws_num_tcase(void) {
   tcase_add_loop_test(tc, ring_laws, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, function_laws, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, atan2_laws, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, stable_function_laws, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, stable_functions_of_wide_balls, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, power_laws, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, nan_goes_through, 0, LAW_CONTEXTS);
   tcase_add_loop_test(tc, undefined_or_untold, 0, LAW_CONTEXTS);

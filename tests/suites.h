@@ -24,6 +24,7 @@ Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *exact_suite(void);
+Suite *stable_suite(void);
 Suite *certify_suite(void);
 Suite *html_suite(void);
 Suite *diff_suite(void);

@@ -5,11 +5,19 @@ import re
 import sys
 
 HEADERS = {  # header -> module
-    "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base", "part": "base", "decimal": "base",
+    "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base", "part": "base",
+    "decimal": "base",
     "num": "num", "ops": "num", "flint_compat": "num",
-    "expr": "expr", "edit": "expr", "tape": "tape", "exact": "tape", "model": "model", "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics", "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics", "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics", "warm": "dynamics", "batch": "dynamics", "return_map": "dynamics",
-    "family": "dynamics",
-    "audit": "audit", "scene": "audit", "result": "result", "mutation": "result", "stability": "result", "report": "report", "report_mutation": "report", "report_stability": "report",
+    "expr": "expr", "edit": "expr",
+    "tape": "tape", "exact": "tape",
+    "model": "model",
+    "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics",
+    "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics",
+    "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics", "warm": "dynamics",
+    "batch": "dynamics", "return_map": "dynamics", "family": "dynamics",
+    "audit": "audit", "scene": "audit", "stable": "audit",
+    "result": "result", "mutation": "result", "stability": "result",
+    "report": "report", "report_mutation": "report", "report_stability": "report",
 }
 ALLOWED = {
     "base": {"base"},

@@ -2,8 +2,8 @@
 
    A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root of a
    polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u),
-   cos(-u) = cos(u), cot = cos/sin.  The relations cos^2 = 1 - sin^2, and sqrt(u)^2 = u where u is a polynomial, rewrite
-   the generator with the square by generators that are older; their leading terms are coprime, so they are a Groebner
+   cos(-u) = cos(u), cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3, hypot(u, v) = sqrt(u^2 + v^2).  The relations cos^2 = 1 - sin^2, and sqrt(u)^2 = u where u is a polynomial, rewrite
+   the generator with the square (|u|^2 = u^2 likewise) by generators that are older; their leading terms are coprime, so they are a Groebner
    basis, and a numerator is in their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept
    rewritten.  Symbols may be defined by facts or by a binder.
 
@@ -38,6 +38,12 @@ void exact_field_bind(struct exact_field *f, exact_binder bind, void *arg);
 /* Positive elements in increasing order, among which roots of even polynomials are found: x is the k-th positive root
    when as many of them are roots as half of the degree.  Borrowed. */
 void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, int n);
+
+/* Elements that are positive wherever the answer is used: the root of the square of one is that element.  Borrowed. */
+void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n);
+/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -2 to 2 and a, b of one group (of
+   consecutive elements, n a multiple of its size).  Borrowed. */
+void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group);
 
 /* The generator of a free symbol; the square root of an element; sine and cosine of one. */
 int exact_symbol(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name);

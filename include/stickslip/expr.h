@@ -19,10 +19,12 @@
      postfix    := primary ("[" index ["," index] "]")*
      index      := digits [":" digits]
      primary    := number | name | name "'"* "(" sum ")" | "(" sum ")" | matrix
+                 | "hypot" "(" sum "," sum ")"
                  | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt abs inv det tr transpose are functions of one argument and take no prime; the paper's |x| is abs(x).
+   sin cos cot sqrt abs sinc stumpff inv det tr transpose are functions of one argument, hypot(a, b) of two; they take no
+   prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep their digits.
    first_order(f; x, y) is f to the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
    that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
    v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
@@ -48,6 +50,9 @@ enum expr_kind {
   EXPR_COT,
   EXPR_SQRT,
   EXPR_ABS,
+  EXPR_SINC,
+  EXPR_STUMPFF,
+  EXPR_HYPOT, /* of two */
   /* trees only, from here on */
   EXPR_PAREN, /* parentheses as written; args[0] */
   EXPR_INV,
@@ -125,7 +130,7 @@ struct expr_pool {
 };
 void expr_pool_init(struct expr_pool *p);
 void expr_pool_clear(struct expr_pool *p);
-/* A node of one of the scalar kinds from scalars of the same pool (b only for ADD SUB MUL DIV). */
+/* A node of one of the scalar kinds from scalars of the same pool (b only for ADD SUB MUL DIV HYPOT). */
 const struct expr *expr_num(struct expr_pool *p, const char *decimal);
 const struct expr *expr_int(struct expr_pool *p, long n); /* negative: NEG of a literal */
 const struct expr *expr_sym(struct expr_pool *p, const char *name);
@@ -136,7 +141,7 @@ const struct expr *expr_pow(struct expr_pool *p, const struct expr *a, int expon
 
 /* The derivative of a scalar with respect to a symbol, by the rules of calculus applied node by node.  A subexpression
    free of the symbol contributes nothing (so zeros do not pile up); nothing else is simplified.  d/dx of a call
-   f^(n)(u) is f^(n+1)(u) u'. */
+   f^(n)(u) is f^(n+1)(u) u'.  The derivatives of abs and of stumpff are not defined at 0, that of hypot not at the origin. */
 const struct expr *expr_diff(struct expr_pool *p, const struct expr *e, const char *sym);
 /* The scalar with every occurrence of a symbol replaced (inside call arguments too). */
 const struct expr *expr_subst(struct expr_pool *p, const struct expr *e, const char *sym, const struct expr *by);

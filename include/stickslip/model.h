@@ -14,7 +14,8 @@
    symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
    a section, then that of another section, if there is only one.
 
-   Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq.  An
+   Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable =
+   corrected under stable.eq, whose forms equal the corrected ones (stable.h) and keep their digits in double precision.  An
    overlay's definition replaces the one of the same name (and section, when both name one), an overlay's record the
    one with the same id. */
 #ifndef STICKSLIP_MODEL_H
@@ -24,11 +25,11 @@
 #include "stickslip/record.h"
 #include "stickslip/tape.h"
 
-enum layer { LAYER_PRINTED, LAYER_CORRECTED, N_LAYERS };
+enum layer { LAYER_PRINTED, LAYER_CORRECTED, LAYER_STABLE, N_LAYERS };
 extern const char *const layer_name[N_LAYERS];
 
 /* Where a file stands; a later rank hides an earlier one. */
-enum rank { RANK_PAPER, RANK_USER, RANK_ERRATA, RANK_CONTROL };
+enum rank { RANK_PAPER, RANK_USER, RANK_ERRATA, RANK_STABLE, RANK_CONTROL };
 
 struct definition {
   const char *name;
@@ -67,6 +68,7 @@ struct model {
   const char **symbols;
   size_t n_symbols, cap_symbols;
   struct model_use *use; /* NULL: nobody asks */
+  bool stable;           /* the corrected layer is read as the stable one */
 };
 
 void model_init(struct model *m);

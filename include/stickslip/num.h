@@ -80,6 +80,8 @@ enum { NUM_EXACT_GENERATORS = 64, NUM_EXACT_PRODUCT = 1 << 17 };
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
 /* The larger of the numbers of terms of numerator and denominator. */
 slong num_exact_terms(const fmpz_mpoly_q_struct *x);
+/* How many terms their product, quotient or (sum) sum or difference can have. */
+slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y, bool sum);
 
 /* An array of elements with the context they were made in. */
 struct num_vec {

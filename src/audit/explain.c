@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/stable.h"
 
 /* Quantities that --at can set, and the point's quantity they are. */
 static const struct {
@@ -182,6 +183,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_line(out, "tried at", claim_get(c, "points"));
     add_line(out, "routes", claim_get(c, "routes"));
     add_verdict(out, f);
+    stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
     ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, claim_own(c), NULL}, at, tape);
     orbit_cache_free(j.cache);

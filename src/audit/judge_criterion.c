@@ -268,7 +268,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
   }
   struct point p;
   point_init(&p);
-  for (int layer = 0; printed_point(&p, j->scene) && layer < N_LAYERS; layer++) {
+  for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     arb_ptr tr = _arb_vec_init(16);
     int n;

@@ -12,8 +12,8 @@
 static void add_instruction(struct text *out, const struct tape *t, slong i) {
   const struct tape_instr *in = &t->code[i];
   static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
-  static const char *const functions[] = {
-      [TAPE_sin] = "sin", [TAPE_cos] = "cos", [TAPE_cot] = "cot", [TAPE_sqrt] = "sqrt"};
+  static const char *const functions[] = {[TAPE_sin] = "sin",   [TAPE_cos] = "cos",   [TAPE_cot] = "cot",
+                                          [TAPE_sqrt] = "sqrt", [TAPE_sinc] = "sinc", [TAPE_stumpff] = "stumpff"};
   text_printf(out, "        %ld: lambda: ", (long)i);
   switch (in->op) {
   case TAPE_CONST:
@@ -39,7 +39,12 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
   case TAPE_cos:
   case TAPE_cot:
   case TAPE_sqrt:
+  case TAPE_sinc:
+  case TAPE_stumpff:
     text_printf(out, "f.%s(v(%ld))", functions[in->op], (long)in->a);
+    break;
+  case TAPE_hypot:
+    text_printf(out, "f.hypot(v(%ld), v(%ld))", (long)in->a, (long)in->b);
     break;
   default:
     text_printf(out, "v(%ld) %s v(%ld)", (long)in->a, infix[in->op], (long)in->b);

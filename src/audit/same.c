@@ -517,7 +517,7 @@ static bool contained(struct spread *s, const struct target *t) {
   s->seen[t->def] = true;
   for (size_t i = 0; i < s->a->n_records; i++) {
     const struct statement_record *r = &s->a->records[i];
-    for (int k = 0; r->rank != RANK_CONTROL && k < r->n_stmts; k++) {
+    for (int k = 0; r->rank < RANK_STABLE && k < r->n_stmts; k++) {
       struct target user = target_of(s->a, i, k);
       if ((long)user.def == t->def || !stands_in_statement(r->stmts[k], s->a->defs[t->def].name)) continue;
       if (!contained(s, &user)) return false;

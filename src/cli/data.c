@@ -50,6 +50,8 @@ bool load_model(struct model *m, const char *data, const struct options *o, stru
   ok = ok && (!o->overlay || model_add_file(m, o->overlay, RANK_USER, d));
   join_path(&path, data, "errata.eq");
   ok = ok && model_add_file(m, text_str(&path), RANK_ERRATA, d);
+  join_path(&path, data, "stable.eq");
+  ok = ok && model_add_file(m, text_str(&path), RANK_STABLE, d);
   join_path(&path, data, "controls");
   ok = ok && model_add_folder(m, text_str(&path), RANK_CONTROL, d);
   text_clear(&path);

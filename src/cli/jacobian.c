@@ -22,7 +22,7 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   if (o->layer) {
     int k = 0;
     while (k < N_LAYERS && strcmp(o->layer, layer_name[k]) != 0) k++;
-    if (k == N_LAYERS) return usage("--layer takes printed or corrected, not %.200s", o->layer);
+    if (k == N_LAYERS) return usage("--layer takes printed, corrected or stable, not %.200s", o->layer);
     q->layer = (enum layer)k;
   }
   return parse_start(&q->orbit, &q->at_printed, o->at);

@@ -173,6 +173,56 @@ static int d_cot(void *z, const void *x, slong prec) {
   return status;
 }
 
+/* (1 - cos x)/x^2 */
+static void half_square(arb_t z, const arb_t x, slong prec) {
+  arb_mul_2exp_si(z, x, -1);
+  num_arb.sinc(z, z, prec);
+  arb_mul(z, z, z, prec);
+  arb_mul_2exp_si(z, z, -1);
+}
+
+/* x (stumpff x - (1 - cos x)/x^2) */
+static int d_sinc(void *z, const void *x, slong prec) {
+  arb_t slope, other;
+  arb_init(slope);
+  arb_init(other);
+  half_square(other, &in(x)->v, prec);
+  num_arb.stumpff(slope, &in(x)->v, prec);
+  arb_sub(slope, slope, other, prec);
+  arb_mul(slope, slope, &in(x)->v, prec);
+  int status = num_arb.sinc(&at(z)->v, &in(x)->v, prec);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(other);
+  arb_clear(slope);
+  return status;
+}
+
+/* ((1 - cos x)/x^2 - 3 stumpff x)/x, which is at most |x|/60. */
+static int d_stumpff(void *z, const void *x, slong prec) {
+  arb_t slope, other;
+  arb_init(slope);
+  arb_init(other);
+  half_square(slope, &in(x)->v, prec);
+  int status = num_arb.stumpff(other, &in(x)->v, prec);
+  arb_submul_ui(slope, other, 3, prec);
+  if (arb_contains_zero(&in(x)->v)) {
+    mag_t most;
+    mag_init(most);
+    arb_get_mag(most, &in(x)->v);
+    mag_div_ui(most, most, 60);
+    arb_zero(slope);
+    arb_add_error_mag(slope, most);
+    mag_clear(most);
+  } else {
+    arb_div(slope, slope, &in(x)->v, prec);
+  }
+  arb_set(&at(z)->v, other);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(other);
+  arb_clear(slope);
+  return status;
+}
+
 static int d_add(void *z, const void *x, const void *y, slong prec) {
   int status = num_arb.add(&at(z)->v, &in(x)->v, &in(y)->v, prec);
   for (int i = 0; i < N_DIRECTIONS; i++) arb_add(&at(z)->d[i], &in(x)->d[i], &in(y)->d[i], prec);
@@ -233,6 +283,22 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
   }
   status = chain2(z, y, a, x, b, status, prec);
   arb_clear(square);
+  arb_clear(b);
+  arb_clear(a);
+  return status;
+}
+
+/* (x/h) x' + (y/h) y', none where h may be 0 */
+static int d_hypot(void *z, const void *x, const void *y, slong prec) {
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  arb_set(a, &in(x)->v);
+  arb_set(b, &in(y)->v);
+  int status = num_arb.hypot(&at(z)->v, a, b, prec);
+  if (!status) status = num_arb.div(a, a, &at(z)->v, prec);
+  if (!status) status = num_arb.div(b, b, &at(z)->v, prec);
+  status = chain2(z, x, a, y, b, status, prec);
   arb_clear(b);
   arb_clear(a);
   return status;

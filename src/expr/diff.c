@@ -118,6 +118,30 @@ static const struct expr *diff_power(struct expr_pool *p, const struct expr *e, 
   return mul(p, mul(p, expr_int(p, n), expr_pow(p, e->args[0], n - 1)), da);
 }
 
+/* The half of sinc^2(x/2), which is (1 - cos x)/x^2. */
+static const struct expr *half_square(struct expr_pool *p, const struct expr *x) {
+  const struct expr *two = expr_int(p, 2), *half = expr_op2(p, EXPR_DIV, x, two);
+  return expr_op2(p, EXPR_DIV, expr_pow(p, expr_op1(p, EXPR_SINC, half), 2), two);
+}
+
+/* (cos x - sinc x)/x = x (stumpff x - sinc^2(x/2)/2), which is 0 at 0. */
+static const struct expr *diff_sinc(struct expr_pool *p, const struct expr *x) {
+  return mul(p, x, expr_op2(p, EXPR_SUB, expr_op1(p, EXPR_STUMPFF, x), half_square(p, x)));
+}
+
+/* (sinc^2(x/2)/2 - 3 stumpff x)/x: without a value at 0. */
+static const struct expr *diff_stumpff(struct expr_pool *p, const struct expr *e) {
+  const struct expr *thrice = mul(p, expr_int(p, 3), e);
+  return expr_op2(p, EXPR_DIV, expr_op2(p, EXPR_SUB, half_square(p, e->args[0]), thrice), e->args[0]);
+}
+
+/* (a/h) a' + (b/h) b', none at the origin. */
+static const struct expr *diff_hypot(struct expr_pool *p, const struct expr *e, const struct expr *da,
+                                     const struct expr *db) {
+  const struct expr *left = da ? mul(p, expr_op2(p, EXPR_DIV, e->args[0], e), da) : NULL;
+  return diff_sum(p, EXPR_ADD, left, db ? mul(p, expr_op2(p, EXPR_DIV, e->args[1], e), db) : NULL);
+}
+
 /* A form of one operand whose derivative is da, not NULL. */
 static const struct expr *diff_unary(struct expr_pool *p, const struct expr *e, const struct expr *da) {
   const struct expr *a = e->args[0];
@@ -138,6 +162,10 @@ static const struct expr *diff_unary(struct expr_pool *p, const struct expr *e, 
     return expr_op2(p, EXPR_DIV, da, mul(p, expr_int(p, 2), e));
   case EXPR_ABS: /* none at 0 */
     return mul(p, expr_op2(p, EXPR_DIV, a, e), da);
+  case EXPR_SINC:
+    return mul(p, diff_sinc(p, a), da);
+  case EXPR_STUMPFF:
+    return mul(p, diff_stumpff(p, e), da);
   default:
     abort();
   }
@@ -157,6 +185,8 @@ static const struct expr *diff_node(const struct rewrite *w, const struct expr *
     return diff_product(p, e, d[0], d[1]);
   case EXPR_DIV:
     return diff_quotient(p, e, d[0], d[1]);
+  case EXPR_HYPOT:
+    return diff_hypot(p, e, d[0], d[1]);
   default:
     return d[0] ? diff_unary(p, e, d[0]) : NULL;
   }

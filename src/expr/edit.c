@@ -246,6 +246,10 @@ static void edit_function(struct job *j, int i) {
   bool is_trig = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT;
   for (size_t k = 0; is_trig && k < sizeof trig / sizeof *trig; k++)
     if (trig[k] != e->kind) replace(j, i, EDIT_FUNCTION, with_kind(j, e, trig[k]));
+  if (e->kind == EXPR_SINC || e->kind == EXPR_STUMPFF)
+    replace(j, i, EDIT_FUNCTION, with_kind(j, e, e->kind == EXPR_SINC ? EXPR_STUMPFF : EXPR_SINC));
+  if (e->kind == EXPR_HYPOT)
+    for (int k = 0; k < 2; k++) replace(j, i, EDIT_FUNCTION, new_node(j, EXPR_PAREN, e->args[k], NULL));
   if (e->kind == EXPR_DET || e->kind == EXPR_TR)
     replace(j, i, EDIT_FUNCTION, with_kind(j, e, e->kind == EXPR_DET ? EXPR_TR : EXPR_DET));
   if (e->kind == EXPR_INV || e->kind == EXPR_TRANSPOSE || e->kind == EXPR_SQRT)

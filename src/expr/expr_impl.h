@@ -23,6 +23,9 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
   F(EXPR_SIN, "sin")                                                                                                   \
   F(EXPR_COS, "cos")                                                                                                   \
   F(EXPR_COT, "cot")                                                                                                   \
+  F(EXPR_SINC, "sinc")                                                                                                 \
+  F(EXPR_STUMPFF, "stumpff")                                                                                           \
+  F(EXPR_HYPOT, "hypot")                                                                                               \
   F(EXPR_SQRT, "sqrt")                                                                                                 \
   F(EXPR_ABS, "abs")                                                                                                   \
   F(EXPR_INV, "inv")                                                                                                   \

@@ -89,7 +89,7 @@ static void name_latex_closed(struct text *out, const char *name, bool superscri
 /* ---- expressions */
 
 static bool is_trigonometric(const struct expr *e) {
-  return e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT;
+  return e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_SINC;
 }
 
 /* \sin^{2}(x), the usual place of the exponent; \sin^{-1} would be read as the arc sine. */
@@ -110,6 +110,9 @@ static enum level level(const struct expr *e) {
   case EXPR_SIN:
   case EXPR_COS:
   case EXPR_COT:
+  case EXPR_SINC:
+  case EXPR_STUMPFF:
+  case EXPR_HYPOT:
   case EXPR_DET:
   case EXPR_TR:
   case EXPR_INV:
@@ -176,6 +179,12 @@ static const char *function_latex(enum expr_kind k) {
     return "\\cos";
   case EXPR_COT:
     return "\\cot";
+  case EXPR_SINC:
+    return "\\operatorname{sinc}";
+  case EXPR_STUMPFF:
+    return "\\operatorname{stumpff}";
+  case EXPR_HYPOT:
+    return "\\operatorname{hypot}";
   case EXPR_DET:
     return "\\det";
   default:
@@ -248,7 +257,7 @@ static void symbols_latex(struct text *out, const struct expr *e, int i, const s
   default:
     if (first) text_add(out, function_latex(e->kind));
     if (first && parent && raised_inside(parent)) text_printf(out, "^{%d}", parent->exponent);
-    text_add(out, first ? "\\left(" : "\\right)");
+    text_add(out, first ? "\\left(" : last ? "\\right)" : ", ");
     break;
   }
 }

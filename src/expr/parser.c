@@ -297,6 +297,24 @@ static const struct expr *parse_argument(struct parser *p, struct token name) {
   return arg;
 }
 
+/* "(" sum "," sum ")" */
+static const struct expr *parse_two_arguments(struct parser *p, enum expr_kind kind, struct token name) {
+  struct token open = p->tok;
+  advance(p);
+  const struct expr *a = parse_sum(p);
+  if (!a) return NULL;
+  if (!accept(p, ','))
+    return fail_at(p, p->tok.begin, "%s takes two arguments, separated by \",\"", show(p, name).text);
+  const struct expr *b = parse_sum(p);
+  if (!b) return NULL;
+  if (p->tok.kind == ',')
+    return fail_at(p, p->tok.begin, "%s takes two arguments, separated by \",\"", show(p, name).text);
+  if (!accept(p, ')')) return fail_unclosed(p, open, "\")\"");
+  struct expr *e = node2(p, kind, a, b);
+  if (e) e->span.begin = name.begin;
+  return e;
+}
+
 static const struct expr *parse_function(struct parser *p, enum expr_kind kind) {
   struct token name = p->tok;
   advance(p);
@@ -306,6 +324,7 @@ static const struct expr *parse_function(struct parser *p, enum expr_kind kind) 
   if (p->tok.kind != '(')
     return fail_at(p, name.begin, "%s is a built-in function and cannot be a name; its argument stands in parentheses",
                    show(p, name).text);
+  if (kind == EXPR_HYPOT) return parse_two_arguments(p, kind, name);
   return node1(p, kind, name.begin, parse_argument(p, name));
 }
 

@@ -98,12 +98,13 @@ const struct expr *expr_call(struct expr_pool *p, const char *name, int order, c
 }
 
 const struct expr *expr_op1(struct expr_pool *p, enum expr_kind k, const struct expr *a) {
-  if (k != EXPR_NEG && k != EXPR_SIN && k != EXPR_COS && k != EXPR_COT && k != EXPR_SQRT && k != EXPR_ABS) abort();
+  bool one = k == EXPR_NEG || (k >= EXPR_SIN && k <= EXPR_STUMPFF);
+  if (!one) abort();
   return intern(p, &(struct expr){.kind = k, .n_args = 1, .args = &a});
 }
 
 const struct expr *expr_op2(struct expr_pool *p, enum expr_kind k, const struct expr *a, const struct expr *b) {
-  if (k != EXPR_ADD && k != EXPR_SUB && k != EXPR_MUL && k != EXPR_DIV) abort();
+  if (k != EXPR_ADD && k != EXPR_SUB && k != EXPR_MUL && k != EXPR_DIV && k != EXPR_HYPOT) abort();
   const struct expr *args[] = {a, b};
   return intern(p, &(struct expr){.kind = k, .n_args = 2, .args = args});
 }

@@ -151,7 +151,7 @@ static void print_symbols(struct text *out, const struct expr *e, int i) {
     break;
   default:
     if (first) text_add(out, function_name(e->kind));
-    text_add(out, first ? "(" : ")");
+    text_add(out, first ? "(" : last ? ")" : ", ");
     break;
   }
 }

@@ -447,6 +447,15 @@ static bool apply_entrywise(struct matrix *m, struct elaboration *el, const stru
   return true;
 }
 
+static bool apply_hypot(struct matrix *m, struct elaboration *el, const struct expr *e, const struct scope *sc,
+                        struct diag *d) {
+  struct matrix b;
+  if (!eval(&b, el, e->args[1], sc, d)) return false;
+  if (!is_scalar(m) || !is_scalar(&b)) return fail(sc, e, d, "two scalars are needed here", m, &b);
+  *m = scalar(el, expr_op2(&el->pool, EXPR_HYPOT, m->e[0], b.e[0]));
+  return true;
+}
+
 /* The symbol must be free: a definition has a value of its own, and a root depends on symbols that no derivative here
    sees. */
 static const char *small_symbol(struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
@@ -580,7 +589,11 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
   case EXPR_COT:
   case EXPR_SQRT:
   case EXPR_ABS:
+  case EXPR_SINC:
+  case EXPR_STUMPFF:
     return apply_entrywise(m, el, e, sc, d);
+  case EXPR_HYPOT:
+    return apply_hypot(m, el, e, sc, d);
   case EXPR_INV:
   case EXPR_DET:
   case EXPR_TR:

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-const char *const layer_name[N_LAYERS] = {"printed", "corrected"};
+const char *const layer_name[N_LAYERS] = {"printed", "corrected", "stable"};
 
 enum { MAX_EQ_FILE = 4 << 20 };
 
@@ -241,8 +241,10 @@ bool model_add_folder(struct model *m, const char *path, enum rank rank, struct 
 
 /* Whether the view sees something of this rank, equation and record. */
 static bool sees(const struct view *v, enum rank rank, const char *equation, const char *id) {
-  if (rank == RANK_ERRATA)
-    return v->layer == LAYER_CORRECTED && !(v->own && *equation && strcmp(v->own, equation) == 0);
+  bool stable = v->layer == LAYER_STABLE || (v->model->stable && v->layer == LAYER_CORRECTED);
+  if (rank == RANK_ERRATA || rank == RANK_STABLE)
+    return (rank == RANK_STABLE ? stable : v->layer != LAYER_PRINTED) &&
+           !(v->own && *equation && strcmp(v->own, equation) == 0);
   if (rank == RANK_CONTROL) return v->control && strcmp(v->control, id) == 0;
   return true;
 }

@@ -109,6 +109,86 @@ static int b_cot(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+static int b_sinc(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arb_sinc(z, x, prec);
+  return held(z);
+}
+
+/* 1/3! - y/5! + y^2/7! - ... for an exact y = x^2 in [0, 4]: each term is smaller than the one before it, so that the
+   first one left out bounds the rest. */
+static void stumpff_series(arb_t z, const arb_t y, slong prec) {
+  arb_t term;
+  arb_init(term);
+  arb_one(term);
+  arb_div_ui(term, term, 6, prec);
+  arb_set(z, term);
+  mag_t size;
+  mag_init(size);
+  bool small = false;
+  for (ulong k = 4; !small; k += 2) {
+    arb_mul(term, term, y, prec);
+    arb_div_ui(term, term, k * (k + 1), prec);
+    arb_neg(term, term);
+    arb_get_mag(size, term);
+    small = mag_cmp_2exp_si(size, -prec - 4) < 0;
+    if (small)
+      arb_add_error_mag(z, size);
+    else
+      arb_add(z, z, term, prec);
+  }
+  mag_clear(size);
+  arb_clear(term);
+}
+
+/* stumpff x is the integral of (1 - s)^2 cos(x s) / 2 for s from 0 to 1, so that its slope is at most |x|/60, and 1/24. */
+static void stumpff_near_zero(arb_t z, const arb_t x, slong prec) {
+  mag_t slope, most;
+  arb_t y;
+  mag_init(slope);
+  mag_init(most);
+  arb_init(y);
+  arb_get_mag(slope, x);
+  mag_div_ui(slope, slope, 60);
+  mag_set_ui(most, 24);
+  mag_inv(most, most);
+  mag_min(slope, slope, most);
+  mag_mul(slope, slope, arb_radref(x));
+  arf_mul(arb_midref(y), arb_midref(x), arb_midref(x), ARF_PREC_EXACT, ARF_RND_DOWN);
+  stumpff_series(z, y, prec + 10);
+  arb_add_error_mag(z, slope);
+  arb_set_round(z, z, prec);
+  arb_clear(y);
+  mag_clear(most);
+  mag_clear(slope);
+}
+
+/* Beyond 2 the quotient loses nothing.  Balls that reach across are wide: all of (0, 1/6] holds any value. */
+static int b_stumpff(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arb_t two, size;
+  arb_init(two);
+  arb_init(size);
+  arb_set_ui(two, 2);
+  b_abs(size, x, prec);
+  if (arb_le(size, two)) {
+    stumpff_near_zero(z, x, prec);
+  } else if (arb_gt(size, two)) {
+    arb_sinc(size, x, prec + 10);
+    arb_sub_ui(size, size, 1, prec + 10);
+    arb_neg(size, size);
+    arb_div(size, size, x, prec + 10);
+    arb_div(z, size, x, prec);
+  } else {
+    arb_set_d(two, 0.125);
+    mag_set_d(arb_radref(two), 0.125);
+    arb_set(z, two);
+  }
+  arb_clear(size);
+  arb_clear(two);
+  return held(z);
+}
+
 static int b_add(void *z, const void *x, const void *y, slong prec) {
   arb_add(z, x, y, prec);
   return held(z);
@@ -138,6 +218,12 @@ static int b_atan2(void *z, const void *y, const void *x, slong prec) {
   if (arb_is_zero(x) && arb_is_zero(y)) return failed(z, SS_DOMAIN);
   if (arb_contains_zero(x) && arb_contains_zero(y)) return failed(z, SS_UNABLE);
   arb_atan2(z, y, x, prec);
+  return held(z);
+}
+
+static int b_hypot(void *z, const void *x, const void *y, slong prec) {
+  if (!arb_is_finite(x) || !arb_is_finite(y)) return failed(z, SS_UNABLE);
+  arb_hypot(z, x, y, prec);
   return held(z);
 }
 

@@ -115,6 +115,21 @@ static int d_cot(void *z, const void *x, slong prec) {
   return value(x) == 0 ? undefined(z) : held(z, 1 / tan(value(x)));
 }
 
+static int d_sinc(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, value(x) == 0 ? 1 : sin(value(x)) / value(x));
+}
+
+/* Up to 2 by the series, whose terms beyond the first are smaller than it; above, x - sin x keeps its digits. */
+static int d_stumpff(void *z, const void *x, slong prec) {
+  double t = value(x), sum = 0;
+  (void)prec;
+  if (fabs(t) > 2) return held(z, (1 - sin(t) / t) / t / t);
+  if (isnan(t)) return held(z, t);
+  for (int k = 23; k > 0; k -= 2) sum = (1 - t * t * sum) / ((k + 1) * (k + 2));
+  return held(z, sum);
+}
+
 static int d_add(void *z, const void *x, const void *y, slong prec) {
   (void)prec;
   return held(z, value(x) + value(y));
@@ -140,6 +155,11 @@ static int d_atan2(void *z, const void *y, const void *x, slong prec) {
   (void)prec;
   if (value(x) == 0 && value(y) == 0) return undefined(z);
   return held(z, atan2(value(y) + 0.0, value(x))); /* -0 + 0 is +0, and the angle of a negative number is +pi */
+}
+
+static int d_hypot(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  return held(z, isnan(value(x)) || isnan(value(y)) ? (double)NAN : hypot(value(x), value(y)));
 }
 
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {

@@ -17,6 +17,13 @@ slong num_exact_terms(const fmpz_mpoly_q_struct *x) {
   return n > d ? n : d;
 }
 
+slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y, bool sum) {
+  slong xn = fmpz_mpoly_length(&x->num, num_exact_ctx()), xd = fmpz_mpoly_length(&x->den, num_exact_ctx());
+  slong yn = fmpz_mpoly_length(&y->num, num_exact_ctx()), yd = fmpz_mpoly_length(&y->den, num_exact_ctx());
+  slong product = num_exact_terms(x) * num_exact_terms(y), crossed = xn * yd + yn * xd;
+  return sum && crossed < product ? crossed : product;
+}
+
 static void e_init(void *x, slong prec) {
   (void)prec;
   fmpz_mpoly_q_init(x, num_exact_ctx());
@@ -76,26 +83,26 @@ static int e_neg(void *z, const void *x, slong prec) {
   return SS_OK;
 }
 
-static bool fits(const void *x, const void *y) {
-  return num_exact_terms(x) * num_exact_terms(y) <= NUM_EXACT_PRODUCT;
+static bool fits(const void *x, const void *y, bool sum) {
+  return num_exact_work(x, y, sum) <= NUM_EXACT_PRODUCT;
 }
 
-#define EXACT_BINARY(name)                                                                                             \
+#define EXACT_BINARY(name, sum)                                                                                        \
   static int e_##name(void *z, const void *x, const void *y, slong prec) {                                             \
     (void)prec;                                                                                                        \
-    if (!fits(x, y)) return SS_UNABLE;                                                                                 \
+    if (!fits(x, y, sum)) return SS_UNABLE;                                                                            \
     fmpz_mpoly_q_##name(z, x, y, num_exact_ctx());                                                                     \
     return SS_OK;                                                                                                      \
   }
-EXACT_BINARY(add)
-EXACT_BINARY(sub)
-EXACT_BINARY(mul)
+EXACT_BINARY(add, true)
+EXACT_BINARY(sub, true)
+EXACT_BINARY(mul, false)
 #undef EXACT_BINARY
 
 static int e_div(void *z, const void *x, const void *y, slong prec) {
   (void)prec;
   if (fmpz_mpoly_q_is_zero(y, num_exact_ctx())) return SS_DOMAIN;
-  if (!fits(x, y)) return SS_UNABLE;
+  if (!fits(x, y, false)) return SS_UNABLE;
   fmpz_mpoly_q_div(z, x, y, num_exact_ctx());
   return SS_OK;
 }
@@ -106,8 +113,8 @@ static int e_unary(void *z, const void *x, slong prec) {
   return SS_UNABLE;
 }
 
-static int e_atan2(void *z, const void *y, const void *x, slong prec) {
-  (void)z, (void)y, (void)x, (void)prec;
+static int e_binary(void *z, const void *x, const void *y, slong prec) {
+  (void)z, (void)x, (void)y, (void)prec;
   return SS_UNABLE;
 }
 
@@ -165,11 +172,14 @@ const struct num_type num_exact = {
     .sin = e_unary,
     .cos = e_unary,
     .cot = e_unary,
+    .sinc = e_unary,
+    .stumpff = e_unary,
     .add = e_add,
     .sub = e_sub,
     .mul = e_mul,
     .div = e_div,
-    .atan2 = e_atan2,
+    .atan2 = e_binary,
+    .hypot = e_binary,
     .sin_cos = e_sin_cos,
     .pow_si = e_pow_si,
     .pi = e_pi,

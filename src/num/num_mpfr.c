@@ -113,6 +113,37 @@ static int m_cot(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+/* A function of Arb's, correctly rounded: at a number other than 0 its value is transcendental, so that some precision
+   separates it from every rounding boundary. */
+static int rounded_by_balls(mpfr_ptr z, mpfr_srcptr x, num_unary f) {
+  slong prec = mpfr_get_prec(z);
+  arb_t at, y;
+  arb_init(at);
+  arb_init(y);
+  arf_set_mpfr(arb_midref(at), x);
+  int s = SS_UNABLE;
+  for (slong guard = 32; guard <= ARGUMENT_BITS; guard *= 4) {
+    s = f(y, at, prec + guard);
+    if (s != SS_OK || arb_can_round_mpfr(y, prec, MPFR_RNDN)) break;
+  }
+  if (s == SS_OK) arf_get_mpfr(z, arb_midref(y), MPFR_RNDN);
+  arb_clear(y);
+  arb_clear(at);
+  return s == SS_OK ? held(z) : failed(z, s);
+}
+
+static int m_sinc(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (mpfr_nan_p((mpfr_srcptr)x) || too_far_out(x)) return failed(z, SS_UNABLE);
+  return rounded_by_balls(z, x, num_arb.sinc);
+}
+
+static int m_stumpff(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (mpfr_nan_p((mpfr_srcptr)x) || too_far_out(x)) return failed(z, SS_UNABLE);
+  return rounded_by_balls(z, x, num_arb.stumpff);
+}
+
 static int m_add(void *z, const void *x, const void *y, slong prec) {
   (void)prec;
   mpfr_add(z, x, y, MPFR_RNDN);
@@ -150,6 +181,13 @@ static int m_atan2(void *z, const void *y, const void *x, slong prec) {
     mpfr_set_zero(z, 1);
   else
     mpfr_const_pi(z, MPFR_RNDN); /* also when y is -0 */
+  return held(z);
+}
+
+static int m_hypot(void *z, const void *x, const void *y, slong prec) {
+  (void)prec;
+  if (mpfr_nan_p((mpfr_srcptr)x) || mpfr_nan_p((mpfr_srcptr)y)) return failed(z, SS_UNABLE);
+  mpfr_hypot(z, x, y, MPFR_RNDN);
   return held(z);
 }
 

@@ -23,8 +23,8 @@ struct exact_field {
   int n_facts;
   exact_binder bind;
   void *bind_arg;
-  const fmpz_mpoly_q_struct *root;
-  int n_roots;
+  const fmpz_mpoly_q_struct *root, *positive, *angle;
+  int n_roots, n_positive, n_angles, group;
 };
 
 static const fmpz_mpoly_ctx_struct *ring(void) {
@@ -54,6 +54,17 @@ void exact_field_bind(struct exact_field *f, exact_binder bind, void *arg) {
 void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, int n) {
   f->root = root;
   f->n_roots = n;
+}
+
+void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n) {
+  f->positive = positive;
+  f->n_positive = n;
+}
+
+void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group) {
+  f->angle = angle;
+  f->n_angles = n;
+  f->group = group;
 }
 
 slong exact_largest(const struct exact_field *f) {
@@ -134,14 +145,14 @@ bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
 }
 
 /* Products are refused before they are made. */
-static bool fits(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
+static bool fits(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y, bool sum) {
   slong most = f->limit * f->limit / 16;
-  return num_exact_terms(x) * num_exact_terms(y) <= (most < NUM_EXACT_PRODUCT ? most : NUM_EXACT_PRODUCT);
+  return num_exact_work(x, y, sum) <= (most < NUM_EXACT_PRODUCT ? most : NUM_EXACT_PRODUCT);
 }
 
 static int apply(num_binary op, fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
                  const fmpz_mpoly_q_struct *y) {
-  if (!fits(f, x, y)) return SS_UNABLE;
+  if (!fits(f, x, y, op == num_exact.add || op == num_exact.sub)) return SS_UNABLE;
   int s = op(z, x, y, 0);
   return s ? s : exact_reduce(z, f);
 }
@@ -226,8 +237,22 @@ static slong make_angle(struct exact_field *f, const fmpz_mpoly_q_struct *arg) {
   return s;
 }
 
-/* Of the angle without its sign, which is that of the leading coefficient of its numerator. */
-int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+/* x without its sign, which is that of the leading coefficient of its numerator; whether that is negative. */
+static bool take_sign(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x) {
+  fmpz_t lead;
+  fmpz_init(lead);
+  fmpz_mpoly_get_term_coeff_fmpz(lead, &x->num, 0, ring());
+  bool negative = fmpz_sgn(lead) < 0;
+  if (negative)
+    fmpz_mpoly_q_neg(z, x, ring());
+  else
+    fmpz_mpoly_q_set(z, x, ring());
+  fmpz_clear(lead);
+  return negative;
+}
+
+static int own_angle(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f,
+                     const fmpz_mpoly_q_struct *x) {
   if (fmpz_mpoly_q_is_zero(x, ring())) {
     fmpz_mpoly_q_zero(s, ring());
     fmpz_mpoly_q_set_si(c, 1, ring());
@@ -235,19 +260,78 @@ int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_f
   }
   fmpz_mpoly_q_struct arg;
   exact_init(&arg, f);
-  fmpz_mpoly_q_set(&arg, x, ring());
-  fmpz_t lead;
-  fmpz_init(lead);
-  fmpz_mpoly_get_term_coeff_fmpz(lead, &x->num, 0, ring());
-  bool negative = fmpz_sgn(lead) < 0;
-  if (negative) fmpz_mpoly_q_neg(&arg, &arg, ring());
+  bool negative = take_sign(&arg, x);
   slong i = make_angle(f, &arg);
   int status = set_generator(s, i);
   if (status == SS_OK) status = set_generator(c, generator(f, TAPE_cos, NULL, &arg, 1, 0));
   if (negative) fmpz_mpoly_q_neg(s, s, ring());
-  fmpz_clear(lead);
   exact_clear(&arg, f);
   return status;
+}
+
+/* The pair of an angle and that of another: the pair of their sum. */
+static int add_angle(fmpz_mpoly_q_struct p[2], struct exact_field *f, const fmpz_mpoly_q_struct by[2]) {
+  fmpz_mpoly_q_struct t[4];
+  int s = SS_OK;
+  for (int i = 0; i < 4; i++) exact_init(&t[i], f);
+  for (int i = 0; s == SS_OK && i < 4; i++) s = apply(num_exact.mul, &t[i], f, &p[i / 2], &by[i % 2]);
+  if (s == SS_OK) s = apply(num_exact.add, &p[0], f, &t[1], &t[2]);
+  if (s == SS_OK) s = apply(num_exact.sub, &p[1], f, &t[3], &t[0]);
+  for (int i = 0; i < 4; i++) exact_clear(&t[i], f);
+  return s;
+}
+
+/* The pair of i a + k b. */
+static int make_sum(fmpz_mpoly_q_struct p[2], struct exact_field *f, int a, int i, int b, int k) {
+  const int of[2] = {a, b}, times[2] = {i, k};
+  fmpz_mpoly_q_struct by[2];
+  int s = SS_OK;
+  for (int j = 0; j < 2; j++) exact_init(&by[j], f);
+  fmpz_mpoly_q_zero(&p[0], ring());
+  fmpz_mpoly_q_set_si(&p[1], 1, ring());
+  for (int j = 0; s == SS_OK && j < 2; j++) {
+    if (times[j] == 0) continue;
+    s = own_angle(&by[0], &by[1], f, &f->angle[of[j]]);
+    if (times[j] < 0) fmpz_mpoly_q_neg(&by[0], &by[0], ring());
+    for (int n = 0; s == SS_OK && n < abs(times[j]); n++) s = add_angle(p, f, by);
+  }
+  for (int j = 0; j < 2; j++) exact_clear(&by[j], f);
+  return s;
+}
+
+/* Is x = i a + k b? */
+static bool is_sum(struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int i, int b, int k) {
+  fmpz_mpoly_q_struct u, v, n;
+  exact_init(&u, f);
+  exact_init(&v, f);
+  exact_init(&n, f);
+  fmpz_mpoly_q_set_si(&n, i, ring());
+  bool ok = apply(num_exact.mul, &u, f, &f->angle[a], &n) == SS_OK;
+  fmpz_mpoly_q_set_si(&n, k, ring());
+  ok = ok && apply(num_exact.mul, &v, f, &f->angle[b], &n) == SS_OK;
+  ok = ok && apply(num_exact.add, &u, f, &u, &v) == SS_OK && exact_equal(f, x, &u);
+  exact_clear(&n, f);
+  exact_clear(&v, f);
+  exact_clear(&u, f);
+  return ok;
+}
+
+int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  enum { MOST = 4 };
+  for (int a = 0; a < f->n_angles; a++)
+    for (int b = a + 1; b < f->n_angles && b / f->group == a / f->group; b++)
+      for (int i = -MOST; i <= MOST; i++)
+        for (int k = -MOST; k <= MOST; k++) {
+          if (!is_sum(f, x, a, i, b, k)) continue;
+          fmpz_mpoly_q_struct p[2];
+          for (int j = 0; j < 2; j++) exact_init(&p[j], f);
+          int status = make_sum(p, f, a, i, b, k);
+          fmpz_mpoly_q_swap(s, &p[0], ring());
+          fmpz_mpoly_q_swap(c, &p[1], ring());
+          for (int j = 0; j < 2; j++) exact_clear(&p[j], f);
+          return status;
+        }
+  return own_angle(s, c, f, x);
 }
 
 static int circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {
@@ -264,7 +348,40 @@ static int circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op 
   return status;
 }
 
+/* The positive element of which x is the square. */
+static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  const fmpz_mpoly_q_struct *found = NULL;
+  fmpz_mpoly_q_struct square;
+  exact_init(&square, f);
+  for (int i = 0; !found && i < f->n_positive; i++)
+    if (apply(num_exact.mul, &square, f, &f->positive[i], &f->positive[i]) == SS_OK && exact_equal(f, x, &square))
+      found = &f->positive[i];
+  exact_clear(&square, f);
+  return found;
+}
+
+/* sqrt(p/n) = sqrt(p n)/n for an integer n > 0. */
+static int root_over_integer(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  fmpz_mpoly_q_struct n, product;
+  exact_init(&n, f);
+  exact_init(&product, f);
+  fmpz_mpoly_set(&n.num, &x->den, ring());
+  fmpz_mpoly_set(&product.num, &x->num, ring());
+  int s = apply(num_exact.mul, &product, f, &product, &n);
+  if (s == SS_OK) s = exact_sqrt(z, f, &product);
+  if (s == SS_OK) s = apply(num_exact.div, z, f, z, &n);
+  exact_clear(&product, f);
+  exact_clear(&n, f);
+  return s;
+}
+
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  const fmpz_mpoly_q_struct *known = known_square_root(f, x);
+  if (known) {
+    fmpz_mpoly_q_set(z, known, ring());
+    return SS_OK;
+  }
+  if (fmpz_mpoly_is_fmpz(&x->den, ring()) && !fmpz_mpoly_is_one(&x->den, ring())) return root_over_integer(z, f, x);
   slong i = generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (i >= 0 && !f->gen[i].squared && fmpz_mpoly_is_one(&x->den, ring())) {
     f->gen[i].squared = true;
@@ -272,6 +389,63 @@ int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q
     fmpz_mpoly_set(f->gen[i].square, &x->num, ring());
   }
   return set_generator(z, i);
+}
+
+static int hypotenuse(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x,
+                      const fmpz_mpoly_q_struct *y) {
+  fmpz_mpoly_q_struct square;
+  exact_init(&square, f);
+  int s = apply(num_exact.mul, &square, f, y, y);
+  if (s == SS_OK) s = apply(num_exact.mul, z, f, x, x);
+  if (s == SS_OK) s = apply(num_exact.add, &square, f, &square, z);
+  if (s == SS_OK) s = exact_sqrt(z, f, &square);
+  exact_clear(&square, f);
+  return s;
+}
+
+/* |p/q| = |p q|/q^2: the generator stands for the absolute value of a polynomial. */
+static int absolute(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  if (exact_is_zero(f, x)) {
+    fmpz_mpoly_q_zero(z, ring());
+    return SS_OK;
+  }
+  fmpz_mpoly_q_struct den, arg;
+  exact_init(&den, f);
+  exact_init(&arg, f);
+  fmpz_mpoly_set(&den.num, &x->den, ring());
+  fmpz_mpoly_set(&arg.num, &x->num, ring());
+  int s = apply(num_exact.mul, &arg, f, &arg, &den);
+  if (s == SS_OK) s = apply(num_exact.mul, &den, f, &den, &den);
+  if (s == SS_OK) take_sign(&arg, &arg);
+  slong i = s == SS_OK ? generator(f, TAPE_abs, NULL, &arg, 1, 0) : -1;
+  if (i >= 0 && !f->gen[i].squared) {
+    f->gen[i].squared = true;
+    fmpz_mpoly_init(f->gen[i].square, ring());
+    fmpz_mpoly_mul(f->gen[i].square, &arg.num, &arg.num, ring());
+    rewrite(f->gen[i].square, f);
+  }
+  if (s == SS_OK) s = set_generator(z, i);
+  if (s == SS_OK) s = apply(num_exact.div, z, f, z, &den);
+  exact_clear(&arg, f);
+  exact_clear(&den, f);
+  return s;
+}
+
+/* sin u/u, or (u - sin u)/u^3. */
+static int over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {
+  if (fmpz_mpoly_q_is_zero(x, ring())) {
+    fmpz_mpoly_q_set_si(z, 1, ring());
+    if (op == TAPE_stumpff) fmpz_mpoly_set_si(&z->den, 6, ring());
+    return SS_OK;
+  }
+  fmpz_mpoly_q_struct sine;
+  exact_init(&sine, f);
+  int s = circular(&sine, f, TAPE_sin, x);
+  if (s == SS_OK && op == TAPE_stumpff) s = apply(num_exact.sub, &sine, f, x, &sine);
+  for (int i = 0; s == SS_OK && i < (op == TAPE_stumpff ? 3 : 1); i++) s = apply(num_exact.div, &sine, f, &sine, x);
+  fmpz_mpoly_q_swap(z, &sine, ring());
+  exact_clear(&sine, f);
+  return s;
 }
 
 static int power(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, slong n) {
@@ -361,6 +535,13 @@ static int run(const struct tape *t, slong i, fmpz_mpoly_q_struct *reg, struct e
     return circular(z, f, in->op, a);
   case TAPE_sqrt:
     return exact_sqrt(z, f, a);
+  case TAPE_abs:
+    return absolute(z, f, a);
+  case TAPE_sinc:
+  case TAPE_stumpff:
+    return over_angle(z, f, in->op, a);
+  case TAPE_hypot:
+    return hypotenuse(z, f, a, b);
   case TAPE_add:
     return apply(num_exact.add, z, f, a, b);
   case TAPE_sub:
@@ -590,7 +771,7 @@ bool exact_independent(const struct exact_field *f) {
   int roots = 0;
   for (slong i = 0; i < f->n; i++) {
     const struct generator *g = &f->gen[i];
-    if (g->op == TAPE_ROOT) return false;
+    if (g->op == TAPE_ROOT || g->op == TAPE_abs) return false;
     if (g->op == TAPE_sqrt && (roots++ || !g->squared || fmpz_mpoly_is_square(g->square, ring()))) return false;
     if (g->op != TAPE_sin) continue;
     if (!is_monomial(&g->args[0])) return false;
@@ -623,7 +804,11 @@ static void print_generator(struct text *out, const struct exact_field *f, slong
     text_add(out, g->name);
     return;
   }
-  text_add(out, g->op == TAPE_sin ? "sin(" : g->op == TAPE_cos ? "cos(" : g->op == TAPE_sqrt ? "sqrt(" : "root(");
+  text_add(out, g->op == TAPE_sin    ? "sin("
+                : g->op == TAPE_cos  ? "cos("
+                : g->op == TAPE_sqrt ? "sqrt("
+                : g->op == TAPE_abs  ? "abs("
+                                     : "root(");
   for (slong k = 0; k < g->n_args; k++) {
     if (k) text_add(out, "; ");
     exact_print(out, f, &g->args[k]);

@@ -120,6 +120,12 @@ static enum tape_op op_of(enum expr_kind k) {
     return TAPE_sqrt;
   case EXPR_ABS:
     return TAPE_abs;
+  case EXPR_SINC:
+    return TAPE_sinc;
+  case EXPR_STUMPFF:
+    return TAPE_stumpff;
+  case EXPR_HYPOT:
+    return TAPE_hypot;
   default:
     abort();
   }

@@ -131,6 +131,15 @@ class Field:
         sine, cosine = self.sin_cos(x)
         return cosine / sine
 
+    def sinc(self, x):
+        return self.one if x.is_zero() else self.sin(x) / x
+
+    def stumpff(self, x):
+        return self.number("1/6") if x.is_zero() else (x - self.sin(x)) / (x * x * x)
+
+    def hypot(self, x, y):
+        return self.sqrt(x * x + y * y)
+
     def root_omega(self):
         if self.omega is None:
             raise NeedsOmega
