@@ -35,12 +35,16 @@ def table(old):
     lines += [f"| {k} | {v} |" for k, v in summary.items() if v]
     lines += ["", *score(old)] if score(old) else []
     lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Refuted:", ""]
-    for c in audit["claims"]:
-        if c["verdict"] not in ("refuted", "conditional"):
+    failed = [c for c in audit["claims"] if c["verdict"] in ("refuted", "conditional")]
+    slips = [f"`{c['id']}`" for c in failed if c["fault"] == "notation"]
+    for c in failed:
+        if c["fault"] == "notation":
             continue
         fix = c["correction"]
         holds = f" (proved where {c['condition']})" if c["verdict"] == "conditional" else ""
         lines.append(f"- `{c['id']}`: {c['title']}{holds}" + (f"; corrected: `{fix['text']}` ({fix['verdict']})" if fix else ""))
+    if slips:
+        lines.append(f"- slips of notation: {', '.join(slips)}")
     return "\n".join(lines)
 
 
