@@ -284,16 +284,15 @@ START_TEST(changes_are_where_bifurcate_has_them) {
 END_TEST
 
 /* With two anchors, with many and with nothing but anchors. */
-START_TEST(followed_or_searched_for_is_the_same) {
-  enum { N = 401 };
+static void check_anchors(int vary, const char *from, const char *to, slong n) {
   struct line l;
   struct dyn_family f, g;
-  line_init(&l, example, P_E2, "0.5", "3", N);
+  line_init(&l, example, vary, from, to, n);
   find(&g, &l, 1, true);
-  ck_assert_int_eq(g.searched, N);
+  ck_assert_int_eq(g.searched, n);
   for (slong every = 7; every <= 7 * 64; every *= 8) {
     find(&f, &l, every, true);
-    for (slong i = 0; i < N; i++) {
+    for (slong i = 0; i < n; i++) {
       ck_assert_int_eq(f.point[i].n, g.point[i].n);
       for (slong k = 0; k < f.point[i].n; k++) {
         const struct dyn_member *a = &f.member[f.point[i].first + k], *b = &g.member[g.point[i].first + k];
@@ -305,6 +304,12 @@ START_TEST(followed_or_searched_for_is_the_same) {
   }
   dyn_family_clear(&g);
   line_clear(&l);
+}
+
+START_TEST(followed_or_searched_for_is_the_same) {
+  check_anchors(P_E2, "0.5", "3", 401);
+  /* two branches come close, multipliers on both sides of 1: one ends there and the other begins */
+  check_anchors(P_ETA, "0.6640625", "0.6875", 9);
   flint_cleanup();
   mpfr_free_cache();
 }
