@@ -515,6 +515,19 @@ START_TEST(wrong_parts_are_refused) {
 }
 END_TEST
 
+#define DIGITS "\"$P\" sweep \"$D/digits.scene\" --over e2=0.8:0.9:100 --csv \"$D/digits\""
+
+START_TEST(long_heads_are_resumed) {
+  enum { MANY = 5000 };
+  static const char before[] = "title: a number of many digits\nchi = 0.8\neta = 1\nV = 1\ne2 = 0.8587\ne1 = 2.7844";
+  char scene[sizeof before + MANY + 1];
+  int len = snprintf(scene, sizeof scene, "%s%0*d\n", before, MANY, 1);
+  scratch_put_n("digits.scene", scene, (size_t)len);
+  shell_well(DIGITS " && cp \"$D/digits\" \"$D/whole\" && mv \"$D/digits\" \"$D/digits.part\"");
+  shell_well(DIGITS " --resume && cmp \"$D/digits\" \"$D/whole\"");
+}
+END_TEST
+
 /* Two at a time on one file. */
 START_TEST(one_run_writes_a_file) {
   struct part a;
@@ -528,7 +541,8 @@ START_TEST(one_run_writes_a_file) {
 }
 END_TEST
 
-static void interrupt_with(int number) {
+/* A run that takes long, once it has written so many bytes; resume: what another left. */
+static pid_t start_long(bool resume, off_t size) {
   enum { TRIES = 2000 };
   const char *part = scratch_path("long.part");
   struct stat st = {.st_size = 0};
@@ -539,11 +553,15 @@ static void interrupt_with(int number) {
     FILE *err = freopen(scratch_path("err"), "w", stderr);
     if (err)
       execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:2000", "--csv",
-            scratch_path("long"), (char *)NULL);
+            scratch_path("long"), resume ? "--resume" : (char *)NULL, (char *)NULL);
     _exit(127);
   }
-  for (int i = 0; i < TRIES && (stat(part, &st) != 0 || st.st_size < 100000); i++)
+  for (int i = 0; i < TRIES && (stat(part, &st) != 0 || st.st_size < size); i++)
     nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
+  return pid;
+}
+
+static void interrupt(pid_t pid, int number) {
   kill(pid, number);
   int s;
   ck_assert(waitpid(pid, &s, 0) == pid);
@@ -551,6 +569,24 @@ static void interrupt_with(int number) {
   says("err", "long.part holds ");
   ck_assert(access(scratch_path("long"), F_OK) != 0);
 }
+
+static void interrupt_with(int number) {
+  interrupt(start_long(false, 100000), number);
+}
+
+/* The lock outlives that the file was read. */
+START_TEST(one_run_continues_a_file) {
+  struct stat st;
+  interrupt_with(SIGINT);
+  ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
+  pid_t pid = start_long(true, st.st_size + 100000);
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 --csv \"$D/long\" --resume 2> "
+                         "\"$D/second\""),
+                   3);
+  says("second", "long.part: error: another process is writing this file");
+  interrupt(pid, SIGTERM);
+}
+END_TEST
 
 START_TEST(signals_leave_a_file_to_resume) {
   interrupt_with(SIGINT);
@@ -697,6 +733,8 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);
   tcase_add_test(program_case, wrong_parts_are_refused);
   tcase_add_test(program_case, one_run_writes_a_file);
+  tcase_add_test(program_case, one_run_continues_a_file);
+  tcase_add_test(program_case, long_heads_are_resumed);
   tcase_add_test(program_case, signals_leave_a_file_to_resume);
   tcase_add_test(program_case, what_cannot_be_written_is_said);
   tcase_add_test(program_case, hostile_options);
