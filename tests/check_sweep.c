@@ -599,6 +599,15 @@ START_TEST(signals_leave_a_file_to_resume) {
 }
 END_TEST
 
+/* The first signal ends it between two writes, and nobody reads what is written. */
+START_TEST(a_second_signal_ends_at_once) {
+  shell_well(
+      "mkfifo \"$D/full\"; sleep 30 < \"$D/full\" & s=$!; \"$P\" sweep paper --over e2=1:2:1000000 > \"$D/full\" & "
+      "p=$!; exec 2> \"$D/err\"; sleep 1; kill $p; sleep 0.2; kill -0 $p && kill $p; wait $p; e=$?; kill $s; "
+      "test $e = 143");
+}
+END_TEST
+
 /* A disk that fills up is played by a limit on the size of files. */
 START_TEST(what_cannot_be_written_is_said) {
   ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 > /dev/full 2> \"$D/err\""), 3);
@@ -735,6 +744,7 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, one_run_writes_a_file);
   tcase_add_test(program_case, one_run_continues_a_file);
   tcase_add_test(program_case, long_heads_are_resumed);
+  tcase_add_test(program_case, a_second_signal_ends_at_once);
   tcase_add_test(program_case, signals_leave_a_file_to_resume);
   tcase_add_test(program_case, what_cannot_be_written_is_said);
   tcase_add_test(program_case, hostile_options);
