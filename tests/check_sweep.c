@@ -284,16 +284,15 @@ START_TEST(changes_are_where_bifurcate_has_them) {
 END_TEST
 
 /* With two anchors, with many and with nothing but anchors. */
-START_TEST(followed_or_searched_for_is_the_same) {
-  enum { N = 401 };
+static void check_anchors(int vary, const char *from, const char *to, slong n) {
   struct line l;
   struct dyn_family f, g;
-  line_init(&l, example, P_E2, "0.5", "3", N);
+  line_init(&l, example, vary, from, to, n);
   find(&g, &l, 1, true);
-  ck_assert_int_eq(g.searched, N);
+  ck_assert_int_eq(g.searched, n);
   for (slong every = 7; every <= 7 * 64; every *= 8) {
     find(&f, &l, every, true);
-    for (slong i = 0; i < N; i++) {
+    for (slong i = 0; i < n; i++) {
       ck_assert_int_eq(f.point[i].n, g.point[i].n);
       for (slong k = 0; k < f.point[i].n; k++) {
         const struct dyn_member *a = &f.member[f.point[i].first + k], *b = &g.member[g.point[i].first + k];
@@ -305,6 +304,12 @@ START_TEST(followed_or_searched_for_is_the_same) {
   }
   dyn_family_clear(&g);
   line_clear(&l);
+}
+
+START_TEST(followed_or_searched_for_is_the_same) {
+  check_anchors(P_E2, "0.5", "3", 401);
+  /* two branches come close, multipliers on both sides of 1: one ends there and the other begins */
+  check_anchors(P_ETA, "0.6640625", "0.6875", 9);
   flint_cleanup();
   mpfr_free_cache();
 }
@@ -510,6 +515,19 @@ START_TEST(wrong_parts_are_refused) {
 }
 END_TEST
 
+#define DIGITS "\"$P\" sweep \"$D/digits.scene\" --over e2=0.8:0.9:100 --csv \"$D/digits\""
+
+START_TEST(long_heads_are_resumed) {
+  enum { MANY = 5000 };
+  static const char before[] = "title: a number of many digits\nchi = 0.8\neta = 1\nV = 1\ne2 = 0.8587\ne1 = 2.7844";
+  char scene[sizeof before + MANY + 1];
+  int len = snprintf(scene, sizeof scene, "%s%0*d\n", before, MANY, 1);
+  scratch_put_n("digits.scene", scene, (size_t)len);
+  shell_well(DIGITS " && cp \"$D/digits\" \"$D/whole\" && mv \"$D/digits\" \"$D/digits.part\"");
+  shell_well(DIGITS " --resume && cmp \"$D/digits\" \"$D/whole\"");
+}
+END_TEST
+
 /* Two at a time on one file. */
 START_TEST(one_run_writes_a_file) {
   struct part a;
@@ -523,7 +541,8 @@ START_TEST(one_run_writes_a_file) {
 }
 END_TEST
 
-static void interrupt_with(int number) {
+/* A run that takes long, once it has written so many bytes; resume: what another left. */
+static pid_t start_long(bool resume, off_t size) {
   enum { TRIES = 2000 };
   const char *part = scratch_path("long.part");
   struct stat st = {.st_size = 0};
@@ -534,11 +553,15 @@ static void interrupt_with(int number) {
     FILE *err = freopen(scratch_path("err"), "w", stderr);
     if (err)
       execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:2000", "--csv",
-            scratch_path("long"), (char *)NULL);
+            scratch_path("long"), resume ? "--resume" : (char *)NULL, (char *)NULL);
     _exit(127);
   }
-  for (int i = 0; i < TRIES && (stat(part, &st) != 0 || st.st_size < 100000); i++)
+  for (int i = 0; i < TRIES && (stat(part, &st) != 0 || st.st_size < size); i++)
     nanosleep(&(struct timespec){.tv_nsec = 5000000}, NULL);
+  return pid;
+}
+
+static void interrupt(pid_t pid, int number) {
   kill(pid, number);
   int s;
   ck_assert(waitpid(pid, &s, 0) == pid);
@@ -546,6 +569,24 @@ static void interrupt_with(int number) {
   says("err", "long.part holds ");
   ck_assert(access(scratch_path("long"), F_OK) != 0);
 }
+
+static void interrupt_with(int number) {
+  interrupt(start_long(false, 100000), number);
+}
+
+/* The lock outlives that the file was read. */
+START_TEST(one_run_continues_a_file) {
+  struct stat st;
+  interrupt_with(SIGINT);
+  ck_assert_int_eq(stat(scratch_path("long.part"), &st), 0);
+  pid_t pid = start_long(true, st.st_size + 100000);
+  ck_assert_int_eq(shell("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 --csv \"$D/long\" --resume 2> "
+                         "\"$D/second\""),
+                   3);
+  says("second", "long.part: error: another process is writing this file");
+  interrupt(pid, SIGTERM);
+}
+END_TEST
 
 START_TEST(signals_leave_a_file_to_resume) {
   interrupt_with(SIGINT);
@@ -555,6 +596,15 @@ START_TEST(signals_leave_a_file_to_resume) {
   shell_well("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 --csv \"$D/long\" --resume && cmp \"$D/first\" "
              "\"$D/long\"");
   shell_well("\"$P\" sweep paper --over e1=2:4:60 --over e2=0.5:3:2000 | cmp - \"$D/long\"");
+}
+END_TEST
+
+/* The first signal ends it between two writes, and nobody reads what is written. */
+START_TEST(a_second_signal_ends_at_once) {
+  shell_well(
+      "mkfifo \"$D/full\"; sleep 30 < \"$D/full\" & s=$!; \"$P\" sweep paper --over e2=1:2:1000000 > \"$D/full\" & "
+      "p=$!; exec 2> \"$D/err\"; sleep 1; kill $p; sleep 0.2; kill -0 $p && kill $p; wait $p; e=$?; kill $s; "
+      "test $e = 143");
 }
 END_TEST
 
@@ -692,6 +742,9 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);
   tcase_add_test(program_case, wrong_parts_are_refused);
   tcase_add_test(program_case, one_run_writes_a_file);
+  tcase_add_test(program_case, one_run_continues_a_file);
+  tcase_add_test(program_case, long_heads_are_resumed);
+  tcase_add_test(program_case, a_second_signal_ends_at_once);
   tcase_add_test(program_case, signals_leave_a_file_to_resume);
   tcase_add_test(program_case, what_cannot_be_written_is_said);
   tcase_add_test(program_case, hostile_options);

@@ -8,7 +8,7 @@
 #include "stickslip/text.h"
 
 struct part {
-  int fd; /* -1: not open */
+  int fd; /* -1: not open; as long as it is, closing any other descriptor of the file drops the lock */
   struct text target, path;
 };
 void part_init(struct part *p, const char *target);

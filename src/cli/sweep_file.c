@@ -7,29 +7,52 @@
 #include <string.h>
 #include <unistd.h>
 
+#include "stickslip/arena.h"
 #include "sweep.h"
 
 enum { ROW_MAX = 4096 };
 
 /* --- Reading what is there. --- */
 
+enum { BLOCK = 1 << 16 };
+
+/* From the descriptor itself: to close another one of this file would drop the lock on it. */
 struct reader {
   const char *path;
-  FILE *file;
-  char row[ROW_MAX];
+  int fd;
+  char block[BLOCK];
+  size_t at, end; /* of what the block still holds */
+  size_t most;    /* bytes of a line */
+  struct text row;
   long long offset; /* of the row */
   long line;
   int commas; /* that a row has */
 };
 
+static bool refill(struct reader *r, struct diag *d) {
+  ssize_t got = read(r->fd, r->block, BLOCK);
+  if (got < 0) diag_set(d, "%s: error: cannot be read: %s", r->path, strerror(errno));
+  r->at = 0;
+  r->end = got > 0 ? (size_t)got : 0;
+  return got > 0;
+}
+
 /* The next whole line; false at the end, or where a line was cut off. */
 static bool next_row(struct reader *r, struct diag *d) {
-  r->offset += r->line ? (long long)strlen(r->row) : 0;
-  if (!fgets(r->row, sizeof r->row, r->file)) return false;
+  r->offset += (long long)r->row.len;
+  text_reset(&r->row);
   r->line++;
-  size_t len = strlen(r->row);
-  if (len > 0 && r->row[len - 1] == '\n') return true;
-  if (len + 1 == sizeof r->row) diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
+  while (r->at < r->end || refill(r, d)) {
+    const char *from = r->block + r->at, *stop = memchr(from, '\n', r->end - r->at);
+    size_t len = stop ? (size_t)(stop - from) + 1 : r->end - r->at;
+    text_add_n(&r->row, from, len);
+    r->at += len;
+    if (r->row.len > r->most) {
+      diag_set(d, "%s:%ld: error: not a row of this sweep", r->path, r->line);
+      return false;
+    }
+    if (stop) return true;
+  }
   return false;
 }
 
@@ -41,9 +64,10 @@ static bool same_head(struct reader *r, const char *head, struct diag *d) {
       diag_set(d, "%s: error: ends within its head: it holds nothing to continue; remove it", r->path);
       return false;
     }
-    if (strlen(r->row) != len || strncmp(r->row, head, len) != 0) {
+    const char *row = text_str(&r->row);
+    if (r->row.len != len || memcmp(row, head, len) != 0) {
       diag_set(d, "%s:%ld: error: belongs to another request: %.*s, where this one has %.*s", r->path, r->line,
-               (int)strcspn(r->row, "\n"), r->row, (int)len - 1, head);
+               (int)strcspn(row, "\n"), row, (int)len - 1, head);
       return false;
     }
     r->commas = 0;
@@ -55,12 +79,14 @@ static bool same_head(struct reader *r, const char *head, struct diag *d) {
 
 /* The number of the row's point; -1 when this is no row. */
 static long long point_of(const struct reader *r) {
+  const char *row = text_str(&r->row);
   char *end;
   int commas = 0;
   errno = 0;
-  long long point = strtoll(r->row, &end, 10);
-  for (const char *c = r->row; *c; c++) commas += *c == ',';
-  return r->row[0] >= '0' && r->row[0] <= '9' && !errno && *end == ',' && commas == r->commas ? point : -1;
+  long long point = strtoll(row, &end, 10);
+  for (const char *c = row; *c; c++) commas += *c == ',';
+  bool whole = strlen(row) == r->row.len && commas == r->commas;
+  return row[0] >= '0' && row[0] <= '9' && !errno && *end == ',' && whole ? point : -1;
 }
 
 static slong unit_of(const struct sweep *q, long long point) {
@@ -88,19 +114,14 @@ static bool scan(struct reader *r, slong *done, long long *keep, const struct sw
   return !d->set;
 }
 
-static bool take_up(struct sink *s, const struct sweep *q, const char *head, struct diag *d) {
-  struct reader r = {.path = text_str(&s->part.path)};
+static bool take_up(struct sink *s, const struct sweep *q, const struct text *head, struct diag *d) {
+  struct reader *r = ss_malloc(sizeof *r);
   long long keep = 0;
-  int copy = dup(s->part.fd);
-  r.file = copy >= 0 ? fdopen(copy, "r") : NULL;
-  if (!r.file) {
-    if (copy >= 0) close(copy);
-    diag_set(d, "%s: error: cannot be read: %s", r.path, strerror(errno));
-    return false;
-  }
-  bool ok = same_head(&r, head, d) && scan(&r, &s->done, &keep, q, d);
-  fclose(r.file);
-  return ok && part_cut(&s->part, keep, d);
+  *r = (struct reader){.path = text_str(&s->part.path), .fd = s->part.fd, .most = head->len + ROW_MAX};
+  bool ok = same_head(r, text_str(head), d) && scan(r, &s->done, &keep, q, d) && part_cut(&s->part, keep, d);
+  text_clear(&r->row);
+  free(r);
+  return ok;
 }
 
 /* --- The sink. --- */
@@ -108,7 +129,7 @@ static bool take_up(struct sink *s, const struct sweep *q, const char *head, str
 static bool open_file(struct sink *s, const struct sweep *q, bool resume, const struct text *head, struct diag *d) {
   bool found = false;
   if (resume && !part_open(&s->part, &found, d)) return false;
-  if (found) return take_up(s, q, text_str(head), d);
+  if (found) return take_up(s, q, head, d);
   return part_create(&s->part, d) && part_write(&s->part, head->data, head->len, d);
 }
 

@@ -27,7 +27,8 @@ void sweep_stop(void) {
 }
 
 void sweep_listen(bool on) {
-  struct sigaction a = {.sa_handler = on ? on_signal : SIG_DFL, .sa_flags = SA_RESTART};
+  /* a second signal ends a run that waits for whoever reads its output */
+  struct sigaction a = {.sa_handler = on ? on_signal : SIG_DFL, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
   sigemptyset(&a.sa_mask);
   sigaction(SIGINT, &a, NULL);
   sigaction(SIGTERM, &a, NULL);

@@ -22,7 +22,7 @@ static bool match(struct strand *s, const struct dyn_family_point *a, const stru
   for (slong k = 0; k < s->rows && ok; k++) {
     slong best = -1;
     for (slong i = 0; i < s->rows; i++)
-      if (!taken[i] && from[k].up == to[i].up &&
+      if (!taken[i] && family_akin(&from[k], &to[i]) &&
           (best < 0 || family_apart(&from[k], &to[i]) < family_apart(&from[k], &to[best])))
         best = i;
     ok = best >= 0;

@@ -43,6 +43,9 @@ void family_add(struct dyn_family *f, struct dyn_family_point *p, struct dyn_mem
 
 /* How far two orbits are from each other. */
 double family_apart(const struct dyn_member *a, const struct dyn_member *b);
+/* Whether two orbits can be of one branch: along it phase C ends at a maximum or at a minimum throughout, and the
+   multiplier stays on one side of 1, where two orbits merge. */
+bool family_akin(const struct dyn_member *a, const struct dyn_member *b);
 /* Whether two orbits of one point are one within what double precision can tell. */
 bool family_same(const struct dyn_member *a, const struct dyn_member *b);
 

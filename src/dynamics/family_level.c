@@ -2,8 +2,8 @@
 
    At points of halving distance: the guess is interpolated from up to four points that are there, so that half of all points
    are solved last and from the nearest guess, and all orbits of a level together, in lanes.  What the lanes leave open
-   is solved alone.  An orbit counts as followed when it is one of the word, close to where it was expected and distinct
-   from the others. */
+   is solved alone.  An orbit counts as followed when it is one of the word, of its branch's kind, close to where it was
+   expected and distinct from the others. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -120,8 +120,9 @@ static bool follow(struct strand *s, slong point, slong h, slong lane) {
   for (slong k = 0; k < s->rows; k++, lane++) {
     struct dyn_member *m = family_at(s, k, point);
     double guess[2] = {s->lanes->guess[0][lane], s->lanes->guess[1][lane]};
-    if (!from_lane(m, s->line, s->lanes, lane, family_at(s, k, s->first)->up)) return false;
-    if (!expected(s, k, point, h, guess)) return false;
+    const struct dyn_member *begin = family_at(s, k, s->first);
+    if (!from_lane(m, s->line, s->lanes, lane, begin->up)) return false;
+    if (!family_akin(m, begin) || !expected(s, k, point, h, guess)) return false;
     for (slong i = 0; i < k; i++)
       if (family_same(family_at(s, i, point), m)) return false;
   }

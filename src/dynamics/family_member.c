@@ -53,6 +53,10 @@ double family_apart(const struct dyn_member *a, const struct dyn_member *b) {
   return fabs(a->out[DYN_OUT_TB] - b->out[DYN_OUT_TB]) + fabs(a->out[DYN_OUT_TC] - b->out[DYN_OUT_TC]);
 }
 
+bool family_akin(const struct dyn_member *a, const struct dyn_member *b) {
+  return a->up == b->up && (a->out[DYN_OUT_TRACE] < 1) == (b->out[DYN_OUT_TRACE] < 1);
+}
+
 bool family_same(const struct dyn_member *a, const struct dyn_member *b) {
   return a->up == b->up && family_apart(a, b) <= 1e-6 * (a->out[DYN_OUT_TB] + a->out[DYN_OUT_TC]);
 }
