@@ -22,7 +22,7 @@ ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(
 CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /dev/null 2>/dev/null && echo -lcalcium)
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
-PEERS = $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
+PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
 # threads of the batch kernel; without OpenMP it uses one
 OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_threads() < 1;}\n' | $(CC) $(CFLAGS) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
 LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
@@ -73,6 +73,11 @@ $(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
+
+# objects that were made without CVODE are made again once it is there, and the other way
+$(BOBJ): $(B)/cvode.$(if $(PEERS),there,absent)
+$(B)/cvode.%:
+	@mkdir -p $(@D); rm -f $(B)/cvode.*; touch $@
 
 $(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
 # vectorised: no flag here may change a bit of a result

@@ -145,6 +145,7 @@ struct trial {
   struct num_ctx ctx;
   struct num_vec out;
   void *self;
+  long failed; /* timed calls */
 };
 
 static struct num_ctx context_of(const struct bench_method *m, double setting) {
@@ -251,11 +252,12 @@ struct stretch {
   double second[MOST_BATCHES];
 };
 
+/* Adds to t->failed: what was right once has to be so each time. */
 static double run_stretch(struct trial *t, const struct bench_method *m, const struct stretch *s) {
   long steps = 0;
   double begin = bench_now();
   for (long r = 0; r < s->repeats; r++)
-    for (int i = s->from; i < s->to; i++) m->run(t->self, &t->out, &steps, &t->in[i]);
+    for (int i = s->from; i < s->to; i++) t->failed += m->run(t->self, &t->out, &steps, &t->in[i]) != SS_OK;
   return bench_now() - begin;
 }
 
@@ -294,6 +296,10 @@ static void take_times(struct bench_row *row, struct trial *t, const struct benc
   row->least_ns = 1e9 * least / row->cases;
   row->median_ns = 1e9 * median / row->cases;
   row->calls = s->repeats * row->cases * row->batches;
+  if (t->failed) {
+    row->failure = "fails when it is timed";
+    row->worst = row->least_ns = row->median_ns = NAN;
+  }
   free(s);
 }
 

@@ -257,8 +257,10 @@ static void growth_ratio(struct bench_result *r) {
 static void orbit_ratios(struct bench_result *r, const struct bench_table *t) {
   double suite = time_of(t, "from-guess", NAN), hand = time_of(t, "hand-written", NAN);
   double newton = time_of(t, "gsl-newton", NAN), hybrids = time_of(t, "gsl-hybrids", NAN);
-  add(r, newton / suite, false, 9, "GSL's newton on six unknowns / the suite's orbit and multiplier from a guess");
-  add(r, hybrids / suite, false, 15, "GSL's hybrids / the suite's orbit and multiplier from a guess");
+  add(r, newton / suite, false, 9,
+      "GSL's newton on six unknowns / the suite's orbit and multiplier from a guess, not judged either");
+  add(r, hybrids / suite, false, 15,
+      "GSL's hybrids / the suite's orbit and multiplier from a guess, not judged either");
   add(r, time_of(t, "from-guess-judged", NAN) / suite, true, NAN,
       "the same with first roots proved and conditions checked / without");
   add(r, newton / hand, false, NAN, "GSL's newton on six unknowns / hand-written orbit and multiplier");

@@ -81,7 +81,7 @@ static inline bool root_from(struct stop *x, const struct slip_motion *h, double
     double turn = k->om[1] * fabs(step);
     if (!(x->t + step > 0 && turn < 4)) return false;
     x->t += step;
-    if (turn <= SETTLED) {
+    if (turn <= SETTLED && i > 0) { /* the first step may be a secant's, which is short beside a node near zero */
       for (int l = 0; l < 2; l++) x->x[l] = half_angle_move(x->x[l], k->om[l] * step);
       x->n = node_after(k, &x->n, step);
       return x->n.w < 0;
