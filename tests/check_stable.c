@@ -77,6 +77,12 @@ static const struct {
     {"sum_4 := -(1 - chi)*", "sum_4 := (1 - chi)*", "J_c", "J_f"},
     {"2*sin(omega*t_d/2)^2 + ktilde_4", "2*sin(omega*t_d/2)^2 - ktilde_4", "J_f", "J_c"},
     {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "gammatilde_1", "gammatilde_2"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "ktilde_4", "ktilde_5"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "J_f", "J_c"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "text-criterion", "J_c"},
+    {"ktilde_3 := omega*", "ktilde_3 := -omega*", "ktilde_3", "ktilde_2"},
+    {"/omega)/omega\n  ktilde_7", "/omega)\n  ktilde_7", "ktilde_5", "ktilde_4"},
+    {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "text-criterion", "J_c"},
     {"+ t_d*sinc(omega*t_d)*rate)", "- t_d*sinc(omega*t_d)*rate)", "text-criterion", "J_f"},
     {"-1 < trace_J < 1", "-1 < trace_J <= 1", "text-criterion", "J_f"},
 };
