@@ -116,6 +116,36 @@ START_TEST(a_damaged_form_is_not_proved) {
 }
 END_TEST
 
+/* The first two arguments are zero for all V > 0 or all z_1b > 0, where sinc is 1: no divisors. */
+START_TEST(a_hidden_zero_is_no_divisor) {
+  static const char *const forms[][3] = {
+      {"sqrt(4*V) - 2*sqrt(V)", "(sinc(gap)*sinc(2*gap))*(gap + sqrt(4*V) + 2*sqrt(V))", "sinc(gap)*(sinc(2*gap)*gap)"},
+      {"abs(z_1b) - z_1b", "sinc(gap)", "sin(gap)/gap"},
+      {"sqrt(4*V) + sqrt(V)", "sinc(gap)", "sin(gap)/gap"},
+  };
+  for (int i = 0; i < 3; i++) {
+    struct text file[2];
+    struct model m;
+    struct diag d;
+    struct stable_proofs p;
+    diag_init(&d);
+    for (int k = 0; k < 2; k++) {
+      text_init(&file[k]);
+      text_printf(&file[k], "define test\n  section: stability\n  gap := %s\n  form := %s\n", forms[i][0],
+                  forms[i][1 + k]);
+    }
+    load_model(&m, scratch_put("stable.eq", text_str(&file[1])));
+    ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d), "%s", d.message);
+    ck_assert_msg(stable_prove(&p, &m, &d), "%s", d.message);
+    ck_assert(p.n == 2 && strcmp(p.item[1].name, "form") == 0);
+    ck_assert_msg(!p.item[1].why_not == (i == 2), "%s", forms[i][0]);
+    stable_proofs_clear(&p);
+    model_clear(&m);
+    for (int k = 0; k < 2; k++) text_clear(&file[k]);
+  }
+}
+END_TEST
+
 START_TEST(what_cannot_be_read_is_said) {
   static const char *const bad[][2] = {
       {"define s\n  section: appendix_a\n  omega_1 := nothing\n", "undefined symbol nothing"},
@@ -394,6 +424,7 @@ Suite *stable_suite(void) {
   tcase_set_timeout(c, 120);
   tcase_add_test(c, every_form_is_proved);
   tcase_add_loop_test(c, a_damaged_form_is_not_proved, 0, sizeof damages / sizeof *damages);
+  tcase_add_test(c, a_hidden_zero_is_no_divisor);
   tcase_add_test(c, what_cannot_be_read_is_said);
   tcase_add_test(c, the_stable_layer_hides_the_corrected_one);
   tcase_add_loop_test(c, no_more_is_lost_than_the_condition_explains, 0, sizeof formulas / sizeof *formulas);
