@@ -103,6 +103,22 @@ START_TEST(a_cancellation_is_found_and_named) {
 }
 END_TEST
 
+/* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta -> 1
+   alone shows it.  omega underflows where both parameters are small. */
+START_TEST(losses_where_regions_meet_are_found) {
+  static const char *const only[] = {"omega_1", "omega_2", "c_1", "omega@stability"};
+  struct stability_result r;
+  run(&r, only, 4, false, 1, -1);
+  for (int i = 0; i < 3; i++) {
+    const struct stability_row *row = row_of(&r, only[i], "chi-to-0-chi-eta-near-1");
+    ck_assert_msg(row->at_fault && row->formula_lost > 7, "%s: %g digits", only[i], row->formula_lost);
+    ck_assert_int_eq((int)row->cause, CAUSE_ROOT);
+  }
+  ck_assert_int_gt((int)row_of(&r, "omega@stability", "anywhere")->failures, 0);
+  stability_result_clear(&r);
+}
+END_TEST
+
 START_TEST(a_sound_formula_is_not_blamed) {
   static const char *const only[] = {"steady", "given"};
   struct stability_result r;
@@ -586,6 +602,7 @@ Suite *stability_suite(void) {
   TCase *c = tcase_create("stability");
   tcase_add_checked_fixture(c, open_model, close_model);
   tcase_add_test(c, a_cancellation_is_found_and_named);
+  tcase_add_test(c, losses_where_regions_meet_are_found);
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
