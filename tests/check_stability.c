@@ -26,7 +26,10 @@ static const char planted[] = "define planted\n"
                               "  hides := (V + t) - V\n"
                               "  grows := sqrt(V^2 + t^2)\n"
                               "  given := (z_20 - z_10)/V\n"
-                              "  none := (V + t) - (t + V)\n";
+                              "  none := (V + t) - (t + V)\n"
+                              "  rolls := sinc(V*t)\n"
+                              "  lags := stumpff(V*t)\n"
+                              "  spans := hypot(V - 1, t)\n";
 static const char mended[] = "define mended\n"
                              "  cancels(t) := 2*sin(t/2)^2\n"
                              "  grows := V*sqrt(1 + (t/V)^2)\n";
@@ -169,6 +172,32 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
   ck_assert_int_eq((int)grows->failure, CAUSE_OVERFLOW);
   ck_assert_str_eq(grows->failure_node, "V^2");
   stability_result_clear(&r);
+}
+END_TEST
+
+/* One from adjoints, node by node, the other from derivatives of the whole formula. */
+START_TEST(condition_numbers_agree) {
+  static const char *const id[] = {"rolls", "lags", "spans"};
+  static const double at[][2] = {{3, 7}, {1, 0x1.921fb54442d18p+60}, {0x1p-40, 0x1p-3}, {0x1.8p+12, 0x1.6p+45}, {1, 5}};
+  struct digits_set s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
+  for (int i = 0; i < 3; i++) {
+    struct digits_formula *f = &s.formula[digits_find(&s, id[i]) - s.formula];
+    struct digits_bench w;
+    ck_assert_msg(digits_slopes(f, &s, &d), "%s", d.message);
+    digits_bench_init(&w, f);
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+      struct digits_loss r = digits_measure(&w, at[k], -1);
+      ck_assert_int_eq((int)r.kind, DIGITS_LOST);
+      double c = digits_condition(&w);
+      ck_assert_msg(fabs(fmax(0, c) - fmax(0, r.condition)) < 0.01, "%s at %a, %a: 2^%g and 2^%g", id[i], at[k][0],
+                    at[k][1], c, r.condition);
+    }
+    digits_bench_clear(&w);
+  }
+  digits_set_clear(&s);
 }
 END_TEST
 
@@ -606,6 +635,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
+  tcase_add_test(c, condition_numbers_agree);
   tcase_add_test(c, errors_are_in_units_of_the_last_place);
   tcase_add_test(c, the_rule_predicts);
   tcase_add_test(c, what_is_zero_has_no_relative_error);

@@ -29,39 +29,26 @@ static arb_ptr value(const struct digits_bench *w, slong i) {
 
 /* --- Partial derivatives of a node by its operands --- */
 
-/* By a small difference: for operations that are not worth a line of their own. */
-static void partial_by_difference(arb_t z, const struct digits_bench *w, slong i, slong k) {
+/* Of sinc x, (cos x - sinc x)/x, and of stumpff x, (sinc^2(x/2)/2 - 3 stumpff x)/x; 0 at 0, where both are even. */
+static void partial_over_angle(arb_t z, const struct digits_bench *w, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
+  arb_srcptr x = value(w, in->a);
+  if (arb_is_zero(x)) {
+    arb_zero(z);
+    return;
+  }
   slong prec = w->prec;
-  arb_t h, moved, at[2];
-  arb_init(h);
-  arb_init(moved);
-  for (int j = 0; j < 2; j++) {
-    arb_init(at[j]);
-    slong o = operand(&w->f->tape, i, j < n_operands(in) ? j : 0);
-    arb_set(at[j], value(w, o));
+  if (in->op == TAPE_sinc) {
+    arb_cos(z, x, prec);
+    arb_sub(z, z, value(w, i), prec);
+  } else {
+    arb_mul_2exp_si(z, x, -1);
+    arb_sinc(z, z, prec);
+    arb_sqr(z, z, prec);
+    arb_mul_2exp_si(z, z, -1);
+    arb_submul_ui(z, value(w, i), 3, prec);
   }
-  arb_mul_2exp_si(h, at[k], -prec / 3);
-  mag_zero(arb_radref(h));
-  arb_add(at[k], at[k], h, 2 * prec);
-  switch (in->op) {
-#define NUM_UNARY(name)                                                                                                \
-  case TAPE_##name:                                                                                                    \
-    num_arb.name(moved, at[0], 2 * prec);                                                                              \
-    break;
-#define NUM_BINARY(name)                                                                                               \
-  case TAPE_##name:                                                                                                    \
-    num_arb.name(moved, at[0], at[1], 2 * prec);                                                                       \
-    break;
-#include "stickslip/ops.def"
-  default:
-    arb_indeterminate(moved);
-  }
-  arb_sub(z, moved, value(w, i), 2 * prec);
-  arb_div(z, z, h, prec);
-  arb_clear(h);
-  arb_clear(moved);
-  for (int j = 0; j < 2; j++) arb_clear(at[j]);
+  arb_div(z, z, x, prec);
 }
 
 /* -w^k / P'(w) */
@@ -130,11 +117,18 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
     arb_pow(z, value(w, in->a), z, prec);
     arb_mul_si(z, z, in->k, prec);
     break;
+  case TAPE_sinc:
+  case TAPE_stumpff:
+    partial_over_angle(z, w, i);
+    break;
+  case TAPE_hypot:
+    arb_div(z, value(w, operand(t, i, k)), value(w, i), prec);
+    break;
   case TAPE_ROOT:
     partial_of_root(z, w, i, k);
     break;
   default:
-    partial_by_difference(z, w, i, k);
+    arb_indeterminate(z);
   }
 }
 
