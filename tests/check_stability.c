@@ -29,7 +29,8 @@ static const char planted[] = "define planted\n"
                               "  none := (V + t) - (t + V)\n"
                               "  rolls := sinc(V*t)\n"
                               "  lags := stumpff(V*t)\n"
-                              "  spans := hypot(V - 1, t)\n";
+                              "  spans := hypot(V - 1, t)\n"
+                              "  folds := (abs(V - t/3) + (V - t/3)) + V^2/3\n";
 static const char mended[] = "define mended\n"
                              "  cancels(t) := 2*sin(t/2)^2\n"
                              "  grows := V*sqrt(1 + (t/V)^2)\n";
@@ -172,6 +173,34 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
   ck_assert_int_eq((int)grows->failure, CAUSE_OVERFLOW);
   ck_assert_str_eq(grows->failure_node, "V^2");
   stability_result_clear(&r);
+}
+END_TEST
+
+/* |x| + x is 0 without an error for x < 0, however large x is: taking a sign away rounds nothing. */
+START_TEST(signs_do_not_round) {
+  static const char *const only[] = {"folds"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "V=0x1.8p-10,t=200", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), "the rule predicts 0.") != NULL, "%s", text_str(&t));
+  ck_assert_msg(strstr(text_str(&t), "roundings that add up") != NULL, "%s", text_str(&t));
+  text_clear(&t);
+}
+END_TEST
+
+START_TEST(an_overflow_is_named_where_it_is) {
+  static const char *const only[] = {"gammatilde_1"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "chi=0.5,V=1e-200,z'_1b=-1e200", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), "overflow in an intermediate, at z'_1b/V") != NULL, "%s", text_str(&t));
+  text_clear(&t);
 }
 END_TEST
 
@@ -635,6 +664,8 @@ Suite *stability_suite(void) {
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
+  tcase_add_test(c, signs_do_not_round);
+  tcase_add_test(c, an_overflow_is_named_where_it_is);
   tcase_add_test(c, condition_numbers_agree);
   tcase_add_test(c, errors_are_in_units_of_the_last_place);
   tcase_add_test(c, the_rule_predicts);

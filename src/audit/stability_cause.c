@@ -148,6 +148,11 @@ static double rounding(arb_srcptr v) {
   return fmin(53, r);
 }
 
+/* Does the operation round?  Inputs are given, and a sign costs nothing. */
+static bool rounds(enum tape_op op) {
+  return op != TAPE_INPUT && op != TAPE_neg && op != TAPE_abs;
+}
+
 static bool is_tiny(arb_srcptr v) {
   return !arb_contains_zero(v) && digits_log2(v) < LEAST_NORMAL;
 }
@@ -208,7 +213,7 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
       unknown = fmax(unknown, blur(w, i) - size);
       continue;
     }
-    double off = r + rounding(value(w, i));
+    double off = rounds(t->code[i].op) ? r + rounding(value(w, i)) : -INFINITY;
     squares = log2_add(squares, 2 * off);
     hazy = fmax(hazy, haze(w, i) - size);
     fails = fails || (off > 4 && is_tiny(value(w, i)));
@@ -266,6 +271,11 @@ static double growth(const struct digits_bench *w, slong i, slong k) {
   return g;
 }
 
+/* Zero in truth and in double: nothing is lost there, though the ways that lead through it may each say so. */
+static bool is_zero_all_the_same(const struct digits_bench *w, slong i) {
+  return arb_contains_zero(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0;
+}
+
 /* The consumer of node n through which most of its rounding reaches the result; -1 for the result itself. */
 static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, slong top) {
   const struct tape *t = &w->f->tape;
@@ -275,7 +285,7 @@ static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, s
     for (slong k = 0; k < n_operands(&t->code[i]); k++) {
       if (operand(t, i, k) != n) continue;
       double r = reach(w, i);
-      if (!isfinite(r)) continue;
+      if (!isfinite(r) || is_zero_all_the_same(w, i)) continue;
       r += growth(w, i, k);
       if (best >= 0 && r <= most) continue;
       most = r;
@@ -290,7 +300,7 @@ static slong source_node(const struct digits_bench *w, slong top) {
   slong best = top;
   double most = -INFINITY;
   for (slong i = 0; i <= top; i++) {
-    if (w->f->tape.code[i].op == TAPE_INPUT) continue;
+    if (!rounds(w->f->tape.code[i].op)) continue;
     double r = reach(w, i) + rounding(value(w, i));
     if (!(r > most)) continue;
     most = r;
@@ -373,6 +383,7 @@ static enum loss_cause cause_of(enum tape_op op, bool divides) {
     return CAUSE_ROOT;
   case TAPE_mul:
   case TAPE_div:
+  case TAPE_POW:
   case TAPE_neg:
   case TAPE_abs:
     return CAUSE_ROUNDING;
@@ -418,7 +429,8 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
     if (w->d_flags[i] & SS_DOMAIN)
       return (struct digits_cause){tiny ? CAUSE_UNDERFLOW : op == TAPE_ROOT ? CAUSE_ROOT : CAUSE_ZERO_DIVISOR, at, 0};
     if (op == TAPE_ROOT) return (struct digits_cause){CAUSE_ROOT, i, 0};
-    return (struct digits_cause){digits_log2(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
+    bool over = digits_log2(value(w, i)) > MOST_NUMBER;
+    return (struct digits_cause){over ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, over ? i : at, 0};
   }
   double most;
   fill_adjoint(w, worst_entry(w));
