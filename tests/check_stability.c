@@ -176,6 +176,21 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
 }
 END_TEST
 
+/* Near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not: the condition
+   number says 11 digits, the change itself more than 14. */
+START_TEST(a_vanishing_derivative_is_no_excuse_for_blame) {
+  static const char *const only[] = {"c_1"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "chi=0.5,eta=3,t=4503599627366183", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), ", the formula 0.") != NULL, "%s", text_str(&t));
+  text_clear(&t);
+}
+END_TEST
+
 /* |x| + x is 0 without an error for x < 0, however large x is: taking a sign away rounds nothing. */
 START_TEST(signs_do_not_round) {
   static const char *const only[] = {"folds"};
@@ -664,6 +679,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
+  tcase_add_test(c, a_vanishing_derivative_is_no_excuse_for_blame);
   tcase_add_test(c, signs_do_not_round);
   tcase_add_test(c, an_overflow_is_named_where_it_is);
   tcase_add_test(c, condition_numbers_agree);

@@ -75,7 +75,7 @@ const struct stability_region digits_region[] = {
 const int n_digits_regions = sizeof digits_region / sizeof *digits_region;
 
 int digits_region_width(int region) {
-  return region_table[region].move == MOVE_ANYWHERE ? 16 : 1;
+  return region_table[region].move == MOVE_ANYWHERE ? 8 : 1;
 }
 
 struct digits_place {
