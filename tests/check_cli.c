@@ -1689,8 +1689,8 @@ END_TEST
 
 /* Every option in the help is one the parser knows, for some command. */
 START_TEST(the_parser_knows_what_help_mentions) {
-  static const char *const commands[] = {"verify",  "orbit",     "jacobian", "simulate",
-                                         "explain", "bifurcate", "bench",    "stability"};
+  static const char *const commands[] = {"verify",    "orbit", "jacobian",  "simulate", "explain",
+                                         "bifurcate", "bench", "stability", "sweep",    "mutate"};
   struct job help;
   run_well(&help, "--help", NULL);
   for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {
