@@ -212,7 +212,8 @@ static bool same_relations(const struct statement_record *a, const struct statem
   return same;
 }
 
-/* With that many quantities held as unknowns; value: as the corrected layer and as the stable one writes it. */
+/* With that many quantities held as unknowns; value: as the corrected layer and as the stable one writes it;
+   record: instead, or NULL. */
 static bool attempt(struct stable_proof *p, const struct model *m, const char *const value[2],
                     const struct statement_record *const record[2], int n_held, struct diag *d) {
   static const enum layer layer[2] = {LAYER_CORRECTED, LAYER_STABLE};
@@ -220,7 +221,7 @@ static bool attempt(struct stable_proof *p, const struct model *m, const char *c
   bool ok = true;
   for (int i = 0; i < 2; i++) reading_init(&r[i], m, layer[i], n_held);
   for (int i = 0; ok && i < 2; i++)
-    ok = (value ? read_value(&r[i], value[i], p->section, d) : read_record(&r[i], record[i], d)) &&
+    ok = (record ? read_record(&r[i], record[i], d) : read_value(&r[i], value[i], p->section, d)) &&
          elaboration_tape(&r[i].tape, &r[i].el, r[i].e, r[i].n, d);
   if (ok) p->why_not = compare(p, r);
   for (int i = 0; i < 2; i++) reading_clear(&r[i]);
@@ -252,9 +253,9 @@ static bool prove(struct stable_proofs *out, struct stable_proof p, const struct
   const char *name = value ? value : record[1]->id;
   p.name = arena_strndup(&out->arena, name, strlen(name));
   const char *const both[2] = {value, value};
-  bool ok = attempt(&p, m, value ? both : NULL, record, 0, d);
+  bool ok = attempt(&p, m, both, record, 0, d);
   p.held = ok && p.why_not && !is_held(name) && held_proved(m);
-  if (p.held) ok = attempt(&p, m, value ? both : NULL, record, N_HELD, d);
+  if (p.held) ok = attempt(&p, m, both, record, N_HELD, d);
   if (!value && !same_relations(record[0], record[1])) p.why_not = "the relations differ";
   out->item = ss_grow(out->item, out->n, &out->cap, sizeof *out->item);
   out->item[out->n++] = p;
