@@ -426,11 +426,11 @@ static bool run(struct study_page *page, const struct bench_env *env) {
   summarize(&all);
   add_rungs(page, &all);
   good = study_line(&all) && good;
-  text_printf(
-      &page->found,
-      "- %d orbits of scenes: at the worst one the paper's equations lose %.1f digits in double, the six %.1f, the "
-      "map %.1f;\n  the paper's fail on %d\n",
-      all.orbits, all.worst[0], all.worst[1], all.worst[2], all.failed);
+  text_printf(&page->found,
+              "- %d orbits of scenes: in double the paper's equations lose up to %.1f digits, the six up to %.1f, the "
+              "map up to "
+              "%.1f,\n  each at its own worst one; the paper's fail on %d\n",
+              all.orbits, all.worst[0], all.worst[1], all.worst[2], all.failed);
   plot(page, all.singular);
   free(all.digit);
   return good;

@@ -196,8 +196,10 @@ static int newton_step(struct motion *o, double *moved, const struct run *run) {
   gsl_vector_view rhs = gsl_vector_view_array(b, UNKNOWNS), sol = gsl_vector_view_array(x, UNKNOWNS);
   gsl_permutation *perm = gsl_permutation_alloc(UNKNOWNS);
   gsl_linalg_LU_decomp(&mat.matrix, perm, &sign);
-  gsl_linalg_LU_solve(&mat.matrix, perm, &rhs.vector, &sol.vector);
+  bool singular = gsl_linalg_LU_det(&mat.matrix, sign) == 0;
+  if (!singular) gsl_linalg_LU_solve(&mat.matrix, perm, &rhs.vector, &sol.vector);
   gsl_permutation_free(perm);
+  if (singular) return SS_UNABLE;
   memcpy(b, o->y, sizeof b);
   for (int i = 0; i < UNKNOWNS; i++) o->y[i] += x[i];
   *moved = distance(o->y, b);

@@ -1690,7 +1690,7 @@ END_TEST
 /* Every option in the help is one the parser knows, for some command. */
 START_TEST(the_parser_knows_what_help_mentions) {
   static const char *const commands[] = {"verify",    "orbit", "jacobian",  "simulate", "explain",
-                                         "bifurcate", "bench", "stability", "sweep"};
+                                         "bifurcate", "bench", "stability", "sweep",    "mutate"};
   struct job help;
   run_well(&help, "--help", NULL);
   for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {

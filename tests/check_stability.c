@@ -26,7 +26,11 @@ static const char planted[] = "define planted\n"
                               "  hides := (V + t) - V\n"
                               "  grows := sqrt(V^2 + t^2)\n"
                               "  given := (z_20 - z_10)/V\n"
-                              "  none := (V + t) - (t + V)\n";
+                              "  none := (V + t) - (t + V)\n"
+                              "  rolls := sinc(V*t)\n"
+                              "  lags := stumpff(V*t)\n"
+                              "  spans := hypot(V - 1, t)\n"
+                              "  folds := (abs(V - t/3) + (V - t/3)) + V^2/3\n";
 static const char mended[] = "define mended\n"
                              "  cancels(t) := 2*sin(t/2)^2\n"
                              "  grows := V*sqrt(1 + (t/V)^2)\n";
@@ -103,6 +107,22 @@ START_TEST(a_cancellation_is_found_and_named) {
 }
 END_TEST
 
+/* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta -> 1
+   alone shows it.  omega underflows where both parameters are small. */
+START_TEST(losses_where_regions_meet_are_found) {
+  static const char *const only[] = {"omega_1", "omega_2", "c_1", "omega@stability"};
+  struct stability_result r;
+  run(&r, only, 4, false, 1, -1);
+  for (int i = 0; i < 3; i++) {
+    const struct stability_row *row = row_of(&r, only[i], "chi-to-0-chi-eta-near-1");
+    ck_assert_msg(row->at_fault && row->formula_lost > 7, "%s: %g digits", only[i], row->formula_lost);
+    ck_assert_int_eq((int)row->cause, CAUSE_ROOT);
+  }
+  ck_assert_int_gt((int)row_of(&r, "omega@stability", "anywhere")->failures, 0);
+  stability_result_clear(&r);
+}
+END_TEST
+
 START_TEST(a_sound_formula_is_not_blamed) {
   static const char *const only[] = {"steady", "given"};
   struct stability_result r;
@@ -153,6 +173,75 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
   ck_assert_int_eq((int)grows->failure, CAUSE_OVERFLOW);
   ck_assert_str_eq(grows->failure_node, "V^2");
   stability_result_clear(&r);
+}
+END_TEST
+
+/* Near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not: the condition
+   number says 11 digits, the change itself more than 14. */
+START_TEST(a_vanishing_derivative_is_no_excuse_for_blame) {
+  static const char *const only[] = {"c_1"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "chi=0.5,eta=3,t=4503599627366183", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), ", the formula 0.") != NULL, "%s", text_str(&t));
+  text_clear(&t);
+}
+END_TEST
+
+/* |x| + x is 0 without an error for x < 0, however large x is: taking a sign away rounds nothing. */
+START_TEST(signs_do_not_round) {
+  static const char *const only[] = {"folds"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "V=0x1.8p-10,t=200", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), "the rule predicts 0.") != NULL, "%s", text_str(&t));
+  ck_assert_msg(strstr(text_str(&t), "roundings that add up") != NULL, "%s", text_str(&t));
+  text_clear(&t);
+}
+END_TEST
+
+START_TEST(an_overflow_is_named_where_it_is) {
+  static const char *const only[] = {"gammatilde_1"};
+  struct text t;
+  struct diag d;
+  text_init(&t);
+  diag_init(&d);
+  struct stability_options q = {.layer = LAYER_PRINTED, .after = -1, .only = only, .n_only = 1, .jobs = 1};
+  ck_assert_msg(audit_stability_at(&t, &model, &q, "chi=0.5,V=1e-200,z'_1b=-1e200", &d), "%s", d.message);
+  ck_assert_msg(strstr(text_str(&t), "overflow in an intermediate, at z'_1b/V") != NULL, "%s", text_str(&t));
+  text_clear(&t);
+}
+END_TEST
+
+/* One from adjoints, node by node, the other from derivatives of the whole formula. */
+START_TEST(condition_numbers_agree) {
+  static const char *const id[] = {"rolls", "lags", "spans"};
+  static const double at[][2] = {{3, 7}, {1, 0x1.921fb54442d18p+60}, {0x1p-40, 0x1p-3}, {0x1.8p+12, 0x1.6p+45}, {1, 5}};
+  struct digits_set s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
+  for (int i = 0; i < 3; i++) {
+    struct digits_formula *f = &s.formula[digits_find(&s, id[i]) - s.formula];
+    struct digits_bench w;
+    ck_assert_msg(digits_slopes(f, &s, &d), "%s", d.message);
+    digits_bench_init(&w, f);
+    for (size_t k = 0; k < sizeof at / sizeof *at; k++) {
+      struct digits_loss r = digits_measure(&w, at[k], -1);
+      ck_assert_int_eq((int)r.kind, DIGITS_LOST);
+      double c = digits_condition(&w);
+      ck_assert_msg(fabs(fmax(0, c) - fmax(0, r.condition)) < 0.01, "%s at %a, %a: 2^%g and 2^%g", id[i], at[k][0],
+                    at[k][1], c, r.condition);
+    }
+    digits_bench_clear(&w);
+  }
+  digits_set_clear(&s);
 }
 END_TEST
 
@@ -586,9 +675,14 @@ Suite *stability_suite(void) {
   TCase *c = tcase_create("stability");
   tcase_add_checked_fixture(c, open_model, close_model);
   tcase_add_test(c, a_cancellation_is_found_and_named);
+  tcase_add_test(c, losses_where_regions_meet_are_found);
   tcase_add_test(c, a_sound_formula_is_not_blamed);
   tcase_add_test(c, the_problem_is_blamed_for_its_own_loss);
   tcase_add_test(c, divisors_sums_and_overflow_are_told_apart);
+  tcase_add_test(c, a_vanishing_derivative_is_no_excuse_for_blame);
+  tcase_add_test(c, signs_do_not_round);
+  tcase_add_test(c, an_overflow_is_named_where_it_is);
+  tcase_add_test(c, condition_numbers_agree);
   tcase_add_test(c, errors_are_in_units_of_the_last_place);
   tcase_add_test(c, the_rule_predicts);
   tcase_add_test(c, what_is_zero_has_no_relative_error);

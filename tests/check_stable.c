@@ -77,6 +77,12 @@ static const struct {
     {"sum_4 := -(1 - chi)*", "sum_4 := (1 - chi)*", "J_c", "J_f"},
     {"2*sin(omega*t_d/2)^2 + ktilde_4", "2*sin(omega*t_d/2)^2 - ktilde_4", "J_f", "J_c"},
     {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "gammatilde_1", "gammatilde_2"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "ktilde_4", "ktilde_5"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "J_f", "J_c"},
+    {"ktilde_4 := (V/", "ktilde_4 := (2*V/", "text-criterion", "J_c"},
+    {"ktilde_3 := omega*", "ktilde_3 := -omega*", "ktilde_3", "ktilde_2"},
+    {"/omega)/omega\n  ktilde_7", "/omega)\n  ktilde_7", "ktilde_5", "ktilde_4"},
+    {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "text-criterion", "J_c"},
     {"+ t_d*sinc(omega*t_d)*rate)", "- t_d*sinc(omega*t_d)*rate)", "text-criterion", "J_f"},
     {"-1 < trace_J < 1", "-1 < trace_J <= 1", "text-criterion", "J_f"},
 };
@@ -107,6 +113,36 @@ START_TEST(a_damaged_form_is_not_proved) {
   model_clear(&damaged);
   source_clear(&src);
   text_clear(&t);
+}
+END_TEST
+
+/* The first two arguments are zero for all V > 0 or all z_1b > 0, where sinc is 1: no divisors. */
+START_TEST(a_hidden_zero_is_no_divisor) {
+  static const char *const forms[][3] = {
+      {"sqrt(4*V) - 2*sqrt(V)", "(sinc(gap)*sinc(2*gap))*(gap + sqrt(4*V) + 2*sqrt(V))", "sinc(gap)*(sinc(2*gap)*gap)"},
+      {"abs(z_1b) - z_1b", "sinc(gap)", "sin(gap)/gap"},
+      {"sqrt(4*V) + sqrt(V)", "sinc(gap)", "sin(gap)/gap"},
+  };
+  for (int i = 0; i < 3; i++) {
+    struct text file[2];
+    struct model m;
+    struct diag d;
+    struct stable_proofs p;
+    diag_init(&d);
+    for (int k = 0; k < 2; k++) {
+      text_init(&file[k]);
+      text_printf(&file[k], "define test\n  section: stability\n  gap := %s\n  form := %s\n", forms[i][0],
+                  forms[i][1 + k]);
+    }
+    load_model(&m, scratch_put("stable.eq", text_str(&file[1])));
+    ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", text_str(&file[0])), RANK_ERRATA, &d), "%s", d.message);
+    ck_assert_msg(stable_prove(&p, &m, &d), "%s", d.message);
+    ck_assert(p.n == 2 && strcmp(p.item[1].name, "form") == 0);
+    ck_assert_msg(!p.item[1].why_not == (i == 2), "%s", forms[i][0]);
+    stable_proofs_clear(&p);
+    model_clear(&m);
+    for (int k = 0; k < 2; k++) text_clear(&file[k]);
+  }
 }
 END_TEST
 
@@ -388,6 +424,7 @@ Suite *stable_suite(void) {
   tcase_set_timeout(c, 120);
   tcase_add_test(c, every_form_is_proved);
   tcase_add_loop_test(c, a_damaged_form_is_not_proved, 0, sizeof damages / sizeof *damages);
+  tcase_add_test(c, a_hidden_zero_is_no_divisor);
   tcase_add_test(c, what_cannot_be_read_is_said);
   tcase_add_test(c, the_stable_layer_hides_the_corrected_one);
   tcase_add_loop_test(c, no_more_is_lost_than_the_condition_explains, 0, sizeof formulas / sizeof *formulas);

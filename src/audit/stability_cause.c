@@ -29,39 +29,26 @@ static arb_ptr value(const struct digits_bench *w, slong i) {
 
 /* --- Partial derivatives of a node by its operands --- */
 
-/* By a small difference: for operations that are not worth a line of their own. */
-static void partial_by_difference(arb_t z, const struct digits_bench *w, slong i, slong k) {
+/* Of sinc x, (cos x - sinc x)/x, and of stumpff x, (sinc^2(x/2)/2 - 3 stumpff x)/x; 0 at 0, where both are even. */
+static void partial_over_angle(arb_t z, const struct digits_bench *w, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
+  arb_srcptr x = value(w, in->a);
+  if (arb_is_zero(x)) {
+    arb_zero(z);
+    return;
+  }
   slong prec = w->prec;
-  arb_t h, moved, at[2];
-  arb_init(h);
-  arb_init(moved);
-  for (int j = 0; j < 2; j++) {
-    arb_init(at[j]);
-    slong o = operand(&w->f->tape, i, j < n_operands(in) ? j : 0);
-    arb_set(at[j], value(w, o));
+  if (in->op == TAPE_sinc) {
+    arb_cos(z, x, prec);
+    arb_sub(z, z, value(w, i), prec);
+  } else {
+    arb_mul_2exp_si(z, x, -1);
+    arb_sinc(z, z, prec);
+    arb_sqr(z, z, prec);
+    arb_mul_2exp_si(z, z, -1);
+    arb_submul_ui(z, value(w, i), 3, prec);
   }
-  arb_mul_2exp_si(h, at[k], -prec / 3);
-  mag_zero(arb_radref(h));
-  arb_add(at[k], at[k], h, 2 * prec);
-  switch (in->op) {
-#define NUM_UNARY(name)                                                                                                \
-  case TAPE_##name:                                                                                                    \
-    num_arb.name(moved, at[0], 2 * prec);                                                                              \
-    break;
-#define NUM_BINARY(name)                                                                                               \
-  case TAPE_##name:                                                                                                    \
-    num_arb.name(moved, at[0], at[1], 2 * prec);                                                                       \
-    break;
-#include "stickslip/ops.def"
-  default:
-    arb_indeterminate(moved);
-  }
-  arb_sub(z, moved, value(w, i), 2 * prec);
-  arb_div(z, z, h, prec);
-  arb_clear(h);
-  arb_clear(moved);
-  for (int j = 0; j < 2; j++) arb_clear(at[j]);
+  arb_div(z, z, x, prec);
 }
 
 /* -w^k / P'(w) */
@@ -130,11 +117,18 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
     arb_pow(z, value(w, in->a), z, prec);
     arb_mul_si(z, z, in->k, prec);
     break;
+  case TAPE_sinc:
+  case TAPE_stumpff:
+    partial_over_angle(z, w, i);
+    break;
+  case TAPE_hypot:
+    arb_div(z, value(w, operand(t, i, k)), value(w, i), prec);
+    break;
   case TAPE_ROOT:
     partial_of_root(z, w, i, k);
     break;
   default:
-    partial_by_difference(z, w, i, k);
+    arb_indeterminate(z);
   }
 }
 
@@ -152,6 +146,11 @@ static double rounding(arb_srcptr v) {
   double r = arb_is_zero(off) ? -INFINITY : digits_log2(off) - digits_log2(v) + 53;
   arb_clear(off);
   return fmin(53, r);
+}
+
+/* Does the operation round?  Inputs are given, and a sign costs nothing. */
+static bool rounds(enum tape_op op) {
+  return op != TAPE_INPUT && op != TAPE_neg && op != TAPE_abs;
 }
 
 static bool is_tiny(arb_srcptr v) {
@@ -214,7 +213,7 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
       unknown = fmax(unknown, blur(w, i) - size);
       continue;
     }
-    double off = r + rounding(value(w, i));
+    double off = rounds(t->code[i].op) ? r + rounding(value(w, i)) : -INFINITY;
     squares = log2_add(squares, 2 * off);
     hazy = fmax(hazy, haze(w, i) - size);
     fails = fails || (off > 4 && is_tiny(value(w, i)));
@@ -272,6 +271,11 @@ static double growth(const struct digits_bench *w, slong i, slong k) {
   return g;
 }
 
+/* Zero in truth and in double: nothing is lost there, though the ways that lead through it may each say so. */
+static bool is_zero_all_the_same(const struct digits_bench *w, slong i) {
+  return arb_contains_zero(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0;
+}
+
 /* The consumer of node n through which most of its rounding reaches the result; -1 for the result itself. */
 static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, slong top) {
   const struct tape *t = &w->f->tape;
@@ -281,7 +285,7 @@ static slong next_on_the_way(slong *by, const struct digits_bench *w, slong n, s
     for (slong k = 0; k < n_operands(&t->code[i]); k++) {
       if (operand(t, i, k) != n) continue;
       double r = reach(w, i);
-      if (!isfinite(r)) continue;
+      if (!isfinite(r) || is_zero_all_the_same(w, i)) continue;
       r += growth(w, i, k);
       if (best >= 0 && r <= most) continue;
       most = r;
@@ -296,7 +300,7 @@ static slong source_node(const struct digits_bench *w, slong top) {
   slong best = top;
   double most = -INFINITY;
   for (slong i = 0; i <= top; i++) {
-    if (w->f->tape.code[i].op == TAPE_INPUT) continue;
+    if (!rounds(w->f->tape.code[i].op)) continue;
     double r = reach(w, i) + rounding(value(w, i));
     if (!(r > most)) continue;
     most = r;
@@ -379,6 +383,7 @@ static enum loss_cause cause_of(enum tape_op op, bool divides) {
     return CAUSE_ROOT;
   case TAPE_mul:
   case TAPE_div:
+  case TAPE_POW:
   case TAPE_neg:
   case TAPE_abs:
     return CAUSE_ROUNDING;
@@ -424,7 +429,8 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
     if (w->d_flags[i] & SS_DOMAIN)
       return (struct digits_cause){tiny ? CAUSE_UNDERFLOW : op == TAPE_ROOT ? CAUSE_ROOT : CAUSE_ZERO_DIVISOR, at, 0};
     if (op == TAPE_ROOT) return (struct digits_cause){CAUSE_ROOT, i, 0};
-    return (struct digits_cause){digits_log2(value(w, i)) > MOST_NUMBER ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, at, 0};
+    bool over = digits_log2(value(w, i)) > MOST_NUMBER;
+    return (struct digits_cause){over ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, over ? i : at, 0};
   }
   double most;
   fill_adjoint(w, worst_entry(w));

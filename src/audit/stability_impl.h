@@ -137,6 +137,8 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
 
 extern const struct stability_region digits_region[];
 extern const int n_digits_regions;
+/* How many times as many points a region wants: one without a shape of its own holds what the others do not aim at. */
+int digits_region_width(int region);
 struct digits_place; /* a region made ready for a formula */
 /* NULL when the region says nothing of the formula's inputs. */
 struct digits_place *digits_place_new(int region, struct digits_bench *w, struct digits_set *s);

@@ -7,8 +7,9 @@
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
 
-/* log2 of a condition number at which 2^-53 of an input moves the result by a thousandth of itself or more. */
-static const double NOT_SMALL = 43;
+/* log2 of a condition number at which 2^-53 of an input moves the result by a thousandth of itself or more; and of one below
+   which second derivatives that large are not to be feared where the first vanishes, as at the crests of a fast oscillation. */
+static const double NOT_SMALL = 43, NOT_STEADY = 10;
 
 static slong n_nodes(const struct digits_formula *f) {
   return f->kernel ? f->n : f->tape.n;
@@ -214,7 +215,8 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
   find_effect(&r, w, size);
   if (isnan(r.condition)) r.kind = DIGITS_UNDECIDED;
   if (digits_predicts_failure(w)) r.predicted = NAN;
-  r.moved = r.condition > NOT_SMALL ? moved(w, size) : -INFINITY;
+  bool blamed = r.kind == DIGITS_LOST && r.observed - digits_of(r.condition) > log10(STABILITY_ALLOWED);
+  r.moved = r.condition > (blamed ? NOT_STEADY : NOT_SMALL) ? moved(w, size) : -INFINITY;
   r.problem = digits_of(fmax(r.condition, r.moved));
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
   if (r.formula > 1 && digits_underflows(w, &r, size)) r.kind = DIGITS_FAILED;

@@ -13,12 +13,13 @@
 /* How a region moves a point. */
 enum region_move {
   MOVE_NONE,
-  MOVE_POWER,    /* every input of a class, or of a name: 10^(from .. to) */
-  MOVE_TOGETHER, /* the velocities, states and forces by one factor */
-  MOVE_UP_TO_1,  /* chi = 1 - 2^-k */
-  MOVE_TO_ZERO,  /* beside a zero of the expression */
-  MOVE_CANCEL,   /* beside a zero of a sum or difference of the formula's own */
-  MOVE_ANYWHERE  /* every input over its whole range */
+  MOVE_POWER,     /* every input of a class, or of a name: 10^(from .. to) */
+  MOVE_TOGETHER,  /* the velocities, states and forces by one factor */
+  MOVE_UP_TO_1,   /* chi = 1 - 2^-k */
+  MOVE_RESONANCE, /* chi = 10^(from .. to) and chi eta beside 1: the frequencies meet */
+  MOVE_TO_ZERO,   /* beside a zero of the expression */
+  MOVE_CANCEL,    /* beside a zero of a sum or difference of the formula's own */
+  MOVE_ANYWHERE   /* every input over its whole range */
 };
 
 /* id, what it is, move, class of the inputs, name or expression, its section, decades from, to */
@@ -29,6 +30,8 @@ enum region_move {
   X("eta-to-0", "eta down to 1e-300", MOVE_POWER, INPUT_ETA, NULL, NULL, 0, -300)                                      \
   X("eta-to-infinity", "eta up to 1e300", MOVE_POWER, INPUT_ETA, NULL, NULL, 0, 300)                                   \
   X("chi-eta-near-1", "chi*eta beside 1", MOVE_TO_ZERO, 0, "chi*eta - 1", "stability", 0, 0)                           \
+  X("chi-to-0-chi-eta-near-1", "chi from 0.1 down to 1e-300, chi*eta beside 1, times up to 1e16", MOVE_RESONANCE, 0,   \
+    NULL, NULL, -1, -300)                                                                                              \
   X("V-small", "V down to 1e-300", MOVE_POWER, INPUT_V, NULL, NULL, 0, -300)                                           \
   X("V-large", "V up to 1e300", MOVE_POWER, INPUT_V, NULL, NULL, 0, 300)                                               \
   X("forces-small", "e_1, e_2, u_r1, ... down to 1e-300", MOVE_POWER, INPUT_FORCE, NULL, NULL, 0, -300)                \
@@ -70,6 +73,10 @@ const struct stability_region digits_region[] = {
 #undef REGION_WORDS
 };
 const int n_digits_regions = sizeof digits_region / sizeof *digits_region;
+
+int digits_region_width(int region) {
+  return region_table[region].move == MOVE_ANYWHERE ? 8 : 1;
+}
 
 struct digits_place {
   int region;
@@ -116,6 +123,8 @@ static bool ready(struct digits_place *p, struct digits_set *s) {
   case MOVE_POWER:
   case MOVE_UP_TO_1:
     return name ? digits_input(&f->tape, name) >= 0 : has_class(f, region_table[p->region].class);
+  case MOVE_RESONANCE:
+    return has_class(f, INPUT_CHI) && has_class(f, INPUT_ETA);
   case MOVE_TOGETHER:
     return has_class(f, INPUT_V) || has_class(f, INPUT_FORCE) || has_class(f, INPUT_STATE);
   case MOVE_TO_ZERO:
@@ -295,6 +304,15 @@ bool digits_point(double *x, struct digits_place *p, const double *u) {
     for (slong k = 0; k < f->tape.n_inputs; k++)
       if (f->input[k] == INPUT_CHI) x[k] = 1 - exp2(-1 - 52 * own[0]);
     return true;
+  case MOVE_RESONANCE: {
+    double chi = decades(own[0], from, to), beside = 1 + signed_by(own[2], exp2(-1 - 52 * own[1]));
+    for (slong k = 0; k < f->tape.n_inputs; k++) {
+      if (f->input[k] == INPUT_CHI) x[k] = chi;
+      if (f->input[k] == INPUT_ETA) x[k] = beside / chi;
+      if (f->input[k] == INPUT_TIME && own[3] < 0.5) x[k] = decades(u[2 * k], 0, 16); /* where phases part again */
+    }
+    return true;
+  }
   case MOVE_TO_ZERO:
     return beside_zero(x, &(struct zero_of){p, -1}, own);
   case MOVE_CANCEL:

@@ -171,7 +171,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
     q.random = random_seed(text_str(&seed));
     text_clear(&seed);
     q.n = (int)(2 * f->tape.n_inputs) + DIGITS_SPARE;
-    draw(&q, effort.samples);
+    draw(&q, effort.samples * digits_region_width(region));
     if (out->found) climb(&q, effort.steps);
     if (out->found && out->loss.formula > log10(STABILITY_ALLOWED)) simplify(&q, out->x, is_as_bad);
     if (out->failed) simplify(&q, out->failure_x, fails_likewise);

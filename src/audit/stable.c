@@ -126,11 +126,16 @@ struct reading {
   struct tape tape;
 };
 
-/* Quantities that long forms are made of in both layers alike.  Each is proved on its own, and where forms are equal whatever
-   these are, they are equal.  g_1 = 1 - omega_1^2 is what lambda_1 = g_1/chi says, which is proved without it. */
+/* Quantities that long forms are made of in both layers alike.  Where forms are equal whatever these are, they are equal if
+   each of these is the same in both layers, which is proved of each without the others.  g_1 = 1 - omega_1^2 has a name in the
+   stable layer alone. */
 static const struct override held[] = {{"J_b", 2, 1},      {"ktilde_1", 1, 1}, {"H_13", 1, 1},     {"H_23", 1, 1},
                                        {"ktilde_3", 1, 1}, {"ktilde_4", 1, 1}, {"ktilde_5", 1, 1}, {"g_1", 1, 1}};
 enum { N_HELD = sizeof held / sizeof *held };
+
+static const char *in_corrected(const char *name) {
+  return strcmp(name, "g_1") == 0 ? "1 - omega_1^2" : name;
+}
 
 static void reading_init(struct reading *r, const struct model *m, enum layer layer, int n_held) {
   *r = (struct reading){.n = 0};
@@ -207,26 +212,39 @@ static bool same_relations(const struct statement_record *a, const struct statem
   return same;
 }
 
-/* With that many quantities held as unknowns. */
-static bool attempt(struct stable_proof *p, const struct model *m, const char *value,
+/* With that many quantities held as unknowns; value: as the corrected layer and as the stable one writes it;
+   record: instead, or NULL. */
+static bool attempt(struct stable_proof *p, const struct model *m, const char *const value[2],
                     const struct statement_record *const record[2], int n_held, struct diag *d) {
   static const enum layer layer[2] = {LAYER_CORRECTED, LAYER_STABLE};
   struct reading r[2];
   bool ok = true;
   for (int i = 0; i < 2; i++) reading_init(&r[i], m, layer[i], n_held);
   for (int i = 0; ok && i < 2; i++)
-    ok = (value ? read_value(&r[i], value, p->section, d) : read_record(&r[i], record[i], d)) &&
+    ok = (record ? read_record(&r[i], record[i], d) : read_value(&r[i], value[i], p->section, d)) &&
          elaboration_tape(&r[i].tape, &r[i].el, r[i].e, r[i].n, d);
   if (ok) p->why_not = compare(p, r);
   for (int i = 0; i < 2; i++) reading_clear(&r[i]);
   return ok;
 }
 
-/* Was 1 - omega_1^2 shown to be g_1? */
-static bool bend_proved(const struct stable_proofs *p) {
-  for (size_t i = 0; i < p->n; i++)
-    if (strcmp(p->item[i].name, "lambda_1") == 0) return !p->item[i].why_not && !p->item[i].held;
-  return false;
+/* Is each held quantity shown to be the same in both layers?  false also when one cannot be read. */
+static bool held_proved(const struct model *m) {
+  bool yes = true;
+  struct diag none;
+  diag_init(&none);
+  for (int i = 0; yes && i < N_HELD; i++) {
+    struct stable_proof p = {.section = "stability"};
+    const char *const value[2] = {in_corrected(held[i].name), held[i].name};
+    yes = attempt(&p, m, value, NULL, 0, &none) && !p.why_not;
+  }
+  return yes;
+}
+
+static bool is_held(const char *name) {
+  bool yes = false;
+  for (int i = 0; i < N_HELD; i++) yes = yes || strcmp(held[i].name, name) == 0;
+  return yes;
 }
 
 /* A value of the two layers, or (value NULL) the record that each of them has; p says where it stands. */
@@ -234,9 +252,10 @@ static bool prove(struct stable_proofs *out, struct stable_proof p, const struct
                   const struct statement_record *const record[2], struct diag *d) {
   const char *name = value ? value : record[1]->id;
   p.name = arena_strndup(&out->arena, name, strlen(name));
-  bool ok = attempt(&p, m, value, record, 0, d);
-  p.held = ok && p.why_not && bend_proved(out);
-  if (p.held) ok = attempt(&p, m, value, record, N_HELD, d);
+  const char *const both[2] = {value, value};
+  bool ok = attempt(&p, m, both, record, 0, d);
+  p.held = ok && p.why_not && !is_held(name) && held_proved(m);
+  if (p.held) ok = attempt(&p, m, both, record, N_HELD, d);
   if (!value && !same_relations(record[0], record[1])) p.why_not = "the relations differ";
   out->item = ss_grow(out->item, out->n, &out->cap, sizeof *out->item);
   out->item[out->n++] = p;

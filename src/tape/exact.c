@@ -431,13 +431,39 @@ static int absolute(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mp
   return s;
 }
 
-/* sin u/u, or (u - sin u)/u^3. */
+/* Can the numerator vanish on a whole domain though it is not zero here, as sqrt(4 V) - 2 sqrt(V) or |z| - z do?  Not when
+   the product over all signs of the generators that have squares is no zero.  True also when that grows too large. */
+static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  fmpz_mpoly_q_struct p, conjugate;
+  exact_init(&p, f);
+  exact_init(&conjugate, f);
+  fmpz_mpoly_set(&p.num, &x->num, ring());
+  int s = SS_OK;
+  for (slong i = f->n - 1; s == SS_OK && i >= 0; i--) {
+    slong var = variable(i);
+    if (!f->gen[i].squared || fmpz_mpoly_degree_si(&p.num, var, ring()) < 1) continue;
+    fmpz_mpoly_derivative(&conjugate.num, &p.num, var, ring()); /* of a + b g with a square g^2: b */
+    fmpz_mpoly_gen(&conjugate.den, var, ring());
+    fmpz_mpoly_mul(&conjugate.num, &conjugate.num, &conjugate.den, ring());
+    fmpz_mpoly_scalar_mul_si(&conjugate.num, &conjugate.num, -2, ring());
+    fmpz_mpoly_add(&conjugate.num, &conjugate.num, &p.num, ring());
+    fmpz_mpoly_one(&conjugate.den, ring());
+    s = apply(num_exact.mul, &p, f, &p, &conjugate);
+  }
+  bool may = s != SS_OK || exact_is_zero(f, &p);
+  exact_clear(&conjugate, f);
+  exact_clear(&p, f);
+  return may;
+}
+
+/* sin u/u, or (u - sin u)/u^3: they have values where u is zero, so that u is a divisor only if that is no whole domain. */
 static int over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {
   if (fmpz_mpoly_q_is_zero(x, ring())) {
     fmpz_mpoly_q_set_si(z, 1, ring());
     if (op == TAPE_stumpff) fmpz_mpoly_set_si(&z->den, 6, ring());
     return SS_OK;
   }
+  if (may_vanish(f, x)) return SS_UNABLE;
   fmpz_mpoly_q_struct sine;
   exact_init(&sine, f);
   int s = circular(&sine, f, TAPE_sin, x);
