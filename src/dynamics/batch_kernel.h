@@ -9,8 +9,8 @@
 #ifndef STICKSLIP_BATCH_KERNEL_H
 #define STICKSLIP_BATCH_KERNEL_H
 
+#include "polish.h"
 #include "sincos.h"
-#include "slip.h"
 
 static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
@@ -220,6 +220,18 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   l->parts[j] = (ok & !below) ? (x.tc * k->om[1]) * (1 / PART_ANGLE) + 1 : 0.0;
 }
 
+/* The outputs once more, in twice the precision. */
+SINCOS_INLINE void lane_polish(struct lanes *l, int j) {
+  double p[N_PARAMS], out[N_DYN_OUT];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
+  bool ok = polish(out, p, l->out[DYN_OUT_TB][j], l->out[DYN_OUT_TC][j]);
+  const double unable = SS_UNABLE, fine = SS_OK;
+  for (int i = 0; i < N_DYN_OUT; i++) l->out[i][j] = out[i];
+  double status = l->status[j];
+  l->status[j] = (status == fine) & !ok ? unable : status;
+  l->parts[j] = ok ? l->parts[j] : 0.0;
+}
+
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
 
 SINCOS_INLINE void march_start(struct march *m, const struct lanes *l, int j) {
@@ -300,6 +312,7 @@ SINCOS_INLINE void march_part(struct march *m, double part, int j) {
 
 BATCH_TARGET static void BATCH_RUN(struct lanes *l) {
   for (int j = 0; j < LANES; j++) lane_run(l, j);
+  for (int j = 0; j < LANES; j++) lane_polish(l, j);
 }
 
 BATCH_TARGET static void BATCH_START(struct march *restrict m, const struct lanes *restrict l) {

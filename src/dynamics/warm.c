@@ -6,7 +6,7 @@
    sine more where phase H is short. */
 #include "stickslip/warm.h"
 
-#include "slip.h"
+#include "polish.h"
 
 enum { MOST_STEPS = 16 };
 static const double SETTLED = 0x1p-27; /* relative: the step after one of this size is rounding */
@@ -170,6 +170,7 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   judge(&v, COND_C_W, exceeds(k.e1 - range[1], SLIP_DOUBT * force));
   out[DYN_OUT_U1] = 0.5 * (k.e1 - fmin(range[0], k.e1));
   out[DYN_OUT_U2] = 0.5 * k.chi * x.h.g.rise;
+  if (!polish(out, params, x.tb, x.tc)) return SS_UNABLE;
   *violations = v.broken;
   *unsure = v.open;
   return SS_OK;
