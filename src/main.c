@@ -90,7 +90,7 @@ static const char help[] =
     "FILE.part "
     "and\n"
     "      renames it when complete; --resume continues a FILE.part.  Orbits are searched for at every N-th point (by\n"
-    "      default up to 256 apart, at least 128 times a line) and where an orbit ends or begins, and followed "
+    "      default up to 4096 apart, at least 128 times a line) and where an orbit ends or begins, and followed "
     "between:\n"
     "      one that begins and ends between two searches can be missing.  At most 1000000000 points; Ctrl-C and "
     "SIGTERM\n"

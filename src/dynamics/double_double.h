@@ -77,10 +77,8 @@ SINCOS_INLINE struct dd dd_select(uint64_t mask, struct dd x, struct dd y) {
   return (struct dd){sincos_choose(mask, x.high, y.high), sincos_choose(mask, x.low, y.low)};
 }
 
-/* Through bits: two conditional expressions would become one branch. */
 SINCOS_INLINE struct dd dd_choose(bool first, struct dd x, struct dd y) {
-  const uint64_t all = ~(uint64_t)0;
-  return dd_select(first ? all : 0, x, y);
+  return (struct dd){first ? x.high : y.high, first ? x.low : y.low};
 }
 
 /* Sine and cosine, within 2^-85 relatively and 2^-100, for |x| <= SINCOS_REACH. */
