@@ -178,7 +178,7 @@ SINCOS_INLINE void fine_outputs(double out[N_DYN_OUT], const struct fine_state *
   out[DYN_OUT_PERIOD] = period.high;
   out[DYN_OUT_TRACE] = dd_div(x->turn_tb, dd_mul(x->r_end, x->p)).high;
   out[DYN_OUT_U1] = most.high > 0 ? 0.5 * most.high : 0;
-  out[DYN_OUT_U2] = 0.5 * (k->chi.high * x->rise.high);
+  out[DYN_OUT_U2] = 0.5 * dd_mul(k->chi, x->rise).high;
 }
 
 /* From t_b and t_c in double precision.  False where they are too far off, or a number is none. */
