@@ -66,6 +66,17 @@ static double time_scalar(struct sweep *s) {
   return bench_now() - begin;
 }
 
+static double time_bare(struct sweep *s) {
+  double begin = bench_now();
+  for (slong j = 0; j < s->n; j++) {
+    double p[N_PARAMS], out[N_DYN_OUT], guess[2] = {s->guess[0][j], s->guess[1][j]};
+    for (int k = 0; k < N_PARAMS; k++) p[k] = s->params[k][j];
+    s->status[j] = dyn_orbit_bare(out, p, guess);
+    for (int k = 0; k < DYN_OUT_U1; k++) s->out[k][j] = out[k];
+  }
+  return bench_now() - begin;
+}
+
 static double time_lanes(struct sweep *s, int set, int jobs) {
   const double *params[N_PARAMS], *guess[2] = {s->guess[0], s->guess[1]};
   for (int i = 0; i < N_PARAMS; i++) params[i] = s->params[i];
@@ -82,17 +93,18 @@ static double time_lanes(struct sweep *s, int set, int jobs) {
 void bench_lanes(struct bench_lanes *b) {
   struct search found;
   struct sweep s;
-  double p[N_PARAMS], scalar = INFINITY, two = INFINITY, best[MOST_SETS];
+  double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, two = INFINITY, best[MOST_SETS];
   int widest = -1;
   for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
   p[P_E2] = low;
-  *b = (struct bench_lanes){.two = NAN};
+  *b = (struct bench_lanes){.two = NAN, .bare = NAN};
   if (search_run(&found, p, &dyn_limits_default) == SS_OK) {
     sweep_init(&s, LINE * found.n + 1);
     for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].tb, found.zeros[i].tc);
     for (int i = 0; i < MOST_SETS; i++) best[i] = INFINITY;
     for (int round = 0; round < ROUNDS; round++) {
       scalar = fmin(scalar, time_scalar(&s));
+      bare = fmin(bare, time_bare(&s));
       for (int set = 0; set < MOST_SETS && batch_set_name(set); set++)
         if (batch_set_here(set)) best[set] = fmin(best[set], time_lanes(&s, set, 1));
       two = fmin(two, time_lanes(&s, -1, 2)); /* both cores must be free at once */
@@ -103,7 +115,10 @@ void bench_lanes(struct bench_lanes *b) {
       b->set[b->n] = batch_set_name(set);
       b->gain[b->n++] = scalar / best[set];
     }
-    if (widest >= 0) b->two = best[widest] / two;
+    if (widest >= 0) {
+      b->two = best[widest] / two;
+      b->bare = bare / best[widest];
+    }
     sweep_clear(&s);
   }
   search_clear(&found);

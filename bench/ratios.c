@@ -275,6 +275,8 @@ static void sweep_ratios(struct bench_result *r) {
   for (int i = 0; i < b.n; i++)
     add(r, b.gain[i], false, strcmp(b.set[i], "baseline") == 0 ? NAN : 4,
         "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
+  add(r, b.bare, false, NAN,
+      "sweep, one core: dyn_orbit_bare, in double precision and without conditions / orbits in lanes");
   add(r, b.two, false, 1.8, "sweep in lanes: one thread / two");
 }
 

@@ -37,6 +37,7 @@ int main(void) {
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());
   srunner_add_suite(r, sincos_suite());
+  srunner_add_suite(r, double_double_suite());
   srunner_add_suite(r, batch_suite());
   srunner_add_suite(r, return_map_suite());
   srunner_add_suite(r, warm_suite());

@@ -452,6 +452,35 @@ START_TEST(lines_of_a_plane_are_lines) {
 }
 END_TEST
 
+/* 128 a line, but no more than 4096 points apart. */
+START_TEST(searches_are_spread_over_the_line) {
+  shell_well("\"$P\" sweep paper --over e2=0.85:0.86:20001 | head -n 5 | grep -q 'search_every = 156;'");
+  shell_well(
+      "\"$P\" sweep paper --over e2=0.85:0.86:1000001 2> /dev/null | head -n 5 | grep -q 'search_every = 4096;'");
+}
+END_TEST
+
+/* At parameters that double precision holds exactly: each number of a row is that of the certified orbit, but for a unit of
+   the fifteenth digit. */
+START_TEST(digits_are_those_of_the_orbits) {
+  for (int i = 0; i < 4; i++) {
+    static const char *const e2[] = {"0.625", "0.75", "0.875", "1"};
+    char text[200];
+    snprintf(text, sizeof text, "title: all exact\nchi = 0.75\neta = 1.25\nV = 1\ne1 = 2.75\ne2 = %s\n", e2[i]);
+    scratch_put("exact.scene", text);
+    ck_assert_int_eq(shell("\"$P\" sweep \"$D/exact.scene\" --over e2=0.625:1:4 --all | grep '^%d,' | cut -d, -f4-13 |"
+                           " tr , '\\n' > \"$D/rows\"",
+                           i),
+                     0);
+    shell_well("\"$P\" orbit \"$D/exact.scene\" --digits 15 |"
+               " awk '$1 ~ /^(z[12]0|t_[abcd]|period|trace|u_r[12]_min)$/ && NF == 2 { print $2 }' > \"$D/orbits\"");
+    shell_well("paste \"$D/rows\" \"$D/orbits\" | awk 'function size(x) { return x < 0 ? -x : x }"
+               " NF != 2 || size($1 - $2) > 1.1 * 10^(int(log(size($2)) / log(10) + 99) - 99 - 14) { bad = 1 }"
+               " END { exit bad || NR < 10 || NR % 10 }'");
+  }
+}
+END_TEST
+
 /* One value; the numbers are those of tests/oracle/orbits.tsv, set paper; the rows are in the words of the contract. */
 START_TEST(rows_say_what_was_found) {
   shell_well("\"$P\" sweep paper --over e2=0.8587:0.8587:1 --all --digits 6 > \"$D/out\"");
@@ -739,6 +768,8 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, points_are_those_asked_for);
   tcase_add_test(program_case, lines_of_a_plane_are_lines);
   tcase_add_test(program_case, rows_say_what_was_found);
+  tcase_add_test(program_case, searches_are_spread_over_the_line);
+  tcase_add_test(program_case, digits_are_those_of_the_orbits);
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);
   tcase_add_test(program_case, wrong_parts_are_refused);
   tcase_add_test(program_case, one_run_writes_a_file);

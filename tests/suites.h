@@ -34,6 +34,7 @@ Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);
 Suite *sincos_suite(void);
+Suite *double_double_suite(void);
 Suite *batch_suite(void);
 Suite *bench_suite(void);
 Suite *stiff_suite(void);

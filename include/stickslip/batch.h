@@ -18,9 +18,7 @@
    Without SS_OK the outputs are NaN and violations[j] = 0.
    jobs: threads at most (one where the library was built without OpenMP).  Returns the statuses OR-ed.
 
-   Error of an output: aimed at warm.h's 8 max(1, condition) 2^-53 relative, and measured, not proved (check_batch.c): the
-   median is a tenth of that, one orbit in thirty of a domain far wider than sweeps has an output beyond it, by a factor
-   that is 2 as a rule and 15 at worst. */
+   Error of an output: that of dyn_orbit_warm, and like it measured, not proved (check_batch.c). */
 int dyn_orbits_batch(double *const out[N_DYN_OUT], unsigned *violations, int *status,
                      const double *const params[N_PARAMS], const double *const guess[2], slong n, int jobs);
 

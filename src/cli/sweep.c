@@ -3,7 +3,7 @@
 
 #include "sweep.h"
 
-enum { DEFAULT_EVERY = 256, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
+enum { DEFAULT_EVERY = 4096, DEFAULT_SEARCHES = 128, MOST_SWEEP_DIGITS = 15 };
 
 static const char shape[] = "%s takes NAME=A:B:N, as in e2=0.8:0.9:20000, not %.200s";
 

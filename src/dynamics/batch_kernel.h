@@ -1,16 +1,16 @@
 /* The solver of one lane, and the loop over lanes for one instruction set.
 
    Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what a branch would
-   look into is left open.  Half of the sines and cosines of the steps are moved by the step, those of the outputs are
-   made anew.  Included by batch.c once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART its
+   look into is left open.  Half of the sines and cosines of the steps are moved by the step.  Conditions are judged in
+   double precision; the outputs are formed in twice that (polish.h), in a loop of its own.  Included by batch.c once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART its
    functions and BATCH_TARGET their attribute; the compiler vectorises the loops (flags in the Makefile). */
 #include "batch_impl.h"
 
 #ifndef STICKSLIP_BATCH_KERNEL_H
 #define STICKSLIP_BATCH_KERNEL_H
 
+#include "polish.h"
 #include "sincos.h"
-#include "slip.h"
 
 static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */
@@ -131,8 +131,8 @@ SINCOS_INLINE struct node lane_middle(const struct lane *x) {
 
 /* The ends of the word. */
 struct close {
-  double td, ta, period;
-  double least, most; /* of e1 - w in phase C */
+  double ta, period;
+  double least; /* e1 - w in phase C */
 };
 
 /* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.  Inside
@@ -153,10 +153,9 @@ SINCOS_INLINE struct close lane_close(const struct lane *x) {
   double fast = k->chi * k->omc * x->r_end, end = k->a * ta, slow = k->soft * k->omc;
   bool inner = fast > k->a;
   double square = inner ? (fast - k->a) * (fast + k->a) : 1, root = sqrt(square), u = sincos_angle(k->a, root);
-  double valley = end + slow * k->a * (u - k->a / (fast + root)), hill = end + slow * (k->a * (PI - u) - (fast + root));
-  double least = short_c < end ? short_c : end, most = short_c < end ? end : short_c;
-  bool in_valley = inner & (u < turn) & (valley > most), on_hill = inner & (PI - u < turn) & (hill < least);
-  return (struct close){td, ta, period, on_hill ? hill : least, in_valley ? valley : most};
+  double hill = end + slow * (k->a * (PI - u) - (fast + root)), least = short_c < end ? short_c : end;
+  bool on_hill = inner & (PI - u < turn) & (hill < least);
+  return (struct close){ta, period, on_hill ? hill : least};
 }
 
 SINCOS_INLINE bool in_domain(const double p[N_PARAMS]) {
@@ -199,16 +198,8 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   double way = k->a * fabs(e.ta), room = fabs(e.least);
   ok &= (way > SLIP_DOUBT * (force + k->a * e.period)) & (room > SLIP_DOUBT * force);
 
-  l->out[DYN_OUT_Z10][j] = (k->e1 + k->chi * x.r) / k->ease - k->V * e.ta;
-  l->out[DYN_OUT_Z20][j] = (k->e1 + x.r) / k->ease - k->V * e.ta;
-  l->out[DYN_OUT_TA][j] = e.ta;
   l->out[DYN_OUT_TB][j] = x.tb;
   l->out[DYN_OUT_TC][j] = x.tc;
-  l->out[DYN_OUT_TD][j] = e.td;
-  l->out[DYN_OUT_PERIOD][j] = e.period;
-  l->out[DYN_OUT_TRACE][j] = x.turn_tb / (x.r_end * x.g.p);
-  l->out[DYN_OUT_U1][j] = e.most > 0 ? 0.5 * e.most : 0;
-  l->out[DYN_OUT_U2][j] = 0.5 * k->chi * x.g.rise;
   const double no_ta = 1 << COND_TA, no_w = 1 << COND_C_W, no_v2 = 1 << COND_H_V2 | 1 << COND_C_V2;
   const double fine = SS_OK, outside = SS_DOMAIN,
                unable = SS_UNABLE; /* as numbers: SSE2 has no masks for integers of 64 bits */
@@ -218,6 +209,18 @@ SINCOS_INLINE void lane_run(struct lanes *l, int j) {
   l->broken[j] = ok ? broken : 0.0;
   l->status[j] = !in ? outside : (ok & below) ? fine : unable;
   l->parts[j] = (ok & !below) ? (x.tc * k->om[1]) * (1 / PART_ANGLE) + 1 : 0.0;
+}
+
+/* The outputs once more, in twice the precision. */
+SINCOS_INLINE void lane_polish(struct lanes *l, int j) {
+  double p[N_PARAMS], out[N_DYN_OUT], status = l->status[j], parts = l->parts[j];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = l->params[i][j];
+  bool ok = polish(out, p, l->out[DYN_OUT_TB][j], l->out[DYN_OUT_TC][j]);
+  const double fine = SS_OK, unable = SS_UNABLE;
+  double failed = status == fine ? unable : status;
+  for (int i = 0; i < N_DYN_OUT; i++) l->out[i][j] = out[i];
+  l->status[j] = ok ? status : failed;
+  l->parts[j] = ok ? parts : 0.0;
 }
 
 /* --- A closer look at phase H: in parts, all lanes part by part. --- */
@@ -300,6 +303,7 @@ SINCOS_INLINE void march_part(struct march *m, double part, int j) {
 
 BATCH_TARGET static void BATCH_RUN(struct lanes *l) {
   for (int j = 0; j < LANES; j++) lane_run(l, j);
+  for (int j = 0; j < LANES; j++) lane_polish(l, j);
 }
 
 BATCH_TARGET static void BATCH_START(struct march *restrict m, const struct lanes *restrict l) {

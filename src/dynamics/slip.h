@@ -10,6 +10,7 @@
 
 #include <math.h>
 
+#include "double_double.h"
 #include "dyn_impl.h"
 
 /* The sine and cosine of half of an angle. */
@@ -28,13 +29,6 @@ static inline struct half_angle half_angle_move(struct half_angle x, double d) {
   double sine = h - h * hh * ((1.0 / 6 - hh * (1.0 / 120)) + hh * hh * (1.0 / 5040 - hh * (1.0 / 362880)));
   double versine = hh * ((0.5 - hh * (1.0 / 24)) + hh * hh * (1.0 / 720 - hh * (1.0 / 40320)));
   return (struct half_angle){x.s + (x.c * sine - x.s * versine), x.c - (x.s * sine + x.c * versine)};
-}
-
-/* x y - fl(x y) for x, y far from overflow and underflow, by Veltkamp's and Dekker's splitting. */
-static inline double product_rest(double x, double y) {
-  const double split = 0x1p27 + 1;
-  double bx = split * x, hx = bx - (bx - x), lx = x - hx, by = split * y, hy = by - (by - y), ly = y - hy;
-  return ((hx * hy - x * y) + hx * ly + lx * hy) + lx * ly;
 }
 
 static inline double full_sine(struct half_angle x) {

@@ -2,11 +2,11 @@
 
    The two equations are z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b; both stay
    smooth where an event grazes.  Near convergence sines and cosines are moved by the step rather than asked for again, and
-   every output is formed after the last step.  The proof that t_c is a first root, and that z_2' stays below V, costs no
+   every output is formed after the last step, by dyn_orbit_warm in twice the precision (polish.h).  The proof that t_c is a first root, and that z_2' stays below V, costs no
    sine more where phase H is short. */
 #include "stickslip/warm.h"
 
-#include "slip.h"
+#include "polish.h"
 
 enum { MOST_STEPS = 16 };
 static const double SETTLED = 0x1p-27; /* relative: the step after one of this size is rounding */
@@ -119,20 +119,13 @@ int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const d
 
 /* --- Conditions. --- */
 
-/* The least and the greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0. */
-static void force_range(double range[2], const struct slip *k, const struct point *x, double wf, double td) {
-  range[0] = fmin(x->n.w, wf);
-  range[1] = fmax(x->n.w, wf);
-  double fast = k->chi * k->omc * x->r_end, turn = k->omc * td;
-  if (!(fast > k->a)) return;
-  double s = k->a / fast, c = sqrt((1 - s) * (1 + s));
-  for (int i = 0; i < 2; i++) { /* the valley, then the hill */
-    double cosine = i == 0 ? c : -c, u = atan2(s, cosine);
-    if (u >= turn) continue;
-    double w = x->n.w + k->a * (turn - u) / k->omc - k->chi * (x->r_end * cosine - x->n.pull * k->soft);
-    range[0] = fmin(range[0], w);
-    range[1] = fmax(range[1], w);
-  }
+/* The greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0, and on a hill where q falls. */
+static double most_force(const struct slip *k, const struct point *x, double wf, double td) {
+  double most = fmax(x->n.w, wf), fast = k->chi * k->omc * x->r_end, turn = k->omc * td;
+  if (!(fast > k->a)) return most;
+  double s = k->a / fast, cosine = -sqrt((1 - s) * (1 + s)), u = atan2(s, cosine);
+  if (u >= turn) return most;
+  return fmax(most, x->n.w + k->a * (turn - u) / k->omc - k->chi * (x->r_end * cosine - x->n.pull * k->soft));
 }
 
 struct verdicts {
@@ -153,23 +146,19 @@ int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure
   struct slip k;
   struct point x;
   struct verdicts v = {0, 0};
-  double range[2];
   *violations = *unsure = 0;
   if (!slip_init(&k, params)) return SS_DOMAIN;
-  if (!(converge(&x, &k, guess) && put_outputs(out, &x, &k))) return SS_UNABLE;
+  if (!(converge(&x, &k, guess) && polish(out, params, x.tb, x.tc))) return SS_UNABLE;
   /* before the first crest of the rise z_1' < V in phase Gamma, and t_b is a first root */
   if (exceeds(-x.h.g.p, SLIP_DOUBT * (k.a + k.e1) * x.b.s) != TRUTH_TRUE) return SS_UNABLE;
   const struct stop end = {x.tc, {x.c[0], x.c[1]}, x.n};
   if (slip_stays_below(&x.h, 0, &end) != TRUTH_TRUE) return SS_UNABLE;
   truth slow = x.n.q > 0 ? TRUTH_FALSE : slip_stays_below(&x.h, 1, &end);
   double ta = out[DYN_OUT_TA], wf = k.e1 - k.a * ta, force = k.e1 + fabs(x.n.w) + fabs(wf);
-  force_range(range, &k, &x, wf, out[DYN_OUT_TD]);
   judge(&v, COND_TA, exceeds(ta, SLIP_DOUBT * (force / k.a + out[DYN_OUT_PERIOD])));
   judge(&v, COND_H_V2, slow);
   judge(&v, COND_C_V2, x.n.q < 0 ? TRUTH_TRUE : TRUTH_FALSE);
-  judge(&v, COND_C_W, exceeds(k.e1 - range[1], SLIP_DOUBT * force));
-  out[DYN_OUT_U1] = 0.5 * (k.e1 - fmin(range[0], k.e1));
-  out[DYN_OUT_U2] = 0.5 * k.chi * x.h.g.rise;
+  judge(&v, COND_C_W, exceeds(k.e1 - most_force(&k, &x, wf, out[DYN_OUT_TD]), SLIP_DOUBT * force));
   *violations = v.broken;
   *unsure = v.open;
   return SS_OK;
