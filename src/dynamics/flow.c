@@ -143,8 +143,8 @@ val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], co
   }
 }
 
-int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-             const void *t) {
+static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                    const void *t) {
   struct calc c;
   val p[N_PARAMS], from[N_STATE], to[N_STATE];
   calc_init(&c, out->ctx);
@@ -157,9 +157,11 @@ int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, c
   return c.status;
 }
 
-int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+static int matrix_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                      const void *t) {
   struct calc c;
   val p[N_PARAMS];
+  (void)in;
   calc_init(&c, out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   struct blocks b = flow_blocks(&c, ph, p, t);
@@ -174,22 +176,45 @@ int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *pa
 
 typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 
-static int switching_value(void *value, switching f, enum phase ph, const struct num_vec *params,
-                           const struct num_vec *z) {
+static int value_run(struct num_vec *out, switching f, enum phase ph, const struct num_vec *params,
+                     const struct num_vec *z) {
   struct calc c;
   val p[N_PARAMS], at[N_STATE];
-  calc_init(&c, params->ctx);
+  calc_init(&c, out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(at, z, 0, N_STATE);
-  c.ctx.type->set(value, f(&c, ph, p, at));
+  c.ctx.type->set(num_vec_at(out, 0), f(&c, ph, p, at));
   calc_clear(&c);
   return c.status;
 }
 
+static int switching_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                         const void *t) {
+  (void)t;
+  return value_run(out, flow_switching, ph, params, z);
+}
+
+static int rate_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                    const void *t) {
+  (void)t;
+  return value_run(out, flow_switching_rate, ph, params, z);
+}
+
+int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+             const void *t) {
+  return rounded_run(out, flow_run, ph, params, in, t);
+}
+
+int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+  return rounded_run(out, matrix_run, ph, params, NULL, t);
+}
+
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
-  return switching_value(value, flow_switching, ph, params, z);
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, switching_run, ph, params, z, NULL);
 }
 
 int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
-  return switching_value(value, flow_switching_rate, ph, params, z);
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, rate_run, ph, params, z, NULL);
 }
