@@ -123,6 +123,7 @@ val calc_two_to(struct calc *c, slong n);
 val calc_neg(struct calc *c, val x);
 val calc_abs(struct calc *c, val x);
 val calc_sqrt(struct calc *c, val x);
+val calc_stumpff(struct calc *c, val x); /* (x - sin x)/x^3 */
 val calc_add(struct calc *c, val x, val y);
 val calc_sub(struct calc *c, val x, val y);
 val calc_mul(struct calc *c, val x, val y);
