@@ -7,8 +7,8 @@
 
    Errors are a few times those that rounding the parameters and r would make, as tests/check_return_map.c asserts: up to 32
    (1 + kappa) 2^-53 as far as a search could find (stickslip stability dyn_return_map).  Where they would be larger - chi within
-   1/64 of 0 or 1, eta beyond 16 or 1/16, a force or r far from V, what the parabolas found - the numbers come from balls near
-   the events, in some tens of microseconds, rounded once; what a double cannot hold is SS_UNABLE. */
+   1/16 of 0 or 1, eta beyond 8 or 1/8, a force or r 32 times V or V 32 times a force, what the parabolas found - the numbers
+   come from balls near the events, in some tens of microseconds, rounded once; what a double cannot hold is SS_UNABLE. */
 #ifndef STICKSLIP_RETURN_MAP_H
 #define STICKSLIP_RETURN_MAP_H
 

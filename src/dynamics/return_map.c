@@ -9,8 +9,8 @@
 
 #include "slip.h"
 
-enum { MOST_STEPS = 8 };
-static const double MOST_CHI = 0x1p6, MOST_ETA = 0x1p4, MOST_SIZE = 0x1p10;
+enum { MOST_STEPS = 8, NEAR_MOST = 256 };
+static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;
 static const double SETTLED = 0x1p-13; /* relative: the error after a step of this size is its fourth power */
 
 /* --- t_b. --- */
@@ -133,7 +133,8 @@ static int near_run(struct num_vec *out, enum phase ph, const struct num_vec *pa
   double guess[N_PHASES] = {0};
   (void)ph, (void)t;
   for (int i = PHASE_GAMMA; i < N_PHASES; i++) guess[i] = num_arb.get_d(num_vec_at(in, i));
-  return dyn_return_near(out, params, num_vec_at(in, 0), guess);
+  int status = dyn_return_near(out, params, num_vec_at(in, 0), guess);
+  return status && params->ctx.prec >= NEAR_MOST ? SS_DOMAIN : status; /* the guess is not near: no precision helps */
 }
 
 /* Through balls, near the times that are known. */
@@ -146,7 +147,7 @@ static int mended(struct dyn_return *x, const double params[N_PARAMS], double r)
   memcpy(x->t, to, sizeof x->t);
   x->r_end = to[RETURN_R];
   x->slope = to[RETURN_SLOPE];
-  return status || is_sound(x) ? status : SS_UNABLE;
+  return status || !is_sound(x) ? SS_UNABLE : SS_OK;
 }
 
 /* Velocities and lengths by 2^by; whether none of them rounds. */
