@@ -57,7 +57,7 @@ void print_at(struct text *out, const struct jacobian_request *q) {
    matrix, and where that is not small, by the root. */
 static double eigenvalue_error(const double m[4], const double re[2], const double im[2]) {
   double size = hypot(hypot(m[0], m[1]), hypot(m[2], m[3])), gap = hypot(re[0] - re[1], im[0] - im[1]);
-  double move = 8 * DBL_EPSILON * size * (size / gap);
+  double move = 4 * DBL_EPSILON * size * (size / gap);
   return move < gap / 8 ? move : 8 * sqrt(DBL_EPSILON) * size;
 }
 
