@@ -5,10 +5,11 @@
    error has a bound for all time, t_d by the circle that phase C turns on.  Where that is not plain - an event that grazes,
    close roots, a very long phase - the parabolas of dyn_first_event_d decide, slower, and grazing says so.
 
-   Errors are a few times those that rounding the parameters and r would make, as tests/check_return_map.c asserts: up to 32
-   (1 + kappa) 2^-53 as far as a search could find (stickslip stability dyn_return_map).  Where they would be larger - chi within
-   1/16 of 0 or 1, eta beyond 8 or 1/8, a force or r 32 times V or V 32 times a force, what the parabolas found - the numbers
-   come from balls near the events, in some tens of microseconds, rounded once; what a double cannot hold is SS_UNABLE. */
+   Errors are a few times those that rounding the parameters and r would make: within 8 (1 + kappa) 2^-53 in 99 outputs of 100,
+   as tests/check_return_map.c asserts; a search for the worst (stickslip stability dyn_return_map) found 90 (1 + kappa) 2^-53.
+   Where they would be larger still - chi within 1/16 of 0 or 1, eta beyond 8 or 1/8, a force or r 32 times V, V 32 times a force,
+   what the parabolas found - the numbers come from balls near the events, in some tens of microseconds, rounded once; what a
+   double cannot hold is SS_UNABLE. */
 #ifndef STICKSLIP_RETURN_MAP_H
 #define STICKSLIP_RETURN_MAP_H
 
