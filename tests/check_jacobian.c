@@ -635,6 +635,16 @@ START_TEST(printed_numbers_stand_in_for_what_is_not_given) {
 }
 END_TEST
 
+/* Extreme scenes, tests/extreme: every number against three times the digits. */
+START_TEST(no_wrong_digit_is_printed) {
+  struct text line;
+  text_init(&line);
+  text_printf(&line, "%s tests/oracle/extreme.py %s tests/extreme/*.scene >&2", python(), program());
+  ck_assert_int_eq(system(text_str(&line)), 0);
+  text_clear(&line);
+}
+END_TEST
+
 Suite *jacobian_suite(void) {
   Suite *s = suite_create("jacobian");
   TCase *c = tcase_create("period");
@@ -662,6 +672,7 @@ Suite *jacobian_suite(void) {
   tcase_add_test(c, every_method_at_given_times);
   tcase_add_loop_test(c, any_two_quantities_make_the_same_jacobian, 0, 6);
   tcase_add_test(c, printed_numbers_stand_in_for_what_is_not_given);
+  tcase_add_test(c, no_wrong_digit_is_printed);
   suite_add_tcase(s, c);
   return s;
 }

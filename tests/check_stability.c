@@ -426,26 +426,31 @@ static void check_worst(struct digits_set *s, char *id, char *point) {
   digits_bench_clear(&w);
 }
 
-START_TEST(worst_cases_stay_known) {
+/* Each line of the file; how many there are. */
+static int at_kept_points(const char *path, void (*check)(struct digits_set *s, char *id, char *point)) {
   struct digits_set s;
   struct diag d;
   char line[4000];
   int n = 0;
   diag_init(&d);
   ck_assert_msg(digits_set_make(&s, &model, LAYER_PRINTED, &d), "%s", d.message);
-  FILE *file = fopen("tests/stability.wc", "r");
-  ck_assert_msg(file != NULL, "no tests/stability.wc; the tests run in the project's folder");
+  FILE *file = fopen(path, "r");
+  ck_assert_msg(file != NULL, "no %s; the tests run in the project's folder", path);
   while (fgets(line, sizeof line, file)) {
     char *tab = strchr(line, '\t');
     if (line[0] == '#' || !tab) continue;
     *tab = '\0';
     tab[1 + strcspn(tab + 1, "\n")] = '\0';
-    check_worst(&s, line, tab + 1);
+    check(&s, line, tab + 1);
     n++;
   }
   fclose(file);
-  ck_assert_int_ge(n, 80);
   digits_set_clear(&s);
+  return n;
+}
+
+START_TEST(worst_cases_stay_known) {
+  ck_assert_int_ge(at_kept_points("tests/stability.wc", check_worst), 80);
 }
 END_TEST
 
@@ -509,18 +514,48 @@ END_TEST
 
 /* --- The program's own functions --- */
 
-/* dyn_flow_matrix in phase Gamma: chi (1 - cos t) at [1,2], as the code has it, loses digits at small times; sin t at [1,3]
-   does not, and no entry of phase D does. */
-START_TEST(functions_of_the_program_are_judged) {
-  static const char *const only[] = {"dyn_flow_matrix-Gamma", "dyn_flow_matrix-D", "dyn_flow-D"};
+/* Every result of every function, over all regions: within the bound, or a status. */
+START_TEST(functions_of_the_program_keep_their_digits) {
+  static const char *const only[] = {"dyn_flow",      "dyn_flow_matrix",    "dyn_local_jacobian",
+                                     "dyn_switching", "dyn_switching_rate", "dyn_return_map"};
   struct stability_result r;
-  run(&r, only, 3, true, 2, -1);
-  ck_assert(row_of(&r, "dyn_flow_matrix-Gamma[1,3]", "times-small")->found);
-  ck_assert(!faulty(&r, "dyn_flow_matrix-Gamma[1,3]"));
-  ck_assert(!faulty(&r, "dyn_flow_matrix-D"));
-  ck_assert(!faulty(&r, "dyn_flow-D"));
-  ck_assert(r.formula[formula_of(&r, "dyn_flow-D[1]")].kernel);
+  long points = 0, failures = 0;
+  run(&r, only, 6, true, 2, -1);
+  ck_assert_int_gt(r.n_formulas, 160);
+  for (long i = 0; i < r.n_rows; i++) {
+    const struct stability_row *row = &r.row[i];
+    const struct stability_formula *f = &r.formula[row->formula];
+    double allowed = STABILITY_ALLOWED * (1 + pow(10, row->problem));
+    ck_assert(f->kernel);
+    ck_assert_msg(!row->found || row->error <= log10(allowed), "%s loses %.1f digits, the problem %.1f, at %s", f->id,
+                  row->observed, row->problem, row->witness);
+    points += row->points;
+    failures += row->failures;
+  }
+  ck_assert_int_gt((int)points, 8000);
+  ck_assert_msg(4 * failures < points, "%ld of %ld points have no value", failures, points);
   stability_result_clear(&r);
+}
+END_TEST
+
+/* At points that a search has kept (tests/kernels.wc). */
+static void check_mended(struct digits_set *s, char *id, char *point) {
+  struct digits_formula *f = (struct digits_formula *)digits_find(s, id);
+  ck_assert_msg(f != NULL, "no function %s", id);
+  double x[DIGITS_INPUTS] = {0};
+  struct digits_bench w;
+  take_point(x, f, point);
+  digits_bench_init(&w, f);
+  struct digits_loss r = digits_measure(&w, x, -1);
+  ck_assert_msg(r.kind == DIGITS_LOST || r.kind == DIGITS_FAILED, "%s is not measured at %s", id, point);
+  if (r.kind == DIGITS_LOST)
+    ck_assert_msg(r.error <= log2(STABILITY_ALLOWED * (1 + exp2(r.condition))), "%s: error 2^%.1f, condition 2^%.1f",
+                  id, r.error, r.condition);
+  digits_bench_clear(&w);
+}
+
+START_TEST(functions_of_the_program_are_mended) {
+  ck_assert_int_ge(at_kept_points("tests/kernels.wc", check_mended), 50);
 }
 END_TEST
 
@@ -692,7 +727,8 @@ Suite *stability_suite(void) {
   tcase_add_test(c, worst_cases_stay_known);
   tcase_add_test(c, every_entry_is_enrolled);
   tcase_add_test(c, regions_are_where_they_say);
-  tcase_add_test(c, functions_of_the_program_are_judged);
+  tcase_add_test(c, functions_of_the_program_keep_their_digits);
+  tcase_add_test(c, functions_of_the_program_are_mended);
   tcase_add_test(c, condition_numbers_of_functions);
   tcase_add_test(c, any_number_of_processes_gives_the_same_bytes);
   tcase_add_test(c, bad_command_lines_are_refused);

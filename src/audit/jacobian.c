@@ -48,6 +48,13 @@ static bool precise_enough(arb_srcptr x, int n, slong digits) {
   return ok;
 }
 
+/* What differs from zero has a digit that can be printed. */
+static bool has_digits(arb_srcptr x, int n) {
+  bool ok = true;
+  for (int i = 0; i < n; i++) ok = ok && (arb_contains_zero(x + i) || precise_enough(x + i, 1, 1));
+  return ok;
+}
+
 /* Raises the precision until the digits are reached.  The status of the last attempt; *precise: are they? */
 static int refine(arb_ptr out, bool *precise, struct jacobian_job *job, enum jacobian_method method, enum layer layer,
                   const struct local_map *map, slong digits) {
@@ -105,6 +112,8 @@ bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, co
     ok = !d->set;
   }
   if (ok) jacobian_invariants(trace, det, j);
+  if (ok && !(has_digits(j, 4) && has_digits(trace, 1))) complain(&job, q->method, q->digits);
+  ok = !d->set;
   job_clear(&job);
   return ok;
 }

@@ -1,14 +1,16 @@
 /* The program's own functions of dynamics.h, studied like the paper's formulas: the same code over balls is the truth, since
-   what it returns there encloses the exact result.  They are no tapes: condition numbers are differences in balls at a high
+   what it returns there encloses the exact result; of the return map, which is in double alone, the arc in balls, its events
+   near the first ones of dyn_first_event_d.  They are no tapes: condition numbers are differences in balls at a high
    precision, and no node is named.  An error status is an answer, a wrong value is not. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "stability_impl.h"
+#include "stickslip/return_map.h"
 
 struct digits_kernel {
-  const char *id, *says, *inputs; /* separated by blanks; chi and eta first, then the time */
+  const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */
   int rows, cols;
   enum phase phase;
   int (*run)(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
@@ -31,7 +33,77 @@ static int run_local(struct num_vec *out, enum phase ph, const struct num_vec *p
   return dyn_local_jacobian(out, ph, params, state, t);
 }
 
-#define STATE "chi eta t z_1 z_2 z'_1 z'_2"
+static int run_switching(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
+                         const void *t) {
+  (void)t;
+  return dyn_switching(num_vec_at(out, 0), ph, params, state);
+}
+
+static int run_rate(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
+                    const void *t) {
+  (void)t;
+  return dyn_switching_rate(num_vec_at(out, 0), ph, params, state);
+}
+
+/* --- The return map of r, the first of the state --- */
+
+static int map_in_double(struct num_vec *out, const struct num_vec *params, double r) {
+  struct dyn_return x;
+  double p[N_PARAMS];
+  for (slong i = 0; i < N_PARAMS; i++) p[i] = num_double.get_d(num_vec_at(params, i));
+  int status = dyn_return_map(&x, p, r, NULL);
+  if (status || x.grazing) return status | SS_UNABLE;
+  const double y[N_RETURN] = {x.t[PHASE_D], x.t[PHASE_GAMMA], x.t[PHASE_H], x.t[PHASE_C], x.r_end, x.slope};
+  for (slong i = 0; i < out->len; i++) num_double.set(num_vec_at(out, i), &y[i]);
+  return SS_OK;
+}
+
+/* First events after the stick phase, which takes no time, near the middles of the balls. */
+static int first_times(double t[N_PHASES], const struct num_vec *params, arb_srcptr r) {
+  struct num_vec p, z, time;
+  double params_d[N_PARAMS], in[N_STATE];
+  num_vec_init(&p, N_PARAMS, num_ctx_double());
+  num_vec_init(&z, N_STATE, num_ctx_double());
+  num_vec_init(&time, 1, num_ctx_double());
+  int status = SS_OK;
+  for (int i = 0; i < N_PARAMS; i++) {
+    params_d[i] = num_arb.get_d(num_vec_at(params, i));
+    num_double.set(num_vec_at(&p, i), &params_d[i]);
+  }
+  in[Z_1] = (params_d[P_E1] + params_d[P_CHI] * num_arb.get_d(r)) / (1 - params_d[P_CHI]);
+  in[Z_2] = in[Z_1] + num_arb.get_d(r);
+  in[DZ_1] = in[DZ_2] = params_d[P_V];
+  t[PHASE_D] = 0;
+  for (int ph = PHASE_GAMMA; ph < N_PHASES && !status; ph++) {
+    bool grazing;
+    for (int i = 0; i < N_STATE; i++) num_double.set(num_vec_at(&z, i), &in[i]);
+    status = dyn_first_event_d(&t[ph], &grazing, (enum phase)ph, params_d, in, NULL);
+    num_double.set(num_vec_at(&time, 0), &t[ph]);
+    if (!status) status = dyn_flow(&z, (enum phase)ph, &p, &z, num_vec_at(&time, 0));
+    for (int i = 0; i < N_STATE; i++) in[i] = num_double.get_d(num_vec_at(&z, i));
+    if (ph == PHASE_H) in[DZ_1] = params_d[P_V];
+  }
+  num_vec_clear(&time);
+  num_vec_clear(&z);
+  num_vec_clear(&p);
+  return status;
+}
+
+static int map_in_balls(struct num_vec *out, const struct num_vec *params, arb_srcptr r) {
+  double t[N_PHASES];
+  int status = first_times(t, params, r);
+  return status ? status : dyn_return_near(out, params, r, t);
+}
+
+static int run_map(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
+                   const void *t) {
+  (void)ph, (void)t;
+  const void *r = num_vec_at(state, 0);
+  return out->ctx.type == &num_double ? map_in_double(out, params, num_double.get_d(r)) : map_in_balls(out, params, r);
+}
+
+#define STATE  "chi eta t z_1 z_2 z'_1 z'_2"
+#define FORCES "chi eta V e_1 e_2 "
 #define OF_PHASES(X, name, says, inputs, rows, cols, run)                                                              \
   X(name "-D", says ", phase D", inputs, rows, cols, PHASE_D, run)                                                     \
   X(name "-Gamma", says ", phase Gamma", inputs, rows, cols, PHASE_GAMMA, run)                                         \
@@ -40,7 +112,11 @@ static int run_local(struct num_vec *out, enum phase ph, const struct num_vec *p
 #define KERNELS(X)                                                                                                     \
   OF_PHASES(X, "dyn_flow", "the state after the time t", STATE, 4, 1, run_flow)                                        \
   OF_PHASES(X, "dyn_flow_matrix", "the matrix of that map", "chi eta t", 4, 4, run_matrix)                             \
-  OF_PHASES(X, "dyn_local_jacobian", "the derivative of the map to the event at t", STATE, 4, 4, run_local)
+  OF_PHASES(X, "dyn_local_jacobian", "the derivative of the map to the event at t", STATE, 4, 4, run_local)            \
+  OF_PHASES(X, "dyn_switching", "the switching function", FORCES "z_1 z_2 z'_1 z'_2", 1, 1, run_switching)             \
+  OF_PHASES(X, "dyn_switching_rate", "its derivative along the motion", FORCES "z_1 z_2 z'_1 z'_2", 1, 1, run_rate)    \
+  X("dyn_return_map", "the next t_a, t_b, t_c, t_d, r at the end and slope of the return map", FORCES "r", N_RETURN,   \
+    1, PHASE_D, run_map)
 
 static const struct digits_kernel kernels[] = {
 #define KERNEL_ROW(id, says, inputs, rows, cols, phase, run) {id, says, inputs, rows, cols, phase, run},
@@ -51,17 +127,28 @@ static const struct digits_kernel kernels[] = {
 /* --- Running one --- */
 
 int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in) {
+  static const char *const parameter[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   const struct digits_kernel *k = f->kernel;
   const struct num_type *type = out->ctx.type;
   struct num_vec all, params, state;
+  const void *t = NULL;
+  slong n_state = 0;
   num_vec_init(&all, k->rows * k->cols, out->ctx);
   num_vec_init(&params, N_PARAMS, out->ctx);
   num_vec_init(&state, N_STATE, out->ctx);
-  for (slong i = 0; i < N_PARAMS; i++) type->set_d(num_vec_at(&params, i), 1, out->ctx.prec); /* V, e1, e2: not read */
-  type->set(num_vec_at(&params, P_CHI), num_vec_at(in, 0));
-  type->set(num_vec_at(&params, P_ETA), num_vec_at(in, 1));
-  for (slong i = 3; i < in->len; i++) type->set(num_vec_at(&state, i - 3), num_vec_at(in, i));
-  int status = k->run(&all, k->phase, &params, &state, num_vec_at(in, 2));
+  for (slong i = 0; i < N_PARAMS; i++) type->set_d(num_vec_at(&params, i), 1, out->ctx.prec); /* some are not read */
+  for (slong i = 0; i < in->len; i++) {
+    const char *name = f->tape.inputs[i];
+    int p = 0;
+    while (p < N_PARAMS && strcmp(name, parameter[p]) != 0) p++;
+    if (p < N_PARAMS)
+      type->set(num_vec_at(&params, p), num_vec_at(in, i));
+    else if (strcmp(name, "t") == 0)
+      t = num_vec_at(in, i);
+    else
+      type->set(num_vec_at(&state, n_state++), num_vec_at(in, i));
+  }
+  int status = k->run(&all, k->phase, &params, &state, t);
   for (slong i = 0; i < f->n && !status; i++) type->set(num_vec_at(out, i), num_vec_at(&all, f->first + i));
   num_vec_clear(&all);
   num_vec_clear(&params);
@@ -156,7 +243,7 @@ static void enrol(struct digits_set *s, const struct digits_kernel *k, const cha
 void digits_enrol_kernels(struct digits_set *s) {
   for (size_t i = 0; i < sizeof kernels / sizeof *kernels; i++) {
     const struct digits_kernel *k = &kernels[i];
-    for (int e = 0; e < k->rows * k->cols; e++)
+    for (int e = 0; e < k->rows * k->cols && k->rows > 1; e++)
       enrol(s, k, copied(s, k->cols > 1 ? "%s[%d,%d]" : "%s[%d]", k->id, e / k->cols + 1, e % k->cols + 1), e, 1);
     enrol(s, k, k->id, 0, k->rows * k->cols);
   }

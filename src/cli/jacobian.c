@@ -1,4 +1,6 @@
 /* stickslip jacobian: the 2x2 Jacobian of one period by the method asked for, with its accuracy and its eigenvalues. */
+#include <float.h>
+#include <math.h>
 #include <string.h>
 
 #include "cli.h"
@@ -51,13 +53,39 @@ void print_at(struct text *out, const struct jacobian_request *q) {
     text_printf(out, "orbit:%ld", (long)q->orbit + 1);
 }
 
+/* How far rounding of the matrix can move its eigenvalues: by the size of the matrix over their distance more than the
+   matrix, and where that is not small, by the root. */
+static double eigenvalue_error(const double m[4], const double re[2], const double im[2]) {
+  double size = hypot(hypot(m[0], m[1]), hypot(m[2], m[3])), gap = hypot(re[0] - re[1], im[0] - im[1]);
+  double move = 4 * DBL_EPSILON * size * (size / gap);
+  return move < gap / 8 ? move : 8 * sqrt(DBL_EPSILON) * size;
+}
+
+static void print_near(struct text *out, double x, double err) {
+  arb_t ball;
+  arb_init(ball);
+  arb_set_d(ball, x);
+  mag_set_d(arb_radref(ball), err);
+  print_known(out, ball, 15);
+  arb_clear(ball);
+}
+
 bool print_eigenvalues(struct text out[2], arb_srcptr j) {
-  double m[4], re[2], im[2];
-  for (int i = 0; i < 4; i++) m[i] = num_arb.get_d(j + i);
+  double m[4], re[2], im[2], err = 0;
+  for (int i = 0; i < 4; i++) {
+    m[i] = num_arb.get_d(j + i);
+    err = fmax(err, mag_get_d(arb_radref(j + i)));
+  }
   if (dyn_eigenvalues_d(re, im, m) != SS_OK) return false;
+  err = eigenvalue_error(m, re, im) * fmax(1, err / (DBL_EPSILON * hypot(hypot(m[0], m[1]), hypot(m[2], m[3]))));
+  for (int i = 0; i < 2; i++)
+    if (!isfinite(err) || !(err < hypot(re[i], im[i]) || err < 1e-3)) return false; /* no digit is known */
   for (int i = 0; i < 2; i++) {
-    text_printf(&out[i], "%.15g", re[i]);
-    if (im[i] != 0) text_printf(&out[i], "%+.15gi", im[i]);
+    print_near(&out[i], re[i], err);
+    if (im[i] == 0) continue;
+    if (im[i] > 0) text_add_char(&out[i], '+');
+    print_near(&out[i], im[i], err);
+    text_add_char(&out[i], 'i');
   }
   return true;
 }

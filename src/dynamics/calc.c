@@ -123,6 +123,9 @@ val calc_abs(struct calc *c, val x) {
 val calc_sqrt(struct calc *c, val x) {
   return unary(c, c->ctx.type->sqrt, x);
 }
+val calc_stumpff(struct calc *c, val x) {
+  return unary(c, c->ctx.type->stumpff, x);
+}
 val calc_add(struct calc *c, val x, val y) {
   return binary(c, c->ctx.type->add, x, y);
 }

@@ -123,6 +123,7 @@ val calc_two_to(struct calc *c, slong n);
 val calc_neg(struct calc *c, val x);
 val calc_abs(struct calc *c, val x);
 val calc_sqrt(struct calc *c, val x);
+val calc_stumpff(struct calc *c, val x); /* (x - sin x)/x^3 */
 val calc_add(struct calc *c, val x, val y);
 val calc_sub(struct calc *c, val x, val y);
 val calc_mul(struct calc *c, val x, val y);
@@ -173,6 +174,16 @@ val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const v
 val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 /* Pointers to the elements of a vector from the given index on. */
 void flow_vals(val *out, const struct num_vec *v, slong from, slong n);
+
+/* --- rounded.c --- */
+
+/* Results of one phase from the parameters, a state and a time (both may be NULL where the function reads none). */
+typedef int (*phase_function)(struct num_vec *out, enum phase ph, const struct num_vec *params,
+                              const struct num_vec *in, const void *t);
+/* The function; in double precision by way of balls, so that each result is within 2^-53 of itself: SS_UNABLE where one is
+   beyond the range of normal doubles or not known at 4096 bits.  out may alias in. */
+int rounded_run(struct num_vec *out, phase_function run, enum phase ph, const struct num_vec *params,
+                const struct num_vec *in, const void *t);
 
 /* --- balls.c: the return map's equations in balls (the calc is one of num_arb). --- */
 

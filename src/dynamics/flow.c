@@ -36,12 +36,40 @@ struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]) {
                            calc_div(c, stiff, gap)};
 }
 
-void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2) {
-  val lead = calc_sub(c, f1, f2);
+/* lead = f1 - f2. */
+static void function_of(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2, val lead) {
   out[0] = calc_dot(c, s->above, f1, s->below, f2);
   out[1] = calc_mul(c, s->couple, lead);
   out[2] = calc_mul(c, s->back, lead);
   out[3] = calc_dot(c, s->below, f1, s->above, f2);
+}
+
+void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2) {
+  function_of(out, c, s, f1, f2, calc_sub(c, f1, f2));
+}
+
+/* sin x, cos x, 1 - cos x and x - sin x; the last two cancel where x is small. */
+struct circular {
+  val sine, cosine, versine, lag;
+  bool small;
+};
+
+static struct circular circular_at(struct calc *c, val x) {
+  struct circular r = {.small = calc_exponent(c, x) <= -2};
+  val one = calc_d(c, 1);
+  if (r.small) {
+    val sine, cosine, two = calc_d(c, 2);
+    calc_sin_cos(c, &sine, &cosine, calc_div(c, x, two));
+    r.sine = calc_mul(c, two, calc_mul(c, sine, cosine));
+    r.versine = calc_mul(c, two, calc_mul(c, sine, sine));
+    r.cosine = calc_sub(c, one, r.versine);
+    r.lag = calc_mul(c, x, calc_mul(c, calc_mul(c, x, x), calc_stumpff(c, x)));
+  } else {
+    calc_sin_cos(c, &r.sine, &r.cosine, x);
+    r.versine = calc_sub(c, one, r.cosine);
+    r.lag = calc_sub(c, x, r.sine);
+  }
+  return r;
 }
 
 static void set_block(val out[4], val a, val b, val c, val d) {
@@ -60,32 +88,38 @@ static void blocks_stick(struct blocks *b, struct calc *c, val t) {
 
 /* m2 keeps its velocity, w oscillates, z_1 = w + chi z_2. */
 static void blocks_gamma(struct blocks *b, struct calc *c, val chi, val t) {
-  val zero = calc_d(c, 0), one = calc_d(c, 1), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, t);
-  set_block(b->c, cosine, calc_mul(c, chi, calc_sub(c, one, cosine)), zero, one);
-  set_block(b->s, sine, calc_mul(c, chi, calc_sub(c, t, sine)), zero, t);
-  set_block(b->n, calc_neg(c, sine), calc_mul(c, chi, sine), zero, zero);
+  val zero = calc_d(c, 0), one = calc_d(c, 1);
+  struct circular x = circular_at(c, t);
+  set_block(b->c, x.cosine, calc_mul(c, chi, x.versine), zero, one);
+  set_block(b->s, x.sine, calc_mul(c, chi, x.lag), zero, t);
+  set_block(b->n, calc_neg(c, x.sine), calc_mul(c, chi, x.sine), zero, zero);
 }
 
 /* m1 keeps its velocity, r oscillates, z_2 = z_1 + r. */
 static void blocks_c(struct blocks *b, struct calc *c, val omega, val t) {
-  val zero = calc_d(c, 0), one = calc_d(c, 1), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, calc_mul(c, omega, t));
-  val slow = calc_div(c, sine, omega), fast = calc_mul(c, sine, omega);
-  set_block(b->c, one, zero, calc_sub(c, one, cosine), cosine);
-  set_block(b->s, t, zero, calc_sub(c, t, slow), slow);
+  val zero = calc_d(c, 0), one = calc_d(c, 1);
+  struct circular x = circular_at(c, calc_mul(c, omega, t));
+  val slow = calc_div(c, x.sine, omega), fast = calc_mul(c, x.sine, omega);
+  val behind = x.small ? calc_div(c, x.lag, omega) : calc_sub(c, t, slow);
+  set_block(b->c, one, zero, x.versine, x.cosine);
+  set_block(b->s, t, zero, behind, slow);
   set_block(b->n, zero, zero, fast, calc_neg(c, fast));
 }
 
 static void blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t) {
-  val sine[2], cosine[2], slow[2], fast[2];
+  struct circular x[2];
+  val slow[2], fast[2];
   for (int i = 0; i < 2; i++) {
-    calc_sin_cos(c, &sine[i], &cosine[i], calc_mul(c, s->om[i], t));
-    slow[i] = calc_div(c, sine[i], s->om[i]);
-    fast[i] = calc_neg(c, calc_mul(c, sine[i], s->om[i]));
+    x[i] = circular_at(c, calc_mul(c, s->om[i], t));
+    slow[i] = calc_div(c, x[i].sine, s->om[i]);
+    fast[i] = calc_neg(c, calc_mul(c, x[i].sine, s->om[i]));
   }
-  flow_function(b->c, c, s, cosine[0], cosine[1]);
-  flow_function(b->s, c, s, slow[0], slow[1]);
+  bool small = x[0].small && x[1].small;
+  val turned = small ? calc_sub(c, x[1].versine, x[0].versine) : calc_sub(c, x[0].cosine, x[1].cosine);
+  val moved = small ? calc_sub(c, calc_div(c, x[1].lag, s->om[1]), calc_div(c, x[0].lag, s->om[0]))
+                    : calc_sub(c, slow[0], slow[1]);
+  function_of(b->c, c, s, x[0].cosine, x[1].cosine, turned);
+  function_of(b->s, c, s, slow[0], slow[1], moved);
   flow_function(b->n, c, s, fast[0], fast[1]);
 }
 
@@ -143,8 +177,8 @@ val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], co
   }
 }
 
-int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-             const void *t) {
+static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                    const void *t) {
   struct calc c;
   val p[N_PARAMS], from[N_STATE], to[N_STATE];
   calc_init(&c, out->ctx);
@@ -157,9 +191,11 @@ int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, c
   return c.status;
 }
 
-int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+static int matrix_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                      const void *t) {
   struct calc c;
   val p[N_PARAMS];
+  (void)in;
   calc_init(&c, out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   struct blocks b = flow_blocks(&c, ph, p, t);
@@ -174,22 +210,45 @@ int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *pa
 
 typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
 
-static int switching_value(void *value, switching f, enum phase ph, const struct num_vec *params,
-                           const struct num_vec *z) {
+static int value_run(struct num_vec *out, switching f, enum phase ph, const struct num_vec *params,
+                     const struct num_vec *z) {
   struct calc c;
   val p[N_PARAMS], at[N_STATE];
-  calc_init(&c, params->ctx);
+  calc_init(&c, out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(at, z, 0, N_STATE);
-  c.ctx.type->set(value, f(&c, ph, p, at));
+  c.ctx.type->set(num_vec_at(out, 0), f(&c, ph, p, at));
   calc_clear(&c);
   return c.status;
 }
 
+static int switching_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                         const void *t) {
+  (void)t;
+  return value_run(out, flow_switching, ph, params, z);
+}
+
+static int rate_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                    const void *t) {
+  (void)t;
+  return value_run(out, flow_switching_rate, ph, params, z);
+}
+
+int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+             const void *t) {
+  return rounded_run(out, flow_run, ph, params, in, t);
+}
+
+int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+  return rounded_run(out, matrix_run, ph, params, NULL, t);
+}
+
 int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
-  return switching_value(value, flow_switching, ph, params, z);
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, switching_run, ph, params, z, NULL);
 }
 
 int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
-  return switching_value(value, flow_switching_rate, ph, params, z);
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, rate_run, ph, params, z, NULL);
 }

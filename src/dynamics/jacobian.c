@@ -43,8 +43,8 @@ static val entry(const struct blocks *b, int i, int j) {
   return j < 2 ? b->n[2 * (i - 2) + j] : b->c[2 * (i - 2) + j - 2];
 }
 
-int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
-                       const void *t) {
+static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                     const void *t) {
   struct calc c;
   val p[N_PARAMS], from[N_STATE], end[N_STATE], f[N_STATE], n[N_STATE];
   calc_init(&c, j->ctx);
@@ -65,6 +65,11 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
   for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), out[i / N_STATE][i % N_STATE]);
   calc_clear(&c);
   return c.status;
+}
+
+int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                       const void *t) {
+  return rounded_run(j, local_run, ph, params, in, t);
 }
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {

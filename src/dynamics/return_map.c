@@ -5,9 +5,12 @@
    once or twice and then moved.  Whatever does not work out is left to the walk of wave.c. */
 #include "stickslip/return_map.h"
 
+#include <string.h>
+
 #include "slip.h"
 
-enum { MOST_STEPS = 8 };
+enum { MOST_STEPS = 8, NEAR_MOST = 256 };
+static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;
 static const double SETTLED = 0x1p-13; /* relative: the error after a step of this size is its fourth power */
 
 /* --- t_b. --- */
@@ -115,14 +118,78 @@ static int slow_map(struct dyn_return *out, const double params[N_PARAMS], doubl
   return is_sound(out) ? SS_OK : SS_UNABLE;
 }
 
-int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+/* Whether the parameters are ones for which the roundings on the way have been measured to stay small. */
+static bool is_ordinary(const double params[N_PARAMS], double r) {
+  double chi = params[P_CHI], eta = params[P_ETA], V = params[P_V];
+  const double size[] = {params[P_E1], params[P_E2], fabs(r)};
+  bool ordinary = chi >= 1 / MOST_CHI && chi <= 1 - 1 / MOST_CHI && eta >= 1 / MOST_ETA && eta <= MOST_ETA;
+  ordinary = ordinary && V >= 0x1p-200 && V <= 0x1p200;
+  for (int i = 0; i < 3; i++) ordinary = ordinary && (i == 2 || size[i] >= V / MOST_SIZE) && size[i] <= V * MOST_SIZE;
+  return ordinary;
+}
+
+static int near_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                    const void *t) {
+  double guess[N_PHASES] = {0};
+  (void)ph, (void)t;
+  for (int i = PHASE_GAMMA; i < N_PHASES; i++) guess[i] = num_arb.get_d(num_vec_at(in, i));
+  int status = dyn_return_near(out, params, num_vec_at(in, 0), guess);
+  return status && params->ctx.prec >= NEAR_MOST ? SS_DOMAIN : status; /* the guess is not near: no precision helps */
+}
+
+/* Through balls, near the times that are known. */
+static int mended(struct dyn_return *x, const double params[N_PARAMS], double r) {
+  double in[N_PHASES] = {r, x->t[PHASE_GAMMA], x->t[PHASE_H], x->t[PHASE_C]}, to[N_RETURN], given[N_PARAMS];
+  const struct num_ctx d = num_ctx_double();
+  struct num_vec out = {d, N_RETURN, (char *)to}, p = {d, N_PARAMS, (char *)given}, from = {d, N_PHASES, (char *)in};
+  memcpy(given, params, sizeof given);
+  int status = rounded_run(&out, near_run, PHASE_D, &p, &from, NULL);
+  memcpy(x->t, to, sizeof x->t);
+  x->r_end = to[RETURN_R];
+  x->slope = to[RETURN_SLOPE];
+  return status || !is_sound(x) ? SS_UNABLE : SS_OK;
+}
+
+/* Velocities and lengths by 2^by; whether none of them rounds. */
+static bool scaled(double to[N_PARAMS], double *r_to, const double params[N_PARAMS], double r, int by) {
+  static const int of[] = {P_V, P_E1, P_E2};
+  bool exact = true;
+  memcpy(to, params, N_PARAMS * sizeof *to);
+  for (int i = 0; i < 3; i++) {
+    to[of[i]] = ldexp(params[of[i]], by);
+    exact = exact && isnormal(to[of[i]]);
+  }
+  *r_to = ldexp(r, by);
+  return exact && (r == 0 || isnormal(*r_to));
+}
+
+static int map_as_given(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
   struct slip k;
-  if (!lim) lim = &dyn_limits_default;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!isfinite(r)) return SS_UNABLE;
   double g = k.rb - r;
   if (!(g > 0)) return SS_DOMAIN;
   return fast_map(out, &k, g, lim) ? SS_OK : slow_map(out, params, g, lim);
+}
+
+/* The times found with velocities and lengths near 1, since their squares are formed. */
+static int map_of_any(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+  double near[N_PARAMS], at;
+  int size = params[P_V] > 0 && isfinite(params[P_V]) ? ilogb(params[P_V]) : 0;
+  bool exact = scaled(near, &at, params, r, -size);
+  int status = exact ? map_as_given(out, near, at, lim) : map_as_given(out, params, r, lim);
+  if (!exact) return status ? status : SS_UNABLE;
+  if (!status && !out->grazing) status = mended(out, near, at);
+  if (status) return status;
+  out->r_end = ldexp(out->r_end, size);
+  return isnormal(out->r_end) ? SS_OK : SS_UNABLE;
+}
+
+int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+  if (!lim) lim = &dyn_limits_default;
+  if (!is_ordinary(params, r)) return map_of_any(out, params, r, lim);
+  int status = map_as_given(out, params, r, lim);
+  return status || !out->searched || out->grazing ? status : mended(out, params, r);
 }
 
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,

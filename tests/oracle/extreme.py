@@ -1,0 +1,70 @@
+"""No wrong digit is printed: python3 extreme.py PROGRAM SCENE...
+
+Every number that orbit and jacobian print at 15 and at 40 digits, by every method, is held against the same number at three
+times the digits: it must be that number rounded to the digits shown, half a unit of the last one.  fd-double has the
+implicit method's numbers at 45 digits beside it.  A refusal (status 3) is an answer, except of orbit and implicit.
+"""
+import json
+import subprocess
+import sys
+from decimal import Decimal, getcontext
+
+getcontext().prec = 300
+
+
+def run(program, *arguments):
+    r = subprocess.run([program, *arguments, "--json"], capture_output=True, text=True, timeout=60)
+    if r.returncode == 3:
+        return None
+    if r.returncode != 0:
+        sys.exit("%s: status %d: %s" % (" ".join(arguments), r.returncode, r.stderr))
+    return json.loads(r.stdout)
+
+
+def holds(shown, more, where):
+    x, y = Decimal(shown), Decimal(more)
+    unit = Decimal(0) if shown == "0" else Decimal(1).scaleb(x.as_tuple().exponent)
+    if abs(x - y) > unit * Decimal("0.5000001"):
+        sys.exit("%s: %s is printed for %s" % (where, shown, more))
+
+
+def numbers_of_orbits(o):
+    names = "z10 z20 t_a t_b t_c t_d e1 e2 period trace u_r1_min u_r2_min".split()
+    return [(k, i[k]) for i in o["orbits"] for k in names if i[k] is not None]
+
+
+def numbers_of_jacobian(j):
+    return [("J", x) for row in j["J"] for x in row] + [("trace", j["trace"])]
+
+
+def compare(some, more, where):
+    if len(some) != len(more):
+        sys.exit("%s: %d numbers and %d" % (where, len(some), len(more)))
+    for (name, x), (_, y) in zip(some, more):
+        holds(x, y, where + " " + name)
+    return len(some)
+
+
+def check(program, scene):
+    n = 0
+    for digits in 15, 40:
+        some, more = (run(program, "orbit", scene, "--digits", str(d)) for d in (digits, 3 * digits))
+        if not some or not some["orbits"]:
+            sys.exit(scene + ": no orbit")
+        n += compare(numbers_of_orbits(some), numbers_of_orbits(more), scene)
+        for k in range(len(some["orbits"])):
+            for method in "implicit", "analytic", "saltation", "fd", "fd-double":
+                of = method if method != "fd-double" else "implicit"
+                at = ["--at", "orbit:%d" % (k + 1)]
+                j = run(program, "jacobian", scene, *at, "--method", method, "--digits", str(digits))
+                truth = run(program, "jacobian", scene, *at, "--method", of, "--digits", str(3 * digits))
+                if j and truth:
+                    n += compare(numbers_of_jacobian(j), numbers_of_jacobian(truth), scene + " " + method)
+                elif method == "implicit":
+                    sys.exit(scene + ": no Jacobian")
+    return n
+
+
+n = sum(check(sys.argv[1], scene) for scene in sys.argv[2:])
+print("%d numbers hold" % n)
+sys.exit(n == 0)
