@@ -103,7 +103,7 @@ bench: $(B)/stickslip ## error against run time, by every method: writes reports
 	$(PYTHON) tools/readme.py
 
 stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scenes: writes reports/stability/
-	$(B)/stickslip stability --out reports/stability
+	$(B)/stickslip stability --after stable --out reports/stability
 	$(B)/stickslip bench --job studies --out reports/stability
 
 check: all $(B)/check ## run the tests; with MPI=1 those of mpirun too

@@ -54,6 +54,8 @@ struct stability_formula {
   const char *inputs; /* joined by ", " */
   int entries, nodes;
   long points;               /* at which it was held against its true value */
+  const char *replacement;   /* records of the other layer that the formula is made of there; NULL: the same formula */
+  bool proved;               /* each of them equal to what it replaces */
   bool kernel;               /* a function of the program: an error status is an answer, and no node is named */
   bool zero;                 /* its true value is zero wherever it was tried, so that no relative error exists */
   long worst, worst_failure; /* rows; -1 */
@@ -74,7 +76,9 @@ struct stability_row {
   const char *left, *right; /* a function; NULL where there is none */
   const char *witness;      /* chi=0x1.8p-3,... */
   double after;      /* digits that the formula of the other layer loses there; NaN: none asked for, or it fails */
-  double after_most; /* the most that it loses at any of the points drawn in this region; NaN: none asked for */
+  double after_most; /* the most that a search for its own worst point in this region finds; NaN: none asked for */
+  const char *after_witness; /* there; NULL */
+  long after_failures;       /* points at which it has no value though a double holds it */
   /* A point at which it fails. */
   enum loss_cause failure;
   const char *failure_node, *failure_witness; /* NULL without one */

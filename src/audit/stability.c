@@ -47,6 +47,9 @@ const struct stability_row *stability_row_at(const struct stability_result *r, i
 struct study {
   struct digits_set set, other; /* other: of the layer held against it */
   bool have_other;
+  const struct model *model;
+  struct stable_proofs proofs; /* of the stable layer, when it is the other one */
+  bool have_proofs;
   struct digits_formula **formula, **after; /* after: NULL where the other layer has the same formula or none */
   size_t n;
   struct digits_effort effort;
@@ -77,10 +80,13 @@ static struct digits_formula *in_other_layer(struct study *st, const struct digi
 }
 
 static bool study_open(struct study *st, const struct model *m, const struct stability_options *opt, struct diag *d) {
-  *st = (struct study){.effort = opt->quick ? (struct digits_effort){3, 6} : (struct digits_effort){24, 160}};
+  *st =
+      (struct study){.model = m, .effort = opt->quick ? (struct digits_effort){3, 6} : (struct digits_effort){24, 160}};
   bool ok = digits_set_make(&st->set, m, opt->layer, d) && check_operands(&st->set, opt, d);
   st->have_other = opt->after >= 0;
   if (st->have_other) ok = digits_set_make(&st->other, m, (enum layer)opt->after, ok ? d : NULL) && ok;
+  st->have_proofs = ok && opt->after == LAYER_STABLE;
+  if (st->have_proofs) ok = stable_prove(&st->proofs, m, d);
   st->formula = ss_malloc((st->set.n + 1) * sizeof *st->formula);
   st->after = ss_malloc((st->set.n + 1) * sizeof *st->after);
   for (size_t i = 0; ok && i < st->set.n; i++) {
@@ -95,6 +101,7 @@ static bool study_open(struct study *st, const struct model *m, const struct sta
 static void study_close(struct study *st) {
   digits_set_clear(&st->set);
   if (st->have_other) digits_set_clear(&st->other);
+  if (st->have_proofs) stable_proofs_clear(&st->proofs);
   free(st->formula);
   free(st->after);
 }
@@ -157,6 +164,14 @@ static void describe_formula(struct stability_formula *z, struct study *st, cons
   text_clear(&t);
 }
 
+static void describe_replacement(struct stability_formula *z, struct study *st, const struct digits_formula *after) {
+  struct text t;
+  text_init(&t);
+  z->proved = digits_replacement(&t, st->model, &st->proofs, after);
+  if (t.len) z->replacement = kept(st->out, &t);
+  text_clear(&t);
+}
+
 static void describe_cause(struct stability_row *z, struct study *st, const struct digits_formula *f,
                            const struct digits_found *found) {
   z->cause = found->why.cause;
@@ -181,7 +196,9 @@ static void describe_row(struct stability_row *z, struct study *st, int formula,
                               .found = found->found,
                               .at_fault = found->at_fault || (found->failed && !f->kernel),
                               .after = NAN,
-                              .after_most = st->after[formula] ? found->after_most : (double)NAN};
+                              .after_most = found->after_found ? found->after_worst.formula : (double)NAN,
+                              .after_witness = found->after_found ? point_text(st, f, found->after_x) : NULL,
+                              .after_failures = found->after_failures};
   if (found->found) {
     z->error = found->loss.error * log10(2);
     z->observed = found->loss.observed;
@@ -217,6 +234,7 @@ static void gather(struct study *st, const struct digits_found *found) {
   r->row = arena_alloc(&r->arena, ((size_t)r->n_rows + 1) * sizeof *r->row);
   for (size_t i = 0; i < st->n; i++) {
     describe_formula(&r->formula[i], st, st->formula[i]);
+    if (st->after[i] && st->have_proofs) describe_replacement(&r->formula[i], st, st->after[i]);
     for (int k = 0; k < n_digits_regions; k++) {
       long at = (long)i * n_digits_regions + k;
       describe_row(&r->row[at], st, (int)i, k, &found[at]);

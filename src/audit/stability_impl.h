@@ -4,6 +4,7 @@
 
 #include "audit_impl.h"
 #include "stickslip/stability.h"
+#include "stickslip/stable.h"
 
 /* Inputs of a formula, at most; coordinates of a search: two for an input, and those of a region. */
 enum { DIGITS_INPUTS = 32, DIGITS_SPARE = 6, DIGITS_COORDINATES = 2 * DIGITS_INPUTS + DIGITS_SPARE };
@@ -53,7 +54,7 @@ const struct digits_formula *digits_find(const struct digits_set *s, const char 
 /* Makes f->slopes. */
 bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d);
 /* The node in the paper's notation: subexpressions that have a name in the paper by that name (whole: the node itself too),
-   factors 1 and terms 0 of matrix products left out, what is deep as "...". */
+   factors 1 and terms 0 of matrix products left out, what is deep as f(what it is made of). */
 void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
 /* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
@@ -156,14 +157,21 @@ struct digits_found {
   bool applies, found, failed, at_fault, slopes_differ, slopes;
   int points, outside, undecided, zero, failures;
   struct digits_loss loss, after; /* at the witness */
-  double after_most;              /* digits that the other layer loses by itself at the worst of all points drawn */
+  struct digits_loss after_worst; /* of the other layer where it loses most by itself, by a climb of its own */
+  bool after_found;
+  int after_failures;
   struct digits_cause why, failure;
-  double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS];
+  double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS], after_x[DIGITS_INPUTS];
   int confusion[N_LOSS_BINS][N_LOSS_BINS];
 };
 /* The worst point of a formula in a region; `after` is the same formula in another layer, or NULL. */
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
                    struct digits_formula *after, int region, struct digits_effort effort);
+
+/* The records of the stable layer that make the formula, joined by ", ", of those that have proofs (stable.h); whether all of
+   them are proved. */
+bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
+                        const struct digits_formula *f);
 
 /* chi=0x1.8p-3,... */
 void digits_print_point(struct text *out, const struct digits_formula *f, const double *x);

@@ -1,5 +1,6 @@
 /* The worst point of a formula in a region: random coordinates, then a climb from the worst of them.  A step of the climb
-   moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses decides. */
+   moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses decides.
+   The form of the other layer has a climb of its own, in the same coordinates. */
 #include <math.h>
 #include <string.h>
 
@@ -10,8 +11,8 @@ struct search {
   bool have_other;
   struct digits_place *place;
   struct digits_found *out;
-  double u[DIGITS_COORDINATES];
-  int n; /* coordinates */
+  double u[DIGITS_COORDINATES], other_u[DIGITS_COORDINATES]; /* of the worst points */
+  int n;                                                     /* coordinates */
   uint64_t random;
 };
 
@@ -39,6 +40,10 @@ static void judge_rule(struct digits_found *out, const struct digits_loss *r, co
   out->confusion[loss_bin(predicted)][loss_bin(observed)]++;
 }
 
+static bool is_worse(const struct digits_loss *r, const struct digits_loss *than) {
+  return r->formula > than->formula || (r->formula == than->formula && r->observed > than->observed);
+}
+
 /* The other layer at the same point. */
 static struct digits_loss measure_other(struct search *s, const double *x, double floor) {
   struct digits_formula *f = s->other.f;
@@ -48,6 +53,18 @@ static struct digits_loss measure_other(struct search *s, const double *x, doubl
     if (i >= 0) y[k] = x[i];
   }
   return digits_measure(&s->other, y, floor);
+}
+
+/* Measures the other layer there, and keeps the point when it is that one's worst. */
+static void try_other(struct search *s, const double *x, const double *u) {
+  struct digits_found *out = s->out;
+  struct digits_loss r = measure_other(s, x, out->after_found ? out->after_worst.formula : -1);
+  out->after_failures += r.kind == DIGITS_FAILED;
+  if (r.kind != DIGITS_LOST || (out->after_found && !is_worse(&r, &out->after_worst))) return;
+  out->after_found = true;
+  out->after_worst = r;
+  memcpy(out->after_x, x, sizeof out->after_x);
+  memcpy(s->other_u, u, sizeof s->other_u);
 }
 
 /* Measures the point of these coordinates, and keeps it when it is worse than the worst. */
@@ -61,12 +78,8 @@ static void try_point(struct search *s, const double *u, bool judged) {
   struct digits_loss r = digits_measure(&s->bench, x, judged || !out->found ? -1 : out->loss.formula);
   count(out, &r, x, &s->bench);
   if (judged) judge_rule(out, &r, &s->bench);
-  if (judged && s->have_other) {
-    struct digits_loss after = measure_other(s, x, out->after_most);
-    if (after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, after.formula);
-  }
-  if (r.kind != DIGITS_LOST || (out->found && r.formula < out->loss.formula)) return;
-  if (out->found && r.formula == out->loss.formula && r.observed <= out->loss.observed) return;
+  if (judged && s->have_other) try_other(s, x, u);
+  if (r.kind != DIGITS_LOST || (out->found && !is_worse(&r, &out->loss))) return;
   out->found = true;
   out->loss = r;
   memcpy(out->x, x, sizeof x);
@@ -89,16 +102,29 @@ static double moved(double u, uint64_t *state) {
   return v < 0 ? 0 : v >= 1 ? 1 - 0x1p-53 : v;
 }
 
+/* Coordinates beside these. */
+static void step(double *u, struct search *s, const double *from) {
+  memcpy(u, from, sizeof s->u);
+  int coordinates = uniform(&s->random) < 0.7 ? 1 : 2;
+  while (coordinates-- > 0) {
+    int k = (int)(uniform(&s->random) * s->n);
+    u[k] = moved(u[k], &s->random);
+  }
+}
+
 static void climb(struct search *s, int steps) {
   for (int i = 0; i < steps; i++) {
     double u[DIGITS_COORDINATES];
-    memcpy(u, s->u, sizeof u);
-    int coordinates = uniform(&s->random) < 0.7 ? 1 : 2;
-    while (coordinates-- > 0) {
-      int k = (int)(uniform(&s->random) * s->n);
-      u[k] = moved(u[k], &s->random);
-    }
+    step(u, s, s->u);
     try_point(s, u, false);
+  }
+}
+
+static void climb_other(struct search *s, int steps) {
+  for (int i = 0; i < steps; i++) {
+    double u[DIGITS_COORDINATES], x[DIGITS_INPUTS] = {0};
+    step(u, s, s->other_u);
+    if (digits_point(x, s->place, u)) try_other(s, x, u);
   }
 }
 
@@ -152,7 +178,7 @@ static void settle(struct search *s, struct digits_set *set) {
   out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
   if (!s->have_other) return;
   out->after = measure_other(s, out->x, -1);
-  if (out->after.kind == DIGITS_LOST) out->after_most = fmax(out->after_most, out->after.formula);
+  try_other(s, out->x, s->u);
 }
 
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
@@ -175,6 +201,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
     if (out->found) climb(&q, effort.steps);
     if (out->found && out->loss.formula > log10(STABILITY_ALLOWED)) simplify(&q, out->x, is_as_bad);
     if (out->failed) simplify(&q, out->failure_x, fails_likewise);
+    if (out->after_found) climb_other(&q, effort.steps);
     if (out->found) settle(&q, s);
   }
   digits_place_free(q.place);

@@ -47,6 +47,28 @@ static const struct stability_row **ledger(int *n, const struct stability_result
   return row;
 }
 
+/* Digits that the other layer's form keeps where the formula loses them; NaN without one. */
+static double gained(const struct stability_row *row) {
+  return row->formula_lost - row->after;
+}
+
+/* "stable-45 and 9 more, proved": the last record of the replacement is the nearest to the formula. */
+static void add_replacement(struct text *out, const struct stability_formula *f, bool all) {
+  if (!f->replacement) {
+    text_add_char(out, '-');
+    return;
+  }
+  int more = 0;
+  const char *last = f->replacement;
+  for (const char *p = f->replacement; !all && (p = strstr(p, ", ")); p += 2) {
+    last = p + 2;
+    more++;
+  }
+  text_add(out, last);
+  if (more) text_printf(out, " and %d more", more);
+  text_add(out, f->proved ? ", proved" : ", not proved");
+}
+
 static bool loses(const struct stability_row *row) {
   return row->found && row->formula_lost > log10(STABILITY_ALLOWED);
 }
@@ -128,7 +150,10 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     write_cause(j, row);
     json_string(j, "witness", row->witness);
     write_digits(j, "after", row->after);
+    write_digits(j, "gained", gained(row));
     write_digits(j, "after_most", row->after_most);
+    json_long(j, "after_failures", row->after_failures);
+    json_string(j, "after_witness", row->after_witness);
     add_command(&command, r, row, row->witness);
     json_string(j, "command", text_str(&command));
   }
@@ -156,6 +181,8 @@ static void write_formula(struct json *j, const struct stability_formula *f) {
   json_long(j, "entries", f->entries);
   json_long(j, "nodes", f->nodes);
   json_long(j, "points", f->points);
+  json_string(j, "replacement", f->replacement);
+  json_bool(j, "proved", f->proved);
   json_bool(j, "kernel", f->kernel);
   json_bool(j, "zero", f->zero);
   json_end_object(j);
@@ -210,22 +237,22 @@ void report_stability_json(struct text *out, const struct stability_result *r) {
 
 void report_stability_tsv(struct text *out, const struct stability_result *r) {
   char a[32], b[32], c[32], e[32], f[32], g[32];
-  text_add(out, "formula\tregion\tpoints\toutside\tundecided\tfailures\tat fault\tdigits lost\tby the problem\tby the "
-                "formula\tpredicted\tafter\tafter, most\tcause\tnode\tleft\tright\twitness\tfailure\tfailure "
-                "node\tfailure witness\n");
+  text_add(out, "formula\tequation\tregion\tpoints\tfailures\tdigits lost\tby the problem\tby the formula\tpredicted\t"
+                "cause\tnode\tafter\tgained\tafter, most\tafter, failures\twitness\tfailure\tfailure witness\n");
   for (long i = 0; i < r->n_rows; i++) {
     const struct stability_row *row = &r->row[i];
-    if (row->points + row->outside + row->undecided == 0) continue;
-    bool found = row->found;
-    text_printf(out, "%s\t%s\t%ld\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\t%s\n",
-                r->formula[row->formula].id, r->region[row->region].id, row->points, row->outside, row->undecided,
-                row->failures, row->at_fault ? "yes" : "no", or_none(found ? tenths(a, row->observed) : NULL),
-                or_none(found ? tenths(b, row->problem) : NULL), or_none(found ? tenths(c, row->formula_lost) : NULL),
-                or_none(found ? tenths(e, row->predicted) : NULL), or_none(found ? tenths(f, row->after) : NULL),
-                or_none(found ? tenths(g, row->after_most) : NULL), found ? loss_cause_says[row->cause] : "-",
-                or_none(row->node), or_none(row->left), or_none(row->right), or_none(row->witness),
-                row->failure_witness ? loss_cause_says[row->failure] : "-", or_none(row->failure_node),
-                or_none(row->failure_witness));
+    const struct stability_formula *of = &r->formula[row->formula];
+    if (!row->at_fault) continue;
+    bool found = row->found && loses(row);
+    text_printf(out, "%s\t%s\t%s\t%ld\t%ld\t%s\t%s\t%s\t%s\t%s\t%s", of->id,
+                or_none(*of->equation ? of->equation : NULL), r->region[row->region].id, row->points, row->failures,
+                or_none(found ? tenths(a, row->observed) : NULL), or_none(found ? tenths(b, row->problem) : NULL),
+                or_none(found ? tenths(c, row->formula_lost) : NULL), or_none(found ? tenths(e, row->predicted) : NULL),
+                found ? loss_cause_says[row->cause] : "-", or_none(found ? row->node : NULL));
+    text_printf(out, "\t%s\t%s\t%s\t%ld\t%s\t%s\t%s\n", or_none(found ? tenths(a, row->after) : NULL),
+                or_none(found ? tenths(f, gained(row)) : NULL), or_none(tenths(g, row->after_most)),
+                row->after_failures, or_none(found ? row->witness : NULL),
+                row->failure_witness ? loss_cause_says[row->failure] : "-", or_none(row->failure_witness));
   }
 }
 
@@ -254,26 +281,88 @@ static void add_cause(struct text *out, const struct stability_row *row, const c
     text_printf(out, " at %s%s%s", quote, row->node, quote);
 }
 
+/* Rows of a table that people read; ledger.tsv has them all. */
+enum { MOST_LOSING = 60, MOST_KERNELS = 15, MOST_NODES = 15, MOST_FAILING = 15 };
+
+static void add_rest(struct text *out, int n, int most) {
+  if (n > most) text_printf(out, "\nand %d more.\n", n - most);
+  text_add_char(out, '\n');
+}
+
+/* What another layer makes of the formula. */
+struct other_form {
+  double most; /* over all regions */
+  long failures;
+};
+
+static struct other_form other_form(const struct stability_result *r, int formula) {
+  struct other_form o = {(double)NAN, 0};
+  for (int k = 0; k < r->n_regions; k++) {
+    const struct stability_row *row = stability_row_at(r, formula, k);
+    if (!isnan(row->after_most)) o.most = isnan(o.most) ? row->after_most : fmax(o.most, row->after_most);
+    o.failures += row->after_failures;
+  }
+  return o;
+}
+
+static void add_after(struct text *out, const struct stability_result *r, const struct stability_row *row) {
+  char a[32], b[32], c[32];
+  struct other_form o = other_form(r, row->formula);
+  add_replacement(out, &r->formula[row->formula], false);
+  text_printf(out, " | %s | %s | %s | %ld | ", or_none(tenths(a, row->after)), or_none(tenths(b, gained(row))),
+              or_none(tenths(c, o.most)), o.failures);
+}
+
 /* Of the formulas, or of the program's functions. */
 static void add_ledger(struct text *out, const struct stability_result *r, bool kernels) {
   char a[32], b[32], c[32];
-  int n;
+  int n, shown = 0, most = kernels ? MOST_KERNELS : MOST_LOSING;
+  bool after = r->after && !kernels;
   const struct stability_row **row = ledger(&n, r);
-  text_printf(out, "| formula | equation | region | lost | by the problem | by the formula | %scause | witness |\n",
-              r->after ? "after | " : "");
-  text_printf(out, "| --- | --- | --- | ---: | ---: | ---: | %s--- | --- |\n", r->after ? "---: | " : "");
+  text_printf(out, "| formula | equation | region | lost | by the problem | by the formula | cause | %switness |\n",
+              after ? "replacement | after | gained | after, most | fails | " : "");
+  text_printf(out, "| --- | --- | --- | ---: | ---: | ---: | --- | %s--- |\n",
+              after ? "--- | ---: | ---: | ---: | ---: | " : "");
   for (int i = 0; i < n; i++) {
     const struct stability_formula *f = &r->formula[row[i]->formula];
-    if (!loses(row[i]) || f->kernel != kernels) continue;
+    if (!loses(row[i]) || f->kernel != kernels || shown++ >= most) continue;
     text_printf(out, "| `%s` | %s | %s | %s | %s | %s | ", f->id, *f->equation ? f->equation : f->record,
                 r->region[row[i]->region].id, or_none(tenths(a, row[i]->observed)), or_none(tenths(b, row[i]->problem)),
                 or_none(tenths(c, row[i]->formula_lost)));
-    if (r->after) text_printf(out, "%s | ", or_none(tenths(a, row[i]->after)));
     add_cause(out, row[i], "`");
-    text_printf(out, " | `%s` |\n", row[i]->witness);
+    text_add(out, " | ");
+    if (after) add_after(out, r, row[i]);
+    text_printf(out, "`%s` |\n", row[i]->witness);
   }
-  text_add_char(out, '\n');
+  add_rest(out, shown, most);
   free(row);
+}
+
+/* Formulas whose replacement loses more than is allowed or fails somewhere, the worst first come first. */
+static void add_unmended(struct text *out, const struct stability_result *r) {
+  char a[32];
+  int n = 0, kept = 0;
+  text_add(out, "| formula | replacement | region | loses by itself | at |\n| --- | --- | --- | ---: | --- |\n");
+  for (int i = 0; i < r->n_formulas; i++) {
+    const struct stability_row *worst = NULL;
+    for (int k = 0; k < r->n_regions; k++) {
+      const struct stability_row *row = stability_row_at(r, i, k);
+      if (!isnan(row->after_most) && (!worst || row->after_most > worst->after_most)) worst = row;
+    }
+    if (!worst) continue;
+    if (worst->after_most <= log10(STABILITY_ALLOWED)) {
+      kept++;
+      continue;
+    }
+    if (n++ >= MOST_NODES) continue;
+    text_printf(out, "| `%s` | ", r->formula[i].id);
+    add_replacement(out, &r->formula[i], false);
+    text_printf(out, " | %s | %s | `%s` |\n", r->region[worst->region].id, or_none(tenths(a, worst->after_most)),
+                worst->after_witness);
+  }
+  add_rest(out, n, MOST_NODES);
+  text_printf(out, "%d replaced formulas stay within %d max(1, kappa) units in every region, %d do not.\n\n", kept,
+              STABILITY_ALLOWED, n);
 }
 
 /* --- The nodes at which digits go --- */
@@ -320,26 +409,27 @@ static void add_culprits(struct text *out, const struct stability_result *r) {
   int n;
   struct culprit *c = culprits(&n, r);
   text_add(out, "| formulas | cause | digits | worst in | region |\n| ---: | --- | ---: | --- | --- |\n");
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < n && i < MOST_NODES; i++) {
     const struct stability_row *row = c[i].worst;
     text_printf(out, "| %d | ", c[i].formulas);
     add_cause(out, row, "`");
     text_printf(out, " | %s | `%s` | %s |\n", or_none(tenths(a, row->formula_lost)), r->formula[row->formula].id,
                 r->region[row->region].id);
   }
-  text_add_char(out, '\n');
+  add_rest(out, n, MOST_NODES);
   free(c);
 }
 
 static void add_failures(struct text *out, const struct stability_result *r) {
   text_add(out, "| formula | region | failure | node | witness |\n| --- | --- | --- | --- | --- |\n");
+  int n = 0;
   for (int i = 0; i < r->n_formulas; i++) {
-    if (r->formula[i].worst_failure < 0 || r->formula[i].kernel) continue;
+    if (r->formula[i].worst_failure < 0 || r->formula[i].kernel || n++ >= MOST_FAILING) continue;
     const struct stability_row *row = &r->row[r->formula[i].worst_failure];
     text_printf(out, "| `%s` | %s | %s | `%s` | `%s` |\n", r->formula[i].id, r->region[row->region].id,
                 loss_cause_says[row->failure], row->failure_node, row->failure_witness);
   }
-  text_add_char(out, '\n');
+  add_rest(out, n, MOST_FAILING);
 }
 
 static void add_regions(struct text *out, const struct stability_result *r) {
@@ -411,8 +501,20 @@ void report_stability_markdown(struct text *out, const struct stability_result *
   text_add(out,
            "## Digits lost by the formula\n\nThe worst point of each formula that loses more than the conditioning "
            "allows, in the region where the search found it; `stickslip stability FORMULA --at WITNESS` shows it. "
-           "ledger.tsv has every region.\n\n");
+           "ledger.tsv has every region in which one does.\n\n");
+  if (r->after)
+    text_printf(
+        out,
+        "Replacement: what the layer %s has in its place, by the last of the records that it is made of there "
+        "(verify/stable.eq; `explain` shows the forms), and whether each of them was proved equal to what it "
+        "replaces. After: what it loses at the same point; gained: the difference; after, most: what it loses at "
+        "its own worst points, found by a search of its own; fails: points at which it has no value and should.\n\n",
+        r->after);
   add_ledger(out, r, false);
+  if (r->after) {
+    text_add(out, "## What the replacements lose\n\n");
+    add_unmended(out, r);
+  }
   text_add(out, "## The nodes that lose them\n\nIn how many formulas, over all regions, and where most.\n\n");
   add_culprits(out, r);
   text_add(out,
@@ -495,15 +597,27 @@ void report_stability_map_tsv(struct text *out, const struct stability_result *r
   add_cells(out, m, "");
 }
 
+/* What an axis shows: of chi, chi/(1 - chi). */
+static const char *axis(char buffer[64], const char *input) {
+  bool chi = strcmp(input, "chi") == 0;
+  snprintf(buffer, 64, chi ? "log10 %s/(1 - chi)" : "log10 |%s|", input);
+  return buffer;
+}
+
 void report_stability_gnuplot(struct text *out, const struct stability_result *r, int map, const char *name) {
   const struct stability_map *m = &r->map[map];
+  char x[64], y[64];
   text_add(out, "$cells << EOD\n");
   add_cells(out, m, "\n");
   text_printf(out,
-              "EOD\nset terminal svg size %d,420 font 'sans,11'\nset output '%s.svg'\nset palette viridis\n"
-              "set cbrange [0:%.1f]\nset cblabel 'digits lost by the formula'\nset xlabel \"log10 |%s|\" noenhanced\n"
-              "set ylabel \"log10 |%s|\" noenhanced\n",
-              r->after ? 900 : 480, name, STABILITY_DIGITS + 1, m->x, m->y);
+              "EOD\nset terminal svg size %d,420 font 'sans,11'\nset output '%s.svg'\n"
+              "set palette defined (0 '#fdf5c8', 4 '#8fd175', 8 '#25938b', 12 '#3a5088', 17 '#260a3c')\n"
+              "set object rectangle from graph 0,0 to graph 1,1 behind fillcolor '#bbbbbb' fillstyle pattern 4\n"
+              "set cbrange [0:%.1f]\nset cblabel 'digits lost by the formula'\nset cbtics 0,2\n"
+              "set xrange [-16.4:16.4]\nset yrange [-16.4:16.4]\nset xtics 4\nset ytics 4\nset tics out nomirror\nset "
+              "xlabel \"%s\" noenhanced\n"
+              "set ylabel \"%s\" noenhanced\n",
+              r->after ? 1040 : 560, name, STABILITY_DIGITS + 1, axis(x, m->x), axis(y, m->y));
   if (r->after) text_add(out, "set multiplot layout 1,2\n");
   text_printf(out, "set title \"%s, %s\" noenhanced\nplot $cells using 1:2:3 with image notitle\n",
               r->formula[m->formula].id, r->layer);
