@@ -48,7 +48,7 @@ void *bench_formula_open(const struct bench_method *m, double setting, const str
   if (!env->model) return NULL;
   struct program *p = ss_malloc(sizeof *p);
   *p = (struct program){.tape = {.n = 0}};
-  elaboration_init(&p->el, (struct view){env->model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  elaboration_init(&p->el, (struct view){env->model, f->stable ? LAYER_STABLE : LAYER_CORRECTED, NULL, NULL}, NULL, 0);
   arena_init(&p->arena);
   source_from_string(&p->src, f->text, f->text);
   bool good = compile(p, f);

@@ -71,6 +71,7 @@ enum symbol { SYM_CHI, SYM_ETA, SYM_T, SYM_SLOW, SYM_FAST, N_SYMBOLS };
 static const char *const symbol_name[N_SYMBOLS] = {"chi", "eta", "t", "omega_1", "omega_2"};
 
 static const struct bench_formula modal = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, false};
+static const struct bench_formula stable = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, false, true};
 static const struct bench_formula modal_roots = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, true};
 
 static int run_paper(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
@@ -90,6 +91,8 @@ static const struct bench_method methods[] = {
      .open = bench_formula_open, .close = bench_formula_close, .run = run_paper},
     {"paper-modal-roots", "the paper's modal form (47) with (48) solved by root isolation", .type = &num_double,
      .data = &modal_roots, .open = bench_formula_open, .close = bench_formula_close, .run = run_paper},
+    {"paper-stable", "the same in its stable form", .type = &num_double, .data = &stable, .open = bench_formula_open,
+     .close = bench_formula_close, .run = run_paper},
     {"closed-double", "the suite's closed form in double", .type = &num_double, .run = run_closed},
     {"gsl-expm", "GSL's matrix exponential", .type = &num_double, .run = run_exponential},
     {"closed-mpfr", "the suite's closed form in MPFR", .type = &num_mpfr, BITS, .run = run_closed},

@@ -16,6 +16,7 @@ struct bench_formula {
   const char *const *symbol; /* values of the formula's free names are given in this order */
   int n_symbols, n_out;
   bool roots; /* let the tape find quantities defined as roots; else they are symbols */
+  bool stable; /* in its stable form; else as corrected */
 };
 /* open and close of a method whose data is the formula. */
 void *bench_formula_open(const struct bench_method *m, double setting, const struct bench_env *env);

@@ -296,12 +296,16 @@ Suite *return_map_suite(void) {
   TCase *t = tcase_create("return_map");
   tcase_set_timeout(t, 120);
   tcase_add_loop_test(t, errors_are_those_of_the_inputs, 0, 2);
-  tcase_add_loop_test(t, no_root_is_passed_by_at_a_jump, 0, 4);
   tcase_add_test(t, crests_of_the_rise);
   tcase_add_test(t, a_short_step_is_no_root);
   tcase_add_loop_test(t, slope_is_the_derivative, 0, 2);
   tcase_add_test(t, outside_the_domain);
   tcase_add_test(t, huge_and_tiny);
   suite_add_tcase(s, t);
+  TCase *jumps = tcase_create("jumps");
+  tcase_set_tags(jumps, "long");
+  tcase_set_timeout(jumps, 120);
+  tcase_add_loop_test(jumps, no_root_is_passed_by_at_a_jump, 0, 4);
+  suite_add_tcase(s, jumps);
   return s;
 }

@@ -430,8 +430,13 @@ Suite *stable_suite(void) {
   tcase_add_loop_test(c, no_more_is_lost_than_the_condition_explains, 0, sizeof formulas / sizeof *formulas);
   tcase_add_test(c, a_ratio_that_overflows_is_not_formed);
   tcase_add_loop_test(c, both_layers_have_one_truth, 0, sizeof formulas / sizeof *formulas);
-  tcase_add_test(c, both_layers_give_the_same_verdicts);
   tcase_add_loop_test(c, the_field_knows_the_functions, 0, sizeof identities / sizeof *identities);
   suite_add_tcase(s, c);
+  TCase *audits = tcase_create("audits");
+  tcase_set_tags(audits, "long");
+  tcase_add_checked_fixture(audits, setup, teardown);
+  tcase_set_timeout(audits, 120);
+  tcase_add_test(audits, both_layers_give_the_same_verdicts);
+  suite_add_tcase(s, audits);
   return s;
 }
