@@ -101,7 +101,7 @@ static const struct {
 enum { N_PLACES = COUNT(places), SLOW = N_PLACES, FAST, N_NAMES };
 static const char *const names[N_NAMES] = {"chi",   "eta",  "V",    "t_b",   "t_c",   "t_d",   "z_1b",    "z_2b",
                                            "z'_1b", "z_1c", "z_2c", "z'_2c", "z_100", "z_200", "omega_1", "omega_2"};
-static const struct bench_formula chain = {"J", "stability", names, N_NAMES, 4, false};
+static const struct bench_formula chain = {"J", "stability", names, N_NAMES, 4, false, false};
 
 static int run_chain(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   const double *given = (const double *)(const void *)c->given.data;

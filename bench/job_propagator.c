@@ -70,9 +70,9 @@ static int run_closed(void *self, struct num_vec *out, long *steps, const struct
 enum symbol { SYM_CHI, SYM_ETA, SYM_T, SYM_SLOW, SYM_FAST, N_SYMBOLS };
 static const char *const symbol_name[N_SYMBOLS] = {"chi", "eta", "t", "omega_1", "omega_2"};
 
-static const struct bench_formula modal = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, false};
+static const struct bench_formula modal = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, false, false};
 static const struct bench_formula stable = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, false, true};
-static const struct bench_formula modal_roots = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, true};
+static const struct bench_formula modal_roots = {"H(t)", "appendix_a", symbol_name, N_SYMBOLS, N_ENTRIES, true, false};
 
 static int run_paper(void *self, struct num_vec *out, long *steps, const struct bench_case *c) {
   double v[N_SYMBOLS] = {c->x[0], c->x[1], c->x[2]};

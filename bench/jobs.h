@@ -15,7 +15,7 @@ struct bench_formula {
   const char *text, *section;
   const char *const *symbol; /* values of the formula's free names are given in this order */
   int n_symbols, n_out;
-  bool roots; /* let the tape find quantities defined as roots; else they are symbols */
+  bool roots;  /* let the tape find quantities defined as roots; else they are symbols */
   bool stable; /* in its stable form; else as corrected */
 };
 /* open and close of a method whose data is the formula. */
