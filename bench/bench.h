@@ -222,6 +222,8 @@ void bench_result_clear(struct bench_result *r);
 double bench_now(void);
 /* The time of one call of f in ns, the least of a few batches of at least a millisecond. */
 double bench_time(void (*f)(void *), void *arg);
+/* NAN of none; sorts x. */
+double bench_median(double *x, int n);
 
 /* --- Output; everything said in words comes from the rows. --- */
 

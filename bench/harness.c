@@ -182,7 +182,7 @@ static int by_size(const void *x, const void *y) {
   return (a > b) - (a < b);
 }
 
-static double median_of(double *x, int n) {
+double bench_median(double *x, int n) {
   qsort(x, (size_t)n, sizeof *x, by_size);
   return n == 0 ? NAN : n % 2 ? x[n / 2] : 0.5 * (x[n / 2 - 1] + x[n / 2]);
 }
@@ -236,7 +236,7 @@ static void first_pass(struct bench_row *row, struct trial *t, const struct benc
   }
   row->capped = row->cases < t->n;
   row->steps /= row->cases;
-  row->median = median_of(error, n);
+  row->median = bench_median(error, n);
   free(error);
 }
 
@@ -289,7 +289,7 @@ static void take_times(struct bench_row *row, struct trial *t, const struct benc
   for (int b = 0; b < row->batches; b++)
     for (int k = 0; k < n; k++) s[k].second[b] = run_stretch(t, m, &s[k]);
   for (int k = 0; k < n; k++) {
-    double middle = median_of(s[k].second, row->batches); /* sorts */
+    double middle = bench_median(s[k].second, row->batches); /* sorts */
     least += s[k].second[0] / (double)s[k].repeats;
     median += middle / (double)s[k].repeats;
   }

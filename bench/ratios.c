@@ -151,13 +151,8 @@ static void prove_first(void *self) {
 static double proof_time(void) {
   struct proof p = {.orbit = NULL};
   double ns = NAN;
-  arf_t x;
-  arf_init(x);
   p.params = _fmpq_vec_init(N_PARAMS);
-  for (int i = 0; i < N_PARAMS; i++) {
-    arf_set_d(x, bench_example[i]);
-    arf_get_fmpq(&p.params[i], x);
-  }
+  for (int i = 0; i < N_PARAMS; i++) num_q_set_d(&p.params[i], bench_example[i]);
   dyn_orbit_init(&p.judged);
   dyn_orbits_find(&p.list, p.params, PROOF_BITS, NULL);
   for (slong i = 0; i < p.list.n; i++)
@@ -166,7 +161,6 @@ static double proof_time(void) {
   dyn_orbits_clear(&p.list);
   dyn_orbit_clear(&p.judged);
   _fmpq_vec_clear(p.params, N_PARAMS);
-  arf_clear(x);
   return p.proved ? ns : NAN;
 }
 

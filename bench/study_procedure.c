@@ -41,12 +41,8 @@ struct found {
 static void found_init(struct found *f, const fmpq *model, double e1, double e2) {
   f->exact = _fmpq_vec_init(N_PARAMS);
   for (int i = 0; i < N_PARAMS; i++) {
-    arf_t x;
     f->p[i] = i == P_E1 ? e1 : i == P_E2 ? e2 : fmpq_get_d(model + i);
-    arf_init(x);
-    arf_set_d(x, f->p[i]);
-    arf_get_fmpq(f->exact + i, x);
-    arf_clear(x);
+    num_q_set_d(f->exact + i, f->p[i]);
   }
   dyn_orbits_find(&f->list, f->exact, PREC, NULL);
 }
@@ -342,11 +338,6 @@ static bool study_line(struct tables *all) {
 
 /* --- The page. --- */
 
-static int by_size(const void *x, const void *y) {
-  double a = *(const double *)x, b = *(const double *)y;
-  return (a > b) - (a < b);
-}
-
 static void summarize(struct tables *all) {
   double *x = ss_malloc((size_t)(all->n + 1) * sizeof *x);
   for (int k = 0; k < COUNT(counts); k++)
@@ -358,9 +349,9 @@ static void summarize(struct tables *all) {
         none += all->digit[i][2] < 1;
       }
       if (n == 0) continue;
-      qsort(x, (size_t)n, sizeof *x, by_size);
-      study_text(all->summary, "%d\t%s\t%d\t%.1f\t%.1f\t%.1f\t%d", counts[k], ways[way], n, x[0],
-                 n % 2 ? x[n / 2] : 0.5 * (x[n / 2] + x[n / 2 - 1]), x[n - 1], none);
+      double middle = bench_median(x, n);
+      study_text(all->summary, "%d\t%s\t%d\t%.1f\t%.1f\t%.1f\t%d", counts[k], ways[way], n, x[0], middle, x[n - 1],
+                 none);
       study_row(all->summary);
     }
   free(x);

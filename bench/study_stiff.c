@@ -32,14 +32,6 @@ struct scene_at {
   double t[3], window[3]; /* the events, and how near an event must be */
 };
 
-static void exact(fmpq *q, double x) {
-  arf_t a;
-  arf_init(a);
-  arf_set_d(a, x);
-  arf_get_fmpq(q, a);
-  arf_clear(a);
-}
-
 /* The number of bits at which the orbit was certified; 0 when it was not. */
 static slong certified(const struct dyn_orbit *o, const fmpq *params) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_E2};
@@ -67,7 +59,7 @@ static int find_truth(struct scene_at *s) {
 static bool take_orbit(struct scene_at *s) {
   struct dyn_orbits list;
   fmpq *params = _fmpq_vec_init(N_PARAMS);
-  for (int i = 0; i < N_PARAMS; i++) exact(&params[i], s->p[i]);
+  for (int i = 0; i < N_PARAMS; i++) num_q_set_d(&params[i], s->p[i]);
   dyn_orbits_find(&list, params, 128, NULL);
   bool found = false;
   for (slong i = 0; i < list.n && !found; i++) {

@@ -21,24 +21,13 @@
 
 enum { PREC = 400, N_FIELDS = 16 };
 
-static int split(char **field, char *line) {
-  int n = 0;
-  line[strcspn(line, "\n")] = '\0';
-  for (char *p = line; p && n < N_FIELDS; n++) {
-    field[n] = p;
-    p = strchr(p, '\t');
-    if (p) *p++ = '\0';
-  }
-  return n;
-}
-
 /* Calls f on the fields of each line of a file that is no comment. */
 static void each_line(const char *path, void (*f)(char **field, void *self), void *self) {
   char line[4000], *field[N_FIELDS];
   FILE *file = fopen(path, "r");
   ck_assert_msg(file != NULL, "no %s; the tests run in the project's folder", path);
   while (fgets(line, sizeof line, file))
-    if (line[0] != '#' && split(field, line) > 1) f(field, self);
+    if (line[0] != '#' && split_tabs(field, N_FIELDS, line) > 1) f(field, self);
   fclose(file);
 }
 
@@ -768,7 +757,7 @@ START_TEST(peers_agree_with_the_truth) {
   for (char *at = s.text, *field[N_FIELDS]; at && *at;) {
     char *next = strchr(at, '\n');
     if (next) *next++ = '\0';
-    if (split(field, at) == 14 && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
+    if (split_tabs(field, N_FIELDS, at) == 14 && strcmp(field[1], method[_i]) == 0 && strcmp(field[5], "50") == 0)
       agreed += strcmp(field[7], "ok") == 0 && atof(field[10]) < 1e-47;
     at = next;
   }

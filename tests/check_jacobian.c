@@ -32,17 +32,6 @@ static int n_sets, n_samples;
 static struct model model;
 static struct model damaged; /* with ktilde_2 of (36) wrong on purpose */
 
-static int split(char **field, char *line) {
-  int n = 0;
-  line[strcspn(line, "\n")] = '\0';
-  for (char *p = line; p && n < N_FIELDS; n++) {
-    field[n] = p;
-    p = strchr(p, '\t');
-    if (p) *p++ = '\0';
-  }
-  return n;
-}
-
 static void load_scene(struct scene *s, const char *text) {
   static int serial;
   char name[40];
@@ -56,7 +45,7 @@ static void read_line(char *line) {
   char copy[4000], *field[N_FIELDS], text[400];
   if (line[0] == '#') return;
   snprintf(copy, sizeof copy, "%s", line);
-  ck_assert_int_ge(split(field, copy), 10);
+  ck_assert_int_ge(split_tabs(field, N_FIELDS, copy), 10);
   if (strcmp(field[0], "set") == 0) {
     struct set *s = &sets[n_sets++];
     ck_assert_int_le(n_sets, N_SETS);
@@ -74,7 +63,7 @@ static void read_line(char *line) {
   ck_assert_int_le(n_samples, N_ORBITS);
   o->set = &sets[n_sets - 1];
   snprintf(o->line, sizeof o->line, "%s", line);
-  ck_assert_int_ge(split(o->field, o->line), 14);
+  ck_assert_int_ge(split_tabs(o->field, N_FIELDS, o->line), 14);
 }
 
 static void load_model(struct model *m, const char *overlay) {
@@ -378,7 +367,7 @@ static void read_locals(double (*l)[4][4], const struct sample *o) {
   FILE *f = fopen("tests/oracle/jacobian.tsv", "r");
   ck_assert(f != NULL);
   while (fgets(line, sizeof line, f)) {
-    if (line[0] == '#' || split(field, line) != 6) continue;
+    if (line[0] == '#' || split_tabs(field, N_FIELDS, line) != 6) continue;
     if (strcmp(field[0], o->set->name) != 0 || strcmp(field[1], o->field[F_INDEX]) != 0) continue;
     for (int ph = 0; ph < N_PHASES; ph++) {
       if (strcmp(field[2], phase_name[ph]) != 0) continue;
@@ -525,7 +514,7 @@ static void from_times(arb_t x, const char *name) {
   bool found = false;
   ck_assert(f != NULL);
   while (!found && fgets(line, sizeof line, f)) {
-    found = line[0] != '#' && split(field, line) == 2 && strcmp(field[0], name) == 0;
+    found = line[0] != '#' && split_tabs(field, N_FIELDS, line) == 2 && strcmp(field[0], name) == 0;
     if (found) ball_from(x, field[1], 39);
   }
   fclose(f);

@@ -342,17 +342,6 @@ END_TEST
 
 enum { N_FIELDS = 4 };
 
-static bool split(char **field, char *line) {
-  int n = 0;
-  line[strcspn(line, "\n")] = '\0';
-  for (char *p = line; p && n < N_FIELDS; n++) {
-    field[n] = p;
-    p = strchr(p, '\t');
-    if (p) *p++ = '\0';
-  }
-  return n == N_FIELDS && line[0] != '#';
-}
-
 static void take_point(double *x, const struct digits_formula *f, char *point) {
   for (char *p = strtok(point, ","); p; p = strtok(NULL, ",")) {
     char *equals = strchr(p, '=');
@@ -398,7 +387,7 @@ START_TEST(truth_and_condition_agree_with_mpmath) {
   FILE *file = fopen("tests/oracle/stability.tsv", "r");
   ck_assert_msg(file != NULL, "no tests/oracle/stability.tsv; the tests run in the project's folder");
   while (fgets(line, sizeof line, file))
-    if (split(field, line)) {
+    if (split_tabs(field, N_FIELDS, line) == N_FIELDS && line[0] != '#') {
       check_case(&s, field);
       n++;
     }

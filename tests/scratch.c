@@ -136,3 +136,14 @@ const char *python(void) {
   const char *p = getenv("PYTHON");
   return p && *p ? p : "/usr/bin/python3";
 }
+
+int split_tabs(char **field, int most, char *line) {
+  int n = 0;
+  line[strcspn(line, "\n")] = '\0';
+  for (char *p = line; p && n < most; n++) {
+    field[n] = p;
+    p = strchr(p, '\t');
+    if (p) *p++ = '\0';
+  }
+  return n;
+}

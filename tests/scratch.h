@@ -1,4 +1,4 @@
-/* A folder of the test's own, children for what ends a process, and which programs the tests run. */
+/* A folder of the test's own, children for what ends a process, which programs the tests run, and lines of tables. */
 #ifndef STICKSLIP_TESTS_SCRATCH_H
 #define STICKSLIP_TESTS_SCRATCH_H
 
@@ -19,6 +19,9 @@ const char *scratch_list(const char *path);
 /* The program under test and the Python that checks its output: STICKSLIP and PYTHON of the environment, or the usual. */
 const char *program(void);
 const char *python(void);
+
+/* The fields of a line between tabs, at most most of them; the line is cut up.  Returns how many. */
+int split_tabs(char **field, int most, char *line);
 
 /* How a child that calls f ends: its exit status (0 when f returns), or minus the signal that killed it. */
 int child_end(void (*f)(void));

@@ -127,5 +127,7 @@ void num_print_rational(struct text *out, const fmpq_t q, slong digits);
 void num_print_ball(struct text *out, const arb_t x, slong digits);
 /* An exact rational as p or p/q. */
 void num_print_q(struct text *out, const fmpq_t q);
+/* q = x exactly; x is finite. */
+void num_q_set_d(fmpq_t q, double x);
 
 #endif

@@ -14,25 +14,17 @@ struct arcs {
   bool failed;
 };
 
-static void set_exact(fmpq_t q, double x) {
-  mpq_t r;
-  mpq_init(r);
-  mpq_set_d(r, x);
-  fmpq_set_mpq(q, r);
-  mpq_clear(r);
-}
-
 /* The point at which the paper's matrices are wanted: time t, the motion's parameters. */
 static void arc_point(struct point *p, const struct motion *m, enum phase phase, double t) {
   static const int to[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
   p->kind = POINT_FLOW;
   p->phase = phase;
-  for (int i = 0; i < 5; i++) set_exact(&p->q[to[i]], m->params[COULOMB_CHI + i]);
+  for (int i = 0; i < 5; i++) num_q_set_d(&p->q[to[i]], m->params[COULOMB_CHI + i]);
   for (int i = 0; i < 2; i++) {
-    set_exact(&p->q[Q_E1 + i], m->params[COULOMB_UR1 + i]);
+    num_q_set_d(&p->q[Q_E1 + i], m->params[COULOMB_UR1 + i]);
     fmpq_sub(&p->q[Q_E1 + i], &p->q[Q_E1 + i], &p->q[Q_US1 + i]);
   }
-  set_exact(&p->q[Q_T], t);
+  num_q_set_d(&p->q[Q_T], t);
 }
 
 /* The paper's own expression at the point, in doubles. */

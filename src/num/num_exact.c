@@ -50,15 +50,11 @@ static int e_set_q(void *z, const fmpq_t q, slong prec) {
 static int e_set_d(void *z, double x, slong prec) {
   (void)prec;
   if (!isfinite(x)) return SS_UNABLE;
-  arf_t exact;
   fmpq_t q;
-  arf_init(exact);
   fmpq_init(q);
-  arf_set_d(exact, x);
-  arf_get_fmpq(q, exact);
+  num_q_set_d(q, x);
   fmpz_mpoly_q_set_fmpq(z, q, num_exact_ctx());
   fmpq_clear(q);
-  arf_clear(exact);
   return SS_OK;
 }
 

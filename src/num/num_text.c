@@ -290,3 +290,11 @@ void num_print_q(struct text *out, const fmpq_t q) {
   text_add(out, s);
   flint_free(s);
 }
+
+void num_q_set_d(fmpq_t q, double x) {
+  arf_t a;
+  arf_init(a);
+  arf_set_d(a, x);
+  arf_get_fmpq(q, a);
+  arf_clear(a);
+}
