@@ -12,6 +12,7 @@ B        ?= build
 MPI      ?=
 MPICC    ?= mpicc
 DATADIR  ?= $(PREFIX)/share/stickslip
+COMPDIR  ?= $(PREFIX)/share/bash-completion/completions
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
 STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread
@@ -33,13 +34,17 @@ RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
 SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
+FUZZ  = reader model claims scene json report options certificate
+# seconds for each target of make fuzz; where what it finds new goes
+FUZZ_SECONDS ?= 10
+FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/replay.o
 OBJ   = $(SRC:%.c=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify mutate bench stability lint asan cover format install uninstall clean help
+.PHONY: deps all check verify mutate bench stability lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -70,6 +75,19 @@ $(B)/$(SO): $(OBJ)
 $(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)
 
+# a fuzz target on the files of its corpus, and under libFuzzer
+FUZZ_ON = $(B)/tests/fuzz/file.o $(B)/src/cli/options.o $(B)/src/cli/range.o $(B)/libstickslip.a
+$(B)/replay-%: $(B)/tests/fuzz/%.o $(B)/tests/fuzz/replay.o $(FUZZ_ON)
+	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
+
+$(B)/fuzz-%: $(B)/tests/fuzz/%.o $(FUZZ_ON)
+	$(CC) $(CFLAGS) $(EXTRA) -fsanitize=fuzzer -o $@ $^ $(LIBS)
+
+.SECONDARY: $(FOBJ)
+$(B)/faults.so: tests/preload/faults.c Makefile
+	@mkdir -p $(@D)
+	$(CC) -std=c17 $(WARN) -O2 -fPIC -shared -o $@ $<
+
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
@@ -87,9 +105,10 @@ $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<
 
--include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
+-include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(FOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 
 verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
+	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 
 mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
@@ -106,7 +125,7 @@ stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scen
 	$(B)/stickslip stability --after stable --out reports/stability
 	$(B)/stickslip bench --job studies --out reports/stability
 
-check: all $(B)/check ## run the tests; with MPI=1 those of mpirun too
+check: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%) ## run the tests; with MPI=1 those of mpirun too
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
 	STICKSLIP=$(B)/stickslip STICKSLIP_MPI=$(if $(MPI),$(B)/mpi/stickslip) PYTHON=$(PYTHON) $(B)/check
 
@@ -114,30 +133,42 @@ lint: ## formatting, include arrows, static analysis
 	sh tools/lint.sh
 
 asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, in one process and without the longest tests
-	CK_FORK=no CK_EXCLUDE_TAGS=long $(MAKE) B=$(B)/asan CFLAGS="-O1 -g" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check
+	CK_FORK=no CK_EXCLUDE_TAGS=long $(MAKE) B=$(B)/asan CFLAGS="-O1 -g -fno-omit-frame-pointer" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check
 
-cover: ## line coverage of src/
+fuzz: ## every reader on random input under libFuzzer (clang), FUZZ_SECONDS each; what is new goes to build/fuzz/corpus
+	$(MAKE) B=$(B)/fuzz CC=clang CFLAGS="-O1 -g" EXTRA="-fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all" \
+	  $(FUZZ:%=$(B)/fuzz/fuzz-%)
+	@for t in $(FUZZ); do mkdir -p $(B)/fuzz/corpus/$$t; echo "fuzz: $$t, $(FUZZ_SECONDS) s"; \
+	  $(B)/fuzz/fuzz-$$t -max_total_time=$(FUZZ_SECONDS) -timeout=5 -rss_limit_mb=400 -max_len=8192 -close_fd_mask=3 \
+	    -dict=tests/fuzz/$$t.dict -artifact_prefix=$(B)/fuzz/ -print_final_stats=1 $(B)/fuzz/corpus/$$t tests/fuzz/corpus/$$t \
+	    > $(B)/fuzz/$$t.log 2>&1 || { tail -40 $(B)/fuzz/$$t.log; exit 1; }; grep -E '^(Done|stat::number)' $(B)/fuzz/$$t.log; done
+
+cover: ## line coverage of src/, and the messages that no test reaches
 	$(MAKE) B=$(B)/cover CFLAGS="-O0 -g" EXTRA=--coverage check
 	gcovr -r . $(B)/cover --filter src/ --sort-uncovered | tail -40
+	-$(PYTHON) tools/untested.py $(B)/cover
 
 format: ## rewrite the sources in the project's format
 	clang-format -i $$(git ls-files '*.c' '*.h')
 
-install: all ## install program, library, headers, man page and data (PREFIX, DESTDIR)
-	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(DATADIR))
+install: all ## install program, library, headers, man pages, completion and data (PREFIX, DESTDIR)
+	install -d $(addprefix $(DESTDIR),$(BINDIR) $(LIBDIR)/pkgconfig $(INCDIR)/stickslip $(MANDIR)/man1 $(MANDIR)/man5 $(DATADIR) $(COMPDIR))
 	install $(B)/$(if $(MPI),mpi/)stickslip $(B)/stickslip-checker $(DESTDIR)$(BINDIR)/
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
 	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
+	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
+	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
 	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(OPENMP) $(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 
 uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
-	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1
+	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1 \
+	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(DESTDIR)$(COMPDIR)/stickslip
 	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(DATADIR)
 
 clean: ## remove build/

@@ -13,6 +13,7 @@
 #include "bench/yardstick.h"
 #include "dynamics/dyn_impl.h"
 #include "stickslip/arena.h"
+#include "stickslip/dynamics.h"
 #include "stickslip/paper_route.h"
 #include "stickslip/warm.h"
 
@@ -261,7 +262,7 @@ static int run_solver(void *self, struct num_vec *out, long *steps, const struct
   struct yardstick k;
   struct yardstick_pass pass;
   double *o = (double *)(void *)out->data;
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   *steps = solve(s, c->x);
   gsl_set_error_handler(old);
   const double *x = s->with ? s->with->x->data : s->without->x->data;

@@ -12,6 +12,7 @@
 
 #include "bench/jobs.h"
 #include "stickslip/arena.h"
+#include "stickslip/dynamics.h"
 
 struct ode {
   struct bench_motion motion;
@@ -163,7 +164,7 @@ static int run_phase(double *t_event, void *self, double y[N_Y], long *steps) {
 
 int bench_ode_map(double t[3], double *r_end, long *steps, void *self, const double *params, double r) {
   struct ode *o = self;
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   o->hint = 0.01;
   int status = bench_motion_pass(t, r_end, steps, &o->motion, params, r, run_phase, o);
   gsl_set_error_handler(old);

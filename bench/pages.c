@@ -315,7 +315,7 @@ void bench_markdown(struct text *out, const struct bench_result *r, bool pages, 
 }
 
 void bench_study_markdown(struct text *out, const struct study_page *page, bool figure) {
-  text_printf(out, "# Stability: %s\n", page->study->title);
+  text_printf(out, "# %s%s\n", page->study->apart ? "" : "Stability: ", page->study->title);
   study_markdown(out, page, figure);
   machine(out, NULL);
 }

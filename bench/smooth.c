@@ -95,7 +95,7 @@ static int by_q(double q, const double z[], double f[], void *self) {
 static int go_back(double *t, double y[STEPPER_SIZE], const struct smooth *m, double tolerance) {
   gsl_odeiv2_system system = {by_q, NULL, STEPPER_SIZE, (void *)(size_t)m};
   double q = y[S_Q], z[STEPPER_SIZE] = {*t, y[S_W], y[S_R], y[S_P]};
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   gsl_odeiv2_driver *d =
       gsl_odeiv2_driver_alloc_y_new(&system, gsl_odeiv2_step_rk8pd, (m->level - q) / 8, tolerance, tolerance);
   gsl_odeiv2_driver_set_nmax(d, 1000);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "stickslip/arena.h"
+#include "stickslip/dynamics.h"
 #include "stickslip/status.h"
 
 #ifdef STICKSLIP_SUNDIALS
@@ -154,7 +155,7 @@ int stepper_start(struct stepper *s, const double y[N]) {
 int stepper_step(struct stepper *s, double *t, double y[N]) {
   int status = SS_OK;
   if (s->driver) {
-    gsl_error_handler_t *old = gsl_set_error_handler_off();
+    gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
     if (gsl_odeiv2_evolve_apply(s->driver->e, s->driver->c, s->driver->s, &s->gsl, &s->t, s->t + s->system->longest,
                                 &s->h, s->y))
       status = SS_UNABLE;

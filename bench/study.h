@@ -30,6 +30,7 @@ struct study {
   const char *id, *title, *question;
   /* false when the study could not be made. */
   bool (*run)(struct study_page *page, const struct bench_env *env);
+  bool apart; /* not among those that are made together */
 };
 
 extern const struct study *const bench_studies[];

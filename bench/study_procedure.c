@@ -4,7 +4,6 @@
    Each orbit of each scene on file, its e1 and e2 rounded to double and then exact, is solved for in double by the three
    methods, beside the condition numbers of what each inverts.  Then the other way round: with t_b, t_c, t_d known to a few
    printed digits, what are t_a, z_10, z_20?  Last, a line of orbits that passes one at which N_1 - I is singular. */
-#include <dirent.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -179,28 +178,14 @@ static void study_scene(struct tables *all, const struct scene *s) {
   dyn_orbits_clear(&list);
 }
 
-static int by_name(const void *x, const void *y) {
-  return strcmp(*(char *const *)x, *(char *const *)y);
-}
-
 /* Scenes on file in the order of their names; quick: those of the paper and beside the singular orbit. */
-static bool study_scenes(struct tables *all, const char *data) {
-  struct text folder;
-  char **name = NULL;
-  size_t n = 0, cap = 0;
-  text_init(&folder);
-  text_printf(&folder, "%s/scenes", data);
-  DIR *dir = opendir(text_str(&folder));
-  for (struct dirent *e; dir && (e = readdir(dir)) != NULL;) {
-    size_t len = strlen(e->d_name);
-    if (len < 7 || strcmp(e->d_name + len - 6, ".scene") != 0) continue;
-    name = ss_grow(name, n, &cap, sizeof *name);
-    name[n] = ss_malloc(len);
-    memcpy(name[n], e->d_name, len - 6);
-    name[n++][len - 6] = '\0';
-  }
-  if (dir) closedir(dir);
-  if (n > 0) qsort(name, n, sizeof *name, by_name);
+static bool each_scene(struct tables *all, const char *data) {
+  size_t n;
+  struct arena a;
+  struct diag none;
+  arena_init(&a);
+  diag_init(&none);
+  char **name = scene_names(&n, data, &a, &none);
   bool good = n > 0;
   for (size_t i = 0; i < n; i++) {
     struct scene s;
@@ -209,14 +194,13 @@ static bool study_scenes(struct tables *all, const char *data) {
     diag_init(&d);
     if (wanted) {
       bool loaded = scene_load_box(&s, name[i], data, &d);
-      if (loaded) study_scene(all, &s);
+      if (loaded && !scene_other_word(&s)) study_scene(all, &s);
       good = good && loaded;
       scene_clear(&s);
     }
-    free(name[i]);
   }
   free(name);
-  text_clear(&folder);
+  arena_clear(&a);
   return good;
 }
 
@@ -413,7 +397,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
       study_table(page, "singular", "Beside a singular N_1 - I", "distance\tt_b\ttrace\t" LOST,
                   "Admissible orbits with chi = 15/64, eta = 2, V = 1 and t_c = 43/32, at a distance in t_b from "
                   "the one at which det(N_1 - I) changes its sign. Columns as above.");
-  bool good = study_scenes(&all, env->data);
+  bool good = each_scene(&all, env->data);
   summarize(&all);
   add_rungs(page, &all);
   good = study_line(&all) && good;

@@ -1,5 +1,6 @@
 /* The command line: a table of commands, each in a file of src/cli.  Results go to stdout, errors and progress to stderr. */
 #include <errno.h>
+#include <fcntl.h>
 #include <signal.h>
 #include <string.h>
 #include <unistd.h>
@@ -12,8 +13,14 @@ static const char help[] =
     "\n"
     "usage:\n"
     "  stickslip verify [SCENE...] [--only ID[,ID...]] [--paper DIR] [--overlay FILE] [--digits N] [--out DIR]\n"
-    "                   [--strict] [--quiet]\n"
-    "      judge the paper's claims and write audit.json, audit.md, index.html and others to reports/SCENE/ or DIR\n"
+    "                   [--strict] [--quiet] [--jobs N] [--timeout SECONDS]\n"
+    "      judge the paper's claims and write audit.json, audit.md, index.html and others to reports/SCENE/ or DIR, by "
+    "N\n"
+    "      processes (default: all processors; the same bytes by any number); Ctrl-C, SIGTERM and the time limit end "
+    "it\n"
+    "      with status 5 and leave the old report\n"
+    "  stickslip verify [SCENE...] --plan [--only ID[,ID...]] [--json]\n"
+    "      what it would do for each claim, and the estimated cost; does nothing and writes nothing\n"
     "  stickslip orbit SCENE [--method model|paper] [--digits N] [--basin] [--json] [--certificate FILE]\n"
     "      every periodic orbit D-Gamma-H-C at the scene's parameters, by increasing z10; with --method paper, "
     "Newton's\n"
@@ -45,6 +52,13 @@ static const char help[] =
     "      (fold), t_a = 0, a condition of admissibility or a switching condition becomes an equality (grazing); each "
     "in\n"
     "      a proved bracket of N significant digits (at most 1000), with the orbits on both sides\n"
+    "  stickslip words SCENE [--longest N] [--digits N] [--json]\n"
+    "      which sequences of at most N phases (1 to 8, default 4) can happen, and the orbits they have at the "
+    "scene's\n"
+    "      parameters: D, Gamma, H, C and those with a mass faster than the belt (gamma, h, c, X, x; they need u_r1 "
+    "and\n"
+    "      u_r2); none found is no proof.  orbit and jacobian take a scene that names one of them, word: D Gamma H "
+    "Gamma\n"
     "  stickslip readings SCENE [--json]\n"
     "      how the printed numbers of the scene could have arisen: which were inputs, which equations were solved and "
     "which\n"
@@ -53,8 +67,10 @@ static const char help[] =
     "      one claim: the paper's text, the formula as read, verdict and evidence, both sides at a point of your "
     "choice;\n"
     "      with --receipt, its proof by exact algebra as a Python script that needs SymPy alone\n"
-    "  stickslip list\n"
-    "      every claim with its kind, the verdict on record and its title\n"
+    "  stickslip list [scenes | --scene-keys [--json]]\n"
+    "      every claim with its kind, the verdict on record and its title; or every scene on file; with --scene-keys, "
+    "every\n"
+    "      line that a scene can have\n"
     "  stickslip check FILE...\n"
     "      read equation (.eq), claim (.claim) and scene (.scene) files and report what is wrong with them\n"
     "  stickslip mutate [--seed N] [--count N|all] [--jobs N] [--only FILE|RECORD[,...]] [--json] [--out DIR]\n"
@@ -108,13 +124,29 @@ static const char help[] =
     "      and maps; --quick: seconds instead of minutes, no maps\n"
     "  stickslip stability FORMULA --at NAME=VALUE,... [--layer printed|corrected|stable]\n"
     "      the formula at one point (hexadecimal numbers are exact): value, true value, error, conditioning, cause\n"
+    "  stickslip plot SCENE [--out DIR]\n"
+    "      the pictures of the scene's orbits alone, as SVG files with the tables they are drawn from: figures 3 and "
+    "4,\n"
+    "      return map, margins of the conditions, long run, error of finite differences; to DIR or reports/SCENE/\n"
+    "  stickslip report DIR\n"
+    "      writes the other reports in DIR (audit.md, index.html, errata.md, ...) again from its audit.json and the "
+    "tables\n"
+    "      beside that: the same bytes as verify did; needs neither the paper's files nor the scene's.  index.html "
+    "also\n"
+    "      shows the score of ../mutation, when that study was of the same formulas and scene, and links to pictures "
+    "of\n"
+    "      ../bench and ../stability, as far as these folders are there\n"
     "  stickslip --help | --version\n"
     "\n"
     "SCENE is a path, or the name of a file in verify/scenes without its suffix; verify without one runs \"paper\".\n"
+    "--set NAME=VALUE, as often as wanted, puts a line in place of the scene's own or beside it (explain and repair: "
+    "of\n"
+    "the paper's example); an empty VALUE takes the line away: orbit paper --set chi=0.7 --set e2=1/2.\n"
     "--only eq-27 selects eq-27 and its suffixed claims.  --paper reads the equation files of another folder, "
     "--overlay\n"
     "puts a file's definitions over them; both count as the printed text.  --digits: significant digits, rounded to\n"
-    "nearest, 1 to 100000 (default 15); verify uses it for nothing that a verdict depends on.  Layer: printed is the\n"
+    "nearest, 1 to 100000 (default 15); for verify, of the values asked for; no verdict depends on it.  Layer: printed "
+    "is the\n"
     "paper's text (default of stability), corrected (default elsewhere) has verify/errata.eq over it, stable has\n"
     "verify/stable.eq over both, forms that keep their digits in double precision.  Methods other than analytic use "
     "the\n"
@@ -123,8 +155,9 @@ static const char help[] =
     "exit status: 0 verdicts as recorded; 1 a verdict differs from its record, a control went unnoticed, or routes "
     "disagree;\n"
     "2 usage; 3 bad input, or output that cannot be written; 4 with --strict: discrepancies or unknowns remain; 5 "
-    "internal "
-    "error, or a sweep that was interrupted.\n";
+    "internal\n"
+    "error, memory exhausted, the time limit of verify, an interrupted verify or sweep (other commands end by the\n"
+    "signal), or a simulation that ended early.  Files written before are intact.\n";
 
 static void print_help(void) {
   fputs(help, stdout);
@@ -151,7 +184,10 @@ static const struct command {
                 {"diff", FOR_DIFF, run_diff},
                 {"bench", FOR_BENCH, run_bench},
                 {"sweep", FOR_SWEEP, run_sweep},
-                {"stability", FOR_STABILITY, run_stability}};
+                {"stability", FOR_STABILITY, run_stability},
+                {"plot", FOR_PLOT, run_plot},
+                {"words", FOR_WORDS, run_words},
+                {"report", FOR_REPORT, run_report}};
 
 static int run_command(const struct command *c, int argc, char **argv) {
   struct options o;
@@ -165,7 +201,7 @@ static int run_command(const struct command *c, int argc, char **argv) {
   struct diag d;
   text_init(&data);
   diag_init(&d);
-  bool needed = c->bit != FOR_DIFF; /* which compares two files and nothing else */
+  bool needed = !(c->bit & (FOR_DIFF | FOR_REPORT)); /* which read audits and nothing else */
   status = !needed || find_data(&data, &d) ? c->run(&o, text_str(&data)) : bad_input(&d);
   text_clear(&data);
   return status;
@@ -175,7 +211,7 @@ static int run_command(const struct command *c, int argc, char **argv) {
 static int finish(int status) {
   if (fflush(stdout) != 0 || ferror(stdout)) {
     fprintf(stderr, "stickslip: error: standard output cannot be written: %s\n", strerror(errno));
-    if (status == EXIT_AS_RECORDED) status = EXIT_INPUT;
+    if (status == EXIT_AS_RECORDED || status == EXIT_DIFFERS || status == EXIT_STRICT) status = EXIT_INPUT;
   }
   flint_cleanup();
   mpfr_free_cache();
@@ -190,11 +226,24 @@ static void on_abort(int signal) {
   _exit(EXIT_INTERNAL);
 }
 
+/* What the caller left closed must not become a file that is written; output that has nowhere to go is an error that write
+   returns, not the end of the process. */
+static void secure_output(void) {
+  for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
+    if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd == STDERR_FILENO ? O_WRONLY : O_RDONLY) != fd)
+      _exit(EXIT_INTERNAL);
+  signal(SIGPIPE, SIG_IGN);
+  signal(SIGXFSZ, SIG_IGN);
+}
+
 int main(int argc, char **argv) {
+  secure_output();
   signal(SIGABRT, on_abort);
+  own_memory();
   if (argc < 2)
     return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list, check, "
-                                            "mutate, repair, bifurcate, diff, bench, sweep or stability");
+                                            "mutate, repair, bifurcate, diff, bench, sweep, stability, plot, words or "
+                                            "report");
   if (strcmp(argv[1], "--help") == 0) {
     print_help();
     return finish(EXIT_AS_RECORDED);

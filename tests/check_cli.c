@@ -722,6 +722,13 @@ START_TEST(the_table_of_phases) {
   ck_assert(strstr(j.out, "no entry departs") && strstr(j.out, "\naccuracy ") && !strchr(j.out, '*'));
   ck_assert(strstr(j.out, "-1.02322618939 (exactly: 0 and the trace)"));
   discard(&j);
+  /* near chi = 1, where an event time is steep in the positions, and near 0 each method states its error */
+  run_well(&j, "jacobian", "paper", "--set", "chi=0.9999", "--phases", "--at", "orbit:3", NULL);
+  ck_assert_msg(strstr(j.out, "no entry departs"), "%s", j.out);
+  discard(&j);
+  run_well(&j, "jacobian", "tests/extreme/chi-to-0.scene", "--phases", NULL);
+  ck_assert_msg(strstr(j.out, "no entry departs"), "%s", j.out);
+  discard(&j);
   run_well(&j, "jacobian", "paper", "--phases", "--at", "printed", NULL);
   ck_assert(strstr(j.out, "printed and corrected stand at the printed times"));
   discard(&j);
@@ -785,12 +792,13 @@ START_TEST(simulation_follows_admissible_orbits) {
     run_well(&j, "simulate", scene_of(f[F_NAME]), "--at", at, NULL);
     ck_assert_msg(strstr(j.out, "\nword (GHCD)^1\n") != NULL, "%s %s:\n%.800s", f[F_NAME], at, j.out);
     ck_assert(strstr(j.out, "the first 4 of 4 events are the same") != NULL);
-    const char *line = strchr(strchr(j.out, '\n') + 1, '\n') + 1;
+    const char *line = strchr(strstr(j.out, " t mass change"), '\n') + 1;
     double sum = 0;
     for (int k = 0; k < 4; k++, line = strchr(line, '\n') + 1) {
       sum += strtod(f[F_Z10 + 2 + k], NULL);
-      ck_assert_msg(fabs(strtod(line, NULL) - sum) < 1e-8, "%s %s, event %d: %.40s, not %.12f", f[F_NAME], at, k, line,
-                    sum);
+      /* printed to seven decimals */
+      ck_assert_msg(fabs(strtod(line, NULL) - sum) < 0.5e-7 + 1e-8, "%s %s, event %d: %.40s, not %.12f", f[F_NAME], at,
+                    k, line, sum);
     }
     followed++;
     discard(&j);
@@ -964,7 +972,9 @@ static void open_full(void) {
   char *json = report("again", "audit.json"), *md = report("again", "audit.md");
   ck_assert(full_json && full_md && json && md);
   ck_assert_msg(strcmp(full_json, json) == 0 && strcmp(full_md, md) == 0, "two runs gave different reports");
-  static const char *const others[] = {"index.html", "audit.csv", "junit.xml", "errata.md", "errata.tex", "claims.dot"};
+  static const char *const others[] = {"index.html",  "audit.csv",      "junit.xml",    "errata.md",
+                                       "errata.tex",  "claims.dot",     "figure-3.tsv", "figure-4.tsv",
+                                       "margins.tsv", "return-map.tsv", "long-run.tsv", "differences.tsv"};
   for (size_t i = 0; i < sizeof others / sizeof *others; i++) {
     char *one = report("full", others[i]), *two = report("again", others[i]);
     ck_assert_msg(one && two && strcmp(one, two) == 0, "two runs gave different %s", others[i]);
@@ -991,8 +1001,10 @@ START_TEST(the_report_on_record_is_the_computed_one) {
   ck_assert_msg(strcmp(md, full_md) == 0, "reports/paper/audit.md is stale: run make verify");
   free(md);
   free(json);
-  ck_assert_str_eq(scratch_list(scratch_path("full")),
-                   "audit.csv audit.json audit.md claims.dot errata.md errata.tex index.html junit.xml run.json");
+  ck_assert_str_eq(
+      scratch_list(scratch_path("full")),
+      "audit.csv audit.json audit.md claims.dot differences.tsv errata.md errata.tex figure-3.tsv figure-4.tsv "
+      "index.html junit.xml long-run.tsv margins.tsv return-map.tsv run.json");
 }
 END_TEST
 
@@ -1551,20 +1563,48 @@ START_TEST(the_projects_own_files_are_good) {
 }
 END_TEST
 
-/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits. */
+/* What of a scene on file is not proved, and why. */
+static const struct {
+  const char *scene, *lacks, *why;
+} unproved[] = {
+    {"solution-II", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e1-t_a", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e1-t_c", "complete", "no complete search for this pair of given quantities"},
+    {"paper-e2-t_a", "complete", "no complete search for this pair of given quantities"},
+    {"paper-t_a-t_b", "complete", "no complete search for this pair of given quantities"},
+    {"paper-t_c-t_d", "complete", "no complete search for this pair of given quantities"},
+};
+
+/* An exception must be one, and "complete" for the reason that the program gives. */
+static void is_proved_or_excepted(const char *path, const char *out, const char *lacks, bool proved) {
+  const char *name = strrchr(path, '/') + 1, *why = NULL;
+  for (size_t i = 0; i < sizeof unproved / sizeof *unproved; i++)
+    if (strncmp(name, unproved[i].scene, strlen(unproved[i].scene)) == 0 &&
+        strcmp(name + strlen(unproved[i].scene), ".scene") == 0 && strcmp(unproved[i].lacks, lacks) == 0)
+      why = unproved[i].why;
+  ck_assert_msg(proved == !why, "%s, %s: %.300s", path, lacks, out);
+  if (why && strcmp(lacks, "complete") == 0) ck_assert_msg(strstr(out, why) != NULL, "%s: %.300s", path, out);
+}
+
+/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and for
+   lists of other words than the paper's, whose search is not exhaustive and says so. */
 START_TEST(scenes_on_file_are_proved) {
   glob_t g;
-  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 10);
+  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);
   long proved = 0;
   for (size_t i = 0; i < g.gl_pathc; i++) {
     struct job j;
     run_well(&j, "orbit", g.gl_pathv[i], "--digits", "30", "--json", NULL);
-    ck_assert_msg(strstr(j.out, "\"complete\": true") && !strstr(j.out, "\"certified\": false"), "%s: %.300s",
-                  g.gl_pathv[i], j.out);
+    bool other = strstr(j.out, "\"fate\": \"open\"") != NULL;
+    if (other)
+      ck_assert_msg(strstr(j.out, "no proof of completeness") != NULL, "%s: %.300s", g.gl_pathv[i], j.out);
+    else
+      is_proved_or_excepted(g.gl_pathv[i], j.out, "complete", strstr(j.out, "\"complete\": true") != NULL);
+    is_proved_or_excepted(g.gl_pathv[i], j.out, "certified", strstr(j.out, "\"certified\": false") == NULL);
     for (const char *p = strstr(j.out, "\"certified\": true"); p; p = strstr(p + 1, "\"certified\": true")) proved++;
     discard(&j);
   }
-  ck_assert_int_ge(proved, 20);
+  ck_assert_int_ge(proved, 35);
   globfree(&g);
 }
 END_TEST
@@ -1689,8 +1729,8 @@ END_TEST
 
 /* Every option in the help is one the parser knows, for some command. */
 START_TEST(the_parser_knows_what_help_mentions) {
-  static const char *const commands[] = {"verify",    "orbit", "jacobian",  "simulate", "explain",
-                                         "bifurcate", "bench", "stability", "sweep",    "mutate"};
+  static const char *const commands[] = {"verify", "orbit",     "jacobian", "simulate", "explain", "bifurcate",
+                                         "bench",  "stability", "sweep",    "mutate",   "list"};
   struct job help;
   run_well(&help, "--help", NULL);
   for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {
@@ -1699,7 +1739,7 @@ START_TEST(the_parser_knows_what_help_mentions) {
     if (sscanf(p, " %39[a-z-]", option) != 1 || strcmp(option, "--help") == 0 || strcmp(option, "--version") == 0)
       continue;
     /* an unknown option ends the run before anything is done */
-    snprintf(with_value, sizeof with_value, "%s=1", option);
+    snprintf(with_value, sizeof with_value, "%s=1=1", option);
     for (size_t i = 0; !known && i < sizeof commands / sizeof *commands; i++) {
       struct job j;
       run(&j, commands[i], with_value, "--no-such-option", NULL);

@@ -306,6 +306,58 @@ START_TEST(a_long_wait_ends_at_the_first_root) {
 }
 END_TEST
 
+/* The first time from begin on at which the wave, looked at every step, is above zero. */
+static double looked_for(const struct wave *w, double begin, double end, double step) {
+  double v[3];
+  for (double t = begin; t < end; t += step) {
+    wave_at(v, w, t);
+    if (v[0] > 0) return t;
+  }
+  return INFINITY;
+}
+
+START_TEST(a_fast_oscillation_of_small_amplitude) {
+  /* A slow one that comes within about the fast one's amplitude of zero at its crest, at t = late, and later goes far
+     above it.  The oracle looks at every 64th of a fast period; few steps find the same root. */
+  static const double fast[] = {300, 3000, 30000}, lift[] = {-0.9, -0.3, 0, 0.5, 0.99, 1.5};
+  for (size_t i = 0; i < 3; i++)
+    for (size_t k = 0; k < 6; k++) {
+      double a = 3 / fast[i], late = 2.5, crest = -a * lift[k], height = crest - 1; /* slow: height + cos(t - late) */
+      double cs = cos(late), sn = sin(late), step = 2 * acos(-1.0) / fast[i] / 64;
+      struct wave w = {height + cs, 0.01 * a, {1, fast[i]}, {cs, a * 0.6}, {sn, a * 0.8}};
+      w.start += 0.6 * a; /* so that the fast one is centred */
+      struct wave_root root;
+      ck_assert(w.start < 0);
+      ck_assert_int_eq(wave_first_root(&root, &w, NULL, &dyn_limits_default), SS_OK);
+      double seen = looked_for(&w, 0, root.t, step), above = looked_for(&w, root.t, root.t + step, step / 4096);
+      ck_assert_msg(seen == INFINITY && above < INFINITY, "fast %g lift %g: %.17g, above zero at %.17g", fast[i],
+                    lift[k], root.t, seen);
+      ck_assert_msg(root.steps < 1500, "fast %g lift %g: %ld steps", fast[i], lift[k], root.steps);
+    }
+}
+END_TEST
+
+START_TEST(a_slow_drift_from_far_below) {
+  /* Crests rise by a thousandth of the amplitude from one to the next: a million of them stay below zero. */
+  struct wave w = {-1e4, 0.002, {1, 0}, {1, 0}, {0, 0}};
+  struct dyn_limits lim = {INFINITY, 400};
+  struct wave_root root;
+  w.start += 1; /* w.start - cs is the middle */
+  ck_assert_int_eq(wave_first_root(&root, &w, NULL, &lim), SS_OK);
+  double begin = (1e4 - 1 - 1e-6) / 0.002, seen = looked_for(&w, begin, begin + 1e3, 1e-3);
+  ck_assert_msg(root.t <= seen && root.t > seen - 2e-3, "%.17g, seen at %.17g", root.t, seen);
+}
+END_TEST
+
+START_TEST(angles_that_no_double_knows) {
+  /* Nothing is known of the fast oscillation's angle: no answer rather than any. */
+  struct wave w = {-1, 0, {1, 1e20}, {-1, 1e-6}, {0, 0}};
+  struct wave_root root;
+  ck_assert_int_eq(wave_first_root(&root, &w, NULL, &dyn_limits_default), SS_UNABLE);
+  ck_assert_int_lt(root.steps, 1000);
+}
+END_TEST
+
 START_TEST(stick_phase_ends_at_either_sign) {
   const double p[N_PARAMS] = {0.5, 2, 1, 1, 1};
   double z[N_STATE] = {0, 0, 1, 1}, t;
@@ -317,6 +369,16 @@ START_TEST(stick_phase_ends_at_either_sign) {
   ck_assert(t == -4);
   z[DZ_1] = 0.5; /* w' = 0 */
   ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_DOMAIN);
+}
+END_TEST
+
+/* z_1 = z_2 = 1 + 2^-30 and chi = 1 - 2^-30: w = 2^-30 + 2^-60, of which the second part is lost where chi z_2 is rounded. */
+START_TEST(forces_are_not_lost_in_positions) {
+  const double tiny = 0x1p-30, p[N_PARAMS] = {1 - tiny, 1, 1, tiny, 1}, z[N_STATE] = {1 + tiny, 1 + tiny, 1, 1};
+  double t;
+  bool grazing;
+  ck_assert_int_eq(dyn_first_event_d(&t, &grazing, PHASE_D, p, z, NULL), SS_OK);
+  ck_assert_double_eq(t, -tiny);
 }
 END_TEST
 
@@ -866,7 +928,11 @@ Suite *dynamics_suite(void) {
   tcase_add_test(c, close_roots_grazing_and_none_are_told_apart);
   tcase_add_test(c, a_root_at_the_start_does_not_count);
   tcase_add_test(c, a_long_wait_ends_at_the_first_root);
+  tcase_add_test(c, a_fast_oscillation_of_small_amplitude);
+  tcase_add_test(c, a_slow_drift_from_far_below);
+  tcase_add_test(c, angles_that_no_double_knows);
   tcase_add_test(c, stick_phase_ends_at_either_sign);
+  tcase_add_test(c, forces_are_not_lost_in_positions);
   tcase_add_loop_test(c, refined_events_agree_and_are_proved, 0, 60);
   tcase_add_test(c, an_event_of_balls_holds_the_events_of_its_points);
   tcase_add_test(c, a_double_root_is_not_proved);

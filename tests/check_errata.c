@@ -37,7 +37,7 @@ static void load(struct model *m, const char *overlay, const char *errata) {
 static void open_audit(void) {
   struct diag d;
   diag_init(&d);
-  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  const struct audit_options opt = {.n_only = 0};
   scratch_open();
   load(&model, NULL, NULL);
   audit_result_init(&result);
@@ -187,7 +187,7 @@ START_TEST(what_is_named_by_hand_must_exist) {
   struct diag d;
   struct claims own = {.n = 0};
   struct audit_result r;
-  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  const struct audit_options opt = {.n_only = 0};
   const struct claims none = {.n = 0};
   diag_init(&d);
   audit_result_init(&r);
@@ -349,7 +349,7 @@ START_TEST(alone_or_together) {
     struct diag d;
     struct audit_result r;
     const struct claims none = {.n = 0};
-    const struct audit_options opt = {&ids[i], 1, NULL, NULL, false};
+    const struct audit_options opt = {.only = &ids[i], .n_only = 1};
     diag_init(&d);
     audit_result_init(&r);
     ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
@@ -376,7 +376,7 @@ static void judge_one(struct audit_result *r, const char *overlay, const char *e
   struct model m;
   struct diag d;
   const struct claims none = {.n = 0};
-  const struct audit_options opt = {&id, 1, NULL, NULL, false};
+  const struct audit_options opt = {.only = &id, .n_only = 1};
   diag_init(&d);
   audit_result_init(r);
   load(&m, overlay, errata);
@@ -442,12 +442,12 @@ START_TEST(worst_first) {
   static const char *const order[] = {"## Numbers",
                                       "$t_a = 0.6784$",
                                       "`text-periodic`, section",
-                                      "## Formulas; results derived from them change",
+                                      "## Formulas that change results",
                                       "**(10), ",
                                       "**(40), ",
                                       "## Conclusions that do not follow",
                                       "`text-59-concluded`, section",
-                                      "## Notation; results derived from it stay",
+                                      "## Slips of notation that change no result",
                                       "**(29), ",
                                       "**(36b), ",
                                       "## What was checked"};
@@ -630,7 +630,7 @@ START_TEST(results_that_cannot_be_read) {
   struct claims own = {.n = 0};
   const struct claims none = {.n = 0};
   const char *only = "eq-27";
-  const struct audit_options opt = {&only, 1, NULL, NULL, false};
+  const struct audit_options opt = {.only = &only, .n_only = 1};
   diag_init(&d);
   audit_result_init(&r);
   load(&m, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",

@@ -245,6 +245,38 @@ START_TEST(given_times_fix_the_limits_to_any_precision) {
 }
 END_TEST
 
+/* An orbit beside its flip loses more bits in |tr J| - 1 than the guard holds: with t_b and t_c as data too, that costs a
+   second attempt below the pilot's threshold and none above it. */
+START_TEST(the_first_precision_is_planned_from_times) {
+  static const slong prec[] = {256, 1500};
+  static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};
+  static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
+  struct dyn_orbits near, list[2];
+  fmpq *params = _fmpq_vec_init(N_PARAMS);
+  fmpq *value = _fmpq_vec_init(2);
+  for (int i = 0; i < N_PARAMS; i++) ck_assert_int_eq(num_parse_decimal(params + i, data[i], strlen(data[i])), SS_OK);
+  ck_assert_int_eq(dyn_orbits_find(&near, params, 128, NULL), SS_OK);
+  slong flip = 0;
+  for (slong i = 0; i < near.n; i++)
+    if (arf_cmpabs(arb_midref(near.orbit[i].margin), arb_midref(near.orbit[flip].margin)) < 0) flip = i;
+  for (int k = 0; k < 2; k++) num_q_set_d(value + k, near.orbit[flip].guess[1 + k]);
+  for (int k = 0; k < 2; k++) {
+    ck_assert_int_eq(dyn_orbits_given(&list[k], params, which, value, prec[k], NULL), SS_OK);
+    ck_assert_int_gt(list[k].n, 0);
+    for (slong i = 0; i < list[k].n; i++) ck_assert(arb_rel_accuracy_bits(list[k].orbit[i].margin) >= prec[k]);
+  }
+  ck_assert_int_eq(list[0].n, list[1].n);
+  ck_assert_msg(list[0].raises >= 1 && list[0].bits == 256 + 40, "%ld %ld", list[0].raises, (long)list[0].bits);
+  ck_assert_msg(list[1].raises == 0 && list[1].bits > 1500 + 40 && list[1].bits < 1500 + 80, "%ld %ld", list[1].raises,
+                (long)list[1].bits);
+  for (slong i = 0; i < list[0].n; i++) ck_assert(arb_overlaps(list[0].orbit[i].margin, list[1].orbit[i].margin));
+  for (int k = 0; k < 2; k++) dyn_orbits_clear(&list[k]);
+  dyn_orbits_clear(&near);
+  _fmpq_vec_clear(value, 2);
+  _fmpq_vec_clear(params, N_PARAMS);
+}
+END_TEST
+
 START_TEST(no_stick_phase_is_solution_ii) {
   /* t_a = 0 is the paper's own special case: an orbit of it is one of the word without D, and t_a > 0 fails exactly. */
   const struct sample *s = find_sample("negative-ta2", 1);
@@ -571,6 +603,7 @@ Suite *given_suite(void) {
   tcase_add_checked_fixture(c, read_cut, clear_samples);
   tcase_add_loop_test(c, every_pair_finds_the_orbit_again, 0, N_CHOSEN);
   tcase_add_test(c, given_times_fix_the_limits_to_any_precision);
+  tcase_add_test(c, the_first_precision_is_planned_from_times);
   tcase_add_test(c, no_stick_phase_is_solution_ii);
   tcase_add_test(c, impossible_values_are_told);
   suite_add_tcase(s, c);

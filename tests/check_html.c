@@ -308,6 +308,7 @@ static void put_all(const struct audit_result *r) {
   put("index.html", report_html, r);
   put("audit.csv", report_csv, r);
   put("junit.xml", report_junit, r);
+  for (size_t i = 0; i < r->n_tables; i++) scratch_put(r->tables[i].name, r->tables[i].text);
 }
 
 /* The paper's own report: every formula in it is set. */
@@ -330,7 +331,7 @@ START_TEST(the_papers_page) {
   ck_assert_msg(ok, "%s", d.message);
   put_all(&r);
   ck_assert_int_eq(check_folder("0"), 0);
-  if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", ""), 0);
+  if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", "build/npm"), 0);
   audit_result_clear(&r);
   claims_clear(&controls);
   claims_clear(&claims);
@@ -528,7 +529,7 @@ START_TEST(what_stands_where) {
                                       "1 results are not as recorded",
                                       "<h3>Not as recorded</h3>",
                                       "unknown, recorded as proved",
-                                      "<h3>Numbers and the example</h3>",
+                                      ">Numbers and the example</h3>",
                                       "<article id=\"f-text-4\">",
                                       "<article id=\"f-eq-2\">",
                                       "proved under the condition V = 1",
@@ -544,6 +545,72 @@ START_TEST(what_stands_where) {
     at = next + 1;
   }
   ck_assert(!strstr(page, "id=\"f-eq-1\"") && !strstr(page, "id=\"f-text-5\""));
+  free(page);
+}
+END_TEST
+
+/* The score is shown as it was counted, digits beside the precision, and none where there is no study or no residual. */
+START_TEST(power_and_digits) {
+  struct mutation_score score = {1000, 700, 100, 50, 90, 40, 20};
+  struct evidence e[] = {{.route = "balls", .layer = "l", .result = "agrees", .bits = 128, .residual = "1e-37"},
+                         {.route = "fd", .layer = "l", .result = "agrees", .bits = 256, .residual = "1e-51"},
+                         {.route = "ode", .layer = "l", .result = "agrees", .bits = -1, .residual = "1e-8"},
+                         {.route = "gsl", .layer = "l", .result = "differs", .bits = 128, .residual = "1e0"}};
+  struct finding f = small_finding("a", VERDICT_SUPPORTED, VERDICT_SUPPORTED);
+  f.evidence = e;
+  f.n_evidence = 4;
+  struct audit_result r = {.scene = "s", .findings = &f, .n_findings = 1};
+  char *without = written(report_html, &r);
+  r.mutation = &score;
+  char *with = written(report_html, &r);
+  ck_assert(!strstr(without, "one symbol at a time") && strstr(with, "in all 1000 ways") &&
+            strstr(with, "850 changes were noticed"));
+  ck_assert(strstr(with, "20 are open"));
+  ck_assert(strstr(with, ">37 of 38<") && strstr(with, ">51 of 77<") && !strstr(with, ">8 of ") &&
+            !strstr(with, ">0 of "));
+  free(without);
+  free(with);
+}
+END_TEST
+
+/* What is asked first is answered from the record: no, with the gap and the number that should stand there. */
+START_TEST(what_is_asked_first) {
+  const char *on[] = {"num-t"};
+  struct evidence e = {
+      .route = "balls", .layer = "l", .result = "differs", .note = "THE NOTE", .trials = 1, .bits = -1};
+  struct finding f[] = {
+      small_finding("num-t", VERDICT_REFUTED, N_VERDICTS), small_finding("text-periodic", VERDICT_REFUTED, N_VERDICTS),
+      small_finding("text-example-stability", VERDICT_SUPPORTED, N_VERDICTS),
+      small_finding("eq-9", VERDICT_CONDITIONAL, N_VERDICTS), small_finding("eq-8", VERDICT_REFUTED, N_VERDICTS)};
+  f[0].fault = f[1].fault = "number";
+  f[0].correction = f[0].correction_latex = "t = 7";
+  f[1].effect = "THE GAP";
+  f[1].depends_on = on, f[1].n_depends_on = 1;
+  f[1].evidence = f[3].evidence = &e;
+  f[1].n_evidence = f[3].n_evidence = 1;
+  f[3].fault = "formula", f[3].condition = "V = 1", f[3].reproduce = "AGAIN 9";
+  f[4].fault = "notation";
+  struct audit_result r = {.scene = "s", .findings = f, .n_findings = 5};
+  char *page = written(report_html, &r);
+  static const char *const order[] = {"What readers ask first",
+                                      "<strong>No:</strong> THE GAP.",
+                                      "has <math",
+                                      "t = 7</annotation>",
+                                      "<strong>Yes:</strong>",
+                                      "Which printed formulas are wrong?",
+                                      "Not what the equations",
+                                      "#f-eq-9",
+                                      "Slips of notation",
+                                      "#f-eq-8",
+                                      "How do I recheck it?",
+                                      "AGAIN 9",
+                                      "THE NOTE"};
+  const char *at = page;
+  for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
+    const char *next = strstr(at, order[i]);
+    ck_assert_msg(next != NULL, "%s comes too early or not at all", order[i]);
+    at = next + 1;
+  }
   free(page);
 }
 END_TEST
@@ -583,6 +650,37 @@ START_TEST(junit_fails_where_the_record_differs) {
 }
 END_TEST
 
+/* Signs are set and what is quoted is left to be copied; what ends a sentence stays on the line of its formula. */
+START_TEST(sentences_are_set) {
+  static const struct {
+    const char *text, *html;
+  } cases[] = {{"off by -1460 units, x = -3", "off by \xe2\x88\x92"
+                                              "1460 units, x = \xe2\x88\x92"
+                                              "3"},
+               {"a - 2*b", "a \xe2\x88\x92 2\xe2\x8b\x85"
+                           "b"},
+               {"eq-27, 51-53, t - (0), - and so on", "eq-27, 51-53, t \xe2\x88\x92 (0), - and so on"},
+               {"on \"x = -3*4 - y\" only", "on &quot;x = -3*4 - y&quot; only"},
+               {"$x$, $y$ and ($z$).", "<span class=\"k\">X,</span> Y and (<span class=\"k\">Z)</span>."},
+               {"$x$", "X"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t, seen;
+    text_init(&t);
+    text_init(&seen);
+    html_text(&t, cases[i].text, NULL);
+    for (const char *p = text_str(&t); *p; p++) { /* a formula of one letter, as that letter in capitals */
+      const char *end = strncmp(p, "<math", 5) == 0 ? strstr(p, "</math>") : NULL,
+                 *letter = end ? strstr(p, "<mi>") : NULL;
+      text_add_char(&seen, letter ? (char)(letter[4] - 'a' + 'A') : *p);
+      if (end) p = end + strlen("</math>") - 1;
+    }
+    ck_assert_str_eq(text_str(&seen), cases[i].html);
+    text_clear(&seen);
+    text_clear(&t);
+  }
+}
+END_TEST
+
 START_TEST(csv_quotes) {
   struct finding f = small_finding("a", VERDICT_PROVED, N_VERDICTS);
   f.title = "say \"so\", twice\nand\x01";
@@ -607,8 +705,8 @@ START_TEST(levels_of_the_graph) {
   char *page = written(report_html, &r);
   ck_assert(strstr(page, "Graph of 3 claims on 3 levels with 3 arrows"));
   static const char *const box[] = {"b (proved): b</title><rect class=\"node proved\" x=\"10\"",
-                                    "a (proved): a</title><rect class=\"node proved\" x=\"200\"",
-                                    "c (proved): c</title><rect class=\"node proved\" x=\"390\""};
+                                    "a (proved): a</title><rect class=\"node proved\" x=\"210\"",
+                                    "c (proved): c</title><rect class=\"node proved\" x=\"410\""};
   for (size_t i = 0; i < 3; i++) ck_assert_msg(strstr(page, box[i]), "%s", box[i]);
   free(page);
 }
@@ -620,6 +718,7 @@ Suite *html_suite(void) {
   tcase_add_test(c, formulas_are_set);
   tcase_add_test(c, what_is_no_formula_is_shown_as_typed);
   tcase_add_test(c, deep_formulas);
+  tcase_add_test(c, sentences_are_set);
   tcase_add_test(c, formulas_break_where_tex_would);
   tcase_add_test(c, what_differs_is_marked);
   tcase_add_test(c, marks_are_carried_to_the_quotation);
@@ -633,6 +732,8 @@ Suite *html_suite(void) {
   tcase_add_test(c, a_long_text_and_a_long_formula);
   tcase_add_test(c, a_record_of_nothing);
   tcase_add_test(c, what_stands_where);
+  tcase_add_test(c, power_and_digits);
+  tcase_add_test(c, what_is_asked_first);
   tcase_add_test(c, junit_fails_where_the_record_differs);
   tcase_add_test(c, csv_quotes);
   tcase_add_test(c, levels_of_the_graph);

@@ -328,10 +328,10 @@ START_TEST(files_refused) {
                                  "    x := 1 +\n            ^"},
       /* a misspelt attribute would silently put the record into no section */
       {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
-                                             "tex note when replaces\n    sectoin: a\n    ^"},
+                                             "tex note when replaces equals\n    sectoin: a\n    ^"},
       {"symbol x\n  mean: a\n", "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note\n    mean: a\n    ^"},
       {"equation: 1\ndefine d\n",
-       "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note\n  equation: 1\n  ^"},
+       "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper\n  equation: 1\n  ^"},
       {"define d\nx := 1\n",
        "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
        "of record d\n  x := 1\n  ^"},
@@ -343,6 +343,23 @@ START_TEST(files_refused) {
     n_files = 0;
     ck_assert_str_eq(try_load(c[i].text, RANK_PAPER), c[i].says);
   }
+}
+END_TEST
+
+/* Of the paper's own files alone, and one of them. */
+START_TEST(the_title_of_the_paper) {
+  load("section: a\nsymbol s\n", RANK_PAPER);
+  ck_assert_ptr_null(model.paper);
+  load("paper: On friction\nsection: b\nsymbol q\n", RANK_PAPER);
+  ck_assert_str_eq(model.paper, "On friction");
+  ck_assert_str_eq(try_load("paper: Another\n", RANK_PAPER),
+                   "f3.eq:1:1: error: the paper's title is given twice; leave one out\n  paper: Another\n  ^");
+  model_clear(&model);
+  model_init(&model);
+  ck_assert_str_eq(
+      try_load("paper: Mine\n", RANK_USER),
+      "f4.eq:1:1: error: the paper's title stands in one of its own files, not in one that is laid over them\n"
+      "  paper: Mine\n  ^");
 }
 END_TEST
 
@@ -960,6 +977,7 @@ Suite *model_suite(void) {
   tcase_add_test(tc, overlays_and_sections);
   tcase_add_test(tc, records_replaced);
   tcase_add_test(tc, files_refused);
+  tcase_add_test(tc, the_title_of_the_paper);
   tcase_add_test(tc, repetitions_allowed);
   tcase_add_test(tc, folders_of_files);
   tcase_add_test(tc, paper_files);

@@ -10,12 +10,12 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
 #include "audit/mutants.h"
 #include "audit/orbit_pool.h"
 #include "audit/workers.h"
+#include "process.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"
@@ -946,13 +946,9 @@ START_TEST(extreme_options_are_taken) {
 }
 END_TEST
 
-static bool group_is_gone(pid_t group) {
-  for (int i = 0; i < 100; i++) {
-    while (waitpid(-group, NULL, WNOHANG) > 0) continue;
-    if (kill(-group, 0) != 0) return true;
-    nanosleep(&(struct timespec){.tv_nsec = 100000000}, NULL);
-  }
-  return false;
+/* With its three processes, each of which has long begun. */
+static bool works(pid_t pid) {
+  return group_lives(pid) == 4 && group_seconds(pid) >= 1;
 }
 
 /* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is left. */
@@ -969,11 +965,11 @@ START_TEST(an_interrupted_run_leaves_nothing) {
     _exit(127);
   }
   setpgid(pid, pid);
-  nanosleep(&(struct timespec){.tv_sec = 3}, NULL);
+  ck_assert(process_until(works, pid));
   ck_assert(kill(_i ? pid : -pid, _i ? SIGKILL : SIGINT) == 0);
   int s = 0;
   ck_assert(waitpid(pid, &s, 0) == pid && WIFSIGNALED(s));
-  ck_assert(group_is_gone(pid));
+  ck_assert(process_until(group_has_ended, pid));
   struct stat st;
   ck_assert(stat(out, &st) != 0);
 }

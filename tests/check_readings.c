@@ -444,7 +444,7 @@ static void audit(const char *only, bool readings) {
   diag_init(&d);
   load("tests/readings/whole.scene");
   ck_assert(claims_load(&claims, "verify/claims", "claim", &d));
-  struct audit_options opt = {&only, 1, NULL, NULL, readings};
+  struct audit_options opt = {.only = &only, .n_only = 1, .readings = readings};
   ck_assert_msg(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d), "%s", d.message);
   claims_clear(&claims);
 }

@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "audit/stability_impl.h"
 #include "scratch.h"
 #include "stable_points.h"
 #include "stickslip/audit.h"
@@ -38,9 +39,47 @@ static void teardown(void) {
 /* --- Proofs --- */
 
 START_TEST(every_form_is_proved) {
-  static const char *const needed[] = {"omega",  "omega_1", "omega_2",  "lambda_1",     "lambda_2",      "H_1(t)",
-                                       "H_2(t)", "H_3(t)",  "C_1(t)",   "C_2(t)",       "C_3(t)",        "Gamma_1(t)",
-                                       "J_c",    "J_f",     "ktilde_4", "gammatilde_1", "text-criterion"};
+  static const char *const needed[] = {"omega",
+                                       "omega_1",
+                                       "omega_2",
+                                       "lambda_1",
+                                       "lambda_2",
+                                       "H_1(t)",
+                                       "H_2(t)",
+                                       "H_3(t)",
+                                       "C_1(t)",
+                                       "C_2(t)",
+                                       "C_3(t)",
+                                       "Gamma_1(t)",
+                                       "J_c",
+                                       "J_f",
+                                       "ktilde_4",
+                                       "gammatilde_1",
+                                       "text-criterion",
+                                       "less_N_1",
+                                       "N_3",
+                                       "rest_2",
+                                       "rest_4",
+                                       "M",
+                                       "eq-46",
+                                       "text-times-alone",
+                                       "bend_H(t)",
+                                       "edge_1",
+                                       "gap_1",
+                                       "go_1",
+                                       "S_b",
+                                       "S_c",
+                                       "S_f",
+                                       "J",
+                                       "P(t)",
+                                       "trace_J",
+                                       "text-charpoly",
+                                       "text-six-equations",
+                                       "eq-34b",
+                                       "eq-44b",
+                                       "eq-44c",
+                                       "eq-45b",
+                                       "text-45-suffices"};
   struct stable_proofs p;
   struct diag d;
   diag_init(&d);
@@ -70,7 +109,7 @@ static const struct {
     {"(slip_s - omega))/2 + bend", "(omega - slip_s))/2 + bend", "lambda_1", "omega_1"},
     {"g_2 := chi*(omega/g_1)*omega", "g_2 := chi*(omega/g_1)", "H_1(t)", "lambda_2"},
     {"detune*far_X(t)/omega_2^2", "far_X(t)/omega_2^2", "H_1(t)", "lambda_2"},
-    {"late(t) := 1 - early(t)", "late(t) := 1 - early(t)^2", "H_2(t)", "H_3(t)"},
+    {"late(t) := (t/hypot(1, t))^2", "late(t) := t/hypot(1, t)", "H_2(t)", "H_3(t)"},
     {"- versed(omega_p*t/2)*lag(omega_m*t/2)", "+ versed(omega_p*t/2)*lag(omega_m*t/2)", "H_2(t)", "H_1(t)"},
     {"rho*(t*near_W(t))/2", "rho*(t*near_W(t))", "H_3(t)", "H_2(t)"},
     {"g_3 := chi*(1 - chi)/(g_2 + chi)", "g_3 := chi*(1 - chi)/(g_2 - chi)", "J_c", "H_1(t)"},
@@ -85,6 +124,65 @@ static const struct {
     {"(chi*V - z'_1b)", "(chi*V + z'_1b)", "text-criterion", "J_c"},
     {"+ t_d*sinc(omega*t_d)*rate)", "- t_d*sinc(omega*t_d)*rate)", "text-criterion", "J_f"},
     {"-1 < trace_J < 1", "-1 < trace_J <= 1", "text-criterion", "J_f"},
+    {"near_less_22(t) := -(skew*", "near_less_22(t) := (skew*", "less_H(t)", "H_1(t)"},
+    {"+ C_2(t_d)*G_3 + less_G_1", "+ C_2(t_d)*G_3 - less_G_1", "less_N_1", "rest_2"},
+    {"(rest_2/gap_size_1)/det_1 - ", "(rest_2/gap_size_1)/det_1 + ", "M", "rest_4"},
+    {"V*share_w = e_1", "V*share_r = e_1", "text-times-alone", "M"},
+    {"(omega_p*omega_m - skew*(omega_1^2 + omega_2^2))/2", "(omega_p*omega_m + skew*(omega_1^2 + omega_2^2))/2",
+     "bend_H(t)", "less_H(t)"},
+    {"(omega_1/omega_2)^2*cos(omega_1*t)", "(omega_1/omega_2)*cos(omega_1*t)", "bend_H(t)", "H_3(t)"},
+    {"less_Gamma(t) := [-versed(t), chi*", "less_Gamma(t) := [-versed(t), ", "less_Gamma(t)", "Gamma_1(t)"},
+    {"less_C(t) := [0, 0; versed(omega*t), -", "less_C(t) := [0, 0; versed(omega*t), ", "less_C(t)", "C_1(t)"},
+    {"N_3 := C_3(t_d)*G_1 + C_1(t_d)*G_3", "N_3 := C_3(t_d)*G_1 + C_1(t_d)*G_2", "N_3", "rest_2"},
+    {"rest_2 := t_a*I + ", "rest_2 := t_b*I + ", "rest_2", "rest_4"},
+    {"+ less_C(t_d)*G_4 + less_G_4", "+ less_C(t_d)*G_1 + less_G_4", "rest_4", "rest_2"},
+    {"(sinc(omega_1*t/2) + sinc(omega_2*t/2))*(t*", "(sinc(omega_1*t/2) - sinc(omega_2*t/2))*(t*", "push_c", "H_1(t)"},
+    {"pull(t) := [chi*push_2(t);", "pull(t) := [push_2(t);", "pull_c", "push_c"},
+    {"pull_rate(t) := [chi*", "pull_rate(t) := [", "slack_1", "even_1"},
+    {"creep(t) := [creep_1(t); creep_1(t) - ", "creep(t) := [creep_1(t); creep_1(t) + ", "even_2", "even_1"},
+    {"even_c := push_c + ", "even_c := push_c - ", "even_1", "even_2"},
+    {"even'_c := H_2(t_c)*[1; 0] + H_3(t_c)*", "even'_c := H_2(t_c)*[1; 0] + H_2(t_c)*", "even_3", "slack_3"},
+    {"later_c := come_b*push_c + ", "later_c := t_b*push_c + ", "even_2", "even_3"},
+    {"+ lag_b*pull_rate(t_c)[2] + ", "- lag_b*pull_rate(t_c)[2] + ", "even_4", "even_3"},
+    {"slack_3 := C_3(t_d)*pull_c + ", "slack_3 := C_3(t_d)*pull_c - ", "slack_3", "slack_1"},
+    {"+ diff_V(t_c)*versed(t_b) + diff_W", "+ diff_V(t_c)*versed(t_b) - diff_W", "edge_1", "edge_2"},
+    {"even'_gap := diff_W(t_c) + lean_3", "even'_gap := diff_W(t_c) - lean_3", "edge_3", "edge_4"},
+    {"+ lag_b*H_1(t_c)[2,2] + ", "- lag_b*H_1(t_c)[2,2] + ", "edge_2", "edge_1"},
+    {"+ lag_b*H_3(t_c)[2,2] + ", "+ lag_b*H_3(t_c)[1,2] + ", "edge_4", "edge_3"},
+    {"gap_1 := C_1(t_d)[2,1] + ", "gap_1 := C_1(t_d)[2,1] - ", "gap_1", "gap_3"},
+    {"C_3(t_d)[2,1]*(1 - pull_gap)", "C_3(t_d)[2,1]*(1 + pull_gap)", "gap_3", "gap_1"},
+    {"go_1 := t_a + sin(t_b)*sum_1", "go_1 := t_a + come_b*sum_1", "go_1", "rest_2"},
+    {"pull_gap := -less_H(t_c)[2,2]", "pull_gap := -less_H(t_c)[1,1]", "gap_1", "edge_1"},
+    {"later_slip := H_1(t_c)[1,1]*sin(t_b) + ", "later_slip := H_1(t_c)[2,2]*sin(t_b) + ", "slip_2", "go_1"},
+    {"soft*soft_slip + stiff*(go_1 - chi*edge_2)", "soft*soft_slip + stiff*(go_1 - edge_2)", "slip_2", "go_1"},
+    {"soft_drift := -chi*(scaled_X(t_c) + ", "soft_drift := -chi*(scaled_X(t_c) - ", "drift_1", "slip_2"},
+    {"(drift_1/gap_size_1)*edge_2)", "(slack_1[1]/gap_size_1)*edge_2)", "eq-46", "drift_1"},
+    {"rate_far := even_4[2]*(even_3[1]/even_size_3) - ", "rate_far := even_4[2]*(even_3[1]/even_size_3) + ", "rate_r",
+     "edge_4"},
+    {"det_3 := (gap_3/gap_size_3)*(even_3[1]/even_size_3) + ", "det_3 := (gap_3/gap_size_3)*(even_3[1]/even_size_3) - ",
+     "M", "eq-44c"},
+    {"adjugate_1 := [less_N_1[2,2], -", "adjugate_1 := [less_N_1[2,2], ", "M", "eq-46"},
+    {"+ (1 - chi)*(edge_2*", "- (1 - chi)*(edge_2*", "eq-46", "M"},
+    {"- edge_4*(even_3[1]/even_size_3)", "+ edge_4*(even_3[1]/even_size_3)", "eq-45b", "eq-46"},
+    {"less_N_1*z_0 + N_2*z'_0 = 0", "less_N_1*z_0 - N_2*z'_0 = 0", "eq-44b", "eq-44c"},
+    {"rest_4*z'_0 = 0", "rest_2*z'_0 = 0", "eq-44c", "eq-44b"},
+    {"-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4) =",
+     "-V*(share_r*slack_3 + share_w*even_3 + chi*even_4) =", "text-45-suffices", "eq-46"},
+    {"w_a := (z_10 - chi*z_20) + ", "w_a := (z_10 - chi*z_20) - ", "w_a", "r_b"},
+    {"r_b := (1 - chi)*(", "r_b := (1 + chi)*(", "r_b", "w_a"},
+    {"slow_b := (1 - chi)*(V*versed(t_b)) + ", "slow_b := (1 - chi)*(V*versed(t_b)) - ", "slow_b", "w_a"},
+    {"S_b[1]*sum_1 + V*reach_1 + r_b*H_12", "S_b[1]*sum_1 + V*reach_1 - r_b*H_12", "S_c", "S_b"},
+    {"near_reach(t) := sinc(omega_p*t/2)*", "near_reach(t) := sinc(omega_m*t/2)*", "S_c", "r_b"},
+    {"+ V*diff_Y(t_c)) + r_b", "- V*diff_Y(t_c)) + r_b", "r_c", "S_c"},
+    {"[S_c[1] + t_d*S_c[3];", "[S_c[1] - t_d*S_c[3];", "S_f", "S_c"},
+    {"chi*r_b = e_2", "r_b = e_2", "text-six-equations", "S_c"},
+    {"ktilde_21 := (z'_2c - V)/", "ktilde_21 := (z'_2c + V)/", "turn", "rate"},
+    {"rate := (sum_4 + ", "rate := (sum_4 - ", "rate", "turn"},
+    {"climb[1] - ktilde_4*turn", "climb[1] + ktilde_4*turn", "J", "trace_J"},
+    {"P(lambda) := lambda*(lambda - trace_J)", "P(lambda) := lambda*(lambda + trace_J)", "P(t)", "J"},
+    {"  P(lambda) = lambda*(lambda - trace_J)", "  P(lambda) = lambda*(lambda + trace_J)", "text-charpoly", "P(t)"},
+    {"+ [H_3(t_c), H_1(t_c); bend_H(t_c), H_3(t_c)]*Z_b*dt_c\n    =",
+     "+ [H_3(t_c), H_1(t_c); bend_H(t_c), H_1(t_c)]*Z_b*dt_c\n    =", "eq-34b", "J_c"},
 };
 
 START_TEST(a_damaged_form_is_not_proved) {
@@ -102,7 +200,8 @@ START_TEST(a_damaged_form_is_not_proved) {
   text_add(&t, damages[_i].now);
   text_add(&t, at + strlen(damages[_i].was));
   load_model(&damaged, scratch_put("stable.eq", text_str(&t)));
-  ck_assert_msg(stable_prove(&p, &damaged, &d), "%s", d.message);
+  bool algebra = _i % 4 == 0; /* of the others points know it first */
+  ck_assert_msg((algebra ? stable_prove_by_algebra : stable_prove)(&p, &damaged, &d), "%s", d.message);
   bool refuted = false, proved = false;
   for (size_t i = 0; i < p.n; i++) {
     refuted = refuted || (strcmp(p.item[i].name, damages[_i].refuted) == 0 && p.item[i].why_not);
@@ -150,6 +249,8 @@ START_TEST(what_cannot_be_read_is_said) {
   static const char *const bad[][2] = {
       {"define s\n  section: appendix_a\n  omega_1 := nothing\n", "undefined symbol nothing"},
       {"define s\n  section: appendix_a\n  C_1(t) := [1, 0]\n", NULL},
+      {"define s\n  section: appendix_a\n  equals: nothing\n  part := chi\n", "undefined symbol nothing"},
+      {"define s\n  section: periodic\n  u_b := chi\n", "u_b is a free symbol in the corrected layer"},
       {"inequality nowhere\n  section: stability\n  chi < 1\n", "nowhere replaces no record"},
   };
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
@@ -165,6 +266,167 @@ START_TEST(what_cannot_be_read_is_said) {
       ck_assert(ok && p.n == 1 && strcmp(p.item[0].why_not, "the forms have different shapes") == 0);
     stable_proofs_clear(&p);
     model_clear(&m);
+  }
+}
+END_TEST
+
+/* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name must not
+   be proved.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
+static const struct {
+  const char *corrected, *stable, *name;
+  const char *said; /* in the error, where the file is not accepted */
+} forgeries[] = {
+    /* t is a symbol of the paper: what a function says at its argument t it does not say at others */
+    {"define c\n  section: stability\n  form(t) := cos(t)\n", "define s\n  section: stability\n  form(s) := cos(t)\n",
+     "form(t)", NULL},
+    {"define c\n  section: stability\n  form(t) := cos(t)\n",
+     "define s\n  section: stability\n  part := cos(t)\n  form(s) := part\n", "form(t)", NULL},
+    {"define c\n  section: stability\n  form(s) := cos(t)\n", "define s\n  section: stability\n  form(t) := cos(t)\n",
+     "form(t)", NULL},
+    /* a row is no column */
+    {"define c\n  section: stability\n  form := [V; t_b]\n", "define s\n  section: stability\n  form := [V, t_b]\n",
+     "form", NULL},
+    /* a part's name has another meaning in another section */
+    {"define c\n  section: stability\n  form := V*t_b\n",
+     "define s\n  section: validation\n  equals: V*t_b\n  part := V*t_b\n"
+     "define u\n  section: stability\n  part := V*t_b + (abs(V - 2) + V - 2)\n"
+     "define v\n  section: stability\n  form := part\n",
+     "form", NULL},
+    /* so has the name of a quantity that is held */
+    {"define c\n  section: validation\n  form := H_13*t_a\n",
+     "define g\n  section: appendix_a\n  g_1 := 1 - omega_1^2\n"
+     "define s\n  section: validation\n  H_13 := H(t_c)[1,3] + (abs(V - 2) + V - 2)\n"
+     "define u\n  section: validation\n  form := t_a*H_13\n",
+     "form", NULL},
+    /* nowhere defined, or not where the other is */
+    {"define c\n  section: stability\n  form := V\n",
+     "define s\n  section: stability\n  gap := sqrt(4*V) - 2*sqrt(V)\n  form := V*(gap/gap)\n", "form", NULL},
+    {"define c\n  section: stability\n  form := V\n",
+     "define s\n  section: stability\n  form := V*(sqrt(2 - V)^2/(2 - V))\n", "form", NULL},
+    {"define c\n  section: stability\n  form := V\n",
+     "define s\n  section: stability\n  form := sqrt(V)^2*((z_1b - z_2b)/sqrt(z_1b - z_2b)^2)*sqrt(z_1b - z_2b)^0\n",
+     "form", NULL},
+    /* in some sections a definition stands in place of others; no proof says which */
+    {"define c\n  section: stability\n  form := V\ndefine e\n  section: validation\n  form := V\n",
+     "define s\n  form := 2*V\n", "form", "defined in several sections"},
+    /* what it equals is said and not held against it */
+    {"define c\n  section: stability\n  form := V\n",
+     "define s\n  section: stability\n  equals: 2*V\n  form := V + t_b - t_b\n", "form", "has a corrected form"},
+    /* signs of roots */
+    {"define c\n  section: stability\n  form := z_1b\n", "define s\n  section: stability\n  form := sqrt(z_1b^2)\n",
+     "form", NULL},
+    {"define c\n  section: stability\n  form := V - t_b\n",
+     "define s\n  section: stability\n  form := hypot(V - t_b, 0)\n", "form", NULL},
+    {"define c\n  section: appendix_a\n  form := omega_2 - omega\n",
+     "define s\n  section: appendix_a\n  form := abs(omega_2 - omega)\n", "form", NULL},
+    {"define c\n  section: appendix_a\n  form := 1 - omega\n",
+     "define s\n  section: appendix_a\n  form := sqrt((1 - omega)^2)\n", "form", NULL},
+    /* angles doubled, halved and of the wrong time */
+    {"define c\n  section: appendix_a\n  form := sin(omega*t_b)\n",
+     "define s\n  section: appendix_a\n  form := 2*sin(omega*t_b)*cos(omega*t_b)\n", "form", NULL},
+    {"define c\n  section: appendix_a\n  form := cos(sqrt(chi*eta)*t_b)\n",
+     "define s\n  section: appendix_a\n  form := 1 - 2*sin(sqrt(chi)*sqrt(eta)*t_c/2)^2\n", "form", NULL},
+    {"define c\n  section: appendix_a\n  form := sin((omega_1 + omega_2)*t_b)\n",
+     "define s\n  section: appendix_a\n  form := sin((omega_2 - omega_1)*t_b)\n", "form", NULL},
+};
+
+START_TEST(no_forgery_is_proved) {
+  struct model m;
+  struct diag d;
+  struct stable_proofs p;
+  diag_init(&d);
+  load_model(&m, scratch_put("stable.eq", forgeries[_i].stable));
+  ck_assert_msg(model_add_file(&m, scratch_put("errata.eq", forgeries[_i].corrected), RANK_ERRATA, &d), "%s",
+                d.message);
+  for (int algebra = 0; algebra < 2; algebra++) {
+    bool read = (algebra ? stable_prove_by_algebra : stable_prove)(&p, &m, &d), proved = false, met = !read;
+    for (size_t i = 0; read && i < p.n; i++) {
+      if (strcmp(p.item[i].name, forgeries[_i].name) != 0) continue;
+      met = true;
+      proved = proved || !p.item[i].why_not;
+    }
+    ck_assert_msg(met && read == !forgeries[_i].said, "%s: read %d", forgeries[_i].stable, read);
+    ck_assert_msg(!proved, "proved%s: %s", algebra ? " by the algebra" : "", forgeries[_i].stable);
+    if (!read) ck_assert_msg(strstr(d.message, forgeries[_i].said), "%s", d.message);
+    stable_proofs_clear(&p);
+  }
+  model_clear(&m);
+}
+END_TEST
+
+/* A part is held as an unknown only when it was proved: with a wrong one nothing after it is. */
+START_TEST(a_wrong_part_proves_nothing) {
+  static const char *const file =
+      "define part\n  section: validation\n  equals: N_1 - I\n  wrong := N_1 + I\n"
+      "define whole\n  section: validation\n  equation: 45\n  M := inv(wrong)*N_2 - inv(N_3)*(N_4 - I)\n";
+  struct model m;
+  struct stable_proofs p;
+  struct diag d;
+  diag_init(&d);
+  load_model(&m, scratch_put("stable.eq", file));
+  ck_assert_msg(stable_prove(&p, &m, &d), "%s", d.message);
+  ck_assert_uint_eq(p.n, 2);
+  ck_assert(p.item[0].why_not && p.item[1].why_not);
+  stable_proofs_clear(&p);
+  model_clear(&m);
+}
+END_TEST
+
+/* (45) and (46) at small times, where the corrected forms keep no digit, against the truth in balls. */
+START_TEST(small_times_keep_their_digits) {
+  static const char *const value[] = {"M", "N_3", "inv(N_1 - I)*N_2*z'_0"};
+  static const char *const stable[] = {"M", "N_3",
+                                       "[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - "
+                                       "chi) - t_a]*(-V)"};
+  for (size_t k = 0; k < sizeof value / sizeof *value; k++) {
+    struct extreme_form f;
+    struct num_vec in, out, exact_in, exact;
+    extreme_form_init(&f, &model, LAYER_STABLE, stable[k], stable[k], "validation");
+    struct elaboration el;
+    struct tape t;
+    struct matrix m;
+    struct diag d;
+    struct source src;
+    struct arena a;
+    diag_init(&d);
+    arena_init(&a);
+    source_from_string(&src, "test", value[k]);
+    elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+    const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+    ck_assert_msg(e && elaborate(&m, &el, e, &src, "validation", &d) &&
+                      elaboration_tape(&t, &el, m.e, m.rows * m.cols, &d),
+                  "%s", d.message);
+    num_vec_init(&in, f.tape.n_inputs, num_ctx_double());
+    num_vec_init(&out, f.n, num_ctx_double());
+    num_vec_init(&exact_in, t.n_inputs, num_ctx_arb(2000));
+    num_vec_init(&exact, f.n, num_ctx_arb(2000));
+    for (int at = 0; at < 2; at++) {
+      const struct tape *of = at ? &t : &f.tape;
+      for (slong i = 0; i < of->n_inputs; i++) {
+        const char *name = of->inputs[i];
+        double x = name[0] == 't' ? ldexp(1 + 0.25 * (name[2] - 'a'), -40) : strcmp(name, "chi") == 0 ? 0.75 : 1.5;
+        if (at)
+          arb_set_d(num_vec_at(&exact_in, i), x);
+        else
+          *(double *)num_vec_at(&in, i) = x;
+      }
+    }
+    ck_assert_int_eq(tape_eval(&out, NULL, &f.tape, &in), SS_OK);
+    ck_assert_int_eq(tape_eval(&exact, NULL, &t, &exact_in), SS_OK);
+    for (slong i = 0; i < f.n; i++) {
+      double true_value = arf_get_d(arb_midref((arb_ptr)num_vec_at(&exact, i)), ARF_RND_NEAR);
+      double off = fabs(*(double *)num_vec_at(&out, i) - true_value) / fabs(true_value) * 0x1p53;
+      ck_assert_msg(off < 60, "%s, entry %ld: %g units", value[k], (long)i, off);
+    }
+    num_vec_clear(&exact);
+    num_vec_clear(&exact_in);
+    num_vec_clear(&out);
+    num_vec_clear(&in);
+    tape_clear(&t);
+    elaboration_clear(&el);
+    source_clear(&src);
+    arena_clear(&a);
+    extreme_form_clear(&f);
   }
 }
 END_TEST
@@ -305,6 +567,73 @@ START_TEST(both_layers_have_one_truth) {
 }
 END_TEST
 
+/* --- A value wherever the corrected form has one --- */
+
+/* Names the forms that fail; how many pairs there are, the points they have seen, and how many of these told nothing. */
+static size_t agree_everywhere(struct text *fails, long *points, long *undecided, const struct model *m) {
+  struct stable_proofs proofs;
+  struct digits_pairs pairs;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(stable_prove(&proofs, m, &d) && digits_pairs_make(&pairs, m, &proofs, &d), "%s", d.message);
+  *points = *undecided = 0;
+  for (size_t i = 0; i < pairs.n; i++) {
+    struct digits_agreement a;
+    const struct digits_formula *f = pairs.pair[i].corrected;
+    digits_agree(&a, &pairs, i, 1);
+    *points += a.points;
+    *undecided += a.undecided;
+    ck_assert_msg(a.points > 0, "%s has a value at no point", f->id);
+    if (a.lost + a.differ == 0) continue;
+    text_printf(fails, "%s: %ld without a value, %ld with another, of %ld; %s at ", f->id, a.lost, a.differ, a.points,
+                digits_region[a.region].id);
+    digits_print_point(fails, f, a.x);
+    text_add_char(fails, '\n');
+  }
+  size_t n = pairs.n;
+  digits_pairs_clear(&pairs);
+  stable_proofs_clear(&proofs);
+  return n;
+}
+
+START_TEST(a_value_wherever_the_corrected_form_has_one) {
+  struct text fails;
+  long points, undecided;
+  text_init(&fails);
+  ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &model), 60);
+  ck_assert_msg(fails.len == 0, "%s", text_str(&fails));
+  ck_assert_int_gt(points, 1000);
+  ck_assert_msg(20 * undecided < points, "%ld of %ld", undecided, points); /* what is zero everywhere, as (43) */
+  text_clear(&fails);
+}
+END_TEST
+
+/* Forms that say the same near 1, where a proof looks for a value, and not everywhere. */
+static const struct {
+  const char *form, *says;
+} elsewhere[] = {
+    {"sqrt(eta*chi)*(sqrt(eta - 1/10000000000)/sqrt(eta - 1/10000000000))", " without a value, 0 with another, of "},
+    {"sqrt(eta*chi) + abs(eta - 1/10000000000) - eta + 1/10000000000", ": 0 without a value, "},
+};
+
+START_TEST(a_form_that_fails_at_extreme_points_is_named) {
+  struct model m;
+  struct text file, fails;
+  long points, undecided;
+  text_init(&file);
+  text_init(&fails);
+  text_printf(&file, "define partial\n  section: appendix_a\n  equation: 51\n  omega := %s\n", elsewhere[_i].form);
+  load_model(&m, scratch_put("stable.eq", text_str(&file)));
+  ck_assert_uint_gt(agree_everywhere(&fails, &points, &undecided, &m), 1);
+  ck_assert_msg(strstr(text_str(&fails), "C_1: ") && strstr(text_str(&fails), elsewhere[_i].says) &&
+                    strstr(text_str(&fails), "eta-to-0 at chi=0x"),
+                "%s", text_str(&fails));
+  text_clear(&fails);
+  text_clear(&file);
+  model_clear(&m);
+}
+END_TEST
+
 /* --- The audit --- */
 
 static void judge(struct audit_result *out, bool stable) {
@@ -314,7 +643,7 @@ static void judge(struct audit_result *out, bool stable) {
   diag_init(&d);
   audit_result_init(out);
   model.stable = stable;
-  const struct audit_options opt = {NULL, 0, NULL, NULL, false};
+  const struct audit_options opt = {.n_only = 0};
   ck_assert_msg(claims_load(&claims, "verify/claims", "claim", &d) && scene_load(&paper, "paper", "verify", &d) &&
                     audit_run(out, &model, &claims, &none, &paper, &opt, &d),
                 "%s", d.message);
@@ -423,15 +752,28 @@ Suite *stable_suite(void) {
   tcase_add_checked_fixture(c, setup, teardown);
   tcase_set_timeout(c, 120);
   tcase_add_test(c, every_form_is_proved);
-  tcase_add_loop_test(c, a_damaged_form_is_not_proved, 0, sizeof damages / sizeof *damages);
   tcase_add_test(c, a_hidden_zero_is_no_divisor);
   tcase_add_test(c, what_cannot_be_read_is_said);
+  tcase_add_test(c, a_wrong_part_proves_nothing);
+  tcase_add_test(c, small_times_keep_their_digits);
   tcase_add_test(c, the_stable_layer_hides_the_corrected_one);
   tcase_add_loop_test(c, no_more_is_lost_than_the_condition_explains, 0, sizeof formulas / sizeof *formulas);
   tcase_add_test(c, a_ratio_that_overflows_is_not_formed);
+  tcase_add_test(c, a_value_wherever_the_corrected_form_has_one);
+  tcase_add_loop_test(c, a_form_that_fails_at_extreme_points_is_named, 0, sizeof elsewhere / sizeof *elsewhere);
   tcase_add_loop_test(c, both_layers_have_one_truth, 0, sizeof formulas / sizeof *formulas);
   tcase_add_loop_test(c, the_field_knows_the_functions, 0, sizeof identities / sizeof *identities);
   suite_add_tcase(s, c);
+  TCase *forged = tcase_create("forged");
+  tcase_add_checked_fixture(forged, setup, teardown);
+  tcase_add_loop_test(forged, no_forgery_is_proved, 0, sizeof forgeries / sizeof *forgeries);
+  suite_add_tcase(s, forged);
+  TCase *damaged = tcase_create("damages"); /* each proves all forms again */
+  tcase_set_tags(damaged, "long");
+  tcase_add_checked_fixture(damaged, setup, teardown);
+  tcase_set_timeout(damaged, 120);
+  tcase_add_loop_test(damaged, a_damaged_form_is_not_proved, 0, sizeof damages / sizeof *damages);
+  suite_add_tcase(s, damaged);
   TCase *audits = tcase_create("audits");
   tcase_set_tags(audits, "long");
   tcase_add_checked_fixture(audits, setup, teardown);

@@ -7,8 +7,8 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
+#include "effort.h"
 #include "scratch.h"
 #include "stickslip/arena.h"
 #include "stickslip/model.h"
@@ -859,44 +859,62 @@ static void repeat(struct text *t, int n, const char *s) {
   for (int i = 0; i < n; i++) text_add(t, s);
 }
 
-START_TEST(long_formulas) {
-  static const double expected[] = {1249975000.5, -1, 0.25, 300, 0.5};
-  static const double x[] = {0.5, -1, 0.25, 2.25, 0.5};
-  struct text t;
-  struct work w;
-  text_init(&t);
-  text_add(&t, "  y := x");
-  switch (_i) {
+/* Of the given length, in one of five ways to be long. */
+static void long_formula(struct text *t, int way, int n) {
+  text_init(t);
+  switch (way) {
   case 0: /* 1 + ... + 49999 = 49999 * 25000 */
-    for (int i = 1; i < 50000; i++) text_printf(&t, " + %d", i);
+    text_add(t, "  y := x");
+    for (int i = 1; i < n; i++) text_printf(t, " + %d", i);
     break;
   case 1: /* an odd number of factors */
-    repeat(&t, 49998, "*x");
+    text_add(t, "  y := x");
+    repeat(t, n, "*x");
     break;
   case 2: /* an entry of an entry of ... */
-    repeat(&t, 99000, "[1]");
+    text_add(t, "  y := x");
+    repeat(t, n, "[1]");
     break;
   case 3: /* sqrt(40000 x) */
-    text_reset(&t);
-    text_add(&t, "  root y: y^2");
-    repeat(&t, 40000, " - x");
-    text_add(&t, ", smallest positive");
+    text_add(t, "  root y: y^2");
+    repeat(t, n, " - x");
+    text_add(t, ", smallest positive");
     break;
   default: /* definition after definition, each a call of the one before */
-    text_reset(&t);
-    text_add(&t, "  f0(t) := t\n");
-    for (int i = 1; i < 990; i++) text_printf(&t, "  f%d(t) := (f%d(t))\n", i, i - 1);
-    text_add(&t, "  y := f989(x)");
+    text_add(t, "  f0(t) := t\n");
+    for (int i = 1; i < n; i++) text_printf(t, "  f%d(t) := (f%d(t))\n", i, i - 1);
+    text_printf(t, "  y := f%d(x)", n - 1);
     break;
   }
-  clock_t start = clock();
-  work_y(&w, "xt", t.data);
-  double y = evaluate(&w.t, x[_i]);
-  double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
-  ck_assert_msg(fabs(y - expected[_i]) <= 1e-15 * fabs(expected[_i]), "%.17g, expected %.17g", y, expected[_i]);
-  ck_assert_msg(seconds < 1, "%g s: not linear in the length", seconds);
+}
+
+struct long_formula {
+  struct text text;
+  double x, y;
+};
+
+static void value_of_formula(void *arg) {
+  struct long_formula *f = arg;
+  struct work w;
+  work_y(&w, "xt", f->text.data);
+  f->y = evaluate(&w.t, f->x);
   work_close(&w);
-  text_clear(&t);
+}
+
+/* Of four times the length, it costs about four times as much; sixteen times, if anything grew with the square. */
+START_TEST(long_formulas) {
+  static const int length[] = {50000, 49998, 99000, 40000, 990};
+  static const double expected[] = {1249975000.5, -1, 0.25, 300, 0.5};
+  static const double x[] = {0.5, -1, 0.25, 2.25, 0.5};
+  struct long_formula whole = {.x = x[_i]}, quarter = {.x = x[_i]};
+  long_formula(&whole.text, _i, length[_i]);
+  long_formula(&quarter.text, _i, length[_i] / 4);
+  ck_assert_msg(costs_less(&(struct effort){value_of_formula, &whole}, 9, &(struct effort){value_of_formula, &quarter}),
+                "not linear in the length");
+  ck_assert_msg(fabs(whole.y - expected[_i]) <= 1e-15 * fabs(expected[_i]), "%.17g, expected %.17g", whole.y,
+                expected[_i]);
+  text_clear(&whole.text);
+  text_clear(&quarter.text);
 }
 END_TEST
 

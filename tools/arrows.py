@@ -6,6 +6,7 @@ import sys
 
 HEADERS = {  # header -> module
     "status": "base", "arena": "base", "text": "base", "record": "base", "json": "base", "part": "base",
+    "work": "base",
     "decimal": "base",
     "num": "num", "ops": "num", "flint_compat": "num",
     "expr": "expr", "edit": "expr",
@@ -14,8 +15,8 @@ HEADERS = {  # header -> module
     "dynamics": "dynamics", "coulomb": "dynamics", "given": "dynamics", "complete": "dynamics",
     "paper_route": "dynamics", "long_run": "dynamics", "margins": "dynamics", "certify": "dynamics",
     "chain": "dynamics", "bifurcate": "dynamics", "box": "dynamics", "basin": "dynamics", "warm": "dynamics",
-    "batch": "dynamics", "return_map": "dynamics", "family": "dynamics",
-    "audit": "audit", "scene": "audit", "stable": "audit",
+    "batch": "dynamics", "return_map": "dynamics", "family": "dynamics", "word": "dynamics",
+    "audit": "audit", "scene": "audit", "stable": "audit", "plan": "audit",
     "result": "result", "mutation": "result", "stability": "result",
     "report": "report", "report_mutation": "report", "report_stability": "report",
 }

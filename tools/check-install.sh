@@ -14,6 +14,8 @@ ${CC:-cc} -o "$dir/orbits" examples/orbits.c $flags -Wl,-rpath,"$dir/lib"
 readelf -d "$dir/orbits" | grep -q libstickslip.so.0 || fail "the example is not linked to the shared library"
 (cd "$dir" && bin/stickslip verify --only eq-27 --out "$dir/report" --quiet >/dev/null) || fail "the installed program fails"
 [ -f "$dir/share/man/man1/stickslip.1" ] || fail "no man page"
+[ -f "$dir/share/man/man5/stickslip-eq.5" ] || fail "no man page of the formats"
+[ -f "$dir/share/bash-completion/completions/stickslip" ] || fail "no completion"
 make -s uninstall PREFIX="$dir"
 left=$(find "$dir/bin" "$dir/lib" "$dir/include" "$dir/share" ! -type d)
 [ -z "$left" ] || fail "left behind: $left"

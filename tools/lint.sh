@@ -13,6 +13,11 @@ clang-format --dry-run -Werror $sources
 echo "lint: include arrows"
 python3 tools/arrows.py
 
+if command -v mandoc >/dev/null 2>&1; then
+  echo "lint: man pages"
+  mandoc -Tlint -Wwarning man/*.[15]
+fi
+
 echo "lint: README table"
 python3 tools/readme.py --check
 

@@ -17,8 +17,11 @@ def score(old):
     path = pathlib.Path("reports/mutation/mutation.json")
     kept = [line for line in old.splitlines() if line.startswith(SCORE)]
     r = json.loads(path.read_text()) if path.exists() else None
+    audit = json.loads(pathlib.Path("reports/paper/audit.json").read_text())
     if not r or r["tried"] != r["population"]:
         return kept
+    if r.get("subject") != audit.get("subject"):  # a study of other formulas, or of another scene
+        return []
     t = r["total"]
     seen = t["noticed"] + t["unreadable"] + t["unproved"]
     return [f"{SCORE}{seen} of {t['total']} one-token damages of the formulas are noticed ({t['unreadable']} cannot be read, "

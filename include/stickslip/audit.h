@@ -59,7 +59,13 @@
 
    Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
    equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report. */
+   notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report.
+
+   What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a claim, yet
+   its other points and routes are tried all the same, since the evidence says at how many points it differs and where the
+   most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a refutation can come of
+   it.  A route that would add no independence is not asked for: any two of a claim's routes, balls among them, are
+   independent by the table of src/audit/routes.h (tests/check_plan.c). */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
@@ -100,20 +106,62 @@ const char *claim_get(const struct claim *c, const char *key);
 const char *claim_own(const struct claim *c);
 /* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
 bool claim_selected(const char *id, const char *item);
+/* Does a scene with this item in its list "ask" ask for the claim?  The item is as above, or a group of claims:
+   claim_groups_print names them all, "matrices, section NAME, ...".  Sections have their names in the claim files, or their
+   numbers among them, 1 to 8. */
+bool claim_asked_for(const struct claim *c, const char *item);
+/* Is the item a group, whether or not any claim belongs to it? */
+bool claim_group_known(const char *item);
+void claim_groups_print(struct text *out);
+/* Whether each item that the scene asks for selects some claim and names some quantity; false with d set, at the place in
+   the scene's file or option. */
+bool scene_check_asked(const struct scene *s, const struct claims *c, const struct model *m, struct diag *d);
+
+/* What pieces of an audit were measured to cost, by a table of tab-separated rows "what, name, units, milliseconds"
+   (verify/costs.tsv, made by "stickslip bench --job costs").  It decides which piece comes first and how long the rest may
+   take, and nothing else. */
+struct cost {
+  char what[16], name[48]; /* claim eq-27; control ctl-...; consequence eq-40; study routes */
+  double units, ms;
+};
+struct costs {
+  struct cost *row;
+  size_t n, cap;
+};
+/* No file at path: no rows.  false with d set when it cannot be read or is no such table. */
+bool costs_load(struct costs *c, const char *path, struct diag *d);
+void costs_clear(struct costs *c);
+/* The row, or NULL; costs may be NULL. */
+const struct cost *cost_of(const struct costs *c, const char *what, const char *name);
+
+/* What an audit or a study of damages is of, as a number in hexadecimal digits: the same for formulas of the paper and its
+   overlay that are read alike, and a scene of the same parameters, printed numbers and word; errata, claims and what is
+   asked for have no part in it. */
+void audit_subject(struct text *out, const struct model *m, const struct scene *s);
 
 struct audit_options {
   const char *const *only;
   int n_only;
-  void (*progress)(void *arg, size_t done, size_t total, const char *id); /* or NULL */
+  /* Or NULL: pieces that are done, of all that are known so far, and the part of the expected cost that they were. */
+  void (*progress)(void *arg, size_t done, size_t total, double share);
   void *arg;
   bool readings; /* search how the printed numbers arose, when claims about them are selected */
+  int jobs;      /* processes; 0 and 1: this one alone */
+  /* Or NULL: told of each piece, by its names in the table of costs, when this process has done it. */
+  void (*ended)(void *arg, const char *what, const char *name, unsigned long long units);
+  const struct costs *costs;   /* or NULL */
+  double (*seconds_now)(void); /* seconds, for what run.json says of the pieces; or NULL */
 };
 
-/* Judges the selected claims, then the controls that stand beside them.  false with d set when the claim files or the
-   equation files are at fault. */
+/* Judges the claims that are selected (by --only and, where the scene asks for some, by the scene: those that both name),
+   then the controls that stand beside them; the same bytes for any number of jobs.  A scene's budget is for each claim and
+   each control: what runs out of it is unknown.  false with d set when the claim files or the equation files are at
+   fault. */
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
+/* Kills the processes that a run has made; for a signal's handler that ends the program. */
+void audit_abandon(void);
 
 /* --- The audit of the audit --- */
 
@@ -194,10 +242,13 @@ struct coulomb_setup {
   double trace;      /* tr J of the orbit; NaN at printed numbers */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
-/* orbit counts from 0.  false with d set when there is no such orbit, or no printed start. */
+/* orbit counts from 0, as in struct jacobian_request.  false with d set when there is no such orbit, or no printed start. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
 /* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
 bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
+
+/* The tables that pictures of the scene's orbits are drawn from, into out->tables; NULL, or why there are none. */
+const char *audit_tables(struct audit_result *out, const struct scene *scene);
 
 /* --- The 2x2 Jacobian of the map (x, y) -> (x_f, y_f) --- */
 
@@ -217,7 +268,7 @@ struct jacobian_request {
   enum jacobian_method method;
   enum layer layer; /* of the paper's chain, METHOD_ANALYTIC */
   bool at_printed;  /* at the scene's printed numbers, else on an orbit */
-  slong orbit;      /* from 0, by increasing z10 */
+  slong orbit;      /* from 0, by increasing z10, in the list that `orbit` shows: with what the search alone misses */
   slong digits;
 };
 
@@ -225,7 +276,7 @@ struct jacobian_request {
    is the accuracy that the method states (differences: an estimate).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at
    printed numbers its states are those at the printed times.  The other methods start at the printed state and locate the
    events.  METHOD_FD_DOUBLE works in double precision, METHOD_ODE integrates (1)-(2); they give the digits they have,
-   about eleven and eight, whatever is asked for.  det is exactly 0 wherever the method proves or confirms it (all that
+   about eleven and eight, whatever is asked for, and their accuracy holds what rounding the inputs to doubles does.  det is exactly 0 wherever the method proves or confirms it (all that
    precedes t_a is a map to one number).  A scene that does not give e1 and e2 has those of its orbit, at printed numbers
    the printed ones.  false with d set on failure. */
 bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,

@@ -43,6 +43,7 @@ struct dyn_certificate {
   bool certified;
   slong bits;    /* the working precision at which everything was settled, or the last one tried */
   unsigned open; /* what was not settled: OPEN_... */
+  bool spent;    /* work rather than precision was short */
   arb_t box[N_QUANTITIES], box_z10, box_z20; /* exactly one solution; known quantities are points or their rounding */
   truth stable, admissible, first[N_PHASES], holds[N_CONDITIONS], u_r[2];
   /* Where a condition is broken, in time since the start of its phase; WHERE_INSIDE: at the exact time breach. */

@@ -83,7 +83,7 @@ struct coulomb_plan {
   long returns;     /* how often the masses have come to stick both, after the start; 0: any number */
   double sample;    /* distance of samples, which lie at 0, sample, 2 sample, ... up to the duration; 0: none */
   long max_events;  /* default 1000000 */
-  long max_steps;   /* integration steps, or steps of the root searches; default 10000000 */
+  long max_steps;   /* integration steps, or steps of the root searches; default 1000000 */
   double tolerance; /* ODE route: local error per step relative to the state, 1e-13 (the default) to 1e-3 */
 };
 /* No duration, no returns, no samples, default limits. */

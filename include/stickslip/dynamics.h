@@ -66,10 +66,11 @@ struct dyn_limits {
 extern const struct dyn_limits dyn_limits_default;
 
 /* The first positive root of the phase's switching function from the state in, in double precision: a march whose
-   steps are bounded by the second derivative, so that no root is stepped over; *grazing is set when the root found is
-   double within rounding, or when a touching that could not be told from a crossing lies before it.
-   PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN (proved by periodicity that there is none) or SS_UNABLE (none up
-   to the limits). */
+   steps are bounded by the second derivative, and when it gets long by envelopes in which one oscillation stays at its
+   crest, so that no root is stepped over; *grazing is set when the root found is double within rounding, or when a touching
+   that could not be told from a crossing lies before it.  PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN (proved by
+   periodicity that there is none) or SS_UNABLE (none up to the limits, or up to a time at which the rounding of t leaves
+   nothing of an angle). */
 int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                       const struct dyn_limits *lim);
 /* The root near t0, in the context of t: Newton in mpfr (working precision doubled up to prec); in balls an enclosure
@@ -83,7 +84,9 @@ struct dyn_arc {
 };
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx);
 void dyn_arc_clear(struct dyn_arc *a);
-/* guess: four times near which the events are taken, or NULL to find first events in double precision. */
+/* guess: four times near which the events are taken, or NULL to find first events in double precision, from forces and
+   velocities formed in the arc's own type.  An arc in double rounds its positions after each phase, which near chi = 1 are
+   1/(1 - chi) times as large as what moves them: its later events are those of a start that has moved by that rounding. */
 int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
                 const double guess[4]);
 
@@ -156,6 +159,21 @@ struct dyn_orbit {
   double guess[4]; /* the times in double precision */
   bool grazing;    /* some event is double, or two coincide, within double precision */
 };
+/* Its numbers in the order in which outputs show them: the name there, the member, what it is. */
+#define DYN_ORBIT_NUMBERS(N)                                                                                           \
+  N("z10", z10, "position of m_1 where the global stick phase begins")                                                 \
+  N("z20", z20, "position of m_2 there")                                                                               \
+  N("t_a", t[0], "length of the global stick phase, D")                                                                \
+  N("t_b", t[1], "of the slip-stick phase, Gamma")                                                                     \
+  N("t_c", t[2], "of the global slip phase, H")                                                                        \
+  N("t_d", t[3], "of the stick-slip phase, C")                                                                         \
+  N("e1", e1, "static less sliding friction of m_1")                                                                   \
+  N("e2", e2, "static less sliding friction of m_2")                                                                   \
+  N("period", period, "t_a + t_b + t_c + t_d")                                                                         \
+  N("trace", trace, "tr J: what a small displacement is multiplied by each period")                                    \
+  N("u_r1_min", u_r1_min, "static friction of m_1 that the orbit needs")                                               \
+  N("u_r2_min", u_r2_min, "static friction of m_2 that the orbit needs")
+
 struct dyn_orbits {
   struct dyn_orbit *orbit;
   slong n;
@@ -181,8 +199,13 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
 void dyn_orbits_clear(struct dyn_orbits *list);
 
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
-   (NULL if not wanted); return_map.h has more of it. */
+   (NULL if not wanted).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that does
+   not. */
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim);
+
+/* A gsl_error_handler_t for code that looks at what GSL returns.  Memory that ran out ends the program (arena.h), since GSL
+   does not look itself whether it got any. */
+void dyn_gsl_quiet(const char *reason, const char *file, int line, int number);
 
 #endif

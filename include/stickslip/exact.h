@@ -41,8 +41,8 @@ void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, i
 
 /* Elements that are positive wherever the answer is used: the root of the square of one is that element.  Borrowed. */
 void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n);
-/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -2 to 2 and a, b of one group (of
-   consecutive elements, n a multiple of its size).  Borrowed. */
+/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -8 to 8 and a, b of one group (of
+   consecutive elements, n a multiple of its size), which are different monomials over integers.  Borrowed. */
 void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group);
 
 /* The generator of a free symbol; the square root of an element; sine and cosine of one. */

@@ -28,7 +28,8 @@ extern const struct dyn_limits dyn_given_limits;
 
 /* Every orbit that the search finds, by increasing z10, as dyn_orbits_find gives them: each proved (Krawczyk's operator
    on the four unknowns) to be the only one in its enclosure, to prec relative bits, the given values being exact.
-   model: chi, eta, V.  which and value: the two given quantities, in any order.
+   model: chi, eta, V.  which and value: the two given quantities, in any order.  The working precision is planned, and
+   list->bits and list->raises count, as there.
 
    Reach: t_b and t_c up to lim->t_max, but t_b only up to DYN_GIVEN_TB where both are unknown (an orbit beyond has
    overrun the belt in phase Gamma and is not admissible); t_d has no limit of its own, it is below pi/sqrt(chi eta).

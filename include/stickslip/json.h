@@ -44,6 +44,7 @@ struct json_value {
   bool truth;                     /* of a bool */
   const char *key;                /* of a member of an object; NULL elsewhere */
   const char *text;               /* of a string; of a number as it is written */
+  size_t at;                      /* where in the source it begins */
   size_t n;                       /* elements or members */
   const struct json_value *first; /* the first of them */
   const struct json_value *next;  /* the one behind this one in its container */

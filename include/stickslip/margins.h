@@ -50,6 +50,7 @@ struct dyn_margin {
 
 struct dyn_margins {
   struct dyn_margin at[N_MARGINS];
+  bool spent;               /* phase H could not be looked through: no precision helps */
   arb_t u_r1_min, u_r2_min; /* (e1 - least w)/2 over D and C, (e2 - least chi r)/2 over D and Gamma, ends included */
 };
 
@@ -59,7 +60,8 @@ void dyn_margins_clear(struct dyn_margins *m);
 /* model: chi, eta, V.  u_r1, u_r2: the static friction forces, or NULL.  Without them a lower bound has the margin that
    u_r = 0 would give, to which 2 u_r is to be added, and holds is TRUTH_UNKNOWN.  prec: working precision; the
    enclosures are as narrow as those of the orbit allow.  SS_UNABLE when the orbit's enclosures are too wide to work
-   with. */
+   with, or phase H has so many oscillations that DYN_MARGIN_PIECES of it, half a second, are not enough. */
+enum { DYN_MARGIN_PIECES = 1 << 16 };
 int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_orbit *orbit, const fmpq *u_r1,
                      const fmpq *u_r2, slong prec);
 

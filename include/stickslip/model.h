@@ -1,7 +1,8 @@
 /* The paper as data: equation files, the overlays that correct them, and their formulas elaborated to scalars.
 
    An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
-   the file; names are scoped by section, since the paper uses some letters twice.  Records:
+   the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it may
+   carry "paper: TITLE".  Records:
 
      symbol NAME        a free quantity; "means: text" says what it is
      define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
@@ -39,6 +40,7 @@ struct definition {
   const struct source *src;
   const struct record *record;
   enum rank rank;
+  size_t next; /* the one after it in its bucket (model.c), counted from 1; 0: none */
 };
 
 /* A record other than symbol, with its statements in order. */
@@ -57,12 +59,18 @@ struct model_use {
   bool *def, *record;
 };
 
+enum { MODEL_BUCKETS = 256 };
+
 struct model {
   struct arena arena;
+  const char *paper; /* the paper's title; NULL where its files say none */
   struct record_file **files;
   size_t n_files, cap_files;
   struct definition *defs;
   size_t n_defs, cap_defs;
+  struct {
+    size_t first, last;
+  } bucket[MODEL_BUCKETS]; /* definitions by name, each in the order of the files; counted from 1 */
   struct statement_record *records;
   size_t n_records, cap_records;
   const char **symbols;

@@ -46,6 +46,7 @@ struct survivor {
 struct mutation_result {
   struct arena arena; /* owns every string */
   const char *scene;
+  const char *subject; /* as in an audit.json (result.h) */
   unsigned long long seed;
   long population, tried;      /* all mutants, and how many of them were drawn */
   struct mutation_row total;   /* of the text that everything reads: printed, or corrected where the errata do */

@@ -200,9 +200,51 @@ struct long_result {
   double machine_displaced;            /* that of a displacement */
 };
 
+/* What every reader of an audit.json takes, and no writer exceeds: the bytes of the file, the elements of any list in it, and
+   of the bytes those of values that a scene asks for, which alone can be many. */
+enum { LARGEST_AUDIT = 8 << 20, MOST_AUDIT_ELEMENTS = 10000, LARGEST_VALUES = 4 << 20 };
+
+/* A value that the scene asks for; NULL where it is not defined or its digits stayed open. */
+struct asked_value {
+  const char *name, *at, *value;
+};
+
+/* What was tried in balls, how often, and how often the first precision was enough. */
+struct precision_use {
+  const char *what;
+  long tried, enough;
+};
+
+/* What a piece of the work took, for run.json: it depends on the machine, and on what the same process did before. */
+struct piece_spent {
+  const char *what, *name; /* as in the table of costs */
+  unsigned long long units;
+  double machine_ms;
+};
+
+/* A table that a picture is drawn from, as the file of that name beside audit.json holds it. */
+struct data_table {
+  const char *name, *text;
+};
+
+/* What stands beside a report's folder, and is no part of audit.json: index.html alone shows it, and so is a function of
+   audit.json, of the tables beside it, and of these. */
+
+/* A file of another command that the page links to: its path from the report, and what it is. */
+struct neighbour {
+  const char *path, *says;
+};
+
+/* What became of the formulas' damages in the study (reports/mutation) beside the report. */
+struct mutation_score {
+  long total, noticed, unreadable, unproved, equivalent, on_motions, open;
+};
+
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
+  const char *paper;   /* the title of the paper; NULL where its files say none */
+  const char *subject; /* what was read: it tells one paper, overlay and scene from others (audit_subject); or NULL */
   struct finding *findings;
   size_t n_findings, cap_findings;
   struct consequence *consequences;
@@ -215,13 +257,28 @@ struct audit_result {
   size_t n_pairs, cap_pairs;
   struct long_result *long_runs; /* likewise */
   size_t n_long_runs, cap_long_runs;
+  struct asked_value *values;
+  size_t n_values, cap_values;
+  struct precision_use *precision;
+  size_t n_precision, cap_precision;
+  struct piece_spent *spent;
+  size_t n_spent, cap_spent;
+  int jobs;                  /* processes that were allowed */
+  struct data_table *tables; /* none for a scene without an orbit, and for a part of the audit */
+  size_t n_tables, cap_tables;
+  const struct neighbour *neighbours; /* set by who writes the report, of what is there */
+  size_t n_neighbours;
   const char *const *independence; /* what each route does and rests on */
   int n_independence;
-  struct readings *readings; /* NULL when not searched for */
+  struct readings *readings;             /* NULL when not searched for */
+  const struct mutation_score *mutation; /* NULL when there is no whole study; no part of audit.json */
+  struct result_pages *pages;            /* shared with other processes, which strings may live in */
 };
 
 void audit_result_init(struct audit_result *r);
 void audit_result_clear(struct audit_result *r);
+/* The pages (of mmap) are unmapped when the result is cleared. */
+void result_keep_pages(struct audit_result *r, void *pages, size_t size);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
 /* The consequence of a failure, or NULL. */

@@ -4,8 +4,10 @@
    Errors are relative, in units of 2^-53 of the true value; a matrix is measured by its largest entry.  With kappa the
    condition number, the sum over the inputs of |x df/dx| / |f|, the problem loses log10 max(1, kappa) digits (where a change of
    an input by 2^-53 is too large for a derivative, the change of the result itself takes its place if it is larger); the formula
-   what is lost beyond that.  A formula is at fault where its error exceeds STABILITY_ALLOWED max(1, kappa) 2^-53, or where
-   a value that double precision can hold is not returned.  Digits are counted from 0 to STABILITY_DIGITS, all there are. */
+   what is lost beyond that.  A formula loses where its error exceeds STABILITY_ALLOWED max(1, kappa) 2^-53, and is at fault
+   where it loses or where it does not return a value that double precision can hold: stability_loses and stability_at_fault say
+   so for every report.  Digits are counted from 0 to STABILITY_DIGITS, all there are; what is worse than the loss of all of
+   them, a relative error beyond 1, counts in `excess`, which orders the points. */
 #ifndef STICKSLIP_STABILITY_H
 #define STICKSLIP_STABILITY_H
 
@@ -58,30 +60,43 @@ struct stability_formula {
   bool proved;               /* each of them equal to what it replaces */
   bool kernel;               /* a function of the program: an error status is an answer, and no node is named */
   bool zero;                 /* its true value is zero wherever it was tried, so that no relative error exists */
-  long worst, worst_failure; /* rows; -1 */
+  long worst, worst_failure; /* rows; -1: none.  Of failures the one at the least extreme inputs */
 };
 
 /* One formula in one region. */
 struct stability_row {
   int formula, region;
-  long points, outside, undecided, failures; /* outside: of the domain, or of the range of a double */
-  bool found;                                /* the rest but for the failure has a meaning */
-  bool at_fault;
+  long points, outside, undecided, failures;         /* outside: of the domain, or of the range of a double */
+  bool found;                                        /* the rest but for the failure has a meaning */
+  bool at_fault;                                     /* as stability_at_fault says */
   double error;                                      /* log10, in units of 2^-53 */
   double observed, problem, formula_lost, predicted; /* digits */
+  double excess;                                     /* formula_lost, but not cut off where all digits are lost */
+  bool sign_lost;                                    /* the value that is furthest off has the wrong sign */
   enum loss_cause cause;
   double node_grows; /* by how many digits the relative error grows in that node */
   const char
       *node; /* the subexpression that loses the digits, and its operands where it is a difference, a quotient or */
   const char *left, *right; /* a function; NULL where there is none */
+  const char *source;       /* file:line at which that node is written; NULL: nowhere */
   const char *witness;      /* chi=0x1.8p-3,... */
   double after;      /* digits that the formula of the other layer loses there; NaN: none asked for, or it fails */
   double after_most; /* the most that a search for its own worst point in this region finds; NaN: none asked for */
   const char *after_witness; /* there; NULL */
   long after_failures;       /* points at which it has no value though a double holds it */
-  /* A point at which it fails. */
+  /* The failure at the least extreme inputs: where it can be met soonest. */
   enum loss_cause failure;
-  const char *failure_node, *failure_witness; /* NULL without one */
+  double failure_size; /* log10 of the true value of its node; NaN: none is named */
+  const char *failure_node, *failure_source, *failure_witness; /* NULL without one */
+};
+
+/* A formula of the corrected layer beside its stable form, both in balls at points of the regions where the corrected one has a
+   finite value: does the stable one have it too? */
+struct stability_pair {
+  const char *formula;
+  long points, undecided;       /* undecided: the value is not known to 32 bits, as where it is zero */
+  long lost, differ;            /* the stable form has no value in balls of 4096 bits; another value */
+  const char *region, *witness; /* of the first of these; NULL: there is none */
 };
 
 /* Digits lost by the formula over two inputs, the others as at a witness; NaN where nothing is known, INFINITY a failure. */
@@ -96,6 +111,7 @@ struct stability_map {
 struct stability_result {
   struct arena arena;        /* owns every string */
   const char *layer, *after; /* after: the layer held against it, or NULL */
+  const char *sources;       /* options that name files other than the paper's, each after a blank; NULL: none */
   bool quick;
   const struct stability_region *region;
   int n_regions;
@@ -105,10 +121,25 @@ struct stability_result {
   long n_rows;
   long confusion[N_LOSS_BINS][N_LOSS_BINS]; /* [predicted][observed], over all points tried */
   long conditions,
-      condition_differs; /* condition numbers from symbolic derivatives, and how many the adjoint disputes */
+      condition_differs;       /* condition numbers from symbolic derivatives, and how many the adjoint disputes */
+  struct stability_pair *pair; /* where the stable layer is held against another */
+  int n_pairs;
   struct stability_map *map;
   int n_maps;
 };
+
+/* Of a formula that loses so many digits of its own. */
+bool stability_is_loss(double formula_lost);
+bool stability_loses(const struct stability_row *row);
+/* Has the stable form no value, or another one, somewhere? */
+bool stability_pair_fails(const struct stability_pair *p);
+/* A function of the program may say that it has no value. */
+bool stability_at_fault(const struct stability_row *row, bool kernel);
+
+/* Points of a region at which some formula was held against its true value. */
+long stability_region_points(const struct stability_result *r, int region);
+/* The first region without such a point, -1 when all are reached: in a study of every formula that is an error. */
+int stability_empty_region(const struct stability_result *r);
 
 void stability_result_init(struct stability_result *r);
 void stability_result_clear(struct stability_result *r);

@@ -8,7 +8,12 @@
    where 0 < omega_1 < 1 < omega_2 exist for all 0 < chi < 1 and eta > 0.  Positive elements whose squares occur under roots
    are known: omega, sqrt(chi), sqrt(eta), sqrt(1 - chi), omega_2 + omega_1 and omega_2 - omega_1; each is the root only of what
    is shown to be its square.  Sines and cosines are made of those of half the angles of the phases.  Equal elements are equal
-   values wherever both forms have one. */
+   values wherever both forms have one; at a few points (near 1, and over orders of magnitude and signs) it is tried that the
+   stable form has one where the corrected form has, and that entries meet at all.  `stability --after stable` tries it at the
+   extreme points of its regions, in balls (audit/stability_agree.c).
+
+   What is held as an unknown in a proof is known by its name alone: only names of one meaning in all sections.  A function is
+   held at t, and refused where it depends on t besides its argument.  Shapes are compared, not only entries. */
 #ifndef STICKSLIP_STABLE_H
 #define STICKSLIP_STABLE_H
 
@@ -19,6 +24,7 @@ struct stable_proof {
   const char *name, *section;
   const struct statement_record *record; /* of stable.eq */
   const struct stmt *stmt;               /* the definition; NULL: the whole record */
+  const char *equals;                    /* what a part is in the corrected layer; NULL: what has its own name there */
   int entries;
   const char *why_not; /* NULL: proved */
   bool held;           /* with quantities as unknowns that are proved apart */
@@ -34,6 +40,8 @@ struct stable_proofs {
 /* One proof for each definition and record of the stable layer that has a corrected counterpart, in the order of the file;
    the other definitions are parts of these.  false with d set when a formula cannot be read; clear it all the same. */
 bool stable_prove(struct stable_proofs *out, const struct model *m, struct diag *d);
+/* The same without the points in balls that refuse most of what differs before the algebra is asked. */
+bool stable_prove_by_algebra(struct stable_proofs *out, const struct model *m, struct diag *d);
 /* The forms of an equation number, or of a record that has none, one to a line with what came of its proof; nothing where
    the layer has none. */
 void stable_explain(struct text *out, const struct model *m, const char *equation, const char *record);

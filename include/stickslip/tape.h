@@ -44,7 +44,7 @@ struct tape {
 };
 
 /* Compiles scalars of one pool; a symbol that names a root is computed, any other is an input.  false with d set when a
-   literal is too large. */
+   literal is too large; t is empty then. */
 bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, const struct tape_root *roots,
                 size_t n_roots, struct diag *d);
 void tape_clear(struct tape *t);

@@ -12,6 +12,20 @@
 #define SS_PRINTF(a, b)
 #endif
 
+/* Characters of ASCII, whatever the locale is; a word is made of letters, digits and underscores. */
+static inline bool char_is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+static inline bool char_is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+static inline bool char_is_word(char c) {
+  return char_is_letter(c) || char_is_digit(c) || c == '_';
+}
+/* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when there is
+   none, or no list. */
+const char *list_item(size_t *len, const char *s);
+
 /* data is always NUL-terminated once anything has been added, and NULL before. */
 struct text {
   char *data;
@@ -41,7 +55,8 @@ struct source {
   size_t len;
 };
 
-/* The first error of a run, as the user will read it: at most 999 bytes of UTF-8, no trailing newline. */
+/* The first error of a run, as the user will read it: one line, or three with the source line and a caret; at
+   most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
 struct diag {
   bool set;
   char message[1000];
@@ -53,6 +68,9 @@ void diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
 /* The same with "name:line:column: error: " before it and the source line with a caret below.
    Lines and columns count from 1; a column is one UTF-8 character.  A long line is clipped around the caret. */
 void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) SS_PRINTF(4, 5);
+
+/* Records again, lines and all, what another diag has: one of another process, or of an attempt. */
+void diag_again(struct diag *d, const char *message);
 
 /* Reads a regular file of at most max bytes; refuses directories, devices, NUL bytes and text that is not UTF-8.
    A byte-order mark is dropped.  false with d set on failure. */
@@ -77,9 +95,24 @@ struct file_item {
   const char *path, *data;
   size_t len;
 };
-enum { MAX_FILE_ITEMS = 16 };
+enum { MAX_FILE_ITEMS = 32 };
 bool files_write(const struct file_item *item, int n, struct diag *d);
+/* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
+enum { N_ENDING_SIGNALS = 4 };
+extern const int ending_signals[N_ENDING_SIGNALS];
+/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the first
+   file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a signal has no
+   handler, files_write sees to it. */
+void files_settle(void);
+/* How often, in this process, files_write or files_settle has put all files of a call in their places. */
+int files_in_place(void);
+/* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their names, in
+   an array to be freed and an arena; NULL with d set when there are none. */
+struct arena;
+char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */
 bool folder_make(const char *path, struct diag *d);
+/* Whether folder_make can succeed; nothing is left of the trial.  To be asked before work that would be in vain. */
+bool folder_possible(const char *path, struct diag *d);
 
 #endif

@@ -1,60 +1,72 @@
-/* The run: each selected claim is judged with its own text as printed and everything it uses corrected; a refuted one is
-   judged again as corrected and under restrictions; then every control beside the selected claims must be noticed. */
+/* One claim: it is judged with its own text as printed and everything it uses corrected; a refuted one is
+   judged again as corrected and under restrictions; every control beside it must be noticed.  run.c says which are. */
 #include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 
 #include "judge_exact.h"
 #include "orbit_pool.h"
 #include "routes.h"
+#include "stickslip/work.h"
 
-static const struct {
-  const char *name;
-  kind_fn judge;
-  bool tried_at_points; /* can be restricted, and corrected by an erratum */
-  enum asked asked;
-} kinds[] = {{"definition", judge_definition, false, ASKED_EARLY},
-             {"matrix", judge_points, true, ASKED_EARLY},
-             {"identity", judge_points, true, ASKED_EARLY},
-             {"threshold", judge_threshold, false, ASKED_EARLY},
-             {"sharp", judge_sharp, false, ASKED_EARLY},
-             {"inequality", judge_inequality, false, ASKED_EARLY},
-             {"index-range", judge_index_range, false, ASKED_EARLY},
-             {"number", judge_number, false, ASKED_EARLY},
-             {"closure", judge_closure, false, ASKED_EARLY},
-             {"criterion", judge_criterion, false, ASKED_LATE},
-             {"behaviour", judge_behaviour, false, ASKED_NEVER},
-             {"report", judge_report, false, ASKED_NEVER},
-             {"argument", judge_argument, false, ASKED_LATE},
-             {"notation", judge_notation, false, ASKED_EARLY},
-             {"scaling", judge_scaling, false, ASKED_LATE},
-             {"reach", judge_reach, false, ASKED_LATE},
-             {"rank", judge_rank, false, ASKED_LATE},
-             {"constraints", judge_constraints, false, ASKED_LATE},
-             {"sequence", judge_sequence, false, ASKED_LATE},
-             {"existence", judge_existence, false, ASKED_NEVER},
-             {"law", judge_law, false, ASKED_EARLY},
-             {"outside", judge_outside, false, ASKED_NEVER}};
+enum {
+  PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
+  SCENE = 1U << WORK_SCENE_ORBITS,
+  OTHER = 1U << WORK_OTHER_ORBITS,
+  POOL = 1U << WORK_ORBIT_POOL,
+  MOTION = 1U << WORK_SIMULATION,
+  ALGEBRA = 1U << WORK_ALGEBRA
+};
 
-static int kind_index(const char *name) {
+/* name, judge, tried at points, asked when, of the scene alone, parts besides its points', in balls */
+static const struct claim_kind kinds[] = {
+    {"definition", judge_definition, false, ASKED_EARLY, false, 0, false},
+    {"matrix", judge_points, true, ASKED_EARLY, false, SCENE | ALGEBRA, true},
+    {"identity", judge_points, true, ASKED_EARLY, false, SCENE | ALGEBRA, true},
+    {"threshold", judge_threshold, false, ASKED_EARLY, false, 0, true},
+    {"sharp", judge_sharp, false, ASKED_EARLY, false, ALGEBRA, true},
+    {"inequality", judge_inequality, false, ASKED_EARLY, true, PHASES | SCENE, true},
+    {"index-range", judge_index_range, false, ASKED_EARLY, false, 0, false},
+    {"number", judge_number, false, ASKED_EARLY, true, PHASES | SCENE, true},
+    {"closure", judge_closure, false, ASKED_EARLY, true, PHASES | SCENE, true},
+    {"criterion", judge_criterion, false, ASKED_LATE, false, PHASES | SCENE | OTHER | MOTION, true},
+    {"behaviour", judge_behaviour, false, ASKED_NEVER, false, PHASES | SCENE | OTHER | MOTION, true},
+    {"report", judge_report, false, ASKED_NEVER, false, PHASES | SCENE, true},
+    {"argument", judge_argument, false, ASKED_LATE, false, PHASES | SCENE | OTHER | POOL | ALGEBRA, true},
+    {"notation", judge_notation, false, ASKED_EARLY, false, 0, false},
+    {"scaling", judge_scaling, false, ASKED_LATE, false, 0, false},
+    {"reach", judge_reach, false, ASKED_LATE, false, 0, false},
+    {"rank", judge_rank, false, ASKED_LATE, false, PHASES | OTHER | ALGEBRA, true},
+    {"constraints", judge_constraints, false, ASKED_LATE, false, PHASES | SCENE | OTHER | POOL | MOTION, true},
+    {"sequence", judge_sequence, false, ASKED_LATE, true, PHASES | SCENE | OTHER | MOTION, true},
+    {"existence", judge_existence, false, ASKED_NEVER, true, PHASES | SCENE, true},
+    {"law", judge_law, false, ASKED_EARLY, false, MOTION, true},
+    {"outside", judge_outside, false, ASKED_NEVER, false, 0, false}};
+
+static const struct claim_kind *kind_named(const char *name) {
   for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
-    if (strcmp(kinds[i].name, name) == 0) return (int)i;
-  return -1;
+    if (strcmp(kinds[i].name, name) == 0) return &kinds[i];
+  return NULL;
+}
+
+const struct claim_kind *claim_kind_of(const struct claim *c) {
+  return kind_named(claim_get(c, "kind"));
 }
 
 kind_fn claim_kind(const char *name) {
-  int k = kind_index(name);
-  return k < 0 ? NULL : kinds[k].judge;
+  const struct claim_kind *k = kind_named(name);
+  return k ? k->judge : NULL;
 }
 
 bool claim_tried_at_points(const struct claim *c) {
-  int k = kind_index(claim_get(c, "kind"));
-  return k >= 0 && kinds[k].tried_at_points;
+  const struct claim_kind *k = claim_kind_of(c);
+  return k && k->tried_at_points;
 }
 
 enum asked claim_asked(const struct claim *c) {
-  int k = kind_index(claim_get(c, "kind"));
-  return k < 0 ? ASKED_EARLY : kinds[k].asked;
+  const struct claim_kind *k = claim_kind_of(c);
+  return k ? k->asked : ASKED_EARLY;
 }
 
 /* --- The result record --- */
@@ -64,6 +76,18 @@ void audit_result_init(struct audit_result *r) {
   arena_init(&r->arena);
 }
 
+struct result_pages {
+  struct result_pages *next;
+  void *at;
+  size_t size;
+};
+
+void result_keep_pages(struct audit_result *r, void *pages, size_t size) {
+  struct result_pages *p = ss_malloc(sizeof *p);
+  *p = (struct result_pages){r->pages, pages, size};
+  r->pages = p;
+}
+
 void audit_result_clear(struct audit_result *r) {
   free(r->findings);
   free(r->consequences);
@@ -71,6 +95,16 @@ void audit_result_clear(struct audit_result *r) {
   free(r->controls);
   free(r->pairs);
   free(r->long_runs);
+  free(r->values);
+  free(r->precision);
+  free(r->spent);
+  while (r->pages) {
+    struct result_pages *p = r->pages;
+    r->pages = p->next;
+    munmap(p->at, p->size);
+    free(p);
+  }
+  free(r->tables);
   arena_clear(&r->arena);
 }
 
@@ -195,7 +229,12 @@ static const char *copy(struct audit_result *out, const char *s) {
   return s ? result_str(out, "%s", s) : NULL;
 }
 
-static bool describe(struct finding *f, struct judge *j, const struct claim *c) {
+enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
+  const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
+  return record && (!only || scene_is(s, only)) ? verdict_parse(record) : N_VERDICTS;
+}
+
+bool finding_describe(struct finding *f, struct judge *j, const struct claim *c) {
   struct audit_result *out = j->out;
   *f = (struct finding){.id = copy(out, c->id),
                         .equation = copy(out, claim_get(c, "equation")),
@@ -206,10 +245,10 @@ static bool describe(struct finding *f, struct judge *j, const struct claim *c) 
   if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
   quote_and_formula(f, j, c);
   if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
-  f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->name, c->id);
-  const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
+  f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->command, c->id);
+  const char *record = claim_get(c, "record");
   if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
-  if (record && (!only || strcmp(only, j->scene->name) == 0)) f->recorded = verdict_parse(record);
+  f->recorded = claim_recorded(c, j->scene);
   return true;
 }
 
@@ -251,9 +290,9 @@ struct view claim_view(const struct model *m, const struct claim *c) {
 }
 
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
-  kind_fn judge = claim_kind(claim_get(c, "kind"));
-  if (!judge) return claim_error(j, c, "kind", "unknown kind of claim");
-  return describe(f, j, c) && (judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+  const struct claim_kind *kind = claim_kind_of(c);
+  if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
+  return finding_describe(f, j, c) && (kind->judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
 }
 
 /* The findings after the one at `at` are those of its restrictions. */
@@ -269,20 +308,22 @@ static bool take_condition(struct audit_result *out, size_t at) {
 bool judge_claim(struct judge *j, const struct claim *c) {
   struct finding f;
   if (!judge_verdict(&f, j, c)) return false;
-  int k = kind_index(claim_get(c, "kind"));
+  keep_asked_routes(&f, j, c);
+  const struct claim_kind *k = claim_kind_of(c);
   if (f.verdict == VERDICT_REFUTED) {
     const char *fault = claim_get(c, "fault");
     if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
     if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
-    if (!f.correction && kinds[k].tried_at_points && !judge_correction(&f, j, c, kinds[k].judge)) return false;
+    if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c, k->judge)) return false;
   }
   struct audit_result *out = j->out;
   out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
-  if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL) finding_why_not(&f, out, c);
+  if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL && route_is_asked(j->scene, "exact"))
+    finding_why_not(&f, out, c);
   size_t at = out->n_findings++;
   out->findings[at] = f;
   bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
-  if (f.verdict != VERDICT_REFUTED || !kinds[k].tried_at_points || !readable) return true;
+  if (f.verdict != VERDICT_REFUTED || !k->tried_at_points || !readable) return true;
   return judge_restrictions(j, c, claim_view(j->model, c), &f) && take_condition(out, at);
 }
 
@@ -293,7 +334,7 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
 
-static const struct claim *find_claim(const struct claims *claims, const char *id) {
+const struct claim *claim_named(const struct claims *claims, const char *id) {
   for (size_t i = 0; id && i < claims->n; i++)
     if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
   return NULL;
@@ -304,24 +345,24 @@ void audit_control(struct audit_result *out, const char *id, const char *claim, 
   out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
 }
 
-static bool is_undecided(const struct audit_result *out, const char *id) {
+static bool is_found(const struct audit_result *out, const char *id, enum verdict verdict) {
   for (size_t i = 0; i < out->n_findings; i++)
-    if (strcmp(out->findings[i].id, id) == 0) return out->findings[i].verdict == VERDICT_UNKNOWN;
+    if (strcmp(out->findings[i].id, id) == 0) return out->findings[i].verdict == verdict;
   return false;
 }
 
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
    those of the control's own record. */
-static bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
+bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
   struct claim c = *claim;
   c.control = control->record;
-  int k = kind_index(claim_get(&c, "kind"));
+  const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
-  if (k < 0 || !describe(&f, j, &c)) return false;
+  if (!k || !finding_describe(&f, j, &c)) return false;
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
   struct audit_result *out = j->out;
   j->effort = EFFORT_VERDICT;
-  bool readable = kinds[k].judge(&f, j, &c, view);
+  bool readable = k->judge(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {
     if (!notation_fault(&f, j)) return false;
@@ -329,117 +370,20 @@ static bool judge_control(struct judge *j, const struct claim *control, const st
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
-  if (f.verdict == VERDICT_UNKNOWN && is_undecided(out, claim->id)) {
+  bool narrowed = j->scene->asked.routes.n > 0;
+  if (f.verdict == VERDICT_UNKNOWN && narrowed) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "undecided by the routes that the scene asks for");
+    return true;
+  }
+  if (f.verdict == VERDICT_UNKNOWN && is_found(out, claim->id, VERDICT_UNKNOWN)) {
     audit_leave_out(out, result_str(out, "control %s", control->id), "its claim is undecided here without damage");
+    return true;
+  }
+  bool off_record = f.recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
+  if (f.verdict != VERDICT_REFUTED && off_record && is_found(out, claim->id, VERDICT_REFUTED)) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");
     return true;
   }
   audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
   return true;
-}
-
-/* --- The run --- */
-
-static bool selects(const char *item, const struct claim *c) {
-  return claim_selected(c->id, item) || claim_makes(c, item);
-}
-
-bool claims_selects(const struct audit_options *opt, const struct claim *c) {
-  if (opt->n_only == 0) return true;
-  for (int i = 0; i < opt->n_only; i++)
-    if (selects(opt->only[i], c)) return true;
-  return false;
-}
-
-bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
-  for (int i = 0; i < opt->n_only; i++) {
-    bool any = false;
-    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
-    if (!any) {
-      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
-      return false;
-    }
-  }
-  return true;
-}
-
-static bool run_controls(struct judge *j, const struct claims *claims, const struct claims *controls,
-                         const struct audit_options *opt) {
-  for (size_t i = 0; i < controls->n; i++) {
-    const struct claim *control = &controls->claim[i];
-    const char *of = record_get(control->record, "claim");
-    const struct claim *claim = find_claim(claims, of);
-    if (!claim) return claim_error(j, control, "claim", "a control names the claim that it damages");
-    if (!claims_selects(opt, claim)) continue;
-    if (!judge_control(j, control, claim)) return false;
-  }
-  return true;
-}
-
-/* The readings are about printed numbers: they are searched when some claim of such a kind was judged. */
-static void run_readings(struct judge *j, const struct claims *claims, const struct audit_options *opt) {
-  bool wanted = false;
-  if (!opt->readings) return;
-  for (size_t i = 0; i < claims->n; i++) {
-    const char *kind = claim_get(&claims->claim[i], "kind");
-    bool about = kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
-    wanted = wanted || (about && claims_selects(opt, &claims->claim[i]));
-  }
-  const char *why = !wanted ? "no claim about printed numbers is selected" : audit_readings(j->out, j->model, j->scene);
-  if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
-}
-
-/* What is done once for the whole audit, claim or no claim. */
-static bool studies(struct judge *j, const struct audit_options *opt) {
-  if (opt->n_only > 0) {
-    audit_leave_out(j->out, "the study of the routes and the long runs", "made by the whole audit, not with --only");
-    return true;
-  }
-  study_long_runs(j);
-  return study_routes(j);
-}
-
-/* What the claims see of a box of parameters: no parameters and no printed numbers, so that each says that it is about one
-   set of them, or does with random points. */
-static struct scene without_data(const struct scene *s) {
-  struct scene bare = *s;
-  for (int k = 0; k < N_KEYS; k++) bare.given[k] = false;
-  bare.n_printed = 0;
-  return bare;
-}
-
-bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
-               const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
-               struct diag *d) {
-  if (!claims_check_selection(claims, opt, d)) return false;
-  struct dependences *rests = dependences_new(m, claims);
-  struct scene bare = without_data(scene);
-  if (scene_is_box(scene)) scene = &bare;
-  struct judge j = {.out = out,
-                    .model = m,
-                    .claims = claims,
-                    .dependences = rests,
-                    .scene = scene,
-                    .cache = orbit_cache_new(),
-                    .d = d};
-  out->scene = copy(out, scene->name);
-  out->title = copy(out, scene->title);
-  routes_describe(out);
-  bool ok = true;
-  size_t left_out = 0;
-  for (size_t i = 0; ok && i < claims->n; i++) {
-    if (!claims_selects(opt, &claims->claim[i])) {
-      left_out++;
-      continue;
-    }
-    if (opt->progress) opt->progress(opt->arg, i, claims->n, claims->claim[i].id);
-    ok = judge_claim(&j, &claims->claim[i]);
-  }
-  ok = ok && judge_consequences(&j) && run_controls(&j, claims, controls, opt);
-  if (left_out) audit_leave_out(out, result_str(out, "%zu other claims", left_out), "not selected by --only");
-  ok = ok && studies(&j, opt);
-  if (ok) run_readings(&j, claims, opt);
-  orbit_pool_free(j.pool);
-  orbit_cache_free(j.cache);
-  dependences_free(rests);
-  return ok;
 }

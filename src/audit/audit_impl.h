@@ -81,6 +81,8 @@ extern const int n_restrictions;
 struct orbit_cache;
 struct orbit_cache *orbit_cache_new(void);
 void orbit_cache_free(struct orbit_cache *c);
+/* From now on lists hold what the search misses too, as those that `orbit` shows: for who is told a number by it. */
+void orbit_cache_complete(struct orbit_cache *c);
 /* The orbits at five exact parameters, enclosed at prec bits. */
 const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
 /* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
@@ -141,8 +143,8 @@ struct values {
   bool have_t;
   struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
   bool have_phi[N_PHASES];
-  struct num_vec local; /* four local Jacobians, 16 each; made when first asked for */
-  bool have_local;
+  struct num_vec local; /* four local Jacobians, 16 each; each made when first asked for */
+  bool have_local[N_PHASES];
   struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
   struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
   bool have_tangent;
@@ -282,7 +284,7 @@ struct judge {
   struct audit_result *out;
   const struct model *model;
   const struct claims *claims;
-  const struct dependences *dependences; /* of these claims; NULL where no finding is described */
+  struct dependences *dependences; /* of these claims; NULL where no finding is described */
   const struct scene *scene;
   struct orbit_cache *cache;
   struct orbit_pool *pool; /* made when first asked for */
@@ -298,6 +300,14 @@ typedef bool (*kind_fn)(struct finding *f, struct judge *j, const struct claim *
 /* The entries of an expression at a point, enclosed at prec bits; count of them in *n (at most 16 are returned). */
 int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
                   const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
+
+/* The routes by which the claim is tried, the decisive one first; none where its kind has its own. */
+enum { MOST_CLAIM_ROUTES = 16, ROUTE_NAME = 32 };
+int claim_routes(char name[MOST_CLAIM_ROUTES][ROUTE_NAME], const struct claim *c);
+/* Whether the scene asks for this route, or for all of them. */
+bool route_is_asked(const struct scene *s, const char *route);
+/* Of a claim that was judged: evidence by other routes goes, and with it what rested on it; says so. */
+void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c);
 
 /* The first kind of point that a claim names. */
 struct point_spec {
@@ -339,11 +349,24 @@ bool judge_restrictions(struct judge *j, const struct claim *c, struct view view
 /* The kind of that name; NULL when there is none. */
 kind_fn claim_kind(const char *name);
 
-/* Is it tried at points, so that it can be restricted, corrected by an erratum, and refuted with little effort? */
-bool claim_tried_at_points(const struct claim *c);
-/* When is it asked about a damaged formula: at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates
+/* When is a claim asked about a damaged formula: at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates
    and reads no formula that others do not read, or asserts nothing? */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
+/* A kind.  tried_at_points: it can be restricted, corrected by an erratum, and refuted with little effort; of_scene: it is about
+   the numbers of one scene, and of a box of parameters says nothing; parts: those of work.h that it may need besides what
+   its points are, as bits; balls: it works in them. */
+struct claim_kind {
+  const char *name;
+  kind_fn judge;
+  bool tried_at_points;
+  enum asked asked;
+  bool of_scene;
+  unsigned parts;
+  bool balls;
+};
+/* NULL: there is none of that name. */
+const struct claim_kind *claim_kind_of(const struct claim *c);
+bool claim_tried_at_points(const struct claim *c);
 enum asked claim_asked(const struct claim *c);
 
 /* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
@@ -353,10 +376,19 @@ bool claims_check_selection(const struct claims *claims, const struct audit_opti
 
 /* How a claim is read: its own text as printed, the rest corrected. */
 struct view claim_view(const struct model *m, const struct claim *c);
+/* The verdict on record in that scene; N_VERDICTS: none. */
+enum verdict claim_recorded(const struct claim *c, const struct scene *s);
+/* What stands in the claim's file and in the paper, before anything is judged. */
+bool finding_describe(struct finding *f, struct judge *j, const struct claim *c);
 /* The claim's own finding, without its correction and restrictions. */
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c);
 /* All findings of a claim, added to the result: its own, with the correction, and those that its restrictions make. */
 bool judge_claim(struct judge *j, const struct claim *c);
+
+/* The claim of that id, or NULL. */
+const struct claim *claim_named(const struct claims *claims, const char *id);
+/* A control beside its claim, whose own verdict may be among the findings of the result: what became of it is added there. */
+bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
 /* --- Evidence and verdicts --- */
 
@@ -414,6 +446,10 @@ bool printed_point(struct point *out, const struct scene *s);
 /* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
 
+/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to the
+   printed numbers.  Status flags. */
+int scene_numbers(struct num_vec *params, struct judge *j);
+
 /* The orbits at the scene's parameters. */
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache);
 
@@ -438,20 +474,28 @@ const char *ball_text(struct judge *j, const arb_t x, slong n);
 /* --- What rests on what (depends.c, consequence.c) --- */
 
 struct dependences;
-/* Of all the claims, each with its own text as printed and all else corrected. */
+/* Of all the claims, each with its own text as printed and all else corrected; model and claims must stay.  What a claim
+   reaches is found when it is first asked for. */
 struct dependences *dependences_new(const struct model *m, const struct claims *claims);
 void dependences_free(struct dependences *d);
 /* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
-bool dependences_on(const struct dependences *d, size_t a, size_t b);
+bool dependences_on(struct dependences *d, size_t a, size_t b);
+/* The definitions that the formulas of claim a reach. */
+size_t dependences_n_used(struct dependences *d, size_t a);
+const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
 /* Whether they reach a definition that is corrected under this equation number. */
-bool dependences_corrected(const struct dependences *d, size_t a, const char *equation);
+bool dependences_corrected(struct dependences *d, size_t a, const char *equation);
 /* Whether the claim names the id by hand. */
 bool dependences_named(const struct claim *c, const char *id);
 /* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
 bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
 
-/* What each refuted claim that has a correction does to what is derived from it; completes the effects. */
-bool judge_consequences(struct judge *j);
+/* The claim that a finding is about when its failure has consequences: it fails and has a correction; the number of claims
+   when not. */
+size_t consequence_claim(const struct judge *j, const struct finding *f);
+/* What refuted claims do to what is derived from them: of the n findings of the result at these places, which share what
+   they read as printed (claim_own); completes their effects. */
+bool judge_consequences(struct judge *j, const size_t *at, size_t n);
 
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
 
@@ -460,6 +504,8 @@ void audit_control(struct audit_result *out, const char *id, const char *claim, 
 /* Other work left out, with the reason. */
 void audit_leave_out(struct audit_result *out, const char *what, const char *why);
 
+/* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count. */
+bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d);
 /* Coulomb's law beside an orbit, under the friction u_ri = factor max(e_i, u_ri_min).  OWN_FRICTION is the factor that
    audit_coulomb_setup takes where a scene gives no friction. */
 #define OWN_FRICTION 1.25
@@ -472,5 +518,7 @@ bool study_routes(struct judge *j);
 /* Runs over many periods beside the scene's orbit nearest to its printed numbers and beside orbits of other multipliers,
    into out->long_runs. */
 void study_long_runs(struct judge *j);
+/* The tables that pictures are drawn from, into out->tables; NULL, or why there are none. */
+const char *study_tables(struct judge *j);
 
 #endif

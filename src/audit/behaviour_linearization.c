@@ -118,11 +118,11 @@ bool behaviour_linearization(struct behaviour *b) {
   const char *note = result_str(
       b->j->out,
       "the product of the phases' propagators (the variational equation without what happens at the switches; its "
-      "determinant is 1, so it can never call an orbit stable) has a multiplier outside the unit circle at %ld orbits "
+      "determinant is 1, so it can never call an orbit stable) has a multiplier outside the unit circle at %ld orbit%s "
       "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
       "the switches linearization "
       "answers right at %ld orbits and wrong at %ld",
-      s.right[0], s.wrong[0], s.open, s.right[1], s.wrong[1]);
+      s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
   struct route_word w[2];
   w[0] = behaviour_say(b, "balls", "model",

@@ -108,15 +108,37 @@ static bool check_claims(const char *path, struct diag *d) {
   return ok;
 }
 
+/* The claims and the quantities that a scene asks for are looked up where it asks for any. */
+static bool check_asked(const struct scene *s, const char *data, struct diag *d) {
+  if (!s->asked.claims.n && !s->asked.values.n) return true;
+  struct model m;
+  struct claims c = {.n = 0};
+  struct text claims, paper;
+  text_init(&claims);
+  text_init(&paper);
+  model_init(&m);
+  text_printf(&claims, "%s/claims", data);
+  text_printf(&paper, "%s/paper", data);
+  bool ok = claims_load(&c, text_str(&claims), "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
+            scene_check_asked(s, &c, &m, d);
+  model_clear(&m);
+  claims_clear(&c);
+  text_clear(&paper);
+  text_clear(&claims);
+  return ok;
+}
+
+static bool check_scene(const char *path, const char *data, struct diag *d) {
+  struct scene s;
+  bool ok = scene_load_box(&s, path, data, d) && check_asked(&s, data, d);
+  scene_clear(&s);
+  return ok;
+}
+
 bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".eq")) return check_equations(path, data, d);
   if (has_suffix(path, ".claim")) return check_claims(path, d);
-  if (has_suffix(path, ".scene")) {
-    struct scene s;
-    bool ok = scene_load_box(&s, path, data, d);
-    scene_clear(&s);
-    return ok;
-  }
+  if (has_suffix(path, ".scene")) return check_scene(path, data, d);
   diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim or .scene", path);
   return false;
 }

@@ -1,6 +1,4 @@
 /* Claims are records; what they mean is read where they are judged. */
-#include <dirent.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -26,6 +24,12 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
   c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
   c->files[c->n_files++] = f;
   if (!record_file_parse(f, src, d)) return false;
+  const struct record *top = &f->records[0];
+  if (top->n_fields > 0) {
+    diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
+            "outside a record; begin one with \"%s ID\"", kind);
+    return false;
+  }
   for (size_t i = 1; i < f->n_records; i++) {
     const struct record *r = &f->records[i];
     bool result = strcmp(kind, "claim") == 0 && strcmp(r->kind_name, "result") == 0;
@@ -41,37 +45,15 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
   return true;
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {
-  DIR *dir = opendir(folder);
-  if (!dir) {
-    diag_set(d, "%s: error: %s", folder, strerror(errno));
-    return false;
-  }
-  char **names = NULL;
-  size_t n = 0, cap = 0;
-  for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
-    size_t len = strlen(e->d_name);
-    if (len < 7 || e->d_name[0] == '.' || strcmp(e->d_name + len - 6, ".claim") != 0) continue;
-    names = ss_grow(names, n, &cap, sizeof *names);
-    names[n++] = strdup(e->d_name);
-  }
-  closedir(dir);
-  if (n) qsort(names, n, sizeof *names, by_name);
+  struct arena a;
+  arena_init(&a);
+  size_t n;
+  char **file = folder_files(&n, folder, ".claim", &a, d);
   bool ok = n > 0;
-  if (!ok) diag_set(d, "%s: error: no .claim file in this folder", folder);
-  for (size_t i = 0; i < n; i++) {
-    struct text t;
-    text_init(&t);
-    text_printf(&t, "%s/%s", folder, names[i]);
-    ok = ok && claims_add_file(c, t.data, kind, d);
-    text_clear(&t);
-    free(names[i]);
-  }
-  free(names);
+  for (size_t i = 0; ok && i < n; i++) ok = claims_add_file(c, file[i], kind, d);
+  free(file);
+  arena_clear(&a);
   return ok;
 }
 

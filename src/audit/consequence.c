@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "judge_exact.h"
+#include "stickslip/work.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 
@@ -176,6 +177,7 @@ static bool try_results(struct failure *f, const struct point *p) {
     for (size_t i = 0; accepted && last && i < f->n; i++) book_result(f, &f->result[i], &t[i], p, &v);
     free(t);
     values_clear(&v);
+    if (last && accepted) work_rung(LADDER_RESULT, prec == FIRST_PREC && !open);
     if (last || !accepted) return accepted;
   }
   return false;
@@ -376,13 +378,17 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   out->consequences[out->n_consequences++] = q;
 }
 
-bool judge_consequences(struct judge *j) {
+size_t consequence_claim(const struct judge *j, const struct finding *f) {
+  size_t k = verdict_fails(f->verdict) && f->correction ? 0 : j->claims->n;
+  while (k < j->claims->n && strcmp(j->claims->claim[k].id, f->id) != 0) k++;
+  return k;
+}
+
+bool judge_consequences(struct judge *j, const size_t *at, size_t n) {
   struct memory m = {.n = 0};
-  for (size_t i = 0; i < j->out->n_findings; i++) {
-    struct finding *f = &j->out->findings[i];
-    if (!verdict_fails(f->verdict) || !f->correction) continue;
-    for (size_t k = 0; k < j->claims->n; k++)
-      if (strcmp(j->claims->claim[k].id, f->id) == 0) consequence_of(j, &m, f, k);
+  for (size_t i = 0; i < n; i++) {
+    struct finding *f = &j->out->findings[at[i]];
+    consequence_of(j, &m, f, consequence_claim(j, f));
   }
   free(m.said);
   return !j->d->set;

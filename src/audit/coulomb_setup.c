@@ -4,6 +4,8 @@
 
 #include "audit_impl.h"
 
+enum { SETUP_PREC = 128 };
+
 /* e_i of the scene, at printed numbers the printed one, or else that of the orbit. */
 static double limit_above_sliding(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
   const fmpq *e = printed || s->given[KEY_E1 + i] ? scene_number(s, (enum scene_key)(KEY_E1 + i)) : NULL;
@@ -53,23 +55,37 @@ int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS
 }
 
 /* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */
-bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
-  struct dyn_orbits list;
-  audit_orbits(&list, s, 128);
-  const struct dyn_orbit *o = orbit < list.n ? &list.orbit[orbit] : NULL;
+static bool setup_from(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit,
+                       bool printed, struct diag *d) {
+  const struct dyn_orbit *o = orbit < list->n ? &list->orbit[orbit] : NULL;
   const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
   bool ok = printed ? z[0] && z[1] : o != NULL;
   if (!ok && printed)
     diag_set(d, "%s: error: --at printed needs printed z10 and z20", s->path);
   else if (!ok)
-    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list.n);
-  if (ok) {
-    set_params(sim, s, &list, o, printed);
-    double z10 = printed ? fmpq_get_d(&z[0]->value) : num_arb.get_d(o->z10);
-    double z20 = printed ? fmpq_get_d(&z[1]->value) : num_arb.get_d(o->z20);
-    ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
-    if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
-  }
+    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list->n);
+  if (!ok) return false;
+  set_params(sim, s, list, o, printed);
+  double z10 = printed ? fmpq_get_d(&z[0]->value) : num_arb.get_d(o->z10);
+  double z20 = printed ? fmpq_get_d(&z[1]->value) : num_arb.get_d(o->z20);
+  ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
+  if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
+  return ok;
+}
+
+bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
+  struct dyn_orbits list;
+  audit_orbits(&list, s, SETUP_PREC);
+  if (!printed) audit_orbits_complete(&list, s, SETUP_PREC);
+  bool ok = setup_from(sim, s, &list, orbit, printed, d);
+  dyn_orbits_clear(&list);
+  return ok;
+}
+
+bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d) {
+  struct dyn_orbits list;
+  audit_orbits(&list, s, SETUP_PREC);
+  bool ok = setup_from(sim, s, &list, orbit, false, d);
   dyn_orbits_clear(&list);
   return ok;
 }
@@ -79,7 +95,7 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   fmpq_t x;
   bool ok = true;
   fmpq_init(x);
-  audit_orbits(&list, s, 128);
+  audit_orbits(&list, s, SETUP_PREC);
   const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
   if (!o && !scene_has_forces(s)) {
     diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);

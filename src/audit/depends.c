@@ -6,7 +6,7 @@
 
 #include "audit_impl.h"
 
-/* What one claim is about and what it reaches. */
+/* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked up. */
 struct reach {
   const struct definition **about;
   size_t n_about, cap_about;
@@ -17,9 +17,12 @@ struct reach {
   size_t n_used, cap_used;
   char **symbols; /* of a number's formula */
   size_t n_symbols, cap_symbols;
+  bool walked;
 };
 
 struct dependences {
+  const struct model *model;
+  const struct claims *claims;
   struct reach *reach;
   size_t n;
 };
@@ -120,25 +123,37 @@ static void reach_lists(struct elaboration *el, const struct view *v, const stru
     for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
 }
 
-static void reach_claim(struct reach *r, const struct model *m, const struct claim *c) {
-  const char *section = claim_get(c, "section"), *value = claim_get(c, "value");
-  const char *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
+static const char *section_of(const struct claim *c) {
+  const char *section = claim_get(c, "section");
+  return section ? section : "";
+}
+
+static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
+  const char *value = claim_get(c, "value"), *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
   struct view v = view_of(m, c);
-  struct elaboration el;
-  if (!section) section = "";
-  elaboration_init(&el, v, NULL, 0);
   r->number = claim_get(c, "number");
   r->record = bound ? bound : statement;
   r->uses_record = bound ? statement : NULL;
-  read_about(r, &v, value, section);
-  read_about(r, &v, claim_get(c, "about"), section);
-  reach_text(r, &el, value, section);
-  reach_text(r, &el, claim_get(c, "formula"), section);
-  reach_record(&el, &v, statement);
-  reach_record(&el, &v, bound);
-  reach_lists(&el, &v, c);
+  read_about(r, &v, value, section_of(c));
+  read_about(r, &v, claim_get(c, "about"), section_of(c));
   r->premises[0] = claim_get(c, "premises");
   r->premises[1] = claim_get(c, "constraints");
+}
+
+/* Puts the claim's formulas in full. */
+static const struct reach *walk(struct dependences *d, size_t a) {
+  struct reach *r = &d->reach[a];
+  const struct claim *c = &d->claims->claim[a];
+  if (r->walked) return r;
+  r->walked = true;
+  struct view v = view_of(d->model, c);
+  struct elaboration el;
+  elaboration_init(&el, v, NULL, 0);
+  reach_text(r, &el, claim_get(c, "value"), section_of(c));
+  reach_text(r, &el, claim_get(c, "formula"), section_of(c));
+  reach_record(&el, &v, claim_get(c, "statement"));
+  reach_record(&el, &v, claim_get(c, "bound"));
+  reach_lists(&el, &v, c);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
     const struct definition *def = elaboration_used(&el, i);
     if (!def) continue;
@@ -146,14 +161,16 @@ static void reach_claim(struct reach *r, const struct model *m, const struct cla
     r->used[r->n_used++] = def;
   }
   elaboration_clear(&el);
+  return r;
 }
 
 struct dependences *dependences_new(const struct model *m, const struct claims *claims) {
   struct dependences *d = ss_malloc(sizeof *d);
-  *d = (struct dependences){.n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
+  *d = (struct dependences){
+      .model = m, .claims = claims, .n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
   for (size_t i = 0; i < d->n; i++) {
     d->reach[i] = (struct reach){.n_about = 0};
-    reach_claim(&d->reach[i], m, &claims->claim[i]);
+    look_at_claim(&d->reach[i], m, &claims->claim[i]);
   }
   return d;
 }
@@ -194,8 +211,8 @@ static bool same_number(const char *number, const char *symbol) {
 }
 
 /* Claims about the same thing stand beside each other: neither rests on the other. */
-bool dependences_on(const struct dependences *d, size_t a, size_t b) {
-  const struct reach *ra = &d->reach[a], *rb = &d->reach[b];
+bool dependences_on(struct dependences *d, size_t a, size_t b) {
+  const struct reach *ra = walk(d, a), *rb = &d->reach[b];
   if (a == b) return false;
   for (size_t i = 0; i < ra->n_used; i++)
     if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
@@ -208,9 +225,18 @@ bool dependences_on(const struct dependences *d, size_t a, size_t b) {
   return false;
 }
 
-bool dependences_corrected(const struct dependences *d, size_t a, const char *equation) {
-  for (size_t i = 0; i < d->reach[a].n_used; i++) {
-    const struct definition *def = d->reach[a].used[i];
+size_t dependences_n_used(struct dependences *d, size_t a) {
+  return walk(d, a)->n_used;
+}
+
+const struct definition *dependences_used(struct dependences *d, size_t a, size_t i) {
+  return walk(d, a)->used[i];
+}
+
+bool dependences_corrected(struct dependences *d, size_t a, const char *equation) {
+  const struct reach *r = walk(d, a);
+  for (size_t i = 0; i < r->n_used; i++) {
+    const struct definition *def = r->used[i];
     if (def->rank == RANK_ERRATA && strcmp(def->equation, equation) == 0) return true;
   }
   return false;
@@ -220,13 +246,9 @@ bool dependences_corrected(const struct dependences *d, size_t a, const char *eq
 
 /* Whether a comma-separated list names the id. */
 static bool names_id(const char *list, const char *id) {
-  size_t len = strlen(id);
-  for (const char *p = list; p && *p;) {
-    p += strspn(p, ", ");
-    size_t n = strcspn(p, ", ");
+  size_t len = strlen(id), n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
     if (n == len && strncmp(p, id, n) == 0) return true;
-    p += n;
-  }
   return false;
 }
 
@@ -236,14 +258,12 @@ bool dependences_named(const struct claim *c, const char *id) {
 
 /* Every id that is named by hand must be that of a claim. */
 static bool check_named(struct judge *j, const struct claim *c, const char *list) {
-  for (const char *p = list; p && *p;) {
-    p += strspn(p, ", ");
-    size_t n = strcspn(p, ", ");
-    bool known = n == 0;
+  size_t n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n)) {
+    bool known = false;
     for (size_t i = 0; i < j->claims->n; i++)
       known = known || (strlen(j->claims->claim[i].id) == n && strncmp(j->claims->claim[i].id, p, n) == 0);
     if (!known) return claim_error(j, c, "depends-on", "depends-on names something that is not a claim");
-    p += n;
   }
   return true;
 }

@@ -2,6 +2,8 @@
    the phase's frequencies, which are held against A: P' = A P and P(0) = I decide, not the way it was made. */
 #include "exact_motion.h"
 
+#include "stickslip/work.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -178,7 +180,7 @@ static int add_share(struct num_vec *p, struct exact_motion *m, const struct num
   return status;
 }
 
-int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
+static int make_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
   const struct num_type *t = &num_exact;
   struct num_vec a, own, f;
   element *w[2];
@@ -215,14 +217,14 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   vec_init(&a, 16);
   vec_init(&u, 1);
   int s = exact_symbol(at(&u, 0), m->field, "t");
-  s |= exact_propagator(&p, m, ph, at(&u, 0));
+  s |= make_propagator(&p, m, ph, at(&u, 0));
   s |= system_of(&a, m, ph);
   if (s == SS_OK) s = multiply(&ap, m, &a, &p, 4, 4, 4);
   bool ok = s == SS_OK;
   for (int i = 0; ok && i < 16; i++) {
     ok = exact_derivative(at(&u, 0), m->field, at(&p, i), "t") == SS_OK && exact_equal(m->field, at(&u, 0), at(&ap, i));
   }
-  ok = ok && exact_propagator(&p, m, ph, NULL) == SS_OK;
+  ok = ok && make_propagator(&p, m, ph, NULL) == SS_OK;
   for (int i = 0; ok && i < 16; i++) {
     num_exact.set_d(at(&u, 0), i % 5 == 0, 0);
     ok = exact_equal(m->field, at(&u, 0), at(&p, i));
@@ -234,20 +236,23 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   return ok;
 }
 
-bool exact_propagators_proved(void) {
-  static truth known = TRUTH_UNKNOWN;
-  if (known != TRUTH_UNKNOWN) return known == TRUTH_TRUE;
+bool exact_propagator_proved(enum phase ph) {
+  static truth known[N_PHASES] = {TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN, TRUTH_UNKNOWN};
+  if (known[ph] != TRUTH_UNKNOWN) return known[ph] == TRUTH_TRUE;
   const struct exact_attempt modes = {.modes = true};
   const struct point_spec spec = {.kind = POINT_PARAMS};
   const struct tape nothing = {.n = 0};
-  known = TRUTH_TRUE;
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    struct exact_motion m;
-    exact_motion_init(&m, &modes, &spec, false, NULL, &nothing);
-    if (!solves(&m, (enum phase)ph)) known = TRUTH_FALSE;
-    exact_motion_clear(&m);
-  }
-  return known == TRUTH_TRUE;
+  struct exact_motion m;
+  exact_motion_init(&m, &modes, &spec, false, NULL, &nothing);
+  known[ph] = solves(&m, ph) ? TRUTH_TRUE : TRUTH_FALSE;
+  exact_motion_clear(&m);
+  return known[ph] == TRUTH_TRUE;
+}
+
+int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
+  work_touch((enum work_part)(WORK_PHASE_D + (int)ph));
+  int s = make_propagator(p, m, ph, u);
+  return s == SS_OK && !exact_propagator_proved(ph) ? SS_UNABLE : s;
 }
 
 /* --- States and their events --- */

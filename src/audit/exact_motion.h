@@ -61,9 +61,10 @@ int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char 
    its end; as many elements as are returned, at most EXACT_POSITIVE. */
 enum { EXACT_POSITIVE = 6 };
 int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
-/* exp(A u) of a phase. */
+/* exp(A u) of a phase; SS_UNABLE, too, where exact_propagator_proved says no. */
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const fmpz_mpoly_q_struct *u);
-/* Whether exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once for each phase. */
-bool exact_propagators_proved(void);
+/* Whether the phase's exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once, when a
+   proof first reaches the phase. */
+bool exact_propagator_proved(enum phase ph);
 
 #endif

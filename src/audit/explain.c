@@ -40,12 +40,19 @@ static bool in_domain(const struct point *p) {
 }
 
 bool point_set(struct point *p, const char *at, struct diag *d) {
+  bool given[sizeof settable / sizeof *settable] = {false};
   for (const char *s = at; s && *s;) {
     size_t n = strcspn(s, ","), name = strcspn(s, "=");
     bool ok = false;
     for (size_t i = 0; name < n && i < sizeof settable / sizeof *settable; i++)
-      if (strlen(settable[i].name) == name && strncmp(settable[i].name, s, name) == 0)
+      if (strlen(settable[i].name) == name && strncmp(settable[i].name, s, name) == 0) {
+        if (given[i]) {
+          diag_set(d, "error: --at gives %s twice", settable[i].name);
+          return false;
+        }
+        given[i] = true;
         ok = parse_value(&p->q[settable[i].q], s + name + 1, n - name - 1);
+      }
     if (!ok) {
       diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s", (int)(n > 80 ? 80 : n), s);
       return false;
@@ -167,7 +174,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   }
   const struct claims no_controls = {.n = 0};
   struct audit_result r;
-  struct audit_options opt = {&id, 1, NULL, NULL, false};
+  struct audit_options opt = {.only = &id, .n_only = 1};
   audit_result_init(&r);
   bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
   const struct finding *f = NULL;

@@ -30,6 +30,7 @@ static bool find_point(struct point *p, const struct scene *s, const struct jaco
 static bool job_init(struct jacobian_job *job, const struct model *m, const struct scene *s,
                      const struct jacobian_request *q, struct diag *d) {
   *job = (struct jacobian_job){.model = m, .scene = s, .cache = orbit_cache_new(), .d = d};
+  orbit_cache_complete(job->cache);
   point_init(&job->point);
   return find_point(&job->point, s, q, job->cache, d);
 }

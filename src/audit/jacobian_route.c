@@ -4,12 +4,13 @@
 #include "audit_impl.h"
 
 const char *const method_name[N_METHODS] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
-const char *const method_accuracy[N_METHODS] = {"radius of the enclosure",
-                                                "radius of the enclosure",
-                                                "radius of the enclosure",
-                                                "estimate: truncation and rounding of the differences",
-                                                "estimate: truncation and rounding of the differences",
-                                                "estimate: truncation and error of the integrations"};
+const char *const method_accuracy[N_METHODS] = {
+    "radius of the enclosure",
+    "radius of the enclosure",
+    "radius of the enclosure",
+    "estimate: truncation and rounding of the differences",
+    "estimate: truncation and rounding of the differences, rounding of the inputs",
+    "estimate: truncation and error of the integrations, rounding of the inputs"};
 
 bool method_is_double(enum jacobian_method method) {
   return method == METHOD_FD_DOUBLE || method == METHOD_ODE;
@@ -56,12 +57,10 @@ static int phase_matrix(struct num_vec *j, void *err, enum jacobian_method metho
 }
 
 /* The paper's corner of a phase's derivative, in balls. */
-static int corner(arb_ptr out, const struct local_map *map, const struct num_vec *local, const fmpq *chi) {
+static int corner(arb_ptr out, const struct local_map *map, const struct num_vec *local, const void *chi) {
   struct num_vec x;
-  num_vec_init(&x, entries(map) + 1, local->ctx);
-  void *c = num_vec_at(&x, entries(map));
-  int s = x.ctx.type->set_q(c, chi, x.ctx.prec);
-  s |= local_map_corner(&x, map, local, c);
+  num_vec_init(&x, entries(map), local->ctx);
+  int s = local_map_corner(&x, map, local, chi);
   for (int i = 0; i < entries(map); i++) arb_set(out + i, num_vec_at(&x, i));
   num_vec_clear(&x);
   return s;
@@ -74,8 +73,9 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
   struct num_ctx ctx = method == METHOD_FD ? num_ctx_mpfr(prec) : num_ctx_arb(prec);
   struct values v;
   struct num_vec j, err, balls;
-  arb_t e;
+  arb_t e, chi;
   arb_init(e);
+  arb_init(chi);
   slong n = map ? N_STATE * N_STATE : 4;
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
   num_vec_init(&j, n, ctx);
@@ -90,11 +90,15 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
     arb_add_error(num_vec_at(&balls, i), e);
     if (!map) arb_set(out + i, num_vec_at(&balls, i));
   }
-  if (map) s |= corner(out, map, &balls, &p.q[Q_CHI]);
+  if (map) {
+    arb_set_fmpq(chi, &p.q[Q_CHI], prec);
+    s |= corner(out, map, &balls, chi);
+  }
   num_vec_clear(&balls);
   num_vec_clear(&err);
   num_vec_clear(&j);
   values_clear(&v);
+  arb_clear(chi);
   arb_clear(e);
   return s;
 }
@@ -136,41 +140,158 @@ static bool have_setup(struct jacobian_job *job) {
   return job->setup_good;
 }
 
+/* The return Jacobian along the arc from a start, near its times. */
+static int implicit_from(struct num_vec *j, const struct num_vec *params, const void *z10, const void *z20,
+                         const double t[N_PHASES]) {
+  struct dyn_arc arc;
+  dyn_arc_init(&arc, params->ctx);
+  int s = dyn_arc_run(&arc, params, z10, z20, t);
+  if (!s) s = dyn_return_jacobian(j, params, &arc);
+  dyn_arc_clear(&arc);
+  return s;
+}
+
+/* What a method in double precision has worked at, exactly: parameters of the model, and a state z. */
+struct rounded {
+  struct num_vec params, z;
+};
+
+static void rounded_init(struct rounded *r, struct num_ctx ctx) {
+  num_vec_init(&r->params, N_PARAMS, ctx);
+  num_vec_init(&r->z, N_STATE, ctx);
+}
+
+static void rounded_clear(struct rounded *r) {
+  num_vec_clear(&r->z);
+  num_vec_clear(&r->params);
+}
+
+static void set_doubles(struct num_vec *out, const double *x) {
+  for (slong i = 0; i < out->len; i++) arb_set_d(num_vec_at(out, i), x[i]);
+}
+
+/* The simulation knows e_i as the difference of two limits, and x = z + d. */
+static int rounded_simulation(struct rounded *r, const struct coulomb_setup *setup, const double x[N_STATE]) {
+  static const int of[] = {COULOMB_CHI, COULOMB_ETA, COULOMB_V};
+  struct num_ctx ctx = r->z.ctx;
+  struct num_vec all, at, still;
+  num_vec_init(&all, N_COULOMB, ctx);
+  num_vec_init(&at, N_STATE, ctx); /* of z = 0 */
+  num_vec_init(&still, 1, ctx);
+  arb_zero(num_vec_at(&still, 0));
+  set_doubles(&all, setup->params);
+  for (int i = 0; i < 3; i++) arb_set(num_vec_at(&r->params, P_CHI + i), num_vec_at(&all, of[i]));
+  for (int i = 0; i < 2; i++)
+    arb_sub(num_vec_at(&r->params, P_E1 + i), num_vec_at(&all, COULOMB_UR1 + i), num_vec_at(&all, COULOMB_US1 + i),
+            ctx.prec);
+  int s = coulomb_start_set(&at, &all, num_vec_at(&still, 0), num_vec_at(&still, 0));
+  set_doubles(&r->z, x);
+  for (int i = Z_1; i <= Z_2; i++) arb_sub(num_vec_at(&r->z, i), num_vec_at(&r->z, i), num_vec_at(&at, i), ctx.prec);
+  num_vec_clear(&still);
+  num_vec_clear(&at);
+  num_vec_clear(&all);
+  return s;
+}
+
+/* The derivative of the phase that starts at z and ends near t, in the paper's corner. */
+static int implicit_phase(arb_ptr out, const struct local_map *map, const struct num_vec *params,
+                          const struct num_vec *z, double t) {
+  struct num_vec local, at;
+  num_vec_init(&local, N_STATE * N_STATE, params->ctx);
+  num_vec_init(&at, 1, params->ctx);
+  int s = dyn_event(num_vec_at(&at, 0), map->phase, params, z, t);
+  if (!s) s = dyn_local_jacobian(&local, map->phase, params, z, num_vec_at(&at, 0));
+  if (!s) s = corner(out, map, &local, num_vec_at(params, P_CHI));
+  num_vec_clear(&at);
+  num_vec_clear(&local);
+  return s;
+}
+
+/* How far rounding the parameters and the start to doubles moves each entry: 1/(1 - chi) alone loses seven digits at
+   chi = 1 - 1e-9.  Estimates of differences know of nothing but the map that they were taken of. */
+static int rounding_of_inputs(double off[MATRIX_MOST], const struct jacobian_job *job, enum jacobian_method method,
+                              const struct local_map *map, const struct pass *pass, const struct rounded *rounded) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct point p = point_for(job, method);
+  struct values v;
+  struct num_vec j[2]; /* exact, rounded */
+  int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
+  const struct num_vec *params[2] = {&v.params, &rounded->params};
+  const struct num_vec in = {ctx, N_STATE, num_vec_at(&v.arc.z, map ? N_STATE * (slong)map->phase : 0)};
+  const struct num_vec *z[2] = {&in, &rounded->z};
+  for (int i = 0; i < 2; i++) {
+    num_vec_init(&j[i], entries(map), ctx);
+    if (s) continue;
+    s = map ? implicit_phase(num_vec_at(&j[i], 0), map, params[i], z[i], pass->t[map->phase])
+            : implicit_from(&j[i], params[i], num_vec_at(z[i], Z_1), num_vec_at(z[i], Z_2), pass->t);
+  }
+  for (int i = 0; i < entries(map) && !s; i++) {
+    arb_ptr d = num_vec_at(&j[1], i);
+    arb_sub(d, d, num_vec_at(&j[0], i), FIRST_PREC);
+    mag_t most;
+    mag_init(most);
+    arb_get_mag(most, d);
+    off[i] = mag_get_d(most);
+    mag_clear(most);
+  }
+  for (int i = 0; i < 2; i++) num_vec_clear(&j[i]);
+  values_clear(&v);
+  return s;
+}
+
 static int whole_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian_method method,
                             const struct pass *pass) {
-  double j[4], err;
-  int s = method == METHOD_ODE ? coulomb_return_jacobian(j, &err, job->setup.params, job->setup.start)
-                               : dyn_return_jacobian_d(j, &err, pass->params, pass->z[0], pass->t);
-  for (int i = 0; i < 4 && !s; i++) ball_of(out + i, j[i], err);
+  double j[4], err, off[MATRIX_MOST];
+  struct rounded at;
+  rounded_init(&at, num_ctx_arb(FIRST_PREC));
+  int s;
+  if (method == METHOD_ODE) {
+    s = coulomb_return_jacobian(j, &err, job->setup.params, job->setup.start);
+    if (!s) s = rounded_simulation(&at, &job->setup, job->setup.start);
+  } else {
+    s = dyn_return_jacobian_d(j, &err, pass->params, pass->z[0], pass->t);
+    set_doubles(&at.params, pass->params);
+    set_doubles(&at.z, pass->z[0]);
+  }
+  if (!s) s = rounding_of_inputs(off, job, method, NULL, pass, &at);
+  for (int i = 0; i < 4 && !s; i++) ball_of(out + i, j[i], err + off[i]);
+  rounded_clear(&at);
   return s;
 }
 
 static int phase_by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian_method method,
                             const struct local_map *map, const struct pass *pass) {
-  double dir[LOCAL_MOST][N_STATE], column[LOCAL_MOST * N_STATE], err[LOCAL_MOST], x[N_STATE];
+  double dir[LOCAL_MOST][N_STATE], column[LOCAL_MOST * N_STATE], err[LOCAL_MOST], x[N_STATE], off[MATRIX_MOST];
   const double(*along)[N_STATE] = (const double(*)[N_STATE])dir;
   const enum phase ph = map->phase;
+  struct rounded at;
   int s;
+  rounded_init(&at, num_ctx_arb(FIRST_PREC));
   local_map_directions(dir, map, pass->params[P_CHI]);
   memcpy(x, pass->z[ph], sizeof x);
   if (method == METHOD_ODE) {
     for (int i = 0; i < 2; i++) x[i] += job->setup.start[i] - pass->z[0][i]; /* x = z + d */
     s = coulomb_local_differences(column, err, ph, job->setup.params, x, pass->t[ph], along, map->cols);
+    if (!s) s = rounded_simulation(&at, &job->setup, x);
   } else {
     s = dyn_local_differences_d(column, err, ph, pass->params, x, pass->t[ph], along, map->cols);
+    set_doubles(&at.params, pass->params);
+    set_doubles(&at.z, x);
   }
+  if (!s) s = rounding_of_inputs(off, job, method, map, pass, &at);
   for (int i = 0; i < entries(map) && !s; i++) {
     int row = i / map->cols, k = i % map->cols;
-    ball_of(out + i, column[N_STATE * k + map->keep[row]], err[k]);
+    ball_of(out + i, column[N_STATE * k + map->keep[row]], err[k] + off[i]);
   }
+  rounded_clear(&at);
   return s;
 }
 
 static int by_doubles(arb_ptr out, struct jacobian_job *job, enum jacobian_method method, const struct local_map *map) {
   struct pass pass;
   if (method == METHOD_ODE && !have_setup(job)) return SS_DOMAIN;
-  bool needs_pass = map || method != METHOD_ODE; /* the simulation finds its own way through the period */
-  int s = needs_pass ? read_pass(&pass, job, method) : SS_OK;
+  int s = read_pass(&pass, job,
+                    method); /* the simulation finds its own way through the period; its accuracy needs the times */
   if (s) return s;
   return map ? phase_by_doubles(out, job, method, map, &pass) : whole_by_doubles(out, job, method, &pass);
 }

@@ -5,8 +5,7 @@
 
 #include "audit_impl.h"
 
-/* The scene's parameters; e1 and e2 that it does not give are those of its orbit nearest to the printed numbers. */
-static int scene_params(struct num_vec *params, struct judge *j) {
+int scene_numbers(struct num_vec *params, struct judge *j) {
   const struct num_type *t = params->ctx.type;
   struct point p;
   int s = SS_OK;
@@ -34,7 +33,7 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
   num_vec_init(&params, N_PARAMS, ctx);
   num_vec_init(&jac, 4, ctx);
   dyn_arc_init(&arc, ctx);
-  int s = scene_params(&params, j);
+  int s = scene_numbers(&params, j);
   if (s == SS_OK) s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
   if (s == SS_OK) s |= dyn_return_jacobian(&jac, &params, &arc);
   for (int i = 0; i < 2; i++) {
@@ -103,8 +102,10 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
     if (apart)
-      f->effect = result_str(j->out, "from the printed start the period closes with a gap of %s in z_1 and %s in z_2",
-                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+      f->effect = result_str(
+          j->out,
+          "from the printed start the motion does not close: after one period it is off by %s in z_1 and by %s in z_2",
+          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
   _arb_vec_clear(v, 11);
 }
@@ -132,9 +133,8 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   e->trials = 1;
   e->worst = "every start that the printed digits of z10 and z20 allow";
   if (s == SS_OK)
-    e->note =
-        result_str(j->out, "After one pass through the word r = z_2 - z_1 returns off its start by %s%s.",
-                   ball_text(j, gap, 4), apart ? ", which excludes 0: no start with these digits is periodic" : "");
+    e->note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
+                         apart ? ", which excludes 0: no start with these digits is periodic" : "");
   struct route_word w = {"balls", apart ? SAYS_DIFFERS : SAYS_UNDECIDED, true, s == SS_OK};
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "exact_rank.h"
+#include "stickslip/work.h"
 
 enum { MAX_NAMES = RANK_NAMES };
 
@@ -31,6 +32,7 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
     struct sentence s;
     if (!view_record(&view, ids[i])) return claim_error(j, c, "statements", "there is no such record");
     bool ok = sentence_from_record(&s, view, ids[i], NULL, 0, j->d);
+    if (ok) work_add((unsigned long long)s.tape.n);
     for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
       const char *name = s.tape.inputs[k];
       char word[80];
@@ -218,8 +220,8 @@ static struct route_word add_count(struct finding *f, struct judge *j, const cha
   struct route_word w = {route, SAYS_NOTHING, decisive, n->as_said + n->other + n->open};
   if (w.trials) w.says = n->other ? SAYS_DIFFERS : n->open ? SAYS_UNDECIDED : SAYS_AGREES;
   finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
-              result_str(j->out, "%d scalar equations in %d unknowns; their derivative has rank %d", y->rows, y->cols,
-                         n->rank));
+              result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d", y->rows,
+                         y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));
   return w;
 }
 

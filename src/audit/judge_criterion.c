@@ -249,25 +249,30 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   return ok && !j->d->set;
 }
 
-/* What the criterion says about the scene; the paper draws no conclusion, so nothing is judged. */
+static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orbits *list, slong i, const char *which) {
+  static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
+  const struct dyn_orbit *o = &list->orbit[i];
+  finding_state(f, j->out, "balls", "model", FD_PREC, 1,
+                result_str(j->out, "orbit %ld of %ld found%s: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
+                           (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                           ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
+                result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
+                           o->admissible == TRUTH_TRUE    ? "admissible"
+                           : o->admissible == TRUTH_FALSE ? "not admissible"
+                                                          : "admissibility undecided"));
+}
+
+/* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion, so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *trace = claim_get(c, "formula");
   if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
   const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
-  static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
-  for (slong i = 0; i < list->n; i++) {
-    const struct dyn_orbit *o = &list->orbit[i];
-    finding_state(f, j->out, "balls", "model", FD_PREC, 1,
-                  result_str(j->out, "orbit %ld of %ld found: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
-                             (long)list->n, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-                             ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
-                  result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
-                             o->admissible == TRUTH_TRUE    ? "admissible"
-                             : o->admissible == TRUTH_FALSE ? "not admissible"
-                                                            : "admissibility undecided"));
-  }
   struct point p;
   point_init(&p);
+  slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
+  if (nearest >= 0) state_orbit(f, j, list, nearest, ", the nearest to the printed numbers");
+  for (slong i = 0; i < list->n; i++)
+    if (i != nearest) state_orbit(f, j, list, i, "");
   for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
     struct view v = {view.model, (enum layer)layer, NULL, view.control};
     arb_ptr tr = _arb_vec_init(16);

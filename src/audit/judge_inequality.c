@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/work.h"
 
 static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct statement_record *r,
                        const struct stmt *st, int k, struct view view, const struct point *p) {
@@ -17,6 +18,7 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     diag_at(j->d, r->src, st->span.begin, "an inequality needs scalars");
     ok = false;
   }
+  bool first = false;
   *holds = TRUTH_UNKNOWN;
   *unbound = NULL;
   if (ok) {
@@ -43,10 +45,12 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     if (s == SS_OK) s |= tape_eval(&out, NULL, &tape, &in);
     const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
     if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
+    first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
     num_vec_clear(&out);
     num_vec_clear(&in);
     values_clear(&v);
   }
+  if (ok && !*unbound) work_rung(LADDER_INEQUALITY, first);
   tape_clear(&tape);
   elaboration_clear(&el);
   return ok;

@@ -60,16 +60,12 @@ static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *
   return n;
 }
 
-static bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
 /* The symbol as a token of the text: no letter goes on where it ends in one. */
 static bool occurs(const char *text, const char *symbol) {
   size_t n = strlen(symbol);
   for (const char *p = text ? strstr(text, symbol) : NULL; p; p = strstr(p + 1, symbol)) {
-    bool goes_on = is_letter(symbol[n - 1]) && is_letter(p[n]);
-    bool began = p > text && is_letter(symbol[0]) && (is_letter(p[-1]) || p[-1] == '\\');
+    bool goes_on = char_is_letter(symbol[n - 1]) && char_is_letter(p[n]);
+    bool began = p > text && char_is_letter(symbol[0]) && (char_is_letter(p[-1]) || p[-1] == '\\');
     if (!goes_on && !began) return true;
   }
   return false;

@@ -4,7 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
+#include "expression.h"
+#include "precision.h"
+#include "stickslip/work.h"
+
+enum { BITS_SHOWN = 34 }; /* ten digits */
 
 /* (x - printed)/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
@@ -33,12 +37,31 @@ struct number_job {
   const char *formula, *section, *relation;
 };
 
-static int number_at(arb_t x, const struct number_job *n, const struct point *p) {
-  int count;
-  arb_ptr v = _arb_vec_init(16);
-  int s = expression_at(v, &count, n->view, n->formula, n->section, p, FIRST_PREC, n->j->cache, n->j->d);
+/* To the digits that are shown, and well enough to say whether it prints so. */
+static bool known_well(const arb_t x, const struct printed_number *p) {
+  enum reading how;
+  return arb_rel_accuracy_bits(x) >= BITS_SHOWN && printed_fits(x, p, &how) != TRUTH_UNKNOWN;
+}
+
+/* *bits becomes the precision that it took, if that is more. */
+static int number_at(arb_t x, slong *bits, const struct number_job *n, const struct point *p) {
+  struct expression e;
+  arb_ptr v = _arb_vec_init(EXPRESSION_MOST);
+  int s = SS_UNABLE;
+  if (expression_open(&e, n->view, n->formula, n->section, n->j->d)) {
+    slong first = precision_planned(&e.tape, p, BITS_SHOWN, FIRST_PREC, n->j->cache);
+    first = FLINT_MIN(FLINT_MAX(first, FIRST_PREC), LAST_PREC);
+    for (slong prec = first; prec <= LAST_PREC; prec *= 2) {
+      s = expression_value(v, &e, p, prec, n->j->cache);
+      *bits = FLINT_MAX(*bits, prec);
+      bool well = s == SS_OK && known_well(v, n->p);
+      if (well || 2 * prec > LAST_PREC) work_rung(LADDER_NUMBER, well && prec == first);
+      if (well || (s & SS_DOMAIN)) break;
+    }
+  }
   arb_set(x, v);
-  _arb_vec_clear(v, 16);
+  expression_close(&e);
+  _arb_vec_clear(v, EXPRESSION_MOST);
   return s;
 }
 
@@ -101,11 +124,12 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
   struct evidence *e = finding_add(f, j->out);
   e->route = "balls";
   e->layer = "corrected";
-  e->bits = FIRST_PREC;
+  slong bits = FIRST_PREC;
   e->trials = 0;
-  if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, n, &p) == SS_OK) {
+  if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
     enum reading how;
     t = printed_fits(x, n->p, &how);
+    e->bits = bits;
     e->trials = 1;
     e->worst =
         result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
@@ -120,9 +144,10 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
                              n->p->decimal, ball_text(j, x, 10), units_off(j, x, n->p));
     slong nearest = p.orbit;
     for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
-      if (p.orbit != nearest && number_at(x, n, &p) == SS_OK)
+      if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
         text_printf(&note, "On orbit %ld it is %s. ", (long)p.orbit + 1, ball_text(j, x, 6));
   }
+  if (!e->trials) e->bits = bits;
   e->result = t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided";
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   e->note = note.len ? result_str(j->out, "%s", text_str(&note))
@@ -152,6 +177,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   arb_init(lo);
   arb_init(hi);
   long found = 0, fit = 0;
+  slong bits = FIRST_PREC;
   for (int corner = 0; corner < 4; corner++) {
     struct point p;
     point_init(&p);
@@ -166,7 +192,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
       fmpq_add(&at_corner.value[KEY_E1 + k], &pe[k]->value, shift);
     }
     enum reading how;
-    if (nearest_orbit_point(&p, &at_corner, j->cache) && number_at(x, n, &p) == SS_OK) {
+    if (nearest_orbit_point(&p, &at_corner, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
       fit += printed_fits(x, n->p, &how) == TRUTH_TRUE;
       if (found == 0 || arf_cmp(arb_midref(x), arb_midref(lo)) < 0) arb_set(lo, x);
       if (found == 0 || arf_cmp(arb_midref(x), arb_midref(hi)) > 0) arb_set(hi, x);
@@ -182,7 +208,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
                           "unit above) it runs from %s to %s: %s.",
                           ball_text(j, lo, 6), ball_text(j, hi, 6),
                           fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
-  finding_state(f, j->out, "balls", "corrected", FIRST_PREC, found, NULL, note);
+  finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   arb_clear(hi);
   arb_clear(lo);
   arb_clear(x);
@@ -198,14 +224,15 @@ static truth number_from_printed(struct route_word *w, struct finding *f, const 
   arb_init(x);
   truth t = TRUTH_UNKNOWN;
   enum reading how = READ_ROUNDED;
-  bool have = printed_point(&p, j->scene) && number_at(x, n, &p) == SS_OK;
+  slong bits = FIRST_PREC;
+  bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   if (have) t = printed_fits(x, n->p, &how);
   if (have) {
     struct evidence *e = finding_add(f, j->out);
     e->route = "balls";
     e->layer = "printed numbers";
     e->result = w ? (t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided") : "states";
-    e->bits = FIRST_PREC;
+    e->bits = bits;
     e->trials = 1;
     e->worst = "the printed numbers";
     e->note =

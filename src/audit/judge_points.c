@@ -159,6 +159,7 @@ static bool read_routes(struct run *r) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
       if (strcmp(routes[i].name, item) == 0) found = &routes[i];
+    if (found && !route_is_asked(r->j->scene, item)) continue;
     if (!found || r->n_routes == MAX_ROUTES)
       return claim_error(r->j, r->c, "routes", "not a route of this kind of claim");
     r->tally[r->n_routes++] = (struct tally){.route = found};
@@ -225,43 +226,6 @@ static struct trial try_ode(struct run *r, const char *value, const struct point
   values_clear(&v);
   _arb_vec_clear(m, 48);
   return t;
-}
-
-int expression_at(arb_ptr out, int *n, struct view view, const char *expression, const char *section,
-                  const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d) {
-  struct elaboration el;
-  struct tape tape = {.n = 0};
-  struct arena a;
-  struct source src;
-  struct matrix m;
-  struct values v;
-  int status = SS_UNABLE;
-  *n = 0;
-  elaboration_init(&el, view, NULL, 0);
-  arena_init(&a);
-  source_from_string(&src, expression, expression);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  if (e && elaborate(&m, &el, e, &src, section ? section : "", d) && m.rows * m.cols <= 16 &&
-      elaboration_tape(&tape, &el, m.e, m.rows * m.cols, d)) {
-    status = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), cache);
-    struct num_vec in, res;
-    num_vec_init(&in, tape.n_inputs, v.ctx);
-    num_vec_init(&res, tape.n_outputs, v.ctx);
-    bool known = true;
-    for (slong i = 0; status == SS_OK && i < tape.n_inputs; i++)
-      status |= values_bind(num_vec_at(&in, i), &known, &v, tape.inputs[i]);
-    if (status == SS_OK) status |= tape_eval(&res, NULL, &tape, &in);
-    *n = m.rows * m.cols;
-    for (int i = 0; i < *n; i++) arb_set(out + i, num_vec_at(&res, i));
-    num_vec_clear(&res);
-    num_vec_clear(&in);
-    values_clear(&v);
-  }
-  tape_clear(&tape);
-  source_clear(&src);
-  arena_clear(&a);
-  elaboration_clear(&el);
-  return status;
 }
 
 /* --- Trying --- */
@@ -342,7 +306,8 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
 /* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
    transcription of the model's side. */
 static long points_wanted(struct run *r, const struct point_spec *spec, long done) {
-  bool wants_proof = r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE;
+  bool wants_proof =
+      (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
   if (done == 1 && wants_proof && !r->proof_tried && !r->tally[0].differs) {
     r->proof_tried = true;
     r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
@@ -408,7 +373,9 @@ static void add_evidence(struct finding *f, struct run *r, const struct tally *t
   if (t->trials == 0) text_add(&note, "no accepted point");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "differs at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
-  if (t->rejected) text_printf(&note, "%s%ld further points not accepted", note.len ? "; " : "", t->rejected);
+  if (t->rejected)
+    text_printf(&note, "%s%ld further point%s not accepted", note.len ? "; " : "", t->rejected,
+                t->rejected == 1 ? "" : "s");
   if (note.len) e->note = result_str(out, "%s", text_str(&note));
   text_clear(&note);
 }
@@ -473,8 +440,8 @@ static void describe_effect(struct finding *f, struct run *r) {
   text_init(&t);
   point_init(&p);
   struct tally *first = &r->tally[0];
-  text_printf(&t, "Largest relative difference over the trials: below %s. ",
-              order_of_magnitude(r->j->out, first->worst_log));
+  const char *size = order_of_magnitude(r->j->out, first->worst_log);
+  text_printf(&t, "Largest relative difference over the trials: below %s. ", strcmp(size, "1e0") == 0 ? "1" : size);
   bool have = scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
@@ -505,12 +472,18 @@ static bool judge_by_algebra(struct finding *f, struct judge *j, const struct cl
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct run r;
   const char *routes_asked = claim_get(c, "routes");
-  if (routes_asked && strcmp(routes_asked, "exact") == 0) return judge_by_algebra(f, j, c, view);
+  bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
+  if (algebra || !route_is_asked(j->scene, "balls")) {
+    if (route_is_asked(j->scene, "exact")) return judge_by_algebra(f, j, c, view);
+    f->verdict = VERDICT_UNKNOWN; /* nothing that decides is asked for */
+    return true;
+  }
   bool ok = run_all(f, &r, j, c, view, NULL);
   bool explained = view.own && j->effort == EFFORT_FULL;
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
-    if (strcmp(view.own, claim_own(c)) == 0) r.proof = exact_prove(j, c, view, NULL);
+    if (strcmp(view.own, claim_own(c)) == 0 && route_is_asked(j->scene, "exact"))
+      r.proof = exact_prove(j, c, view, NULL);
     finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
   }
   run_clear(&r);

@@ -6,6 +6,9 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
 
 /* Twice the degree; any: of a literal zero. */
 struct degree {
@@ -144,6 +147,7 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
     *d = k->degree;
     return true;
   }
+  work_add(UNITS_OF_DEGREE);
   if (!degree_of_form(d, s, e)) return false;
   keep(s, e, *d);
   return true;
@@ -161,6 +165,7 @@ static bool check_record(struct text *fault, const struct statement_record *r, s
                          struct diag *d) {
   struct elaboration el;
   struct matrix a, b;
+  work_add(UNITS_OF_READING);
   elaboration_init(&el, view, NULL, 0);
   struct scaling s = {.scaled = scaled, .el = &el, .fault = fault};
   bool ok = true;
@@ -200,6 +205,22 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
   }
 }
 
+/* Of the prefixes "F_ u_": names that begin with F_ or u_ have the unit. */
+static const char *names_with_unit(struct judge *j, const char *prefixes) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "names that begin with ");
+  for (const char *c = prefixes; *c; c++) {
+    if (*c == ' ')
+      text_add(&t, " or ");
+    else
+      text_add_char(&t, *c);
+  }
+  const char *said = result_str(j->out, "%s have the unit", text_str(&t));
+  text_clear(&t);
+  return said;
+}
+
 bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
@@ -221,8 +242,7 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
-      f->correction =
-          repaired ? result_str(j->out, "what has the unit: %s", repaired) : "the same records under errata.eq";
+      f->correction = repaired ? names_with_unit(j, repaired) : "the same formulas as corrected in errata.eq";
       f->correction_verdict = verdict_of(&w, 1, true);
     }
     if (f->verdict != VERDICT_REFUTED) break;

@@ -6,6 +6,9 @@
 
 #include "condition.h"
 #include "stickslip/given.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */
 
 static struct route_word add(struct finding *f, struct judge *j, const char *route, enum says says, bool decisive,
                              long trials, const char *note) {
@@ -22,7 +25,7 @@ static bool simulated_word(struct text *word, const struct scene *s, slong orbit
   struct coulomb_log log;
   struct coulomb_result end;
   struct coulomb_plan plan = coulomb_plan_default;
-  if (!audit_coulomb_setup(&sim, s, orbit, false, NULL)) return false;
+  if (!coulomb_setup_listed(&sim, s, orbit, NULL)) return false;
   plan.returns = 1;
   plan.duration = 4 * sim.period;
   coulomb_log_init(&log);
@@ -169,9 +172,10 @@ static struct route_word add_returns(struct finding *f, struct judge *j, const s
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
       o ? result_str(j->out,
-                     "%ld found at the scene's chi, eta, V, each proved to exist; the state returns on %ld of "
-                     "them; the first has t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-                     (long)list->n, back[TRUTH_TRUE], ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                     "%ld found at the scene's chi, eta, V, %sproved to exist; the state returns on %ld of %ld; "
+                     "%s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
+                     (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
+                     list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                      ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
   enum says says = back[TRUTH_FALSE] ? SAYS_DIFFERS : back[TRUTH_UNKNOWN] || !o ? SAYS_UNDECIDED : SAYS_AGREES;
@@ -195,6 +199,7 @@ bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, 
               claim_error(j, c, "given", "reads NAME = VALUE, NAME = VALUE"));
   if (ok) {
     struct route_word w[2];
+    work_add(UNITS_OF_EXISTENCE);
     dyn_orbits_given(&list, j->scene->value, which, value, FIRST_PREC, &dyn_given_limits);
     w[0] = add_returns(f, j, &list, through, n, true);
     w[1] = add_returns(f, j, &list, through, n, false);

@@ -303,6 +303,15 @@ static const char *keep(struct mutation_result *out, const char *s) {
   return arena_strndup(&out->arena, s, strlen(s));
 }
 
+static const char *keep_subject(struct mutation_result *out, const struct model *m, const struct scene *s) {
+  struct text subject;
+  text_init(&subject);
+  audit_subject(&subject, m, s);
+  const char *kept = keep(out, text_str(&subject));
+  text_clear(&subject);
+  return kept;
+}
+
 static const char *readers_of(struct mutation_result *out, const struct run *r, const struct target *t) {
   struct text list;
   text_init(&list);
@@ -387,6 +396,7 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
   overlay_init(&r.overlay, m);
   mutants_init(&r.mutants, m, opt->only, opt->n_only);
   out->scene = keep(out, scene->name);
+  out->subject = keep_subject(out, m, scene);
   out->seed = opt->seed;
   draw(&r, opt);
   bool ok = true;

@@ -11,29 +11,21 @@ struct oracle {
 
 /* --- Local Jacobians --- */
 
-static int ensure_local(struct values *v) {
-  if (v->have_local) return SS_OK;
-  int s = SS_OK;
-  struct num_vec in, j;
+static int ensure_local(struct values *v, enum phase ph) {
+  if (v->have_local[ph]) return SS_OK;
+  struct num_vec in, local = {v->ctx, 16, num_vec_at(&v->local, 16 * (slong)ph)};
+  const void *t = num_vec_at(&v->arc.t, ph);
   num_vec_init(&in, N_STATE, v->ctx);
-  num_vec_init(&j, 16, v->ctx);
-  for (int ph = 0; ph < N_PHASES; ph++) {
-    for (int i = 0; i < N_STATE; i++) v->ctx.type->set(num_vec_at(&in, i), num_vec_at(&v->arc.z, 4 * ph + i));
-    const void *t = num_vec_at(&v->arc.t, ph);
-    if (v->variant == VARIANT_FD)
-      s |= dyn_local_jacobian_fd(&j, NULL, (enum phase)ph, &v->params, &in, v->ctx.type->get_d(t));
-    else
-      s |= dyn_local_jacobian(&j, (enum phase)ph, &v->params, &in, t);
-    for (int i = 0; i < 16; i++) v->ctx.type->set(num_vec_at(&v->local, 16 * ph + i), num_vec_at(&j, i));
-  }
-  num_vec_clear(&j);
+  for (int i = 0; i < N_STATE; i++) v->ctx.type->set(num_vec_at(&in, i), num_vec_at(&v->arc.z, 4 * (slong)ph + i));
+  int s = v->variant == VARIANT_FD ? dyn_local_jacobian_fd(&local, NULL, ph, &v->params, &in, v->ctx.type->get_d(t))
+                                   : dyn_local_jacobian(&local, ph, &v->params, &in, t);
   num_vec_clear(&in);
-  v->have_local = s == SS_OK;
+  v->have_local[ph] = s == SS_OK;
   return s;
 }
 
 static int local_of(struct num_vec *out, struct values *v, enum phase ph) {
-  int s = ensure_local(v);
+  int s = ensure_local(v, ph);
   struct num_vec local = {v->ctx, 16, num_vec_at(&v->local, 16 * (slong)ph)};
   return s ? s : local_map_corner(out, &local_maps[ph], &local, num_vec_at(&v->params, P_CHI));
 }

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 
 #include "stickslip/given.h"
+#include "stickslip/work.h"
 
 void pool_item_init(struct pool_item *item, const fmpq q[N_DRAW]) {
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};
@@ -41,7 +42,8 @@ static void draw(fmpq q[N_DRAW], uint64_t *state) {
 }
 
 const struct orbit_pool *orbit_pool_get(struct judge *j) {
-  enum { DRAWS = 6000, FEW = 600 };
+  enum { DRAWS = 6000, FEW = 600, UNITS_OF_DRAW = 200 };
+  work_touch(WORK_ORBIT_POOL);
   if (j->pool) return j->pool;
   struct orbit_pool *p = j->pool = ss_malloc(sizeof *p);
   *p = (struct orbit_pool){.draws = j->effort == EFFORT_REFUTE ? FEW : DRAWS};
@@ -50,6 +52,7 @@ const struct orbit_pool *orbit_pool_get(struct judge *j) {
   for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
   for (long k = 0; k < p->draws; k++) {
     struct pool_item one;
+    work_add(UNITS_OF_DRAW);
     draw(q, &state);
     pool_item_init(&one, q);
     if (one.list.n == 0) {

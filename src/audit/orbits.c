@@ -3,6 +3,7 @@
 
 #include "audit_impl.h"
 #include "stickslip/complete.h"
+#include "stickslip/work.h"
 
 /* chi, eta, V and two of e1 ... t_d decide which orbits there are. */
 enum { N_DATA = KEY_TD + 1 };
@@ -24,7 +25,11 @@ static int given_pair(enum dyn_quantity which[2], fmpq value[2], struct data dat
   return n;
 }
 
+/* A search counts as this: its steps in double precision need not be the same in number everywhere. */
+enum { UNITS_OF_SEARCH = 15000, UNITS_OF_GIVEN = 2000 };
+
 static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
+  work_add(data.given[KEY_E1] && data.given[KEY_E2] ? UNITS_OF_SEARCH : UNITS_OF_GIVEN);
   if (data.given[KEY_E1] && data.given[KEY_E2])
     return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
   enum dyn_quantity which[2];
@@ -40,11 +45,15 @@ int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
   return find_orbits(list, (struct data){s->value, s->given}, prec);
 }
 
-void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
+static void complete_orbits(struct dyn_orbits *list, struct data data, slong prec) {
   enum dyn_quantity which[2];
   fmpq value[2];
-  given_pair(which, value, (struct data){s->value, s->given});
-  dyn_given_complete(list, s->value + KEY_CHI, which, value, prec, &dyn_given_limits, DYN_CELLS);
+  if (given_pair(which, value, data) < 2) return;
+  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits, DYN_CELLS);
+}
+
+void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  complete_orbits(list, (struct data){s->value, s->given}, prec);
 }
 
 /* --- Found once --- */
@@ -62,6 +71,7 @@ struct followed {
   struct dyn_arc arc;
 };
 struct orbit_cache {
+  bool completes;
   struct cached **item;
   size_t n, cap;
   struct followed *followed;
@@ -74,6 +84,10 @@ struct orbit_cache *orbit_cache_new(void) {
   struct orbit_cache *c = ss_malloc(sizeof *c);
   *c = (struct orbit_cache){.n = 0};
   return c;
+}
+
+void orbit_cache_complete(struct orbit_cache *c) {
+  c->completes = true;
 }
 
 void orbit_cache_free(struct orbit_cache *c) {
@@ -110,6 +124,7 @@ static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data
     if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
   }
   find_orbits(&e->list, data, prec);
+  if (c->completes) complete_orbits(&e->list, data, prec);
   return &e->list;
 }
 
@@ -135,12 +150,14 @@ static slong orbit_prec(slong prec) {
 }
 
 const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec) {
+  work_touch(p->scene ? WORK_SCENE_ORBITS : WORK_OTHER_ORBITS);
   if (p->kind == POINT_GIVEN) return orbit_cache_given(c, p->q, orbit_prec(prec));
   if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
   return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
 }
 
 const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
+  work_touch(WORK_SCENE_ORBITS);
   return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
 }
 

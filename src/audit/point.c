@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/work.h"
 
 const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ETA, "1"}};
 const int n_restrictions = sizeof restrictions / sizeof *restrictions;
@@ -362,9 +363,27 @@ static int init_arc(struct values *v, struct orbit_cache *cache) {
   return s;
 }
 
+/* An arc has four events to be found, differences several arcs. */
+static void count_work(const struct point *p, enum variant variant, struct num_ctx ctx) {
+  enum { UNITS_OF_ARC = 200, ARCS_OF_DIFFERENCES = 8 };
+  unsigned long long words = ctx.prec > 128 ? (unsigned long long)ctx.prec / 128 : 1;
+  bool arc = p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN;
+  if (arc) work_add(UNITS_OF_ARC * words * (variant == VARIANT_FD ? ARCS_OF_DIFFERENCES : 1));
+  if (p->kind == POINT_FLOW)
+    work_touch((enum work_part)(WORK_PHASE_D + (int)p->phase));
+  else if (p->kind != POINT_PARAMS)
+    for (int ph = 0; ph < N_PHASES; ph++) work_touch((enum work_part)(WORK_PHASE_D + ph));
+  if (ctx.type == &num_arb)
+    work_touch(ctx.prec <= 128   ? WORK_BITS_128
+               : ctx.prec <= 256 ? WORK_BITS_256
+               : ctx.prec <= 512 ? WORK_BITS_512
+                                 : WORK_BITS_1024);
+}
+
 int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
                 struct orbit_cache *cache) {
   *v = (struct values){.ctx = ctx, .point = p, .variant = variant};
+  count_work(p, variant, ctx);
   num_vec_init(&v->q, N_Q, ctx);
   num_vec_init(&v->params, N_PARAMS, ctx);
   num_vec_init(&v->t, 1, ctx);
@@ -473,10 +492,12 @@ static int carry_tangent(struct values *v) {
   struct num_vec dz, j, unused;
   num_vec_init(&dz, 4, v->ctx);
   num_vec_init(&j, 16, v->ctx);
-  num_vec_init(&unused, 2, v->ctx);
+  num_vec_init(&unused, N_STATE * LOCAL_MOST, v->ctx);
   v->ctx.type->set(num_vec_at(&dz, 0), num_vec_at(&v->q, Q_X));
   v->ctx.type->set(num_vec_at(&dz, 1), num_vec_at(&v->q, Q_Y));
-  int s = oracle_eval(&unused, oracle_find("J_a"), v); /* makes the local Jacobians */
+  int s = SS_OK;
+  for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++)
+    s = oracle_eval(&unused, oracle_find(local_maps[ph].name), v); /* makes the local Jacobian */
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s |= event_shift(num_vec_at(&v->dt, ph), v, ph, &dz);
     for (int i = 0; i < 16; i++) v->ctx.type->set(num_vec_at(&j, i), num_vec_at(&v->local, 16 * ph + i));

@@ -125,8 +125,7 @@ static void search_level(struct harvest *all, struct hunt *h, int dropped) {
       l->unrounded += t == TRUTH_TRUE && found[i].carry == CARRY_EXACT;
       l->open += t == TRUTH_UNKNOWN;
     }
-    all->c = realloc(all->c, (all->n + n + 1) * sizeof *all->c);
-    if (!all->c) abort();
+    all->c = ss_realloc(all->c, (all->n + n + 1) * sizeof *all->c);
     if (n) memcpy(all->c + all->n, found, n * sizeof *found);
     all->n += n;
     free(found);

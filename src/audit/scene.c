@@ -1,109 +1,59 @@
-/* Scene files to exact parameters.  A parameter is a constant expression, evaluated over the rationals: what was written
-   is what is used, and rounding waits for the number types. */
+/* Scene files and the overrides of a command line to exact parameters.
+
+   Both are lines with a key of the table in scene.h; an override stands in place of the file's line.  Parameters are
+   gathered first and evaluated afterwards, since one may refer to another, in any order. */
 #include "stickslip/scene.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/expr.h"
+#include "scene_impl.h"
+#include "stickslip/arena.h"
 #include "stickslip/record.h"
 
-const char *const scene_key_name[N_KEYS] = {"chi", "eta", "V", "e1", "e2", "t_a", "t_b", "t_c", "t_d", "u_r1", "u_r2"};
+const struct scene_key_info scene_keys[N_SCENE_KEYS] = {
+#define ROW(key, name, takes, meaning, used) {name, takes, meaning, used},
+    SCENE_KEYS(ROW)
+#undef ROW
+};
+const char *const scene_key_name[N_SCENE_KEYS] = {
+#define NAME(key, name, takes, meaning, used) name,
+    SCENE_KEYS(NAME)
+#undef NAME
+};
+const char *const scene_takes_text[TAKES_BUDGET + 1] = {[TAKES_TEXT] = "text",
+                                                        [TAKES_VALUE] = "constant expression",
+                                                        [TAKES_INTERVAL] = "constant expression, or [low, high]",
+                                                        [TAKES_PRINTED] = "NAME = DECIMAL",
+                                                        [TAKES_CLAIMS] =
+                                                            "ids and groups of claims, with commas between",
+                                                        [TAKES_QUANTITIES] = "names of quantities, with commas between",
+                                                        [TAKES_ROUTES] = "names of routes, with commas between",
+                                                        [TAKES_DIGITS] = "whole number from 1 to 100000",
+                                                        [TAKES_WORD] = "phases",
+                                                        [TAKES_BUDGET] = "whole number from 1 to 10^18"};
 
-enum { MAX_SCENE_FILE = 1 << 20, MAX_VALUE_BITS = 200000 };
+enum state { NOT_EVALUATED, IN_EVALUATION, EVALUATED };
 
-/* --- Constant expressions --- */
-
-struct constant {
-  const struct source *src;
-  struct diag *d;
+/* A parameter as it was written. */
+struct parameter {
+  const struct source *src; /* NULL: not given */
+  size_t place;             /* what diagnostics about its value point to */
+  const struct expr *value;
+  enum state state;
 };
 
-static bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e);
-
-static bool complain(const struct constant *c, const struct expr *e, const char *what) {
-  diag_at(c->d, c->src, e->span.begin, "%s", what);
-  return false;
-}
-
-static bool constant_binary(fmpq_t z, const struct constant *c, const struct expr *e) {
-  fmpq_t b;
-  fmpq_init(b);
-  bool ok = constant_eval(z, c, e->args[0]) && constant_eval(b, c, e->args[1]);
-  if (ok && e->kind == EXPR_DIV && fmpq_is_zero(b)) ok = complain(c, e->args[1], "division by zero");
-  if (ok) switch (e->kind) {
-    case EXPR_ADD:
-      fmpq_add(z, z, b);
-      break;
-    case EXPR_SUB:
-      fmpq_sub(z, z, b);
-      break;
-    case EXPR_MUL:
-      fmpq_mul(z, z, b);
-      break;
-    default:
-      fmpq_div(z, z, b);
-      break;
-    }
-  fmpq_clear(b);
-  return ok;
-}
-
-static bool too_large(const fmpq_t z, int exponent) {
-  unsigned long bits = fmpz_bits(fmpq_numref(z)) + fmpz_bits(fmpq_denref(z));
-  return bits * (unsigned long)abs(exponent) > MAX_VALUE_BITS;
-}
-
-static bool constant_power(fmpq_t z, const struct constant *c, const struct expr *e) {
-  if (!constant_eval(z, c, e->args[0])) return false;
-  if (fmpq_is_zero(z) && e->exponent < 0) return complain(c, e, "division by zero");
-  if (too_large(z, e->exponent)) return complain(c, e, "a value of more than 200000 bits");
-  fmpq_pow_si(z, z, e->exponent);
-  return true;
-}
-
-static bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e) {
-  bool ok = false;
-  switch (e->kind) {
-  case EXPR_NUM:
-    ok = num_parse_decimal(z, e->name, strlen(e->name)) == SS_OK;
-    if (!ok) complain(c, e, "a number too large to hold");
-    break;
-  case EXPR_PAREN:
-    ok = constant_eval(z, c, e->args[0]);
-    break;
-  case EXPR_NEG:
-    ok = constant_eval(z, c, e->args[0]);
-    fmpq_neg(z, z);
-    break;
-  case EXPR_ADD:
-  case EXPR_SUB:
-  case EXPR_MUL:
-  case EXPR_DIV:
-    ok = constant_binary(z, c, e);
-    break;
-  case EXPR_POW:
-    ok = constant_power(z, c, e);
-    break;
-  default:
-    complain(c, e, "a constant expression has numbers, + - * / ^ and parentheses only");
-  }
-  if (ok && too_large(z, 1)) ok = complain(c, e, "a value of more than 200000 bits");
-  return ok;
-}
-
-bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
-  struct arena a;
-  struct source src;
-  arena_init(&a);
-  source_from_string(&src, name, arena_strndup(&a, text, len));
-  struct constant c = {&src, d};
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && constant_eval(z, &c, e);
-  source_clear(&src);
-  arena_clear(&a);
-  return ok;
-}
+struct reader {
+  struct scene *s;
+  struct diag *d;
+  struct arena arena;
+  struct parameter parameter[N_KEYS];
+  bool overridden[N_SCENE_KEYS], read[N_SCENE_KEYS];
+  const struct source *file;
+  enum scene_key chain[N_KEYS]; /* parameters in evaluation, each referred to by the one before */
+  int n_chain, depth;
+  size_t work;
+};
 
 /* --- Printed numbers --- */
 
@@ -113,13 +63,13 @@ static bool last_digit_unit(fmpq_t unit, const char *decimal) {
   text_init(&t);
   bool any = false;
   for (const char *p = decimal; *p; p++) {
-    bool digit = *p >= '0' && *p <= '9';
+    bool digit = char_is_digit(*p);
     if (*p == 'e' || *p == 'E') {
       text_add(&t, p);
       break;
     }
     any = any || digit;
-    bool last = digit && (p[1] == '\0' || p[1] == 'e' || p[1] == 'E' || (p[1] == '.' && !(p[2] >= '0' && p[2] <= '9')));
+    bool last = digit && (p[1] == '\0' || p[1] == 'e' || p[1] == 'E' || (p[1] == '.' && !char_is_digit(p[2])));
     text_add_char(&t, digit ? (last ? '1' : '0') : *p);
   }
   bool ok = any && num_parse_decimal(unit, text_str(&t), t.len) == SS_OK;
@@ -127,44 +77,60 @@ static bool last_digit_unit(fmpq_t unit, const char *decimal) {
   return ok;
 }
 
-static bool is_name_char(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+static void printed_clear(struct printed_number *p) {
+  free(p->name);
+  free(p->decimal);
+  fmpq_clear(&p->value);
+  fmpq_clear(&p->unit);
 }
 
-static bool add_printed(struct scene *s, const struct field *f, const struct source *src, struct diag *d) {
-  const char *t = f->text;
+/* A new printed number of that name, or the file's when an override prints it again; NULL when it is printed twice. */
+static struct printed_number *printed_place(struct reader *r, const char *name, size_t n, bool override) {
+  struct scene *s = r->s;
+  struct printed_number *p = NULL;
+  for (size_t i = 0; i < s->n_printed && !p; i++)
+    if (strlen(s->printed[i].name) == n && strncmp(s->printed[i].name, name, n) == 0) p = &s->printed[i];
+  if (p && (!override || p->override)) return NULL;
+  if (p) {
+    printed_clear(p);
+  } else {
+    s->printed = ss_grow(s->printed, s->n_printed, &s->cap_printed, sizeof *s->printed);
+    p = &s->printed[s->n_printed++];
+  }
+  *p = (struct printed_number){.name = ss_strndup(name, n), .override = override};
+  fmpq_init(&p->value);
+  fmpq_init(&p->unit);
+  return p;
+}
+
+static bool add_printed(struct reader *r, const struct scene_line *l, bool override) {
+  const char *t = l->text;
   size_t n = 0;
-  while (is_name_char(t[n])) n++;
+  while (char_is_word(t[n])) n++;
   const char *p = t + n;
   while (*p == ' ') p++;
   if (n == 0 || *p != '=' || !p[1]) {
-    diag_at(d, src, f->value.begin, "a printed line reads \"printed: NAME = DECIMAL\"");
+    diag_at(r->d, l->src, l->value.begin, "a printed line reads \"printed: NAME = DECIMAL\"");
     return false;
   }
   p++;
   while (*p == ' ') p++;
   bool negative = *p == '-';
   if (negative) p++;
-  s->printed = ss_grow(s->printed, s->n_printed, &s->cap_printed, sizeof *s->printed);
-  struct printed_number *pn = &s->printed[s->n_printed++];
-  pn->name = ss_malloc(n + 1);
-  memcpy(pn->name, t, n);
-  pn->name[n] = '\0';
+  struct printed_number *pn = printed_place(r, t, n, override);
+  if (!pn) {
+    diag_at(r->d, l->src, l->value.begin, "%.*s is printed twice; leave one of the lines out", (int)(n < 100 ? n : 100),
+            t);
+    return false;
+  }
   size_t len = strlen(p) + 2;
   pn->decimal = ss_malloc(len);
   snprintf(pn->decimal, len, "%s%s", negative ? "-" : "", p);
-  fmpq_init(&pn->value);
-  fmpq_init(&pn->unit);
   if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->unit, p)) {
-    diag_at(d, src, f->value.begin, "%s is not a decimal", pn->decimal);
+    diag_at(r->d, l->src, l->value.begin, "%.100s is not a decimal; write one such as -2.1958 or 2.5e-3", pn->decimal);
     return false;
   }
   if (negative) fmpq_neg(&pn->value, &pn->value);
-  for (size_t i = 0; i + 1 < s->n_printed; i++)
-    if (strcmp(s->printed[i].name, pn->name) == 0) {
-      diag_at(d, src, f->value.begin, "%s is printed twice", pn->name);
-      return false;
-    }
   return true;
 }
 
@@ -174,98 +140,162 @@ const struct printed_number *scene_printed(const struct scene *s, const char *na
   return NULL;
 }
 
-/* --- The file --- */
+/* --- Values --- */
+
+static bool evaluate(struct reader *r, enum scene_key k);
+
+/* "e1 -> e2 -> e1", the circle that ends where it began. */
+static void print_circle(struct text *out, const struct reader *r, enum scene_key back) {
+  int i = 0;
+  while (r->chain[i] != back) i++;
+  for (; i < r->n_chain; i++) text_printf(out, "%s -> ", scene_key_name[r->chain[i]]);
+  text_add(out, scene_key_name[back]);
+}
+
+/* Another parameter of the scene in an expression. */
+static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
+  struct reader *r = arg;
+  int k = 0;
+  while (k < N_KEYS && strcmp(e->name, scene_key_name[k]) != 0) k++;
+  if (k == N_KEYS) {
+    diag_at(c->d, c->src, e->span.begin,
+            "unknown name %.100s; a value may use numbers and the scene's own chi, eta, V, e1, e2, t_a, t_b, t_c, t_d, "
+            "u_r1, u_r2",
+            e->name);
+    return false;
+  }
+  if (!r->parameter[k].src) {
+    diag_at(c->d, c->src, e->span.begin, "%s is used here and not given; give it, or write a number", e->name);
+    return false;
+  }
+  if (r->parameter[k].state == IN_EVALUATION) {
+    struct text circle;
+    text_init(&circle);
+    print_circle(&circle, r, (enum scene_key)k);
+    diag_at(c->d, c->src, e->span.begin, "a parameter that rests on itself, %s; give one of them as a number",
+            text_str(&circle));
+    text_clear(&circle);
+    return false;
+  }
+  if (!evaluate(r, (enum scene_key)k)) return false;
+  if (k < N_SCENE_PARAMS && r->s->interval[k]) {
+    diag_at(c->d, c->src, e->span.begin, "%s is an interval; only a number can be used in another value", e->name);
+    return false;
+  }
+  fmpq_set(z, &r->s->value[k]);
+  return true;
+}
 
 /* [a, b] with a < b. */
-static bool set_interval(struct scene *s, int key, const struct constant *c, const struct expr *e) {
-  if (key >= N_SCENE_PARAMS) return complain(c, e, "only chi, eta, V, e1 and e2 can be intervals");
-  if (e->rows != 1 || e->cols != 2) return complain(c, e, "an interval reads [low, high]");
+static bool set_interval(struct scene *s, enum scene_key key, const struct constant *c, const struct expr *e) {
+  if (scene_keys[key].takes != TAKES_INTERVAL)
+    return constant_complain(c, e, "only chi, eta, V, e1 and e2 can be intervals; give a number");
+  if (e->rows != 1 || e->cols != 2) return constant_complain(c, e, "an interval reads [low, high]");
   s->interval[key] = true;
   if (!constant_eval(&s->value[key], c, e->args[0]) || !constant_eval(&s->high[key], c, e->args[1])) return false;
   int order = fmpq_cmp(&s->value[key], &s->high[key]);
-  if (order > 0) return complain(c, e, "the ends of the interval are in the wrong order");
-  return order < 0 || complain(c, e, "the interval has no width; one number is enough");
+  if (order > 0)
+    return constant_complain(c, e, "the ends of the interval are in the wrong order; the lower one is first");
+  return order < 0 || constant_complain(c, e, "the interval has no width; one number is enough");
 }
 
-static bool set_parameter(struct scene *s, const struct field *f, const struct source *src, struct arena *a,
-                          struct span place[N_KEYS], struct diag *d) {
-  const struct stmt *st = stmt_parse(a, src, f->value, d);
-  if (!st) return false;
-  if (st->kind != STMT_RELATION || st->n_sides != 2 || st->ops[0] != REL_EQ || st->sides[0]->kind != EXPR_SYM ||
-      st->range_var) {
-    diag_at(d, src, f->value.begin, "a scene line reads \"NAME = value\" or \"word: text\"");
-    return false;
-  }
-  const char *name = st->sides[0]->name;
-  for (int k = 0; k < N_KEYS; k++) {
-    if (strcmp(name, scene_key_name[k]) != 0) continue;
-    if (s->given[k]) {
-      diag_at(d, src, f->value.begin, "%s is given twice", name);
-      return false;
-    }
-    struct constant c = {src, d};
-    s->given[k] = true;
-    place[k] = f->value;
-    if (st->sides[1]->kind == EXPR_MATRIX) return set_interval(s, k, &c, st->sides[1]);
-    return constant_eval(&s->value[k], &c, st->sides[1]);
-  }
-  diag_at(d, src, f->value.begin,
-          "unknown parameter %s; a scene sets chi, eta, V, two of e1 e2 t_a t_b t_c t_d, and may set u_r1, u_r2", name);
-  return false;
+static bool evaluate(struct reader *r, enum scene_key k) {
+  struct parameter *p = &r->parameter[k];
+  struct constant c = {p->src, r->d, &r->depth, &r->work, refer, r};
+  if (p->state == EVALUATED) return true;
+  p->state = IN_EVALUATION;
+  r->chain[r->n_chain++] = k;
+  bool ok = p->value->kind == EXPR_MATRIX ? set_interval(r->s, k, &c, p->value)
+                                          : constant_eval(&r->s->value[k], &c, p->value);
+  r->n_chain--;
+  p->state = EVALUATED;
+  r->s->given[k] = true;
+  return ok;
 }
 
-static bool check_given(const struct scene *s, const struct source *src, const struct span place[N_KEYS],
-                        struct diag *d) {
+static bool evaluate_all(struct reader *r) {
+  for (int k = 0; k < N_KEYS; k++)
+    if (r->parameter[k].src && !evaluate(r, (enum scene_key)k)) return false;
+  return true;
+}
+
+/* --- The domain --- */
+
+static bool is_override(const struct reader *r, int k) {
+  return r->parameter[k].src != r->file;
+}
+
+static void say_missing(struct reader *r, const char *name) {
+  diag_set(
+      r->d,
+      "%.300s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
+      r->s->path, name);
+}
+
+/* A third of the six: the last one in the file, or the one that an override adds, which also could take another away. */
+static void say_third(struct reader *r) {
+  int last = -1, added = -1;
+  struct text others;
+  text_init(&others);
+  for (int k = KEY_E1; k <= KEY_TD; k++) {
+    if (!r->parameter[k].src) continue;
+    last = k;
+    if (is_override(r, k)) added = k;
+  }
+  int k = added < 0 ? last : added;
+  const struct parameter *p = &r->parameter[k];
+  if (added < 0) {
+    diag_at(r->d, p->src, p->place, "more than two of e1, e2, t_a, t_b, t_c, t_d are given; leave %s out",
+            scene_key_name[k]);
+  } else {
+    for (int i = KEY_E1; i <= KEY_TD; i++)
+      if (r->parameter[i].src && i != k)
+        text_printf(&others, "%s--set %s=", others.len ? " or " : "", scene_key_name[i]);
+    diag_at(r->d, p->src, p->place,
+            "more than two of e1, e2, t_a, t_b, t_c, t_d are given; take another one away with %s", text_str(&others));
+  }
+  text_clear(&others);
+}
+
+static bool check_given(struct reader *r) {
   for (int k = KEY_CHI; k <= KEY_V; k++)
-    if (!s->given[k]) {
-      diag_set(
-          d, "%s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
-          s->path, scene_key_name[k]);
+    if (!r->parameter[k].src) {
+      say_missing(r, scene_key_name[k]);
       return false;
     }
   int n = 0;
-  for (int k = KEY_E1; k <= KEY_TD; k++) {
-    n += s->given[k];
-    if (n <= 2) continue;
-    diag_at(d, src, place[k].begin, "more than two of e1, e2, t_a, t_b, t_c, t_d are given; leave %s out",
-            scene_key_name[k]);
-    return false;
-  }
-  if (n == 2) return true;
-  diag_set(d, "%s: error: the parameter %s is missing; a scene gives chi, eta, V and two of e1, e2, t_a, t_b, t_c, t_d",
-           s->path, s->given[KEY_E1] ? "e2" : "e1");
-  return false;
+  for (int k = KEY_E1; k <= KEY_TD; k++) n += r->parameter[k].src != NULL;
+  if (n < 2) say_missing(r, r->parameter[KEY_E1].src ? "e2" : "e1");
+  if (n > 2) say_third(r);
+  return n == 2;
 }
 
 /* The value, or the upper end of an interval. */
 static const fmpq *greatest(const struct scene *s, int key) {
-  return key < N_SCENE_PARAMS && s->interval[key] ? &s->high[key] : &s->value[key];
+  return s->interval[key] ? &s->high[key] : &s->value[key];
 }
 
-static bool check_domain(const struct scene *s, const struct source *src, const struct span place[N_KEYS],
-                         struct diag *d) {
-  if (!check_given(s, src, place, d)) return false;
+static bool complain_about(struct reader *r, int k, const char *fmt, const char *first, const char *second) {
+  diag_at(r->d, r->parameter[k].src, r->parameter[k].place, fmt, first, second);
+  return false;
+}
+
+static bool check_domain(struct reader *r) {
+  const struct scene *s = r->s;
   for (int k = 0; k < N_KEYS; k++)
-    if (s->given[k] && k != KEY_TA && fmpq_sgn(&s->value[k]) <= 0) {
-      diag_at(d, src, place[k].begin, "%s must be positive%s", scene_key_name[k], k == KEY_CHI ? " and below 1" : "");
-      return false;
-    }
-  bool ok = fmpq_cmp_si(greatest(s, KEY_CHI), 1) < 0;
-  if (!ok) diag_at(d, src, place[KEY_CHI].begin, "chi must lie strictly between 0 and 1");
-  for (int i = 0; ok && i < 2; i++)
+    if (s->given[k] && k != KEY_TA && fmpq_sgn(&s->value[k]) <= 0)
+      return complain_about(r, k, "%s must be positive%s", scene_key_name[k], k == KEY_CHI ? " and below 1" : "");
+  if (fmpq_cmp_si(greatest(s, KEY_CHI), 1) >= 0)
+    return complain_about(r, KEY_CHI, "%s must lie strictly between 0 and 1%s", "chi", "");
+  for (int i = 0; i < 2; i++)
     if (s->given[KEY_U_R1 + i] && s->given[KEY_E1 + i] &&
-        fmpq_cmp(&s->value[KEY_U_R1 + i], greatest(s, KEY_E1 + i)) <= 0) {
-      diag_at(d, src, place[KEY_U_R1 + i].begin, "%s must exceed %s, since the sliding friction u_s is positive",
-              scene_key_name[KEY_U_R1 + i], scene_key_name[KEY_E1 + i]);
-      ok = false;
-    }
-  if (ok && scene_is_box(s) && !scene_has_forces(s)) {
-    int k = 0;
-    while (!s->interval[k]) k++;
-    diag_at(d, src, place[k].begin, "a scene with an interval gives chi, eta, V, e1 and e2");
-    ok = false;
-  }
-  return ok;
+        fmpq_cmp(&s->value[KEY_U_R1 + i], greatest(s, KEY_E1 + i)) <= 0)
+      return complain_about(r, KEY_U_R1 + i, "%s must exceed %s, since the sliding friction u_s is positive",
+                            scene_key_name[KEY_U_R1 + i], scene_key_name[KEY_E1 + i]);
+  int k = 0;
+  while (k < N_SCENE_PARAMS && !s->interval[k]) k++;
+  return k == N_SCENE_PARAMS || scene_has_forces(s) ||
+         complain_about(r, k, "a scene with an interval gives %s and %s", "chi, eta, V, e1", "e2");
 }
 
 bool scene_has_forces(const struct scene *s) {
@@ -278,91 +308,294 @@ bool scene_is_box(const struct scene *s) {
   return false;
 }
 
-static bool read_fields(struct scene *s, const struct record_file *f, struct diag *d) {
+bool scene_is(const struct scene *s, const char *name) {
+  return s->on_file && !s->changed && strcmp(s->file, name) == 0;
+}
+
+bool scene_solution_ii(const struct scene *s) {
+  static const struct phase_word three = {
+      3, {{MODE_BELOW, MODE_STICK}, {MODE_BELOW, MODE_BELOW}, {MODE_STICK, MODE_BELOW}}};
+  return s->given[KEY_TA] && fmpq_is_zero(&s->value[KEY_TA]) && phase_word_same(&s->word, &three);
+}
+
+bool scene_four_phases(const struct scene *s, struct diag *d) {
+  if (!scene_papers_word(s, d)) return false;
+  if (!scene_solution_ii(s)) return true;
+  diag_set(d,
+           "%s: error: the word Gamma-H-C is judged by orbit and words alone; take it away with --set word= to judge "
+           "the motion as D-Gamma-H-C with t_a = 0",
+           s->path);
+  return false;
+}
+
+bool scene_other_word(const struct scene *s) {
+  return s->word.n > 0 && !phase_word_is_papers(&s->word) && !scene_solution_ii(s);
+}
+
+bool scene_papers_word(const struct scene *s, struct diag *d) {
+  if (!scene_other_word(s)) return true;
+  struct text word;
+  text_init(&word);
+  phase_word_print(&word, &s->word);
+  diag_set(d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
+           s->path, text_str(&word));
+  text_clear(&word);
+  return false;
+}
+
+/* --- Lines --- */
+
+/* The names of the keys, of parameters or of others, with commas between. */
+static void print_keys(struct text *out, int from, int to) {
+  for (int k = from; k < to; k++) text_printf(out, "%s%s", k > from ? ", " : "", scene_key_name[k]);
+}
+
+static bool unknown_key(struct reader *r, const struct source *src, size_t at, const char *what, const char *name) {
+  struct text parameters, others;
+  text_init(&parameters);
+  text_init(&others);
+  print_keys(&parameters, 0, N_KEYS);
+  print_keys(&others, N_KEYS, N_SCENE_KEYS);
+  diag_at(r->d, src, at, "unknown %s %.100s; a scene has the parameters %s and the lines %s", what, name,
+          text_str(&parameters), text_str(&others));
+  text_clear(&others);
+  text_clear(&parameters);
+  return false;
+}
+
+static int key_of(const char *name, size_t len) {
+  int k = 0;
+  while (k < N_SCENE_KEYS && (strlen(scene_key_name[k]) != len || strncmp(scene_key_name[k], name, len) != 0)) k++;
+  return k;
+}
+
+/* NAME = value, without a range. */
+static const struct stmt *parse_parameter(struct reader *r, const struct source *src, struct span where) {
+  const struct stmt *st = stmt_parse(&r->arena, src, where, r->d);
+  if (st && st->kind == STMT_RELATION && st->n_sides == 2 && st->ops[0] == REL_EQ && st->sides[0]->kind == EXPR_SYM &&
+      !st->range_var)
+    return st;
+  diag_at(r->d, src, where.begin, "a scene line reads \"NAME = value\" or \"word: text\"");
+  return NULL;
+}
+
+static bool read_parameter(struct reader *r, const struct source *src, struct span where) {
+  const struct stmt *st = parse_parameter(r, src, where);
+  if (!st) return false;
+  const char *name = st->sides[0]->name;
+  int k = key_of(name, strlen(name));
+  if (k == N_SCENE_KEYS) return unknown_key(r, src, where.begin, "parameter", name);
+  if (k >= N_KEYS) {
+    diag_at(r->d, src, where.begin, "%s is no parameter; write \"%s: ...\"", name, name);
+    return false;
+  }
+  bool of_file = src == r->file;
+  if (of_file && r->overridden[k]) return true;
+  if (r->parameter[k].src) {
+    diag_at(r->d, src, where.begin, "%s is given twice; leave one of the lines out", name);
+    return false;
+  }
+  r->parameter[k] =
+      (struct parameter){src, of_file ? where.begin : st->sides[1]->span.begin, st->sides[1], NOT_EVALUATED};
+  return true;
+}
+
+static bool set_word(struct reader *r, const struct scene_line *l) {
+  size_t at = 0;
+  const char *why;
+  if (phase_word_parse(&r->s->word, &at, &why, l->text, strlen(l->text))) return true;
+  diag_at(r->d, l->src, l->value.begin + at, "%s", why);
+  return false;
+}
+
+static bool read_line(struct reader *r, const struct scene_line *l) {
+  bool override = l->src != r->file;
+  if (l->key == KEY_PRINTED) return add_printed(r, l, override);
+  if (r->read[l->key]) {
+    diag_at(r->d, l->src, l->value.begin, "%s is given twice; leave one of the lines out", scene_key_name[l->key]);
+    return false;
+  }
+  r->read[l->key] = true;
+  if (l->key == KEY_WORD) return set_word(r, l);
+  if (l->key != KEY_TITLE) return scene_read_asked(&r->s->asked, l, r->d);
+  free(r->s->title);
+  r->s->title = ss_strdup(l->text);
+  return true;
+}
+
+/* Another word has no t_a to t_d by which it could be known. */
+static bool check_word(const struct scene *s, struct diag *d) {
+  if (!scene_other_word(s)) return true;
+  if (scene_has_forces(s) && !scene_is_box(s)) return true;
+  struct text word;
+  text_init(&word);
+  phase_word_print(&word, &s->word);
+  diag_set(d, "%s: error: a scene of the word %s gives e1 and e2, and no interval (or, of Gamma-H-C, t_a = 0)", s->path,
+           text_str(&word));
+  text_clear(&word);
+  return false;
+}
+
+/* --- The file --- */
+
+static bool read_field(struct reader *r, const struct source *src, const struct field *f) {
+  if (!f->attribute) return read_parameter(r, src, f->value);
+  int k = key_of(f->key_name, strlen(f->key_name));
+  if (k == N_SCENE_KEYS) return unknown_key(r, src, f->key.begin, "attribute", f->key_name);
+  if (k < N_KEYS) {
+    diag_at(r->d, src, f->key.begin, "%s is a parameter; write \"%s = ...\"", f->key_name, f->key_name);
+    return false;
+  }
+  if (r->overridden[k]) return true;
+  return read_line(r, &(struct scene_line){(enum scene_key)k, src, f->value, f->text});
+}
+
+static bool read_fields(struct reader *r, const struct record_file *f) {
   if (f->n_records > 1) {
-    diag_at(d, &f->src, f->records[1].kind.begin,
+    diag_at(r->d, r->file, f->records[1].kind.begin,
             "a scene has no records; \"%s %s\" is neither \"NAME = value\" nor \"word: text\"", f->records[1].kind_name,
             f->records[1].id_name);
     return false;
   }
-  struct arena a;
-  arena_init(&a);
-  struct span place[N_KEYS] = {{0, 0}};
-  const struct record *r = &f->records[0];
-  bool ok = true;
-  for (size_t k = 0; ok && k < r->n_fields; k++) {
-    const struct field *fd = &r->fields[k];
-    if (!fd->attribute) {
-      ok = set_parameter(s, fd, &f->src, &a, place, d);
-    } else if (strcmp(fd->key_name, "printed") == 0) {
-      ok = add_printed(s, fd, &f->src, d);
-    } else if (strcmp(fd->key_name, "title") == 0) {
-      free(s->title);
-      s->title = strdup(fd->text);
-    } else {
-      diag_at(d, &f->src, fd->key.begin, "unknown attribute \"%s\"; a scene has title and printed", fd->key_name);
-      ok = false;
-    }
+  const struct record *all = &f->records[0];
+  for (size_t k = 0; k < all->n_fields; k++)
+    if (!read_field(r, r->file, &all->fields[k])) return false;
+  return true;
+}
+
+static const struct source *keep_source(struct scene *s, const struct source *src) {
+  struct source *kept = ss_malloc(sizeof *kept);
+  *kept = *src;
+  s->source = ss_grow(s->source, s->n_sources, &s->cap_sources, sizeof *s->source);
+  s->source[s->n_sources++] = kept;
+  return kept;
+}
+
+static bool read_file(struct reader *r) {
+  struct source src;
+  struct record_file f;
+  if (!source_read(&src, r->s->path, MAX_SCENE_FILE, r->d)) return false;
+  r->file = keep_source(r->s, &src);
+  source_from_string(&src, r->file->name, r->file->text);
+  bool ok = record_file_parse(&f, src, r->d) && read_fields(r, &f);
+  record_file_clear(&f);
+  return ok;
+}
+
+/* --- Overrides --- */
+
+struct override {
+  const struct source *src;
+  int key;
+  struct span name, value;
+};
+
+static void trim(const char *text, struct span *w) {
+  while (w->begin < w->end && scene_blank(text[w->begin])) w->begin++;
+  while (w->end > w->begin && scene_blank(text[w->end - 1])) w->end--;
+}
+
+/* NAME=VALUE with a known name that no other override of the list bears.  Only printed may come again: each gives a number
+   beside the file's, and an empty one takes away the file's alone, wherever it stands among them. */
+static bool split_override(struct reader *r, struct override *o, const char *item, const char *option) {
+  struct source src;
+  source_from_string(&src, option, item);
+  o->src = keep_source(r->s, &src);
+  size_t good = text_valid_prefix(item, o->src->len);
+  const char *equals = strchr(item, '=');
+  if (good < o->src->len || !equals) {
+    diag_at(r->d, o->src, good < o->src->len ? good : 0,
+            equals ? "not UTF-8 text; write plain text" : "%s takes NAME=VALUE, as in e2=1/2", option);
+    return false;
   }
-  arena_clear(&a);
-  return ok && check_domain(s, &f->src, place, d);
+  o->name = (struct span){0, (size_t)(equals - item)};
+  o->value = (struct span){o->name.end + 1, o->src->len};
+  trim(item, &o->name);
+  trim(item, &o->value);
+  o->key = key_of(item + o->name.begin, o->name.end - o->name.begin);
+  char name[101];
+  snprintf(name, sizeof name, "%.*s", (int)(o->name.end - o->name.begin < 100 ? o->name.end - o->name.begin : 100),
+           item + o->name.begin);
+  if (o->key == N_SCENE_KEYS) return unknown_key(r, o->src, o->name.begin, "name", name);
+  if (r->overridden[o->key] && o->key != KEY_PRINTED) {
+    diag_at(r->d, o->src, o->name.begin, "%s is given twice with %s; leave one of them out", name, option);
+    return false;
+  }
+  r->overridden[o->key] |= o->key != KEY_PRINTED || o->value.begin == o->value.end;
+  r->s->changed |= o->key < N_KEYS || o->key == KEY_PRINTED || o->key == KEY_WORD;
+  return true;
 }
 
-/* The name of a scene is its file's, without folder and suffix. */
-static char *name_of(const char *path) {
-  const char *base = strrchr(path, '/');
-  char *name = strdup(base ? base + 1 : path);
-  char *dot = strrchr(name, '.');
-  if (dot && strcmp(dot, ".scene") == 0 && dot > name) *dot = '\0';
-  return name;
+static bool apply_override(struct reader *r, const struct override *o) {
+  if (o->value.begin == o->value.end) return true;
+  if (o->key < N_KEYS) return read_parameter(r, o->src, (struct span){o->name.begin, o->value.end});
+  struct text value;
+  text_init(&value);
+  text_add_n(&value, o->src->text + o->value.begin, o->value.end - o->value.begin);
+  bool ok = read_line(r, &(struct scene_line){(enum scene_key)o->key, o->src, o->value, text_str(&value)});
+  text_clear(&value);
+  return ok;
 }
 
-bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {
-  if (!scene_load_box(s, spec, data, d)) return false;
+static bool read_all(struct reader *r, const struct scene_overrides *o) {
+  int n = o ? o->n : 0;
+  struct override *list = ss_malloc((size_t)(n + 1) * sizeof *list);
+  bool ok = true;
+  for (int i = 0; ok && i < n; i++) ok = split_override(r, &list[i], o->item[i], o->option);
+  ok = ok && read_file(r);
+  for (int i = 0; ok && i < n; i++) ok = apply_override(r, &list[i]);
+  free(list);
+  return ok && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);
+}
+
+/* --- Scenes --- */
+
+bool scene_one_point(const struct scene *s, struct diag *d) {
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->interval[k]) {
-      diag_set(d, "%s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
+      diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
       return false;
     }
   return true;
 }
 
-bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
+bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
+                     struct diag *d) {
   *s = (struct scene){.n_printed = 0};
   for (int k = 0; k < N_KEYS; k++) fmpq_init(&s->value[k]);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_init(&s->high[k]);
-  size_t len = strlen(spec);
-  bool is_path = strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
-  struct text path;
-  text_init(&path);
-  if (is_path)
-    text_add(&path, spec);
-  else
-    text_printf(&path, "%s/scenes/%s.scene", data, spec);
-  s->path = strdup(text_str(&path));
-  s->name = name_of(s->path);
-  s->title = strdup("");
-  text_clear(&path);
+  scene_set_names(s, spec, data, o);
+  s->title = ss_strdup("");
+  struct reader r = {.s = s, .d = d};
+  arena_init(&r.arena);
+  bool ok = read_all(&r, o);
+  arena_clear(&r.arena);
+  return ok && (any || (scene_one_point(s, d) && scene_papers_word(s, d)));
+}
 
-  struct source src;
-  if (!source_read(&src, s->path, MAX_SCENE_FILE, d)) return false;
-  struct record_file f;
-  bool ok = record_file_parse(&f, src, d) && read_fields(s, &f, d);
-  record_file_clear(&f);
-  return ok;
+bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {
+  return scene_load_with(s, spec, data, NULL, false, d);
+}
+
+bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
+  return scene_load_with(s, spec, data, NULL, true, d);
 }
 
 void scene_clear(struct scene *s) {
   for (int k = 0; k < N_KEYS; k++) fmpq_clear(&s->value[k]);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_clear(&s->high[k]);
-  for (size_t i = 0; i < s->n_printed; i++) {
-    free(s->printed[i].name);
-    free(s->printed[i].decimal);
-    fmpq_clear(&s->printed[i].value);
-    fmpq_clear(&s->printed[i].unit);
-  }
+  for (size_t i = 0; i < s->n_printed; i++) printed_clear(&s->printed[i]);
   free(s->printed);
+  scene_asked_clear(&s->asked);
+  for (size_t i = 0; i < s->n_sources; i++) {
+    source_clear(s->source[i]);
+    free(s->source[i]);
+  }
+  free(s->source);
   free(s->name);
+  free(s->file);
+  free(s->command);
+  free(s->folder);
   free(s->path);
   free(s->title);
 }

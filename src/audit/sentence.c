@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "audit_impl.h"
+#include "stickslip/work.h"
 
 /* --- Building --- */
 
@@ -111,6 +112,14 @@ bool sentence_from_record(struct sentence *s, struct view v, const char *id, con
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  if (statement ? !view_record(&v, statement) : value && !oracle_find(value)) {
+    *s = (struct sentence){.n = 0};
+    elaboration_init(&s->el, v, NULL, 0);
+    diag_at(d, &c->file->src, record_field(c->record, statement ? "statement" : "value")->value.begin,
+            statement ? "there is no record %s in the equation files" : "the model has no quantity named %s",
+            statement ? statement : value);
+    return false;
+  }
   if (statement) return sentence_from_record(s, v, statement, overrides, n_overrides, d);
   return sentence_from_value(s, v, value ? value : "", section ? section : "", overrides, n_overrides, d);
 }
@@ -306,11 +315,12 @@ struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum 
   for (slong prec = FIRST_PREC; prec <= LAST_PREC; prec *= 2) {
     struct comparison c;
     t = try_once(s, &c, p, variant, num_ctx_arb(prec), cache);
-    if (t.outcome == OUTCOME_UNBOUND || (t.outcome == OUTCOME_REJECTED && (t.status & SS_DOMAIN))) break;
+    if (t.outcome == OUTCOME_UNBOUND || (t.outcome == OUTCOME_REJECTED && (t.status & SS_DOMAIN))) return t;
     if (t.outcome != OUTCOME_UNDECIDED) continue;
     decide(&t, &c, prec);
     if (t.outcome != OUTCOME_UNDECIDED) break;
   }
+  work_rung(LADDER_SIDES, t.bits == FIRST_PREC);
   return t;
 }
 

@@ -222,6 +222,21 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
   return (struct digits_effect){fails ? NAN : squares / 2, sum, known};
 }
 
+double digits_amplification(struct digits_bench *w, slong which) {
+  const struct tape *t = &w->f->tape;
+  double sum = -INFINITY;
+  fill_adjoint(w, which);
+  for (slong i = 0; i <= w->f->out[which]; i++) {
+    arb_srcptr a = num_vec_at(&w->adjoint, i), v = value(w, i);
+    if (arb_is_zero(a)) continue;
+    double off = t->code[i].op == TAPE_INPUT ? digits_log2_mag(arb_radref(v)) + (double)w->prec
+                 : rounds(t->code[i].op)     ? digits_log2(v)
+                                             : -INFINITY;
+    sum = log2_add(sum, digits_log2(a) + off);
+  }
+  return sum - digits_log2(value(w, w->f->out[which]));
+}
+
 /* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
 static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
@@ -417,6 +432,23 @@ struct digits_cause digits_explain(struct digits_bench *w) {
   return c;
 }
 
+static bool is_wrong_zero(const struct digits_bench *w, slong i) {
+  return !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0 && !arb_contains_zero(value(w, i));
+}
+
+/* Where a zero that should be none has begun: factors, roots and powers hand it on. */
+static slong zero_source(const struct digits_bench *w, slong i) {
+  const struct tape *t = &w->f->tape;
+  for (bool on = true; on && t->code[i].op != TAPE_add && t->code[i].op != TAPE_sub;) {
+    on = false;
+    for (slong k = 0; !on && k < n_operands(&t->code[i]); k++) {
+      on = is_wrong_zero(w, operand(t, i, k));
+      if (on) i = operand(t, i, k);
+    }
+  }
+  return i;
+}
+
 /* The first node that has no value though its operands have; else the smallest that underflows. */
 struct digits_cause digits_explain_failure(struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
@@ -424,7 +456,7 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
   for (slong i = 0; i < t->n; i++) {
     if (w->d_flags[i] == SS_OK) continue;
     enum tape_op op = t->code[i].op;
-    slong at = op == TAPE_div ? t->code[i].b : i;
+    slong at = op == TAPE_div ? zero_source(w, t->code[i].b) : i;
     bool tiny = digits_log2(value(w, at)) < LEAST_NORMAL;
     if (w->d_flags[i] & SS_DOMAIN)
       return (struct digits_cause){tiny ? CAUSE_UNDERFLOW : op == TAPE_ROOT ? CAUSE_ROOT : CAUSE_ZERO_DIVISOR, at, 0};

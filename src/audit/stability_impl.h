@@ -12,11 +12,18 @@ enum { DIGITS_INPUTS = 32, DIGITS_SPARE = 6, DIGITS_COORDINATES = 2 * DIGITS_INP
 /* What an input is, by its name: how far it may go, and whether it has a sign. */
 enum input_class { INPUT_CHI, INPUT_ETA, INPUT_V, INPUT_FORCE, INPUT_TIME, INPUT_STATE, INPUT_SIGN, N_INPUT_CLASSES };
 
-/* --- Formulas (stability_formula.c) --- */
+/* --- The formulas of a layer (stability_set.c) --- */
 
 struct digits_name {
   const struct expr *e;
   const char *name;
+};
+
+/* A scalar and where it is written. */
+struct digits_source {
+  const struct expr *e;
+  const struct source *src;
+  size_t at;
 };
 
 struct digits_kernel;
@@ -44,6 +51,8 @@ struct digits_set {
   size_t n, cap;
   struct digits_name *name; /* of subexpressions that the paper names */
   size_t n_names, cap_names;
+  struct digits_source *place; /* the first of a scalar counts */
+  size_t n_places, cap_places;
 };
 
 bool digits_set_make(struct digits_set *s, const struct model *m, enum layer layer, struct diag *d);
@@ -51,16 +60,46 @@ void digits_set_clear(struct digits_set *s);
 /* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
 bool digits_selected(const struct digits_formula *f, const char *operand);
 const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
-/* Makes f->slopes. */
-bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d);
-/* The node in the paper's notation: subexpressions that have a name in the paper by that name (whole: the node itself too),
-   factors 1 and terms 0 of matrix products left out, what is deep as f(what it is made of). */
-void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
+/* A formula that stands in none of them, from its text as it is seen from a section; strings are borrowed.  To be cleared by
+   itself where that succeeds. */
+bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const char *id, const char *text,
+                       const char *section, struct diag *d);
 /* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
-slong digits_input(const struct tape *t, const char *name); /* -1 */
 
+/* --- One formula (stability_formula.c) --- */
+
+slong digits_input(const struct tape *t, const char *name); /* -1 */
 enum input_class digits_class_of(const char *name);
+/* Makes the tape from the entries; values of a motion, z_1(t), become inputs. */
+bool digits_formula_make(struct digits_formula *f, struct digits_set *s, struct diag *d);
+void digits_formula_clear(struct digits_formula *f);
+/* Does it round anything at all? */
+bool digits_formula_computes(const struct digits_formula *f);
+/* The same but for the names of inputs, which must be of one kind. */
+bool digits_formula_same(const struct digits_formula *a, const struct digits_formula *b);
+/* chi=0x1.8p-3,... */
+void digits_print_point(struct text *out, const struct digits_formula *f, const double *x);
+/* Is it that number, as it is written? */
+bool digits_is_number(const struct expr *e, const char *number);
+
+/* --- Its derivatives (stability_slopes.c) --- */
+
+/* Makes f->slopes. */
+bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *d);
+
+/* --- In the paper's notation (stability_notation.c) --- */
+
+/* The node: subexpressions that have a name in the paper by that name (whole: the node itself too), factors 1 and terms 0 of
+   matrix products left out, what is deep as f(what it is made of). */
+void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
+
+/* --- Where nodes are written (stability_place.c) --- */
+
+void digits_note_definition(struct digits_set *s, const struct definition *def);
+void digits_note_record(struct digits_set *s, const struct statement_record *r);
+/* "paper/4-stability.eq:57", of the node or of what it is part of; false where it is written nowhere. */
+bool digits_print_place(struct text *out, const struct digits_set *s, const struct digits_formula *f, slong node);
 
 /* --- The program's own functions (stability_kernel.c) --- */
 
@@ -68,6 +107,14 @@ enum input_class digits_class_of(const char *name);
 void digits_enrol_kernels(struct digits_set *s);
 int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in);
 double digits_kernel_condition(const struct digits_formula *f, const struct num_vec *in, double size);
+
+/* Takes a point of a region to one at which the function can have a value; false where there is none. */
+bool digits_kernel_place(double *x, const struct digits_formula *f);
+
+/* --- The orbit from a guess (stability_warm.c): the state is t_b, t_c, the point chi, eta, V, e_1, e_2, t_b, t_c --- */
+
+int digits_warm_run(struct num_vec *out, const struct num_vec *params, const struct num_vec *state);
+bool digits_warm_place(double *x);
 
 /* --- One point (stability_measure.c) --- */
 
@@ -87,6 +134,8 @@ struct digits_loss {
   double moved;     /* log2 of the same with differences for derivatives; -inf where it is not needed */
   double predicted; /* log2 of the error predicted, in the same units; NaN: a failure */
   double observed, problem, formula; /* digits */
+  double excess;                     /* formula, not cut off at all digits */
+  bool sign_lost;
 };
 
 /* Registers for one formula. */
@@ -103,7 +152,7 @@ void digits_bench_clear(struct digits_bench *w);
 /* log2 of an upper bound of |x|, to many digits; -inf for zero. */
 double digits_log2(arb_srcptr x);
 double digits_log2_mag(const mag_t x);
-/* What is lost at x.  Where the formula cannot lose more than `floor` digits, nothing but that is computed. */
+/* What is lost at x.  Where the excess cannot be more than `floor` digits, nothing but that is computed. */
 struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor);
 /* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they have no
    value there. */
@@ -120,6 +169,9 @@ struct digits_effect {
   bool known; /* to three digits, where the inputs matter at all */
 };
 struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size);
+/* log2 of what roundings of all nodes at w->prec bits, and the radii of the inputs, do to entry `which`, in units of 2^-prec of
+   its value: how many bits it loses.  Fills w->adjoint. */
+double digits_amplification(struct digits_bench *w, slong which);
 /* Does the rule predict that no value comes out? */
 bool digits_predicts_failure(const struct digits_bench *w);
 
@@ -134,6 +186,15 @@ struct digits_cause digits_explain_failure(struct digits_bench *w);
 /* Has underflow spoiled the finite value, so that it explains the error? */
 bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, double size);
 
+/* --- Nearness to failure (stability_strain.c) --- */
+
+enum digits_strain { STRAIN_OVER, STRAIN_UNDER, STRAIN_DIVISOR, N_STRAINS };
+/* Of the point measured last: each grows towards a failure of its kind, which comes at about 1; -inf where there is no node
+   that can fail so, and for a function of the program. */
+void digits_strain(double strain[N_STRAINS], struct digits_bench *w);
+/* The largest |log2| of an input, of 1 - chi too: how far the point is from ordinary numbers. */
+double digits_extreme(const struct digits_formula *f, const double *x);
+
 /* --- Regions (stability_region.c) --- */
 
 extern const struct stability_region digits_region[];
@@ -144,23 +205,27 @@ struct digits_place; /* a region made ready for a formula */
 /* NULL when the region says nothing of the formula's inputs. */
 struct digits_place *digits_place_new(int region, struct digits_bench *w, struct digits_set *s);
 void digits_place_free(struct digits_place *p);
+/* The coordinates that the point depends on; how many. */
+int digits_coordinates(int which[DIGITS_COORDINATES], const struct digits_place *p);
 /* The point of coordinates u, all in [0, 1); false when there is none. */
 bool digits_point(double *x, struct digits_place *p, const double *u);
 
 /* --- The search (stability_search.c) --- */
 
 struct digits_effort {
-  int samples, steps;
+  int samples, steps,
+      agreement; /* agreement: points of each region at which layers are held against each other in balls */
 };
 /* What one search has found; plain bytes, since it crosses a pipe. */
 struct digits_found {
-  bool applies, found, failed, at_fault, slopes_differ, slopes;
+  bool applies, found, failed, slopes_differ, slopes;
   int points, outside, undecided, zero, failures;
   struct digits_loss loss, after; /* at the witness */
   struct digits_loss after_worst; /* of the other layer where it loses most by itself, by a climb of its own */
   bool after_found;
   int after_failures;
   struct digits_cause why, failure;
+  double failure_size; /* log2 of the true value of the failure's node; NaN where none is named */
   double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS], after_x[DIGITS_INPUTS];
   int confusion[N_LOSS_BINS][N_LOSS_BINS];
 };
@@ -168,12 +233,79 @@ struct digits_found {
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
                    struct digits_formula *after, int region, struct digits_effort effort);
 
+/* The next number of [0, 1). */
+double digits_uniform(uint64_t *state);
+
+/* --- The stable form's value beside the corrected one's (stability_agree.c) --- */
+
+struct digits_pair {
+  struct digits_formula *corrected, *stable;
+};
+/* Every formula that is another one in the stable layer, a matrix as a whole, by its name; and the stable layer's parts that
+   are proved equal to something of the corrected one. */
+struct digits_pairs {
+  struct digits_set corrected, stable;
+  struct digits_formula *part; /* of both layers, one after the other */
+  size_t n_parts;
+  struct digits_pair *pair;
+  size_t n, cap;
+};
+/* To be cleared whether it succeeds or not. */
+bool digits_pairs_make(struct digits_pairs *p, const struct model *m, const struct stable_proofs *proofs,
+                       struct diag *d);
+void digits_pairs_clear(struct digits_pairs *p);
+
+/* Of one pair over all regions, `samples` points in each; plain bytes. */
+struct digits_agreement {
+  long points;             /* at which every entry of the corrected form has a finite value */
+  long outside, undecided; /* undecided: of those, enclosures meet and are too wide to tell more */
+  long lost, differ;       /* an entry of the stable form has no value at the highest precision; another one */
+  int region;              /* of the first of these, and where */
+  double x[DIGITS_INPUTS];
+};
+void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t pair, int samples);
+
+/* --- What replaces a formula (stability_replace.c) --- */
+
 /* The records of the stable layer that make the formula, joined by ", ", of those that have proofs (stable.h); whether all of
    them are proved. */
 bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
                         const struct digits_formula *f);
 
-/* chi=0x1.8p-3,... */
-void digits_print_point(struct text *out, const struct digits_formula *f, const double *x);
+/* --- The study (stability.c) --- */
+
+struct digits_study {
+  struct digits_set set, other; /* other: of the layer held against it */
+  bool have_other;
+  const struct model *model;
+  struct stable_proofs proofs; /* of the stable layer, when it is the other one */
+  struct digits_pairs pairs;   /* then too */
+  bool have_proofs, have_pairs;
+  struct digits_formula **formula, **after; /* after: NULL where the other layer has the same formula or none */
+  size_t n;
+  struct digits_effort effort;
+  struct stability_result *out;
+};
+/* The formulas that the options ask for; to be closed whether it succeeds or not. */
+bool digits_study_open(struct digits_study *st, const struct model *m, const struct stability_options *opt,
+                       struct diag *d);
+void digits_study_close(struct digits_study *st);
+
+/* --- In words (stability_describe.c); strings go to the arena of st->out --- */
+
+void digits_describe_formula(struct stability_formula *z, struct digits_study *st, const struct digits_formula *f);
+void digits_describe_replacement(struct stability_formula *z, struct digits_study *st,
+                                 const struct digits_formula *after);
+void digits_describe_row(struct stability_row *z, struct digits_study *st, int formula, int region,
+                         const struct digits_found *found);
+
+void digits_describe_pair(struct stability_pair *z, struct digits_study *st, size_t pair,
+                          const struct digits_agreement *found);
+
+/* --- Maps (stability_map.c) --- */
+
+/* Of the worst formulas, around the points found[i], where i is the row of their worst. */
+bool digits_draw_maps(struct digits_study *st, const struct digits_found *found, const struct stability_options *opt,
+                      struct diag *d);
 
 #endif

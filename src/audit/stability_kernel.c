@@ -1,6 +1,6 @@
 /* The program's own functions of dynamics.h, studied like the paper's formulas: the same code over balls is the truth, since
-   what it returns there encloses the exact result; of the return map, which is in double alone, the arc in balls, its events
-   near the first ones of dyn_first_event_d.  They are no tapes: condition numbers are differences in balls at a high
+   what it returns there encloses the exact result; of the return map, which is in double alone, the arc in balls between events
+   that are found and proved to be first there.  They are no tapes: condition numbers are differences in balls at a high
    precision, and no node is named.  An error status is an answer, a wrong value is not. */
 #include <math.h>
 #include <stdlib.h>
@@ -8,6 +8,7 @@
 
 #include "stability_impl.h"
 #include "stickslip/return_map.h"
+#include "stickslip/warm.h"
 
 struct digits_kernel {
   const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */
@@ -15,6 +16,8 @@ struct digits_kernel {
   enum phase phase;
   int (*run)(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
              const void *t);
+  bool (*place)(
+      double *x); /* takes a region's point to one at which the function has a value; false where none is; or NULL */
 };
 
 static int run_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
@@ -47,6 +50,8 @@ static int run_rate(struct num_vec *out, enum phase ph, const struct num_vec *pa
 
 /* --- The return map of r, the first of the state --- */
 
+enum { MOST_STEPS = 400 };
+
 static int map_in_double(struct num_vec *out, const struct num_vec *params, double r) {
   struct dyn_return x;
   double p[N_PARAMS];
@@ -58,57 +63,27 @@ static int map_in_double(struct num_vec *out, const struct num_vec *params, doub
   return SS_OK;
 }
 
-/* First events after the stick phase, which takes no time, near the middles of the balls. */
-static int first_times(double t[N_PHASES], const struct num_vec *params, arb_srcptr r) {
-  struct num_vec p, z, time;
-  double params_d[N_PARAMS], in[N_STATE];
-  num_vec_init(&p, N_PARAMS, num_ctx_double());
-  num_vec_init(&z, N_STATE, num_ctx_double());
-  num_vec_init(&time, 1, num_ctx_double());
-  int status = SS_OK;
-  for (int i = 0; i < N_PARAMS; i++) {
-    params_d[i] = num_arb.get_d(num_vec_at(params, i));
-    num_double.set(num_vec_at(&p, i), &params_d[i]);
-  }
-  in[Z_1] = (params_d[P_E1] + params_d[P_CHI] * num_arb.get_d(r)) / (1 - params_d[P_CHI]);
-  in[Z_2] = in[Z_1] + num_arb.get_d(r);
-  in[DZ_1] = in[DZ_2] = params_d[P_V];
-  t[PHASE_D] = 0;
-  for (int ph = PHASE_GAMMA; ph < N_PHASES && !status; ph++) {
-    bool grazing;
-    for (int i = 0; i < N_STATE; i++) num_double.set(num_vec_at(&z, i), &in[i]);
-    status = dyn_first_event_d(&t[ph], &grazing, (enum phase)ph, params_d, in, NULL);
-    num_double.set(num_vec_at(&time, 0), &t[ph]);
-    if (!status) status = dyn_flow(&z, (enum phase)ph, &p, &z, num_vec_at(&time, 0));
-    for (int i = 0; i < N_STATE; i++) in[i] = num_double.get_d(num_vec_at(&z, i));
-    if (ph == PHASE_H) in[DZ_1] = params_d[P_V];
-  }
-  num_vec_clear(&time);
-  num_vec_clear(&z);
-  num_vec_clear(&p);
-  return status;
-}
-
-static int map_in_balls(struct num_vec *out, const struct num_vec *params, arb_srcptr r) {
-  double t[N_PHASES];
-  int status = first_times(t, params, r);
-  return status ? status : dyn_return_near(out, params, r, t);
-}
-
 static int run_map(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
                    const void *t) {
   (void)ph, (void)t;
   const void *r = num_vec_at(state, 0);
-  return out->ctx.type == &num_double ? map_in_double(out, params, num_double.get_d(r)) : map_in_balls(out, params, r);
+  return out->ctx.type == &num_double ? map_in_double(out, params, num_double.get_d(r))
+                                      : dyn_return_first(out, params, r, MOST_STEPS);
+}
+
+static int run_warm(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *state,
+                    const void *t) {
+  (void)ph, (void)t;
+  return digits_warm_run(out, params, state);
 }
 
 #define STATE  "chi eta t z_1 z_2 z'_1 z'_2"
 #define FORCES "chi eta V e_1 e_2 "
 #define OF_PHASES(X, name, says, inputs, rows, cols, run)                                                              \
-  X(name "-D", says ", phase D", inputs, rows, cols, PHASE_D, run)                                                     \
-  X(name "-Gamma", says ", phase Gamma", inputs, rows, cols, PHASE_GAMMA, run)                                         \
-  X(name "-H", says ", phase H", inputs, rows, cols, PHASE_H, run)                                                     \
-  X(name "-C", says ", phase C", inputs, rows, cols, PHASE_C, run)
+  X(name "-D", says ", phase D", inputs, rows, cols, PHASE_D, run, NULL)                                               \
+  X(name "-Gamma", says ", phase Gamma", inputs, rows, cols, PHASE_GAMMA, run, NULL)                                   \
+  X(name "-H", says ", phase H", inputs, rows, cols, PHASE_H, run, NULL)                                               \
+  X(name "-C", says ", phase C", inputs, rows, cols, PHASE_C, run, NULL)
 #define KERNELS(X)                                                                                                     \
   OF_PHASES(X, "dyn_flow", "the state after the time t", STATE, 4, 1, run_flow)                                        \
   OF_PHASES(X, "dyn_flow_matrix", "the matrix of that map", "chi eta t", 4, 4, run_matrix)                             \
@@ -116,10 +91,12 @@ static int run_map(struct num_vec *out, enum phase ph, const struct num_vec *par
   OF_PHASES(X, "dyn_switching", "the switching function", FORCES "z_1 z_2 z'_1 z'_2", 1, 1, run_switching)             \
   OF_PHASES(X, "dyn_switching_rate", "its derivative along the motion", FORCES "z_1 z_2 z'_1 z'_2", 1, 1, run_rate)    \
   X("dyn_return_map", "the next t_a, t_b, t_c, t_d, r at the end and slope of the return map", FORCES "r", N_RETURN,   \
-    1, PHASE_D, run_map)
+    1, PHASE_D, run_map, NULL)                                                                                         \
+  X("dyn_orbit_warm", "z_10, z_20, t_a, t_b, t_c, t_d, period, trace, least u_r1, u_r2 of the orbit near t_b, t_c",    \
+    FORCES "t_b t_c", N_DYN_OUT, 1, PHASE_D, run_warm, digits_warm_place)
 
 static const struct digits_kernel kernels[] = {
-#define KERNEL_ROW(id, says, inputs, rows, cols, phase, run) {id, says, inputs, rows, cols, phase, run},
+#define KERNEL_ROW(id, says, inputs, rows, cols, phase, run, place) {id, says, inputs, rows, cols, phase, run, place},
     KERNELS(KERNEL_ROW)
 #undef KERNEL_ROW
 };
@@ -154,6 +131,10 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
   num_vec_clear(&params);
   num_vec_clear(&state);
   return status;
+}
+
+bool digits_kernel_place(double *x, const struct digits_formula *f) {
+  return !f->kernel || !f->kernel->place || f->kernel->place(x);
 }
 
 /* The sum over the inputs of |f(x_k (1 + h)) - f(x)|/h for each entry, into sum. */

@@ -7,9 +7,9 @@
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
 
-/* log2 of a condition number at which 2^-53 of an input moves the result by a thousandth of itself or more; and of one below
-   which second derivatives that large are not to be feared where the first vanishes, as at the crests of a fast oscillation. */
-static const double NOT_SMALL = 43, NOT_STEADY = 10;
+/* log2 of a condition number below which second derivatives so large that 2^-53 of an input is not small are not to be feared
+   where the first vanish, as at the crests of a fast oscillation. */
+static const double NOT_STEADY = 10;
 
 static slong n_nodes(const struct digits_formula *f) {
   return f->kernel ? f->n : f->tape.n;
@@ -108,9 +108,10 @@ static enum digits_kind find_truth(double *size, struct digits_bench *w) {
 }
 
 /* The formula in double: DIGITS_FAILED where an entry that a double can hold has no value. */
-static enum digits_kind run_double(double *error, struct digits_bench *w, double size) {
+static enum digits_kind run_double(struct digits_loss *r, struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
   run(&w->d, w->d_flags, f, &w->x);
+  double *error = &r->error;
   *error = -INFINITY;
   arb_t diff;
   arb_init(diff);
@@ -121,9 +122,13 @@ static enum digits_kind run_double(double *error, struct digits_bench *w, double
       kind = DIGITS_FAILED;
       continue;
     }
-    arb_set_d(diff, *(const double *)num_vec_at(&w->d, i));
+    double got = *(const double *)num_vec_at(&w->d, i);
+    arb_set_d(diff, got);
     arb_sub(diff, diff, num_vec_at(&w->b, i), w->prec);
-    *error = fmax(*error, digits_log2(diff) - size + 53);
+    double off = digits_log2(diff) - size + 53;
+    if (off <= *error) continue;
+    *error = off;
+    r->sign_lost = got > 0 ? arb_is_negative(num_vec_at(&w->b, i)) : got < 0 && arb_is_positive(num_vec_at(&w->b, i));
   }
   arb_clear(diff);
   return kind;
@@ -205,20 +210,22 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
   set_inputs(w, x);
   r.kind = find_truth(&size, w);
   if (r.kind != DIGITS_LOST) return r;
-  r.kind = size > 1023.99 || size < -1021.99 ? DIGITS_OUTSIDE : run_double(&r.error, w, size);
+  r.kind = size > 1023.99 || size < -1021.99 ? DIGITS_OUTSIDE : run_double(&r, w, size);
   if (r.kind == DIGITS_OUTSIDE) return r;
   r.observed = digits_of(r.error);
-  if (r.kind == DIGITS_LOST && r.observed <= floor) {
+  if (r.kind == DIGITS_LOST && fmax(0, r.error * log10(2)) <= floor) {
     r.kind = DIGITS_LESS;
     return r;
   }
   find_effect(&r, w, size);
   if (isnan(r.condition)) r.kind = DIGITS_UNDECIDED;
   if (digits_predicts_failure(w)) r.predicted = NAN;
-  bool blamed = r.kind == DIGITS_LOST && r.observed - digits_of(r.condition) > log10(STABILITY_ALLOWED);
-  r.moved = r.condition > (blamed ? NOT_STEADY : NOT_SMALL) ? moved(w, size) : -INFINITY;
+  bool blamed = r.kind == DIGITS_LOST && stability_is_loss(r.observed - digits_of(r.condition));
+  r.moved =
+      blamed && r.condition > NOT_STEADY ? moved(w, size) : -INFINITY; /* an excuse that the derivatives do not know */
   r.problem = digits_of(fmax(r.condition, r.moved));
   r.formula = r.kind == DIGITS_LOST ? fmax(0, r.observed - r.problem) : 0;
+  r.excess = r.formula > 0 ? r.error * log10(2) - r.problem : 0;
   if (r.formula > 1 && digits_underflows(w, &r, size)) r.kind = DIGITS_FAILED;
   return r;
 }

@@ -150,6 +150,37 @@ void digits_place_free(struct digits_place *p) {
   free(p);
 }
 
+/* How many of the region's own coordinates are read. */
+static int own_coordinates(enum region_move move) {
+  switch (move) {
+  case MOVE_NONE:
+  case MOVE_POWER:
+  case MOVE_ANYWHERE:
+    return 0;
+  case MOVE_TOGETHER:
+  case MOVE_UP_TO_1:
+    return 1;
+  case MOVE_RESONANCE:
+  case MOVE_TO_ZERO:
+    return 4;
+  case MOVE_CANCEL:
+    return 5;
+  }
+  abort();
+}
+
+int digits_coordinates(int which[DIGITS_COORDINATES], const struct digits_place *p) {
+  const struct digits_formula *f = p->w->f;
+  enum region_move move = region_table[p->region].move;
+  int n = 0;
+  for (slong k = 0; k < f->tape.n_inputs; k++) {
+    which[n++] = (int)(2 * k);
+    if (f->input[k] == INPUT_STATE || move == MOVE_ANYWHERE) which[n++] = (int)(2 * k + 1);
+  }
+  for (int i = 0; i < own_coordinates(move); i++) which[n++] = (int)(2 * f->tape.n_inputs) + i;
+  return n;
+}
+
 /* --- Points --- */
 
 /* 10^e with e from a to b, half of the coordinate's range for the first sixteen decades. */
@@ -278,7 +309,7 @@ static bool beside_zero(double *x, const struct zero_of *z, const double *u) {
   return false;
 }
 
-bool digits_point(double *x, struct digits_place *p, const double *u) {
+static bool point_of(double *x, struct digits_place *p, const double *u) {
   const struct digits_formula *f = p->w->f;
   const double *own = u + 2 * f->tape.n_inputs; /* the region's coordinates */
   double from = region_table[p->region].from, to = region_table[p->region].to;
@@ -319,4 +350,8 @@ bool digits_point(double *x, struct digits_place *p, const double *u) {
     return beside_zero(x, &(struct zero_of){p, p->sum[(slong)(own[4] * (double)p->n_sums)]}, own);
   }
   abort();
+}
+
+bool digits_point(double *x, struct digits_place *p, const double *u) {
+  return point_of(x, p, u) && digits_kernel_place(x, p->w->f);
 }

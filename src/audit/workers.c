@@ -30,6 +30,7 @@ struct worker {
 static void be_worker(int fd, int which, size_t size, size_t n, int jobs, work_fn *work, void *arg) {
   struct message m;
   signal(SIGPIPE, SIG_DFL);
+  ss_exhausted_quietly();
   for (size_t i = (size_t)which; i < n; i += (size_t)jobs) {
     memset(&m, 0, sizeof m);
     m.item = i;
@@ -98,7 +99,7 @@ bool workers_run(void *results, size_t size, size_t n, int jobs, work_fn *work, 
                  void (*done)(size_t n, size_t of), struct diag *d) {
   if (size > WORKERS_ITEM_MAX || jobs < 1 || jobs > WORKERS_MAX) abort();
   struct worker w[WORKERS_MAX];
-  bool ok = true, all = true;
+  bool ok = true, all = true, exhausted = false;
   int made = 0;
   while (ok && made < jobs) {
     ok = start(&w[made], made, size, n, jobs, work, arg);
@@ -110,11 +111,14 @@ bool workers_run(void *results, size_t size, size_t n, int jobs, work_fn *work, 
     bool complete = w[k].done == w[k].share, ended = w[k].fd < 0;
     if (!complete || !ok) kill(w[k].pid, SIGKILL);
     if (!ended) close(w[k].fd);
-    while (waitpid(w[k].pid, NULL, 0) < 0 && errno == EINTR) continue;
+    int how = 0;
+    while (waitpid(w[k].pid, &how, 0) < 0 && errno == EINTR) continue;
+    exhausted = exhausted || (WIFEXITED(how) && WEXITSTATUS(how) == EXIT_EXHAUSTED);
     if (!complete && ended)
       diag_set(d, "error: a worker process ended after %zu of its %zu items", w[k].done, w[k].share);
     all = all && complete;
   }
+  if (exhausted) ss_out_of_memory();
   if (ok && !all) diag_set(d, "error: the worker processes could not be waited for");
   return ok && all;
 }

@@ -2,12 +2,13 @@
    Exhausted memory is not a state any caller could go on from: the program says so and ends with status 5. */
 #include "stickslip/arena.h"
 
+#include <stdbool.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-enum { FIRST_BLOCK = 4096, LARGEST_BLOCK = 1 << 20, EXIT_INTERNAL = 5 };
+enum { FIRST_BLOCK = 4096, LARGEST_BLOCK = 1 << 20 };
 
 struct arena_block {
   struct arena_block *next;
@@ -15,10 +16,27 @@ struct arena_block {
   _Alignas(max_align_t) unsigned char bytes[];
 };
 
+static bool quiet;
+static void (*called)(void);
+
+void ss_exhausted_quietly(void) {
+  quiet = true;
+  called = NULL;
+}
+
+void ss_exhausted_calls(void (*f)(void)) {
+  called = f;
+}
+
+void ss_out_of_memory(void) {
+  if (called) called();
+  if (!quiet) fputs("stickslip: out of memory\n", stderr);
+  exit(EXIT_EXHAUSTED);
+}
+
 static void *or_die(void *p) {
-  if (p) return p;
-  fputs("stickslip: out of memory\n", stderr);
-  exit(EXIT_INTERNAL);
+  if (!p) ss_out_of_memory();
+  return p;
 }
 
 void *ss_malloc(size_t size) {
@@ -27,6 +45,17 @@ void *ss_malloc(size_t size) {
 
 void *ss_realloc(void *p, size_t size) {
   return or_die(realloc(p, size ? size : 1));
+}
+
+char *ss_strdup(const char *s) {
+  return ss_strndup(s, strlen(s));
+}
+
+char *ss_strndup(const char *s, size_t len) {
+  char *p = ss_malloc(len + 1);
+  memcpy(p, s, len);
+  p[len] = '\0';
+  return p;
 }
 
 void *ss_grow(void *p, size_t len, size_t *cap, size_t size) {
@@ -47,6 +76,14 @@ void arena_clear(struct arena *a) {
     free(a->head);
     a->head = next;
   }
+}
+
+void arena_in(void *room, size_t size) {
+  *(struct arena_block *)room = (struct arena_block){.size = size - sizeof(struct arena_block)};
+}
+
+void arena_resume(struct arena *a, void *room) {
+  a->head = room;
 }
 
 void *arena_alloc(struct arena *a, size_t size) {

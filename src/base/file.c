@@ -1,6 +1,8 @@
 /* Files: read whole after looking at what they are, written beside and renamed. */
+#include <dirent.h>
 #include <errno.h>
 #include <fcntl.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -13,7 +15,7 @@
 static bool check_text(const struct source *s, struct diag *d) {
   const char *nul = memchr(s->text, '\0', s->len);
   if (nul) {
-    diag_set(d, "%s: error: not a text file (a NUL byte at offset %zu)", s->name, (size_t)(nul - s->text));
+    diag_set(d, "%.300s: error: not a text file (a NUL byte at offset %zu)", s->name, (size_t)(nul - s->text));
     return false;
   }
   size_t good = text_valid_prefix(s->text, s->len);
@@ -27,11 +29,12 @@ static bool check_text(const struct source *s, struct diag *d) {
 static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d) {
   struct stat st;
   if (fstat(fd, &st) != 0) {
-    diag_set(d, "%s: error: %s", s->name, strerror(errno));
+    diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
     return false;
   }
   if (!S_ISREG(st.st_mode)) {
-    diag_set(d, "%s: error: %s, not a regular file", s->name, S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
+    diag_set(d, "%.300s: error: %s, not a regular file", s->name,
+             S_ISDIR(st.st_mode) ? "a folder" : "a device or pipe");
     return false;
   }
   struct text t;
@@ -43,9 +46,9 @@ static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d
     if (t.len > max) break;
   }
   if (n < 0)
-    diag_set(d, "%s: error: %s", s->name, strerror(errno));
+    diag_set(d, "%.300s: error: %s", s->name, strerror(errno));
   else if (t.len > max)
-    diag_set(d, "%s: error: larger than %zu bytes", s->name, max);
+    diag_set(d, "%.300s: error: larger than %zu bytes", s->name, max);
   if (n != 0) {
     text_clear(&t);
     return false;
@@ -59,16 +62,11 @@ static bool read_descriptor(int fd, struct source *s, size_t max, struct diag *d
   return true;
 }
 
-static char *duplicate(const char *s) {
-  size_t n = strlen(s) + 1;
-  return memcpy(ss_malloc(n), s, n);
-}
-
 bool source_read(struct source *s, const char *path, size_t max, struct diag *d) {
-  *s = (struct source){duplicate(path), NULL, 0};
+  *s = (struct source){ss_strdup(path), NULL, 0};
   int fd = open(path, O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   bool ok = fd >= 0;
-  if (!ok) diag_set(d, "%s: error: %s", path, strerror(errno));
+  if (!ok) diag_set(d, "%.300s: error: %s", path, strerror(errno));
   ok = ok && read_descriptor(fd, s, max, d) && check_text(s, d);
   if (fd >= 0) close(fd);
   if (!ok) source_clear(s);
@@ -76,7 +74,7 @@ bool source_read(struct source *s, const char *path, size_t max, struct diag *d)
 }
 
 void source_from_string(struct source *s, const char *name, const char *text) {
-  *s = (struct source){duplicate(name), duplicate(text), strlen(text)};
+  *s = (struct source){ss_strdup(name), ss_strdup(text), strlen(text)};
 }
 
 void source_clear(struct source *s) {
@@ -104,36 +102,127 @@ bool file_replaceable(const char *path) {
   return false;
 }
 
-/* Writes the data beside path and leaves the temporary file's name in beside; on failure nothing is left. */
-static bool write_beside(struct text *beside, const char *path, const char *data, size_t len, struct diag *d) {
-  text_printf(beside, "%s.XXXXXX", path);
-  int fd = file_replaceable(path) ? mkstemp(beside->data) : -1;
-  bool ok = fd >= 0 && write_all(fd, data, len) && fchmod(fd, S_IRUSR | S_IWUSR | S_IRGRP | S_IROTH) == 0;
+/* What a run that ends half way must not leave: temporary files, or some new files among old ones. */
+static struct {
+  const char
+      *volatile beside[MAX_FILE_ITEMS]; /* temporary files that stand in a folder, in the order of their renames */
+  const char *volatile path[MAX_FILE_ITEMS];
+} under_way;
+static volatile sig_atomic_t sets_in_place;
+const int ending_signals[N_ENDING_SIGNALS] = {SIGINT, SIGTERM, SIGHUP, SIGALRM};
+
+int files_in_place(void) {
+  return sets_in_place;
+}
+
+/* The folder knows, to the instruction, whether the first rename has happened. */
+void files_settle(void) {
+  struct stat st;
+  bool forwards = under_way.beside[0] && stat(under_way.beside[0], &st) != 0;
+  for (int i = 0; i < MAX_FILE_ITEMS; i++) {
+    const char *name = under_way.beside[i];
+    if (name && (!forwards || rename(name, under_way.path[i]) != 0)) unlink(name);
+    under_way.beside[i] = NULL;
+  }
+  if (forwards) sets_in_place++;
+}
+
+static void settle_and_end(int number) {
+  files_settle();
+  raise(number); /* held back until the handler returns, and then what it is by default */
+}
+
+static void set_of_ending(sigset_t *set) {
+  sigemptyset(set);
+  for (int i = 0; i < N_ENDING_SIGNALS; i++) sigaddset(set, ending_signals[i]);
+}
+
+/* Where a signal would end the process it settles the files first; who has a handler of his own calls files_settle. */
+static void watch_signals(struct sigaction before[N_ENDING_SIGNALS]) {
+  struct sigaction a = {.sa_handler = settle_and_end, .sa_flags = (int)SA_RESETHAND};
+  set_of_ending(&a.sa_mask);
+  for (int i = 0; i < N_ENDING_SIGNALS; i++)
+    if (sigaction(ending_signals[i], NULL, &before[i]) == 0 && before[i].sa_handler == SIG_DFL)
+      sigaction(ending_signals[i], &a, NULL);
+}
+
+static void leave_signals(const struct sigaction before[N_ENDING_SIGNALS]) {
+  for (int i = 0; i < N_ENDING_SIGNALS; i++)
+    if (before[i].sa_handler == SIG_DFL) sigaction(ending_signals[i], &before[i], NULL);
+}
+
+/* From here, and as it was: what a signal must not find half done. */
+static void hold_signals(sigset_t *before) {
+  sigset_t set;
+  set_of_ending(&set);
+  sigprocmask(SIG_BLOCK, &set, before);
+}
+
+static int make_beside(char *name, int i, const char *path) {
+  sigset_t before;
+  hold_signals(&before);
+  int fd = file_replaceable(path) ? mkstemp(name) : -1;
+  int err = errno;
+  under_way.path[i] = path;
+  under_way.beside[i] = fd >= 0 ? name : NULL;
+  sigprocmask(SIG_SETMASK, &before, NULL);
+  errno = err;
+  return fd;
+}
+
+/* Writes an item to the file whose name ends in XXXXXX, which becomes its real name. */
+static bool write_beside(char *name, int i, const struct file_item *item, mode_t mode, struct diag *d) {
+  int fd = make_beside(name, i, item->path);
+  bool ok = fd >= 0 && write_all(fd, item->data, item->len) && fchmod(fd, mode) == 0;
   int err = errno;
   if (fd >= 0 && close(fd) != 0 && ok) {
     ok = false;
     err = errno;
   }
-  if (ok) return true;
-  diag_set(d, "%s: error: cannot be written: %s", path, strerror(err));
-  if (fd >= 0) unlink(beside->data);
-  return false;
+  if (!ok) diag_set(d, "%s: error: cannot be written: %s", item->path, strerror(err));
+  return ok;
 }
 
-static bool rename_over(const struct text *beside, const char *path, struct diag *d) {
-  if (rename(beside->data, path) == 0) return true;
+static bool rename_over(const char *name, const char *path, struct diag *d) {
+  if (rename(name, path) == 0) return true;
   diag_set(d, "%s: error: cannot be written: %s", path, strerror(errno));
   return false;
 }
 
+/* The first `renamed` of n files are in place; of the others nothing stays. */
+static void finish(int renamed, int n) {
+  sigset_t before;
+  hold_signals(&before);
+  for (int i = 0; i < n; i++) {
+    if (i >= renamed && under_way.beside[i]) unlink(under_way.beside[i]);
+    under_way.beside[i] = NULL;
+  }
+  if (n > 0 && renamed == n) sets_in_place++;
+  sigprocmask(SIG_SETMASK, &before, NULL);
+}
+
+/* As for any file that a program makes. */
+static mode_t usual_mode(void) {
+  mode_t mask = umask(S_IRWXG | S_IRWXO);
+  umask(mask);
+  return (S_IRUSR | S_IWUSR | S_IRGRP | S_IWGRP | S_IROTH | S_IWOTH) & ~mask;
+}
+
+/* No memory is asked for between the first temporary file and the last rename: to run out of it ends the program. */
 bool files_write(const struct file_item *item, int n, struct diag *d) {
   struct text beside[MAX_FILE_ITEMS];
+  struct sigaction before[N_ENDING_SIGNALS];
   int written = 0, renamed = 0;
-  for (int i = 0; i < n; i++) text_init(&beside[i]);
-  while (written < n && write_beside(&beside[written], item[written].path, item[written].data, item[written].len, d))
-    written++;
-  while (written == n && renamed < n && rename_over(&beside[renamed], item[renamed].path, d)) renamed++;
-  for (int i = renamed; i < written; i++) unlink(beside[i].data);
+  for (int i = 0; i < n; i++) {
+    text_init(&beside[i]);
+    text_printf(&beside[i], "%s.XXXXXX", item[i].path);
+  }
+  mode_t mode = usual_mode();
+  watch_signals(before);
+  while (written < n && write_beside(beside[written].data, written, &item[written], mode, d)) written++;
+  while (written == n && renamed < n && rename_over(beside[renamed].data, item[renamed].path, d)) renamed++;
+  finish(renamed, n);
+  leave_signals(before);
   for (int i = 0; i < n; i++) text_clear(&beside[i]);
   return renamed == n;
 }
@@ -159,4 +248,65 @@ bool folder_make(const char *path, struct diag *d) {
   if (!ok) diag_set(d, "%s: error: cannot make the folder: %s", path, strerror(err));
   text_clear(&t);
   return ok;
+}
+
+/* 0 for a folder, else why it is none. */
+static int look_at_folder(const char *path) {
+  struct stat st;
+  return stat(path, &st) != 0 ? errno : S_ISDIR(st.st_mode) ? 0 : ENOTDIR;
+}
+
+/* The first folder that is missing is made and removed. */
+bool folder_possible(const char *path, struct diag *d) {
+  struct text t, missing;
+  text_init(&t);
+  text_init(&missing);
+  text_add(&t, path);
+  size_t end = t.len;
+  int err = look_at_folder(path);
+  while (err == ENOENT && end > 0) {
+    while (end > 0 && path[end - 1] == '/') end--;
+    text_reset(&missing);
+    text_add_n(&missing, path, end);
+    while (end > 0 && path[end - 1] != '/') end--;
+    t.data[end] = '\0';
+    err = look_at_folder(end > 0 ? t.data : ".");
+  }
+  if (!err && missing.len && (mkdir(missing.data, 0777) != 0 || rmdir(missing.data) != 0)) err = errno;
+  if (err == EEXIST) err = 0; /* somebody else has made it */
+  if (err) diag_set(d, "%s: error: cannot make the folder: %s", path, strerror(err));
+  text_clear(&missing);
+  text_clear(&t);
+  return !err;
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d) {
+  DIR *dir = opendir(path);
+  if (!dir && errno == ENOMEM) ss_out_of_memory();
+  *n = 0;
+  if (!dir) {
+    diag_set(d, "%s: error: %s", path, strerror(errno));
+    return NULL;
+  }
+  char **paths = NULL;
+  size_t cap = 0, k = strlen(suffix);
+  struct text t;
+  text_init(&t);
+  for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
+    size_t len = strlen(e->d_name);
+    if (len <= k || e->d_name[0] == '.' || strcmp(e->d_name + len - k, suffix) != 0) continue;
+    text_reset(&t);
+    text_printf(&t, "%s/%s", path, e->d_name);
+    paths = ss_grow(paths, *n, &cap, sizeof *paths);
+    paths[(*n)++] = arena_strndup(a, t.data, t.len);
+  }
+  closedir(dir);
+  text_clear(&t);
+  if (*n) qsort(paths, *n, sizeof *paths, by_name);
+  if (!*n) diag_set(d, "%s: error: no %s file in this folder", path, suffix);
+  return paths;
 }

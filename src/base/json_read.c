@@ -187,8 +187,7 @@ static bool read_container(struct reader *r, struct json_value *out, bool object
   return true;
 }
 
-static bool read_value(struct reader *r, struct json_value *out, int depth) {
-  skip_blanks(r);
+static bool read_kind(struct reader *r, struct json_value *out, int depth) {
   if (take(r, '{')) return read_container(r, out, true, depth);
   if (take(r, '[')) return read_container(r, out, false, depth);
   if (take(r, '"')) {
@@ -197,6 +196,14 @@ static bool read_value(struct reader *r, struct json_value *out, int depth) {
   }
   if (look(r) == '-' || (look(r) >= '0' && look(r) <= '9')) return read_number(r, out);
   return read_word(r, out);
+}
+
+static bool read_value(struct reader *r, struct json_value *out, int depth) {
+  skip_blanks(r);
+  size_t at = r->at;
+  bool ok = read_kind(r, out, depth);
+  out->at = at;
+  return ok;
 }
 
 bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d) {

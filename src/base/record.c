@@ -22,8 +22,7 @@ static bool is_lower(char c) {
   return c >= 'a' && c <= 'z';
 }
 static bool is_word(char c) {
-  return is_lower(c) || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '-' || c == '_' || c == '.' ||
-         c == '\'';
+  return char_is_word(c) || c == '-' || c == '.' || c == '\'';
 }
 
 /* The next line that is neither blank nor a comment; false at the end. */

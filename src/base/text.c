@@ -82,6 +82,12 @@ size_t text_valid_prefix(const char *text, size_t len) {
   return len;
 }
 
+const char *list_item(size_t *len, const char *s) {
+  if (s) s += strspn(s, ", ");
+  *len = s ? strcspn(s, ", ") : 0;
+  return *len ? s : NULL;
+}
+
 const char *text_str(const struct text *t) {
   return t->data ? t->data : "";
 }
@@ -99,20 +105,49 @@ static void cut_at_character(char *s, size_t size) {
   s[n] = '\0';
 }
 
-/* A message is UTF-8 whatever it quotes: a byte that is no part of a character becomes "?". */
-static void make_valid(char *s) {
+/* A message is UTF-8 whatever it quotes, and does nothing to a terminal: a byte that is no part of a character and one that
+   controls become "?"; newlines too, unless there may be lines. */
+static void make_visible(char *s, bool lines) {
   size_t n = strlen(s);
   for (size_t i = text_valid_prefix(s, n); i < n; i += text_valid_prefix(s + i, n - i)) s[i] = '?';
+  for (size_t i = 0; i < n; i++)
+    if (((unsigned char)s[i] < ' ' && !(lines && s[i] == '\n')) || s[i] == 0x7F) s[i] = '?';
+}
+
+/* What quotes something long, a path of a million characters, keeps its beginning and its end, which says what is wrong. */
+static void leave_out_the_middle(char *s, size_t size, const char *whole, size_t len) {
+  static const char gap[] = " ... ";
+  enum { HEAD = 300 };
+  memcpy(s, whole, HEAD);
+  s[HEAD] = '\0';
+  cut_at_character(s, HEAD + 1);
+  const char *tail = whole + len - (size - sizeof gap - HEAD);
+  while (((unsigned char)*tail & 0xC0U) == 0x80U) tail++;
+  strcat(s, gap);
+  strcat(s, tail);
 }
 
 void diag_set(struct diag *d, const char *fmt, ...) {
   if (!d || d->set) return;
-  va_list ap;
+  va_list ap, again;
   va_start(ap, fmt);
-  vsnprintf(d->message, sizeof d->message, fmt, ap);
+  va_copy(again, ap);
+  int n = vsnprintf(d->message, sizeof d->message, fmt, ap);
   va_end(ap);
-  cut_at_character(d->message, sizeof d->message);
-  make_valid(d->message);
+  if (n >= (int)sizeof d->message) {
+    char *whole = ss_malloc((size_t)n + 1);
+    vsnprintf(whole, (size_t)n + 1, fmt, again);
+    leave_out_the_middle(d->message, sizeof d->message, whole, (size_t)n);
+    free(whole);
+  }
+  va_end(again);
+  make_visible(d->message, false);
+  d->set = true;
+}
+
+void diag_again(struct diag *d, const char *message) {
+  if (!d || d->set) return;
+  snprintf(d->message, sizeof d->message, "%s", message);
   d->set = true;
 }
 
@@ -135,7 +170,8 @@ static void add_excerpt(struct text *out, const char *line, size_t len, size_t a
   size_t to = len - from > width ? from + width : len;
   while (to > from && to < len && !starts_character(line[to])) to--;
   text_add(out, "\n  ");
-  for (size_t i = from; i < to; i++) text_add_char(out, (unsigned char)line[i] < ' ' ? ' ' : line[i]);
+  for (size_t i = from; i < to; i++)
+    text_add_char(out, (unsigned char)line[i] < ' ' || line[i] == 0x7F ? ' ' : line[i]);
   text_add(out, "\n  ");
   for (size_t i = count_characters(line + from, at - from); i > 0; i--) text_add_char(out, ' ');
   text_add_char(out, '^');
@@ -185,8 +221,11 @@ void diag_at(struct diag *d, const struct source *s, size_t offset, const char *
   }
   text_printf(&out, "%s:%zu:%zu: error: %s", text_str(&name), line,
               count_characters(s->text + begin, offset - begin) + 1, what);
+  make_visible(out.data, false);
   add_excerpt(&out, s->text + begin, end - begin, offset - begin);
-  diag_set(d, "%s", text_str(&out));
+  snprintf(d->message, sizeof d->message, "%s", text_str(&out)); /* which is shorter, by what went into it */
+  make_visible(d->message, true);
+  d->set = true;
   text_clear(&name);
   text_clear(&out);
 }

@@ -9,7 +9,7 @@
 #include "stickslip/arena.h"
 
 static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
-static const char studies[] = "studies";   /* all of them; only run when asked for */
+static const char studies[] = "studies";   /* all but those apart; only run when asked for */
 
 static int parse_job(const struct options *o) {
   struct text names;
@@ -34,7 +34,7 @@ static bool asked_for(const struct options *o, const char *job) {
 }
 
 static bool study_asked_for(const struct options *o, const struct study *study) {
-  return o->job && (strcmp(o->job, studies) == 0 || strcmp(o->job, study->id) == 0);
+  return o->job && ((strcmp(o->job, studies) == 0 && !study->apart) || strcmp(o->job, study->id) == 0);
 }
 
 /* Whether there is anything besides studies. */

@@ -1,17 +1,55 @@
 /* stickslip list, check and explain: the claims and the files they come from. */
+#include <stdlib.h>
+#include <string.h>
+
 #include "cli.h"
 
+/* Each with its title; one that cannot be read is an error, and the others are listed all the same. */
+static int list_scenes(const char *data) {
+  struct arena a;
+  struct diag d;
+  size_t n;
+  arena_init(&a);
+  diag_init(&d);
+  char **name = scene_names(&n, data, &a, &d);
+  int status = name ? EXIT_AS_RECORDED : bad_input(&d);
+  struct text out;
+  text_init(&out);
+  for (size_t i = 0; i < n; i++) {
+    struct scene s;
+    diag_init(&d);
+    if (scene_load_box(&s, name[i], data, &d))
+      text_printf(&out, "%-18s %s\n", s.name, s.title ? s.title : "");
+    else
+      status = bad_input(&d);
+    scene_clear(&s);
+  }
+  terminal_print(text_str(&out));
+  text_clear(&out);
+  free(name);
+  arena_clear(&a);
+  return status;
+}
+
 int run_list(const struct options *o, const char *data) {
-  if (o->n_operands) return usage("list takes no operand, not %.200s", o->operand[0]);
+  if (o->scene_keys && o->n_operands) return usage("list --scene-keys takes no operand, not %.200s", o->operand[0]);
+  if (o->scene_keys) return list_scene_keys(o->json);
+  if (o->json) return usage("list writes JSON with %s only", "--scene-keys");
+  if (o->n_operands == 1 && strcmp(o->operand[0], "scenes") == 0) return list_scenes(data);
+  if (o->n_operands) return usage("list takes no operand but scenes, not %.200s", o->operand[0]);
   struct diag d;
   struct claims c = {.n = 0};
   diag_init(&d);
   bool ok = load_claims(&c, data, "claims", "claim", &d);
+  struct text out;
+  text_init(&out);
   for (size_t i = 0; ok && i < c.n; i++) {
     const char *record = claim_get(&c.claim[i], "record"), *title = claim_get(&c.claim[i], "title");
-    printf("%-18s %-12s %-11s %s\n", c.claim[i].id, claim_get(&c.claim[i], "kind"), record ? record : "-",
-           title ? title : "");
+    text_printf(&out, "%-18s %-12s %-11s %s\n", c.claim[i].id, claim_get(&c.claim[i], "kind"), record ? record : "-",
+                title ? title : "");
   }
+  terminal_print(text_str(&out));
+  text_clear(&out);
   claims_clear(&c);
   return ok ? EXIT_AS_RECORDED : bad_input(&d);
 }
@@ -56,7 +94,7 @@ int run_explain(const struct options *o, const char *data) {
   diag_init(&d);
   model_init(&m);
   text_init(&out);
-  bool ok = scene_load(&s, "paper", data, &d) && load_model(&m, data, o, &d) &&
+  bool ok = load_scene(&s, "paper", data, o, false, &d) && load_model(&m, data, o, &d) &&
             load_claims(&c, data, "claims", "claim", &d) &&
             (o->receipt ? print_receipt(&out, &m, &c, &s, o->operand[0], data, &d)
                         : audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d));

@@ -12,7 +12,15 @@
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
 
-enum { DEFAULT_DIGITS = 15, MAX_DIGITS = 100000, MAX_ONLY = 256, MAX_OPERANDS = 64, MAX_OVER = 2, MAX_JOBS = 64 };
+enum {
+  DEFAULT_DIGITS = 15,
+  MAX_DIGITS = 100000,
+  MAX_ONLY = 256,
+  MAX_OPERANDS = 64,
+  MAX_OVER = 2,
+  MAX_SET = 64,
+  MAX_JOBS = 64
+};
 
 /* Commands as bits, for the table of options. */
 enum {
@@ -31,8 +39,13 @@ enum {
   FOR_BENCH = 4096,
   FOR_SWEEP = 8192,
   FOR_STABILITY = 16384,
+  FOR_WORDS = 32768,
+  FOR_PLOT = 65536,
+  FOR_REPORT = 131072,
   FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH |
-             FOR_SWEEP | FOR_STABILITY
+             FOR_SWEEP | FOR_STABILITY | FOR_LIST | FOR_WORDS,
+  FOR_SET = FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_SIMULATE | FOR_READINGS | FOR_EXPLAIN | FOR_BIFURCATE |
+            FOR_SWEEP | FOR_REPAIR | FOR_WORDS | FOR_PLOT
 };
 
 struct options {
@@ -42,9 +55,11 @@ struct options {
   int n_only;
   const char *over[MAX_OVER];
   int n_over;
+  const char *set[MAX_SET];
+  int n_set;
   const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every, *after;
-  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, all, resume, help;
+      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every, *after, *timeout, *longest;
+  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, all, resume, plan, scene_keys, help;
 };
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
@@ -59,6 +74,8 @@ int parse_digits(slong *digits, const struct options *o);
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
 /* --jobs; all processors (at most 64) when text is NULL. */
 int parse_jobs(int *jobs, const char *text);
+/* --timeout; 0 when text is NULL. */
+int parse_timeout(double *seconds, const char *text);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
 int parse_start(slong *orbit, bool *printed, const char *at);
 
@@ -75,8 +92,33 @@ int range_parse(struct range *r, const char *option, const char *shape, const ch
 /* The values must keep u_r above e, as a scene does. */
 int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
 
+/* --- On a terminal --- */
+
+/* Whether standard output is a terminal that shows colours, and NO_COLOR does not ask for none. */
+bool terminal_has_colours(void);
+/* Its columns; 0 where standard output is no terminal. */
+int terminal_width(void);
+/* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no terminal. */
+void terminal_print(const char *s);
+enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
+/* The word at the right end of so many columns, with a negative width at the left. */
+void paint(struct text *out, bool colours, enum paint p, const char *word, int width);
+/* What verify prints last: failures and counts by section; and the line of the contract. */
+void verify_tables(const struct audit_result *r);
+void verify_line(const struct audit_result *r);
+
+/* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and scene;
+   false when there is none. */
+bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r);
+/* Memory that GMP, MPFR, FLINT or GSL cannot have ends the program as the program's own does. */
+void own_memory(void);
+
 /* The data folder into data. */
 bool find_data(struct text *data, struct diag *d);
+/* The scene of that name or path, with what --set changes; box: it may have intervals.  scene_clear it all the same. */
+bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, bool box, struct diag *d);
+/* list --scene-keys */
+int list_scene_keys(bool as_json);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
 /* The paper, the user's overlay, the errata and the controls' damages, by rank. */
@@ -98,6 +140,10 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
 /* A proof of each orbit, in an array to be freed by certificates_free; what it decides of an orbit is put there too. */
 struct dyn_certificate *certify_orbits(struct dyn_orbits *list, const struct scene *s);
 void certificates_free(struct dyn_certificate *proof, slong n);
+/* Orbits with t_a = 0 and their proofs, judged as orbits of the three phases Gamma-H-C. */
+void judge_three_phases(struct dyn_orbits *list, struct dyn_certificate *proof);
+/* Whether one of them has that condition or margin (margins.h): it is not of phase D. */
+bool three_phases_have(int margin);
 /* The largest radius of the orbit's enclosures to two digits, rounded up. */
 void print_radius(struct text *out, const struct dyn_orbit *o);
 /* Writes the certified orbits as a file for the checker; false with d set when there are none or it cannot be written. */
@@ -109,7 +155,28 @@ truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit
 /* true, false or null. */
 void json_truth(struct json *j, const char *key, truth t);
 
+/* Files of one folder that are written together, all or none. */
+struct output {
+  const char *folder;
+  struct text path[MAX_FILE_ITEMS], body[MAX_FILE_ITEMS];
+  int n;
+};
+void output_init(struct output *out, const char *folder);
+void output_clear(struct output *out);
+/* One more file; what is to stand in it goes into the text. */
+struct text *output_add(struct output *out, const char *name);
+/* Takes the last file back. */
+void output_drop(struct output *out);
+/* The tables of a result, a file for each. */
+void output_add_tables(struct output *out, const struct audit_result *r);
+/* audit.json of the result, and what is written from it alone; false with d set where it cannot be read back. */
+bool output_add_report(struct output *out, const struct audit_result *r, struct diag *d);
+bool output_write(const struct output *out, struct diag *d);
+
 /* One function a command; each returns its exit status. */
+/* verify --plan. */
+int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
+              const struct audit_options *opt, bool json, struct diag *d);
 int run_verify(const struct options *o, const char *data);
 int run_orbit(const struct options *o, const char *data);
 /* orbit --method paper. */
@@ -117,6 +184,10 @@ int run_orbit_paper(const struct options *o, const char *data);
 /* orbit on a scene with intervals. */
 int show_box(const struct options *o, const struct scene *s, slong digits);
 int run_jacobian(const struct options *o, const char *data);
+/* orbit and jacobian on a scene that names another word than the paper's. */
+int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
+int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
+                      struct diag *d);
 /* simulate --compare, over at most the given time. */
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
 /* Says that a simulation ended before it was to; the exit status. */
@@ -133,5 +204,8 @@ int run_diff(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);
 int run_sweep(const struct options *o, const char *data);
 int run_stability(const struct options *o, const char *data);
+int run_plot(const struct options *o, const char *data);
+int run_report(const struct options *o, const char *data);
+int run_words(const struct options *o, const char *data);
 
 #endif

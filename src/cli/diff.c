@@ -6,8 +6,6 @@
 #include "cli.h"
 #include "stickslip/json.h"
 
-enum { LARGEST_AUDIT = 8 << 20 };
-
 struct audit_file {
   struct source source;
   struct arena arena;

@@ -30,10 +30,28 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   return parse_start(&q->orbit, &q->at_printed, o->at);
 }
 
+/* A whole number of which n digits are known, from `from` on: 212766240 as 2.1276624e+8, since a zero that only fills up would be
+   read as a digit. */
+static void show_as_power(struct text *out, size_t from, slong n) {
+  size_t sign = out->data[from] == '-', figures = out->len - from - sign;
+  if (figures <= (size_t)n || strspn(out->data + from + sign, "0123456789") != figures) return;
+  struct text whole;
+  text_init(&whole);
+  text_add(&whole, out->data + from);
+  out->len = from;
+  out->data[from] = '\0';
+  text_printf(out, "%.*s", (int)sign + 1, whole.data);
+  if (n > 1) text_printf(out, ".%.*s", (int)n - 1, whole.data + sign + 1);
+  text_printf(out, "e+%zu", figures - 1);
+  text_clear(&whole);
+}
+
 void print_known(struct text *out, const arb_struct *x, slong digits) {
   slong n = digits;
+  size_t from = out->len;
   while (n > 0 && num_print(out, x, n) != SS_OK) n = n > 20 ? n / 2 : n - 1;
   if (n == 0) text_add_char(out, '0');
+  if (n > 0 && n < digits) show_as_power(out, from, n);
 }
 
 void print_accuracy(struct text *out, const arb_struct *worst) {
@@ -154,10 +172,23 @@ static void print_jacobian(arb_srcptr x, const struct jacobian_request *q, const
   text_clear(&out);
 }
 
+/* Whether an entry or the trace would be printed as 0 though all that is known is that it is not large. */
+static bool is_lost(arb_srcptr x) {
+  const double near = 1e-3;
+  for (int i = 0; i <= TRACE; i++)
+    if (arb_contains_zero(x + i) && !(mag_get_d(arb_radref(x + i)) < near)) return true;
+  return false;
+}
+
 static bool show_jacobian(const struct options *o, const struct model *m, const struct scene *s,
                           const struct jacobian_request *q, struct diag *d) {
   arb_ptr x = _arb_vec_init(N_NUMBERS);
   bool ok = audit_jacobian(x, x + TRACE, x + DET, m, s, q, d);
+  if (ok && is_lost(x)) {
+    diag_set(d, "%s: error: method %s knows no digit of the Jacobian's entries or of their trace here", s->path,
+             method_name[q->method]);
+    ok = false;
+  }
   if (ok) print_jacobian(x, q, s, o->json);
   _arb_vec_clear(x, N_NUMBERS);
   return ok;
@@ -173,9 +204,11 @@ int run_jacobian(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   model_init(&m);
-  bool ok = scene_load(&s, o->operand[0], data, &d) && load_model(&m, data, o, &d) &&
-            (o->phases ? show_phases : show_jacobian)(o, &m, &s, &q, &d);
-  if (!ok) status = bad_input(&d);
+  bool ok = load_scene(&s, o->operand[0], data, o, true, &d) && scene_one_point(&s, &d);
+  if (ok && scene_other_word(&s))
+    status = run_word_jacobian(o, &s, &q, &d);
+  else if (!ok || !load_model(&m, data, o, &d) || !(o->phases ? show_phases : show_jacobian)(o, &m, &s, &q, &d))
+    status = bad_input(&d);
   scene_clear(&s);
   model_clear(&m);
   return status;

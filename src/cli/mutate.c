@@ -56,7 +56,7 @@ struct inputs {
 static bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
-  bool ok = scene_load(&in->scene, "paper", data, d);
+  bool ok = load_scene(&in->scene, "paper", data, o, false, d);
   return ok && load_model(&in->model, data, o, d) && load_claims(&in->claims, data, "claims", "claim", d);
 }
 
@@ -81,7 +81,8 @@ int run_mutate(const struct options *o, const char *data) {
   for (int i = 0; i < 3; i++) text_init(&body[i]);
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
-  bool ok = inputs_load(&in, data, o, &d) && audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
+  bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_possible(o->out, &d)) &&
+            audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok) {
     report_mutation_json(&body[0], &r);
@@ -108,7 +109,8 @@ int run_repair(const struct options *o, const char *data) {
   repair_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
   struct audit_options opt = {.only = o->operand, .n_only = o->n_operands};
-  bool ok = inputs_load(&in, data, o, &d) && audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
+  bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_possible(o->out, &d)) &&
+            audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
   if (ok) {
     report_repairs_json(&body[0], &r);
     report_repairs_markdown(&body[1], &r);

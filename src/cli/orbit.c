@@ -15,18 +15,12 @@ enum { N_SHOWN = ORBIT_NUMBERS };
 static const struct {
   const char *name;
   size_t offset;
-} shown[N_SHOWN] = {{"z10", offsetof(struct dyn_orbit, z10)},
-                    {"z20", offsetof(struct dyn_orbit, z20)},
-                    {"t_a", offsetof(struct dyn_orbit, t)},
-                    {"t_b", offsetof(struct dyn_orbit, t) + sizeof(arb_t)},
-                    {"t_c", offsetof(struct dyn_orbit, t) + 2 * sizeof(arb_t)},
-                    {"t_d", offsetof(struct dyn_orbit, t) + 3 * sizeof(arb_t)},
-                    {"e1", offsetof(struct dyn_orbit, e1)},
-                    {"e2", offsetof(struct dyn_orbit, e2)},
-                    {"period", offsetof(struct dyn_orbit, period)},
-                    {"trace", offsetof(struct dyn_orbit, trace)},
-                    {"u_r1_min", offsetof(struct dyn_orbit, u_r1_min)},
-                    {"u_r2_min", offsetof(struct dyn_orbit, u_r2_min)}};
+  const char *meaning;
+} shown[N_SHOWN] = {
+#define NUMBER(name, member, meaning) {name, offsetof(struct dyn_orbit, member), meaning},
+    DYN_ORBIT_NUMBERS(NUMBER)
+#undef NUMBER
+};
 
 const char *orbit_number_name(int i) {
   return shown[i].name;
@@ -198,13 +192,15 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
   for (int i = 0; i < 2; i++) u[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
   dyn_margins_init(&m);
   if (dyn_margins_find(&m, s->value, o, u[0], u[1], 128) == SS_OK) {
-    text_printf(out, "  %-12s %-6s %-20s %-14s\n", "inequality", "", "margin", "at t");
+    text_printf(out, "  %-12s %-6s %-20s %s\n", "inequality", "", "margin", "at t");
     for (int i = 0; i < N_MARGINS; i++) {
       const struct dyn_margin *k = &m.at[i];
+      bool meets = scene_solution_ii(s) && i == COND_C_W; /* w = e1 as phase C ends */
+      if (scene_solution_ii(s) && !three_phases_have(i)) continue;
       bool low = i > MARGIN_D_W && !u[i >= MARGIN_D_R_LOW];
-      text_printf(out, "  %-12s %-6s ", k->id, low ? "" : word[k->holds]);
+      text_printf(out, "  %-12s %-6s ", k->id, low ? "" : word[meets ? o->holds[COND_C_W] : k->holds]);
       size_t column = out->len;
-      if (k->by_definition)
+      if (k->by_definition || (meets && arb_contains_zero(k->margin)))
         text_add(out, "0, as it must be");
       else if (num_print(out, k->margin, 6) != SS_OK)
         num_print_ball(out, k->margin, 6);
@@ -215,6 +211,8 @@ static void add_margins(struct text *out, const struct dyn_orbit *o, const struc
     }
   }
   dyn_margins_clear(&m);
+  text_add(out, "  v1, v2: V - z_i'; w: e_1 - (z_1 - chi z_2); r: e_2 - chi (z_2 - z_1); all >= 0\n"
+                "  in the phase named before it; low: the same force above its other limit\n");
 }
 
 static void add_proof(struct text *out, const struct dyn_orbit *o, const struct dyn_certificate *proof) {
@@ -229,12 +227,21 @@ static void add_proof(struct text *out, const struct dyn_orbit *o, const struct 
   text_add_char(out, '\n');
 }
 
+/* Name, value and meaning in columns. */
+static void numbers_text(struct text *out, const struct text t[N_SHOWN]) {
+  size_t widest = 0;
+  for (int k = 0; k < N_SHOWN; k++) widest = t[k].len > widest ? t[k].len : widest;
+  for (int k = 0; k < N_SHOWN; k++)
+    text_printf(out, "  %-8s %-*s  %s\n", shown[k].name, (int)widest, text_str(&t[k]), shown[k].meaning);
+}
+
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
                         const struct scene *s, slong digits, bool basin) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   struct text t[N_SHOWN];
   for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
-  text_printf(out, "%s: %ld orbit%s of the word D-Gamma-H-C found\n", s->name, (long)list->n, list->n == 1 ? "" : "s");
+  text_printf(out, "%s: %ld orbit%s of the word %s found\n", s->name, (long)list->n, list->n == 1 ? "" : "s",
+              scene_solution_ii(s) ? "Gamma-H-C" : "D-Gamma-H-C");
   add_completeness(out, list, s);
   for (slong i = 0; i < list->n; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
@@ -243,7 +250,7 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
     text_printf(out, "orbit %ld: %s, ", (long)i + 1, fate[o->stable]);
     admissible_text(out, admissible, s);
     text_add_char(out, '\n');
-    for (int k = 0; k < N_SHOWN; k++) text_printf(out, "  %-8s %s\n", shown[k].name, text_str(&t[k]));
+    numbers_text(out, t);
     add_proof(out, o, &proof[i]);
     for (int k = 0; k < N_CONDITIONS; k++)
       if (o->holds[k] == TRUTH_FALSE) text_printf(out, "  breaks   %s\n", dyn_condition_id[k]);
@@ -271,9 +278,14 @@ int run_orbit(const struct options *o, const char *data) {
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!scene_load_box(&s, o->operand[0], data, &d)) {
+  if (!load_scene(&s, o->operand[0], data, o, true, &d)) {
     scene_clear(&s);
     return bad_input(&d);
+  }
+  if (scene_other_word(&s)) {
+    status = run_word_orbit(o, &s, digits, &d);
+    scene_clear(&s);
+    return status;
   }
   if (o->basin && (scene_is_box(&s) || !scene_has_forces(&s))) {
     diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
@@ -282,6 +294,11 @@ int run_orbit(const struct options *o, const char *data) {
   }
   if (o->certificate && scene_is_box(&s)) {
     diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
+    scene_clear(&s);
+    return bad_input(&d);
+  }
+  if (o->certificate && scene_solution_ii(&s)) {
+    diag_set(&d, "%s: error: --certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
@@ -307,6 +324,7 @@ int run_orbit(const struct options *o, const char *data) {
     fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
   if (good) {
     struct dyn_certificate *proof = certify_orbits(&list, &s);
+    if (scene_solution_ii(&s)) judge_three_phases(&list, proof);
     struct text out;
     text_init(&out);
     if (o->json)
@@ -315,8 +333,10 @@ int run_orbit(const struct options *o, const char *data) {
       orbits_text(&out, &list, proof, &s, digits, o->basin);
     if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d))
       status = bad_input(&d);
-    else
+    else if (o->json)
       fputs(text_str(&out), stdout);
+    else
+      terminal_print(text_str(&out));
     text_clear(&out);
     certificates_free(proof, list.n);
   } else {

@@ -154,7 +154,7 @@ int run_orbit_paper(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&out);
   slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
-  if (scene_load(&s, o->operand[0], data, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+  if (load_scene(&s, o->operand[0], data, o, false, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
     if (o->json)
       write_json(&out, &list, &s, digits);
     else

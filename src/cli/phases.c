@@ -16,13 +16,31 @@ static void pad(struct text *out, size_t from, size_t width) {
   while (out->len < from + width) text_add_char(out, ' ');
 }
 
-/* A cell: the digits that are known, and a star where the method departs. */
+/* Has the entry a digit that is known, or is it near zero?  A 0 for what is only not known would be read as a value.  Fewer digits
+   can be undecided where more are known: one of 3.5. */
+static bool is_told(const struct jacobian_matrix *a, int c, int e, slong digits) {
+  const double near = 1e-3;
+  const arb_struct *x = a->entry[c] + e;
+  if (!a->known[c]) return false;
+  if (arb_contains_zero(x)) return mag_cmp_2exp_si(arb_radref(x), 0) < 0 && mag_get_d(arb_radref(x)) < near;
+  struct text digit;
+  text_init(&digit);
+  bool told = false;
+  for (slong n = 1; n <= digits && !told; n++) told = num_print(&digit, x, n) == SS_OK;
+  text_clear(&digit);
+  return told;
+}
+
+/* A cell: the digits that are known, ? where there is none, and a star where the method departs. */
 static void add_cell(struct text *out, const struct jacobian_matrix *a, int c, int e, slong digits) {
   if (!a->known[c]) {
     text_add_char(out, '-');
     return;
   }
-  print_known(out, a->entry[c] + e, digits);
+  if (is_told(a, c, e, digits))
+    print_known(out, a->entry[c] + e, digits);
+  else
+    text_add_char(out, '?');
   if (a->departs[c][e]) text_add_char(out, '*');
 }
 
@@ -199,7 +217,10 @@ static void entry_json(struct json *w, const struct jacobian_matrix *a, int e, s
   for (int c = 0; c < N_COLUMNS; c++) {
     if (!a->known[c]) continue;
     json_object(w, jacobian_columns[c].name);
-    json_number(w, "value", a->entry[c] + e, digits);
+    if (is_told(a, c, e, digits))
+      json_number(w, "value", a->entry[c] + e, digits);
+    else
+      json_null(w, "value");
     jacobian_accuracy(radius, a->entry[c] + e, 1);
     json_accuracy(w, "accuracy", radius);
     json_end_object(w);

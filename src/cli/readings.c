@@ -13,7 +13,7 @@ int run_readings(const struct options *o, const char *data) {
   model_init(&m);
   audit_result_init(&r);
   text_init(&out);
-  bool ok = scene_load(&s, o->operand[0], data, &d) && load_model(&m, data, o, &d);
+  bool ok = load_scene(&s, o->operand[0], data, o, false, &d) && load_model(&m, data, o, &d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {
     diag_set(&d, "%s: error: no readings: %s", s.path, why);

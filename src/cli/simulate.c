@@ -9,6 +9,7 @@
 #include "stickslip/coulomb.h"
 
 enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
+enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
 
 /* What is simulated, and for how long. */
 struct run {
@@ -72,17 +73,18 @@ static int simulate_table(const struct run *run, const struct scene *s) {
   struct coulomb_sink sink = coulomb_log_sink(&ode), sink_exact = coulomb_log_sink(&exact);
   coulomb_simulate_ode(&r, run->setup.params, run->setup.start, &run->plan, &sink);
   coulomb_simulate_d(&r_exact, run->setup.params, run->setup.start, &run->plan, &sink_exact);
-  printf("%s: u_r1 = %.10g, u_r2 = %.10g%s\n", s->name, run->setup.params[COULOMB_UR1], run->setup.params[COULOMB_UR2],
-         run->setup.own_friction ? " (5/4 of what the orbits need, where the scene gives none)" : "");
-  printf("%14s  %-4s %-15s %14s %14s %12s %12s\n", "t", "mass", "change", "x1", "x2", "v1", "v2");
+  printf("%s: u_r1 = %.10g, u_r2 = %.10g\n%s", s->name, run->setup.params[COULOMB_UR1], run->setup.params[COULOMB_UR2],
+         run->setup.own_friction ? "(where the scene gives none: 5/4 of what the orbits need)\n" : "");
+  printf("%11s %-4s %-13s %12s %12s %10s %10s\n", "t", "mass", "change", "x1", "x2", "v1", "v2");
   for (size_t i = 0; i < ode.n; i++) {
     const struct coulomb_event *e = &ode.event[i];
-    printf("%14.10f  m%-3d %-5s > %-7s %14.10f %14.10f %12.8f %12.8f%s\n", e->at.t, e->mass + 1,
-           coulomb_mode_name[e->from], coulomb_mode_name[e->to], e->at.x[0], e->at.x[1], e->at.v[0], e->at.v[1],
-           e->grazing ? "  grazing" : "");
+    printf("%11.7f m%-3d %-5s > %-5s %12.8f %12.8f %10.6f %10.6f%s\n", e->at.t, e->mass + 1, coulomb_mode_name[e->from],
+           coulomb_mode_name[e->to], e->at.x[0], e->at.x[1], e->at.v[0], e->at.v[1], e->grazing ? "  grazing" : "");
   }
+  puts("all without dimensions; stick: with the belt; below, above: slower, faster than it");
   coulomb_log_word(&word, &ode);
   coulomb_word_fold(&folded, text_str(&word));
+  puts("word: the phases in order, G for Gamma; ^3: three times over");
   printf("word %s\nended: %s at t = %.10f after %ld returns to the global stick phase\n", text_str(&folded),
          coulomb_end_name[r.end], r.at.t, r.returns);
   size_t shared;
@@ -113,12 +115,13 @@ int run_simulate(const struct options *o, const char *data) {
   struct scene s;
   struct run run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  bool ok = scene_load(&s, o->operand[0], data, &d);
+  bool ok = load_scene(&s, o->operand[0], data, o, false, &d);
   ok = ok && (o->start ? audit_coulomb_setup_from(&run.setup, &s, o->start, &d)
                        : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = periods;
+    run.plan.max_steps = MAX_STEPS;
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
     if (o->csv) run.plan.sample = period / (double)samples;
     if (o->compare)

@@ -1,4 +1,5 @@
 /* stickslip stability: where formulas lose digits. */
+#include <errno.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -52,6 +53,29 @@ static bool put(const char *folder, const char *name, const struct text *body, s
   return ok;
 }
 
+/* What an earlier study has left in the folder: maps, up to the first number without one. */
+static bool remove_maps(const char *folder, struct diag *d) {
+  static const char *const suffix[] = {"tsv", "svg"};
+  struct text path;
+  char name[32];
+  bool ok = true, any = true;
+  text_init(&path);
+  for (int i = 1; ok && any; i++) {
+    any = false;
+    for (size_t k = 0; ok && k < sizeof suffix / sizeof *suffix; k++) {
+      snprintf(name, sizeof name, "map-%d.%s", i, suffix[k]);
+      text_reset(&path);
+      join_path(&path, folder, name);
+      bool gone = remove(text_str(&path)) == 0;
+      any = any || gone;
+      ok = gone || errno == ENOENT;
+      if (!ok) diag_set(d, "%s: error: cannot be removed", text_str(&path));
+    }
+  }
+  text_clear(&path);
+  return ok;
+}
+
 /* Each map as a table and, where gnuplot is installed, as a picture: *drawn. */
 static bool write_maps(bool *drawn, const char *folder, const struct stability_result *r, struct diag *d) {
   struct text body;
@@ -78,7 +102,7 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   struct text body;
   bool drawn;
   text_init(&body);
-  bool ok = folder_make(folder, d) && write_maps(&drawn, folder, r, d);
+  bool ok = folder_make(folder, d) && remove_maps(folder, d) && write_maps(&drawn, folder, r, d);
   if (ok) {
     report_stability_markdown(&body, r, drawn);
     ok = put(folder, "ledger.md", &body, d);
@@ -93,6 +117,27 @@ static bool write_files(const char *folder, const struct stability_result *r, st
   return ok;
 }
 
+/* In single quotes, as a shell reads it. */
+static void add_source(struct text *out, const char *option, const char *file) {
+  if (!file) return;
+  text_printf(out, " %s '", option);
+  for (; *file; file++)
+    if (*file == '\'')
+      text_add(out, "'\\''");
+    else
+      text_add_char(out, *file);
+  text_add_char(out, '\'');
+}
+
+static void set_sources(struct stability_result *r, const struct options *o) {
+  struct text t;
+  text_init(&t);
+  add_source(&t, "--paper", o->paper);
+  add_source(&t, "--overlay", o->overlay);
+  if (t.len > 0) r->sources = arena_strndup(&r->arena, text_str(&t), t.len);
+  text_clear(&t);
+}
+
 static bool study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
   struct stability_result r;
   struct text body;
@@ -100,6 +145,7 @@ static bool study(const struct model *m, const struct stability_options *q, cons
   text_init(&body);
   bool ok = (!o->out || folder_make(o->out, d)) && audit_stability(&r, m, q, d);
   if (q->progress) fputs("\r\033[K", stderr);
+  set_sources(&r, o);
   ok = ok && (!o->out || write_files(o->out, &r, d));
   if (ok && o->json) report_stability_json(&body, &r);
   if (ok && !o->json) report_stability_text(&body, &r);

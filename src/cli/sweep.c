@@ -65,10 +65,10 @@ static int parse_request(struct sweep *q, const struct options *o) {
   return status ? status : plan(q);
 }
 
-static int load_scene(struct sweep *q, const struct options *o, const char *data) {
+static int load_swept(struct sweep *q, const struct options *o, const char *data) {
   struct diag d;
   diag_init(&d);
-  if (!scene_load(&q->scene, o->operand[0], data, &d)) return bad_input(&d);
+  if (!load_scene(&q->scene, o->operand[0], data, o, false, &d)) return bad_input(&d);
   if (!scene_has_forces(&q->scene)) {
     diag_set(&d, "%s: error: sweep needs a scene that gives e1 and e2", q->scene.path);
     return bad_input(&d);
@@ -104,7 +104,7 @@ static int write_all_rows(const struct sweep *q, const struct options *o, int jo
 static int sweep_with(struct sweep *q, const struct options *o, const char *data) {
   int jobs, status = parse_jobs(&jobs, o->jobs);
   if (!status) status = parse_request(q, o);
-  if (!status) status = load_scene(q, o, data);
+  if (!status) status = load_swept(q, o, data);
   if (status) return status;
   sweep_listen(true);
 #ifdef STICKSLIP_MPI

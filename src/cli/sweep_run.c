@@ -29,9 +29,11 @@ void sweep_stop(void) {
 void sweep_listen(bool on) {
   /* a second signal ends a run that waits for whoever reads its output */
   struct sigaction a = {.sa_handler = on ? on_signal : SIG_DFL, .sa_flags = SA_RESTART | (int)SA_RESETHAND};
+  static const int ends[] = {SIGINT, SIGTERM};
+  struct sigaction now;
   sigemptyset(&a.sa_mask);
-  sigaction(SIGINT, &a, NULL);
-  sigaction(SIGTERM, &a, NULL);
+  for (size_t i = 0; i < sizeof ends / sizeof *ends; i++) /* what the caller had ignored stays so */
+    if (sigaction(ends[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN) sigaction(ends[i], &a, NULL);
 }
 
 /* Rows that wait for those before them: of unit u at u % AHEAD. */

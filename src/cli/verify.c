@@ -1,49 +1,47 @@
 /* stickslip verify: load, audit, write, say. */
+#include <gsl/gsl_version.h>
+#include <math.h>
+#include <mpfr.h>
+#include <stdlib.h>
+#include <string.h>
 #include <time.h>
 #include <unistd.h>
 
 #include "cli.h"
+#include "interrupt.h"
 #include "stickslip/report.h"
-
-static void show_progress(void *arg, size_t done, size_t total, const char *id) {
-  (void)arg;
-  fprintf(stderr, "\r\033[K[%zu/%zu] %s", done + 1, total, id);
-}
-
-static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
-  static const struct {
-    const char *name;
-    void (*write)(struct text *out, const struct audit_result *r);
-  } files[] = {{"audit.json", report_json}, {"audit.md", report_markdown}, {"audit.csv", report_csv},
-               {"claims.dot", report_dot},  {"errata.md", report_errata},  {"errata.tex", report_errata_tex},
-               {"index.html", report_html}, {"junit.xml", report_junit},   {"run.json", NULL}};
-  enum { N = sizeof files / sizeof *files };
-  struct text path[N], body[N];
-  struct file_item item[N];
-  for (int i = 0; i < N; i++) {
-    text_init(&path[i]);
-    text_init(&body[i]);
-    if (files[i].write)
-      files[i].write(&body[i], r);
-    else
-      report_run(&body[i], r, seconds);
-  }
-  for (int i = 0; i < N; i++) {
-    join_path(&path[i], folder, files[i].name);
-    item[i] = (struct file_item){text_str(&path[i]), text_str(&body[i]), body[i].len};
-  }
-  bool ok = folder_make(folder, d) && files_write(item, N, d);
-  for (int i = 0; i < N; i++) {
-    text_clear(&body[i]);
-    text_clear(&path[i]);
-  }
-  return ok;
-}
 
 static double now(void) {
   struct timespec t;
   clock_gettime(CLOCK_MONOTONIC, &t);
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* The time left, once there is something to judge it by. */
+static void show_progress(void *arg, size_t done, size_t total, double share) {
+  double taken = now() - *(const double *)arg;
+  fprintf(stderr, "\r\033[K[%zu/%zu]", done, total);
+  if (share > 0.05 && taken > 0.2) fprintf(stderr, " about %.0f s left", ceil(taken * (1 - share) / share));
+}
+
+/* What is trusted beneath, with the versions that run. */
+static void name_software(char *out, size_t size) {
+  snprintf(out, size, "stickslip " VERSION ", FLINT %s, MPFR %s, GSL %s, GMP %s, compiler %s", flint_version,
+           mpfr_get_version(), gsl_version, gmp_version, __VERSION__);
+}
+
+static bool write_reports(const char *folder, const struct audit_result *r, double seconds, struct diag *d) {
+  char software[300];
+  struct output out;
+  if (!folder_make(folder, d)) return false;
+  name_software(software, sizeof software);
+  output_init(&out, folder);
+  bool ok = output_add_report(&out, r, d);
+  report_run(output_add(&out, "run.json"), r, seconds, software);
+  output_add_tables(&out, r);
+  ok = ok && output_write(&out, d);
+  output_clear(&out);
+  return ok;
 }
 
 static void print_surprises(const struct audit_result *r) {
@@ -65,40 +63,28 @@ static void print_surprises(const struct audit_result *r) {
 }
 
 static void print_result(const struct audit_result *r, bool quiet) {
-  struct text line;
-  text_init(&line);
-  report_line(&line, r);
-  if (!quiet)
-    for (size_t i = 0; i < r->n_findings; i++)
-      if (verdict_fails(r->findings[i].verdict) || r->findings[i].verdict == VERDICT_UNKNOWN)
-        printf("%-11s %-16s %s\n", verdict_name[r->findings[i].verdict], r->findings[i].id, r->findings[i].title);
+  if (!quiet) verify_tables(r);
   print_surprises(r);
-  puts(text_str(&line));
-  text_clear(&line);
+  verify_line(r);
 }
 
-static int verify_scene(const struct model *m, const struct claims *claims, const struct claims *controls,
-                        const char *spec, const char *data, const struct options *o, bool many, struct diag *d) {
-  struct scene s;
+/* What the scenes of one command share. */
+struct verify_data {
+  struct model model;
+  struct claims claims, controls;
+  struct costs costs;
+  slong digits;
+};
+
+/* Judges the scene, writes its reports, says what they say. */
+static int audit_scene(const struct verify_data *v, const struct scene *s, const struct options *o, const char *folder,
+                       const struct audit_options *opt, double start, struct diag *d) {
   struct audit_result r;
-  struct text folder;
   audit_result_init(&r);
-  text_init(&folder);
-  double start = now();
-  bool terminal = isatty(STDERR_FILENO) && !o->quiet;
-  struct audit_options opt = {o->only, o->n_only, terminal ? show_progress : NULL, NULL, true};
-  int status = EXIT_AS_RECORDED;
-  bool ok = scene_load_box(&s, spec, data, d);
-  ok = ok && audit_run(&r, m, claims, controls, &s, &opt, d);
-  if (terminal) fputs("\r\033[K", stderr);
-  if (ok && o->out && many)
-    text_printf(&folder, "%s/%s", o->out, s.name);
-  else if (ok && o->out)
-    text_add(&folder, o->out);
-  else if (ok)
-    text_printf(&folder, "reports/%s", s.name);
-  ok = ok && write_reports(text_str(&folder), &r, now() - start, d);
-  if (!ok) status = bad_input(d);
+  bool ok = audit_run(&r, &v->model, &v->claims, &v->controls, s, opt, d);
+  if (opt->progress) fputs("\r\033[K", stderr);
+  ok = ok && write_reports(folder, &r, now() - start, d);
+  int status = ok ? EXIT_AS_RECORDED : bad_input(d);
   if (ok) {
     print_result(&r, o->quiet);
     long count[N_VERDICTS];
@@ -108,9 +94,69 @@ static int verify_scene(const struct model *m, const struct claims *claims, cons
     else if (o->strict && (count[VERDICT_REFUTED] || count[VERDICT_CONDITIONAL] || count[VERDICT_UNKNOWN]))
       status = EXIT_STRICT;
   }
+  audit_result_clear(&r);
+  return status;
+}
+
+/* Where a scene's reports go: the folder of --out, or one in it where there are several. */
+static void print_folder(struct text *out, const struct options *o, const char *folder) {
+  if (o->out && o->n_operands <= 1)
+    text_add(out, o->out);
+  else
+    text_printf(out, "%s/%s", o->out ? o->out : "reports", folder);
+}
+
+static int verify_scene(const struct verify_data *v, const char *spec, const char *data, const struct options *o,
+                        int jobs, struct diag *d) {
+  struct scene s;
+  struct text folder;
+  text_init(&folder);
+  double start = now();
+  interrupt_next();
+  bool terminal = isatty(STDERR_FILENO) && !o->quiet;
+  struct audit_options opt = {.only = o->only,
+                              .n_only = o->n_only,
+                              .progress = terminal ? show_progress : NULL,
+                              .arg = &start,
+                              .readings = true,
+                              .jobs = jobs,
+                              .costs = &v->costs,
+                              .seconds_now = now};
+  int status;
+  if (!load_scene(&s, spec, data, o, true, d) || !scene_four_phases(&s, d)) {
+    status = bad_input(d);
+  } else if (o->plan) {
+    status = show_plan(&v->model, &v->claims, &v->controls, &s, &opt, o->json, d);
+  } else {
+    if (o->digits) s.asked.digits = v->digits; /* of the values that the scene asks for */
+    print_folder(&folder, o, s.folder);
+    status = audit_scene(v, &s, o, text_str(&folder), &opt, start, d);
+  }
   scene_clear(&s);
   text_clear(&folder);
-  audit_result_clear(&r);
+  return status;
+}
+
+/* Of two scenes whose reports would stand in one folder, only the last would leave any. */
+static int check_folders(const struct options *o) {
+  const struct scene_overrides set = {o->set, o->n_set, "--set"};
+  int status = EXIT_AS_RECORDED;
+  for (int i = 1; i < o->n_operands && !o->plan && !status; i++) {
+    char *mine = scene_folder(o->operand[i], &set);
+    for (int k = 0; k < i && !status; k++) {
+      char *other = scene_folder(o->operand[k], &set);
+      if (strcmp(mine, other) == 0) {
+        struct text t;
+        text_init(&t);
+        text_printf(&t, "%.200s and %.200s would both write to ", o->operand[k], o->operand[i]);
+        print_folder(&t, o, mine);
+        status = usage("%.800s; verify them one at a time, each with an --out of its own", text_str(&t));
+        text_clear(&t);
+      }
+      free(other);
+    }
+    free(mine);
+  }
   return status;
 }
 
@@ -122,27 +168,51 @@ static int worse(int a, int b) {
   return a;
 }
 
+/* No verdict rests on what the work may cost: without the table it is only not estimated. */
+static void load_costs(struct costs *c, const char *data) {
+  struct text path;
+  struct diag d;
+  text_init(&path);
+  diag_init(&d);
+  join_path(&path, data, "costs.tsv");
+  if (!costs_load(c, text_str(&path), &d)) fprintf(stderr, "stickslip: warning: no cost is estimated: %s\n", d.message);
+  text_clear(&path);
+}
+
+static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
+  return load_model(&v->model, data, o, d) && load_claims(&v->claims, data, "claims", "claim", d) &&
+         load_claims(&v->controls, data, "controls", "control", d);
+}
+
 int run_verify(const struct options *o, const char *data) {
-  slong digits;
-  int status = parse_digits(&digits, o);
+  int jobs;
+  double seconds;
+  struct verify_data v = {.claims = {.n = 0}};
+  int status = parse_digits(&v.digits, o);
+  if (!status) status = parse_jobs(&jobs, o->jobs);
+  if (!status) status = parse_timeout(&seconds, o->timeout);
+  if (status) return status;
+  if (o->json && !o->plan) return usage("%s", "verify takes --json with --plan alone; audit.json is always written");
+  status = check_folders(o);
   if (status) return status;
   struct diag d;
-  struct model m;
-  struct claims claims = {.n = 0}, controls = {.n = 0};
   diag_init(&d);
-  model_init(&m);
-  bool ok = load_model(&m, data, o, &d) && load_claims(&claims, data, "claims", "claim", &d) &&
-            load_claims(&controls, data, "controls", "control", &d);
+  model_init(&v.model);
+  if (!interrupt_begin(seconds)) return usage("--timeout %.200s: the clock cannot be set", o->timeout);
+  bool ok = (!o->out || o->plan || folder_possible(o->out, &d)) && load_all(&v, o, data, &d);
   if (!ok) status = bad_input(&d);
+  if (ok) load_costs(&v.costs, data);
   static const char *const standard[] = {"paper"};
   const char *const *scene = o->n_operands ? o->operand : standard;
   int n = o->n_operands ? o->n_operands : 1;
   for (int i = 0; ok && i < n; i++) {
     diag_init(&d);
-    status = worse(status, verify_scene(&m, &claims, &controls, scene[i], data, o, n > 1, &d));
+    status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));
   }
-  claims_clear(&controls);
-  claims_clear(&claims);
-  model_clear(&m);
+  costs_clear(&v.costs);
+  claims_clear(&v.controls);
+  claims_clear(&v.claims);
+  model_clear(&v.model);
+  interrupt_end();
   return status;
 }

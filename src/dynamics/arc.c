@@ -37,12 +37,34 @@ static int event_near(void *t, enum phase ph, const struct num_vec *params, cons
   return c.status;
 }
 
+static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const val z[N_STATE]) {
+  const struct num_type *type = c->ctx.type;
+  val chi = p[P_CHI], r = calc_sub(c, z[Z_2], z[Z_1]), v[2] = {z[DZ_1], z[DZ_2]};
+  struct event_view x = {.r = type->get_d(r),
+                         .w = type->get_d(calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]))),
+                         .dw = type->get_d(calc_sub(c, v[0], calc_mul(c, chi, v[1]))),
+                         .rise = type->get_d(calc_sub(c, calc_mul(c, chi, r), p[P_E2])),
+                         .slip = type->get_d(calc_sub(c, v[1], v[0]))};
+  for (int i = 0; i < 2; i++) {
+    x.v[i] = type->get_d(v[i]);
+    x.over[i] = type->get_d(calc_sub(c, v[i], p[P_V]));
+  }
+  return x;
+}
+
 static int first_event(double *t, enum phase ph, const struct num_vec *params, const struct num_vec *in) {
-  double p[N_PARAMS], z[N_STATE];
+  struct calc c;
+  val p[N_PARAMS], z[N_STATE];
+  double params_d[N_PARAMS];
   bool grazing;
-  to_doubles(p, params);
-  to_doubles(z, in);
-  return dyn_first_event_d(t, &grazing, ph, p, z, NULL);
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  to_doubles(params_d, params);
+  struct event_view view = view_of(&c, p, z);
+  int status = c.status ? SS_UNABLE : event_first_d(t, &grazing, ph, params_d, &view, NULL);
+  calc_clear(&c);
+  return status;
 }
 
 /* The times come from near, from guess, or, when both are NULL, from searches for first events. */

@@ -6,6 +6,9 @@
 #include <math.h>
 
 #include "dyn_impl.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_VELOCITY = 60 }; /* of work: the velocity of a mass at one time */
 
 void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params) {
   val p[N_PARAMS];
@@ -120,6 +123,25 @@ void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_param
   s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
 }
 
+/* The rise grows strictly up to the first crest; later, t_b lies on the rising part of its period and above the crest
+   before. */
+truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest) {
+  arb_ptr pi = calc_new(c);
+  arb_const_pi(pi, c->ctx.prec);
+  val turn = calc_mul(c, m->two, pi);
+  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
+  *before_crest = num_arb.lt(s->tb, fall);
+  if (*before_crest == TRUTH_TRUE) return TRUTH_TRUE;
+  double whole = floor(arf_get_d(arb_midref((arb_srcptr)s->tb), ARF_RND_NEAR) / (2 * PI));
+  if (whole < 1) return *before_crest;
+  val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn)), sine, cosine;
+  calc_sin_cos(c, &sine, &cosine, fall);
+  val crest =
+      calc_add(c, calc_mul(c, m->a, calc_sub(c, fall, sine)), calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine)));
+  val before = calc_add(c, crest, calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));
+  return truth_and(num_arb.lt(local, fall), num_arb.lt(before, s->rise));
+}
+
 static double upper(val x) {
   arf_t bound;
   arf_init(bound);
@@ -179,31 +201,53 @@ static bool rises_above(struct calc *c, const struct ball_params *m, const struc
   return above;
 }
 
+/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no root. */
+enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
+
+/* To last, or to where a root is near.  *t: how far it came. */
+static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
+                                int mass, val start, double last, long max_steps) {
+  slong mark = calc_mark(c);
+  double bound = bend_bound(c, m, modes, mass);
+  enum walk_end end = WALK_TIRED;
+  *t = 0;
+  for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
+    val f, rate;
+    if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
+    if (*t > last) {
+      end = WALK_PASSED;
+      break;
+    }
+    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, *t));
+    double y = *t == 0 ? fmin(upper(start), 0) : upper(f), d = upper(rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
+    double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
+    if (y > 0 || !(h > 1e-15 * *t))
+      end = WALK_STANDS;
+    else
+      *t += h;
+    calc_release(c, mark);
+  }
+  return end;
+}
+
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
                   val end, bool root_at_end, long max_steps) {
   slong mark = calc_mark(c);
-  double bound = bend_bound(c, m, modes, mass), t = 0, last = root_at_end ? lower(end) : upper(end);
-  val f, rate;
+  double t, last = root_at_end ? lower(end) : upper(end);
   if (root_at_end) { /* f' > 0 from there to the root: f rises to zero */
+    val f, rate;
     velocity_at(&f, &rate, c, m, modes, mass, start, end);
-    last -= fmax(lower(rate), 0) / bound * (1 - 1e-9);
+    last -= fmax(lower(rate), 0) / bend_bound(c, m, modes, mass) * (1 - 1e-9);
+    last = nextafter(last, -INFINITY); /* the walk may end at last itself */
   }
-  truth answer = TRUTH_UNKNOWN;
-  for (long i = 0; i < max_steps && !c->status; i++) {
-    calc_release(c, mark);
-    if (t > last || (t == last && root_at_end)) {
-      answer = TRUTH_TRUE;
-      break;
-    }
-    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, t));
-    double y = t == 0 ? fmin(upper(start), 0) : upper(f), d = upper(rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
-    double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
-    if (y > 0 || !(h > 1e-15 * t)) {
-      if (rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
-      break;
-    }
-    t += h;
-  }
+  enum walk_end at = walk_below(&t, c, m, modes, mass, start, last, max_steps);
+  truth answer = at == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (at == WALK_STANDS && rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
   calc_release(c, mark);
   return answer;
+}
+
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                     val start, double t_max, long max_steps) {
+  return walk_below(t, c, m, modes, mass, start, t_max, max_steps) == WALK_STANDS && *t > 0;
 }

@@ -188,6 +188,7 @@ static void conclude(struct dyn_certificate *z, const struct dyn_question *q, co
   struct dyn_margins m;
   dyn_margins_init(&m);
   bool any = dyn_margins_find(&m, q->model, o, NULL, NULL, prec) == SS_OK;
+  z->spent = m.spent;
   z->stable = o->stable;
   z->admissible = TRUTH_TRUE;
   for (int i = 0; i < N_PHASES; i++) z->first[i] = o->first[i];
@@ -251,7 +252,8 @@ void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const 
   bool boxed = false;
   word_root_init(&s);
   z->open = OPEN_ROOT;
-  for (slong prec = DYN_CERTIFY_FIRST; prec <= DYN_CERTIFY_LAST && z->open; prec *= 2) {
+  z->spent = false;
+  for (slong prec = DYN_CERTIFY_FIRST; prec <= DYN_CERTIFY_LAST && z->open && !z->spent; prec *= 2) {
     z->bits = prec;
     if (enclose_near(&s, &d, orbit, prec)) continue;
     if (!boxed) boxed = prove_box(z, &s, &d, prec);
@@ -306,5 +308,8 @@ void dyn_certificate_why(struct text *out, const struct dyn_certificate *z) {
       text_printf(out, "%s%s", sep, dyn_condition_id[i]);
       sep = ", ";
     }
-  text_printf(out, " (at %ld bits)", (long)z->bits);
+  if (z->spent)
+    text_add(out, " (phase H has too many oscillations to look through)");
+  else
+    text_printf(out, " (at %ld bits)", (long)z->bits);
 }

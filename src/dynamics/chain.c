@@ -12,7 +12,10 @@
 #include <math.h>
 #include <string.h>
 
+#include "stickslip/work.h"
+
 enum { SIDE = 2 * CHAIN_MOST + 1 };
+enum { UNITS_OF_LOOK = 15 }; /* of work */
 
 struct walk {
   const struct chain *c;
@@ -181,13 +184,15 @@ int chain_simulate(struct chain_motion *m, enum chain_route route, const struct 
   }
   memcpy(w.z, start, 2 * (size_t)c->n * sizeof *start);
   w.look = (route == CHAIN_PATCHED ? 1.0 / 16 : 1.0 / 23) / sqrt(stiffest);
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   w.system = (gsl_odeiv2_system){right_side, NULL, 2 * (size_t)c->n, &w};
   w.driver = gsl_odeiv2_driver_alloc_y_new(&w.system, gsl_odeiv2_step_rk8pd, w.look, 1e-13, 1e-13);
   begin(&w);
   int s = SS_OK;
-  for (double t = 0, gone; s == SS_OK && duration - t > 1e-12; t += gone)
+  for (double t = 0, gone; s == SS_OK && duration - t > 1e-12; t += gone) {
+    work_add(UNITS_OF_LOOK);
     s = advance(&gone, &w, m, t, fmin(w.look, duration - t));
+  }
   memcpy(m->z, w.z, sizeof m->z);
   gsl_odeiv2_driver_free(w.driver);
   gsl_set_error_handler(old);

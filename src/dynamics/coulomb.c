@@ -11,12 +11,13 @@
 #include "coulomb_impl.h"
 #include "dyn_impl.h"
 #include "stickslip/arena.h"
+#include "stickslip/work.h"
 
 enum { MOST_IDLE = 16 };
 
 const char *const coulomb_mode_name[N_MODES] = {"stick", "below", "above"};
 const char *const coulomb_end_name[] = {"done", "stopped", "quiet", "events", "steps", "stuck", "failed"};
-const struct coulomb_plan coulomb_plan_default = {INFINITY, 0, 0, 1000000, 10000000, 1e-13};
+const struct coulomb_plan coulomb_plan_default = {INFINITY, 0, 0, 1000000, 1000000, 1e-13};
 
 char coulomb_letter(const enum coulomb_mode mode[2]) {
   static const char letter[N_MODES][N_MODES] = {{'D', 'C', 'c'}, {'G', 'H', 'X'}, {'g', 'x', 'h'}};
@@ -143,7 +144,12 @@ static enum coulomb_end run_loop(struct run *run) {
   return COULOMB_STUCK;
 }
 
+/* What a simulation counts as: nothing that hangs on the rounding of its steps. */
+enum { UNITS = 5000 };
+
 int run_all(struct run *run) {
+  work_touch(WORK_SIMULATION);
+  work_add(UNITS);
   struct coulomb_result *r = run->result;
   *r = (struct coulomb_result){.end = COULOMB_DONE};
   r->end = run_loop(run);

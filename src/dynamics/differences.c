@@ -4,7 +4,8 @@
    a ladder of steps is climbed down: the change from one extrapolated value to the next is about fifteen times the
    truncation error of the finer one and stands for it, and the noise of the map over h for the rounding.  The step with
    the least sum of both wins, and that sum is the stated accuracy.  The noise is measured: the fourth differences of
-   values at nine close neighbours hold nothing else. */
+   values at nine close neighbours hold nothing else.  Rounding is relative: where a step leads to larger values than at x,
+   as along a steep map (an event time over 1 - chi), the noise there is larger in proportion. */
 #include <math.h>
 
 #include "dyn_impl.h"
@@ -63,6 +64,7 @@ static int bound_noise(double *noise, const struct double_map *map, const double
 /* The values of one step of the ladder; have counts how many steps in a row have led to it. */
 struct rung {
   double plain[N_STATE], extrapolated[N_STATE], mean[N_STATE], change;
+  double size; /* the largest component of the values on both sides */
   int have;
 };
 
@@ -83,6 +85,7 @@ static int climb(struct rung *r, const struct rung *above, const struct double_m
   if (!s) s = shifted(down, map, x, dir, -h);
   if (s) return s;
   r->have = above->have + 1;
+  r->size = fmax(largest(up, NULL, map->n_out), largest(down, NULL, map->n_out));
   for (int i = 0; i < map->n_out; i++) {
     r->plain[i] = (up[i] - down[i]) / (2 * h); /* what rounding does to x + h dir is noise of the map, too */
     r->mean[i] = (up[i] + down[i]) / 2;
@@ -92,12 +95,30 @@ static int climb(struct rung *r, const struct rung *above, const struct double_m
   return s;
 }
 
+/* Far from x a map can be straight with another slope, for many steps of the ladder: of a phase whose fast mode is small
+   against the state, say.  What is the derivative at x holds for all finer steps too, down to those that rounding blurs;
+   truncation: of the plain difference at h. */
+static bool finer_steps_agree(const double *out, double err, double truncation, double noise, double h,
+                              const struct double_map *map, const double *x, const double *dir) {
+  const double finer = 1.0 / 8, blurred = 1.0 / 4;
+  double most = largest(out, NULL, map->n_out);
+  for (h *= finer; 3 * noise / h <= blurred * most; h *= finer) {
+    double up[N_STATE], down[N_STATE], off = 0;
+    if (shifted(up, map, x, dir, h) || shifted(down, map, x, dir, -h)) return false;
+    for (int i = 0; i < map->n_out; i++) off = fmax(off, fabs((up[i] - down[i]) / (2 * h) - out[i]));
+    if (off > err + truncation + 3 * noise / h) return false;
+  }
+  return true;
+}
+
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir) {
   const double odd = 1.2345678; /* a power of two would leave the last digits as they are, and their rounding unseen */
-  double unit = ldexp(odd, ilogb(map->scale)), noise, value[N_STATE];
+  double unit = ldexp(odd, ilogb(map->scale)), noise = 0, value[N_STATE] = {0};
   int s = shifted(value, map, x, dir, 0), last = SS_UNABLE;
   if (!s) s = bound_noise(&noise, map, x, dir, ldexp(unit, -34), value);
   struct rung above = {.have = 0}, here;
+  double size = fmax(map->scale, largest(value, NULL, map->n_out));
+  double chosen = 0, truncation = 0, blur = 0;
   *err = INFINITY;
   for (int k = 3; k < LEVELS && !s; k++, above = here) {
     double h = ldexp(unit, -k), rounding = 3 * noise / h; /* (4/h + 1/2h)/3 meet; twice, as noise is an estimate */
@@ -105,12 +126,17 @@ int differences_along(double *out, double *err, const struct double_map *map, co
     int status = climb(&here, &above, map, x, dir, h);
     if (status) last = status;
     if (here.have < 4) continue; /* three plain steps make a change, four a second one to hold it against */
-    if (!continues(&here, &above, value, noise, h, map->n_out)) continue;
-    double total = fmax(here.change, above.change / 16) + rounding;
+    double grown = fmax(here.size / size, 1);
+    if (!continues(&here, &above, value, noise * grown, h, map->n_out)) continue;
+    double total = fmax(here.change, above.change / 16) + rounding * grown;
     if (total >= *err) continue;
     *err = total;
     for (int i = 0; i < map->n_out; i++) out[i] = here.extrapolated[i];
+    chosen = h;
+    truncation = largest(here.plain, here.extrapolated, map->n_out);
+    blur = noise * grown;
   }
   if (s) return s;
-  return isfinite(*err) ? SS_OK : last;
+  if (!isfinite(*err)) return last;
+  return finer_steps_agree(out, *err, truncation, blur, chosen, map, x, dir) ? SS_OK : SS_UNABLE;
 }

@@ -11,6 +11,7 @@
 #include <stdbool.h>
 
 #include "stickslip/given.h"
+#include "stickslip/warm.h"
 
 #define PI 3.14159265358979323846 /* POSIX alone does not promise M_PI */
 
@@ -31,6 +32,9 @@ struct wave_root {
   bool grazing;
   long steps;
 };
+/* Work (work.h) that only odd parameters cause is counted where it arises, in whole blocks, so that the last digits of a
+   walk change no count at ordinary ones: there a search or a proof is counted once, by whoever asks for it. */
+enum { WORK_BLOCK = 4096, UNITS_OF_STEP = 10 }; /* of a root's search */
 /* value[0..2] = f, f', f'' at t. */
 void wave_at(double value[3], const struct wave *w, double t);
 /* Its first positive root, as dyn_first_event_d words it.  shift may be NULL when safe is not wanted.  When there is
@@ -215,10 +219,15 @@ void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
 void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
 void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
+/* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
+truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
 /* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless
    it is a root.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
                   val end, bool root_at_end, long max_steps);
+/* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to t_max. */
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                     val start, double t_max, long max_steps);
 
 /* --- orbit.c: what is known about an orbit once its (t_b, t_c) are; m may hold balls. --- */
 
@@ -231,19 +240,19 @@ void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_p
                       bool up);
 
 void dyn_orbit_init(struct dyn_orbit *o);
-void dyn_orbit_clear(struct dyn_orbit *o);
 /* The fewest relative bits of any of its numbers that is not zero; at least 0. */
 slong dyn_orbit_accuracy(const struct dyn_orbit *o);
 /* Every number; up: q > 0 in phase C. */
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
+   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are left; 0:
+   none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
+enum { DYN_GUARD = 40, DYN_PLANNED_FROM = 512, DYN_PILOT = 192 };
+slong dyn_planned_bits(slong prec, slong left);
 /* The conditions.  Returns whether t_b and t_c are proved to be first roots, and up the direction of phase C. */
 truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
                       long max_steps);
 
-/* The orbit near (t_b, t_c), enclosed as dyn_orbits_find does; up as in describe.  *first as judge returns it.  The orbit
-   is to be cleared whatever the status is. */
-int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
-                   const struct dyn_limits *lim);
 int dyn_orbits_by_z10(const void *x, const void *y);
 
 /* --- word.c: the four equations of given.h in the six quantities, over any number type. --- */
@@ -286,6 +295,15 @@ int word_enclose(struct word_root *s, const struct num_vec *x, const struct word
 
 /* --- event.c --- */
 
+/* What events depend on in a state.  Positions near chi = 1 are so large that w would be lost in them. */
+struct event_view {
+  double w, r, dw, rise; /* dw: w'; rise: chi r - e2 */
+  double v[2], over[2];  /* velocities; over V */
+  double slip;           /* z_2' - z_1' */
+};
+/* As dyn_first_event_d. */
+int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
+                  const struct dyn_limits *lim);
 /* Newton's iteration in the calc from start, until a step shows that half of the bits are settled. */
 val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start);
 

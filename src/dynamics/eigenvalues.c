@@ -13,9 +13,9 @@ int dyn_eigenvalues_d(double re[2], double im[2], const double m[4]) {
   }
   gsl_matrix_view matrix = gsl_matrix_view_array(a, 2, 2);
   gsl_vector_complex_view values = gsl_vector_complex_view_array(parts, 2);
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   gsl_eigen_nonsymm_workspace *w = gsl_eigen_nonsymm_alloc(2);
-  int failed = !w || gsl_eigen_nonsymm(&matrix.matrix, &values.vector, w);
+  int failed = gsl_eigen_nonsymm(&matrix.matrix, &values.vector, w);
   gsl_eigen_nonsymm_free(w);
   gsl_set_error_handler(old);
   if (failed) return SS_UNABLE;

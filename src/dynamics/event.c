@@ -8,38 +8,47 @@
 #include "dyn_impl.h"
 
 /* The switching function of a phase other than D as a wave. */
-static struct wave phase_wave(enum phase ph, const struct carrier *k, const double z[N_STATE]) {
-  double w = z[Z_1] - k->chi * z[Z_2], r = z[Z_2] - z[Z_1];
-  if (ph == PHASE_GAMMA) {
-    double dw = z[DZ_1] - k->chi * z[DZ_2];
-    return (struct wave){
-        k->chi * r - k->e2, k->chi * (1 - k->chi) * z[DZ_2], {1, 0}, {-k->chi * w, 0}, {-k->chi * dw, 0}};
-  }
-  double pull = k->omc * k->omc * r;
-  if (ph == PHASE_H) return carrier_wave(k, z[DZ_1], z[DZ_2], w, pull, z[DZ_1] - k->V);
-  return (struct wave){z[DZ_2] - k->V, 0, {k->omc, 0}, {z[DZ_2] - z[DZ_1], 0}, {-pull / k->omc, 0}};
+static struct wave phase_wave(enum phase ph, const struct carrier *k, const struct event_view *z) {
+  if (ph == PHASE_GAMMA)
+    return (struct wave){z->rise, k->chi * (1 - k->chi) * z->v[1], {1, 0}, {-k->chi * z->w, 0}, {-k->chi * z->dw, 0}};
+  double pull = k->omc * k->omc * z->r;
+  if (ph == PHASE_H) return carrier_wave(k, z->v[0], z->v[1], z->w, pull, z->over[0]);
+  return (struct wave){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
 }
 
-int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
-                      const struct dyn_limits *lim) {
+int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
+                  const struct dyn_limits *lim) {
   struct carrier k;
+  const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
   *grazing = false;
   *t = 0;
   if (carrier_init(&k, params)) return SS_DOMAIN;
-  for (int i = 0; i < N_STATE; i++)
-    if (!isfinite(in[i])) return SS_UNABLE;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (!isfinite(all[i])) return SS_UNABLE;
   if (ph == PHASE_D) {
-    double rate = in[DZ_1] - k.chi * in[DZ_2];
-    if (rate == 0) return SS_DOMAIN;
-    *t = (k.e1 - (in[Z_1] - k.chi * in[Z_2])) / rate;
+    if (z->dw == 0) return SS_DOMAIN;
+    *t = (k.e1 - z->w) / z->dw;
     return isfinite(*t) ? SS_OK : SS_UNABLE;
   }
-  struct wave wave = phase_wave(ph, &k, in);
+  struct wave wave = phase_wave(ph, &k, z);
   struct wave_root root;
   int status = wave_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
   *t = root.t;
   *grazing = root.grazing;
   return status;
+}
+
+int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
+                      const struct dyn_limits *lim) {
+  double chi = params[P_CHI], r = in[Z_2] - in[Z_1];
+  const struct event_view z = {.w = fma(-chi, in[Z_2], in[Z_1]),
+                               .r = r,
+                               .dw = fma(-chi, in[DZ_2], in[DZ_1]),
+                               .rise = fma(chi, r, -params[P_E2]),
+                               .v = {in[DZ_1], in[DZ_2]},
+                               .over = {in[DZ_1] - params[P_V], in[DZ_2] - params[P_V]},
+                               .slip = in[DZ_2] - in[DZ_1]};
+  return event_first_d(t, grazing, ph, params, &z, lim);
 }
 
 /* One Newton step from t for the state in: *step = -f/f'. */

@@ -22,7 +22,6 @@ const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_
 const struct dyn_limits dyn_given_limits = {200, 100000};
 
 enum {
-  GUARD = 40, /* bits beyond those asked for */
   RAISES = 4, /* of the precision */
   FINE = 300, /* cells to a period on a line and in the plane */
   COARSE = 50,
@@ -535,15 +534,30 @@ static bool undecided(const struct dyn_orbit *o) {
   return o->stable == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
 }
 
-/* The orbit of a solution to the wanted accuracy, the working precision being raised as long as that helps. */
-static int finish(struct dyn_orbit *o, truth *valid, struct word_root *s, const struct seed *seed,
-                  const struct quest *q, slong prec) {
-  slong work = prec + GUARD;
+/* The working precision near a seed, from a pilot where it is worth its time. */
+static slong plan(const struct seed *seed, const struct quest *q, slong prec) {
+  struct word_root pilot;
+  struct dyn_orbit o;
+  if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
+  word_root_init(&pilot);
+  dyn_orbit_init(&o);
+  slong left = 0;
+  if (!solve(&pilot, seed, q, DYN_PILOT) && !describe(&o, &pilot, q, DYN_PILOT)) left = dyn_orbit_accuracy(&o);
+  dyn_orbit_clear(&o);
+  word_root_clear(&pilot);
+  return dyn_planned_bits(prec, left);
+}
+
+/* The orbit of a solution to prec bits, the working precision being raised from `work`, *raises times, as long as that
+   helps. */
+static int finish(struct dyn_orbit *o, truth *valid, long *raises, struct word_root *s, const struct seed *seed,
+                  const struct quest *q, slong work, slong prec) {
   int status = describe(o, s, q, work);
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
-    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + GUARD;
+    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
     status = solve(s, seed, q, work);
     if (!status) status = describe(o, s, q, work);
+    ++*raises;
   }
   *valid = judge(o, s, q, FLINT_MIN(work, 128));
   if (*valid == TRUTH_UNKNOWN || undecided(o)) *valid = judge(o, s, q, work);
@@ -554,9 +568,9 @@ static int finish(struct dyn_orbit *o, truth *valid, struct word_root *s, const 
 /* --- The list. --- */
 
 /* The solution of a seed: the precision is raised where it cannot be told from another one yet. */
-static int settle(struct word_root *s, const struct seed *seed, const struct quest *q, slong prec) {
+static int settle(struct word_root *s, const struct seed *seed, const struct quest *q, slong work) {
   int status = SS_UNABLE;
-  for (int i = 0; i <= RAISES && status; i++) status = solve(s, seed, q, (prec + GUARD) << i);
+  for (int i = 0; i <= RAISES && status; i++) status = solve(s, seed, q, work << i);
   return status;
 }
 
@@ -567,7 +581,8 @@ static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec)
   list->orbit = ss_malloc((scan->n + 1) * sizeof *list->orbit);
   for (size_t i = 0; i < scan->n; i++) {
     word_root_init(&found[n]);
-    int failed = settle(&found[n], &scan->seeds[i], scan->q, prec);
+    slong work = plan(&scan->seeds[i], scan->q, prec);
+    int failed = settle(&found[n], &scan->seeds[i], scan->q, work);
     bool known = false;
     for (size_t k = 0; k < n && !failed; k++) known = known || same_solution(&found[k], &found[n]);
     status |= failed;
@@ -578,7 +593,8 @@ static int collect(struct dyn_orbits *list, const struct scan *scan, slong prec)
     struct dyn_orbit *o = &list->orbit[list->n];
     truth valid;
     dyn_orbit_init(o);
-    status |= finish(o, &valid, &found[n], &scan->seeds[i], scan->q, prec);
+    status |= finish(o, &valid, &list->raises, &found[n], &scan->seeds[i], scan->q, work, prec);
+    list->bits = FLINT_MAX(list->bits, work);
     n++;
     if (valid == TRUTH_FALSE)
       dyn_orbit_clear(o);

@@ -9,6 +9,9 @@
 #include <math.h>
 
 #include "dyn_impl.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_PIECE = 60 }; /* of work: a piece of phase H looked at */
 
 const char *const dyn_where_name[] = {"start", "end", "inside", "throughout", "open"};
 
@@ -37,6 +40,7 @@ void dyn_margins_init(struct dyn_margins *m) {
     arb_init(x->time);
     arb_init(x->rate);
   }
+  m->spent = false;
   arb_init(m->u_r1_min);
   arb_init(m->u_r2_min);
 }
@@ -112,6 +116,7 @@ struct shape {
   val t[N_PHASES], begin[N_PHASES + 1]; /* durations, and when each phase starts */
   val slack;                            /* w's distance from e1 at the start of the period, a t_a */
   val turn;                             /* omega t_d */
+  long *pieces;                         /* of phase H that may still be looked at */
 };
 
 static void shape_init(struct shape *x, struct calc *c, const fmpq *model, const struct dyn_orbit *o) {
@@ -172,7 +177,8 @@ static val rise_at(const struct shape *x, val t) {
   return calc_dot(c, x->m.a, calc_sub(c, t, sine), x->m.p[P_E1], calc_sub(c, x->m.one, cosine));
 }
 
-/* chi r is highest at t_b, where it must be e2, or at a crest before, one period of Gamma after the other. */
+/* chi r is highest at t_b, where it must be e2, or at a crest before; crests rise from one period of Gamma to the next, so that
+   the last one before t_b is the highest, and the one before that is surely in the phase. */
 static void gamma_r(struct dyn_margin *m, const struct shape *x, val pi) {
   struct calc *c = x->c;
   val chi = x->m.p[P_CHI];
@@ -180,9 +186,13 @@ static void gamma_r(struct dyn_margin *m, const struct shape *x, val pi) {
   start_at_zero(m, c, x->begin[PHASE_H], WHERE_END, first, second);
   val crest = calc_add(c, pi, calc_mul(c, x->m.two, calc_atan2(c, x->m.a, x->m.p[P_E1])));
   val turn = calc_mul(c, x->m.two, pi);
-  for (truth in; (in = within(x, PHASE_GAMMA, crest)) != TRUTH_FALSE; crest = calc_add(c, crest, turn)) {
+  double whole = floor((num_arb.get_d(x->t[PHASE_GAMMA]) - num_arb.get_d(crest)) / (2 * PI)) - 1;
+  if (whole > 0) crest = calc_add(c, crest, calc_mul(c, calc_d(c, whole), turn));
+  truth in = within(x, PHASE_GAMMA, crest);
+  for (int i = 0; i < 4 && in != TRUTH_FALSE; i++, in = within(x, PHASE_GAMMA, crest)) {
     val left = calc_mul(c, chi, calc_sub(c, x->s.rise, rise_at(x, crest)));
     offer(m, c, left, since(x, PHASE_GAMMA, crest), WHERE_INSIDE, in);
+    crest = calc_add(c, crest, turn);
   }
 }
 
@@ -204,10 +214,10 @@ struct motion {
   val margin, rate, bend;
 };
 
-static struct motion motion_at(const struct shape *x, int mass, val t) {
+static struct motion modes_at(const struct shape *x, int mass, val t, int n_modes) {
   struct calc *c = x->c;
   struct motion f = {x->m.p[P_V], x->m.zero, x->m.zero};
-  for (int k = 0; k < 2; k++) {
+  for (int k = 0; k < n_modes; k++) {
     val a = x->s.modes.a[mass][k], b = x->s.modes.b[mass][k], om = x->m.spectrum.om[k], s, co;
     calc_sin_cos(c, &s, &co, calc_mul(c, om, t));
     val speed = calc_sub(c, calc_mul(c, a, co), calc_mul(c, b, s));
@@ -216,6 +226,15 @@ static struct motion motion_at(const struct shape *x, int mass, val t) {
     f.bend = calc_add(c, f.bend, calc_mul(c, calc_mul(c, om, om), speed));
   }
   return f;
+}
+
+static struct motion motion_at(const struct shape *x, int mass, val t) {
+  return modes_at(x, mass, t, 2);
+}
+
+/* Without the fast mode. */
+static struct motion slow_at(const struct shape *x, int mass, val t) {
+  return modes_at(x, mass, t, 1);
 }
 
 /* A step towards the only root of the rate that a piece of time can hold, whose second derivative has one sign:
@@ -246,10 +265,23 @@ static bool narrow_root(arb_t piece, int *steps, const struct shape *x, int mass
   return any;
 }
 
+/* Whether the margin stays above its least value so far through the piece because the slow mode alone does, by more than
+   the amplitude of the fast one: pieces far longer than an oscillation of the fast mode can be left out. */
+static bool slow_is_above(const struct dyn_margin *m, const struct shape *x, int mass, val piece, val mid, val shift) {
+  struct calc *c = x->c;
+  struct motion at = slow_at(x, mass, mid), all = slow_at(x, mass, piece);
+  val rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
+  val a = x->s.modes.a[mass][1], b = x->s.modes.b[mass][1];
+  val least = calc_sub(c, calc_add(c, at.margin, calc_mul(c, rate, shift)), calc_sqrt(c, calc_dot(c, a, a, b, b)));
+  return !c->status && num_arb.lt(m->margin, least) == TRUTH_TRUE;
+}
+
 /* Offers the valleys of the margin between low and high, in time since the start of phase H.  Pieces that lie too high
    or have no root of the rate are left out at a low precision; a root is enclosed at the full one. */
 static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double low, double high, slong prec) {
   struct calc *c = x->c;
+  if (*x->pieces <= 0) return;
+  if (--*x->pieces % WORK_BLOCK == 0) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_PIECE);
   slong mark = calc_mark(c), coarse = c->ctx.prec;
   double half = 0.5 * (high - low);
   arb_ptr piece = calc_new(c);
@@ -260,6 +292,7 @@ static void hunt(struct dyn_margin *m, const struct shape *x, int mass, double l
   val shift = calc_sub(c, piece, mid), rate = calc_add(c, at.rate, calc_mul(c, all.bend, shift));
   val margin = calc_add(c, at.margin, calc_mul(c, rate, shift));
   bool idle = c->status || num_arb.lt(m->margin, margin) == TRUTH_TRUE || !arb_contains_zero(rate);
+  idle = idle || slow_is_above(m, x, mass, piece, mid, shift);
   bool tiny = half < 1e-12 * (1 + high), done = tiny;
   if (!idle && !tiny && !arb_contains_zero(all.bend)) {
     int steps;
@@ -370,7 +403,8 @@ static void lower_bounds(arb_t u_min, struct dyn_margin *one, struct dyn_margin 
 int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_orbit *orbit, const fmpq *u_r1,
                      const fmpq *u_r2, slong prec) {
   struct calc c;
-  struct shape x;
+  long pieces = DYN_MARGIN_PIECES;
+  struct shape x = {.pieces = &pieces};
   calc_init(&c, num_ctx_arb(prec));
   shape_init(&x, &c, model, orbit);
   if (!c.status) {
@@ -383,5 +417,6 @@ int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_
     lower_bounds(m->u_r2_min, &m->at[MARGIN_D_R_LOW], &m->at[MARGIN_GAMMA_R_LOW], u_r2, &c);
   }
   calc_clear(&c);
-  return c.status;
+  m->spent = pieces <= 0;
+  return m->spent ? c.status | SS_UNABLE : c.status;
 }

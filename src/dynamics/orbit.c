@@ -15,9 +15,7 @@ const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
 };
 
-enum { GUARD = 40, RAISES = 4 };
-/* Of the pilot that plans the working precision; bits beyond what it lost. */
-enum { PLANNED_FROM = 512, PILOT = 192, SPARE = 8 };
+enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lost */
 
 /* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one.  The calc and
    what it holds, the kept sines and cosines near the solution, are those of the last precision, 0 when there is none. */
@@ -194,9 +192,13 @@ static int split_fold(struct solution pair[2], int *n, const fmpq *params, const
     status |= slope_at(&b, &c, &m, calc_middle(&c, calc_add(&c, b.tb, step)), b.tc, zero->up);
   }
   *n = 0;
+  if (status || !settled) { /* the passes of a step that failed hold nothing */
+    calc_clear(&c);
+    return status | SS_UNABLE;
+  }
   val square = calc_neg(&c, calc_div(&c, calc_mul(&c, m.two, b.defect), bend));
   val noise = calc_mul(&c, calc_mul(&c, width, width), calc_two_to(&c, -prec / 2));
-  if (!settled || c.status || !calc_lt(&c, noise, calc_abs(&c, square))) {
+  if (c.status || !calc_lt(&c, noise, calc_abs(&c, square))) {
     status |= SS_UNABLE;
   } else if (calc_lt(&c, m.zero, square)) {
     val half = calc_sqrt(&c, square), drift = calc_div(&c, b.pc_tb, b.wc); /* d t_c / d t_b */
@@ -237,25 +239,6 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
 }
 
 /* --- What is known about an orbit once (t_b, t_c) is. --- */
-
-/* t_b is the first root of phase Gamma: the rise grows strictly up to the first crest; later, t_b lies on the rising
-   part of its period and above the crest before. */
-static truth first_tb(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest) {
-  arb_ptr pi = calc_new(c);
-  arb_const_pi(pi, c->ctx.prec);
-  val turn = calc_mul(c, m->two, pi);
-  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
-  *before_crest = num_arb.lt(s->tb, fall);
-  if (*before_crest == TRUTH_TRUE) return TRUTH_TRUE;
-  double whole = floor(arf_get_d(arb_midref((arb_srcptr)s->tb), ARF_RND_NEAR) / (2 * PI));
-  if (whole < 1) return *before_crest;
-  val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn)), sine, cosine;
-  calc_sin_cos(c, &sine, &cosine, fall);
-  val crest =
-      calc_add(c, calc_mul(c, m->a, calc_sub(c, fall, sine)), calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine)));
-  val before = calc_add(c, crest, calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));
-  return truth_and(num_arb.lt(local, fall), num_arb.lt(before, s->rise));
-}
 
 /* The values of w at the ends of phase C and where w' = a - chi q vanishes in it; q = omega R sin u with
    u = omega (t_d - t) from turn down to 0.  The least and the greatest. */
@@ -339,7 +322,7 @@ truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_par
   ball_ending_make(&e, c, m, &s, up);
   force_range(&least, &most, c, m, &s, e.turn, e.wf);
   truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
-  truth first_b = truth_and(first_tb(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
+  truth first_b = truth_and(ball_first_rise(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
   truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
   first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
   o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
@@ -397,24 +380,26 @@ static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solutio
   return first;
 }
 
-/* The working precision that gives prec bits of every number of the orbit near (t_b, t_c).  How many bits the worst of
-   them loses is the orbit's own (its condition) and hardly depends on the precision, so a pilot at a low one tells; it is
-   worth its time where a failed attempt would cost more than it. */
+slong dyn_planned_bits(slong prec, slong left) {
+  return left > 0 ? prec + FLINT_MAX(DYN_GUARD, DYN_PILOT - left + SPARE) : prec + DYN_GUARD;
+}
+
+/* The working precision near (t_b, t_c), from a pilot where it is worth its time. */
 static slong plan(const fmpq *params, double tb, double tc, bool up, slong prec) {
   struct solution pilot;
   struct dyn_orbit o;
-  if (prec <= PLANNED_FROM) return prec + GUARD;
+  if (prec <= DYN_PLANNED_FROM) return prec + DYN_GUARD;
   solution_init(&pilot);
   dyn_orbit_init(&o);
   arb_set_d(pilot.x[0], tb);
   arb_set_d(pilot.x[1], tc);
   pilot.up = up;
   slong left = 0;
-  if (!solve(&pilot, params, PILOT) && !dyn_orbit_describe(&o, &pilot.c, &pilot.m, pilot.x[0], pilot.x[1], up))
+  if (!solve(&pilot, params, DYN_PILOT) && !dyn_orbit_describe(&o, &pilot.c, &pilot.m, pilot.x[0], pilot.x[1], up))
     left = dyn_orbit_accuracy(&o);
   dyn_orbit_clear(&o);
   solution_clear(&pilot);
-  return left > 0 ? prec + FLINT_MAX(GUARD, PILOT - left + SPARE) : prec + GUARD;
+  return dyn_planned_bits(prec, left);
 }
 
 /* The orbit of a solution to prec bits, the working precision being raised, *raises times, as long as that helps.
@@ -425,7 +410,7 @@ static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *p
   int status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
   *raises = 0;
   for (int i = 0; i < RAISES && (status || dyn_orbit_accuracy(o) < prec); i++) {
-    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + GUARD;
+    work += FLINT_MIN(FLINT_MAX(prec - dyn_orbit_accuracy(o), 0), work) + DYN_GUARD;
     status = solve(sol, params, work);
     if (!status) status = dyn_orbit_describe(o, &sol->c, &sol->m, sol->x[0], sol->x[1], sol->up);
     ++*raises;
@@ -496,7 +481,7 @@ int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, con
     int n = 0;
     for (int k = 0; k < 2; k++) solution_init(&pair[k]);
     const struct zero *z = &search.zeros[i];
-    slong work = z->fold ? prec + GUARD : plan(params, z->tb, z->tc, z->up, prec);
+    slong work = z->fold ? prec + DYN_GUARD : plan(params, z->tb, z->tc, z->up, prec);
     status |= resolve(pair, &n, params, z, work);
     for (int k = 0; k < n; k++) add_solution(&found, &pair[k]);
     list->bits = FLINT_MAX(list->bits, n > 0 ? work : 0);

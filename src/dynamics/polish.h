@@ -1,4 +1,5 @@
-/* The outputs at the orbit near (t_b, t_c), by the formulas of slip.h with numbers of twice the precision.
+/* The outputs at the orbit near (t_b, t_c), and those of one pass of the return map, by the formulas of slip.h with numbers of
+   twice the precision.
 
    What cancels loses digits there that double precision would have needed: the radius against the rise near a fold, the
    sums of the modes after a long phase H, positions over 1 - chi.  All is evaluated once, at t_b and t_c in double precision;
@@ -8,6 +9,7 @@
 #define STICKSLIP_POLISH_H
 
 #include "slip.h"
+#include "stickslip/return_map.h"
 #include "stickslip/warm.h"
 
 #define POLISH_REACH 0x1p-36 /* of t_b and t_c: what is of the second order in such a step is rounding */
@@ -101,7 +103,7 @@ SINCOS_INLINE void fine_mode(struct fine_state *x, const struct fine_slip *k, in
   x->pull_tbtb += sigma.high * om.high * (a_tbtb * s + b_tbtb * c);
 }
 
-/* Everything at (t_b, t_c), and Newton's step. */
+/* Everything at (t_b, t_c) but the step. */
 SINCOS_INLINE void fine_evaluate(struct fine_state *x, const struct fine_slip *k) {
   fine_gamma(x, k);
   struct dd zero = dd_of(0), push = dd_mul(k->cross, k->pull_b);
@@ -117,6 +119,11 @@ SINCOS_INLINE void fine_evaluate(struct fine_state *x, const struct fine_slip *k
   struct dd r = dd_mul(x->pull, k->soft), radius = dd_sqrt(dd_add(dd_mul(r, r), dd_mul(dd_mul(x->q, x->q), k->soft)));
   x->r_end = dd_choose(x->q.high > 0, radius, dd_neg(radius));
   x->turn_tb = dd_mul(k->soft, dd_sum_of_products(r, x->pull_tb, x->q, x->q_tb));
+}
+
+/* Newton's step to the orbit. */
+SINCOS_INLINE void fine_step(struct fine_state *x, const struct fine_slip *k) {
+  struct dd r = dd_mul(x->pull, k->soft);
   double p = dd_sub(x->p, x->change_p).high, w = x->w.high + x->change_w.high;
   double defect = dd_add(dd_sub(x->r_end, k->rb), x->rise).high, per = 1 / x->r_end.high;
   double defect_tb = x->turn_tb.high * per - x->p.high, defect_tc = -r.high * p * per;
@@ -125,7 +132,7 @@ SINCOS_INLINE void fine_evaluate(struct fine_state *x, const struct fine_slip *k
   x->step[1] = -(x->p_tb * defect - defect_tb * p) * scale;
 }
 
-/* Follows the step.  At the orbit z_1' = V, so that neither r_end nor `behind` changes with t_c. */
+/* Follows the step, but for r_end.  At its end z_1' = V, so that neither r_end nor `behind` changes with t_c. */
 SINCOS_INLINE void fine_follow(struct fine_state *x, const struct fine_slip *k) {
   double b = x->step[0], c = x->step[1], soft = k->soft.high, stiff = k->omc.high * k->omc.high;
   double q = x->q.high, pull = x->pull.high, q_tb = x->q_tb.high, pull_tb = x->pull_tb.high;
@@ -144,7 +151,6 @@ SINCOS_INLINE void fine_follow(struct fine_state *x, const struct fine_slip *k) 
   x->rise = dd_add(x->rise, dd_of(-p * b));
   x->p = dd_add(x->p, dd_of(-w * b));
   x->w = dd_add(x->w, dd_of(dw * b));
-  x->r_end = dd_sub(k->rb, x->rise);
 }
 
 /* The greatest e1 - w in phase C: at an end, or where w' = a - chi q vanishes at the angle u before the end. */
@@ -162,10 +168,15 @@ SINCOS_INLINE struct dd fine_most(const struct fine_state *x, const struct fine_
   return dd_choose(in_valley, valley, most);
 }
 
-SINCOS_INLINE void fine_outputs(double out[N_DYN_OUT], const struct fine_state *x, const struct fine_slip *k) {
-  struct dd r = dd_mul(x->pull, k->soft), across = dd_mul(k->omc, r);
+/* The angle of phase C. */
+SINCOS_INLINE struct dd fine_turn(const struct fine_state *x, const struct fine_slip *k) {
+  struct dd across = dd_mul(k->omc, dd_mul(x->pull, k->soft));
   bool up = x->q.high > 0;
-  struct dd turn = dd_angle(dd_choose(up, x->q, dd_neg(x->q)), dd_choose(up, across, dd_neg(across)));
+  return dd_angle(dd_choose(up, x->q, dd_neg(x->q)), dd_choose(up, across, dd_neg(across)));
+}
+
+SINCOS_INLINE void fine_outputs(double out[N_DYN_OUT], const struct fine_state *x, const struct fine_slip *k) {
+  struct dd turn = fine_turn(x, k);
   struct dd td = dd_div(turn, k->omc), period = dd_div(x->behind, k->V);
   struct dd ta = dd_sub(dd_sub(period, dd_add(x->tb, x->tc)), td), way = dd_mul(k->V, ta);
   struct dd most = fine_most(x, k, turn, ta);
@@ -187,11 +198,44 @@ SINCOS_INLINE bool polish(double out[N_DYN_OUT], const double params[N_PARAMS], 
   struct fine_state x = {.tb = dd_of(tb), .tc = dd_of(tc)};
   fine_set(&k, params);
   fine_evaluate(&x, &k);
+  fine_step(&x, &k);
   bool ok = (fabs(x.step[0]) < POLISH_REACH * tb) & (fabs(x.step[1]) < POLISH_REACH * tc);
   fine_follow(&x, &k);
+  x.r_end = dd_sub(k.rb, x.rise);
   fine_outputs(out, &x, &k);
   double none = 0; /* unless an output is infinite or NaN */
   for (int i = 0; i < N_DYN_OUT; i++) none += 0 * out[i];
+  return ok & (none == 0);
+}
+
+/* The step to the pass from r: the rise of phase Gamma is r_b - r. */
+SINCOS_INLINE void fine_step_from(struct fine_state *x, const struct fine_slip *k, double r) {
+  double above = dd_sub(x->rise, dd_sub(k->rb, dd_of(r))).high, p = dd_sub(x->p, x->change_p).high;
+  x->step[0] = above / x->p.high;
+  x->step[1] = (p + x->p_tb * x->step[0]) / (x->w.high + x->change_w.high);
+}
+
+/* The return map from r, its events near t_b and t_c in double precision.  False as for polish. */
+SINCOS_INLINE bool polish_map(struct dd out[N_RETURN], const double params[N_PARAMS], double r, double tb, double tc) {
+  struct fine_slip k;
+  struct fine_state x = {.tb = dd_of(tb), .tc = dd_of(tc)};
+  fine_set(&k, params);
+  fine_evaluate(&x, &k);
+  fine_step_from(&x, &k, r);
+  bool ok = (fabs(x.step[0]) < POLISH_REACH * tb) & (fabs(x.step[1]) < POLISH_REACH * tc);
+  double r_end_tb = x.turn_tb.high / x.r_end.high;
+  fine_follow(&x, &k);
+  x.r_end = dd_add(x.r_end, dd_of(r_end_tb * x.step[0]));
+  struct dd td = dd_div(fine_turn(&x, &k), k.omc), gain = dd_sub(x.r_end, dd_of(r));
+  struct dd spent = dd_add(dd_add(x.tb, x.tc), td);
+  out[RETURN_TA] = dd_sub(dd_add(dd_div(dd_mul(k.chi, gain), k.a), dd_div(x.behind, k.V)), spent);
+  out[RETURN_TB] = x.tb;
+  out[RETURN_TC] = x.tc;
+  out[RETURN_TD] = td;
+  out[RETURN_R] = x.r_end;
+  out[RETURN_SLOPE] = dd_div(x.turn_tb, dd_mul(x.r_end, x.p));
+  double none = 0;
+  for (int i = 0; i < N_RETURN; i++) none += 0 * out[i].high;
   return ok & (none == 0);
 }
 

@@ -31,7 +31,7 @@ int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
 static int exponential_gsl(struct num_vec *p, const struct num_vec *at) {
   gsl_matrix_view x = gsl_matrix_view_array((double *)(void *)at->data, N_STATE, N_STATE);
   gsl_matrix_view z = gsl_matrix_view_array((double *)(void *)p->data, N_STATE, N_STATE);
-  gsl_error_handler_t *old = gsl_set_error_handler_off();
+  gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
   int failed = gsl_linalg_exponential_ss(&x.matrix, &z.matrix, GSL_PREC_DOUBLE);
   gsl_set_error_handler(old);
   for (slong i = 0; i < N_STATE * N_STATE; i++)

@@ -2,12 +2,15 @@
 
    t_b: the rise of phase Gamma is the same seen from its crest backwards, so only its first half is ever solved, from a
    start in sin(t/2) that is good to some percent.  t_c: slip.c.  Of either event the sine and cosine are asked for
-   once or twice and then moved.  Whatever does not work out is left to the walk of wave.c. */
+   once or twice and then moved.  Whatever does not work out is left to the walk of wave.c.  No estimate that is cheaper than
+   the outputs in twice the precision tells which of them plain double precision has lost - half of all points have terms that
+   cancel by more than the bound, and the condition number that excuses most of them costs as much - so dyn_return_map forms
+   all of them anew near the events (polish.h), and dyn_return_map_d none. */
 #include "stickslip/return_map.h"
 
 #include <string.h>
 
-#include "slip.h"
+#include "polish.h"
 
 enum { MOST_STEPS = 8, NEAR_MOST = 256 };
 static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;
@@ -167,7 +170,7 @@ static int map_as_given(struct dyn_return *out, const double params[N_PARAMS], d
   struct slip k;
   if (!slip_init(&k, params)) return SS_DOMAIN;
   if (!isfinite(r)) return SS_UNABLE;
-  double g = k.rb - r;
+  double g = fma(-k.chi, r, params[P_E2]) / k.chi; /* e2/chi - r, where e2/chi rounded would lose it */
   if (!(g > 0)) return SS_DOMAIN;
   return fast_map(out, &k, g, lim) ? SS_OK : slow_map(out, params, g, lim);
 }
@@ -185,17 +188,35 @@ static int map_of_any(struct dyn_return *out, const double params[N_PARAMS], dou
   return isnormal(out->r_end) ? SS_OK : SS_UNABLE;
 }
 
-int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+/* The events in double precision, and the outputs, but for those that go through balls. */
+static int plain_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim,
+                     bool *plain) {
   if (!lim) lim = &dyn_limits_default;
-  if (!is_ordinary(params, r)) return map_of_any(out, params, r, lim);
+  *plain = is_ordinary(params, r);
+  if (!*plain) return map_of_any(out, params, r, lim);
   int status = map_as_given(out, params, r, lim);
-  return status || !out->searched || out->grazing ? status : mended(out, params, r);
+  if (status || !out->searched) return status;
+  *plain = false;
+  return out->grazing ? status : mended(out, params, r);
+}
+
+int dyn_return_map(struct dyn_return *out, const double params[N_PARAMS], double r, const struct dyn_limits *lim) {
+  struct dd fine[N_RETURN];
+  bool plain;
+  int status = plain_map(out, params, r, lim, &plain);
+  if (status || !plain) return status;
+  if (!polish_map(fine, params, r, out->t[PHASE_GAMMA], out->t[PHASE_H])) return mended(out, params, r);
+  for (int i = 0; i < N_PHASES; i++) out->t[i] = fine[RETURN_TA + i].high;
+  out->r_end = fine[RETURN_R].high;
+  out->slope = fine[RETURN_SLOPE].high;
+  return SS_OK;
 }
 
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim) {
   struct dyn_return x;
-  int status = dyn_return_map(&x, params, r, lim);
+  bool plain;
+  int status = plain_map(&x, params, r, lim, &plain);
   if (status) return status;
   *r_out = x.r_end;
   if (slope) *slope = x.slope;

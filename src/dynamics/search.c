@@ -11,18 +11,24 @@
 
 #include "dyn_impl.h"
 #include "stickslip/arena.h"
+#include "stickslip/work.h"
 
 enum {
   FIRST_SAMPLES = 96, /* of the first rise */
   LATER_SAMPLES = 12, /* of each later one */
   MAX_DEPTH = 56,
-  MAX_STEPS = 6000000 /* of all first-root searches together: below a second; half of it for the first rise */
+  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the first rise */
+  FREE_STEPS =
+      1 << 20,   /* of a whole search, more than usual parameters ask for: counted as work when they are used up */
+  PASS_STEPS = 4 /* what a pass costs besides its search, in the same coin */
 };
 
 static void evaluate(struct search *s, struct pass *p, double tb) {
   carrier_pass(p, &s->k, tb, &s->lim);
   s->evaluations++;
-  s->steps += p->steps;
+  long before = s->steps / FREE_STEPS;
+  s->steps += p->steps + PASS_STEPS;
+  if (s->steps / FREE_STEPS > before) work_add((unsigned long long)FREE_STEPS * UNITS_OF_STEP);
 }
 
 static void add_zero(struct search *s, const struct pass *p, double low, double high, bool fold) {
@@ -113,6 +119,10 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
   evaluate(s, &a, begin);
   double stop = fmin(end, last);
   for (int i = 1; i <= n; i++) {
+    if (s->steps > s->allowed) { /* scan would look at nothing more */
+      s->cut = true;
+      return;
+    }
     double tb = i < n ? begin + (stop - begin) * i / n : stop;
     if (i == n && stop == end) tb -= 4 * DBL_EPSILON * end; /* at the crest itself m1 is at the belt's speed already */
     evaluate(s, &b, tb);

@@ -9,23 +9,18 @@
 
 #include "coulomb_impl.h"
 #include "dyn_impl.h"
+#include "motion.h"
 
 /* Elements of a state. */
 enum { F_1, P_1 = 2, TIME = 4, N_EXACT };
 
-/* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct wave. */
-struct curve {
-  int n;
-  val start, drift, om[2], cs[2], sn[2];
-};
-
 struct exact {
   struct calc c;
-  val p[N_COULOMB], zero, span, gap, omega, tol; /* span = 1 - chi, gap = span V, omega^2 = chi eta */
-  struct spectrum spectrum;
+  val p[N_COULOMB], zero, span, tol; /* span = 1 - chi */
+  struct motion_law law;
   slong mark; /* what lies before it lives as long as the run */
   enum coulomb_mode mode[2];
-  struct curve force[2], speed[2];
+  struct motion motion;
   struct num_vec now, moved, row; /* row: t, x_1, x_2, x_1', x_2' */
 };
 
@@ -42,129 +37,17 @@ static val sided(struct calc *c, val x, int side) {
   return side > 0 ? x : calc_neg(c, x);
 }
 
-/* --- Curves. --- */
+/* --- The motion in the present pair of modes. --- */
 
-/* An oscillation at a moment: the sine and the versine, 1 minus the cosine. */
-struct angle {
-  val sine, versine;
-};
-
-/* Those of a curve at t; all four curves of a pair of modes share them. */
-static void angles_at(struct angle angle[2], struct calc *c, const struct curve *f, val t) {
-  val half = calc_d(c, 0.5), two = calc_d(c, 2);
-  for (int k = 0; k < f->n; k++) {
-    val s, co;
-    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, f->om[k], t)));
-    angle[k] = (struct angle){calc_mul(c, two, calc_mul(c, s, co)), calc_mul(c, two, calc_mul(c, s, s))};
-  }
-}
-
-static val curve_value(struct calc *c, const struct curve *f, const struct angle angle[2], val t) {
-  val z = calc_add(c, f->start, calc_mul(c, f->drift, t));
-  for (int k = 0; k < f->n; k++)
-    z = calc_add(c, z, calc_sub(c, calc_mul(c, f->sn[k], angle[k].sine), calc_mul(c, f->cs[k], angle[k].versine)));
-  return z;
-}
-
-static val curve_rate(struct calc *c, const struct curve *f, const struct angle angle[2]) {
-  val z = f->drift;
-  for (int k = 0; k < f->n; k++) {
-    val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
-    val swing = calc_sub(c, calc_mul(c, f->sn[k], cosine), calc_mul(c, f->cs[k], angle[k].sine));
-    z = calc_add(c, z, calc_mul(c, f->om[k], swing));
-  }
-  return z;
-}
-
-static val curve_bend(struct calc *c, const struct curve *f, const struct angle angle[2]) {
-  val z = calc_d(c, 0);
-  for (int k = 0; k < f->n; k++) {
-    val cosine = calc_sub(c, calc_d(c, 1), angle[k].versine);
-    val crest = calc_dot(c, f->sn[k], angle[k].sine, f->cs[k], cosine);
-    z = calc_sub(c, z, calc_mul(c, calc_mul(c, f->om[k], f->om[k]), crest));
-  }
-  return z;
-}
-
-/* The derivatives of the order given and of the next one (0 and 1, or 1 and 2). */
-static void curve_at(val out[2], struct calc *c, const struct curve *f, val t, int order) {
-  struct angle angle[2];
-  angles_at(angle, c, f, t);
-  out[0] = order == 0 ? curve_value(c, f, angle, t) : curve_rate(c, f, angle);
-  out[1] = order == 0 ? curve_rate(c, f, angle) : curve_bend(c, f, angle);
-}
-
-/* How the speeds x_1', x_2' oscillate and the forces drift in the present pair of modes: a sticking mass moves evenly;
-   a slipping one follows x_1'' = u_1 - f_1, x_2'' = eta (u_2 - f_2), with the frequency 1 or sqrt(chi eta) about the
-   other's even motion, or both with the frequencies of the free system. */
-struct swing {
-  int n;
-  val om[2], cs[2][2], sn[2][2], drift[2]; /* cs, sn: [mass][oscillation] of the speed; drift of the force */
-};
-
-static struct swing swing_make(struct exact *e) {
-  struct calc *c = &e->c;
-  struct swing w = {.n = 0};
-  val slip[2], pull[2], speed[2];
-  for (int i = 0; i < 2; i++) {
-    slip[i] = element(&e->now, P_1 + i);
-    speed[i] = calc_add(c, e->p[COULOMB_V], slip[i]);
-    val u = sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1);
-    pull[i] = calc_sub(c, u, element(&e->now, F_1 + i));
-    w.drift[i] = e->zero;
-    for (int k = 0; k < 2; k++) w.cs[i][k] = w.sn[i][k] = e->zero;
-  }
-  pull[1] = calc_mul(c, e->p[COULOMB_ETA], pull[1]);
-  bool sticks[2] = {e->mode[0] == MODE_STICK, e->mode[1] == MODE_STICK};
-  if (sticks[0]) w.drift[0] = e->gap;
-  if (sticks[0] && sticks[1]) return w;
-  w.n = 1;
-  if (sticks[1]) {
-    w.drift[1] = calc_mul(c, e->p[COULOMB_CHI], e->gap);
-    w.om[0] = calc_d(c, 1);
-    w.cs[0][0] = calc_add(c, slip[0], e->gap); /* x_1' - chi V */
-    w.sn[0][0] = pull[0];
-  } else if (sticks[0]) {
-    w.om[0] = e->omega;
-    w.cs[1][0] = slip[1];
-    w.sn[1][0] = calc_div(c, pull[1], e->omega);
-  } else {
-    const struct spectrum *s = &e->spectrum;
-    val couple = s->couple, back = s->back;
-    w.n = 2;
-    for (int k = 0; k < 2; k++) {
-      val own[2] = {k == 0 ? s->above : s->below, k == 0 ? s->below : s->above};
-      w.om[k] = s->om[k];
-      w.cs[0][k] = calc_dot(c, own[0], speed[0], couple, speed[1]);
-      w.cs[1][k] = calc_dot(c, back, speed[0], own[1], speed[1]);
-      w.sn[0][k] = calc_div(c, calc_dot(c, own[0], pull[0], couple, pull[1]), s->om[k]);
-      w.sn[1][k] = calc_div(c, calc_dot(c, back, pull[0], own[1], pull[1]), s->om[k]);
-      couple = calc_neg(c, couple);
-      back = calc_neg(c, back);
-    }
-  }
-  return w;
-}
-
-/* The curves of p_i and of f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1) from the present state on. */
 static void curves_make(struct exact *e) {
   struct calc *c = &e->c;
-  struct swing w = swing_make(e);
-  val chi = e->p[COULOMB_CHI], minus = calc_neg(c, chi), one = calc_d(c, 1);
-  val weight[2][2] = {{one, minus}, {minus, chi}};
+  val force[2], slip[2], pull[2];
   for (int i = 0; i < 2; i++) {
-    e->speed[i] = (struct curve){.n = w.n, .start = element(&e->now, P_1 + i), .drift = e->zero};
-    e->force[i] = (struct curve){.n = w.n, .start = element(&e->now, F_1 + i), .drift = w.drift[i]};
-    for (int k = 0; k < w.n; k++) {
-      e->speed[i].om[k] = e->force[i].om[k] = w.om[k];
-      e->speed[i].cs[k] = w.cs[i][k];
-      e->speed[i].sn[k] = w.sn[i][k];
-      val cs = calc_dot(c, weight[i][0], w.cs[0][k], weight[i][1], w.cs[1][k]);
-      val sn = calc_dot(c, weight[i][0], w.sn[0][k], weight[i][1], w.sn[1][k]);
-      e->force[i].sn[k] = calc_div(c, cs, w.om[k]);
-      e->force[i].cs[k] = calc_neg(c, calc_div(c, sn, w.om[k]));
-    }
+    force[i] = element(&e->now, F_1 + i);
+    slip[i] = element(&e->now, P_1 + i);
+    pull[i] = calc_sub(c, sided(c, e->p[COULOMB_US1 + i], e->mode[i] == MODE_BELOW ? 1 : -1), force[i]);
   }
+  motion_make(&e->motion, c, &e->law, e->mode, force, slip, pull);
 }
 
 /* The state after time t of the present curves. */
@@ -173,10 +56,10 @@ static void advance(struct exact *e, val t) {
   const struct num_type *type = c->ctx.type;
   slong mark = calc_mark(c);
   struct angle angle[2];
-  angles_at(angle, c, &e->force[0], t);
+  harmonic_angles(angle, c, &e->motion.force[0], t);
   for (int i = 0; i < 2; i++) {
-    type->set(num_vec_at(&e->moved, F_1 + i), curve_value(c, &e->force[i], angle, t));
-    type->set(num_vec_at(&e->moved, P_1 + i), curve_value(c, &e->speed[i], angle, t));
+    type->set(num_vec_at(&e->moved, F_1 + i), harmonic_value(c, &e->motion.force[i], angle, t));
+    type->set(num_vec_at(&e->moved, P_1 + i), harmonic_value(c, &e->motion.speed[i], angle, t));
   }
   type->set(num_vec_at(&e->moved, TIME), calc_add(c, element(&e->now, TIME), t));
   calc_release(c, mark);
@@ -185,34 +68,19 @@ static void advance(struct exact *e, val t) {
 /* --- Events. --- */
 
 /* Negative while mass i goes on as it does; a sticking mass has one for each side. */
-static struct curve margin(struct exact *e, int mass, int side) {
+static struct harmonic margin(struct exact *e, int mass, int side) {
   struct calc *c = &e->c;
-  struct curve m = e->mode[mass] == MODE_STICK ? e->force[mass] : e->speed[mass];
-  m.start = sided(c, m.start, side);
-  if (e->mode[mass] == MODE_STICK) {
+  bool sticks = e->mode[mass] == MODE_STICK;
+  struct harmonic m = harmonic_sided(c, sticks ? &e->motion.force[mass] : &e->motion.speed[mass], side);
+  if (sticks) {
     m.start = calc_sub(c, m.start, e->p[COULOMB_UR1 + mass]);
-    if (sign_of(c, m.start, e->tol) == 0) m.start = e->zero; /* at the limit: derivatives tell how it starts */
-  }
-  m.drift = sided(c, m.drift, side);
-  for (int k = 0; k < m.n; k++) {
-    m.cs[k] = sided(c, m.cs[k], side);
-    m.sn[k] = sided(c, m.sn[k], side);
+    if (sign_of(c, m.start, e->tol) == 0) m.start = e->law.zero; /* at the limit: derivatives tell how it starts */
   }
   return m;
 }
 
 static double as_double(const struct calc *c, val x) {
   return c->ctx.type->get_d(x);
-}
-
-static struct wave wave_of(const struct calc *c, const struct curve *f) {
-  struct wave w = {.start = as_double(c, f->start), .drift = as_double(c, f->drift)};
-  for (int k = 0; k < f->n; k++) {
-    w.om[k] = as_double(c, f->om[k]);
-    w.cs[k] = as_double(c, f->cs[k]);
-    w.sn[k] = as_double(c, f->sn[k]);
-  }
-  return w;
 }
 
 /* The same wave seen from time t on, where it is zero. */
@@ -227,50 +95,30 @@ static struct wave wave_from(const struct wave *w, double t) {
   return v;
 }
 
-/* Newton's iteration for a root (order 0) or for an extremum (order 1), until half of the bits are settled before the
-   last step. */
-static val newton(struct calc *c, const struct curve *f, val start, int order) {
-  const struct num_type *type = c->ctx.type;
-  void *t = calc_new(c);
-  type->set(t, start);
-  val small = calc_two_to(c, -c->ctx.prec / 2 - 6);
-  slong mark = calc_mark(c);
-  for (int i = 0; i < 100 && !c->status; i++) {
-    val at[2];
-    curve_at(at, c, f, t, order);
-    val step = calc_div(c, at[0], at[1]);
-    bool settled = !calc_lt(c, calc_mul(c, small, calc_abs(c, t)), calc_abs(c, step));
-    type->set(t, calc_sub(c, t, step));
-    calc_release(c, mark);
-    if (settled) break;
-  }
-  return t;
-}
-
 enum contact { CONTACT_MISS, CONTACT_TOUCH, CONTACT_CROSS };
 
 /* What happens near the flat contact at *t: the highest value near it decides, and *t becomes the root or its place. */
-static enum contact judge_flat(val *t, struct exact *e, const struct curve *f) {
+static enum contact judge_flat(val *t, struct exact *e, const struct harmonic *f) {
   struct calc *c = &e->c;
   struct angle angle[2];
-  val crest = newton(c, f, *t, 1);
-  angles_at(angle, c, f, crest);
-  val top = curve_value(c, f, angle, crest);
+  val crest = harmonic_newton(c, f, *t, 1);
+  harmonic_angles(angle, c, f, crest);
+  val top = harmonic_value(c, f, angle, crest);
   int sign = sign_of(c, top, e->tol);
   if (c->status || sign < 0) return CONTACT_MISS;
   *t = crest;
   if (sign == 0) return CONTACT_TOUCH;
-  val before = calc_sqrt(c, calc_div(c, calc_mul(c, calc_d(c, -2), top), curve_bend(c, f, angle)));
-  *t = newton(c, f, calc_sub(c, crest, before), 0);
+  val before = calc_sqrt(c, calc_div(c, calc_mul(c, calc_d(c, -2), top), harmonic_bend(c, f, angle)));
+  *t = harmonic_newton(c, f, calc_sub(c, crest, before), 0);
   return CONTACT_CROSS;
 }
 
 /* The first contact of a margin with zero that ends the present mode: *t and whether it is flat.  NULL when there is
    none before t_max; *status is that of the search which ended without one. */
-static val first_contact(bool *flat, int *status, struct exact *e, const struct curve *f, bool sticks, double t_max,
+static val first_contact(bool *flat, int *status, struct exact *e, const struct harmonic *f, bool sticks, double t_max,
                          struct run *run) {
   struct calc *c = &e->c;
-  struct wave w = wave_of(c, f);
+  struct wave w = harmonic_wave(c, f);
   struct wave_root root;
   double passed = 0;
   for (;;) {
@@ -281,7 +129,7 @@ static val first_contact(bool *flat, int *status, struct exact *e, const struct 
     val t = calc_d(c, passed + root.t);
     if (!root.grazing && root.rate > 0) {
       *flat = false;
-      return newton(c, f, t, 0);
+      return harmonic_newton(c, f, t, 0);
     }
     if (root.grazing) {
       *flat = true;
@@ -310,13 +158,13 @@ static struct event first_event(int *status, struct exact *e, double t_max, stru
     bool sticks = e->mode[mass] == MODE_STICK;
     for (int side = -1; side <= 1; side += 2) {
       if (!sticks && side != (e->mode[mass] == MODE_BELOW ? 1 : -1)) continue;
-      struct curve m = margin(e, mass, side);
+      struct harmonic m = margin(e, mass, side);
       bool flat;
       int end;
       double most = first.t ? 1.000001 * as_double(c, first.t) + 1e-300 : t_max;
       val t = first_contact(&flat, &end, e, &m, sticks, fmin(t_max, most), run);
       if (end & SS_UNABLE) *status = SS_UNABLE;
-      if (t && calc_lt(c, t, e->zero)) t = e->zero;
+      if (t && calc_lt(c, t, e->law.zero)) t = e->law.zero;
       if (t && (!first.t || calc_lt(c, t, first.t))) first = (struct event){t, mass, side, flat};
     }
   }
@@ -362,11 +210,11 @@ static void exact_signs(void *self, struct coulomb_signs *s) {
   for (int i = 0; i < 2; i++) {
     val f = element(&e->now, F_1 + i);
     s->speed[i] = sign_of(c, element(&e->now, P_1 + i), e->tol);
-    if (s->speed[i] == 0) c->ctx.type->set(num_vec_at(&e->now, P_1 + i), e->zero);
-    s->pull[i] = sign_of(c, f, e->zero);
+    if (s->speed[i] == 0) c->ctx.type->set(num_vec_at(&e->now, P_1 + i), e->law.zero);
+    s->pull[i] = sign_of(c, f, e->law.zero);
     s->excess[i] = sign_of(c, calc_sub(c, calc_abs(c, f), e->p[COULOMB_UR1 + i]), e->tol);
   }
-  val lead = calc_sub(c, e->gap, calc_mul(c, e->p[COULOMB_CHI], element(&e->now, P_1 + 1)));
+  val lead = calc_sub(c, e->law.gap, calc_mul(c, e->p[COULOMB_CHI], element(&e->now, P_1 + 1)));
   s->lead = sign_of(c, lead, e->tol);
   s->drag = sign_of(c, calc_add(c, element(&e->now, F_1 + 1), e->p[COULOMB_US2]), e->tol);
   calc_release(c, mark);
@@ -379,7 +227,8 @@ static void settle(struct exact *e, const struct event *event) {
   for (int i = 0; i < 2; i++) {
     bool sticks = e->mode[i] == MODE_STICK;
     val wrong = sided(c, element(&e->now, P_1 + i), e->mode[i] == MODE_BELOW ? 1 : -1);
-    if (sticks || event->mass == i || calc_lt(c, e->zero, wrong)) type->set(num_vec_at(&e->now, P_1 + i), e->zero);
+    if (sticks || event->mass == i || calc_lt(c, e->law.zero, wrong))
+      type->set(num_vec_at(&e->now, P_1 + i), e->law.zero);
     if (sticks && event->mass == i)
       type->set(num_vec_at(&e->now, F_1 + i), sided(c, e->p[COULOMB_UR1 + i], event->side));
   }
@@ -420,7 +269,7 @@ static enum move exact_move(void *self, struct run *run) {
 /* The quantities that last as long as the run, and the state in its own coordinates. */
 static void exact_begin(struct exact *e, const struct num_vec *params, const struct num_vec *start) {
   struct calc *c = &e->c;
-  val x[N_STATE], model[N_PARAMS] = {NULL};
+  val x[N_STATE];
   calc_init(c, params->ctx);
   num_vec_init(&e->now, N_EXACT, params->ctx);
   num_vec_init(&e->moved, N_EXACT, params->ctx);
@@ -428,13 +277,8 @@ static void exact_begin(struct exact *e, const struct num_vec *params, const str
   flow_vals(e->p, params, 0, N_COULOMB);
   flow_vals(x, start, 0, N_STATE);
   val chi = e->p[COULOMB_CHI], belt = e->p[COULOMB_V];
-  e->zero = calc_d(c, 0);
   e->span = calc_sub(c, calc_d(c, 1), chi);
-  e->gap = calc_mul(c, e->span, belt);
-  e->omega = calc_sqrt(c, calc_mul(c, chi, e->p[COULOMB_ETA]));
-  model[P_CHI] = chi;
-  model[P_ETA] = e->p[COULOMB_ETA];
-  e->spectrum = flow_spectrum(c, model);
+  motion_law_make(&e->law, c, chi, e->p[COULOMB_ETA], belt);
   val size = calc_add(c, belt, calc_add(c, e->p[COULOMB_UR1], e->p[COULOMB_UR2]));
   for (int i = 0; i < N_STATE; i++) size = calc_add(c, size, calc_abs(c, x[i]));
   e->tol = calc_mul(c, size, calc_two_to(c, 4 - c->ctx.prec));

@@ -11,6 +11,10 @@
 #include <string.h>
 
 #include "coulomb_impl.h"
+#include "stickslip/work.h"
+
+/* Of work: a step of the integrator; those that one simulation does before any is counted, more than usual motions need. */
+enum { UNITS_OF_ODE_STEP = 16, FREE_STEPS = 1 << 17 };
 
 struct ode {
   const double *p;
@@ -106,6 +110,16 @@ static struct bounds step_bounds(const struct ode *o, int mass, double h) {
   rate += fmax(change[0], change[1]) * h * speed;
   if (o->mode[mass] == MODE_STICK) return (struct bounds){chi * rate, chi * change[1 - mass] * speed};
   return (struct bounds){change[mass] * speed, change[mass] * rate};
+}
+
+/* Without finite bounds a step cannot be looked into. */
+static bool has_bounds(const struct ode *o, double h) {
+  bool finite = true;
+  for (int mass = 0; mass < 2; mass++) {
+    struct bounds lim = step_bounds(o, mass, h);
+    finite = finite && isfinite(lim.second) && isfinite(lim.third);
+  }
+  return finite;
 }
 
 /* Newton's iteration kept inside the bracket a < 0 <= b. */
@@ -238,11 +252,11 @@ static enum move ode_move(void *self, struct run *run) {
       return run_samples(run, duration, true) ? MOVE_END : MOVE_STOPPED;
     }
     if (run->result->steps >= run->plan->max_steps) return MOVE_BUDGET;
-    run->result->steps++;
+    if (++run->result->steps % FREE_STEPS == 0) work_add((unsigned long long)FREE_STEPS * UNITS_OF_ODE_STEP);
     memcpy(o->step_from, o->y, sizeof o->y);
     o->step_since = o->since;
     if (gsl_odeiv2_evolve_apply(o->evolve, o->control, o->step, &o->system, &o->since, to, &o->hint, o->y) ||
-        !all_finite(o->y))
+        !all_finite(o->y) || !has_bounds(o, o->since - o->step_since))
       return MOVE_FAILED;
     bool flat;
     int mass = first_event(&s, &flat, o, o->since - o->step_since);

@@ -3,11 +3,14 @@
    Seen from inside one phase every switching function is a constant, a drift and at most two oscillations.  Its second
    derivative has a bound that holds for all time, so from any point below zero a parabola tells how long it must stay
    below zero.  Walking along those parabolas reaches the first root quadratically and steps over none.  Close to zero
-   the nearest maximum is solved for, which tells two close roots, a touching and a miss apart. */
+   the nearest maximum is solved for, which tells two close roots, a touching and a miss apart.  A walk that gets long
+   looks at envelopes too: with one oscillation, or both, at its crest all the time, what is left is slow, and where it
+   stays below zero so does the wave, however fast the oscillation left out. */
 #include <float.h>
 #include <math.h>
 
 #include "dyn_impl.h"
+#include "stickslip/work.h"
 
 const struct dyn_limits dyn_limits_default = {1000, 100000};
 
@@ -41,14 +44,18 @@ struct walk {
   double amp[2], mean;
   double bound;     /* of |f''| */
   double speed;     /* of |f'| without drift */
+  double fastest;   /* the highest frequency that has an amplitude */
   double top;       /* the highest value without drift */
   double slack;     /* depth that a stretch must have to be jumped over unseen */
   double window[2]; /* the phase angles around its crest in which a mode can help f to reach -slack; pi when all */
 };
 
+static double scale_of(const struct walk *k) {
+  return fabs(k->w.start) + fabs(k->mean) + k->amp[0] + k->amp[1];
+}
+
 static double tolerance(const struct walk *k, double t) {
-  double scale = fabs(k->w.start) + fabs(k->mean) + k->amp[0] + k->amp[1];
-  return DBL_EPSILON * (2 * scale + t * (fabs(k->w.drift) + k->speed));
+  return DBL_EPSILON * (2 * scale_of(k) + t * (fabs(k->w.drift) + k->speed));
 }
 
 /* The sign of the wave just after its start: that of its first derivative, from the 0th, that is not zero.
@@ -79,7 +86,7 @@ static void walk_init(struct walk *k, const struct wave *w, double sign) {
   k->w = *w;
   k->w.start *= -sign;
   k->w.drift *= -sign;
-  k->bound = k->speed = 0;
+  k->bound = k->speed = k->fastest = 0;
   k->mean = k->w.start;
   for (int i = 0; i < 2; i++) {
     k->w.cs[i] *= -sign;
@@ -87,6 +94,7 @@ static void walk_init(struct walk *k, const struct wave *w, double sign) {
     k->amp[i] = hypot(k->w.cs[i], k->w.sn[i]);
     k->bound += k->w.om[i] * k->w.om[i] * k->amp[i];
     k->speed += k->w.om[i] * k->amp[i];
+    if (k->amp[i] > 0) k->fastest = fmax(k->fastest, k->w.om[i]);
     k->mean -= k->w.cs[i];
   }
   k->top = k->mean + k->amp[0] + k->amp[1];
@@ -111,6 +119,48 @@ static double wait_for_modes(const struct walk *k, double t) {
   return longest;
 }
 
+/* A stretch through which an envelope proves that f stays below zero. */
+struct excluded {
+  double h;     /* its length; 0 when there is none */
+  double depth; /* f <= -depth in it; infinite when f has no maximum there */
+};
+
+/* How long y + d s + bend s^2/2 stays below zero, y < 0. */
+static double parabola(double y, double d, double bend) {
+  double disc = sqrt(d * d - 2 * bend * y);
+  return d > 0 ? -2 * y / (disc + d) : bend > 0 ? (disc - d) / bend : (double)INFINITY;
+}
+
+/* The longest stretch after t through which an envelope keeps below half of its present depth.  The half gives what a
+   moving parameter may eat up, and covers the rounding of both ends. */
+static struct excluded below_envelopes(const struct walk *k, double t) {
+  struct excluded best = {.h = 0};
+  double base = k->mean + k->w.drift * t, value[2], rate[2];
+  for (int i = 0; i < 2; i++) {
+    double s = sin(k->w.om[i] * t), c = cos(k->w.om[i] * t);
+    value[i] = k->w.cs[i] * c + k->w.sn[i] * s;
+    rate[i] = k->w.om[i] * (k->w.sn[i] * c - k->w.cs[i] * s);
+  }
+  for (int kept = 0; kept < 4; kept++) { /* a bit for each oscillation that is followed; 3 would be f itself */
+    if (kept == 3) continue;
+    double top = base, d = k->w.drift, bend = 0, speed = fabs(d), other = 0;
+    for (int i = 0; i < 2; i++) {
+      bool followed = kept & 1 << i;
+      top += followed ? value[i] : k->amp[i];
+      if (followed) d += rate[i];
+      if (followed) bend += k->w.om[i] * k->w.om[i] * k->amp[i];
+      *(followed ? &speed : &other) += k->w.om[i] * k->amp[i];
+    }
+    /* an oscillation left out has no angle that the rounding of t could spoil */
+    if (!(top < -4 * DBL_EPSILON * (2 * scale_of(k) + t * speed))) continue;
+    double h = parabola(0.5 * top, d, bend) * (1 - 1e-9);
+    if (!(h > best.h)) continue;
+    bool rises = d - bend * h > other, falls = d + bend * h < -other;
+    best = (struct excluded){h, rises || falls ? (double)INFINITY : -0.5 * top};
+  }
+  return best;
+}
+
 /* Minus the greatest value between two points of a walk on both sides of a crest, by the cubic through values and
    slopes. */
 static double depth_between(const double from[3], const double to[3], double h) {
@@ -130,6 +180,9 @@ static double polish(const struct wave *w, double t, int order) {
   }
   return t;
 }
+
+enum { LONG_WALK = 32 };
+static const double KNOWN_ANGLE = 0x1p50; /* beyond it rounding of the time leaves less than three bits of an angle */
 
 enum verdict { PASSING, CROSSING, TOUCHING };
 
@@ -182,10 +235,16 @@ int wave_first_root(struct wave_root *root, const struct wave *w, const struct w
   double end = k.w.drift < 0 ? fmax(k.top, 0) / -k.w.drift : (double)INFINITY; /* below zero ever after */
 
   double t = isfinite(first) ? first : 0, v[3], next[3];
+  long counted = 0;
   wave_at(v, &k.w, t);
   for (root->steps = 1; root->steps <= lim->max_steps; root->steps++) {
     double tol = tolerance(&k, t);
+    if (root->steps - counted >= WORK_BLOCK) {
+      work_add((unsigned long long)(root->steps - counted) * UNITS_OF_STEP);
+      counted = root->steps;
+    }
     if (t > fmin(end, lim->t_max)) return end < lim->t_max ? SS_DOMAIN : SS_UNABLE;
+    if (t * k.fastest > KNOWN_ANGLE) return SS_UNABLE;
     double h = 0;
     if (v[0] >= -tol) {
       double found = t;
@@ -207,6 +266,14 @@ int wave_first_root(struct wave_root *root, const struct wave *w, const struct w
     if (wait > h) {
       h = wait;
       if (shift) root->safe = fmin(root->safe, k.slack / shift->most);
+    }
+    if (root->steps > LONG_WALK) {
+      struct excluded out = below_envelopes(&k, t);
+      root->steps++; /* it costs as much as the step */
+      if (out.h > h) {
+        wait = h = fmin(out.h, lim->t_max);
+        if (shift) root->safe = fmin(root->safe, out.depth / shift->most);
+      }
     }
     h = fmax(h, DBL_EPSILON * t);
     wave_at(next, &k.w, t + h);

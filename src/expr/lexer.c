@@ -5,18 +5,6 @@
 
 #include "expr_impl.h"
 
-static bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
-static bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
-
-static bool is_word(char c) {
-  return is_letter(c) || is_digit(c) || c == '_';
-}
-
 static size_t skip_blanks(const char *s, size_t i, size_t end) {
   while (i < end) {
     if (s[i] == '#')
@@ -30,7 +18,7 @@ static size_t skip_blanks(const char *s, size_t i, size_t end) {
 }
 
 static size_t skip_digits(const char *s, size_t i, size_t end) {
-  while (i < end && is_digit(s[i])) i++;
+  while (i < end && char_is_digit(s[i])) i++;
   return i;
 }
 
@@ -134,7 +122,7 @@ static struct token number(const struct source *src, size_t begin, size_t end, s
   if (i < end && (s[i] == 'e' || s[i] == 'E')) {
     size_t digits = i + 1 + (i + 1 < end && (s[i + 1] == '+' || s[i + 1] == '-'));
     size_t stop = skip_digits(s, digits, end);
-    if (stop == digits && (digits > i + 1 || stop == end || !is_word(s[stop]))) {
+    if (stop == digits && (digits > i + 1 || stop == end || !char_is_word(s[stop]))) {
       diag_at(d, src, i, "the exponent of the number has no digits (a product with e is written with \"*\")");
       return bad(begin);
     }
@@ -144,7 +132,7 @@ static struct token number(const struct source *src, size_t begin, size_t end, s
     diag_at(d, src, i, "a second decimal point in a number");
     return bad(begin);
   }
-  if (i < end && is_word(s[i])) {
+  if (i < end && char_is_word(s[i])) {
     diag_at(d, src, i, "a number runs into a name; a product is written with \"*\", and a name begins with a letter");
     return bad(begin);
   }
@@ -155,7 +143,7 @@ static struct token number(const struct source *src, size_t begin, size_t end, s
 static struct token name(const char *s, size_t begin, size_t end) {
   size_t i = begin;
   for (;;) {
-    while (i < end && is_word(s[i])) i++;
+    while (i < end && char_is_word(s[i])) i++;
     size_t primes = i;
     while (primes < end && s[primes] == '\'') primes++;
     if (primes == i || primes == end || s[primes] != '_') break;
@@ -170,8 +158,8 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
   if (i >= end) return (struct token){TOK_END, from, from};
   char c = s[i];
   char after = i + 1 < end ? s[i + 1] : ' ';
-  if (is_letter(c)) return name(s, i, end);
-  if (is_digit(c) || (c == '.' && is_digit(after))) return number(src, i, end, d);
+  if (char_is_letter(c)) return name(s, i, end);
+  if (char_is_digit(c) || (c == '.' && char_is_digit(after))) return number(src, i, end, d);
   if (c == ':' && after == '=') return (struct token){TOK_DEFINE, i, i + 2};
   if (c == '<' && after == '=') return (struct token){TOK_LE, i, i + 2};
   if (c == '>' && after == '=') return (struct token){TOK_GE, i, i + 2};

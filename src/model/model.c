@@ -3,8 +3,6 @@
    text, the corrected text, and every mixture that a claim needs. */
 #include "stickslip/model.h"
 
-#include <dirent.h>
-#include <errno.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -39,10 +37,18 @@ static const char *or_empty(const char *s) {
   return s ? s : "";
 }
 
+/* Where definitions of that name stand.  A name is looked up some hundred thousand times in an audit. */
+static size_t bucket_of(const char *name) {
+  unsigned h = 2166136261U;
+  for (const char *p = name; *p; p++) h = (h ^ (unsigned char)*p) * 16777619U;
+  return (h ^ h >> 16) % MODEL_BUCKETS;
+}
+
 /* A definition of the same name, section, rank and record kind twice is a mistake of the file. */
 static bool add_definition(struct model *m, struct definition def, struct diag *d) {
-  for (size_t i = 0; i < m->n_defs; i++) {
-    const struct definition *o = &m->defs[i];
+  size_t b = bucket_of(def.name);
+  for (size_t i = m->bucket[b].first; i; i = m->defs[i - 1].next) {
+    const struct definition *o = &m->defs[i - 1];
     if (o->rank == def.rank && def.rank != RANK_CONTROL && strcmp(o->name, def.name) == 0 &&
         strcmp(o->section, def.section) == 0) {
       diag_at(d, def.src, def.stmt->span.begin, "%s is defined twice in section %s", def.name,
@@ -52,6 +58,8 @@ static bool add_definition(struct model *m, struct definition def, struct diag *
   }
   m->defs = ss_grow(m->defs, m->n_defs, &m->cap_defs, sizeof *m->defs);
   m->defs[m->n_defs++] = def;
+  *(m->bucket[b].last ? &m->defs[m->bucket[b].last - 1].next : &m->bucket[b].first) = m->n_defs;
+  m->bucket[b].last = m->n_defs;
   return true;
 }
 
@@ -124,7 +132,7 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
 
 static bool load_statements(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                             struct diag *d) {
-  static const char *const known[] = {"section", "equation", "tex", "note", "when", "replaces"};
+  static const char *const known[] = {"section", "equation", "tex", "note", "when", "replaces", "equals"};
   if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
   bool defines = strcmp(r->kind_name, "define") == 0;
   const char *section = record_get(r, "section");
@@ -166,11 +174,30 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
   return true;
 }
 
+/* Whose formulas these are.  A file of the paper's own that is read over the paper says the same again. */
+static bool load_title(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
+  const struct record *top = &f->records[0];
+  for (size_t k = 0; k < top->n_fields; k++) {
+    const struct field *fd = &top->fields[k];
+    if (!fd->attribute || strcmp(fd->key_name, "paper") != 0) continue;
+    if (rank != RANK_PAPER && m->paper && strcmp(m->paper, fd->text) == 0) continue;
+    if (rank != RANK_PAPER || m->paper) {
+      diag_at(d, &f->src, fd->key.begin,
+              m->paper ? "the paper's title is given twice; leave one out"
+                       : "the paper's title stands in one of its own files, not in one that is laid over them");
+      return false;
+    }
+    m->paper = fd->text;
+  }
+  return true;
+}
+
 static bool load_records(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
-  static const char *const attributes[] = {"section", "title", "note"};
+  static const char *const attributes[] = {"section", "title", "note", "paper"};
   const struct record *top = &f->records[0];
-  if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d)) return false;
+  if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
+    return false;
   for (size_t k = 0; k < top->n_fields; k++)
     if (!top->fields[k].attribute) {
       diag_at(d, &f->src, top->fields[k].value.begin,
@@ -206,36 +233,12 @@ bool model_add_file(struct model *m, const char *path, enum rank rank, struct di
   return record_file_parse(f, src, d) && load_records(m, f, rank, d);
 }
 
-static int by_name(const void *a, const void *b) {
-  return strcmp(*(char *const *)a, *(char *const *)b);
-}
-
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {
-  DIR *dir = opendir(path);
-  if (!dir) {
-    diag_set(d, "%s: error: %s", path, strerror(errno));
-    return false;
-  }
-  char **names = NULL;
-  size_t n = 0, cap = 0;
-  for (struct dirent *e = readdir(dir); e; e = readdir(dir)) {
-    size_t len = strlen(e->d_name);
-    if (len < 4 || e->d_name[0] == '.' || strcmp(e->d_name + len - 3, ".eq") != 0) continue;
-    names = ss_grow(names, n, &cap, sizeof *names);
-    names[n++] = arena_strndup(&m->arena, e->d_name, len);
-  }
-  closedir(dir);
-  if (n) qsort(names, n, sizeof *names, by_name);
+  size_t n;
+  char **file = folder_files(&n, path, ".eq", &m->arena, d);
   bool ok = n > 0;
-  if (!ok) diag_set(d, "%s: error: no .eq file in this folder", path);
-  for (size_t i = 0; ok && i < n; i++) {
-    struct text t;
-    text_init(&t);
-    text_printf(&t, "%s/%s", path, names[i]);
-    ok = model_add_file(m, t.data, rank, d);
-    text_clear(&t);
-  }
-  free(names);
+  for (size_t i = 0; ok && i < n; i++) ok = model_add_file(m, file[i], rank, d);
+  free(file);
   return ok;
 }
 
@@ -261,8 +264,8 @@ static const struct definition *look_up(const struct view *v, const char *name, 
   const struct model *m = v->model;
   const struct definition *here = NULL, *anywhere = NULL, *elsewhere = NULL;
   bool ambiguous = false;
-  for (size_t i = 0; i < m->n_defs; i++) {
-    const struct definition *def = &m->defs[i];
+  for (size_t i = m->bucket[bucket_of(name)].first; i; i = m->defs[i - 1].next) {
+    const struct definition *def = &m->defs[i - 1];
     if (strcmp(def->name, name) != 0 || !view_sees(v, def)) continue;
     if (*def->section == '\0') {
       if (hides(def, anywhere)) anywhere = def;

@@ -3,6 +3,7 @@
 #include <math.h>
 
 #include "stickslip/num.h"
+#include "stickslip/work.h"
 
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void) {
   static fmpz_mpoly_ctx_t ctx;
@@ -80,7 +81,10 @@ static int e_neg(void *z, const void *x, slong prec) {
 }
 
 static bool fits(const void *x, const void *y, bool sum) {
-  return num_exact_work(x, y, sum) <= NUM_EXACT_PRODUCT;
+  slong terms = num_exact_work(x, y, sum);
+  bool ok = terms <= NUM_EXACT_PRODUCT;
+  if (ok) work_add(1 + (unsigned long long)terms);
+  return ok;
 }
 
 #define EXACT_BINARY(name, sum)                                                                                        \

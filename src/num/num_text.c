@@ -18,17 +18,13 @@ enum { PARSE_MAX = 100000, PLAIN_MIN = -6, PLAIN_MAX = 21 };
 #define TIE_BITS_MAX      (WORD(1) << 24)
 #define EXPONENT_BITS_MAX 40
 
-static bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
-
 /* The exponent after e or E; saturates beyond PARSE_MAX.  false when it is malformed. */
 static bool parse_exponent(long *e, const char *s, const char *end) {
   bool negative = s < end && *s == '-';
   if (s < end && (*s == '-' || *s == '+')) s++;
   if (s == end) return false;
   for (*e = 0; s < end; s++) {
-    if (!is_digit(*s)) return false;
+    if (!char_is_digit(*s)) return false;
     if (*e <= PARSE_MAX) *e = 10 * *e + (*s - '0');
   }
   if (negative) *e = -*e;
@@ -41,9 +37,9 @@ int num_parse_decimal(fmpq_t q, const char *s, size_t len) {
   if (len > PARSE_MAX) return SS_UNABLE;
   char *digits = ss_malloc(len + 1);
   size_t n = 0;
-  for (; s < end && is_digit(*s); s++) digits[n++] = *s;
+  for (; s < end && char_is_digit(*s); s++) digits[n++] = *s;
   if (s < end && *s == '.') {
-    for (s++; s < end && is_digit(*s); s++, places++) digits[n++] = *s;
+    for (s++; s < end && char_is_digit(*s); s++, places++) digits[n++] = *s;
     if (places == 0) n = 0; /* "5." is not of the form */
   }
   digits[n] = '\0';

@@ -9,11 +9,11 @@ bool report_is_failure(const struct finding *f) {
 
 const char *const report_grade_heading[N_GRADES] = {
     "Numbers and the example",
-    "Formulas; results derived from them change",
-    "Notation; read literally, results derived from it change",
+    "Formulas that change results",
+    "Slips of notation that change results when read literally",
     "Conclusions that do not follow",
-    "Formulas; results derived from them stay",
-    "Notation; results derived from it stay",
+    "Formulas that change no result",
+    "Slips of notation that change no result",
 };
 
 static bool is_wide(const struct consequence *q) {

@@ -24,6 +24,9 @@ void html_plain_n(struct text *out, const char *s, size_t len);
 void html_plain(struct text *out, const char *s);
 /* Text in which $...$ is mathematics; changed as in mathml_add, or NULL. */
 void html_text(struct text *out, const char *s, const bool *changed);
+/* The same without mathematics between dollar signs, but with names like z_10 and powers like 1e-9 set as such. */
+void html_prose_n(struct text *out, const char *s, size_t len);
+void html_prose(struct text *out, const char *s);
 /* One formula, without dollar signs. */
 void html_math(struct text *out, const char *tex, const bool *changed);
 void html_code(struct text *out, const char *s);
@@ -57,8 +60,10 @@ void page_statements(const struct page *p, const struct finding *f, const char *
 
 /* The sections, each from heading to end. */
 void page_summary(const struct page *p);
+void page_power(const struct page *p);
 void page_failures(const struct page *p);
 void page_model(const struct page *p);
+void page_pictures(const struct page *p); /* picture.c */
 void page_every_claim(const struct page *p);
 void page_graph(const struct page *p);
 void page_routes(const struct page *p);
@@ -70,6 +75,7 @@ void page_belt(const struct page *p);
 
 /* Style sheet and script. */
 extern const char *const page_style;
+extern const char *const picture_style; /* of curves; picture.c */
 extern const char *const page_script;
 
 #endif

@@ -67,6 +67,16 @@ static void add_count(const struct page *p, long n) {
     text_add(p->out, "<td class=\"n\">&#8211;</td>");
 }
 
+/* A residual below 1e-37 at 128 bits: 37 of 38 digits. */
+static void add_digits(const struct page *p, const struct evidence *e) {
+  static const double digits_a_bit = 0.30102999566398120;
+  long agreed = e->residual && strncmp(e->residual, "1e-", 3) == 0 ? strtol(e->residual + 3, NULL, 10) : 0;
+  if (agreed > 0 && e->bits > 0)
+    text_printf(p->out, "<td class=\"n\">%ld of %ld</td>", agreed, (long)((double)e->bits * digits_a_bit));
+  else
+    text_add(p->out, "<td class=\"n\">&#8211;</td>");
+}
+
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
   text_add(p->out, "<tr><th scope=\"row\">");
   html_plain(p->out, e->route);
@@ -78,8 +88,10 @@ static void add_evidence_row(const struct page *p, const struct evidence *e) {
   add_count(p, e->trials);
   add_count(p, e->bits);
   text_add(p->out, "<td class=\"n\">");
-  html_plain(p->out, e->residual ? e->residual : "\xe2\x80\x93");
-  text_add(p->out, "</td><td>");
+  html_prose(p->out, e->residual ? e->residual : "\xe2\x80\x93");
+  text_add(p->out, "</td>");
+  add_digits(p, e);
+  text_add(p->out, "<td>");
   html_text(p->out, e->note, NULL);
   if (e->note && e->worst) text_add(p->out, "; ");
   if (e->worst) {
@@ -95,10 +107,12 @@ static void add_evidence(const struct page *p, const struct finding *f) {
            "<div class=\"wide\"><table class=\"evidence\">\n<caption>Routes and residuals</caption>\n<thead><tr>"
            "<th scope=\"col\">route</th><th scope=\"col\">equations read</th><th scope=\"col\">result</th>"
            "<th scope=\"col\" class=\"n\">trials</th><th scope=\"col\" class=\"n\">bits</th>"
-           "<th scope=\"col\" class=\"n\">residual below</th><th scope=\"col\">note; worst</th></tr></thead>\n"
+           "<th scope=\"col\" class=\"n\">residual below</th><th scope=\"col\" class=\"n\">digits agreed"
+           "</th><th scope=\"col\">note; worst</th></tr></thead>\n"
            "<tbody>\n");
   for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
   text_add(p->out, "</tbody></table></div>\n");
+  if (p->r->n_pairs) text_add(p->out, "<p><a href=\"#s-routes\">What the routes share</a></p>\n");
 }
 
 static void add_texts(const struct page *p, const struct finding *f) {

@@ -117,15 +117,29 @@ static void add_fault(const struct page *p, const struct finding *f) {
   end_row(p);
 }
 
+/* A sentence, or a message of the reader of equations, whose caret stands under what it means. */
+static void add_note(const struct page *p, const char *note) {
+  if (note && strchr(note, '\n')) {
+    text_add(p->out, "<pre>");
+    for (const char *s = note; *s; s += *s == '\n') {
+      size_t n = strcspn(s, "\n");
+      html_plain_n(p->out, s, n);
+      text_add_char(p->out, '\n');
+      s += n;
+    }
+    text_add(p->out, "</pre>\n");
+  } else if (note) {
+    html_text(p->out, note, NULL);
+    html_stop(p->out);
+    text_add_char(p->out, ' ');
+  }
+}
+
 static void add_certificate(const struct page *p, const struct finding *f) {
   const struct evidence *e = report_deciding(f);
   if (!e) return;
   begin_row(p, "Certificate");
-  if (e->note) {
-    html_text(p->out, e->note, NULL);
-    html_stop(p->out);
-    text_add_char(p->out, ' ');
-  }
+  add_note(p, e->note);
   if (e->worst && (!e->note || !strstr(e->note, e->worst))) {
     text_add(p->out, e->residual ? "Largest difference at " : "Where: ");
     html_text(p->out, e->worst, NULL);
@@ -197,7 +211,7 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   add_derived(p, q, CHANGE_UNDEFINED, "<p>Has no meaning with it: ");
   add_derived(p, q, CHANGE_AGREES, "<p>Keeps its value at every point tried: ");
   add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
-  add_ids(p, &q->falls, "<p>Fails with it: ");
+  add_ids(p, &q->falls, "<p>Fails with it as printed: ");
   add_ids(p, &q->survives, "<p>Rests on it and holds all the same: ");
   add_ids(p, &q->open, "<p>Could not be told: ");
   if (p->out->len == before) text_add(p->out, "No result that the paper derives changes.");
@@ -302,7 +316,7 @@ static void add_numbers(const struct page *p) {
       text_add(p->out, "<div class=\"wide\"><table class=\"numbers\">\n<caption>Printed numbers and those of the orbit "
                        "nearest to them</caption>\n<thead><tr><th scope=\"col\">claim</th><th scope=\"col\">the paper "
                        "prints</th><th scope=\"col\">nearest solution</th><th scope=\"col\">certificate</th>"
-                       "<th scope=\"col\">what goes with it</th><th scope=\"col\">see it again</th></tr></thead>\n"
+                       "<th scope=\"col\">what depends on it</th><th scope=\"col\">see it again</th></tr></thead>\n"
                        "<tbody>\n");
     any = true;
     add_number(p, f);
@@ -327,7 +341,7 @@ static void add_grade(const struct page *p, enum grade g) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
     if (!report_is_failure(f) || report_grade(p->r, f) != g) continue;
-    if (!any) text_printf(p->out, "<h3>%s</h3>\n", report_grade_heading[g]);
+    if (!any) text_printf(p->out, "<h3 id=\"g-%d\">%s</h3>\n", (int)g, report_grade_heading[g]);
     if (!any && g == GRADE_NUMBER) {
       add_numbers(p);
       add_readings(p);
@@ -389,11 +403,11 @@ void page_failures(const struct page *p) {
   text_add(
       p->out,
       "<section id=\"s-failures\" aria-labelledby=\"h-failures\">\n<h2 id=\"h-failures\">What needs attention</h2>\n"
-      "<p>Worst first. Each statement was judged as printed with all that it uses corrected; what is said to change "
-      "was evaluated with this one formula as printed and everything else corrected. Examples are at exact "
-      "parameters, so that anybody can evaluate both sides there: left is the paper's formula or the left side of "
-      "its equation, right what the equations of motion give or the right side. What differs between the printed "
-      "and the corrected text is <mark>marked</mark>.</p>\n");
+      "<p>Worst first. Each statement was judged as printed, with the corrected form of everything else that it uses, "
+      "so that one slip is counted once. Examples are at exact parameters, where anybody can evaluate both sides. Of "
+      "a formula, the left side is what the paper prints and the right side what the equations of motion give; of an "
+      "equation, they are its own two sides. What differs between the printed and the corrected text is "
+      "<mark>marked</mark>.</p>\n");
   add_unexpected(p);
   for (int g = 0; g < N_GRADES; g++) add_grade(p, (enum grade)g);
   add_statements(p, "Undecided", is_undecided, NULL);

@@ -5,7 +5,7 @@
 
 #include "html.h"
 
-enum { COLUMN = 190, ROW = 20, BOX = 130, MARGIN = 10 };
+enum { COLUMN = 200, ROW = 20, BOX = 152, MARGIN = 10 };
 
 struct place {
   bool shown;
@@ -92,6 +92,15 @@ static void add_arrows(const struct page *p, const struct drawing *d, enum arrow
     }
 }
 
+/* Those of the style sheet, so that verdicts differ without colours. */
+static const char *const sign[N_VERDICTS] = {[VERDICT_PROVED] = "\xe2\x96\xa0",
+                                             [VERDICT_CONDITIONAL] = "\xe2\x97\x90",
+                                             [VERDICT_SUPPORTED] = "\xe2\x96\xa1",
+                                             [VERDICT_REFUTED] = "\xe2\x9c\x95",
+                                             [VERDICT_UNKNOWN] = "?",
+                                             [VERDICT_SKIPPED] = "\xe2\x80\x93",
+                                             [VERDICT_DEFINITION] = "\xe2\x80\xa2"};
+
 static void add_node(const struct page *p, const struct drawing *d, size_t i) {
   const struct finding *f = i < p->r->n_findings ? &p->r->findings[i] : NULL;
   int x = MARGIN + d->at[i].level * COLUMN, y = MARGIN + d->at[i].row * ROW;
@@ -100,10 +109,13 @@ static void add_node(const struct page *p, const struct drawing *d, size_t i) {
   html_plain(p->out, d->g.id[i]);
   if (f) text_printf(p->out, " (%s): ", verdict_name[f->verdict]);
   html_plain(p->out, f ? f->title : " (not judged in this run)");
-  text_printf(p->out, "</title><rect class=\"node %s%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" />",
+  text_printf(p->out,
+              "</title><rect class=\"node %s%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" "
+              "fill=\"#fff\" stroke=\"currentColor\" />",
               f ? verdict_name[f->verdict] : "skipped", failed ? " failed" : "", x, y + 2, BOX, ROW - 4);
   text_printf(p->out, "<text x=\"%d\" y=\"%d\">", x + 4, y + 14);
-  html_plain(p->out, failed ? "\xe2\x9c\x95 " : "");
+  html_plain(p->out, f ? sign[f->verdict] : sign[VERDICT_SKIPPED]);
+  text_add_char(p->out, ' ');
   html_plain(p->out, d->g.id[i]);
   text_add(p->out, "</text></g>\n");
 }
@@ -112,13 +124,15 @@ static void add_drawing(const struct page *p, const struct drawing *d) {
   int width = 2 * MARGIN + d->levels * COLUMN - (COLUMN - BOX), height = 2 * MARGIN + d->rows * ROW;
   text_printf(
       p->out,
-      "<div class=\"wide\"><svg class=\"graph\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" role=\"img\" "
+      "<div class=\"wide\"><svg class=\"graph\" font-size=\"11\" width=\"%d\" height=\"%d\" viewBox=\"0 0 %d %d\" "
+      "role=\"img\" "
       "aria-label=\"Graph of %d claims on %d levels with %d arrows, %d of them to a claim that fails when what it "
       "rests on is read as printed; the same is said in words in each claim, under Rests on\">\n<path "
-      "class=\"edge\" d=\"",
+      "class=\"edge\" fill=\"none\" stroke=\"#777\" stroke-width=\".7\" d=\"",
       width, height, width, height, d->shown, d->levels, d->arrows, d->fatal);
   add_arrows(p, d, ARROW_RESTS);
-  text_add(p->out, "\" />\n<path class=\"edge fatal\" d=\"");
+  text_add(p->out,
+           "\" />\n<path class=\"edge fatal\" fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"5 3\" d=\"");
   add_arrows(p, d, ARROW_FATAL);
   text_add(p->out, "\" />\n");
   for (size_t i = 0; i < d->g.n; i++)
@@ -132,10 +146,11 @@ void page_graph(const struct page *p) {
   text_add(p->out,
            "<section id=\"s-graph\" aria-labelledby=\"h-graph\">\n<h2 id=\"h-graph\">What rests on what</h2>\n");
   if (d.shown) {
-    text_add(p->out,
-             "<p>A claim stands to the right of all that it rests on. A cross and a heavy border mark a failure; a "
-             "dashed arrow leads to a claim that fails when the formula at its tail is read as printed. Claims "
-             "without a connection are left out, and so are arrows that a longer way implies.</p>\n");
+    text_add(p->out, "<p>A claim stands to the right of all that it rests on. The sign before its name is that of its "
+                     "verdict, as <a href=\"#s-verdicts\">above</a>; a heavy border marks "
+                     "a failure, and a dashed arrow leads to a claim that fails when the formula at its tail is read "
+                     "as printed. Claims "
+                     "without a connection are left out, and so are arrows that a longer way implies.</p>\n");
     add_drawing(p, &d);
   } else {
     text_add(p->out, "<p>No claim of this run rests on another.</p>\n");

@@ -30,6 +30,42 @@ static void add_phases(const struct page *p) {
   text_add(p->out, "</tbody></table></div>\n");
 }
 
+/* What the page says all the time and a reader of the paper has not met, or has met in another sense. */
+static void add_words(const struct page *p) {
+  static const struct {
+    const char *word, *meaning;
+  } words[] = {
+      {"claim",
+       "one thing that the paper says. (27) and eq-27 are its numbered equation, a letter tells apart what one "
+       "number says; num-... is a printed number, text-... a sentence, fig-... a figure"},
+      {"orbit",
+       "here: a periodic motion that goes through the four phases once, each ending at the first time at which "
+       "its condition is met"},
+      {"admissible", "an orbit that the masses can follow: every condition along it holds, for some static friction"},
+      {"tr J, criterion",
+       "$\\operatorname{tr} J$ is the trace of the Jacobian of one period, its only eigenvalue besides 0; "
+       "by the paper's criterion an orbit is conditionally stable where $|\\operatorname{tr} J| < 1$ and "
+       "unstable where not"},
+      {"propagator", "the matrix that carries the state over a phase of given length"},
+      {"printed, corrected", "the paper's own formulas, and the same with the errata of this project over them"},
+      {"route", "one way to compute a thing, such as exact algebra, balls (numbers with proved error bounds), a matrix "
+                "exponential, finite differences (fd) or integration of the equations of motion"},
+      {"residual", "by how much two routes differ, relative to the size of what they compute"},
+      {"trials, bits", "at how many points they were compared, and with how many binary digits"},
+      {"certificate",
+       "what anybody can recheck: exact parameters at which the two sides differ, or why a form cannot be "
+       "right"},
+      {"control", "a statement made wrong on purpose, to see whether the audit notices"}};
+  text_add(p->out, "<h3 id=\"s-words\">Words used on this page</h3>\n<p>What the verdicts mean is said <a "
+                   "href=\"#s-verdicts\">above</a>.</p>\n<dl>\n");
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    text_printf(p->out, "<dt>%s</dt>\n<dd>", words[i].word);
+    html_text(p->out, words[i].meaning, NULL);
+    text_add(p->out, ".</dd>\n");
+  }
+  text_add(p->out, "</dl>\n");
+}
+
 void page_model(const struct page *p) {
   static const char *const before[] = {
       "Two blocks of mass $m_1$ and $m_2$ lie on a belt that moves with the constant velocity $V$. A spring of "
@@ -63,7 +99,9 @@ void page_model(const struct page *p) {
   add_phases(p);
   text_add(p->out, "<p>");
   html_text(p->out, after, NULL);
-  text_add(p->out, "</p>\n</section>\n");
+  text_add(p->out, "</p>\n");
+  add_words(p);
+  text_add(p->out, "</section>\n");
 }
 
 void page_limits(const struct page *p) {
@@ -80,7 +118,8 @@ void page_limits(const struct page *p) {
       "That something supported is proved: it agrees at the points tried, whose number stands with it.",
       "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
       "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
-      "library. The suite's own model, which the formulas are held against, is tested with independent programs."};
+      "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
+      "own model, which the formulas are held against, is tested with independent programs."};
   const struct audit_result *r = p->r;
   text_add(p->out, "<section id=\"s-limits\" aria-labelledby=\"h-limits\">\n"
                    "<h2 id=\"h-limits\">What the audit does not show</h2>\n<ul>\n");

@@ -95,10 +95,10 @@ static void add_cell(const struct page *p, const struct route_pair *pair, struct
   each_part(parts, pair, p->out);
   text_add(p->out, "<br />");
   if (!pair->within) text_add(p->out, "<strong>beyond</strong> ");
-  html_plain(p->out, pair->largest ? pair->largest : pair->within ? "within" : "-");
+  html_prose(p->out, pair->largest ? pair->largest : pair->within ? "within" : "-");
   if (!pair->largest || !pair->within) {
     text_add_char(p->out, ' ');
-    html_plain(p->out, pair->stated);
+    html_prose(p->out, pair->stated);
   }
   text_printf(p->out, "<br /><small>%ld compared</small></td>", pair->comparisons);
 }
@@ -185,11 +185,11 @@ static void add_long_runs(const struct page *p) {
   for (size_t i = 0; i < p->r->n_long_runs; i++) {
     const struct long_result *l = &p->r->long_runs[i];
     text_add(p->out, "<tr><th scope=\"row\">");
-    html_plain(p->out, l->orbit);
+    html_prose(p->out, l->orbit);
     text_add(p->out, "</th><td class=\"n\">");
     html_plain(p->out, l->multiplier);
     text_printf(p->out, "</td><td class=\"n\">%ld</td><td>", l->periods);
-    html_plain(p->out, l->expected);
+    html_prose(p->out, l->expected);
     text_printf(p->out, "</td><td>%s</td><td>%s</td></tr>\n", l->obeys ? "yes" : "<strong>NO</strong>",
                 l->displaced ? "yes" : "<strong>NO</strong>");
   }
@@ -199,10 +199,11 @@ static void add_long_runs(const struct page *p) {
 static void add_controls(const struct page *p) {
   const struct audit_result *r = p->r;
   if (!r->n_controls) return;
-  text_add(p->out, "<h3>Statements made wrong on purpose</h3>\n<details><summary>The controls</summary>\n"
-                   "<div class=\"wide\"><table>\n<caption>Controls and what they damage</caption>\n<thead><tr>"
-                   "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
-                   "<th scope=\"col\">noticed</th></tr></thead>\n<tbody>\n");
+  text_add(p->out,
+           "<h3 id=\"s-controls\">Statements made wrong on purpose</h3>\n<details><summary>The controls</summary>\n"
+           "<div class=\"wide\"><table>\n<caption>Controls and what they damage</caption>\n<thead><tr>"
+           "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
+           "<th scope=\"col\">noticed</th></tr></thead>\n<tbody>\n");
   for (size_t i = 0; i < r->n_controls; i++) {
     text_add(p->out, "<tr><th scope=\"row\">");
     html_code(p->out, r->controls[i].id);

@@ -7,8 +7,8 @@
 static const char *const meaning[N_VERDICTS] = {
     [VERDICT_PROVED] = "an exact identity, or enclosures that settle the claim on its whole domain",
     [VERDICT_CONDITIONAL] = "refuted on the domain, proved under the condition named",
-    [VERDICT_SUPPORTED] =
-        "agrees at every accepted point, by at least two routes that do not share their reasoning; not a proof",
+    [VERDICT_SUPPORTED] = ("agrees at every point tried, by at least two <a href=\"#s-routes\">routes</a> that do not "
+                           "share their reasoning; not a proof"),
     [VERDICT_REFUTED] =
         "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
     [VERDICT_UNKNOWN] = "undecided; the claim says why",
@@ -17,7 +17,8 @@ static const char *const meaning[N_VERDICTS] = {
 
 static void add_counts(const struct page *p, const long count[N_VERDICTS]) {
   text_add(p->out,
-           "<table class=\"counts\">\n<caption>The verdicts, and what each word means</caption>\n<thead><tr>"
+           "<table class=\"counts\" id=\"s-verdicts\">\n<caption>The verdicts, and what each word "
+           "means</caption>\n<thead><tr>"
            "<th scope=\"col\">verdict</th><th scope=\"col\" class=\"n\">claims</th><th scope=\"col\">meaning</th>"
            "</tr></thead>\n<tbody>\n");
   for (int i = 0; i < N_VERDICTS; i++) {
@@ -70,6 +71,10 @@ static void add_quoted_title(const struct page *p, const struct finding *f) {
   text_add(p->out, "&#8221;</a>");
 }
 
+static bool is_fault(const struct finding *f, const char *fault) {
+  return f->fault && strcmp(f->fault, fault) == 0;
+}
+
 /* What is wrong, in the shortest words that the record has. */
 static void add_reason(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
@@ -78,37 +83,70 @@ static void add_reason(const struct page *p, const struct finding *f) {
   if (f->change) {
     text_add(p->out, ": ");
     html_text(p->out, f->change, NULL);
-  } else if (f->fault && strcmp(f->fault, "number") == 0 && size) {
+  } else if (is_fault(f, "number") && size) {
     text_add(p->out, ": ");
     html_text(p->out, size, NULL);
+  } else if (is_fault(f, "argument")) {
+    text_add(p->out, ": a counterexample stands with it");
   } else if (e && e->note) {
     text_add(p->out, ": ");
     html_text(p->out, e->note, NULL);
   }
   html_stop(p->out);
+  if (is_fault(f, "argument") && f->correction) {
+    text_add(p->out, " With the correction (");
+    html_text(p->out, f->correction, NULL);
+    text_printf(p->out, ") it is %s.", verdict_name[f->correction_verdict]);
+  }
+  if (f->verdict == VERDICT_CONDITIONAL && f->size) {
+    text_add_char(p->out, ' ');
+    html_text(p->out, f->size, NULL);
+    html_stop(p->out);
+  }
   if (q && q->falls.n) {
-    text_add(p->out, " With it ");
-    page_claims(p, &q->falls);
-    text_add(p->out, q->falls.n == 1 ? " fails." : " fail.");
+    text_add(p->out, " With it as printed, <a href=\"#");
+    html_anchor(p->out, "f-", f->id);
+    text_printf(p->out, "\">%d statement%s</a> that rest%s on it fail%s.", q->falls.n, q->falls.n == 1 ? "" : "s",
+                q->falls.n == 1 ? "s" : "", q->falls.n == 1 ? "s" : "");
   }
 }
 
-/* The others of the same grade, by name, with what to change in them. */
+/* A link that shows what the claim says. */
+static void add_titled(const struct page *p, const struct finding *f) {
+  text_add(p->out, "<a href=\"#");
+  html_anchor(p->out, "f-", f->id);
+  text_add(p->out, "\">");
+  html_text(p->out, f->title, NULL);
+  text_add(p->out, "</a>");
+}
+
+/* What to change in one of the others. */
+static void add_change(const struct page *p, const struct finding *f) {
+  bool number = report_is_number(f);
+  if ((!number && !f->change) || report_mended_with(p->r, f)) return;
+  text_add(p->out, number ? " <span class=\"k\">(" : " (");
+  if (number)
+    html_math(p->out, f->correction_latex, NULL);
+  else
+    html_text(p->out, f->change, NULL);
+  text_add(p->out, number ? ")</span>" : ")");
+}
+
+/* The others of the same grade, equations by number, with what to change in them. */
 static void add_others(const struct page *p, enum grade g, const struct finding *but) {
   const char *sep = " Likewise: ";
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
     if (f == but || !report_is_failure(f) || report_grade(p->r, f) != g) continue;
     text_add(p->out, sep);
-    page_claim(p, f->id);
-    if (f->change && !report_mended_with(p->r, f)) {
-      text_add(p->out, " (");
-      html_text(p->out, f->change, NULL);
-      text_add_char(p->out, ')');
-    }
-    sep = ", ";
+    if (strncmp(f->id, "eq-", 3) == 0)
+      page_claim(p, f->id);
+    else
+      add_titled(p, f);
+    add_change(p, f);
+    sep = "; ";
   }
-  if (sep[0] == ',') text_add_char(p->out, '.');
+  if (sep[0] == ';') text_add_char(p->out, '.');
 }
 
 static void add_foremost(const struct page *p) {
@@ -120,7 +158,8 @@ static void add_foremost(const struct page *p) {
     if (n++ == 0) text_add(p->out, "<h3>The most important findings</h3>\n<ol>\n");
     text_printf(p->out, "<li><strong>%s.</strong> ", report_grade_heading[g]);
     add_quoted_title(p, f);
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? " holds under a condition only" : " does not hold");
+    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? " holds only under the condition " : " does not hold");
+    if (f->verdict == VERDICT_CONDITIONAL) html_text(p->out, f->condition ? f->condition : "named there", NULL);
     add_reason(p, f);
     add_others(p, (enum grade)g, f);
     text_add(p->out, "</li>\n");
@@ -130,21 +169,66 @@ static void add_foremost(const struct page *p) {
 
 /* --- What is asked first --- */
 
+/* The corrected numbers among those that a refuted claim rests on. */
+static void add_mended_numbers(const struct page *p, const struct finding *f) {
+  const char *sep = " The periodic solution nearest to the printed numbers has ";
+  for (int i = 0; i < f->n_depends_on; i++) {
+    const struct finding *on = page_finding(p, f->depends_on[i]);
+    if (!on || !report_is_failure(on) || !report_is_number(on)) continue;
+    text_add(p->out, sep);
+    html_math(p->out, on->correction_latex, NULL);
+    sep = ", ";
+  }
+  if (sep[0] == ',') text_add_char(p->out, '.');
+}
+
+/* What was computed for the orbit meant, in a sentence before the list: "tr J = x: so by the criterion; admissible". */
+static void add_meant(const struct page *p, const struct finding *f) {
+  static const char meant[] = ", the nearest to the printed numbers";
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    const char *colon = e->note ? strstr(e->note, ": ") : NULL, *end = colon ? strchr(colon, ';') : NULL;
+    if (!e->worst || !strstr(e->worst, meant) || !end) continue;
+    text_add(p->out, "<strong>The periodic solution nearest to the printed numbers is ");
+    html_prose_n(p->out, colon + 2, (size_t)(end - colon - 2));
+    text_add(p->out, "</strong>, with ");
+    html_prose_n(p->out, e->note, (size_t)(colon - e->note));
+    text_add(p->out, ". ");
+    return;
+  }
+}
+
 static void add_answer(const struct page *p, const struct finding *f) {
+  bool yes = f->verdict == VERDICT_PROVED || f->verdict == VERDICT_SUPPORTED;
   if (f->verdict != VERDICT_DEFINITION) {
-    text_add(p->out, report_is_failure(f)                                              ? "No: "
-                     : f->verdict == VERDICT_PROVED || f->verdict == VERDICT_SUPPORTED ? "Yes: "
-                                                                                       : "Open: ");
+    const struct evidence *e = report_is_failure(f) ? report_deciding(f) : NULL;
+    text_printf(p->out, "<strong>%s:</strong> ", e ? "No" : yes ? "Yes" : "Open");
+    html_text(p->out, e && f->effect ? f->effect : e ? e->note : NULL, NULL);
+    html_stop(p->out);
+    if (e) add_mended_numbers(p, f);
+    text_add(p->out, " Claim ");
     page_claim(p, f->id);
-    text_add(p->out, " is ");
+    text_add(p->out, ": ");
     page_verdict(p, f->verdict);
     text_add_char(p->out, '.');
     return;
   }
-  text_add(p->out, "The paper does not say; what was computed (");
+  add_meant(p, f);
+  text_add(p->out, "The paper itself does not say. Computed for the periodic solutions of its data (claim ");
   page_claim(p, f->id);
   text_add(p->out, "):");
   page_statements(p, f, "states");
+  html_text(p->out,
+            "$\\operatorname{tr} J$ is the factor by which what separates a neighbouring motion from the periodic one "
+            "grows with each period: it dies out where $|\\operatorname{tr} J| < 1$ (stable) and takes over where "
+            "$|\\operatorname{tr} J| > 1$ (unstable). Admissible: the two masses can follow it; not admissible: it "
+            "solves the equations and breaks a condition of the motion.",
+            NULL);
+  const struct finding *later = page_finding(p, "text-long-run");
+  if (!later) return;
+  text_add(p->out, " Where the printed start leads: ");
+  page_claim(p, later->id);
+  text_add_char(p->out, '.');
 }
 
 static bool is_wrong_formula(const struct finding *f) {
@@ -169,11 +253,12 @@ static void add_remedy(const struct page *p, const struct finding *f) {
   }
 }
 
-static void add_wrong_formulas(const struct page *p) {
-  const char *before = "<dt>Which printed formulas are wrong?</dt>\n<dd><ul class=\"columns\">\n";
+/* Those with a fault of that class, or with any other. */
+static bool add_wrong(const struct page *p, bool notation, const char *heading) {
+  const char *before = heading;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!is_wrong_formula(f)) continue;
+    if (!is_wrong_formula(f) || is_fault(f, "notation") != notation) continue;
     text_add(p->out, before);
     text_add(p->out, "<li>");
     page_claim(p, f->id);
@@ -181,7 +266,74 @@ static void add_wrong_formulas(const struct page *p) {
     text_add(p->out, "</li>\n");
     before = "";
   }
-  if (!*before) text_add(p->out, "</ul>A letter tells apart what is said under one number.</dd>\n");
+  if (!*before) text_add(p->out, "</ul>\n");
+  return !*before;
+}
+
+static bool is_slip_of_text(const struct finding *f) {
+  return report_is_failure(f) && strncmp(f->id, "eq-", 3) != 0 && is_fault(f, "notation");
+}
+
+/* Slips outside the numbered equations, by what does not hold. */
+static void add_slips_of_text(const struct page *p) {
+  const char *sep = "<p>Such slips in the text besides; what does not hold is that ";
+  for (size_t i = 0; i < p->r->n_findings; i++) {
+    if (!is_slip_of_text(&p->r->findings[i])) continue;
+    text_add(p->out, sep);
+    add_titled(p, &p->r->findings[i]);
+    sep = "; ";
+  }
+  if (sep[0] == ';') text_add(p->out, ".</p>\n");
+}
+
+static void add_wrong_formulas(const struct page *p) {
+  text_add(p->out, "<dt>Which printed formulas are wrong?</dt>\n<dd>");
+  bool any = add_wrong(p, false, "<p>Not what the equations of motion give:</p>\n<ul class=\"columns\">\n");
+  any |= add_wrong(p, true,
+                   "<p>Slips of notation, without sense or false when read literally:</p>\n<ul class=\"columns\">\n");
+  add_slips_of_text(p);
+  text_add(p->out, any ? "<p>A letter after the number tells apart several things that are said under it.</p></dd>\n"
+                       : "None of those judged.</dd>\n");
+}
+
+/* What is held against what: the printed formula on the left. */
+static void add_both_texts(const struct page *p, const struct finding *f) {
+  const char *printed = f->printed_part ? f->printed_part : f->printed;
+  if (!printed || !f->correction_latex) return;
+  text_add(p->out, ", printed ");
+  html_math(p->out, printed, NULL);
+  text_add(p->out, " against ");
+  html_math(p->out, f->correction_latex, NULL);
+}
+
+/* How to see it again, with one formula as the example: its command, and both sides at one point for a calculator. */
+static void add_recheck(const struct page *p) {
+  const struct finding *f = NULL;
+  for (size_t i = 0; i < p->r->n_findings && !f; i++)
+    if (is_wrong_formula(&p->r->findings[i]) && report_deciding(&p->r->findings[i])) f = &p->r->findings[i];
+  text_add(p->out,
+           "<dt>How do I recheck it?</dt>\n<dd>All of it: <code>make deps verify</code> in a copy of the project "
+           "installs what is needed, builds the program and repeats the audit; once built, <code>stickslip "
+           "verify ");
+  html_plain(p->out, p->r->scene);
+  text_add(p->out, "</code> does. One claim: by the command that stands with it");
+  if (f) {
+    text_add(p->out, ", for ");
+    page_claim(p, f->id);
+    text_add(p->out, " <code>");
+    html_plain(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+    text_add(p->out, "</code>");
+  }
+  text_add(p->out, ". By hand: evaluate both sides at the exact parameters that its certificate names");
+  if (f && report_deciding(f)->note) {
+    text_add(p->out, ". For ");
+    page_claim(p, f->id);
+    add_both_texts(p, f);
+    text_add(p->out, ": ");
+    html_text(p->out, report_deciding(f)->note, NULL);
+  }
+  html_stop(p->out);
+  text_add(p->out, "</dd>\n");
 }
 
 /* Questions and the claims that answer them, where those were judged. */
@@ -190,7 +342,7 @@ static void add_questions(const struct page *p) {
     const char *question, *id;
   } of[] = {{"Is the printed example a periodic solution?", "text-periodic"},
             {"Is the example stable?", "text-example-stability"}};
-  text_add(p->out, "<h3>Asked first</h3>\n<dl>\n");
+  text_add(p->out, "<h3>What readers ask first</h3>\n<dl>\n");
   for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
     const struct finding *f = page_finding(p, of[i].id);
     if (!f) continue;
@@ -199,35 +351,24 @@ static void add_questions(const struct page *p) {
     text_add(p->out, "</dd>\n");
   }
   add_wrong_formulas(p);
-  text_add(p->out, "<dt>How is it rechecked?</dt>\n<dd>All of it: <code>stickslip verify ");
-  html_plain(p->out, p->r->scene);
-  text_add(p->out, "</code>. One claim: the command in its row, as <code>stickslip verify ");
-  html_plain(p->out, p->r->scene);
-  text_add(p->out, " --only ID</code>; or by hand at the exact parameters that a refutation names.</dd>\n</dl>\n");
+  add_recheck(p);
+  text_add(p->out, "</dl>\n");
 }
 
-/* --- Its own power --- */
-
-static void add_power(const struct page *p) {
-  const struct audit_result *r = p->r;
-  size_t noticed = 0, within = 0;
-  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
-  for (size_t i = 0; i < r->n_pairs; i++) within += r->pairs[i].within;
-  text_add(p->out, "<h3>Would it have noticed?</h3>\n<p>");
-  if (r->n_controls)
-    text_printf(p->out, "Of %zu statements made wrong on purpose, <strong>%zu were noticed</strong> in this run. ",
-                r->n_controls, noticed);
-  else
-    text_add(p->out, "No statements made wrong on purpose were tried in this run. ");
-  if (r->n_pairs)
-    text_printf(p->out, "Of %zu pairs of routes to one quantity, %zu agree within the accuracy that they state. ",
-                r->n_pairs, within);
-  long unexpected = audit_result_unexpected(r);
-  if (unexpected)
-    text_printf(p->out, "<strong>%ld results are not as recorded.</strong>", unexpected);
-  else
-    text_add(p->out, "All verdicts are as recorded.");
-  text_add(p->out, "</p>\n");
+/* The failures by how much they say, each with a link to where they are. */
+static void add_grades(const struct page *p, long failures) {
+  long n[N_GRADES] = {0};
+  for (size_t i = 0; i < p->r->n_findings; i++)
+    if (report_is_failure(&p->r->findings[i])) n[report_grade(p->r, &p->r->findings[i])]++;
+  const char *sep = "";
+  if (!failures) return;
+  text_printf(p->out, "<p>The %ld, worst first: ", failures);
+  for (int g = 0; g < N_GRADES; g++) {
+    if (!n[g]) continue;
+    text_printf(p->out, "%s<a href=\"#g-%d\">%s</a> <strong>%ld</strong>", sep, g, report_grade_heading[g], n[g]);
+    sep = ", ";
+  }
+  text_add(p->out, ".</p>\n");
 }
 
 void page_summary(const struct page *p) {
@@ -236,15 +377,16 @@ void page_summary(const struct page *p) {
   text_add(p->out, "<section id=\"s-verdict\" aria-labelledby=\"h-verdict\">\n<h2 id=\"h-verdict\">The verdict</h2>\n");
   text_printf(p->out,
               "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong>; %ld are proved, "
-              "%ld supported, %ld undecided",
+              "%ld supported (no proof, and no counterexample), %ld undecided",
               p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_PROVED],
               count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, ", %ld not possible here", count[VERDICT_SKIPPED]);
-  text_printf(p->out, "; %ld assert nothing.</p>\n", count[VERDICT_DEFINITION]);
+  text_printf(p->out, "; %ld are definitions.</p>\n", count[VERDICT_DEFINITION]);
+  add_grades(p, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL]);
   page_verdict_bar(p, count);
   add_foremost(p);
   add_questions(p);
-  add_power(p);
+  page_power(p);
   add_counts(p, count);
   text_add(p->out, "</section>\n");
 }

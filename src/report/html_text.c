@@ -81,11 +81,14 @@ void html_text(struct text *out, const char *s, const bool *changed) {
   bool math = false;
   for (size_t i = 0; i < len; math = !math) {
     size_t n = strcspn(s + i, "$");
+    bool ends = math && s[i + n] && s[i + n + 1] && strchr(".,;:)", s[i + n + 1]); /* with what stays on its line */
+    text_add(out, ends ? "<span class=\"k\">" : "");
     if (math)
       add_math(out, s + i, n, changed ? changed + i : NULL);
     else
-      html_plain_n(out, s + i, n);
-    i += n + (s[i + n] == '$');
+      html_prose_n(out, s + i, n);
+    if (ends) text_printf(out, "%c</span>", s[i + n + 1]);
+    i += n + (s[i + n] == '$') + ends;
   }
 }
 

@@ -386,7 +386,8 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
               "not share their reasoning) and %ld assert nothing",
               s->tex ? "" : "\n", r->n_findings, count[VERDICT_PROVED], count[VERDICT_SUPPORTED],
               count[VERDICT_DEFINITION]);
-  if (count[VERDICT_UNKNOWN]) text_printf(s->out, "; %ld are undecided", count[VERDICT_UNKNOWN]);
+  if (count[VERDICT_UNKNOWN])
+    text_printf(s->out, "; %ld %s undecided", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
   if (count[VERDICT_SKIPPED]) text_printf(s->out, "; %ld were not possible here", count[VERDICT_SKIPPED]);
   text_add(s->out, ". ");
   text_printf(s->out, "Of %zu statements made wrong on purpose %zu were noticed. ", r->n_controls, noticed);

@@ -60,6 +60,20 @@ void page_section_name(const struct page *p, const char *section) {
   }
 }
 
+/* "number: what it says; more", what it says in bold. */
+static void add_statement(const struct page *p, const char *note) {
+  const char *colon = strstr(note, ": "), *end = colon ? strchr(colon, ';') : NULL;
+  if (!end || memchr(note, '$', (size_t)(end - note))) {
+    html_text(p->out, note, NULL);
+    return;
+  }
+  html_prose_n(p->out, note, (size_t)(colon + 2 - note));
+  text_add(p->out, "<strong>");
+  html_prose_n(p->out, colon + 2, (size_t)(end - colon - 2));
+  text_add(p->out, "</strong>");
+  html_text(p->out, end, NULL);
+}
+
 void page_statements(const struct page *p, const struct finding *f, const char *result) {
   const char *last = NULL;
   for (int i = 0; i < f->n_evidence; i++) {
@@ -69,7 +83,7 @@ void page_statements(const struct page *p, const struct finding *f, const char *
     last = e->note;
     html_text(p->out, e->worst, NULL);
     text_add(p->out, e->worst ? ": " : "");
-    html_text(p->out, e->note, NULL);
+    add_statement(p, e->note);
     html_stop(p->out);
     text_add(p->out, "</li>\n");
   }
@@ -87,25 +101,33 @@ static void add_head(const struct page *p) {
       "script-src 'unsafe-inline'; img-src data:\" />\n"
       "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" />\n<title>Audit: ");
   html_plain(p->out, p->r->title ? p->r->title : p->r->scene);
-  text_printf(p->out, "</title>\n<style>\n%s</style>\n</head>\n", page_style);
+  text_printf(p->out, "</title>\n<style>\n%s%s</style>\n</head>\n", page_style, picture_style);
 }
 
 static void add_opening(const struct page *p) {
+  text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-verdict\">To the verdict</a>\n<header>\n<h1>Audit of a paper");
+  if (p->r->paper) {
+    text_add(p->out, ": <cite>");
+    html_plain(p->out, p->r->paper);
+    text_add(p->out, "</cite>");
+  }
   text_add(p->out,
-           "<body>\n<a class=\"skip\" href=\"#s-verdict\">To the verdict</a>\n<header>\n<h1>Audit of a paper: "
-           "<cite>Analytical investigation of periodic solutions for a coupled oscillator with dry friction</cite>"
-           "</h1>\n<p>Every statement below was decided by computation, against routes that do not use the paper's "
-           "formulas. Scene ");
+           "</h1>\n<p>Every statement below was decided by computation: the paper's formulas against ways to the same "
+           "result that do not use them. Scene ");
   html_code(p->out, p->r->scene);
   if (p->r->title) {
     text_add(p->out, ": ");
     html_text(p->out, p->r->title, NULL);
   }
   html_stop(p->out);
+  text_add(p->out,
+           " New to it: <a href=\"#s-model\">the system in half a page</a>, <a href=\"#s-words\">the words used "
+           "here</a>.");
   text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
                    "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
                    "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
                    "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-pictures\">Pictures</a></li>\n"
                    "<li><a href=\"#s-claims\">Every claim</a></li>\n"
                    "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
                    "<li><a href=\"#s-routes\">Routes</a></li>\n"
@@ -132,6 +154,7 @@ void report_html(struct text *out, const struct audit_result *r) {
   page_summary(&p);
   page_failures(&p);
   page_model(&p);
+  page_pictures(&p);
   page_every_claim(&p);
   page_graph(&p);
   page_routes(&p);

@@ -98,7 +98,5 @@ bool claim_graph_implied(const struct claim_graph *g, size_t a, size_t b);
 
 /* The section of audit.md about consequences. */
 void report_consequences(struct text *out, const struct audit_result *r);
-/* The member "readings"; null when there are none. */
-void report_readings_member(struct json *j, const char *key, const struct readings *r);
 
 #endif

@@ -167,6 +167,15 @@ static void add_long_runs(struct text *out, const struct audit_result *r) {
   add_long_run_rows(out, r, false);
 }
 
+static void add_precision(struct text *out, const struct audit_result *r) {
+  if (r->n_precision)
+    text_add(out, "## Precision\n\nHow often the first precision in balls was enough; else it was raised.\n\n"
+                  "| tried | times | enough |\n| --- | ---: | ---: |\n");
+  for (size_t i = 0; i < r->n_precision; i++)
+    text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
+  if (r->n_precision) text_add_char(out, '\n');
+}
+
 static void add_disagreeing_long_runs(struct text *out, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_long_runs; i++) any = any || !r->long_runs[i].obeys || !r->long_runs[i].displaced;
@@ -197,6 +206,13 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_controls(out, r);
   add_routes(out, r);
   add_long_runs(out, r);
+  if (r->n_values) text_add(out, "## Values\n\n| name | at | value |\n| --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_values; i++) {
+    const struct asked_value *v = &r->values[i];
+    text_printf(out, "| `%s` | %s | %s |\n", v->name, v->at, v->value ? v->value : "not known");
+  }
+  if (r->n_values) text_add_char(out, '\n');
+  add_precision(out, r);
   if (r->n_skipped) text_add(out, "## Left out\n\n");
   for (size_t i = 0; i < r->n_skipped; i++) text_printf(out, "- %s: %s\n", r->skipped[i].what, r->skipped[i].why);
   if (r->n_skipped) text_add_char(out, '\n');
@@ -208,14 +224,16 @@ void report_line(struct text *out, const struct audit_result *r) {
   audit_result_count(r, count);
   size_t noticed = 0;
   for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
-  text_printf(out, "%s: %zu claims:", r->scene, r->n_findings);
+  text_printf(out, "%s: %zu claims%s", r->scene, r->n_findings, r->n_findings ? ":" : "");
   const char *sep = " ";
   for (int i = 0; i < N_VERDICTS; i++)
     if (count[i]) {
       text_printf(out, "%s%ld %s", sep, count[i], verdict_name[i]);
       sep = ", ";
     }
-  text_printf(out, "; %zu of %zu controls noticed; ", noticed, r->n_controls);
+  if (r->n_values) text_printf(out, "; %zu values", r->n_values);
+  if (r->n_controls || !r->n_values) text_printf(out, "; %zu of %zu controls noticed", noticed, r->n_controls);
+  text_add(out, "; ");
   long bad = audit_result_unexpected(r);
   if (bad)
     text_printf(out, "%ld NOT as recorded", bad);

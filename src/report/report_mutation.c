@@ -45,6 +45,7 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   json_object(&j, NULL);
   json_string(&j, "schema", "stickslip-mutation-1");
   json_string(&j, "scene", r->scene);
+  json_string(&j, "subject", r->subject);
   json_string(&j, "seed", text_str(&seed));
   json_long(&j, "population", r->population);
   json_long(&j, "tried", r->tried);

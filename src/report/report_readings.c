@@ -1,142 +1,8 @@
 /* The readings of an example, as JSON and for people. */
 #include <string.h>
 
+#include "audit_shape.h"
 #include "report_impl.h"
-
-static void write_strings(struct json *j, const char *key, const char *const *list, int n) {
-  json_array(j, key);
-  for (int i = 0; i < n; i++) json_string(j, NULL, list[i]);
-  json_end_array(j);
-}
-
-static void write_slopes(struct json *j, const char *key, const struct reading_slope *s, int n) {
-  json_array(j, key);
-  for (int i = 0; i < n; i++) {
-    json_object(j, NULL);
-    json_string(j, "of", s[i].of);
-    json_string(j, "by", s[i].by);
-    json_string(j, "value", s[i].value);
-    json_end_object(j);
-  }
-  json_end_array(j);
-}
-
-static void write_decimals(struct json *j, int n) {
-  if (n < 0)
-    json_null(j, "decimals");
-  else
-    json_long(j, "decimals", n);
-}
-
-static void write_reading(struct json *j, const struct example_reading *r) {
-  json_object(j, NULL);
-  json_string(j, "layer", r->layer);
-  json_string(j, "confirmed", r->confirmed);
-  json_string(j, "form", r->form);
-  json_string(j, "carry", r->carry);
-  write_strings(j, "inputs", r->inputs, r->n_inputs);
-  write_strings(j, "solved", r->solved, r->n_solved);
-  json_array(j, "dropped");
-  for (int i = 0; i < r->n_dropped; i++) {
-    json_object(j, NULL);
-    json_string(j, "equation", r->dropped[i].equation);
-    json_string(j, "residual", r->dropped[i].residual);
-    write_slopes(j, "answer", r->dropped[i].answer, r->dropped[i].n_answer);
-    json_end_object(j);
-  }
-  json_end_array(j);
-  json_long(j, "assumptions", r->assumptions);
-  json_string(j, "assumed", r->assumed);
-  json_long(j, "digits", r->digits);
-  json_long(j, "given", r->n_given);
-  json_array(j, "numbers");
-  for (int i = 0; i < r->n_numbers; i++) {
-    json_object(j, NULL);
-    json_string(j, "name", r->number[i].name);
-    json_string(j, "printed", r->number[i].printed);
-    json_string(j, "value", r->number[i].value);
-    json_string(j, "how", r->number[i].how);
-    json_end_object(j);
-  }
-  json_end_array(j);
-  write_slopes(j, "slopes", r->slope, r->n_slopes);
-  write_decimals(j, r->decimals);
-  json_array(j, "shifts");
-  for (int i = 0; i < r->n_shifts; i++) {
-    json_object(j, NULL);
-    json_string(j, "of", r->shift[i].of);
-    json_string(j, "actual", r->shift[i].actual);
-    json_string(j, "predicted", r->shift[i].predicted);
-    json_end_object(j);
-  }
-  json_end_array(j);
-  json_end_object(j);
-}
-
-static void write_procedure(struct json *j, const struct readings_procedure *p) {
-  json_object(j, "procedure");
-  json_string(j, "inputs", p->inputs);
-  json_array(j, "outputs");
-  for (int i = 0; i < p->n_outputs; i++) {
-    const struct procedure_output *o = &p->output[i];
-    json_object(j, NULL);
-    json_string(j, "name", o->name);
-    json_string(j, "printed", o->printed);
-    json_string(j, "value", o->value);
-    json_string(j, "low", o->low);
-    json_string(j, "high", o->high);
-    json_string(j, "within", o->within);
-    write_decimals(j, o->decimals);
-    json_end_object(j);
-  }
-  json_end_array(j);
-  write_slopes(j, "slopes", p->slope, p->n_slopes);
-  json_end_object(j);
-}
-
-static void write_pairs(struct json *j, const struct readings *r) {
-  json_array(j, "pairs");
-  for (int i = 0; i < r->n_pairs; i++) {
-    json_object(j, NULL);
-    json_string(j, "inputs", r->pair[i].inputs);
-    json_bool(j, "solved", r->pair[i].missed != NULL);
-    json_long(j, "given", r->pair[i].n_given);
-    json_string(j, "missed", r->pair[i].missed);
-    json_end_object(j);
-  }
-  json_end_array(j);
-}
-
-void report_readings_member(struct json *j, const char *key, const struct readings *r) {
-  if (!r) {
-    json_null(j, key);
-    return;
-  }
-  json_object(j, key);
-  write_strings(j, "conclusion", r->conclusion, r->n_conclusions);
-  write_strings(j, "space", r->space, r->n_space);
-  json_array(j, "levels");
-  for (int i = 0; i < r->n_levels; i++) {
-    json_object(j, NULL);
-    json_long(j, "dropped", r->level[i].dropped);
-    json_long(j, "tried", r->level[i].tried);
-    json_long(j, "undetermined", r->level[i].undetermined);
-    json_long(j, "reproduce", r->level[i].reproduce);
-    json_long(j, "unrounded", r->level[i].unrounded);
-    json_long(j, "open", r->level[i].open);
-    json_end_object(j);
-  }
-  json_end_array(j);
-  json_array(j, "found");
-  for (int i = 0; i < r->n_found; i++) write_reading(j, &r->found[i]);
-  json_end_array(j);
-  json_array(j, "near");
-  for (int i = 0; i < r->n_near; i++) write_reading(j, &r->near[i]);
-  json_end_array(j);
-  write_pairs(j, r);
-  write_procedure(j, &r->procedure);
-  json_end_object(j);
-}
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
   struct json j;
@@ -144,7 +10,10 @@ void report_readings_json(struct text *out, const struct audit_result *r) {
   json_object(&j, NULL);
   json_string(&j, "schema", "stickslip-readings-1");
   json_string(&j, "scene", r->scene);
-  report_readings_member(&j, "readings", r->readings);
+  if (r->readings)
+    shape_write(&j, "readings", &readings_shape, r->readings);
+  else
+    json_null(&j, "readings");
   json_end_object(&j);
 }
 

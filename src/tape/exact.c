@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stickslip/work.h"
+
 /* What a generator stands for: an input by name, or a function of elements. */
 struct generator {
   enum tape_op op;
@@ -38,6 +40,7 @@ static slong variable(slong i) {
 
 struct exact_field *exact_field_new(const struct exact_fact *fact, int n_facts) {
   struct exact_field *f = ss_malloc(sizeof *f);
+  work_touch(WORK_ALGEBRA);
   *f = (struct exact_field){.limit = EXACT_TERMS, .fact = fact, .n_facts = n_facts};
   return f;
 }
@@ -120,10 +123,15 @@ static void rewrite_one(fmpz_mpoly_struct *p, const struct generator *g, slong v
 
 /* The youngest first: a square holds older generators only. */
 static bool rewrite(fmpz_mpoly_struct *p, const struct exact_field *f) {
+  slong degree[EXACT_GENERATORS];
   bool changed = false;
+  if (fmpz_mpoly_is_fmpz(p, ring())) return false;
+  fmpz_mpoly_degrees_si(degree, p, ring());
   for (slong i = f->n - 1; i >= 0; i--) {
-    if (!f->gen[i].squared || fmpz_mpoly_degree_si(p, variable(i), ring()) < 2) continue;
+    if (!f->gen[i].squared || degree[variable(i)] < 2) continue;
     rewrite_one(p, &f->gen[i], variable(i));
+    if (fmpz_mpoly_is_fmpz(p, ring())) return true;
+    fmpz_mpoly_degrees_si(degree, p, ring());
     changed = true;
   }
   return changed;
@@ -299,15 +307,64 @@ static int make_sum(fmpz_mpoly_q_struct p[2], struct exact_field *f, int a, int 
   return s;
 }
 
-/* Is x = i a + k b? */
-static bool is_sum(struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int i, int b, int k) {
+/* The integer i from -MOST_ANGLES to MOST_ANGLES for which x and i a agree at the one monomial of a; false without one. */
+static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *a) {
+  enum { MOST_ANGLES = 8 };
+  fmpz_t up, down, c;
+  fmpz_init(up);
+  fmpz_init(down);
+  fmpz_init(c);
+  fmpz_mpoly_get_coeff_fmpz_monomial(up, &x->num, &a->num, ring());
+  fmpz_mpoly_get_fmpz(c, &a->den, ring());
+  fmpz_mul(up, up, c);
+  fmpz_mpoly_get_fmpz(down, &x->den, ring());
+  fmpz_mpoly_get_term_coeff_fmpz(c, &a->num, 0, ring());
+  fmpz_mul(down, down, c);
+  bool whole = fmpz_divisible(up, down);
+  if (whole) fmpz_divexact(up, up, down);
+  whole = whole && fmpz_cmp_si(up, -MOST_ANGLES) >= 0 && fmpz_cmp_si(up, MOST_ANGLES) <= 0;
+  *i = whole ? (int)fmpz_get_si(up) : 0;
+  fmpz_clear(c);
+  fmpz_clear(down);
+  fmpz_clear(up);
+  return whole;
+}
+
+/* x with a denominator free of generators that have a square: a + b g times a - b g is. */
+static int rationalise(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  fmpz_mpoly_t conjugate, odd;
+  int s = SS_OK;
+  fmpz_mpoly_init(conjugate, ring());
+  fmpz_mpoly_init(odd, ring());
+  fmpz_mpoly_q_set(z, x, ring());
+  for (slong i = f->n - 1; s == SS_OK && i >= 0; i--) {
+    if (!f->gen[i].squared || fmpz_mpoly_degree_si(&z->den, variable(i), ring()) < 1) continue;
+    fmpz_mpoly_derivative(odd, &z->den, variable(i), ring());
+    fmpz_mpoly_gen(conjugate, variable(i), ring());
+    fmpz_mpoly_mul(odd, odd, conjugate, ring());
+    fmpz_mpoly_sub(conjugate, &z->den, odd, ring());
+    fmpz_mpoly_sub(conjugate, conjugate, odd, ring());
+    fmpz_mpoly_mul(&z->num, &z->num, conjugate, ring());
+    fmpz_mpoly_mul(&z->den, &z->den, conjugate, ring());
+    s = exact_reduce(z, f);
+    if (s == SS_OK) fmpz_mpoly_q_canonicalise(z, ring());
+  }
+  fmpz_mpoly_clear(odd, ring());
+  fmpz_mpoly_clear(conjugate, ring());
+  return s;
+}
+
+/* Is x = i a + k b?  Then these are i and k, since a and b are different monomials. */
+static bool is_sum(int *i, int *k, struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, int b) {
+  if (!fmpz_mpoly_is_fmpz(&x->den, ring()) || !multiple_at(i, x, &f->angle[a]) || !multiple_at(k, x, &f->angle[b]))
+    return false;
   fmpz_mpoly_q_struct u, v, n;
   exact_init(&u, f);
   exact_init(&v, f);
   exact_init(&n, f);
-  fmpz_mpoly_q_set_si(&n, i, ring());
+  fmpz_mpoly_q_set_si(&n, *i, ring());
   bool ok = apply(num_exact.mul, &u, f, &f->angle[a], &n) == SS_OK;
-  fmpz_mpoly_q_set_si(&n, k, ring());
+  fmpz_mpoly_q_set_si(&n, *k, ring());
   ok = ok && apply(num_exact.mul, &v, f, &f->angle[b], &n) == SS_OK;
   ok = ok && apply(num_exact.add, &u, f, &u, &v) == SS_OK && exact_equal(f, x, &u);
   exact_clear(&n, f);
@@ -317,21 +374,24 @@ static bool is_sum(struct exact_field *f, const fmpz_mpoly_q_struct *x, int a, i
 }
 
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
-  enum { MOST = 4 };
-  for (int a = 0; a < f->n_angles; a++)
-    for (int b = a + 1; b < f->n_angles && b / f->group == a / f->group; b++)
-      for (int i = -MOST; i <= MOST; i++)
-        for (int k = -MOST; k <= MOST; k++) {
-          if (!is_sum(f, x, a, i, b, k)) continue;
-          fmpz_mpoly_q_struct p[2];
-          for (int j = 0; j < 2; j++) exact_init(&p[j], f);
-          int status = make_sum(p, f, a, i, b, k);
-          fmpz_mpoly_q_swap(s, &p[0], ring());
-          fmpz_mpoly_q_swap(c, &p[1], ring());
-          for (int j = 0; j < 2; j++) exact_clear(&p[j], f);
-          return status;
-        }
-  return own_angle(s, c, f, x);
+  fmpz_mpoly_q_struct p[2], plain;
+  int i, k;
+  bool found = false;
+  exact_init(&plain, f);
+  for (int j = 0; j < 2; j++) exact_init(&p[j], f);
+  if (rationalise(&plain, f, x) != SS_OK) fmpz_mpoly_q_set(&plain, x, ring());
+  int status = SS_OK;
+  for (int a = 0; !found && a < f->n_angles; a++)
+    for (int b = a + 1; !found && b < f->n_angles && b / f->group == a / f->group; b++) {
+      found = is_sum(&i, &k, f, &plain, a, b);
+      if (found) status = make_sum(p, f, a, i, b, k);
+    }
+  if (!found) status = own_angle(&p[0], &p[1], f, x);
+  fmpz_mpoly_q_swap(s, &p[0], ring());
+  fmpz_mpoly_q_swap(c, &p[1], ring());
+  for (int j = 0; j < 2; j++) exact_clear(&p[j], f);
+  exact_clear(&plain, f);
+  return status;
 }
 
 static int circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {

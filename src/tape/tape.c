@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stickslip/work.h"
+
 /* --- Building --- */
 
 /* Scalars already on the tape, by address (open addressing). */
@@ -217,6 +219,8 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
     t->n_outputs = n;
     for (slong i = 0; i < n; i++) t->outputs[i] = place_of(&b, outputs[i]);
     tape_check(t);
+  } else {
+    tape_clear(t);
   }
   free(b.places);
   return ok;
@@ -381,6 +385,8 @@ static int run(const struct tape *t, slong i, struct num_vec *reg, const struct 
 
 int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in) {
   struct num_vec reg;
+  slong prec = out->ctx.prec;
+  work_add((unsigned long long)t->n * (prec > 128 ? (unsigned long long)prec / 128 : 1));
   num_vec_init(&reg, t->n, out->ctx);
   int *flags = ss_malloc((size_t)t->n * sizeof *flags);
   for (slong i = 0; i < t->n; i++) {

@@ -1,10 +1,12 @@
-"""browser.py FOLDER [AXE]: open FOLDER/index.html in headless Chromium, wide and narrow, light and dark, and try it.
+"""browser.py FOLDER [TOOLS]: open FOLDER/index.html in headless Chromium, wide and narrow, light and dark, and try it.
 
 The filters must show as many claims as audit.json has, sorting must put a failure first and back, a link to a claim must
 open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow), no script may fail and
-nothing may be loaded.  AXE: the path of axe.min.js (axe-core, npm registry), by which the page must then be accessible.
-One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
+nothing may be loaded; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
+(axe.py), by which the page must then be accessible, at both widths in light and in dark; where it cannot be had, a line
+says why.  One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
 """
+import concurrent.futures
 import html
 import json
 import pathlib
@@ -13,10 +15,16 @@ import subprocess
 import sys
 import tempfile
 
+import axe
+
 SCRIPT = """
 var failed = null;
 window.addEventListener('error', function (e) { failed = String(e.message); });
 document.addEventListener('securitypolicyviolation', function (e) { failed = 'blocked: ' + e.blockedURI; });
+['error', 'warn'].forEach(function (level) {
+  console[level] = function () { failed = 'console: ' + Array.from(arguments).join(' '); };
+});
+window.addEventListener('unhandledrejection', function (e) { failed = String(e.reason); });
 window.addEventListener('load', async function () {
   var out = {}, rows = Array.from(document.querySelectorAll('#claims > tbody')), narrow = NARROW;
   function shown() { return rows.filter(function (r) { return !r.hidden; }).length; }
@@ -55,11 +63,22 @@ window.addEventListener('load', async function () {
   out.formulas = maths.length;
   out.flat = maths.filter(function (m) { var b = m.getBoundingClientRect(); return !(b.width > 1 && b.height > 1); }).length;
   out.foreign = maths.filter(function (m) { return m.namespaceURI !== 'http://www.w3.org/1998/Math/MathML'; }).length;
+  out.astray = Array.from(document.querySelectorAll('a[href^="#"]')).map(function (a) {
+    return a.getAttribute('href');
+  }).filter(function (href) {
+    var to = document.getElementById(decodeURIComponent(href.slice(1)));
+    return !to || !to.getClientRects().length;
+  });
   out.background = getComputedStyle(document.body).backgroundColor;
-  if (window.axe) {
-    var found = await axe.run(document, {resultTypes: ['violations']});
-    out.axe = found.violations.map(function (v) { return v.id + ': ' + v.nodes[0].html.slice(0, 100); });
+  async function violations(options) {
+    options.resultTypes = ['violations'];
+    var found = await axe.run(document, options);
+    return found.violations.map(function (v) { return v.id + ': ' + v.nodes[0].html.slice(0, 100); });
   }
+  out.axe = window.axe ? await violations({}) : [];
+  document.getElementById('theme').click();
+  out.turned = getComputedStyle(document.body).backgroundColor;
+  if (window.axe) out.axe = out.axe.concat(await violations({runOnly: ['color-contrast']}));
   out.loaded = performance.getEntriesByType('resource').map(function (e) { return e.name; });
   out.failed = failed;
   document.body.textContent = 'RESULT' + JSON.stringify(out) + 'END';
@@ -67,9 +86,9 @@ window.addEventListener('load', async function () {
 """
 
 
-def ask(page, axe, narrow, dark):
+def ask(page, checker, narrow, dark):
     """What the page says about itself."""
-    inline = "<script>" + axe.replace("</script", "<\\/script") + "</script>" if axe else ""
+    inline = "<script>" + checker.replace("</script", "<\\/script") + "</script>" if checker else ""
     script = "<script>" + SCRIPT.replace("NARROW", "true" if narrow else "false") + "</script>"
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder, "page.html")
@@ -77,7 +96,7 @@ def ask(page, axe, narrow, dark):
         command = ["chromium", "--headless", "--no-sandbox", "--disable-gpu", "--user-data-dir=" + folder,
                    "--window-size=%d,900" % (500 if narrow else 1280), "--virtual-time-budget=60000",
                    "--blink-settings=preferredColorScheme=%d" % (0 if dark else 1), "--dump-dom", path.as_uri()]
-        done = subprocess.run(command, capture_output=True, timeout=100, check=False)
+        done = subprocess.run(command, capture_output=True, timeout=250, check=False)
     m = re.search("<body[^>]*>RESULT(.*)END</body>", done.stdout.decode("utf-8", "replace"), re.S)
     return json.loads(html.unescape(m[1])) if m else None
 
@@ -93,7 +112,7 @@ def errors(out, audit, dark):
             routes[route] = routes.get(route, 0) + 1
     for name, want in (("all", len(claims)), ("verdicts", verdicts), ("sections", sections), ("routes", routes),
                        ("none", 0), ("opened", True), ("wide", []), ("flat", 0), ("foreign", 0), ("loaded", []),
-                       ("failed", None)):
+                       ("failed", None), ("astray", [])):
         if out[name] != want:
             yield "%s: %s, not %s" % (name, out[name], want)
     failing = {"c-" + c["id"] for c in claims if c["verdict"] in ("refuted", "conditional")}
@@ -101,20 +120,27 @@ def errors(out, audit, dark):
         yield "sorting: %s, %s, %s" % (out["before"], out["worst"], out["after"])
     if not out["formulas"]:
         yield "no formulas"
-    light = sum(int(x) for x in re.findall(r"\d+", out["background"])[:3]) > 384
-    if light == dark:
-        yield "background %s where it is %s" % (out["background"], "dark" if dark else "light")
-    yield from out.get("axe", [])
+    for name, wanted in (("background", not dark), ("turned", dark)):
+        light = sum(int(x) for x in re.findall(r"\d+", out[name])[:3]) > 384
+        if light != wanted:
+            yield "%s %s where it is %s" % (name, out[name], "light" if wanted else "dark")
+    yield from out["axe"]
 
 
 def main():
     folder = pathlib.Path(sys.argv[1])
-    axe = pathlib.Path(sys.argv[2]).read_text(encoding="utf-8") if len(sys.argv) > 2 else None
+    checker = None
+    try:
+        checker = axe.fetch(sys.argv[2]) if len(sys.argv) > 2 else None
+    except OSError as e:
+        print("accessibility not checked: %s" % e)
     page = (folder / "index.html").read_text(encoding="utf-8")
     audit = json.loads((folder / "audit.json").read_text(encoding="utf-8"))
     status = 0
-    for narrow, dark in ((True, False), (False, True)):
-        out = ask(page, axe, narrow, dark)
+    ways = ((True, False), (False, True))
+    with concurrent.futures.ThreadPoolExecutor() as pool:
+        answers = list(pool.map(lambda way: ask(page, checker, *way), ways))
+    for (narrow, dark), out in zip(ways, answers):
         if out is None:
             print("no answer of the browser")
             return 2

@@ -114,8 +114,9 @@ static void read_file(const char *name) {
   at = buffer = f ? malloc(size + 1) : NULL;
   if (!buffer) stop(BAD_FILE, "%.200s cannot be read", name);
   size = fread(buffer, 1, size, f);
-  if (fgetc(f) != EOF || memchr(buffer, '\0', size)) stop(BAD_FILE, "%.200s is not a certificate", name);
+  bool whole = fgetc(f) == EOF;
   fclose(f);
+  if (!whole || memchr(buffer, '\0', size)) stop(BAD_FILE, "%.200s is not a certificate", name);
   buffer[size] = '\0';
   read_value((char[MAX_PATH]){0}, 0);
   if (blanks()) stop(BAD_FILE, "something follows the end of the certificate");

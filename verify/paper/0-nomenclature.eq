@@ -1,6 +1,7 @@
 # The free quantities of the paper, in its own notation.
 # z_1a is the paper's z_{1a}, a component of the state at the end of the phase whose letter it carries; z'_1b is a
 # velocity there; x_a, u_b, ... are the first-order perturbations of (21)-(41).
+paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
 section: nomenclature
 
 symbol chi

@@ -1,0 +1,59 @@
+/* An expression in the paper's notation at a point, in balls. */
+#include "expression.h"
+
+bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
+                     struct diag *d) {
+  struct matrix m;
+  *x = (struct expression){.n = 0};
+  elaboration_init(&x->el, view, NULL, 0);
+  arena_init(&x->arena);
+  source_from_string(&x->src, expression, expression);
+  const struct expr *e = expr_parse(&x->arena, &x->src, (struct span){0, x->src.len}, d);
+  bool ok = e && elaborate(&m, &x->el, e, &x->src, section ? section : "", d) && m.rows * m.cols <= EXPRESSION_MOST &&
+            elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
+  if (ok) x->n = m.rows * m.cols;
+  return ok;
+}
+
+void expression_close(struct expression *x) {
+  tape_clear(&x->tape);
+  source_clear(&x->src);
+  arena_clear(&x->arena);
+  elaboration_clear(&x->el);
+}
+
+int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
+                  struct orbit_cache *cache) {
+  struct values v;
+  struct num_vec in;
+  int s = values_init(&v, p, VARIANT_CLOSED, out->ctx, cache);
+  num_vec_init(&in, t->n_inputs, v.ctx);
+  *known = true;
+  for (slong i = 0; s == SS_OK && *known && i < t->n_inputs; i++)
+    s |= values_bind(num_vec_at(&in, i), known, &v, t->inputs[i]);
+  if (s == SS_OK) s = tape_eval(out, NULL, t, &in);
+  num_vec_clear(&in);
+  values_clear(&v);
+  return s;
+}
+
+int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,
+                     struct orbit_cache *cache) {
+  struct num_vec res;
+  bool known;
+  num_vec_init(&res, x->n, num_ctx_arb(prec));
+  int s = tape_at_point(&res, &known, &x->tape, p, cache);
+  for (int i = 0; i < x->n; i++) arb_set(out + i, num_vec_at(&res, i));
+  num_vec_clear(&res);
+  return s;
+}
+
+int expression_at(arb_ptr out, int *n, struct view view, const char *expression, const char *section,
+                  const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d) {
+  struct expression x;
+  bool ok = expression_open(&x, view, expression, section, d);
+  *n = x.n;
+  int s = ok ? expression_value(out, &x, p, prec, cache) : SS_UNABLE;
+  expression_close(&x);
+  return s;
+}

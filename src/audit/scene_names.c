@@ -1,0 +1,147 @@
+/* What a scene is called: in outputs, in commands that can be typed, and as a folder. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+
+#include "scene_impl.h"
+#include "stickslip/arena.h"
+
+/* What no line of text and no terminal should hold becomes "?". */
+static char *shown(const char *text) {
+  char *out = ss_strdup(text);
+  size_t n = strlen(out);
+  for (size_t i = text_valid_prefix(out, n); i < n; i += text_valid_prefix(out + i, n - i)) out[i] = '?';
+  for (char *p = out; *p; p++)
+    if ((unsigned char)*p < ' ' || *p == 0x7F) *p = '?';
+  return out;
+}
+
+/* The name of a scene is its file's, without folder and suffix; a folder can bear it. */
+static char *name_of(const char *path) {
+  const char *base = strrchr(path, '/');
+  char *name = shown(base ? base + 1 : path);
+  char *dot = strrchr(name, '.');
+  if (dot && strcmp(dot, ".scene") == 0 && dot > name) *dot = '\0';
+  if (name[0] == '.') name[0] = '_';
+  return name;
+}
+
+static bool is_plain(char c) {
+  return char_is_word(c) || (c && strchr("./-+=:,@%", c));
+}
+
+/* A word as a shell takes it. */
+static void add_quoted(struct text *out, const char *word) {
+  const char *p = word;
+  while (is_plain(*p)) p++;
+  if (!*p && p > word) {
+    text_add(out, word);
+    return;
+  }
+  text_add_char(out, '\'');
+  for (p = word; *p; p++)
+    if (*p == '\'')
+      text_add(out, "'\\''");
+    else
+      text_add_char(out, *p);
+  text_add_char(out, '\'');
+}
+
+/* The reports of a changed scene have a folder of their own; where its name cannot say how, a number tells it from
+   others. */
+static void add_folder(struct text *out, const struct scene_overrides *o) {
+  enum { LONGEST = 100 };
+  uint32_t hash = 2166136261U; /* FNV-1a */
+  bool whole = true;
+  size_t begin = out->len;
+  for (int i = 0; i < o->n; i++) {
+    text_add_char(out, '+');
+    hash = (hash ^ '+') * 16777619U;
+    for (const char *p = o->item[i]; *p; p++) {
+      bool kept = (char_is_word(*p) || *p == '=' || *p == '.' || *p == '-') && out->len - begin < LONGEST;
+      if (kept) text_add_char(out, *p);
+      whole &= kept;
+      hash = (hash ^ (unsigned char)*p) * 16777619U;
+    }
+  }
+  if (!whole) text_printf(out, "-%08lx", (unsigned long)hash);
+}
+
+/* Whether the file stands in the folder itself, by whatever path it is named. */
+static bool stands_in(const char *path, const char *folder) {
+  const char *slash = strrchr(path, '/');
+  struct text own;
+  struct stat a, b;
+  text_init(&own);
+  if (slash)
+    text_add_n(&own, path, (size_t)(slash - path) + 1);
+  else
+    text_add(&own, ".");
+  bool same = stat(text_str(&own), &a) == 0 && stat(folder, &b) == 0 && a.st_dev == b.st_dev && a.st_ino == b.st_ino;
+  text_clear(&own);
+  return same;
+}
+
+static int by_name(const void *a, const void *b) {
+  return strcmp(*(char *const *)a, *(char *const *)b);
+}
+
+/* In the order of their names, not of their files': "paper" comes before "paper-times". */
+char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d) {
+  static const char suffix[] = ".scene";
+  struct text path;
+  text_init(&path);
+  text_printf(&path, "%s/scenes", data);
+  char **name = folder_files(n, text_str(&path), suffix, a, d);
+  for (size_t i = 0; i < *n; i++) {
+    name[i] += path.len + 1;
+    name[i][strlen(name[i]) - strlen(suffix)] = '\0';
+  }
+  if (*n) qsort(name, *n, sizeof *name, by_name);
+  text_clear(&path);
+  return name;
+}
+
+char *scene_folder(const char *spec, const struct scene_overrides *o) {
+  struct text folder;
+  text_init(&folder);
+  char *file = name_of(spec);
+  text_add(&folder, file);
+  free(file);
+  if (o && o->n) add_folder(&folder, o);
+  char *out = ss_strdup(text_str(&folder));
+  text_clear(&folder);
+  return out;
+}
+
+void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o) {
+  size_t len = strlen(spec);
+  bool is_path = strchr(spec, '/') || (len > 6 && strcmp(spec + len - 6, ".scene") == 0);
+  struct text path, suffix, command, name, scenes;
+  struct text *const all[] = {&path, &suffix, &command, &name, &scenes};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_init(all[i]);
+  if (is_path)
+    text_add(&path, spec);
+  else
+    text_printf(&path, "%s/scenes/%s.scene", data, spec);
+  s->path = ss_strdup(text_str(&path));
+  s->file = name_of(s->path);
+  text_printf(&scenes, "%s/scenes", data);
+  s->on_file = stands_in(s->path, text_str(&scenes));
+  for (int i = 0; o && i < o->n; i++) {
+    char *item = shown(o->item[i]);
+    text_printf(&suffix, " %s ", o->option);
+    add_quoted(&suffix, item);
+    free(item);
+  }
+  char *whose = shown(spec);
+  add_quoted(&command, whose);
+  free(whose);
+  text_add(&command, text_str(&suffix));
+  text_printf(&name, "%s%s", s->file, text_str(&suffix));
+  s->name = ss_strdup(text_str(&name));
+  s->command = ss_strdup(text_str(&command));
+  s->folder = scene_folder(spec, o);
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) text_clear(all[i]);
+}

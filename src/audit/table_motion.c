@@ -1,0 +1,137 @@
+/* Motions of one period, sampled: the paper's figures 3 and 4, and how far the conditions of an orbit are from failing.
+
+   Two motions are held side by side: the orbit nearest to the printed numbers, and what the printed start itself leads to,
+   its decimals taken exactly and its events located.  A phase is sampled at equal times, its ends included; the marks O, a,
+   b, c, d are the figures' names of those ends. */
+#include <math.h>
+
+#include "tables.h"
+
+enum { DECIMALS = 6, SAMPLES = 200, LEAST_SAMPLES = 6, MOST_SAMPLES = 2000 };
+
+struct motion_tables {
+  struct text history, portrait, margins;
+};
+
+/* How many pieces a phase is cut into. */
+static long pieces(const struct dyn_arc *arc, int ph) {
+  double t = fabs(num_arb.get_d(num_vec_at(&arc->t, ph))), sum = 0;
+  for (int i = 0; i < N_PHASES; i++) sum += fabs(num_arb.get_d(num_vec_at(&arc->t, i)));
+  double n = ceil(SAMPLES * t / sum);
+  return n < LEAST_SAMPLES ? LEAST_SAMPLES : n > MOST_SAMPLES ? MOST_SAMPLES : (long)n;
+}
+
+/* What a condition leaves: V - z_i' of a mass that slips, e_i less its pull of one that sticks; "-" for the others. */
+static void add_margins(struct text *out, const struct table_source *s, enum phase ph, const struct num_vec *z) {
+  const bool slips[2] = {ph == PHASE_GAMMA || ph == PHASE_H, ph == PHASE_H || ph == PHASE_C};
+  arb_t m[4];
+  for (int i = 0; i < 4; i++) arb_init(m[i]);
+  for (int i = 0; i < 2; i++) arb_sub(m[i], num_vec_at(&s->params, P_V), num_vec_at(z, DZ_1 + i), FIRST_PREC);
+  arb_mul(m[2], num_vec_at(&s->params, P_CHI), num_vec_at(z, Z_2), FIRST_PREC);
+  arb_sub(m[2], m[2], num_vec_at(z, Z_1), FIRST_PREC);
+  arb_add(m[2], m[2], num_vec_at(&s->params, P_E1), FIRST_PREC);
+  arb_sub(m[3], num_vec_at(z, Z_1), num_vec_at(z, Z_2), FIRST_PREC);
+  arb_mul(m[3], m[3], num_vec_at(&s->params, P_CHI), FIRST_PREC);
+  arb_add(m[3], m[3], num_vec_at(&s->params, P_E2), FIRST_PREC);
+  for (int i = 0; i < 4; i++) {
+    if (slips[i % 2] == (i < 2))
+      table_number(out, m[i], DECIMALS);
+    else
+      text_add(out, "\t-");
+  }
+  for (int i = 0; i < 4; i++) arb_clear(m[i]);
+}
+
+static void add_row(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
+                    const char *mark, const arb_t time, const struct num_vec *z) {
+  text_printf(&t->history, "%s\t%s\t%s", motion, phase_name[ph], mark);
+  table_number(&t->history, time, DECIMALS);
+  for (int i = 0; i < 2; i++) table_number(&t->history, num_vec_at(z, i), DECIMALS);
+  text_printf(&t->portrait, "%s\t%s\t%s", motion, phase_name[ph], mark);
+  for (int i = 0; i < N_STATE; i++) table_number(&t->portrait, num_vec_at(z, (i % 2) * 2 + i / 2), DECIMALS);
+  text_add_char(&t->history, '\n');
+  text_add_char(&t->portrait, '\n');
+  if (motion[0] != 'o') return; /* conditions are those of the orbit */
+  text_add(&t->margins, phase_name[ph]);
+  table_number(&t->margins, time, DECIMALS);
+  add_margins(&t->margins, s, ph, z);
+  text_add_char(&t->margins, '\n');
+}
+
+static void add_phase(struct motion_tables *t, const struct table_source *s, const char *motion, enum phase ph,
+                      const struct dyn_arc *arc, const arb_t begin) {
+  static const char *const end_mark[N_PHASES] = {"a", "b", "c", "d"};
+  const struct num_vec start = {arc->z.ctx, N_STATE, num_vec_at(&arc->z, (slong)ph * N_STATE)};
+  struct num_vec z;
+  arb_t time, into;
+  arb_init(time);
+  arb_init(into);
+  num_vec_init(&z, N_STATE, arc->z.ctx);
+  long n = pieces(arc, (int)ph);
+  for (long k = 0; k <= n; k++) {
+    const char *mark = k == n ? end_mark[ph] : k == 0 && ph == PHASE_D ? "O" : "-";
+    arb_mul_si(into, num_vec_at(&arc->t, ph), k, FIRST_PREC);
+    arb_div_si(into, into, n, FIRST_PREC);
+    arb_add(time, begin, into, FIRST_PREC);
+    if (dyn_flow(&z, ph, &s->params, &start, into) == SS_OK) add_row(t, s, motion, ph, mark, time, &z);
+  }
+  num_vec_clear(&z);
+  arb_clear(into);
+  arb_clear(time);
+}
+
+static void add_motion(struct motion_tables *t, const struct table_source *s, const char *motion,
+                       const struct dyn_arc *arc) {
+  arb_t begin;
+  arb_init(begin);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    add_phase(t, s, motion, (enum phase)ph, arc, begin);
+    arb_add(begin, begin, num_vec_at(&arc->t, ph), FIRST_PREC);
+  }
+  arb_clear(begin);
+}
+
+/* From the printed start, taken exactly, to the end of the fourth phase. */
+static int run_printed(struct dyn_arc *arc, const struct table_source *s) {
+  arb_ptr z = _arb_vec_init(2);
+  for (int i = 0; i < 2; i++) arb_set_fmpq(z + i, &s->printed[i]->value, FIRST_PREC);
+  int status = dyn_arc_run(arc, &s->params, z, z + 1, NULL);
+  _arb_vec_clear(z, 2);
+  return status;
+}
+
+static void add_headings(struct motion_tables *t) {
+  static const char motions[] =
+      "# motion orbit: the periodic orbit nearest to the printed numbers; printed: what the printed start (z10, z20), "
+      "taken exactly, leads to.\n"
+      "# phase D, Gamma, H, C; mark O a b c d: the ends of phases as the figures name them.  No dimensions.\n";
+  text_printf(&t->history, "# Time history of the masses (figure 3).\n%smotion\tphase\tmark\tt\tz_1\tz_2\n", motions);
+  text_printf(&t->portrait, "# Phase plots of the system (figure 4).\n%smotion\tphase\tmark\tz_1\tz'_1\tz_2\tz'_2\n",
+              motions);
+  text_add(
+      &t->margins,
+      "# What the conditions of the word leave along the orbit; each must stay positive inside its phase, and is 0 "
+      "where a phase begins or ends with it.\n"
+      "# Slipping: V - z'_i (the mass does not overrun the belt).  Sticking: e_1 - w with w = z_1 - chi z_2, e_2 - "
+      "chi r with r = z_2 - z_1.  No dimensions.\n"
+      "phase\tt\tV-z'_1\tV-z'_2\te_1-w\te_2-chi*r\n");
+}
+
+void tables_of_motion(struct table_source *s) {
+  struct motion_tables t;
+  struct dyn_arc arc;
+  text_init(&t.history);
+  text_init(&t.portrait);
+  text_init(&t.margins);
+  dyn_arc_init(&arc, s->params.ctx);
+  add_headings(&t);
+  if (orbit_arc(&arc, s->j->cache, s->orbit, &s->params) == SS_OK) add_motion(&t, s, "orbit", &arc);
+  if (s->printed[0] && run_printed(&arc, s) == SS_OK) add_motion(&t, s, "printed", &arc);
+  table_finish(s, "figure-3.tsv", &t.history);
+  table_finish(s, "figure-4.tsv", &t.portrait);
+  table_finish(s, "margins.tsv", &t.margins);
+  dyn_arc_clear(&arc);
+  text_clear(&t.margins);
+  text_clear(&t.portrait);
+  text_clear(&t.history);
+}

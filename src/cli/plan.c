@@ -1,0 +1,122 @@
+/* verify --plan: the plan in words or as JSON; nothing is done and nothing is written. */
+#include "stickslip/plan.h"
+
+#include "cli.h"
+
+/* A line of its own, indented: what is long would else be broken by the terminal anywhere. */
+static void print_list(const char *head, const struct plan_list *l) {
+  for (int i = 0; i < l->n; i++) printf("%s%s%s", i ? ", " : "\n    ", i ? "" : head, l->item[i]);
+}
+
+static void print_cost(double units, double ms) {
+  if (ms < 0)
+    printf("cost not measured");
+  else
+    printf("%.0f units, %.1f ms", units, ms);
+}
+
+static void print_claim(const struct planned_claim *c) {
+  printf("  %-16s %s", c->id, c->kind ? c->kind : "-");
+  if (c->left_out) {
+    puts("; left out: the scene gives intervals, and this is about one set of parameters");
+    return;
+  }
+  printf("; ");
+  print_cost(c->units, c->ms);
+  if (c->first_bits) printf("; from %ld to %ld bits", c->first_bits, c->last_bits);
+  print_list("routes ", &c->routes);
+  if (c->points) printf("\n    points %s", c->points);
+  print_list("needs ", &c->parts);
+  print_list("matrices ", &c->matrices);
+  print_list("controls ", &c->controls);
+  printf("\n");
+}
+
+static void print_plan(const struct audit_plan *p) {
+  printf("%s: %d claim%s\n", p->scene, p->n_claims, p->n_claims == 1 ? "" : "s");
+  for (int i = 0; i < p->n_claims; i++) print_claim(&p->claim[i]);
+  if (p->n_shared) puts("shared:");
+  for (int i = 0; i < p->n_shared; i++) {
+    const struct planned_work *w = &p->shared[i];
+    printf("  %s", w->what);
+    if (w->claims)
+      printf(": for %ld claim%s, paid for by the first", w->claims, w->claims == 1 ? "" : "s");
+    else
+      printf(": "), print_cost(w->units, w->ms);
+    printf("\n");
+  }
+  printf("estimate: %.0f units, %.0f ms in one process, and the consequences of what fails without being on record\n",
+         p->units, p->ms);
+}
+
+static void write_list(struct json *j, const char *key, const struct plan_list *l) {
+  json_array(j, key);
+  for (int i = 0; i < l->n; i++) json_string(j, NULL, l->item[i]);
+  json_end_array(j);
+}
+
+static void write_number(struct json *j, const char *key, double x, int decimals) {
+  char s[40];
+  snprintf(s, sizeof s, "%.*f", decimals, x);
+  json_string(j, key, x < 0 ? NULL : s);
+}
+
+static void write_claim(struct json *j, const struct planned_claim *c) {
+  json_object(j, NULL);
+  json_string(j, "id", c->id);
+  json_string(j, "kind", c->kind);
+  json_string(j, "points", c->points);
+  write_list(j, "routes", &c->routes);
+  write_list(j, "needs", &c->parts);
+  write_list(j, "matrices", &c->matrices);
+  write_list(j, "controls", &c->controls);
+  json_bool(j, "left_out", c->left_out);
+  json_long(j, "first_bits", c->first_bits);
+  json_long(j, "last_bits", c->last_bits);
+  write_number(j, "units", c->units, 0);
+  write_number(j, "ms", c->ms, 2);
+  json_end_object(j);
+}
+
+static void write_plan(struct json *j, const struct audit_plan *p) {
+  json_object(j, NULL);
+  json_string(j, "schema", "stickslip-plan-1");
+  json_string(j, "scene", p->scene);
+  json_array(j, "claims");
+  for (int i = 0; i < p->n_claims; i++) write_claim(j, &p->claim[i]);
+  json_end_array(j);
+  json_array(j, "shared");
+  for (int i = 0; i < p->n_shared; i++) {
+    json_object(j, NULL);
+    json_string(j, "what", p->shared[i].what);
+    json_long(j, "claims", p->shared[i].claims);
+    write_number(j, "units", p->shared[i].units, 0);
+    write_number(j, "ms", p->shared[i].ms, 2);
+    json_end_object(j);
+  }
+  json_end_array(j);
+  write_number(j, "units", p->units, 0);
+  write_number(j, "ms", p->ms, 2);
+  json_end_object(j);
+}
+
+int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
+              const struct audit_options *opt, bool json, struct diag *d) {
+  struct audit_plan p;
+  struct text out;
+  struct json j;
+  int status = EXIT_AS_RECORDED;
+  text_init(&out);
+  if (!audit_plan(&p, m, claims, controls, s, opt, d)) {
+    status = bad_input(d);
+  } else if (json) {
+    json_init(&j, &out);
+    write_plan(&j, &p);
+    fputs(text_str(&out), stdout);
+  } else {
+    print_plan(&p);
+  }
+  text_clear(&out);
+  audit_plan_clear(&p);
+  return status;
+}

@@ -1,0 +1,46 @@
+/* stickslip plot: the pictures of a scene's orbits alone, and the tables they are drawn from. */
+#include "cli.h"
+#include "stickslip/report.h"
+
+/* Tables, then pictures, and says which. */
+static bool write_pictures(const char *folder, const struct audit_result *r, struct diag *d) {
+  struct output out;
+  struct text name;
+  text_init(&name);
+  output_init(&out, folder);
+  output_add_tables(&out, r);
+  for (int i = 0; i < report_pictures(); i++) {
+    text_reset(&name);
+    text_printf(&name, "%s.svg", report_picture_id(i));
+    if (!report_picture(output_add(&out, text_str(&name)), r, i)) output_drop(&out); /* its table was not made */
+  }
+  bool ok = output_write(&out, d);
+  for (int i = 0; ok && i < out.n; i++) puts(text_str(&out.path[i]));
+  output_clear(&out);
+  text_clear(&name);
+  return ok;
+}
+
+int run_plot(const struct options *o, const char *data) {
+  if (o->n_operands != 1) return usage("plot takes one scene%s", "");
+  struct diag d;
+  struct scene s;
+  struct audit_result r;
+  struct text folder;
+  diag_init(&d);
+  text_init(&folder);
+  audit_result_init(&r);
+  bool ok = load_scene(&s, o->operand[0], data, o, false, &d) && scene_four_phases(&s, &d) &&
+            (!o->out || folder_possible(o->out, &d));
+  const char *why = ok ? audit_tables(&r, &s) : NULL;
+  if (why) diag_set(&d, "%s: error: nothing to draw: %s", s.path, why);
+  if (ok && o->out)
+    text_add(&folder, o->out);
+  else if (ok)
+    text_printf(&folder, "reports/%s", s.folder);
+  ok = ok && !why && write_pictures(text_str(&folder), &r, &d);
+  scene_clear(&s);
+  audit_result_clear(&r);
+  text_clear(&folder);
+  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+}

@@ -1,0 +1,53 @@
+/* Scenes on the command line: --set, and the table of their keys. */
+#include <string.h>
+
+#include "cli.h"
+
+bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, bool box,
+                struct diag *d) {
+  struct scene_overrides set = {o->set, o->n_set, "--set"};
+  return scene_load_with(s, spec, data, &set, box, d);
+}
+
+static void keys_json(struct text *out) {
+  struct json j;
+  json_init(&j, out);
+  json_array(&j, NULL);
+  for (int k = 0; k < N_SCENE_KEYS; k++) {
+    json_object(&j, NULL);
+    json_string(&j, "name", scene_keys[k].name);
+    json_string(&j, "written", k < N_KEYS ? "NAME = value" : "NAME: value");
+    json_string(&j, "takes", scene_takes_text[scene_keys[k].takes]);
+    json_string(&j, "meaning", scene_keys[k].meaning);
+    json_string(&j, "used", scene_keys[k].used);
+    json_end_object(&j);
+  }
+  json_end_array(&j);
+}
+
+/* A row a key; on a terminal that is too narrow for it the meaning first, and under it what is written and who reads it. */
+static void keys_text(struct text *out) {
+  enum { ROW = 130 };
+  int width = terminal_width();
+  for (int k = 0; k < N_SCENE_KEYS; k++) {
+    const struct scene_key_info *i = &scene_keys[k];
+    if (width > 0 && width < ROW)
+      text_printf(out, "%s%-*s  %s\n%11s%s; read by: %s\n", i->name, (int)(9 - strlen(i->name)),
+                  k < N_KEYS ? " =" : ":", i->meaning, "", scene_takes_text[i->takes], i->used);
+    else
+      text_printf(out, "%s%-*s %-45s %-60s %s\n", i->name, (int)(9 - strlen(i->name)), k < N_KEYS ? " =" : ":",
+                  scene_takes_text[i->takes], i->meaning, i->used);
+  }
+}
+
+int list_scene_keys(bool as_json) {
+  struct text out;
+  text_init(&out);
+  (as_json ? keys_json : keys_text)(&out);
+  if (as_json)
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  text_clear(&out);
+  return EXIT_AS_RECORDED;
+}

@@ -1,0 +1,74 @@
+/* What a terminal is given besides plain text: colours, where it has them and nobody asked for none (no-color.org). */
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include "cli.h"
+
+/* ANSI's: bold alone for what needs no colour. */
+static const char *const code[] = {
+    [PAINT_NONE] = NULL, [PAINT_GOOD] = "32", [PAINT_BAD] = "1;31", [PAINT_DOUBT] = "33", [PAINT_HEAD] = "1"};
+
+bool terminal_has_colours(void) {
+  const char *no_color = getenv("NO_COLOR"), *term = getenv("TERM");
+  if (no_color && *no_color) return false;
+  return isatty(STDOUT_FILENO) && term && *term && strcmp(term, "dumb") != 0;
+}
+
+int terminal_width(void) {
+  struct winsize size;
+  return isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
+}
+
+/* Where a line that is too long goes on: under its last column, which stands behind two blanks, or two blanks further in. */
+static size_t hanging(const char *line, size_t len, size_t width) {
+  size_t lead = strspn(line, " "), at = lead + 2;
+  for (size_t i = lead; i + 2 < len && i + 2 <= width * 2 / 3; i++)
+    if (line[i] == ' ' && line[i + 1] == ' ' && line[i + 2] != ' ') at = i + 2;
+  return at;
+}
+
+/* One line, broken at single blanks; a word that is wider than the terminal stays whole. */
+static void add_fitted(struct text *out, const char *line, size_t len, size_t width) {
+  size_t indent = hanging(line, len, width), used = 0;
+  while (used + len > width) {
+    size_t cut = width - used, least = used ? 1 : indent + 1;
+    while (cut > least && line[cut] != ' ') cut--;
+    if (cut <= least) /* no blank so far: the next one */
+      for (cut = width - used; cut < len && line[cut] != ' ';) cut++;
+    if (cut >= len) break;
+    text_add_n(out, line, cut);
+    text_printf(out, "\n%*s", (int)indent, "");
+    while (cut < len && line[cut] == ' ') cut++;
+    line += cut;
+    len -= cut;
+    used = indent;
+  }
+  text_add_n(out, line, len);
+}
+
+void terminal_print(const char *s) {
+  enum { NARROWEST = 40 };
+  int width = terminal_width();
+  struct text out;
+  text_init(&out);
+  for (size_t len; width >= NARROWEST && *s; s += len + (s[len] == '\n')) {
+    len = strcspn(s, "\n");
+    add_fitted(&out, s, len, (size_t)width);
+    if (s[len]) text_add_char(&out, '\n');
+  }
+  fputs(width >= NARROWEST ? text_str(&out) : s, stdout);
+  text_clear(&out);
+}
+
+void paint(struct text *out, bool colours, enum paint p, const char *word, int width) {
+  int n = (int)strlen(word), right = width > n ? width - n : 0, left = -width > n ? -width - n : 0;
+  text_printf(out, "%*s", right, "");
+  if (colours && code[p])
+    text_printf(out, "\033[%sm%s\033[0m", code[p], word);
+  else
+    text_add(out, word);
+  text_printf(out, "%*s", left, "");
+}

@@ -1,0 +1,369 @@
+/* stickslip orbit and jacobian on a scene that names another word than the paper's. */
+#include "word_orbits.h"
+
+#include <string.h>
+
+enum { SIMULATIONS = 32 };
+
+void scene_friction(const fmpq *u_r[2], const struct scene *s) {
+  for (int i = 0; i < 2; i++) u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+}
+
+slong word_bits(slong digits) {
+  return (slong)((double)digits * 3.33) + 32;
+}
+
+/* --- Numbers. --- */
+
+static void json_number(struct json *j, const char *key, arb_srcptr x, slong digits) {
+  struct text t;
+  text_init(&t);
+  print_known(&t, x, digits);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void largest_radius(arb_t worst, const struct word_orbit *o) {
+  mag_t most;
+  mag_init(most);
+  for (int p = 0; p < o->word.n; p++) mag_max(most, most, arb_radref(o->t + p));
+  for (int i = 0; i < N_STATE * o->word.n; i++) mag_max(most, most, arb_radref(o->state + i));
+  for (int i = 0; i < o->n_free * o->n_free; i++) mag_max(most, most, arb_radref(o->jacobian + i));
+  arf_set_mag(arb_midref(worst), most);
+  mag_zero(arb_radref(worst));
+  mag_clear(most);
+}
+
+static void violation(struct text *out, const struct word_orbit *o, const struct word_condition *c) {
+  text_printf(out, "%d-%s-", c->phase + 1, phase_word_name(o->word.mode[c->phase]));
+  if (c->kind != WORD_LENGTH) text_printf(out, "m%d-", c->mass + 1);
+  text_add(out, word_condition_name[c->kind]);
+}
+
+/* The eigenvalues as texts, "a+bi" where they are not real; false when they are not known. */
+static bool eigenvalue_texts(struct text out[WORD_FREE_MOST], arb_srcptr x, int n, slong digits) {
+  acb_ptr z = _acb_vec_init(n);
+  bool known = word_eigenvalues(z, x, n, 2 * word_bits(digits)) == SS_OK;
+  for (int i = 0; i < n && known; i++) {
+    bool real = arb_is_zero(acb_imagref(z + i));
+    if (real || !arb_contains_zero(acb_realref(z + i))) print_known(&out[i], acb_realref(z + i), digits);
+    if (real) continue;
+    if (out[i].len > 0 && arb_is_positive(acb_imagref(z + i))) text_add_char(&out[i], '+');
+    print_known(&out[i], acb_imagref(z + i), digits);
+    text_add_char(&out[i], 'i');
+  }
+  _acb_vec_clear(z, n);
+  return known;
+}
+
+/* --- One orbit. --- */
+
+static void matrix_json(struct json *j, const struct word_orbit *o, arb_srcptr x, slong digits) {
+  json_array(j, "J");
+  for (int i = 0; i < o->n_free; i++) {
+    json_array(j, NULL);
+    for (int k = 0; k < o->n_free; k++) json_number(j, NULL, x + i * o->n_free + k, digits);
+    json_end_array(j);
+  }
+  json_end_array(j);
+}
+
+static void free_json(struct json *j, const struct word_orbit *o) {
+  json_array(j, "free");
+  for (int i = 0; i < o->n_free; i++) json_string(j, NULL, word_coordinate_name[o->free[i]]);
+  json_end_array(j);
+}
+
+static void eigenvalues_json(struct json *j, arb_srcptr x, int n, slong digits) {
+  struct text t[WORD_FREE_MOST];
+  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
+  if (eigenvalue_texts(t, x, n, digits)) {
+    json_array(j, "eigenvalues");
+    for (int i = 0; i < n; i++) json_string(j, NULL, text_str(&t[i]));
+    json_end_array(j);
+  } else {
+    json_null(j, "eigenvalues");
+  }
+  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
+}
+
+void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits) {
+  struct text t;
+  text_init(&t);
+  json_object(j, NULL);
+  json_array(j, "word");
+  for (int p = 0; p < o->word.n; p++) json_string(j, NULL, phase_word_name(o->word.mode[p]));
+  json_end_array(j);
+  json_array(j, "times");
+  for (int p = 0; p < o->word.n; p++) json_number(j, NULL, o->t + p, digits);
+  json_end_array(j);
+  json_number(j, "period", o->period, digits);
+  json_object(j, "start");
+  for (int i = 0; i < N_STATE; i++) json_number(j, word_coordinate_name[i], o->state + i, digits);
+  json_end_object(j);
+  free_json(j, o);
+  matrix_json(j, o, o->jacobian, digits);
+  json_number(j, "trace", o->trace, digits);
+  json_number(j, "det", o->det, digits);
+  eigenvalues_json(j, o->jacobian, o->n_free, digits);
+  json_truth(j, "stable", o->stable);
+  json_truth(j, "admissible", o->admissible);
+  json_array(j, "violations");
+  for (int i = 0; i < o->n_conditions; i++) {
+    if (o->condition[i].holds != TRUTH_FALSE) continue;
+    text_reset(&t);
+    violation(&t, o, &o->condition[i]);
+    json_string(j, NULL, text_str(&t));
+  }
+  json_end_array(j);
+  static const char *const least[2] = {"u_r1_min", "u_r2_min"};
+  for (int i = 0; i < 2; i++) {
+    if (phase_word_has_faster(&o->word))
+      json_null(j, least[i]);
+    else
+      json_number(j, least[i], o->u_r_min[i], digits);
+  }
+  json_bool(j, "certified", o->certified);
+  if (o->certified) {
+    arb_t worst;
+    arb_init(worst);
+    largest_radius(worst, o);
+    text_reset(&t);
+    print_accuracy(&t, worst);
+    arb_clear(worst);
+  }
+  json_string(j, "radius", o->certified ? text_str(&t) : NULL);
+  json_end_object(j);
+  text_clear(&t);
+}
+
+static void eigenvalues_text(struct text *out, arb_srcptr x, int n, slong digits) {
+  struct text t[WORD_FREE_MOST];
+  for (int i = 0; i < WORD_FREE_MOST; i++) text_init(&t[i]);
+  bool known = eigenvalue_texts(t, x, n, digits);
+  text_add(out, "  eigenvalues ");
+  for (int i = 0; i < n && known; i++) text_printf(out, "%s%s", i ? ", " : "", text_str(&t[i]));
+  text_add(out, known ? "\n" : "not told apart\n");
+  for (int i = 0; i < WORD_FREE_MOST; i++) text_clear(&t[i]);
+}
+
+static void add_number(struct text *out, const char *name, arb_srcptr x, slong digits) {
+  text_printf(out, "  %-10s ", name);
+  print_known(out, x, digits);
+  text_add_char(out, '\n');
+}
+
+static void proof_text(struct text *out, const struct word_orbit *o) {
+  if (!o->certified) {
+    text_add(out, "  not certified: a condition or the stability is undecided\n");
+    return;
+  }
+  arb_t worst;
+  arb_init(worst);
+  largest_radius(worst, o);
+  text_add(out, "  certified; enclosed within ");
+  print_accuracy(out, worst);
+  text_add(out, ", printed rounded\n");
+  arb_clear(worst);
+}
+
+void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s, slong digits) {
+  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
+  text_printf(out, "orbit %ld: ", number);
+  text_printf(out, "%s, ", fate[o->stable]);
+  admissible_text(out, o->admissible, s);
+  text_add_char(out, '\n');
+  for (int p = 0; p < o->word.n; p++) {
+    char name[24];
+    snprintf(name, sizeof name, "t_%d %s", p + 1, phase_word_name(o->word.mode[p]));
+    add_number(out, name, o->t + p, digits);
+  }
+  add_number(out, "period", o->period, digits);
+  for (int i = 0; i < N_STATE; i++) add_number(out, word_coordinate_name[i], o->state + i, digits);
+  for (int i = 0; i < 2 && !phase_word_has_faster(&o->word); i++)
+    add_number(out, i ? "u_r2_min" : "u_r1_min", o->u_r_min[i], digits);
+  eigenvalues_text(out, o->jacobian, o->n_free, digits);
+  proof_text(out, o);
+  for (int i = 0; i < o->n_conditions; i++) {
+    if (o->condition[i].holds != TRUTH_FALSE) continue;
+    text_add(out, "  breaks   ");
+    violation(out, o, &o->condition[i]);
+    text_add_char(out, '\n');
+  }
+}
+
+/* --- orbit --- */
+
+static const char not_complete[] = "no proof of completeness covers this word";
+
+static void orbits_json(struct text *out, const struct word_orbits *list, enum word_fate fate, const char *why,
+                        const struct scene *s, slong digits) {
+  struct json j;
+  struct text word;
+  text_init(&word);
+  phase_word_print(&word, &s->word);
+  bool complete = fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  json_string(&j, "word", text_str(&word));
+  json_string(&j, "fate", word_fate_name[fate]);
+  json_string(&j, "reason", fate == WORD_OPEN ? NULL : why);
+  json_bool(&j, "complete", complete);
+  json_string(&j, "gap", complete ? NULL : not_complete);
+  json_array(&j, "orbits");
+  for (slong i = 0; i < list->n; i++) word_orbit_json(&j, &list->orbit[i], digits);
+  json_end_array(&j);
+  json_end_object(&j);
+  text_clear(&word);
+}
+
+static void orbits_text(struct text *out, const struct word_orbits *list, enum word_fate fate, const char *why,
+                        const struct scene *s, slong digits) {
+  text_printf(out, "%s: %ld orbit%s of the word ", s->name, (long)list->n, list->n == 1 ? "" : "s");
+  phase_word_print(out, &s->word);
+  text_add(out, " found\n");
+  if (fate == WORD_IMPOSSIBLE || fate == WORD_UNCLOSED)
+    text_printf(out, "there is none: %s\n", why);
+  else if (fate != WORD_OPEN)
+    text_printf(out, "none searched for: %s\n", why);
+  else
+    text_printf(out, "not proved complete: %s; %ld evaluations, %ld starts of Newton's iteration\n", not_complete,
+                list->evaluations, list->candidates);
+  if (list->failed > 0) text_printf(out, "%ld solutions in double precision could not be enclosed\n", list->failed);
+  for (slong i = 0; i < list->n; i++) word_orbit_text(out, &list->orbit[i], (long)i + 1, s, digits);
+}
+
+/* The orbits of the scene's word; false with d set when the scene lacks what they need. */
+static bool find_orbits(struct word_orbits *list, const struct scene *s, slong digits, struct diag *d) {
+  const fmpq *u_r[2];
+  struct word_seeds seeds;
+  *list = (struct word_orbits){.n = 0};
+  if (phase_word_fate(NULL, &s->word) != WORD_OPEN) return true;
+  scene_friction(u_r, s);
+  if (phase_word_has_faster(&s->word) && (!u_r[0] || !u_r[1])) {
+    diag_set(d, "%s: error: a word in which a mass is faster than the belt needs u_r1 and u_r2", s->path);
+    return false;
+  }
+  word_seeds_find(&seeds, s->value, u_r, SIMULATIONS);
+  if (word_orbits_find(list, &s->word, s->value, u_r, &seeds, word_bits(digits)) != SS_OK)
+    abort(); /* the scene is in the domain, and has the friction that the word needs */
+  word_seeds_clear(&seeds);
+  return true;
+}
+
+static bool check_digits(slong digits, const struct scene *s, struct diag *d) {
+  if (digits <= WORD_DIGITS) return true;
+  diag_set(d, "%s: error: a scene of another word takes at most %d --digits", s->path, WORD_DIGITS);
+  return false;
+}
+
+int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
+  struct word_orbits list = {.n = 0};
+  if (o->basin || o->certificate)
+    diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
+             o->basin ? "--basin" : "--certificate");
+  if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return bad_input(d);
+  struct text out, why;
+  text_init(&out);
+  text_init(&why);
+  enum word_fate fate = phase_word_fate(&why, &s->word);
+  (o->json ? orbits_json : orbits_text)(&out, &list, fate, text_str(&why), s, digits);
+  if (o->json)
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  text_clear(&why);
+  text_clear(&out);
+  word_orbits_clear(&list);
+  return EXIT_AS_RECORDED;
+}
+
+/* --- jacobian --- */
+
+/* The matrix by the method asked for; in double, balls of the estimated error. */
+static bool fill_jacobian(arb_ptr x, const struct word_orbit *o, const struct scene *s,
+                          const struct jacobian_request *q, struct diag *d) {
+  double j[WORD_FREE_MOST * WORD_FREE_MOST], err;
+  const fmpq *u_r[2];
+  int n = o->n_free * o->n_free;
+  scene_friction(u_r, s);
+  if (q->method == METHOD_SALTATION) {
+    _arb_vec_set(x, o->jacobian, n);
+    return true;
+  }
+  if (word_jacobian_differences(j, &err, o, s->value, u_r, q->method == METHOD_ODE)) {
+    diag_set(d, "%s: error: a simulation beside the orbit does not follow the word, so that --method %s has no value",
+             s->path, method_name[q->method]);
+    return false;
+  }
+  for (int i = 0; i < n; i++) {
+    arb_set_d(x + i, j[i]);
+    mag_set_d(arb_radref(x + i), err);
+  }
+  return true;
+}
+
+static void show_matrix(const struct word_orbit *o, arb_srcptr x, const struct scene *s,
+                        const struct jacobian_request *q, bool as_json) {
+  struct text out, at;
+  struct json j;
+  text_init(&out);
+  text_init(&at);
+  print_at(&at, q);
+  if (as_json) {
+    json_init(&j, &out);
+    json_object(&j, NULL);
+    json_array(&j, "word");
+    for (int p = 0; p < o->word.n; p++) json_string(&j, NULL, phase_word_name(o->word.mode[p]));
+    json_end_array(&j);
+    free_json(&j, o);
+    matrix_json(&j, o, x, q->digits);
+    eigenvalues_json(&j, x, o->n_free, q->digits);
+    json_string(&j, "method", method_name[q->method]);
+    json_string(&j, "layer", "model");
+    json_string(&j, "at", text_str(&at));
+    json_end_object(&j);
+  } else {
+    text_printf(&out, "%s, %s, method %s, layer model: the return of", s->name, text_str(&at), method_name[q->method]);
+    for (int i = 0; i < o->n_free; i++) text_printf(&out, " %s", word_coordinate_name[o->free[i]]);
+    text_printf(&out, " at the start of %s\n", phase_word_name(o->word.mode[0]));
+    for (int i = 0; i < o->n_free * o->n_free; i++) {
+      text_add(&out, "  ");
+      print_known(&out, x + i, q->digits);
+      if ((i + 1) % o->n_free == 0) text_add_char(&out, '\n');
+    }
+    eigenvalues_text(&out, x, o->n_free, q->digits);
+  }
+  fputs(text_str(&out), stdout);
+  text_clear(&at);
+  text_clear(&out);
+}
+
+int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
+                      struct diag *d) {
+  struct jacobian_request q = *asked;
+  struct word_orbits list = {.n = 0};
+  if (!o->method) q.method = METHOD_SALTATION;
+  if (o->phases || q.at_printed || o->layer) {
+    diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
+             o->phases      ? "--phases"
+             : q.at_printed ? "--at printed"
+                            : "--layer");
+  } else if (q.method != METHOD_SALTATION && q.method != METHOD_FD_DOUBLE && q.method != METHOD_ODE) {
+    diag_set(d, "%s: error: --method %s is of the word D-Gamma-H-C; another takes saltation, fd-double or ode", s->path,
+             method_name[q.method]);
+  }
+  if (d->set || !check_digits(q.digits, s, d) || !find_orbits(&list, s, q.digits, d)) return bad_input(d);
+  arb_ptr x = _arb_vec_init(WORD_FREE_MOST * WORD_FREE_MOST);
+  const struct word_orbit *orbit = q.orbit < list.n ? &list.orbit[q.orbit] : NULL;
+  if (!orbit)
+    diag_set(d, "%s: error: %ld orbit%s of the scene's word found, so there is no orbit:%ld", s->path, (long)list.n,
+             list.n == 1 ? "" : "s", (long)q.orbit + 1);
+  else if (fill_jacobian(x, orbit, s, &q, d))
+    show_matrix(orbit, x, s, &q, o->json);
+  _arb_vec_clear(x, WORD_FREE_MOST * WORD_FREE_MOST);
+  word_orbits_clear(&list);
+  return d->set ? bad_input(d) : EXIT_AS_RECORDED;
+}

@@ -1,0 +1,19 @@
+/* What the commands on other phase words share. */
+#ifndef STICKSLIP_WORD_ORBITS_H
+#define STICKSLIP_WORD_ORBITS_H
+
+#include "cli.h"
+#include "orbit_numbers.h"
+#include "stickslip/word.h"
+
+enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
+
+/* u_r1 and u_r2 of the scene, NULL where it gives none. */
+void scene_friction(const fmpq *u_r[2], const struct scene *s);
+/* The working precision for so many digits. */
+slong word_bits(slong digits);
+/* One orbit as a member of an array, and as lines. */
+void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
+void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s, slong digits);
+
+#endif

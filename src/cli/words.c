@@ -1,0 +1,310 @@
+/* stickslip words: which short sequences of phases can happen at a scene's parameters, and which have periodic orbits. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/work.h"
+#include "word_orbits.h"
+
+enum { LONGEST = 4, MOST_PHASES = 8, STARTS = 96 };
+/* In units of work, after which no further word is searched, where the scene says no other: about a minute, whatever the
+   parameters. */
+static const unsigned long long most_work = 2000000000;
+
+/* What a run over the words holds. */
+struct survey {
+  const struct scene *scene;
+  const fmpq *u_r[2];
+  int longest;
+  slong digits;
+  struct word_seeds seeds;
+  struct text rows; /* as text: what was searched */
+  struct listed {
+    struct text words;
+    long more; /* too many to list */
+  } unclosed, needs, late;
+  struct json *json;
+  long possible, searched, with_orbits, orbits, failed;
+};
+
+static bool lacks_friction(const struct survey *v, const struct phase_word *w) {
+  return phase_word_has_faster(w) && (!v->u_r[0] || !v->u_r[1]);
+}
+
+static bool is_searched(const struct survey *v, const struct phase_word *w, enum word_fate fate) {
+  unsigned long long budget = v->scene->asked.budget ? v->scene->asked.budget : most_work;
+  return fate == WORD_OPEN && !lacks_friction(v, w) && work_units() <= budget;
+}
+
+/* How many simulations settled on the word. */
+static int settled_on(const struct survey *v, const struct phase_word *w) {
+  int n = 0;
+  for (size_t i = 0; i < v->seeds.n; i++)
+    if (phase_word_same(&v->seeds.seed[i].word, w)) n += v->seeds.seed[i].count;
+  return n;
+}
+
+/* --- JSON --- */
+
+static void json_word(struct json *j, const char *key, const struct phase_word *w) {
+  struct text t;
+  text_init(&t);
+  phase_word_print(&t, w);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void row_json(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
+                     const struct word_orbits *list, bool searched) {
+  struct json *j = v->json;
+  const char *told = fate != WORD_OPEN || searched ? word_fate_name[fate]
+                     : lacks_friction(v, w)        ? "needs u_r1, u_r2"
+                                                   : "budget";
+  json_object(j, NULL);
+  json_word(j, "word", w);
+  json_string(j, "fate", told);
+  json_string(j, "reason", fate == WORD_OPEN ? NULL : why);
+  json_long(j, "settled", settled_on(v, w));
+  json_long(j, "evaluations", list->evaluations);
+  json_long(j, "starts", list->candidates);
+  json_long(j, "unresolved", list->failed);
+  json_array(j, "orbits");
+  for (slong i = 0; i < list->n; i++) word_orbit_json(j, &list->orbit[i], v->digits);
+  json_end_array(j);
+  json_end_object(j);
+}
+
+static void barriers_json(struct json *j) {
+  struct phase_word from = {.n = 0}, to;
+  json_array(j, "barriers");
+  while (phase_word_next(&from, 1))
+    for (to.n = 0; phase_word_next(&to, 1);) {
+      const char *why = phase_word_barrier(from.mode[0], to.mode[0]);
+      if (!why) continue;
+      json_object(j, NULL);
+      json_word(j, "from", &from);
+      json_word(j, "to", &to);
+      json_string(j, "reason", why);
+      json_end_object(j);
+    }
+  json_end_array(j);
+}
+
+static void simulations_json(struct survey *v) {
+  struct json *j = v->json;
+  json_object(j, "simulations");
+  json_long(j, "starts", v->seeds.starts);
+  json_long(j, "settled", v->seeds.settled);
+  json_bool(j, "own_friction", !v->u_r[0] || !v->u_r[1]);
+  json_array(j, "words");
+  for (size_t i = 0; i < v->seeds.n; i++) {
+    json_object(j, NULL);
+    json_word(j, "word", &v->seeds.seed[i].word);
+    json_long(j, "count", v->seeds.seed[i].count);
+    json_end_object(j);
+  }
+  json_end_array(j);
+  json_end_object(j);
+}
+
+/* --- Text --- */
+
+static void add_listed(struct listed *list, const struct phase_word *w) {
+  enum { MOST_LISTED = 800 };
+  if (list->words.len > MOST_LISTED) {
+    list->more++;
+    return;
+  }
+  if (list->words.len > 0) text_add_char(&list->words, ' ');
+  phase_word_print(&list->words, w);
+}
+
+static void show_listed(struct text *out, const char *what, const struct listed *list) {
+  if (list->words.len == 0) return;
+  text_printf(out, "%s: %s", what, text_str(&list->words));
+  if (list->more > 0) text_printf(out, " and %ld more", list->more);
+  text_add_char(out, '\n');
+}
+
+static void orbit_line(struct text *out, const struct word_orbit *o, const struct scene *s, slong digits) {
+  static const char *const fate[] = {"unstable", "stable", "stability undecided"};
+  text_add(out, "    period ");
+  print_known(out, o->period, digits);
+  text_printf(out, ", %s, ", fate[o->stable]);
+  admissible_text(out, o->admissible, s);
+  text_add(out, o->certified ? "\n      " : ", not certified\n      ");
+  for (int p = 0; p < o->word.n; p++) {
+    text_printf(out, "%s%s ", p ? ", " : "", phase_word_name(o->word.mode[p]));
+    print_known(out, o->t + p, digits);
+  }
+  text_add_char(out, '\n');
+}
+
+static void row_text(struct survey *v, const struct phase_word *w, enum word_fate fate, const char *why,
+                     const struct word_orbits *list, bool searched) {
+  struct text *out = &v->rows;
+  if (fate == WORD_UNCLOSED) {
+    add_listed(&v->unclosed, w);
+    return;
+  }
+  if (fate == WORD_OPEN && !searched) {
+    add_listed(lacks_friction(v, w) ? &v->needs : &v->late, w);
+    return;
+  }
+  size_t begin = out->len;
+  text_add(out, "  ");
+  phase_word_print(out, w);
+  while (out->len - begin < 20) text_add_char(out, ' ');
+  if (fate == WORD_FAMILY) {
+    text_printf(out, " %s\n", why);
+    return;
+  }
+  if (list->n == 0)
+    text_printf(out, " none found (%ld evaluations, %ld starts)", list->evaluations, list->candidates);
+  else
+    text_printf(out, " %ld orbit%s", (long)list->n, list->n == 1 ? "" : "s");
+  int settled = settled_on(v, w);
+  if (settled > 0) text_printf(out, ", where %d simulations settle", settled);
+  if (list->failed > 0) text_printf(out, "; %ld solutions in double precision could not be enclosed", list->failed);
+  text_add_char(out, '\n');
+  for (slong i = 0; i < list->n; i++) orbit_line(out, &list->orbit[i], v->scene, v->digits);
+}
+
+static void simulations_text(struct text *out, const struct survey *v) {
+  const struct word_seeds *s = &v->seeds;
+  text_printf(out, "%d simulations from random starts, u_r1 = %.6g%s, u_r2 = %.6g%s: %d settled", s->starts, s->u_r[0],
+              v->u_r[0] ? "" : " (taken)", s->u_r[1], v->u_r[1] ? "" : " (taken)", s->settled);
+  for (size_t i = 0; i < s->n; i++) {
+    text_add(out, i ? ", " : ": ");
+    phase_word_print(out, &s->seed[i].word);
+    text_printf(out, " (%d)", s->seed[i].count);
+  }
+  text_add_char(out, '\n');
+}
+
+static long count_words(int longest) {
+  long n = 0;
+  for (int k = 1; k <= longest; k++) n += phase_word_count(k);
+  return n;
+}
+
+static void all_text(struct text *out, const struct survey *v) {
+  text_printf(out,
+              "%s: words of at most %d phases: %ld in all, %ld of them of single transitions that can happen, %ld "
+              "searched, %ld with orbits\n",
+              v->scene->name, v->longest, count_words(v->longest), v->possible, v->searched, v->with_orbits);
+  simulations_text(out, v);
+  text_add(out, text_str(&v->rows));
+  show_listed(out, "cannot come back (a mass is never slower than the belt)", &v->unclosed);
+  show_listed(out, "not searched, as a mass is faster than the belt and the scene lacks u_r1, u_r2", &v->needs);
+  show_listed(out, "not searched, as the budget of work is used up", &v->late);
+  text_add(out, "none found is no proof that there is none\n");
+}
+
+/* --- The survey. --- */
+
+static void one_word(struct survey *v, const struct phase_word *w) {
+  struct word_orbits list = {.n = 0};
+  struct text why;
+  text_init(&why);
+  enum word_fate fate = phase_word_fate(&why, w);
+  bool searched = is_searched(v, w, fate);
+  v->possible++;
+  if (searched) {
+    if (word_orbits_find(&list, w, v->scene->value, v->u_r, &v->seeds, word_bits(v->digits)) != SS_OK)
+      abort(); /* the scene is in the domain, and has the friction that the word needs */
+    v->searched++;
+    v->with_orbits += list.n > 0;
+    v->orbits += list.n;
+    v->failed += list.failed;
+  }
+  (v->json ? row_json : row_text)(v, w, fate, text_str(&why), &list, searched);
+  word_orbits_clear(&list);
+  text_clear(&why);
+}
+
+static void all_words(struct survey *v) {
+  for (int n = 1; n <= v->longest; n++)
+    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) one_word(v, &w);
+}
+
+static void all_json(struct survey *v, struct text *out) {
+  struct json j;
+  json_init(&j, out);
+  v->json = &j;
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-words-1");
+  json_string(&j, "scene", v->scene->name);
+  json_string(&j, "layer", "model");
+  json_long(&j, "longest", v->longest);
+  json_long(&j, "canonical", count_words(v->longest));
+  json_bool(&j, "complete", false);
+  simulations_json(v);
+  barriers_json(&j);
+  json_array(&j, "words");
+  all_words(v);
+  json_end_array(&j);
+  v->json = NULL;
+  json_object(&j, "summary");
+  json_long(&j, "possible", v->possible);
+  json_long(&j, "searched", v->searched);
+  json_long(&j, "with_orbits", v->with_orbits);
+  json_long(&j, "orbits", v->orbits);
+  json_long(&j, "unresolved", v->failed);
+  json_end_object(&j);
+  json_end_object(&j);
+}
+
+static void show_survey(struct survey *v, bool as_json) {
+  struct text out;
+  text_init(&out);
+  text_init(&v->rows);
+  text_init(&v->unclosed.words);
+  text_init(&v->needs.words);
+  text_init(&v->late.words);
+  scene_friction(v->u_r, v->scene);
+  word_seeds_find(&v->seeds, v->scene->value, v->u_r, STARTS);
+  if (as_json) {
+    all_json(v, &out);
+  } else {
+    all_words(v);
+    all_text(&out, v);
+  }
+  if (as_json)
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  word_seeds_clear(&v->seeds);
+  text_clear(&v->late.words);
+  text_clear(&v->needs.words);
+  text_clear(&v->unclosed.words);
+  text_clear(&v->rows);
+  text_clear(&out);
+}
+
+int run_words(const struct options *o, const char *data) {
+  struct survey v = {.longest = LONGEST};
+  unsigned long long longest;
+  int status = parse_digits(&v.digits, o);
+  if (status) return status;
+  if (v.digits > WORD_DIGITS) return usage("words takes at most 1000 --digits, not %.200s", o->digits);
+  if (o->longest) {
+    if (!parse_whole(&longest, o->longest, false, MOST_PHASES))
+      return usage("--longest takes a whole number from 1 to 8, not %.200s", o->longest);
+    v.longest = (int)longest;
+  }
+  if (o->n_operands != 1) return usage("words takes one %s", "SCENE");
+  struct diag d;
+  struct scene s;
+  diag_init(&d);
+  v.scene = &s;
+  if (!load_scene(&s, o->operand[0], data, o, true, &d) || !scene_one_point(&s, &d)) {
+    status = bad_input(&d);
+  } else if (!scene_has_forces(&s)) {
+    diag_set(&d, "%s: error: words needs a scene that gives e1 and e2", s.path);
+    status = bad_input(&d);
+  } else {
+    show_survey(&v, o->json);
+  }
+  scene_clear(&s);
+  return status;
+}

@@ -1,0 +1,152 @@
+/* The equations of a word over any number type: each phase's closed form, one event for each, and the return.
+
+   Each unknown has a column: a difference of motions that is carried along with the motion itself, so that defects and
+   derivatives come out of one pass. */
+#include "words_impl.h"
+
+struct word_event word_event_of(const struct phase_word *w, int phase) {
+  const enum coulomb_mode *from = w->mode[phase], *to = w->mode[(phase + 1) % w->n];
+  int mass = from[0] == to[0];
+  return (struct word_event){mass, from[mass], to[mass]};
+}
+
+int word_free(enum word_coordinate free[WORD_FREE_MOST], const struct phase_word *w) {
+  struct word_event e = word_event_of(w, w->n - 1);
+  int n = 0;
+  for (int mass = 0; mass < 2; mass++)
+    if (mass != e.mass || e.from != MODE_STICK) free[n++] = (enum word_coordinate)(WORD_W1 + mass);
+  for (int mass = 0; mass < 2; mass++)
+    if (mass != e.mass && w->mode[0][mass] != MODE_STICK) free[n++] = (enum word_coordinate)(WORD_P1 + mass);
+  return n;
+}
+
+void word_turn_best(struct phase_word *w) {
+  enum word_coordinate free[WORD_FREE_MOST];
+  struct phase_word best = *w, turned;
+  int least = word_free(free, w);
+  for (int by = 1; by < w->n; by++) {
+    phase_word_turn(&turned, w, by);
+    int n = word_free(free, &turned);
+    if (n >= least) continue;
+    least = n;
+    best = turned;
+  }
+  *w = best;
+}
+
+void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const fmpq *const u_r[2]) {
+  val chi = calc_q(c, params + P_CHI), eta = calc_q(c, params + P_ETA);
+  motion_law_make(&m->law, c, chi, eta, calc_q(c, params + P_V));
+  m->difference = m->law;
+  m->difference.V = m->difference.gap = m->law.zero;
+  for (int i = 0; i < 2; i++) {
+    m->e[i] = calc_q(c, params + P_E1 + i);
+    m->over[i] = NULL;
+    if (!u_r[i]) continue;
+    fmpq_t twice;
+    fmpq_init(twice);
+    fmpq_sub(twice, u_r[i], params + P_E1 + i);
+    fmpq_mul_2exp(twice, twice, 1);
+    m->over[i] = calc_q(c, twice);
+    fmpq_clear(twice);
+  }
+}
+
+/* u_i - f_i of a slipping mass, before the factor eta. */
+static val pull_on(struct calc *c, const struct word_law *m, enum coulomb_mode mode, int mass, val w, bool difference) {
+  return calc_neg(c, mode == MODE_ABOVE && !difference ? calc_add(c, w, m->over[mass]) : w);
+}
+
+void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                 const val state[N_STATE], bool difference) {
+  val pull[2];
+  for (int i = 0; i < 2; i++) pull[i] = pull_on(c, m, mode[i], i, state[WORD_W1 + i], difference);
+  motion_make(out, c, difference ? &m->difference : &m->law, mode, state + WORD_W1, state + WORD_P1, pull);
+}
+
+void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t) {
+  struct angle angle[2];
+  harmonic_angles(angle, c, &motion->force[0], t);
+  for (int i = 0; i < 2; i++) {
+    out[WORD_W1 + i] = harmonic_value(c, &motion->force[i], angle, t);
+    out[WORD_P1 + i] = harmonic_value(c, &motion->speed[i], angle, t);
+  }
+}
+
+void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                const val state[N_STATE]) {
+  val lead = calc_sub(c, state[WORD_P1], calc_mul(c, m->law.chi, state[WORD_P2]));
+  out[WORD_W1] = calc_add(c, m->law.gap, lead);
+  out[WORD_W2] = calc_mul(c, m->law.chi, calc_sub(c, state[WORD_P2], state[WORD_P1]));
+  for (int i = 0; i < 2; i++) {
+    val pull = mode[i] == MODE_STICK ? m->law.zero : pull_on(c, m, mode[i], i, state[WORD_W1 + i], false);
+    out[WORD_P1 + i] = i == 0 ? pull : calc_mul(c, m->law.eta, pull);
+  }
+}
+
+val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]) {
+  if (e->from != MODE_STICK) return state[WORD_P1 + e->mass];
+  val w = state[WORD_W1 + e->mass], limit = m->e[e->mass];
+  if (e->to == MODE_BELOW) return calc_sub(c, w, limit);
+  return calc_add(c, w, calc_add(c, limit, m->over[e->mass]));
+}
+
+val word_event_slope(const struct word_event *e, const val change[N_STATE]) {
+  return change[(e->from != MODE_STICK ? WORD_P1 : WORD_W1) + e->mass];
+}
+
+void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]) {
+  for (int i = 0; i < 2; i++)
+    if (mode[i] == MODE_STICK) state[WORD_P1 + i] = m->law.zero;
+}
+
+void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
+                const val *free) {
+  enum word_coordinate at[WORD_FREE_MOST];
+  struct word_event e = word_event_of(w, w->n - 1);
+  int n = word_free(at, w);
+  for (int i = 0; i < N_STATE; i++) state[i] = m->law.zero;
+  if (e.from == MODE_STICK) {
+    val limit = m->e[e.mass];
+    state[WORD_W1 + e.mass] = e.to == MODE_BELOW ? limit : calc_neg(c, calc_add(c, limit, m->over[e.mass]));
+  }
+  for (int i = 0; i < n; i++) state[at[i]] = free[i];
+}
+
+void word_equations(val *f, val *j, val *states, struct calc *c, const struct word_law *m, const struct phase_word *w,
+                    const val *x) {
+  enum word_coordinate free[WORD_FREE_MOST];
+  val state[N_STATE], column[WORD_UNKNOWNS][N_STATE];
+  int n = word_free(free, w), size = w->n + n;
+  word_start(state, c, m, w, x + w->n);
+  for (int k = 0; j && k < n; k++)
+    for (int i = 0; i < N_STATE; i++) column[w->n + k][i] = i == (int)free[k] ? calc_d(c, 1) : m->law.zero;
+  for (int p = 0; p < w->n; p++) {
+    struct word_event e = word_event_of(w, p);
+    const enum coulomb_mode *mode = w->mode[p], *next = w->mode[(p + 1) % w->n];
+    struct motion motion;
+    for (int i = 0; states && i < N_STATE; i++) states[N_STATE * p + i] = state[i];
+    word_motion(&motion, c, m, mode, state, false);
+    word_motion_at(state, c, &motion, x[p]);
+    f[p] = word_event_value(c, m, &e, state);
+    for (int k = 0; j && k < size; k++) {
+      bool moves = k <= p || k >= w->n;
+      if (moves && k == p) {
+        word_field(column[k], c, m, mode, state);
+      } else if (moves) {
+        word_motion(&motion, c, m, mode, column[k], true);
+        word_motion_at(column[k], c, &motion, x[p]);
+      }
+      j[p * size + k] = moves ? word_event_slope(&e, column[k]) : m->law.zero;
+      if (moves) word_settle(column[k], m, next);
+    }
+    word_settle(state, m, next);
+  }
+  for (int i = 0; i < n; i++) {
+    f[w->n + i] = calc_sub(c, state[free[i]], x[w->n + i]);
+    for (int k = 0; j && k < size; k++) {
+      val slope = column[k][free[i]];
+      j[(w->n + i) * size + k] = k == w->n + i ? calc_sub(c, slope, calc_d(c, 1)) : slope;
+    }
+  }
+}

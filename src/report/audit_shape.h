@@ -1,0 +1,13 @@
+/* The shapes of audit.json and of its part that stands alone. */
+#ifndef STICKSLIP_REPORT_AUDIT_SHAPE_H
+#define STICKSLIP_REPORT_AUDIT_SHAPE_H
+
+#include "json_shape.h"
+#include "stickslip/result.h"
+
+#define AUDIT_SCHEMA "stickslip-audit-1"
+
+extern const struct shape audit_shape;    /* struct audit_result */
+extern const struct shape readings_shape; /* struct readings */
+
+#endif

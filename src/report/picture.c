@@ -1,0 +1,133 @@
+/* The pictures of a record: the section of the page, and each as a document of its own. */
+#include "picture.h"
+
+#include <string.h>
+
+static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
+                                                 &picture_return_map, &picture_long_run, &picture_steps};
+enum { N_PICTURES = sizeof pictures / sizeof *pictures };
+
+const char *const picture_style =
+    ":root { --c0: #0b4fa0; --c1: #b02a12; --c2: #1b6e37; --c3: #6a3d9a; }\n"
+    "@media screen and (prefers-color-scheme: dark) { :root:not([data-theme=light]) { --c0: #8fbdf5; --c1: #ff9a80; "
+    "--c2: #7fd09a; --c3: #d0b0f5; } }\n"
+    ":root[data-theme=dark] { --c0: #8fbdf5; --c1: #ff9a80; --c2: #7fd09a; --c3: #d0b0f5; }\n"
+    ".plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 0 1.5rem; "
+    "align-items: start; }\n"
+    "@media print { .plots { grid-template-columns: 1fr 1fr; } }\n"
+    ".plot { display: block; width: 100%; max-width: 36rem; }\n"
+    ".plot text { font-size: 12px; fill: var(--fg); font-family: system-ui, \"DejaVu Sans\", sans-serif;\n"
+    "  paint-order: stroke; stroke: var(--bg); stroke-width: 3px; stroke-linejoin: round; }\n"
+    ".plot .frame { fill: none; stroke: var(--fg); stroke-width: 1; }\n"
+    ".plot .tick { fill: none; stroke: var(--line); stroke-width: .7; }\n"
+    ".plot .curve { fill: none; stroke-width: 1.8; stroke-linejoin: round; }\n"
+    ".plot .c0 { stroke: var(--c0); } .plot .c1 { stroke: var(--c1); }\n"
+    ".plot .c2 { stroke: var(--c2); } .plot .c3 { stroke: var(--c3); }\n"
+    ".plot .aid { stroke: var(--soft); stroke-width: 1; }\n"
+    ".plot .web { stroke: var(--c1); stroke-width: .9; }\n"
+    ".plot .gap { fill: none; stroke: var(--fg); stroke-width: 2.5; }\n"
+    ".plot .dot { fill: var(--c0); stroke: var(--c0); stroke-width: 1.5; }\n"
+    ".plot .dot.open { fill: var(--bg); } .plot .dot.c1 { fill: var(--bg); stroke: var(--c1); }\n";
+
+static void add_svg(struct text *out, const struct picture *q, const struct rows *t, const char *title,
+                    const char *style) {
+  struct text told, drawn;
+  text_init(&told);
+  text_init(&drawn);
+  struct plot p = {.out = &drawn, .id = q->id};
+  q->tell(&told, t);
+  q->draw(&p, t);
+  if (style)
+    text_add(out, "<svg xmlns=\"http://www.w3.org/2000/svg\"");
+  else
+    text_printf(out, "<svg width=\"%d\" height=\"%.0f\"", PLOT_WIDTH, p.bottom);
+  text_printf(out,
+              " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" "
+              "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">",
+              PLOT_WIDTH, p.bottom, q->id, q->id, q->id);
+  html_plain(out, title);
+  text_printf(out, "</title>\n<desc id=\"d-%s\">", q->id);
+  html_plain(out, text_str(&told));
+  text_add(out, "</desc>\n");
+  if (style)
+    text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
+                picture_style, PLOT_WIDTH, p.bottom);
+  text_add(out, text_str(&drawn));
+  text_add(out, "</svg>\n");
+  text_clear(&drawn);
+  text_clear(&told);
+}
+
+/* --- Documents of their own --- */
+
+int report_pictures(void) {
+  return N_PICTURES;
+}
+
+const char *report_picture_id(int i) {
+  return pictures[i]->id;
+}
+
+bool report_picture(struct text *out, const struct audit_result *r, int i) {
+  static const char style[] =
+      ":root { --bg: #fff; --fg: #1b1b1b; --soft: #555; --line: #c8c8c8; }\n"
+      "@media screen and (prefers-color-scheme: dark) { :root { --bg: #14161a; --fg: #e8e8e6; --soft: #b0b0ac; --line: "
+      "#45484f; } }\n";
+  struct rows t;
+  bool there = rows_read(&t, r, pictures[i]->table);
+  if (there) {
+    text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
+    add_svg(out, pictures[i], &t, pictures[i]->title, style);
+  }
+  rows_clear(&t);
+  return there;
+}
+
+/* --- In the page --- */
+
+static void add_figure(const struct page *p, const struct picture *q, const struct rows *t) {
+  struct text said;
+  text_init(&said);
+  q->say(&said, t);
+  text_printf(p->out, "<figure id=\"g-%s\">\n", q->id);
+  add_svg(p->out, q, t, q->title, NULL);
+  text_add(p->out, "<figcaption><strong>");
+  html_plain(p->out, q->title);
+  text_add(p->out, ".</strong> ");
+  html_text(p->out, text_str(&said), NULL);
+  text_printf(p->out, " Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->table, q->table);
+  text_clear(&said);
+}
+
+/* What other commands have left beside the report. */
+static void add_neighbours(const struct page *p) {
+  if (p->r->n_neighbours == 0) return;
+  text_add(p->out, "<p>More pictures, of the methods behind all this: ");
+  for (size_t i = 0; i < p->r->n_neighbours; i++) {
+    text_add(p->out, i ? ", <a href=\"" : "<a href=\"");
+    html_plain(p->out, p->r->neighbours[i].path);
+    text_add(p->out, "\">");
+    html_plain(p->out, p->r->neighbours[i].says);
+    text_add(p->out, "</a>");
+  }
+  text_add(p->out, ".</p>\n");
+}
+
+void page_pictures(const struct page *p) {
+  text_add(p->out, "<section id=\"s-pictures\" aria-labelledby=\"h-pictures\">\n<h2 id=\"h-pictures\">Pictures</h2>\n");
+  if (p->r->n_tables == 0)
+    text_add(p->out, "<p>None: they are made by the whole audit of a scene that has a periodic orbit.</p>\n");
+  else
+    text_add(
+        p->out,
+        "<p>Drawn from the tables named below each; curves differ in dash as well as in colour. The words of every "
+        "picture stand in it for a screen reader.</p>\n<div class=\"plots\">\n");
+  for (int i = 0; i < N_PICTURES; i++) {
+    struct rows t;
+    if (rows_read(&t, p->r, pictures[i]->table)) add_figure(p, pictures[i], &t);
+    rows_clear(&t);
+  }
+  text_add(p->out, p->r->n_tables ? "</div>\n" : "");
+  add_neighbours(p);
+  text_add(p->out, "</section>\n");
+}

@@ -1,0 +1,18 @@
+/* The pictures: each is a title, what it shows in words and numbers, and an SVG, all from one table of the record. */
+#ifndef STICKSLIP_REPORT_PICTURE_H
+#define STICKSLIP_REPORT_PICTURE_H
+
+#include "plot.h"
+
+struct picture {
+  const char *id, *table, *title; /* the SVG's file is id.svg; text with mathematics as html_text has it */
+  void (*say)(struct text *out, const struct rows *t);  /* for who sees it: what follows; $...$ is mathematics */
+  void (*tell)(struct text *out, const struct rows *t); /* for who does not: what is there; plain text */
+  void (*draw)(struct plot *p, const struct rows *t);
+};
+
+extern const struct picture picture_history, picture_portrait;                /* picture_motion.c */
+extern const struct picture picture_return_map;                               /* picture_return.c */
+extern const struct picture picture_margins, picture_long_run, picture_steps; /* picture_curves.c */
+
+#endif

@@ -1,0 +1,64 @@
+/* Pictures from tables: what they are made of.  A picture is an SVG with one panel or more below each other; colours and
+   dashes come from a style sheet, by the class of a curve, so that it can be read in dark mode and in grey. */
+#ifndef STICKSLIP_REPORT_PLOT_H
+#define STICKSLIP_REPORT_PLOT_H
+
+#include "html.h"
+
+/* --- Tables --- */
+
+/* The rows of a table as text; cells point into the arena. */
+struct rows {
+  struct arena arena;
+  const char ***cell; /* [row][column] */
+  size_t n, cap, columns;
+};
+/* false where the record has no such table. */
+bool rows_read(struct rows *t, const struct audit_result *r, const char *name);
+void rows_clear(struct rows *t);
+/* NaN where the cell holds no number. */
+double rows_number(const struct rows *t, size_t row, size_t column);
+bool rows_is(const struct rows *t, size_t row, size_t column, const char *text);
+
+/* --- Panels --- */
+
+/* Attributes of a line, so that it is one where no style sheet is read. */
+#define PLOT_STROKE "fill=\"none\" stroke=\"currentColor\""
+#define PLOT_FAINT  PLOT_STROKE " stroke-width=\".3\""
+enum { PLOT_WIDTH = 360, PLOT_LEFT = 46, PLOT_RIGHT = 14 };
+
+struct plot {
+  struct text *out;
+  const char *id;         /* of the picture; those inside begin with it */
+  int panels;             /* begun so far */
+  double top, height;     /* of the panel, in pixels */
+  double bottom;          /* of the picture so far */
+  double low[2], high[2]; /* what it shows: x, y */
+  bool power[2];          /* the axis shows 10^x */
+  bool open;              /* a curve has begun */
+};
+
+/* Widens [low, high] to hold x; NaN is passed over. */
+void plot_hold(double *low, double *high, double x);
+/* A panel at `top`: frame, ticks and labels; axis labels in the markup of plot_text.  Then what is drawn is cut off at its
+   frame until plot_free. */
+void plot_panel(struct plot *p, double top, double height, const char *x_label, const char *y_label);
+/* From here on nothing is cut off. */
+void plot_free(struct plot *p);
+/* One more point of a curve of this class; NaN breaks it.  plot_end ends it. */
+void plot_point(struct plot *p, const char *class, double x, double y);
+void plot_end(struct plot *p);
+/* A straight line, in numbers of the axes. */
+void plot_line(struct plot *p, const char *class, double x0, double y0, double x1, double y1);
+void plot_dot(struct plot *p, const char *class, double x, double y);
+/* Where a number lies, in pixels. */
+double plot_x(const struct plot *p, double x);
+double plot_y(const struct plot *p, double y);
+/* Room beyond what is held, in parts of its range. */
+void plot_widen(struct plot *p, int axis, double below, double above);
+/* Text at pixels: _1 is a subscript, ^{..} a superscript, *z* leans.  anchor: start, middle, end. */
+void plot_text(struct plot *p, double x, double y, const char *anchor, const char *text);
+/* A key of n curves, in lines from the top of the picture; class and text of each.  Its height. */
+double plot_key(struct plot *p, const char *const (*entry)[2], int n);
+
+#endif

@@ -1,0 +1,145 @@
+/* The study of digits as JSON. */
+#include <math.h>
+
+#include "stability_words.h"
+#include "stickslip/json.h"
+#include "stickslip/report_stability.h"
+
+static void write_digits(struct json *j, const char *key, double x) {
+  char buffer[32];
+  json_string(j, key, stability_tenths(buffer, x));
+}
+
+static void write_cause(struct json *j, const struct stability_row *row) {
+  json_string(j, "cause", loss_cause_says[row->cause]);
+  json_string(j, "node", row->node);
+  json_string(j, "source", row->source);
+  json_string(j, "left", row->left);
+  json_string(j, "right", row->right);
+  write_digits(j, "node_grows", row->node_grows);
+}
+
+static void write_row(struct json *j, const struct stability_result *r, const struct stability_row *row) {
+  struct text command;
+  char relative[32];
+  text_init(&command);
+  json_object(j, NULL);
+  json_string(j, "formula", r->formula[row->formula].id);
+  json_string(j, "region", r->region[row->region].id);
+  json_long(j, "points", row->points);
+  json_long(j, "outside", row->outside);
+  json_long(j, "undecided", row->undecided);
+  json_long(j, "failures", row->failures);
+  json_bool(j, "at_fault", row->at_fault);
+  if (row->found) {
+    write_digits(j, "log10_error", row->error);
+    write_digits(j, "observed", row->observed);
+    json_string(j, "relative_error", stability_relative_error(relative, row));
+    json_bool(j, "sign_lost", row->sign_lost);
+    write_digits(j, "problem", row->problem);
+    write_digits(j, "formula_lost", row->formula_lost);
+    write_digits(j, "excess", row->excess);
+    write_digits(j, "predicted", r->formula[row->formula].kernel ? (double)NAN : row->predicted);
+    write_cause(j, row);
+    json_string(j, "witness", row->witness);
+    write_digits(j, "after", row->after);
+    write_digits(j, "gained", stability_gained(row));
+    write_digits(j, "after_most", row->after_most);
+    json_long(j, "after_failures", row->after_failures);
+    json_string(j, "after_witness", row->after_witness);
+    stability_add_command(&command, r, row, row->witness);
+    json_string(j, "command", text_str(&command));
+  }
+  if (row->failure_witness) {
+    text_reset(&command);
+    json_string(j, "failure", loss_cause_says[row->failure]);
+    json_string(j, "failure_node", row->failure_node);
+    json_string(j, "failure_source", row->failure_source);
+    write_digits(j, "failure_size", row->failure_size);
+    json_string(j, "failure_witness", row->failure_witness);
+    stability_add_command(&command, r, row, row->failure_witness);
+    json_string(j, "failure_command", text_str(&command));
+  }
+  json_end_object(j);
+  text_clear(&command);
+}
+
+static void write_formula(struct json *j, const struct stability_formula *f) {
+  json_object(j, NULL);
+  json_string(j, "id", f->id);
+  json_string(j, "also", f->also);
+  json_string(j, "record", f->record);
+  json_string(j, "equation", *f->equation ? f->equation : NULL);
+  json_string(j, "section", f->section);
+  json_string(j, "text", f->text);
+  json_string(j, "inputs", f->inputs);
+  json_long(j, "entries", f->entries);
+  json_long(j, "nodes", f->nodes);
+  json_long(j, "points", f->points);
+  json_string(j, "replacement", f->replacement);
+  json_bool(j, "proved", f->proved);
+  json_bool(j, "kernel", f->kernel);
+  json_bool(j, "zero", f->zero);
+  json_end_object(j);
+}
+
+static void write_confusion(struct json *j, const struct stability_result *r) {
+  json_array(j, "confusion");
+  for (int a = 0; a < N_LOSS_BINS; a++) {
+    json_object(j, NULL);
+    json_string(j, "predicted", loss_bin_name[a]);
+    json_array(j, "observed");
+    for (int b = 0; b < N_LOSS_BINS; b++) json_long(j, NULL, r->confusion[a][b]);
+    json_end_array(j);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void write_pair(struct json *j, const struct stability_pair *p) {
+  json_object(j, NULL);
+  json_string(j, "formula", p->formula);
+  json_long(j, "points", p->points);
+  json_long(j, "undecided", p->undecided);
+  json_long(j, "lost", p->lost);
+  json_long(j, "differ", p->differ);
+  json_string(j, "region", p->region);
+  json_string(j, "witness", p->witness);
+  json_end_object(j);
+}
+
+void report_stability_json(struct text *out, const struct stability_result *r) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-stability-1");
+  json_string(&j, "layer", r->layer);
+  json_string(&j, "after", r->after);
+  json_bool(&j, "quick", r->quick);
+  json_array(&j, "bins");
+  for (int i = 0; i < N_LOSS_BINS; i++) json_string(&j, NULL, loss_bin_name[i]);
+  json_end_array(&j);
+  write_confusion(&j, r);
+  json_long(&j, "conditions", r->conditions);
+  json_long(&j, "conditions_disputed", r->condition_differs);
+  json_array(&j, "regions");
+  for (int i = 0; i < r->n_regions; i++) {
+    json_object(&j, NULL);
+    json_string(&j, "id", r->region[i].id);
+    json_string(&j, "says", r->region[i].says);
+    json_long(&j, "points", stability_region_points(r, i));
+    json_end_object(&j);
+  }
+  json_end_array(&j);
+  json_array(&j, "formulas");
+  for (int i = 0; i < r->n_formulas; i++) write_formula(&j, &r->formula[i]);
+  json_end_array(&j);
+  json_array(&j, "pairs");
+  for (int i = 0; i < r->n_pairs; i++) write_pair(&j, &r->pair[i]);
+  json_end_array(&j);
+  json_array(&j, "ledger");
+  for (long i = 0; i < r->n_rows; i++)
+    if (r->row[i].at_fault) write_row(&j, r, &r->row[i]);
+  json_end_array(&j);
+  json_end_object(&j);
+}

@@ -1,0 +1,3 @@
+define ctl-propagator
+  section: note
+  D(t) := [I, 2*t*I; 0*I, I]

@@ -1,0 +1,6 @@
+# Corrections of the note.
+
+equation eq-2
+  equation: 2
+  section: note
+  det(D(t)) = 1

@@ -1,0 +1,17 @@
+# A paper of two equations about the same oscillator: both masses stick, and the volume of the states is kept.
+paper: A note on two equations of the oscillator
+section: note
+
+symbol t
+  means: time since the phase began
+
+define eq-1
+  equation: 1
+  tex: D(t) = \begin{pmatrix} I & tI \\ 0 & I \end{pmatrix}
+  I := [1, 0; 0, 1]
+  D(t) := [I, t*I; 0*I, I]
+
+equation eq-2
+  equation: 2
+  tex: \det D(t) = 1 + t
+  det(D(t)) = 1 + t

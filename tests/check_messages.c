@@ -1,0 +1,151 @@
+/* Every message is there to be read once.  Most are asked for where what they are about is tested; here are more of command
+   lines and files (tests/hostile/messages.tsv) and of claims that judging finds to be wrong (claims.tsv).  tools/untested.py
+   holds all messages of the program against what the tests reach. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "scratch.h"
+#include "stickslip/plan.h"
+#include "suites.h"
+
+enum { MOST_COLUMNS = 5 };
+
+/* Lines that are no comments, cut up; how many there were. */
+static int each_row(const char *path, int columns, void (*f)(char *column[MOST_COLUMNS])) {
+  struct source s;
+  struct diag d;
+  int n = 0;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, path, 1 << 20, &d), "%s", d.message);
+  for (char *line = s.text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
+    char *column[MOST_COLUMNS];
+    *end = '\0';
+    if (*line == '#') continue;
+    ck_assert_msg(split_tabs(column, MOST_COLUMNS, line) == columns, "%s: %s", path, line);
+    f(column);
+    n++;
+  }
+  source_clear(&s);
+  return n;
+}
+
+/* --- Command lines and files --- */
+
+/* @N{text} repeats, {report} begins an audit.json whose first members are as they should be, \n ends a line, \\ is one. */
+static void expand(struct text *out, const char *v) {
+  static const char report[] = "{\"schema\": \"stickslip-audit-1\", ";
+  while (*v) {
+    char *end;
+    long n = v[0] == '@' ? strtol(v + 1, &end, 10) : 0;
+    if (n > 0) {
+      size_t len = strcspn(end, "}") - 1;
+      for (long i = 0; i < n; i++) text_add_n(out, end + 1, len);
+      v = end + 1 + len + 1;
+    } else if (strncmp(v, "{report}", 8) == 0) {
+      text_add(out, report);
+      v += 8;
+    } else if (v[0] == '\\') {
+      text_add_char(out, (char)(v[1] == 'n' ? '\n' : v[1]));
+      v += 2;
+    } else if (v[0] == '@' && (v[1] == 'F' || v[1] == 'D')) {
+      text_add(out, scratch_path(v[1] == 'F' ? "file" : ""));
+      v += 2;
+    } else {
+      text_add_char(out, *v++);
+    }
+  }
+}
+
+static void refuse_command(char *column[MOST_COLUMNS]) {
+  static const char *const name[] = {"audit.json", "file.claim", "file.eq", "file.json", "file.scene", "file.tsv"};
+  struct text file, command;
+  struct source err;
+  struct diag d;
+  text_init(&file);
+  text_init(&command);
+  diag_init(&d);
+  expand(&file, column[4]);
+  for (size_t i = 0; i < sizeof name / sizeof *name; i++) scratch_put_n(name[i], text_str(&file), file.len);
+  text_printf(&command, "%s ", program());
+  expand(&command, column[3]);
+  text_printf(&command, " > %s 2> %s", scratch_path("out"), scratch_path("err"));
+  int status = system(text_str(&command));
+  ck_assert_msg(source_read(&err, scratch_path("err"), 1 << 20, &d), "%s", d.message);
+  ck_assert_msg(WIFEXITED(status) && WEXITSTATUS(status) == atoi(column[1]), "%s: ended with %x: %s", column[0],
+                (unsigned)status, err.text);
+  ck_assert_msg(strstr(err.text, column[2]) != NULL, "%s: says\n%s", column[0], err.text);
+  ck_assert_msg(err.len < 1000 && strcmp(scratch_list(scratch_path("")),
+                                         "audit.json err file.claim file.eq file.json file.scene file.tsv out") == 0,
+                "%s: %zu bytes, and %s", column[0], err.len, scratch_list(scratch_path("")));
+  source_clear(&err);
+  text_clear(&command);
+  text_clear(&file);
+}
+
+START_TEST(commands_are_refused_as_said) {
+  ck_assert_int_gt(each_row("tests/hostile/messages.tsv", 5, refuse_command), 0);
+}
+END_TEST
+
+/* --- Claims --- */
+
+static struct model model;
+static struct scene paper;
+
+static void load(void) {
+  struct diag d;
+  diag_init(&d);
+  model_init(&model);
+  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
+            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) && scene_load(&paper, "paper", "verify", &d);
+  ck_assert_msg(ok, "%s", d.message);
+  scratch_open();
+}
+
+static void unload(void) {
+  scratch_close();
+  scene_clear(&paper);
+  model_clear(&model);
+}
+
+static void refuse_claim(char *column[MOST_COLUMNS]) {
+  struct claims own = {.n = 0}, none = {.n = 0};
+  struct audit_result r;
+  struct text text;
+  struct diag d;
+  static const char *const only = "own"; /* without the studies of a whole audit */
+  text_init(&text);
+  text_add(&text, "claim own\n  title: of the test\n  ");
+  for (const char *p = column[2]; *p; p++) text_add(&text, *p == '|' ? "\n  " : (char[]){*p, '\0'});
+  text_add(&text, "\n");
+  diag_init(&d);
+  audit_result_init(&r);
+  bool ok = claims_add_file(&own, scratch_put("own.claim", text_str(&text)), "claim", &d) &&
+            audit_run(&r, &model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+  ck_assert_msg(!ok, "%s: was judged", column[0]);
+  ck_assert_msg(strstr(d.message, "own.claim:") && strstr(d.message, column[1]) && strstr(d.message, "\n  "),
+                "%s: says\n%s", column[0], d.message);
+  audit_result_clear(&r);
+  claims_clear(&own);
+  text_clear(&text);
+}
+
+START_TEST(claims_are_refused_as_said) {
+  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 3, refuse_claim), 0);
+}
+END_TEST
+
+Suite *messages_suite(void) {
+  Suite *s = suite_create("messages");
+  TCase *words = tcase_create("words"), *claims = tcase_create("claims");
+  tcase_add_checked_fixture(words, scratch_open, scratch_close);
+  tcase_add_test(words, commands_are_refused_as_said);
+  suite_add_tcase(s, words);
+  tcase_add_checked_fixture(claims, load, unload);
+  tcase_add_test(claims, claims_are_refused_as_said);
+  suite_add_tcase(s, claims);
+  return s;
+}

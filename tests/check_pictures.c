@@ -1,0 +1,232 @@
+/* The tables and pictures of stickslip plot: numbers against tests/oracle/pictures.py, which has its own equations of motion and
+   reads the data of the other independent programs; what may come in; the same bytes twice. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+
+#include "audit/tables.h"
+#include "report/plot.h"
+#include "scratch.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+/* The exit status of "plot WHAT", its error output in the file "err". */
+static int plot(const char *what) {
+  char command[3000];
+  const char *out = scratch_path("out");
+  snprintf(command, sizeof command, "%s plot %s > %s 2> %s/err", program(), what, out, scratch_path(""));
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static int shell(const char *command) {
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+static void check_scene(const char *scene) {
+  char command[3000];
+  snprintf(command, sizeof command, "%s --out %s", scene, scratch_path("one"));
+  ck_assert_int_eq(plot(command), 0);
+  snprintf(command, sizeof command, "%s tests/oracle/pictures.py %s %s", python(), scratch_path("one"), scene);
+  ck_assert_msg(shell(command) == 0, "%s", scene);
+}
+
+START_TEST(numbers_are_those_of_other_programs) {
+  static const char *const scenes[] = {"paper", "two-admissible", "above-one", "long-slip", "four"};
+  check_scene(scenes[_i]);
+}
+END_TEST
+
+START_TEST(the_same_bytes_twice) {
+  char command[3000];
+  for (int i = 0; i < 2; i++) {
+    snprintf(command, sizeof command, "paper --out %s/%d", scratch_path(""), i);
+    ck_assert_int_eq(plot(command), 0);
+  }
+  snprintf(command, sizeof command, "diff -r %s/0 %s/1", scratch_path(""), scratch_path(""));
+  ck_assert_int_eq(shell(command), 0);
+  ck_assert_str_eq(scratch_list(scratch_path("0")),
+                   "differences.svg differences.tsv figure-3.svg figure-3.tsv figure-4.svg figure-4.tsv long-run.svg "
+                   "long-run.tsv margins.svg margins.tsv return-map.svg return-map.tsv");
+}
+END_TEST
+
+/* A picture drawn again from nothing but the table's file is the one that was written. */
+START_TEST(pictures_come_from_their_tables_alone) {
+  char command[3000], name[200];
+  snprintf(command, sizeof command, "paper --out %s", scratch_path("one"));
+  ck_assert_int_eq(plot(command), 0);
+  for (int i = 0; i < report_pictures(); i++) {
+    struct source table, svg;
+    struct diag d;
+    struct text again;
+    diag_init(&d);
+    text_init(&again);
+    snprintf(name, sizeof name, "%s.tsv", report_picture_id(i));
+    char path[400];
+    snprintf(path, sizeof path, "one/%s", name);
+    ck_assert_msg(source_read(&table, scratch_path(path), 1 << 20, &d), "%s", d.message);
+    snprintf(path, sizeof path, "one/%s.svg", report_picture_id(i));
+    ck_assert_msg(source_read(&svg, scratch_path(path), 1 << 20, &d), "%s", d.message);
+    struct data_table only = {name, table.text};
+    const struct audit_result r = {.tables = &only, .n_tables = 1};
+    ck_assert(report_picture(&again, &r, i));
+    ck_assert_str_eq(text_str(&again), svg.text);
+    text_clear(&again);
+    source_clear(&svg);
+    source_clear(&table);
+  }
+}
+END_TEST
+
+/* No claim is judged by drawing: what the audit says of the closing gap (judge_closure.c) and what the figures show come from
+   separate code. */
+START_TEST(the_gap_is_that_of_the_claim) {
+  static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */
+  struct audit_result r;
+  struct scene s;
+  struct diag d;
+  struct rows t;
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(scene_load(&s, "paper", "verify", &d));
+  ck_assert_ptr_null(audit_tables(&r, &s));
+  ck_assert(rows_read(&t, &r, "figure-4.tsv"));
+  size_t from = t.n, to = t.n;
+  for (size_t i = 0; i < t.n; i++)
+    if (rows_is(&t, i, 0, "printed") && rows_is(&t, i, 2, "O"))
+      from = i;
+    else if (rows_is(&t, i, 0, "printed") && rows_is(&t, i, 2, "d"))
+      to = i;
+  ck_assert(from < t.n && to < t.n);
+  for (size_t k = 0; k < 2; k++) {
+    char got[40];
+    snprintf(got, sizeof got, "%.5f", rows_number(&t, to, 3 + 2 * k) - rows_number(&t, from, 3 + 2 * k));
+    ck_assert_str_eq(got, want[k]);
+  }
+  rows_clear(&t);
+  scene_clear(&s);
+  audit_result_clear(&r);
+}
+END_TEST
+
+START_TEST(what_cannot_be_drawn) {
+  static const struct {
+    const char *what;
+    int status;
+    const char *says;
+  } cases[] = {{"", 2, "one scene"},
+               {"paper stable", 2, "one scene"},
+               {"paper --digits 4", 2, "--digits"},
+               {"paper --out", 2, "--out"},
+               {"none", 3, "no orbit"},
+               {"nowhere", 3, "nowhere"},
+               {"box.scene", 3, "interval"},
+               {"paper --out file/below", 3, "file"}};
+  scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = [2.7, 2.8]\ne2 = 0.8587\n");
+  scratch_put("file", "");
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char what[3000], err[1000] = "";
+    const char *own = strstr(cases[i].what, "file") ? strstr(cases[i].what, "file") : strstr(cases[i].what, "box");
+    if (own)
+      snprintf(what, sizeof what, "%.*s%s", (int)(own - cases[i].what), cases[i].what, scratch_path(own));
+    else
+      snprintf(what, sizeof what, "%s", cases[i].what);
+    ck_assert_msg(plot(what) == cases[i].status, "%s", what);
+    FILE *f = fopen(scratch_path("err"), "r");
+    ck_assert_ptr_nonnull(f);
+    size_t n = fread(err, 1, sizeof err - 1, f);
+    fclose(f);
+    ck_assert_msg(n > 0 && strstr(err, cases[i].says), "%s: %s", what, err);
+  }
+}
+END_TEST
+
+/* Whatever stands in a table, a picture ends, and is well-formed. */
+START_TEST(hostile_tables) {
+  static const char *const tables[] = {"figure-3.tsv",   "figure-4.tsv", "margins.tsv",
+                                       "return-map.tsv", "long-run.tsv", "differences.tsv"};
+  static const char *const bodies[] = {
+      "a\tb\tc\td\te\tf\tg\n",
+      "a\nx\n",
+      "a\tb\tc\td\te\tf\tg\n-\t-\t-\t-\t-\t-\t-\n",
+      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t1e308\t-1e308\t1e308\t1e308\norbit\tD\tb\t-1e308\t1e308\t-1e308\t0\n",
+      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t1\t1\t1\t1\norbit\tD\td\t1.0000000000000002\t1.0000000000000002\t1\t1\n",
+      "a\tb\tc\td\te\tf\tg\norbit\tD\tO\t5e-324\t0\t0\t0\norbit\tD\td\t0\t5e-324\t0\t0\n",
+      "a\tb\tc\td\te\tf\tg\nmap\t1\t1\t2\t3\nnear\t1\t1\t2\t3\niterate\t0\t1\tnan\t3\norbit\t<&\"\t1\t1\t9\n",
+      "a\tb\tc\n<script>\t1\t2\nformal &\t1\t2\nprinted\t1\tinf\n1\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n",
+      "a\tb\tc\n1\t2\t3\n2\t2\t3\n3\t2\t3\n4\t2\t3\n5\t2\t3\n6\t2\t3\n7\t2\t3\n8\t2\t3\n9\t2\t3\n",
+      "0.5\t1\t2\t3\n-1\t-2\t-3\t-4\n-1e15\t-1e15\t1\t2\n\n\n-3\n"};
+  struct text all;
+  text_init(&all);
+  text_add(&all, "<all>");
+  for (size_t b = 0; b < sizeof bodies / sizeof *bodies; b++)
+    for (int k = 0; k < report_pictures(); k++) {
+      struct data_table data[6];
+      for (int i = 0; i < 6; i++) data[i] = (struct data_table){tables[i], bodies[b]};
+      const struct audit_result r = {.tables = data, .n_tables = 6};
+      struct text one;
+      text_init(&one);
+      report_picture(&one, &r, k);
+      const char *svg = strstr(text_str(&one), "<svg");
+      text_add(&all, svg ? svg : "");
+      text_clear(&one);
+    }
+  text_add(&all, "</all>");
+  char command[1000];
+  snprintf(command, sizeof command, "%s -c 'import sys, xml.etree.ElementTree as e; e.parse(sys.argv[1])' %s", python(),
+           scratch_put_n("all.xml", all.data, all.len));
+  ck_assert_int_eq(shell(command), 0);
+  text_clear(&all);
+}
+END_TEST
+
+START_TEST(numbers_in_tables) {
+  static const struct {
+    const char *middle;
+    long exponent; /* of the radius, as a power of two */
+    int decimals;
+    const char *want;
+  } cases[] = {{"0", -100, 3, "\t0.000"},
+               {"0.0005", -100, 3, "\t0.000"},
+               {"0.00051", -100, 3, "\t0.001"},
+               {"-0.0004", -100, 3, "\t0.000"},
+               {"-12.3456", -100, 2, "\t-12.35"},
+               {"-0.05", -100, 2, "\t-0.05"},
+               {"123456789", -100, 1, "\t123456789.0"},
+               {"1", -2, 3, "\t-"},
+               {"7.25", -20, 1, "\t7.2"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text t;
+    arb_t x;
+    text_init(&t);
+    arb_init(x);
+    arb_set_str(x, cases[i].middle, 128);
+    arb_add_error_2exp_si(x, cases[i].exponent);
+    table_number(&t, x, cases[i].decimals);
+    ck_assert_msg(strcmp(text_str(&t), cases[i].want) == 0, "%s: %s", cases[i].middle, text_str(&t));
+    arb_clear(x);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+Suite *pictures_suite(void) {
+  Suite *s = suite_create("pictures");
+  TCase *c = tcase_create("pictures");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_set_timeout(c, 120);
+  tcase_add_loop_test(c, numbers_are_those_of_other_programs, 0, 5);
+  tcase_add_test(c, the_same_bytes_twice);
+  tcase_add_test(c, pictures_come_from_their_tables_alone);
+  tcase_add_test(c, the_gap_is_that_of_the_claim);
+  tcase_add_test(c, what_cannot_be_drawn);
+  tcase_add_test(c, hostile_tables);
+  tcase_add_test(c, numbers_in_tables);
+  suite_add_tcase(s, c);
+  return s;
+}

@@ -1,0 +1,997 @@
+/* Computing what is asked and nothing else: the same bytes by any number of processes, alone and together; budgets, routes
+   and values that scenes ask for; the plan; ends from outside. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#include <check.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "audit/expression.h"
+#include "audit/precision.h"
+#include "audit/routes.h"
+#include "audit/tasks.h"
+#include "process.h"
+#include "scratch.h"
+#include "stickslip/plan.h"
+#include "stickslip/report.h"
+#include "stickslip/work.h"
+#include "suites.h"
+
+static struct model model;
+static struct claims claims, controls;
+static struct scene paper;
+static struct costs costs;
+
+static void load(void) {
+  struct diag d;
+  diag_init(&d);
+  model_init(&model);
+  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
+            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
+            model_add_folder(&model, "verify/controls", RANK_CONTROL, &d) &&
+            claims_load(&claims, "verify/claims", "claim", &d) &&
+            claims_load(&controls, "verify/controls", "control", &d) && scene_load(&paper, "paper", "verify", &d) &&
+            costs_load(&costs, "verify/costs.tsv", &d);
+  ck_assert_msg(ok, "%s", d.message);
+  scratch_open();
+}
+
+static void unload(void) {
+  scratch_close();
+  costs_clear(&costs);
+  scene_clear(&paper);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&model);
+}
+
+/* An audit as asked; jobs processes, the costs known or not. */
+static void audit(struct audit_result *r, const struct scene *s, const char *const *only, int n_only, int jobs) {
+  struct diag d;
+  const struct audit_options opt = {
+      .only = only, .n_only = n_only, .readings = true, .jobs = jobs, .costs = jobs == 1 ? NULL : &costs};
+  diag_init(&d);
+  audit_result_init(r);
+  ck_assert_msg(audit_run(r, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
+}
+
+static char *json_of(const struct audit_result *r) {
+  struct text t;
+  text_init(&t);
+  report_json(&t, r);
+  report_markdown(&t, r);
+  return t.data;
+}
+
+/* A scene that asks for these; the lists are borrowed. */
+static struct scene asking(const char **claim, size_t n_claims, const char **route, size_t n_routes,
+                           unsigned long long budget) {
+  struct scene s = paper;
+  s.asked.claims = (struct scene_list){.item = (char **)(uintptr_t)claim, .n = n_claims};
+  s.asked.routes = (struct scene_list){.item = (char **)(uintptr_t)route, .n = n_routes};
+  s.asked.budget = budget;
+  return s;
+}
+
+static const struct finding *finding_of(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  ck_abort_msg("%s was not judged", id);
+  return NULL;
+}
+
+static bool is_skipped(const struct audit_result *r, const char *what) {
+  for (size_t i = 0; i < r->n_skipped; i++)
+    if (strstr(r->skipped[i].what, what)) return true;
+  return false;
+}
+
+/* --- The same bytes --- */
+
+START_TEST(jobs_change_no_byte) {
+  static const int jobs[] = {2, 7};
+  const char *group[] = {"section stability", "kind number", "text-56-deduced", "eq-10"};
+  const struct scene s = asking(group, 4, NULL, 0, 0);
+  struct audit_result one;
+  audit(&one, &s, NULL, 0, 1);
+  char *want = json_of(&one);
+  ck_assert_uint_gt(one.n_findings, 50);
+  ck_assert_uint_gt(one.n_consequences, 3);
+  for (size_t i = 0; i < 2; i++) {
+    struct audit_result r;
+    audit(&r, &s, NULL, 0, jobs[i]);
+    char *got = json_of(&r);
+    ck_assert_msg(strcmp(got, want) == 0, "%d jobs", jobs[i]);
+    free(got);
+    audit_result_clear(&r);
+  }
+  free(want);
+  audit_result_clear(&one);
+}
+END_TEST
+
+START_TEST(whole_audit_is_the_same_by_seven) {
+  struct audit_result one, seven;
+  audit(&one, &paper, NULL, 0, 1);
+  audit(&seven, &paper, NULL, 0, 7);
+  char *a = json_of(&one), *b = json_of(&seven);
+  ck_assert_uint_eq(one.n_precision, 4); /* the scene asks for no values */
+  for (size_t i = 0; i < one.n_precision; i++)
+    ck_assert(one.precision[i].enough > 0 && one.precision[i].tried >= one.precision[i].enough);
+  ck_assert(one.readings && one.n_pairs > 0 && one.n_long_runs > 0);
+  ck_assert_str_eq(a, b);
+  free(b);
+  free(a);
+  audit_result_clear(&seven);
+  audit_result_clear(&one);
+}
+END_TEST
+
+/* What the report says of these findings, and nothing else. */
+static char *findings_alone(const struct audit_result *r, const struct audit_result *like) {
+  struct audit_result part = {.scene = r->scene, .title = r->title};
+  for (size_t i = 0; i < like->n_findings; i++) {
+    part.findings = ss_grow(part.findings, part.n_findings, &part.cap_findings, sizeof *part.findings);
+    part.findings[part.n_findings++] = *finding_of(r, like->findings[i].id);
+  }
+  struct text t;
+  text_init(&t);
+  report_json(&t, &part);
+  free(part.findings);
+  return t.data;
+}
+
+/* Every step-th claim. */
+static void check_alone(size_t step) {
+  struct audit_result whole;
+  audit(&whole, &paper, NULL, 0, 2);
+  for (size_t i = 0; i < claims.n; i += step) {
+    struct audit_result alone;
+    audit(&alone, &paper, &claims.claim[i].id, 1, 1);
+    char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
+    ck_assert_msg(strcmp(a, b) == 0, "%s", claims.claim[i].id);
+    free(b);
+    free(a);
+    audit_result_clear(&alone);
+  }
+  audit_result_clear(&whole);
+}
+
+START_TEST(some_claims_are_the_same_alone) {
+  check_alone(23);
+}
+END_TEST
+
+START_TEST(every_claim_is_the_same_alone) {
+  check_alone(1);
+}
+END_TEST
+
+/* The first mistake in the order of the report, whoever meets it. */
+START_TEST(mistakes_are_told_alike) {
+  static const char text[] =
+      "claim a\n  kind: matrix\n  title: x\n  equation: 3\n  section: prediction\n  value: d_02\n  points: params 2\n"
+      "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
+  char message[2][1000];
+  struct claims own = {.n = 0};
+  struct diag d;
+  diag_init(&d);
+  ck_assert(claims_add_file(&own, scratch_put("own.claim", text), "claim", &d));
+  const struct claims none = {.n = 0};
+  for (int k = 0; k < 2; k++) {
+    struct audit_result r;
+    struct costs dear = {.n = 0};
+    FILE *f = fopen(scratch_path("dear.tsv"), "w");
+    fputs("what\tname\tunits\tms\nclaim\ta\t1\t10\nclaim\tb\t1\t500\nclaim\tc\t1\t1000\n", f);
+    fclose(f);
+    ck_assert(costs_load(&dear, scratch_path("dear.tsv"), &d));
+    const struct audit_options opt = {.jobs = k ? 3 : 1, .costs = &dear};
+    audit_result_init(&r);
+    diag_init(&d);
+    ck_assert(!audit_run(&r, &model, &own, &none, &paper, &opt, &d));
+    strcpy(message[k], d.message);
+    audit_result_clear(&r);
+    costs_clear(&dear);
+  }
+  ck_assert_msg(strstr(message[0], "own.claim:9:") != NULL, "%s", message[0]);
+  ck_assert_str_eq(message[0], message[1]);
+  claims_clear(&own);
+}
+END_TEST
+
+/* --- Tasks --- */
+
+static int end_of(pid_t pid) {
+  int status;
+  ck_assert_int_eq(waitpid(pid, &status, 0), pid);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+}
+
+static pid_t here;
+static atomic_int *by_children; /* tasks done; in pages shared with them */
+enum { BAD_NONE, BAD_DIES, BAD_GREEDY };
+
+/* The parent would be done with everything before a process is there. */
+static bool a_child_has_worked(pid_t pid) {
+  (void)pid;
+  return atomic_load(by_children) > 0;
+}
+
+static bool count_task(struct audit_result *part, size_t i, void *arg, struct diag *d) {
+  const int *bad = arg;
+  (void)d;
+  if (getpid() != here && *bad == BAD_DIES && i % 3 == 0) raise(SIGKILL);
+  if (getpid() != here && *bad == BAD_GREEDY && i == 1) arena_alloc(&part->arena, 48 << 20);
+  audit_leave_out(part, result_str(part, "task %zu", i), getpid() == here ? "parent" : "child");
+  if (getpid() != here) atomic_fetch_add(by_children, 1);
+  return getpid() != here || process_until(a_child_has_worked, here);
+}
+
+/* Whatever becomes of the processes, every task is done, and its strings are at hand. */
+START_TEST(tasks_survive_their_processes) {
+  enum { N = 24 };
+  double cost[N];
+  for (int i = 0; i < N; i++) cost[i] = 30;
+  here = getpid();
+  by_children = mmap(NULL, sizeof *by_children, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ck_assert(by_children != MAP_FAILED);
+  for (int bad = BAD_NONE; bad <= BAD_GREEDY; bad++) {
+    struct audit_result r;
+    audit_result_init(&r);
+    atomic_store(by_children, 0);
+    const struct tasks t = {.n = N, .run = count_task, .arg = &bad, .cost = cost, .jobs = 4};
+    struct task_result *done = tasks_run(&r, &t);
+    int children = 0;
+    for (int i = 0; i < N; i++) {
+      char want[16];
+      snprintf(want, sizeof want, "task %d", i);
+      ck_assert_int_eq(done[i].end, TASK_DONE);
+      ck_assert_uint_eq(done[i].part.n_skipped, 1);
+      ck_assert_str_eq(done[i].part.skipped[0].what, want);
+      children += strcmp(done[i].part.skipped[0].why, "child") == 0;
+    }
+    ck_assert_int_gt(children, 0);
+    ck_assert_int_lt(waitpid(-1, NULL, WNOHANG), 0); /* no process is left */
+    free(done);
+    audit_result_clear(&r);
+  }
+  munmap(by_children, sizeof *by_children);
+}
+END_TEST
+
+/* The parent's memory ends when a process is at work that would not end by itself. */
+static bool exhausted_task(struct audit_result *part, size_t i, void *arg, struct diag *d) {
+  (void)part, (void)i, (void)arg, (void)d;
+  if (getpid() != here) {
+    atomic_fetch_add(by_children, 1);
+    for (alarm(300);;) pause();
+  }
+  if (process_until(a_child_has_worked, here)) ss_out_of_memory();
+  return true;
+}
+
+static void run_exhausted(void) {
+  const double cost[] = {100, 100, 100};
+  struct audit_result r;
+  setpgid(0, 0);
+  here = getpid();
+  audit_result_init(&r);
+  tasks_run(&r, &(struct tasks){.n = 3, .run = exhausted_task, .cost = cost, .jobs = 3});
+}
+
+START_TEST(no_process_outlives_the_memory) {
+  by_children = mmap(NULL, sizeof *by_children, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  ck_assert(by_children != MAP_FAILED);
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert_int_ge(pid, 0);
+  if (pid == 0) {
+    run_exhausted();
+    _exit(0);
+  }
+  ck_assert_int_eq(end_of(pid), EXIT_EXHAUSTED);
+  ck_assert_int_gt(atomic_load(by_children), 0);
+  ck_assert(process_until(group_has_ended, pid));
+  munmap(by_children, sizeof *by_children);
+}
+END_TEST
+
+/* --- What is asked --- */
+
+START_TEST(selections_meet) {
+  const char *group[] = {"section stability"}, *only[] = {"eq-27", "eq-13"};
+  struct scene s = asking(group, 1, NULL, 0, 0);
+  struct audit_result r;
+  audit(&r, &s, only, 2, 1);
+  ck_assert_uint_eq(r.n_findings, 1);
+  ck_assert_str_eq(r.findings[0].id, "eq-27");
+  audit_result_clear(&r);
+  struct diag d;
+  const struct audit_options opt = {.only = only + 1, .n_only = 1};
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(!audit_run(&r, &model, &claims, &controls, &s, &opt, &d) && strstr(d.message, "--only names no claim"));
+  audit_result_clear(&r);
+  const char *ask = "ask=section nowhere";
+  diag_init(&d);
+  audit_result_init(&r);
+  ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&ask, 1, "--set"}, false, &d));
+  ck_assert(!audit_run(&r, &model, &claims, &controls, &s, &(struct audit_options){.n_only = 0}, &d));
+  ck_assert_msg(strstr(d.message, "--set:1:5: ") && strstr(d.message, "section nowhere"), "%s", d.message);
+  audit_result_clear(&r);
+  scene_clear(&s);
+}
+END_TEST
+
+static bool is_kind(const char *id, const char *kind) {
+  for (size_t i = 0; i < claims.n; i++)
+    if (strcmp(claims.claim[i].id, id) == 0) return strcmp(claim_get(&claims.claim[i], "kind"), kind) == 0;
+  return false;
+}
+
+/* Every claim of the paper, whatever the budget: its verdict is that without one, or unknown as the budget ran out.  Kinds
+   that search, simulate or work through all formulas come to no verdict for one unit. */
+START_TEST(no_budget_makes_a_verdict) {
+  static const unsigned long long budgets[] = {1, 3000, 100000};
+  static const char *const costly[] = {"scaling", "existence", "reach", "argument", "criterion", "number", "rank"};
+  struct audit_result whole;
+  struct scene s = asking(NULL, 0, NULL, 0, 0);
+  audit(&whole, &s, NULL, 0, 1);
+  ck_assert_uint_gt(whole.n_findings, 200);
+  size_t left = whole.n_findings;
+  for (size_t b = 0; b < sizeof budgets / sizeof *budgets; b++) {
+    struct audit_result r;
+    size_t ended = 0;
+    s = asking(NULL, 0, NULL, 0, budgets[b]);
+    audit(&r, &s, NULL, 0, 1);
+    ck_assert_uint_le(r.n_findings, whole.n_findings); /* restrictions come with the claim that they restrict */
+    ck_assert_uint_ge(r.n_findings, claims.n);
+    for (size_t i = 0; i < r.n_findings; i++) {
+      const struct finding *f = &r.findings[i], *full = finding_of(&whole, f->id);
+      bool out = f->verdict == VERDICT_UNKNOWN && f->n_evidence == 1 && strstr(f->evidence[0].note, "exhausted");
+      ck_assert_msg(out || f->verdict == full->verdict, "%s with %llu units: %s, not %s", f->id, budgets[b],
+                    verdict_name[f->verdict], verdict_name[full->verdict]);
+      ended += out;
+      for (size_t k = 0; b == 0 && k < sizeof costly / sizeof *costly; k++)
+        ck_assert_msg(out || !is_kind(f->id, costly[k]), "%s costs nothing", f->id);
+    }
+    ck_assert_uint_lt(ended, left); /* fewer with more units */
+    ck_assert_uint_gt(ended, 0);
+    left = ended;
+    audit_result_clear(&r);
+  }
+  audit_result_clear(&whole);
+}
+END_TEST
+
+/* A claim that runs out is unknown and says so; one that does not is what it is without a budget. */
+START_TEST(budgets_count_work) {
+  const char *ids[] = {"eq-27", "eq-3c", "eq-34"};
+  struct audit_result free_of, r, again;
+  const struct scene none = asking(ids, 3, NULL, 0, 0), tight = asking(ids, 3, NULL, 0, 20000),
+                     ample = asking(ids, 3, NULL, 0, 1ULL << 40);
+  audit(&free_of, &none, NULL, 0, 1);
+  audit(&r, &tight, NULL, 0, 1);
+  audit(&again, &tight, NULL, 0, 3);
+  const struct finding *f = finding_of(&r, "eq-34");
+  ck_assert_int_eq(f->verdict, VERDICT_UNKNOWN);
+  ck_assert_int_eq(f->n_evidence, 1);
+  ck_assert_ptr_nonnull(strstr(f->evidence[0].note, "budget of 20000 exhausted"));
+  ck_assert_int_eq(f->recorded, N_VERDICTS);
+  ck_assert_int_eq(finding_of(&r, "eq-3c")->verdict, VERDICT_PROVED);
+  char *a = json_of(&r), *b = json_of(&again);
+  ck_assert_str_eq(a, b);
+  free(b);
+  free(a);
+  audit_result_clear(&again);
+  audit_result_clear(&r);
+  audit(&r, &ample, NULL, 0, 2);
+  a = json_of(&r);
+  b = json_of(&free_of);
+  ck_assert_str_eq(a, b);
+  free(b);
+  free(a);
+  audit_result_clear(&r);
+  audit_result_clear(&free_of);
+}
+END_TEST
+
+/* One route is no support, and what is not asked for leaves no evidence. */
+START_TEST(routes_are_those_asked_for) {
+  static const struct {
+    const char *route[2];
+    enum verdict verdict;
+    bool complete;
+  } rows[] = {{{"balls", NULL}, VERDICT_UNKNOWN, false},
+              {{"fd", NULL}, VERDICT_UNKNOWN, false},
+              {{"balls", "fd"}, VERDICT_SUPPORTED, false},
+              {{"balls", "exact"}, VERDICT_PROVED, false},
+              {{"exact", NULL}, VERDICT_PROVED, false}};
+  const char *ids[] = {"eq-27"};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    const char *routes[2] = {rows[i].route[0], rows[i].route[1]};
+    const struct scene s = asking(ids, 1, routes, routes[1] ? 2 : 1, 0);
+    struct audit_result r;
+    audit(&r, &s, NULL, 0, 1);
+    const struct finding *f = finding_of(&r, "eq-27");
+    ck_assert_msg(f->verdict == rows[i].verdict, "%s %s: %s", routes[0], routes[1] ? routes[1] : "",
+                  verdict_name[f->verdict]);
+    bool told = false;
+    for (int k = 0; k < f->n_evidence; k++) {
+      const struct evidence *e = &f->evidence[k];
+      bool asked = strcmp(e->route, routes[0]) == 0 || (routes[1] && strcmp(e->route, routes[1]) == 0);
+      bool missing = strcmp(e->route, "none") == 0 && strstr(e->note, "does not ask for");
+      ck_assert_msg(asked || missing, "%s", e->route);
+      told = told || missing;
+    }
+    ck_assert(told || f->verdict != VERDICT_UNKNOWN);
+    for (size_t k = 0; k < r.n_controls; k++)
+      ck_assert_msg(r.controls[k].noticed, "%s: %s", routes[0], verdict_name[r.controls[k].verdict]);
+    ck_assert_int_eq(audit_result_unexpected(&r), 0);
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+/* chi = 4/5 is exact; t_a rounds to the paper's corrected 0.5323 on one of the orbits. */
+START_TEST(values_are_enclosed) {
+  const char *set[] = {"values=chi, K, t_a, H(t)", "digits=30"};
+  struct scene s;
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+  audit(&r, &s, NULL, 0, 2);
+  ck_assert_uint_eq(r.n_findings, 0);
+  ck_assert_uint_eq(r.n_values, 1 + 4 + 2);
+  ck_assert_str_eq(r.values[0].value, "0.800000000000000000000000000000");
+  ck_assert_str_eq(r.values[0].at, "the parameters");
+  ck_assert_str_eq(r.values[2].name, "K[1,2]");
+  ck_assert_str_eq(r.values[5].at, "orbit 1");
+  bool found = false;
+  for (int k = 5; k < 7; k++) {
+    ck_assert_uint_ge(strlen(r.values[k].value), 31);
+    found = found || strncmp(r.values[k].value, "0.53228", 7) == 0;
+  }
+  ck_assert_msg(found, "%s %s", r.values[5].value, r.values[6].value);
+  ck_assert(is_skipped(&r, "the value of H(t)"));
+  char *json = json_of(&r);
+  ck_assert_ptr_nonnull(strstr(json, "\"values\": ["));
+  free(json);
+  audit_result_clear(&r);
+  scene_clear(&s);
+}
+END_TEST
+
+/* --- The first precision --- */
+
+/* 1 - chi at chi = 1 - 3^-k has the condition number 3^k - 1: it loses 1.6 bits for each k. */
+START_TEST(the_condition_plans_the_precision) {
+  static const struct {
+    ulong k;
+    slong planned;
+  } rows[] = {{1, 128}, {30, 192}, {50, 256}, {150, 384}};
+  const struct view v = {&model, LAYER_CORRECTED, NULL, NULL};
+  enum { BITS = 100, NONE = 777 };
+  struct orbit_cache *cache = orbit_cache_new();
+  struct expression e, zero;
+  struct point p;
+  struct diag d;
+  arb_t x;
+  diag_init(&d);
+  arb_init(x);
+  point_init(&p);
+  p.kind = POINT_PARAMS;
+  ck_assert(expression_open(&e, v, "1 - chi", "", &d) && expression_open(&zero, v, "chi - chi", "", &d));
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    fmpz_ui_pow_ui(fmpq_denref(&p.q[Q_CHI]), 3, rows[i].k);
+    fmpz_sub_ui(fmpq_numref(&p.q[Q_CHI]), fmpq_denref(&p.q[Q_CHI]), 1);
+    slong prec = precision_planned(&e.tape, &p, BITS, NONE, cache);
+    ck_assert_msg(prec == rows[i].planned, "k = %lu: %ld bits", rows[i].k, (long)prec);
+    ck_assert_int_eq(expression_value(x, &e, &p, prec, cache), SS_OK);
+    ck_assert_int_ge(arb_rel_accuracy_bits(x), BITS);
+    if (i == 0) continue;
+    ck_assert_int_eq(expression_value(x, &e, &p, rows[i - 1].planned, cache), SS_OK);
+    ck_assert_int_lt(arb_rel_accuracy_bits(x), rows[i].planned - (slong)(1.58 * (double)rows[i].k));
+  }
+  ck_assert_int_eq(precision_planned(&zero.tape, &p, BITS, NONE, cache), NONE);
+  expression_close(&zero);
+  expression_close(&e);
+  point_clear(&p);
+  arb_clear(x);
+  orbit_cache_free(cache);
+}
+END_TEST
+
+START_TEST(precisions_are_rounded_up_a_little) {
+  static const slong rows[][2] = {{1, 64}, {64, 64}, {65, 128}, {1024, 1024}, {1025, 1152}, {3400, 3584}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) ck_assert_int_eq(precision_round(rows[i][0]), rows[i][1]);
+}
+END_TEST
+
+/* Beside the flip, where trace + 1 is small, and by few digits and many: the planned precision is enough, and the many
+   begin with the few. */
+START_TEST(planned_values_need_no_more) {
+  struct audit_result r[2];
+  for (int k = 0; k < 2; k++) {
+    const char *set[] = {"values=trace, trace_J, z10, N, J", k ? "digits=400" : "digits=25"};
+    struct scene s;
+    struct diag d;
+    diag_init(&d);
+    ck_assert(scene_load_with(&s, "near-flip", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+    audit(&r[k], &s, NULL, 0, 1);
+    ck_assert_uint_eq(r[k].n_precision, 1);
+    ck_assert_str_eq(r[k].precision[0].what, work_ladder_name[LADDER_VALUE]);
+    ck_assert_int_ge(r[k].precision[0].tried, 10); /* five at each of two orbits */
+    ck_assert_int_eq(r[k].precision[0].enough, r[k].precision[0].tried);
+    scene_clear(&s);
+  }
+  ck_assert_uint_eq(r[0].n_values, r[1].n_values);
+  for (size_t i = 0; i < r[0].n_values; i++) {
+    const char *few = r[0].values[i].value, *many = r[1].values[i].value;
+    ck_assert((few == NULL) == (many == NULL));
+    ck_assert_msg(!few || strncmp(few, many, 22) == 0, "%s: %s, %s", r[0].values[i].name, few, many);
+  }
+  for (int k = 0; k < 2; k++) audit_result_clear(&r[k]);
+}
+END_TEST
+
+/* The trace is that of tests/oracle/orbits.tsv, set paper, whose determinant is 0; omega^2 = chi eta = 4/5 in each section
+   that defines it. */
+START_TEST(values_have_their_documented_names) {
+  const char *set[] = {"values=trace_J, trace, z10, omega, det_J, det_J_a", "digits=10"};
+  static const char *const expected[][2] = {
+      {"trace_J", "-1.023226189"}, {"trace", "-1.023226189"}, {"z10", "0.9781881442"}, {"omega", "0.8944271910"}};
+  struct scene s;
+  struct audit_result r;
+  struct diag d;
+  struct text line;
+  diag_init(&d);
+  text_init(&line);
+  ck_assert(scene_load_with(&s, "paper", "verify", &(struct scene_overrides){set, 2, "--set"}, false, &d));
+  audit(&r, &s, NULL, 0, 1);
+  for (size_t i = 0; i < sizeof expected / sizeof *expected; i++) {
+    bool found = false;
+    for (size_t k = 0; k < r.n_values; k++)
+      found =
+          found || (strcmp(r.values[k].name, expected[i][0]) == 0 && strcmp(r.values[k].value, expected[i][1]) == 0);
+    ck_assert_msg(found, "%s", expected[i][0]);
+  }
+  for (size_t k = 0; k < r.n_values; k++)
+    ck_assert(strcmp(r.values[k].name, "det_J") != 0 || r.values[k].value == NULL);
+  ck_assert(is_skipped(&r, "the value of det_J_a"));
+  ck_assert_uint_eq(r.n_spent, 1);
+  ck_assert_str_eq(r.spent[0].name, "values");
+  ck_assert_uint_gt(r.spent[0].units, 0);
+  report_line(&line, &r);
+  const char *end = ": 0 claims; 9 values; as recorded";
+  ck_assert_uint_gt(line.len, strlen(end));
+  ck_assert_str_eq(text_str(&line) + line.len - strlen(end), end);
+  text_clear(&line);
+  audit_result_clear(&r);
+  scene_clear(&s);
+}
+END_TEST
+
+/* --- What is left out --- */
+
+/* No claim asks for a route that rests only on what another of its routes, or the balls that decide, rests on. */
+START_TEST(no_route_is_idle) {
+  size_t pairs = 0;
+  for (size_t i = 0; i < claims.n; i++) {
+    char route[8][32];
+    int n = 0;
+    if (!claim_tried_at_points(&claims.claim[i])) continue;
+    strcpy(route[n++], "balls");
+    for (const char *q = claim_get(&claims.claim[i], "routes"); q && *q; n++) {
+      q += strspn(q, ", ");
+      size_t len = strcspn(q, ", ");
+      ck_assert_int_lt(n, 8);
+      snprintf(route[n], sizeof route[n], "%.*s", (int)len, q);
+      q += len;
+    }
+    for (int a = 0; a < n; a++)
+      for (int b = 0; b < a; b++, pairs++)
+        ck_assert_msg(strcmp(route[a], "exact") == 0 || routes_independent(route[a], route[b]), "%s: %s, %s",
+                      claims.claim[i].id, route[a], route[b]);
+  }
+  ck_assert_uint_gt(pairs, 100);
+}
+END_TEST
+
+static unsigned touched_by_claim;
+
+static void note_touched(void *arg, const char *what, const char *name, unsigned long long units) {
+  (void)arg, (void)name, (void)units;
+  if (strcmp(what, "claim") == 0) touched_by_claim |= work_touched();
+}
+
+static bool planned(const struct plan_list *l, const char *name) {
+  for (int i = 0; i < l->n; i++)
+    if (strcmp(l->item[i], name) == 0) return true;
+  return false;
+}
+
+/* A claim touches nothing that its plan does not name, and the ledger denies nothing that was touched. */
+START_TEST(plans_name_what_is_then_done) {
+  for (size_t i = 0; i < claims.n; i += 3) {
+    struct audit_plan p;
+    struct audit_result r;
+    struct diag d;
+    struct audit_options opt = {.only = &claims.claim[i].id, .n_only = 1, .ended = note_touched, .costs = &costs};
+    const struct claims none = {.n = 0};
+    diag_init(&d);
+    touched_by_claim = 0;
+    audit_result_init(&r);
+    ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
+    ck_assert(audit_plan(&p, &model, &claims, &none, &paper, &opt, &d));
+    for (int part = 0; part < WORK_BITS_128; part++) {
+      bool in_plan = false;
+      for (int k = 0; k < p.n_claims; k++) in_plan = in_plan || planned(&p.claim[k].parts, work_part_name[part]);
+      if (!(touched_by_claim >> part & 1U)) continue;
+      ck_assert_msg(in_plan, "%s needs %s", opt.only[0], work_part_name[part]);
+      if (part > WORK_PHASE_C)
+        ck_assert_msg(!is_skipped(&r, work_part_name[part]), "%s: %s", opt.only[0], work_part_name[part]);
+    }
+    audit_plan_clear(&p);
+    audit_result_clear(&r);
+  }
+}
+END_TEST
+
+static bool spent(const struct audit_result *r, const char *what, const char *name) {
+  for (size_t i = 0; i < r->n_spent; i++)
+    if (strcmp(r->spent[i].what, what) == 0 && strcmp(r->spent[i].name, name) == 0) return true;
+  return false;
+}
+
+/* The whole audit beside its plan: claims and controls that are left out, studies, consequences. */
+static void check_plan(const struct scene *s, const char *const *only, int n_only) {
+  struct audit_result r;
+  struct audit_plan p;
+  struct diag d;
+  const struct audit_options opt = {.only = only, .n_only = n_only, .readings = true, .costs = &costs};
+  size_t consequences = 0, judged = 0;
+  diag_init(&d);
+  audit(&r, s, only, n_only, 2);
+  ck_assert_msg(audit_plan(&p, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
+  for (int i = 0; i < p.n_claims; i++) {
+    const struct planned_claim *c = &p.claim[i];
+    const struct finding *f = finding_of(&r, c->id);
+    if (scene_is_box(s)) ck_assert_msg(c->left_out == (f->verdict == VERDICT_SKIPPED), "%s", c->id);
+    ck_assert(!c->left_out || (c->ms == 0 && c->parts.n == 0 && c->routes.n == 0 && c->controls.n == 0));
+    for (int k = 0; k < c->controls.n; k++) {
+      ck_assert_msg(spent(&r, "control", c->controls.item[k]), "%s is planned", c->controls.item[k]);
+      judged++;
+    }
+    if (scene_is_box(s)) ck_assert(!planned(&c->parts, work_part_name[WORK_SCENE_ORBITS]));
+  }
+  for (size_t i = 0; i < r.n_controls; i++) judged -= claim_named(&controls, r.controls[i].id) != NULL;
+  ck_assert_msg(judged == 0 || !scene_is_box(s), "%zu controls are planned and not judged", judged);
+  for (int i = 0; i < p.n_shared; i++) {
+    static const char head[] = "consequences of ";
+    if (strncmp(p.shared[i].what, head, strlen(head)) != 0) continue;
+    ck_assert_msg(spent(&r, "consequence", p.shared[i].what + strlen(head)), "%s", p.shared[i].what);
+    ck_assert(p.shared[i].ms >= 0);
+    consequences++;
+  }
+  for (size_t i = 0; i < r.n_spent; i++) consequences -= strcmp(r.spent[i].what, "consequence") == 0;
+  ck_assert_msg(consequences == 0, "%zu", consequences);
+  audit_plan_clear(&p);
+  audit_result_clear(&r);
+}
+
+START_TEST(plans_are_of_what_runs) {
+  const char *set = "e2=[0.858, 0.859]", *one[] = {"eq-32c", "num-t_a", "text-periodic"};
+  struct scene box;
+  struct diag d;
+  diag_init(&d);
+  ck_assert(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
+  check_plan(&paper, one, 3);
+  check_plan(&paper, NULL, 0);
+  check_plan(&box, NULL, 0);
+  scene_clear(&box);
+}
+END_TEST
+
+START_TEST(one_claim_needs_little) {
+  const char *id = "eq-27";
+  struct audit_result r;
+  audit(&r, &paper, &id, 1, 1);
+  static const char *const left[] = {"other claims",  "controls",           "routes, the long runs",
+                                     "readings",      "scene's periodic",   "drawn all over",
+                                     "Coulomb's law", "routes taylor, gsl", "1024 bits"};
+  for (size_t i = 0; i < sizeof left / sizeof *left; i++) ck_assert_msg(is_skipped(&r, left[i]), "%s", left[i]);
+  ck_assert(!is_skipped(&r, "phase") && !is_skipped(&r, "exact algebra"));
+  audit_result_clear(&r);
+  /* of the formulas, those that it reaches */
+  struct model_use use = {ss_malloc(model.n_defs), ss_malloc(model.n_records)};
+  struct model noting = model;
+  memset(use.def, 0, model.n_defs);
+  memset(use.record, 0, model.n_records);
+  noting.use = &use;
+  struct dependences *d = dependences_new(&noting, &claims);
+  size_t before = 0, after = 0, all = 0, at = 0;
+  while (strcmp(claims.claim[at].id, "eq-27") != 0) at++;
+  for (size_t i = 0; i < model.n_defs; i++) before += use.def[i];
+  dependences_on(d, at, 0);
+  for (size_t i = 0; i < model.n_defs; i++) after += use.def[i];
+  for (size_t a = 0; a < claims.n; a++) dependences_on(d, a, 0);
+  for (size_t i = 0; i < model.n_defs; i++) all += use.def[i];
+  ck_assert_msg(all > after + 50, "%zu %zu %zu", before, after, all);
+  dependences_free(d);
+  free(use.def);
+  free(use.record);
+}
+END_TEST
+
+START_TEST(tables_of_costs_are_read_or_refused) {
+  static const char *const bad[] = {"what\tname\tunits\tms\nclaim\ta\t1\n", "x\nclaim\ta\tb\tc\n",
+                                    "x\nclaim\ta\t-1\t1\n", "x\nclaim\ta\tnan\t1\n", "x\nclaim\ta\t1\t1\tmore\n"};
+  struct costs c;
+  struct diag d;
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    diag_init(&d);
+    ck_assert_msg(!costs_load(&c, scratch_put("bad.tsv", bad[i]), &d), "%zu", i);
+    ck_assert_ptr_nonnull(strstr(d.message, "bad.tsv:2:"));
+  }
+  diag_init(&d);
+  ck_assert(costs_load(&c, scratch_path("absent.tsv"), &d) && c.n == 0 && !cost_of(&c, "claim", "a"));
+  const struct cost *row = cost_of(&costs, "claim", "eq-27");
+  ck_assert(row && row->units > 100 && row->ms > 0);
+}
+END_TEST
+
+/* --- The program --- */
+
+/* Starts verify with its output in the file "said". */
+static pid_t start(const char *const *args) {
+  const char *said = scratch_path("said");
+  pid_t pid = fork();
+  ck_assert_int_ge(pid, 0);
+  if (pid > 0) return pid;
+  for (int i = 0; i < 3; i++) signal((const int[]){SIGALRM, SIGINT, SIGTERM}[i], SIG_DFL);
+  setpgid(0, 0);
+  int fd = open(said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+  dup2(fd, STDOUT_FILENO);
+  dup2(fd, STDERR_FILENO);
+  const char *argv[16] = {program(), "verify"};
+  for (int i = 0; args[i] && i < 12; i++) argv[i + 2] = args[i];
+  execv(argv[0], (char *const *)(uintptr_t)argv);
+  _exit(127);
+}
+
+static char *said(void) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, scratch_path("said"), 1 << 24, &d), "%s", d.message);
+  free(s.name);
+  return s.text;
+}
+
+static void check_says(const char *words) {
+  char *text = said();
+  ck_assert_msg(strstr(text, words) != NULL, "%.2000s", text);
+  free(text);
+}
+
+/* The old report's bytes. */
+static void old_report(const char *folder) {
+  char path[64];
+  mkdir(scratch_path(folder), 0777);
+  snprintf(path, sizeof path, "%s/audit.json", folder);
+  scratch_put(path, "the old report\n");
+}
+
+static void check_old_report(const char *folder) {
+  struct source s;
+  struct diag d;
+  char path[64];
+  snprintf(path, sizeof path, "%s/audit.json", folder);
+  diag_init(&d);
+  ck_assert_str_eq(scratch_list(scratch_path(folder)), "audit.json");
+  ck_assert(source_read(&s, scratch_path(path), 1000, &d) && strcmp(s.text, "the old report\n") == 0);
+  source_clear(&s);
+}
+
+START_TEST(the_clock_ends_it) {
+  static const char *const jobs[] = {"1", "3"};
+  old_report("out");
+  for (int i = 0; i < 2; i++) {
+    const char *args[] = {"paper", "--timeout", "0.15", "--jobs", jobs[i], "--out", scratch_path("out"), NULL};
+    ck_assert_int_eq(end_of(start(args)), 5);
+    check_says("time limit");
+    check_old_report("out");
+  }
+  const char *args[] = {"paper", "--timeout", "600", "--only", "eq-13", "--out", scratch_path("good"), NULL};
+  ck_assert_int_eq(end_of(start(args)), 0);
+}
+END_TEST
+
+/* In the midst of the audit: the handlers are in place, that of the clock last, and it has worked for a while. */
+static bool works(pid_t pid) {
+  return process_catches(pid, SIGALRM) && group_seconds(pid) >= 0.05;
+}
+static bool works_with_others(pid_t pid) {
+  return works(pid) && group_lives(pid) > 1;
+}
+
+START_TEST(signals_end_it) {
+  static const int number[] = {SIGINT, SIGTERM};
+  old_report("out");
+  for (int i = 0; i < 4; i++) {
+    const char *args[] = {"paper", "--jobs", i < 2 ? "1" : "3", "--out", scratch_path("out"), NULL};
+    pid_t pid = start(args);
+    ck_assert(process_until(i < 2 ? works : works_with_others, pid));
+    kill(pid, number[i % 2]);
+    ck_assert_int_eq(end_of(pid), 5);
+    check_says("interrupted");
+    check_old_report("out");
+    ck_assert(process_until(group_has_ended, pid));
+  }
+}
+END_TEST
+
+START_TEST(options_are_checked) {
+  static const char *const bad[][3] = {
+      {"--timeout", "0", "--timeout takes"},     {"--timeout", "-1", "--timeout takes"},
+      {"--timeout", "nan", "--timeout takes"},   {"--timeout", "1e9", "--timeout takes"},
+      {"--timeout", "1.2.3", "--timeout takes"}, {"--timeout", "99999999", "--timeout takes"},
+      {"--jobs", "0", "--jobs takes"},           {"--jobs", "65", "--jobs takes"},
+      {"--jobs", "two", "--jobs takes"},         {"--json", "paper", "--plan"}};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    const char *args[] = {bad[i][0], bad[i][1], NULL};
+    ck_assert_int_eq(end_of(start(args)), 2);
+    check_says(bad[i][2]);
+  }
+}
+END_TEST
+
+/* Reports of two scenes would stand in one folder: nothing is judged, and nothing lost. */
+START_TEST(scenes_have_folders_of_their_own) {
+  char a[200], b[200];
+  mkdir(scratch_path("a"), 0777);
+  mkdir(scratch_path("b"), 0777);
+  snprintf(a, sizeof a, "%s", scratch_put("a/x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
+  snprintf(b, sizeof b, "%s", scratch_put("b/x.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
+  const char *same[] = {"paper", a, b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
+  ck_assert_int_eq(end_of(start(same)), 2);
+  check_says("would both write to");
+  ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
+  const char *apart[] = {"paper", b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
+  ck_assert_int_eq(end_of(start(apart)), 0);
+  ck_assert_str_eq(scratch_list(scratch_path("out")), "paper x");
+  const char *plan[] = {a, b, "--only", "eq-27", "--plan", NULL};
+  ck_assert_int_eq(end_of(start(plan)), 0);
+}
+END_TEST
+
+/* A damaged table of costs takes away estimates, and no verdict. */
+START_TEST(no_verdict_rests_on_costs) {
+  struct text command;
+  text_init(&command);
+  text_printf(&command, "cp -R verify %s && echo 'claim\teq-27\tmany' >> %s/data/costs.tsv", scratch_path("data"),
+              scratch_path(""));
+  ck_assert_int_eq(system(text_str(&command)), 0);
+  text_clear(&command);
+  setenv("STICKSLIP_DATA", scratch_path("data"), 1);
+  const char *args[] = {"paper", "--only", "eq-27,eq-40", "--out", scratch_path("out"), NULL};
+  ck_assert_int_eq(end_of(start(args)), 0);
+  check_says("stickslip: warning: no cost is estimated: ");
+  check_says("costs.tsv:");
+  check_says("as recorded\n");
+  const char *plan[] = {"paper", "--only", "eq-27", "--plan", NULL};
+  ck_assert_int_eq(end_of(start(plan)), 0);
+  check_says("cost not measured");
+  unsetenv("STICKSLIP_DATA");
+}
+END_TEST
+
+/* A scene of the paper's parameters that asks for H at n multiples of t_c, 16 entries on each of its two orbits, and for more. */
+static const char *asking_much(int n, const char *more) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nvalues: ");
+  for (int k = 1; k <= n; k++) text_printf(&t, "H(%d*t_c), ", k);
+  text_printf(&t, "%s\n", more);
+  const char *path = scratch_put("much.scene", text_str(&t));
+  text_clear(&t);
+  return path;
+}
+
+/* What verify writes report reads: 312 times 32 values and 8 of each orbit are the most that there can be. */
+START_TEST(values_have_one_limit) {
+  static const char numbers[] = "z10, z20, t_a, t_b, t_c, t_d, period, trace";
+  char command[500];
+  const char *out = scratch_path("out");
+  const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
+  ck_assert_int_eq(end_of(start(most)), 0);
+  check_says(": 0 claims; 10000 values; as recorded\n");
+  snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
+           program(), out, program(), out, out);
+  ck_assert_int_eq(system(command), 0);
+  const char *more[] = {asking_much(312, "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"), "--out",
+                        scratch_path("more"), NULL};
+  ck_assert_int_eq(end_of(start(more)), 3);
+  check_says("much.scene:6:");
+  check_says("more than 10000 values");
+  const char *large[] = {asking_much(5, "z10\ndigits: 30000"), "--out", scratch_path("more"), NULL};
+  ck_assert_int_eq(end_of(start(large)), 3);
+  check_says("much.scene:6:");
+  check_says("more than 4194304 bytes");
+  ck_assert_int_ne(access(scratch_path("more"), F_OK), 0);
+}
+END_TEST
+
+START_TEST(plans_write_nothing) {
+  const char *words[] = {"paper", "--plan", "--out", scratch_path("out"), NULL};
+  ck_assert_int_eq(end_of(start(words)), 0);
+  ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
+  check_says("\n  eq-27            matrix; ");
+  check_says("\n    routes balls, fd, exact\n    points arcs 24, orbits 8\n");
+  check_says("estimate: ");
+  const char *json[] = {"paper", "--plan", "--json", "--only", "eq-27,num-t_a", NULL};
+  ck_assert_int_eq(end_of(start(json)), 0);
+  char *text = said();
+  scratch_put("plan.json", text);
+  free(text);
+  static const char script[] = "import json, sys, jsonschema\n"
+                               "jsonschema.Draft202012Validator(json.load(open(sys.argv[1]))).validate("
+                               "json.load(open(sys.argv[2])))\n";
+  struct text command;
+  text_init(&command);
+  text_printf(&command, "%s %s schema/plan.schema.json %s", python(), scratch_put("check.py", script),
+              scratch_path("plan.json"));
+  ck_assert_int_eq(system(text_str(&command)), 0);
+  text_clear(&command);
+}
+END_TEST
+
+Suite *plan_suite(void) {
+  Suite *s = suite_create("plan");
+  TCase *c = tcase_create("plan");
+  tcase_add_checked_fixture(c, load, unload);
+  tcase_add_test(c, jobs_change_no_byte);
+  tcase_add_test(c, some_claims_are_the_same_alone);
+  tcase_add_test(c, mistakes_are_told_alike);
+  tcase_add_test(c, tasks_survive_their_processes);
+  tcase_add_test(c, no_process_outlives_the_memory);
+  tcase_add_test(c, selections_meet);
+  tcase_add_test(c, budgets_count_work);
+  tcase_add_test(c, no_budget_makes_a_verdict);
+  tcase_add_test(c, routes_are_those_asked_for);
+  tcase_add_test(c, values_are_enclosed);
+  tcase_add_test(c, the_condition_plans_the_precision);
+  tcase_add_test(c, precisions_are_rounded_up_a_little);
+  tcase_add_test(c, planned_values_need_no_more);
+  tcase_add_test(c, values_have_their_documented_names);
+  tcase_add_test(c, no_route_is_idle);
+  tcase_add_test(c, plans_name_what_is_then_done);
+  tcase_add_test(c, plans_are_of_what_runs);
+  tcase_add_test(c, one_claim_needs_little);
+  tcase_add_test(c, tables_of_costs_are_read_or_refused);
+  tcase_add_test(c, the_clock_ends_it);
+  tcase_add_test(c, signals_end_it);
+  tcase_add_test(c, options_are_checked);
+  tcase_add_test(c, scenes_have_folders_of_their_own);
+  tcase_add_test(c, no_verdict_rests_on_costs);
+  tcase_add_test(c, values_have_one_limit);
+  tcase_add_test(c, plans_write_nothing);
+  suite_add_tcase(s, c);
+  TCase *l = tcase_create("long");
+  tcase_set_tags(l, "long");
+  tcase_set_timeout(l, 600);
+  tcase_add_checked_fixture(l, load, unload);
+  tcase_add_test(l, whole_audit_is_the_same_by_seven);
+  tcase_add_test(l, every_claim_is_the_same_alone);
+  suite_add_tcase(s, l);
+  return s;
+}

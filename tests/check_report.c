@@ -1,0 +1,546 @@
+/* One JSON is the only truth: audit.json read back gives the same record, the record the same pages, and `stickslip report`
+   the same files as verify; and what is wrong with a file is refused.
+
+   The second opinion is the record itself, which is in memory before audit.json is: what is written from it must be what is
+   written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the compiler lays
+   them out, against those that the tables of members cover. */
+#include <check.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "audit/audit_impl.h"
+#include "report/audit_shape.h"
+#include "scratch.h"
+#include "stickslip/report.h"
+#include "suites.h"
+
+/* --- Written from memory, written from what was read --- */
+
+static void (*const writers[])(struct text *out, const struct audit_result *r) = {
+    report_json, report_markdown, report_csv, report_dot, report_errata, report_errata_tex, report_html, report_junit};
+enum { N_WRITERS = sizeof writers / sizeof *writers };
+
+static bool read_text(struct audit_result *r, const char *json, struct diag *d) {
+  struct source s;
+  diag_init(d);
+  audit_result_init(r);
+  source_from_string(&s, "audit.json", json);
+  bool ok = report_read(r, &s, d);
+  source_clear(&s);
+  return ok;
+}
+
+/* The record survives its JSON. */
+static void same_again(const char *what, const struct audit_result *r) {
+  struct text json;
+  struct audit_result again;
+  struct diag d;
+  text_init(&json);
+  report_json(&json, r);
+  ck_assert_msg(read_text(&again, text_str(&json), &d), "%s: %s", what, d.message);
+  ck_assert_uint_eq(again.n_tables, r->n_tables);
+  for (size_t i = 0; i < r->n_tables; i++) again.tables[i].text = r->tables[i].text; /* as the files have it */
+  for (int i = 0; i < N_WRITERS; i++) {
+    struct text first, second;
+    text_init(&first);
+    text_init(&second);
+    writers[i](&first, r);
+    writers[i](&second, &again);
+    ck_assert_msg(strcmp(text_str(&first), text_str(&second)) == 0, "%s: report %d is another one", what, i);
+    text_clear(&second);
+    text_clear(&first);
+  }
+  audit_result_clear(&again);
+  text_clear(&json);
+}
+
+/* --- Audits --- */
+
+static struct model model;
+static struct claims claims, controls;
+
+static void open_files(void) {
+  struct diag d;
+  diag_init(&d);
+  scratch_open();
+  model_init(&model);
+  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
+            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
+            model_add_file(&model, "verify/controls/controls.eq", RANK_CONTROL, &d) &&
+            claims_load(&claims, "verify/claims", "claim", &d) &&
+            claims_load(&controls, "verify/controls", "control", &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
+
+static void close_files(void) {
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&model);
+  scratch_close();
+}
+
+static bool audit(struct audit_result *r, const char *name, const char *const *only, int n_only) {
+  struct diag d;
+  struct scene s;
+  diag_init(&d);
+  audit_result_init(r);
+  struct audit_options opt = {.only = only, .n_only = n_only, .readings = n_only == 0, .jobs = 2};
+  bool ok = scene_load_box(&s, name, "verify", &d);
+  if (ok && !scene_papers_word(&s, &d)) { /* of another word nothing is claimed */
+    scene_clear(&s);
+    return false;
+  }
+  if (s.asked.claims.n) opt.n_only = 0; /* the scene selects by itself */
+  ok = ok && audit_run(r, &model, &claims, &controls, &s, &opt, &d);
+  ck_assert_msg(ok, "%s: %s", name, d.message);
+  scene_clear(&s);
+  return true;
+}
+
+START_TEST(the_papers_record) {
+  struct audit_result r;
+  audit(&r, "paper", NULL, 0);
+  ck_assert(r.readings && r.n_tables > 3 && r.n_consequences > 10 && r.n_pairs && r.n_long_runs && r.n_independence);
+  same_again("paper", &r);
+  audit_result_clear(&r);
+}
+END_TEST
+
+/* Every scene on file, with claims of several kinds; what a scene asks for itself is asked for besides. */
+START_TEST(the_record_of_every_scene) {
+  static const char *const only[] = {"eq-3", "eq-40", "text-time-name"};
+  enum { N_ONLY = sizeof only / sizeof *only };
+  struct arena a;
+  struct diag d;
+  size_t n;
+  diag_init(&d);
+  arena_init(&a);
+  char **path = folder_files(&n, "verify/scenes", ".scene", &a, &d);
+  ck_assert_msg(path && n > 20, "%s", d.message);
+  for (size_t i = 0; i < n; i++) {
+    struct audit_result r;
+    if (audit(&r, path[i], only, N_ONLY)) same_again(path[i], &r);
+    audit_result_clear(&r);
+  }
+  free(path);
+  arena_clear(&a);
+}
+END_TEST
+
+/* --- No field is forgotten --- */
+
+static void cover(bool *seen, const struct shape *shape, size_t base) {
+  for (int i = 0; i < shape->n; i++) {
+    const struct member *m = &shape->member[i];
+    size_t size = m->kind == MEMBER_LONG                             ? sizeof(long)
+                  : m->kind == MEMBER_INT || m->kind == MEMBER_WORD  ? sizeof(int)
+                  : m->kind == MEMBER_BOOL                           ? sizeof(bool)
+                  : m->kind == MEMBER_TOLD || m->kind == MEMBER_PART ? 0
+                  : m->most                                          ? (size_t)m->most * m->of->size
+                                                                     : sizeof(void *);
+    for (size_t k = 0; k < size; k++) seen[base + m->at + k] = true;
+    if (m->kind == MEMBER_PART) cover(seen, m->of, base + m->at);
+    bool list = m->kind == MEMBER_STRINGS || m->kind == MEMBER_RECORDS;
+    for (size_t k = 0; list && k < (m->cap_at ? sizeof(size_t) : sizeof(int)); k++) seen[base + m->n_at + k] = true;
+    for (size_t k = 0; list && m->cap_at && k < sizeof(size_t); k++) seen[base + m->cap_at + k] = true;
+  }
+}
+
+static size_t uncovered(const struct shape *shape) {
+  bool seen[4096] = {false};
+  size_t n = 0;
+  ck_assert_uint_lt(shape->size, sizeof seen);
+  cover(seen, shape, 0);
+  for (size_t i = 0; i < shape->size; i++) n += !seen[i];
+  return n;
+}
+
+/* Of the records under a key: what is not in audit.json and why, with the padding that the ABI of 64-bit machines puts in. */
+static size_t expected(const char *key) {
+  static const struct {
+    const char *key;
+    size_t bytes;
+  } left_out[] = {
+      {"evidence", sizeof(double)},                    /* of one machine, for run.json */
+      {"claims", 5 * 4},                               /* behind verdicts and counts */
+      {"derived", 4},                                  /* before verdict */
+      {"consequences", 3 * 4 + 4},                     /* behind each count */
+      {"controls", 3},                                 /* at the end */
+      {"routes", 7 + sizeof(double) + sizeof(char *)}, /* one machine's */
+      {"long_runs", 6 + N_LONG_PAIRS * (sizeof(long) + 2 * sizeof(double)) + sizeof(double)}, /* likewise */
+      {"tables", sizeof(char *)}, /* the text, which is the file's */
+      {"dropped", 4},             /* at the end */
+      {"found", 2 * 4},           /* behind counts */
+      {"near", 2 * 4},
+      {"levels", 4},  /* before tried */
+      {"outputs", 4}, /* at the end */
+  };
+  for (size_t i = 0; i < sizeof left_out / sizeof *left_out; i++)
+    if (strcmp(left_out[i].key, key) == 0) return left_out[i].bytes;
+  return 0;
+}
+
+static void count_shape(const char *key, const struct shape *shape, size_t bytes) {
+  ck_assert_msg(uncovered(shape) == bytes, "%s: %zu bytes are not in audit.json, %zu are known", key, uncovered(shape),
+                bytes);
+  for (int i = 0; i < shape->n; i++) {
+    const struct member *m = &shape->member[i];
+    bool own = m->kind == MEMBER_RECORDS || (m->kind == MEMBER_RECORD && strcmp(m->key, "readings") != 0);
+    if (own) count_shape(m->key, m->of, expected(m->key));
+  }
+}
+
+START_TEST(every_field_is_in_the_tables) {
+  if (sizeof(long) != 8 || sizeof(void *) != 8) return;
+  /* arena, what the run took and its jobs (run.json), neighbours and their number, mutation, pages; padding behind jobs and
+     n_independence */
+  count_shape("the whole", &audit_shape,
+              sizeof(struct arena) + sizeof(void *) + 2 * sizeof(size_t) + sizeof(int) + sizeof(void *) +
+                  sizeof(size_t) + 2 * sizeof(void *) + 2 * 4);
+  count_shape("readings", &readings_shape, 6 * 4); /* behind counts */
+}
+END_TEST
+
+/* --- The command --- */
+
+static int shell(const char *fmt, ...) __attribute__((format(printf, 1, 2)));
+static int shell(const char *fmt, ...) {
+  char command[4000];
+  va_list ap;
+  va_start(ap, fmt);
+  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
+  va_end(ap);
+  int s = system(command);
+  return WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+}
+
+/* verify to DIR/here, then report on its audit.json and tables in DIR/there; the same neighbours beside both. */
+static void same_files(const char *environment, const char *words) {
+  const char *dir = scratch_path("");
+  ck_assert_int_eq(shell("rm -rf %s/*; mkdir -p %s/bench %s/mutation %s/there && cp reports/mutation/mutation.json "
+                         "%s/mutation && cp reports/bench/map.svg %s/bench",
+                         dir, dir, dir, dir, dir, dir),
+                   0);
+  int status = shell("%s %s verify %s --quiet --out %s/here > %s/said.here", environment, program(), words, dir, dir);
+  ck_assert_msg(status == 0 || status == 1, "%s: %d", words, status);
+  status =
+      shell("cd %s && cp here/audit.json there && { cp here/*.tsv there 2>/dev/null; true; } && p=$(cd \"$OLDPWD\" && "
+            "realpath %s) && STICKSLIP_DATA=/nonexistent \"$p\" report there > said.there",
+            dir, program());
+  ck_assert_msg(status == 0, "%s: report ends with %d", words, status);
+  status = shell("cd %s && rm here/run.json && diff -r here there && tail -n 1 said.here | cmp - said.there", dir);
+  ck_assert_msg(status == 0, "%s: other files", words);
+}
+
+START_TEST(the_same_files_from_the_json_alone) {
+  static const struct {
+    const char *environment, *words;
+  } of[] = {{"", "paper"},
+            {"", "stable --only eq-27,eq-40,text-otherwise-unstable"},
+            {"", "paper --set 'e2=[0.858, 0.859]' --only eq-3,text-periodic"},
+            {"", "matrices"},
+            {"", "none --only num-t_a"},
+            {"STICKSLIP_DATA=tests/another", ""}};
+  same_files(of[_i].environment, of[_i].words);
+}
+END_TEST
+
+/* Without its neighbours the page alone says less; nothing else does. */
+START_TEST(neighbours_are_shown_by_the_page_alone) {
+  const char *dir = scratch_path("");
+  same_files("", "paper --only eq-27");
+  ck_assert_int_eq(shell("cd %s && grep -q '/mutation/mutation.md' there/index.html && grep -q '/bench/map.svg' "
+                         "there/index.html && rm -r mutation bench && realpath there > where",
+                         dir),
+                   0);
+  ck_assert_int_eq(shell("%s report %s/there > /dev/null", program(), dir), 0);
+  ck_assert_int_eq(shell("cd %s && ! grep -q '/mutation/\\|/bench/' there/index.html && [ \"$(diff -rq here there)\" = "
+                         "\"Files here/index.html and there/index.html differ\" ]",
+                         dir),
+                   0);
+}
+END_TEST
+
+/* The score is that of a study of the same formulas and scene, whatever these are called. */
+START_TEST(the_score_is_of_what_was_read) {
+  static const struct {
+    const char *words;
+    bool shown;
+  } rows[] = {{"paper", true},
+              {"paper --paper %s/same", true},
+              {"paper --paper %s/other", false},
+              {"paper --overlay %s/over.eq", false},
+              {"%s/paper.scene", true},
+              {"%s/changed/paper.scene", false}};
+  const char *dir = scratch_path("");
+  ck_assert_int_eq(
+      shell("mkdir %s/mutation && cp reports/mutation/mutation.json %s/mutation && cp -R verify/paper %s/same && cp -R "
+            "verify/paper %s/other && echo '# read alike' >> %s/same/4-stability.eq && sed -i 's/sin(omega\\*t_d)/"
+            "cos(omega*t_d)/' %s/other/4-stability.eq && printf 'define eq-3\\n  equation: 3\\n  d_02 := 0\\n' > "
+            "%s/over.eq "
+            "&& cp verify/scenes/paper.scene %s && mkdir %s/changed && sed 's/0.8587/0.8588/' "
+            "verify/scenes/paper.scene > "
+            "%s/changed/paper.scene",
+            dir, dir, dir, dir, dir, dir, dir, dir, dir, dir),
+      0);
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    char words[300];
+    snprintf(words, sizeof words, rows[i].words, dir);
+    int status = shell("%s verify %s --only eq-27 --quiet --out %s/r > /dev/null", program(), words, dir);
+    ck_assert_msg(status == 0 || status == 1, "%s: %d", words, status);
+    bool shown = shell("grep -q '/mutation/mutation.md' %s/r/index.html", dir) == 0;
+    ck_assert_msg(shown == rows[i].shown, "%s", words);
+  }
+}
+END_TEST
+
+/* All or none: where one file cannot be written, the others are the old ones; a table that is missing is said. */
+START_TEST(nothing_is_written_by_halves) {
+  const char *dir = scratch_path("");
+  ck_assert_int_eq(shell("%s verify stable --only eq-40 --quiet --out %s/r > /dev/null", program(), dir), 0);
+  ck_assert_int_eq(shell("cd %s/r && echo old > audit.md && rm junit.xml && mkdir junit.xml", dir), 0);
+  ck_assert_int_eq(shell("%s report %s/r > %s/out 2> %s/err; [ $? = 3 ] && [ ! -s %s/out ] && grep -q junit.xml %s/err",
+                         program(), dir, dir, dir, dir, dir),
+                   0);
+  ck_assert_int_eq(shell("cd %s/r && [ \"$(cat audit.md)\" = old ] && ! ls | grep -q '\\.tmp\\|~'", dir), 0);
+  ck_assert_int_eq(
+      shell("cd %s/r && sed -i 's/\"tables\": \\[\\]/\"tables\": [{\"name\": \"no.tsv\"}]/' audit.json", dir), 0);
+  ck_assert_int_eq(shell("%s report %s/r 2>&1 | grep -q 'no.tsv'", program(), dir), 0);
+}
+END_TEST
+
+/* A table that would need memory without bound. */
+START_TEST(tables_beyond_all_bounds) {
+  const char *dir = scratch_path("");
+  static const char *const table[] = {"printf 'a\\tb\\n'; yes '' | head -n 60000", "printf '\\t%.0s' $(seq 100)",
+                                      "yes 1234567 | tr -d '\\n' | head -c 5000000", "printf 'a\\000b'",
+                                      "printf '\\377'"};
+  ck_assert_int_eq(shell("%s verify stable --only eq-40 --quiet --out %s/r > /dev/null && sed -i 's/\"tables\": "
+                         "\\[\\]/\"tables\": [{\"name\": \"figure-3.tsv\"}]/' %s/r/audit.json",
+                         program(), dir, dir),
+                   0);
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++) {
+    int status = shell("(%s) > %s/r/figure-3.tsv; %s report %s/r 2> %s/err; [ $? = 3 ] && grep -q figure-3.tsv %s/err",
+                       table[i], dir, program(), dir, dir, dir);
+    ck_assert_msg(status == 0, "%s", table[i]);
+  }
+}
+END_TEST
+
+/* --- What is no report --- */
+
+/* Read, and then written whatever it says; or refused with a place. */
+static bool survives(const char *json) {
+  struct audit_result r;
+  struct diag d;
+  bool ok = read_text(&r, json, &d);
+  ck_assert_msg(ok != d.set, "%.2000s", d.message);
+  if (!ok) ck_assert_msg(strncmp(d.message, "audit.json:", 11) == 0, "%s", d.message);
+  for (int i = 0; ok && i < N_WRITERS; i++) {
+    struct text out;
+    text_init(&out);
+    writers[i](&out, &r);
+    text_clear(&out);
+  }
+  audit_result_clear(&r);
+  return ok;
+}
+
+START_TEST(cut_off_anywhere) {
+  struct audit_result r;
+  struct text json;
+  audit(&r, "paper", NULL, 0);
+  text_init(&json);
+  report_json(&json, &r);
+  audit_result_clear(&r);
+  ck_assert_uint_gt(json.len, 300000);
+  json.data[json.len - 1] = '\0'; /* the newline behind the value may be missing */
+  for (size_t at = (json.len - 2) / 997 * 997;; at -= 997) {
+    json.data[at] = '\0';
+    struct audit_result cut;
+    struct diag d;
+    ck_assert(!read_text(&cut, json.data, &d) && d.set);
+    audit_result_clear(&cut);
+    if (at == 0) break;
+  }
+  text_clear(&json);
+}
+END_TEST
+
+static void slurp(struct text *out, const char *path) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, path, 1 << 20, &d), "%s", d.message);
+  text_add(out, s.text);
+  source_clear(&s);
+}
+
+struct places {
+  size_t *at, n, cap;
+};
+
+static void list_places(struct places *p, const struct json_value *v) {
+  p->at = ss_grow(p->at, p->n, &p->cap, sizeof *p->at);
+  p->at[p->n++] = v->at;
+  for (const struct json_value *m = v->first; m; m = m->next) list_places(p, m);
+}
+
+/* Where the value ends that begins there: the reader says so when the rest is something that follows. */
+static size_t end_of_value(const char *text) {
+  size_t depth = 0, i = 0;
+  bool quoted = false;
+  for (; text[i]; i++) {
+    char c = text[i];
+    if (quoted) {
+      if (c == '\\') i++;
+      if (c == '"') quoted = false;
+      if (c != '"' || depth) continue;
+      return i + 1;
+    }
+    if (strchr(",]}", c) && depth == 0) return i;
+    if (c == '"') quoted = true;
+    depth += c == '[' || c == '{';
+    if (c == ']' || c == '}')
+      if (--depth == 0) return i + 1;
+  }
+  return i;
+}
+
+/* Every value of a small report in turn is put out of its place by values of all types. */
+START_TEST(types_exchanged_and_huge_numbers) {
+  static const char *const other[] = {"null",
+                                      "true",
+                                      "-1",
+                                      "1.5",
+                                      "1e400",
+                                      "1000000000000001",
+                                      "99999999999999999999999",
+                                      "\"x\"",
+                                      "\"\"",
+                                      "\"$\\\\frac{$\"",
+                                      "[]",
+                                      "[1]",
+                                      "[null]",
+                                      "[[]]",
+                                      "{}",
+                                      "{\"id\": 1}"};
+  struct text json;
+  struct source s;
+  struct arena a;
+  struct json_value root;
+  struct diag d;
+  struct places p = {.n = 0};
+  diag_init(&d);
+  arena_init(&a);
+  text_init(&json);
+  slurp(&json, "tests/fuzz/corpus/report/audit");
+  ck_assert(survives(json.data));
+  source_from_string(&s, "audit.json", json.data);
+  ck_assert(json_parse(&root, &a, &s, &d));
+  list_places(&p, &root);
+  ck_assert_uint_gt(p.n, 300);
+  long refused = 0;
+  for (size_t i = 0; i < p.n; i++)
+    for (size_t k = (size_t)_i; k < sizeof other / sizeof *other; k += 4) {
+      struct text t;
+      text_init(&t);
+      text_add_n(&t, json.data, p.at[i]);
+      text_add(&t, other[k]);
+      text_add(&t, json.data + p.at[i] + end_of_value(json.data + p.at[i]));
+      refused += !survives(text_str(&t));
+      text_clear(&t);
+    }
+  ck_assert_int_gt(refused, (long)p.n);
+  free(p.at);
+  source_clear(&s);
+  arena_clear(&a);
+  text_clear(&json);
+}
+END_TEST
+
+/* Messages name the place. */
+START_TEST(what_is_said) {
+  static const struct {
+    const char *from, *to, *says;
+  } of[] = {{"stickslip-audit-1", "stickslip-audit-9", "audit.json:1:1: error: not an audit.json"},
+            {"\"verdict\": \"conditional\"", "\"verdict\": \"likely\"", "the member verdict is none of the words"},
+            {"\"id\": ", "\"name\": ", "the member id is missing here"},
+            {"\"noticed\": true", "\"noticed\": 1", "the member noticed must be true or false"},
+            {"\"trials\": ", "\"trials\": -", "the member trials must be a whole number"},
+            {"\"depends_on\": [", "\"depends_on\": 7, \"x\": [", "the member depends_on must be an array"},
+            {"\"title\": ", "\"titel\": ", "the member title is missing here"},
+            {"\"total\": ", "\"total\": 1", "the member summary does not say"},
+            {"figure-3.tsv", "figure 3.tsv", "the name of a table"},
+            {"figure-3.tsv", "/figure-3.tsv", "the name of a table"},
+            {"\"change\": \"same formula\"", "\"change\": \"changes\"", "is missing here"}};
+  struct text json;
+  text_init(&json);
+  slurp(&json, "tests/fuzz/corpus/report/audit");
+  for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+    struct audit_result r;
+    struct diag d;
+    struct text t;
+    const char *at = strstr(json.data, of[i].from);
+    ck_assert_msg(at != NULL, "%s", of[i].from);
+    text_init(&t);
+    text_add_n(&t, json.data, (size_t)(at - json.data));
+    text_printf(&t, "%s%s", of[i].to, at + strlen(of[i].from));
+    ck_assert(!read_text(&r, text_str(&t), &d));
+    ck_assert_msg(strstr(d.message, of[i].says) && strncmp(d.message, "audit.json:", 11) == 0, "%s: %s", of[i].to,
+                  d.message);
+    audit_result_clear(&r);
+    text_clear(&t);
+  }
+  text_clear(&json);
+}
+END_TEST
+
+/* More names than a graph can be drawn of. */
+START_TEST(too_many_names) {
+  struct audit_result r, again;
+  struct text json;
+  struct diag d;
+  enum { N = 2000 };
+  static char name[N][8];
+  static const char *on[N];
+  for (int i = 0; i < N; i++) {
+    snprintf(name[i], sizeof name[i], "t%d", i);
+    on[i] = name[i];
+  }
+  struct finding f = {.id = "eq-1", .title = "t", .depends_on = on, .n_depends_on = N, .recorded = N_VERDICTS};
+  r = (struct audit_result){.scene = "s", .findings = &f, .n_findings = 1};
+  text_init(&json);
+  report_json(&json, &r);
+  ck_assert(!read_text(&again, text_str(&json), &d) && strstr(d.message, "more than"));
+  audit_result_clear(&again);
+  text_clear(&json);
+}
+END_TEST
+
+Suite *report_suite(void) {
+  Suite *s = suite_create("report");
+  TCase *c = tcase_create("record");
+  tcase_add_checked_fixture(c, open_files, close_files);
+  tcase_add_test(c, the_papers_record);
+  tcase_add_test(c, the_record_of_every_scene);
+  tcase_add_test(c, every_field_is_in_the_tables);
+  tcase_add_test(c, cut_off_anywhere);
+  tcase_add_loop_test(c, types_exchanged_and_huge_numbers, 0, 4);
+  tcase_add_test(c, what_is_said);
+  tcase_add_test(c, too_many_names);
+  suite_add_tcase(s, c);
+
+  c = tcase_create("command");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_loop_test(c, the_same_files_from_the_json_alone, 0, 6);
+  tcase_add_test(c, neighbours_are_shown_by_the_page_alone);
+  tcase_add_test(c, the_score_is_of_what_was_read);
+  tcase_add_test(c, nothing_is_written_by_halves);
+  tcase_add_test(c, tables_beyond_all_bounds);
+  suite_add_tcase(s, c);
+  return s;
+}

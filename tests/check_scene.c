@@ -1,0 +1,937 @@
+/* Scenes as hostile users write them: every line of tests/hostile/scenes.tsv and sets.tsv ends with the status that it says,
+   one message that names the place and the remedy, and without harm to time or memory; the library of scenes; what --set
+   changes and what it does not. */
+#include <check.h>
+#include <fcntl.h>
+#include <glob.h>
+#include <signal.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "scratch.h"
+#include "stickslip/arena.h"
+#include "stickslip/audit.h"
+#include "stickslip/text.h"
+#include "suites.h"
+
+#define REST "eta = 1\nV = 1\ne1 = 2\ne2 = 1\n"
+#define GOOD "chi = 0.8\n" REST
+
+#ifdef __SANITIZE_ADDRESS__
+enum { SECONDS = 10, SANITIZED = 1 }; /* with an allocator of its own, which reserves terabytes */
+#else
+enum { SECONDS = 1, SANITIZED = 0 };
+#endif
+enum { MEMORY = 200 << 20 };
+
+enum { MAX_FIELDS = 80 };
+
+/* --- Processes --- */
+
+struct run {
+  int status; /* exit status, or minus the signal */
+  double seconds;
+  struct source out, err;
+};
+
+static void redirect(const char *path, int to) {
+  int fd = open(path, O_WRONLY | O_CREAT | O_TRUNC, 0600);
+  if (fd < 0 || dup2(fd, to) < 0) _exit(126);
+}
+
+static void read_back(struct source *s, const char *path) {
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(s, path, 16 << 20, &d), "%s", d.message);
+}
+
+/* The program with these words, in at most 200 MiB of address space; its processor time. */
+static void run_once(struct run *r, const char *const *words) {
+  const char *out = scratch_path("run.out"), *err = scratch_path("run.err");
+  char *argv[2 * MAX_FIELDS] = {(char *)(uintptr_t)program()};
+  for (int i = 0; words[i]; i++) argv[i + 1] = (char *)(uintptr_t)words[i];
+  fflush(NULL);
+  pid_t pid = fork();
+  ck_assert(pid >= 0);
+  if (pid == 0) {
+    redirect(out, STDOUT_FILENO);
+    redirect(err, STDERR_FILENO);
+    if (!SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){MEMORY, MEMORY});
+    alarm(60);
+    execv(argv[0], argv);
+    _exit(127);
+  }
+  int status;
+  struct rusage before, after;
+  getrusage(RUSAGE_CHILDREN, &before);
+  ck_assert(waitpid(pid, &status, 0) == pid);
+  getrusage(RUSAGE_CHILDREN, &after);
+  r->status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
+  r->seconds =
+      (double)(after.ru_utime.tv_sec - before.ru_utime.tv_sec + after.ru_stime.tv_sec - before.ru_stime.tv_sec) +
+      1e-6 *
+          (double)(after.ru_utime.tv_usec - before.ru_utime.tv_usec + after.ru_stime.tv_usec - before.ru_stime.tv_usec);
+  read_back(&r->out, out);
+  read_back(&r->err, err);
+}
+
+static void run_clear(struct run *r) {
+  source_clear(&r->out);
+  source_clear(&r->err);
+}
+
+/* Of what takes too long once, on a machine that does other things, the third time says. */
+static void run_words(struct run *r, const char *const *words) {
+  run_once(r, words);
+  for (int i = 0; i < 2 && r->seconds >= SECONDS; i++) {
+    run_clear(r);
+    run_once(r, words);
+  }
+}
+
+/* --- The tables --- */
+
+static unsigned hex(const char *p) {
+  unsigned x = 16;
+  ck_assert(sscanf(p, "%2x", &x) == 1);
+  return x;
+}
+
+/* One character as the tables write it; what is behind it. */
+static const char *add_character(struct text *out, const char *p) {
+  if (*p != '\\') {
+    text_add_char(out, *p);
+    return p + 1;
+  }
+  if (p[1] == 'x') {
+    text_add_char(out, (char)hex(p + 2));
+    return p + 4;
+  }
+  text_add_char(out, (char)(p[1] == 'n' ? '\n' : p[1] == 'r' ? '\r' : p[1]));
+  return p + 2;
+}
+
+/* {good}, {rest}, {N*TEXT}; any other brace is one. */
+static const char *add_brace(struct text *out, const char *p) {
+  long n;
+  int used = 0;
+  const char *end = strchr(p, '}');
+  if (strncmp(p, "{good}", 6) == 0) {
+    text_add(out, GOOD);
+  } else if (strncmp(p, "{rest}", 6) == 0) {
+    text_add(out, REST);
+  } else if (end && sscanf(p, "{%ld*%n", &n, &used) == 1 && used) {
+    struct text one;
+    text_init(&one);
+    for (const char *q = p + used; q < end;) q = add_character(&one, q);
+    for (; n > 0; n--) text_add_n(out, one.data, one.len);
+    text_clear(&one);
+  } else {
+    text_add_char(out, '{');
+    return p + 1;
+  }
+  return end + 1;
+}
+
+static void expand(struct text *out, const char *p) {
+  while (*p) p = *p == '{' ? add_brace(out, p) : add_character(out, p);
+}
+
+/* One message that names the place, says what it should and stays within the limits. */
+static void is_refused(const struct run *r, const char *what, int status, const char *place, const char *says,
+                       const char *name) {
+  const char *m = r->err.text;
+  char begin[400];
+  ck_assert_msg(r->status == status, "%s: status %d, not %d: %.1500s", what, r->status, status, m);
+  ck_assert_msg(r->err.len > 1 && r->err.len < 1000 && m[r->err.len - 1] == '\n', "%s: a message of %zu bytes: %.1500s",
+                what, r->err.len, m);
+  ck_assert_msg(r->out.len == 0, "%s: printed %.200s", what, r->out.text);
+  ck_assert_msg(strstr(m, says) != NULL, "%s\ndoes not say: %s\n%s", what, says, m);
+  if (strcmp(place, "-") != 0) {
+    snprintf(begin, sizeof begin, "%s:%s: error: ", name, place);
+    ck_assert_msg(strncmp(m, begin, strlen(begin)) == 0, "%s: not at %s: %s", what, place, m);
+    const char *caret = strchr(m, '\n') + 1;
+    ck_assert_msg(strchr(caret, '\n') && strchr(strchr(caret, '\n'), '^'), "%s: no caret: %s", what, m);
+  }
+  ck_assert_msg(strstr(m, "error: ") || status == 2, "%s: %s", what, m);
+}
+
+static void is_harmless(const struct run *r, const char *what) {
+  ck_assert_msg(r->seconds < SECONDS, "%s: %.2f s", what, r->seconds);
+}
+
+/* Calls f with the fields of each line that is no comment; returns how many there were. */
+static int each_line(const char *path, void (*f)(char *const *field, int n)) {
+  struct source s;
+  read_back(&s, path);
+  int lines = 0;
+  char *rest = NULL;
+  for (char *line = strtok_r(s.text, "\n", &rest); line; line = strtok_r(NULL, "\n", &rest)) {
+    char *field[MAX_FIELDS] = {NULL};
+    if (*line == '#') continue;
+    int n = split_tabs(field, MAX_FIELDS, line);
+    f(field, n);
+    lines++;
+  }
+  source_clear(&s);
+  return lines;
+}
+
+static void hostile_scene(char *const *field, int n) {
+  ck_assert_msg(n == 4 || n == 5, "%s: %d fields", field[0], n);
+  struct text text;
+  struct run r;
+  text_init(&text);
+  expand(&text, n == 5 ? field[4] : "");
+  const char *path = scratch_put_n("case.scene", text_str(&text), text.len);
+  int status = atoi(field[1]);
+  run_words(&r, (const char *const[]){"check", path, NULL});
+  is_harmless(&r, field[0]);
+  if (status)
+    is_refused(&r, field[0], status, field[2], field[3], path);
+  else
+    ck_assert_msg(r.status == 0 && r.err.len == 0, "%s: %d, %s", field[0], r.status, r.err.text);
+  run_clear(&r);
+  if (status) {
+    run_words(&r, (const char *const[]){"orbit", path, NULL});
+    is_refused(&r, field[0], status, field[2], field[3], path);
+    run_clear(&r);
+  }
+  text_clear(&text);
+}
+
+START_TEST(hostile_scenes) {
+  ck_assert_int_ge(each_line("tests/hostile/scenes.tsv", hostile_scene), 150);
+}
+END_TEST
+
+static void hostile_set(char *const *field, int n) {
+  ck_assert_msg(n > 5, "%s: %d fields", field[0], n);
+  struct text value[MAX_FIELDS];
+  const char *scene = field[4], *words[2 * MAX_FIELDS] = {"orbit"};
+  if (strcmp(scene, "{bad}") == 0) scene = scratch_put("bad.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 0\ne2 = 1\n");
+  if (strcmp(scene, "{friction}") == 0) scene = scratch_put("friction.scene", GOOD "u_r1 = 2.5\n");
+  words[1] = scene;
+  for (int i = 5; i < n; i++) {
+    text_init(&value[i]);
+    expand(&value[i], field[i]);
+    words[2 * i - 8] = "--set";
+    words[2 * i - 7] = text_str(&value[i]);
+  }
+  struct run r;
+  run_words(&r, words);
+  if (strcmp(field[1], "0") != 0) {
+    is_harmless(&r, field[0]);
+    is_refused(&r, field[0], atoi(field[1]), field[2], field[3], "--set");
+  } else {
+    ck_assert_msg(r.status == 0 && r.err.len == 0, "%s: %d, %s", field[0], r.status, r.err.text);
+  }
+  run_clear(&r);
+  for (int i = 5; i < n; i++) text_clear(&value[i]);
+}
+
+START_TEST(hostile_sets) {
+  ck_assert_int_ge(each_line("tests/hostile/sets.tsv", hostile_set), 50);
+}
+END_TEST
+
+/* What is no file of text. */
+static void refuse_path(const char *path, const char *says) {
+  struct run r;
+  run_words(&r, (const char *const[]){"orbit", path, NULL});
+  is_harmless(&r, path);
+  is_refused(&r, path, 3, "-", says, path);
+  run_clear(&r);
+}
+
+START_TEST(what_is_no_file) {
+  refuse_path("/dev/null", "a device or pipe, not a regular file");
+  refuse_path("/dev/zero", "a device or pipe, not a regular file");
+  refuse_path("/", "a folder, not a regular file");
+  refuse_path("verify/scenes/", "a folder, not a regular file");
+  refuse_path(scratch_path(""), "a folder, not a regular file");
+  ck_assert(mkfifo(scratch_path("pipe.scene"), 0600) == 0);
+  refuse_path(scratch_path("pipe.scene"), "a device or pipe, not a regular file");
+  refuse_path(scratch_path("none.scene"), "No such file");
+  refuse_path("paper.scene/x.scene", "No such file");
+  refuse_path("no-such-scene", "No such file");
+  ck_assert(symlink("circle.scene", scratch_path("circle.scene")) == 0);
+  refuse_path(scratch_path("circle.scene"), "symbolic links");
+  const char *closed = scratch_put("closed.scene", GOOD);
+  ck_assert(chmod(closed, 0) == 0);
+  if (geteuid() != 0) refuse_path(closed, "Permission denied"); /* nothing is closed to root */
+  const char *hole = scratch_put("hole.scene", "");
+  ck_assert(truncate(hole, 1L << 40) == 0 || truncate(hole, 1L << 30) == 0);
+  refuse_path(hole, "larger than 1048576 bytes");
+  struct text name;
+  text_init(&name);
+  for (int i = 0; i < 3000; i++) text_add_char(&name, 'x');
+  refuse_path(text_str(&name), "File name too long");
+  text_clear(&name);
+}
+END_TEST
+
+/* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long search. */
+START_TEST(values_beyond_double_precision) {
+  static const char *const sets[] = {"chi=1 - 1e-3000", "chi=1e-3000", "V=1e-40000", "eta=1e30000", "e1=1e50000"};
+  static const struct {
+    const char *command, *option, *value;
+    int status;
+  } uses[] = {{"orbit", "--digits", "30", 0}, {"simulate", "--periods", "1", 3}, {"jacobian", "--digits", "30", 3}};
+  for (size_t i = 0; i < sizeof sets / sizeof *sets; i++)
+    for (size_t k = 0; k < sizeof uses / sizeof *uses; k++) {
+      struct run r;
+      run_words(&r,
+                (const char *const[]){uses[k].command, "paper", "--set", sets[i], uses[k].option, uses[k].value, NULL});
+      is_harmless(&r, sets[i]);
+      ck_assert_msg(r.status == uses[k].status, "%s, %s: %d, %s", uses[k].command, sets[i], r.status, r.err.text);
+      if (r.status == 0) ck_assert(strstr(r.out.text, "not proved complete: the parameters are outside") != NULL);
+      run_clear(&r);
+    }
+}
+END_TEST
+
+/* --- The library --- */
+
+static bool begins(const char *text, const char *with) {
+  return strncmp(text, with, strlen(with)) == 0;
+}
+
+/* Every scene on file says in a first line of comment what it teaches, has a title, and asks for what there is. */
+START_TEST(the_library_is_readable) {
+  glob_t g;
+  struct claims claims = {.n = 0};
+  struct model m;
+  struct diag d;
+  diag_init(&d);
+  model_init(&m);
+  ck_assert_msg(claims_load(&claims, "verify/claims", "claim", &d) &&
+                    model_add_folder(&m, "verify/paper", RANK_PAPER, &d),
+                "%s", d.message);
+  ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0);
+  for (size_t i = 0; i < g.gl_pathc; i++) {
+    struct source text;
+    struct scene s;
+    read_back(&text, g.gl_pathv[i]);
+    ck_assert_msg(begins(text.text, "# ") && strstr(text.text, "\ntitle: "), "%s", g.gl_pathv[i]);
+    ck_assert_msg(scene_load_box(&s, g.gl_pathv[i], "verify", &d) && scene_check_asked(&s, &claims, &m, &d), "%s",
+                  d.message);
+    ck_assert(*s.title);
+    scene_clear(&s);
+    source_clear(&text);
+  }
+  globfree(&g);
+  model_clear(&m);
+  claims_clear(&claims);
+}
+END_TEST
+
+/* --- Values --- */
+
+static bool load(struct scene *s, struct diag *d, const char *text, const struct scene_overrides *o) {
+  diag_init(d);
+  return scene_load_with(s, scratch_put("case.scene", text), "no-such-folder", o, true, d);
+}
+
+static void is_rational(const fmpq_t x, const char *want) {
+  fmpq_t w;
+  fmpq_init(w);
+  ck_assert(fmpq_set_str(w, want, 10) == 0);
+  ck_assert_msg(fmpq_equal(x, w), "not %s", want);
+  fmpq_clear(w);
+}
+
+/* By hand: sqrt(4/9) = 2/3; e1 = 3 (2/3) = 2, e2 = 2/5 + 2/3^2 = 28/45. */
+START_TEST(values_use_each_other) {
+  struct scene s;
+  struct diag d;
+  ck_assert_msg(load(&s, &d, "e2 = e1/5 + e1/3^2\ne1 = 3*V\nV = sqrt(4/9)\nchi = V\neta = chi^2\n", NULL), "%s",
+                d.message);
+  is_rational(&s.value[KEY_CHI], "2/3");
+  is_rational(&s.value[KEY_ETA], "4/9");
+  is_rational(&s.value[KEY_E1], "2");
+  is_rational(&s.value[KEY_E2], "28/45");
+  scene_clear(&s);
+  ck_assert_msg(load(&s, &d, "V = 1/2\nchi = [V, V + 0.1]\neta = 1\ne1 = 1\ne2 = sqrt(16)\n", NULL), "%s", d.message);
+  is_rational(&s.value[KEY_CHI], "1/2");
+  is_rational(&s.high[KEY_CHI], "3/5");
+  is_rational(&s.value[KEY_E2], "4");
+  scene_clear(&s);
+}
+END_TEST
+
+/* The result is the same in whatever order the lines stand. */
+START_TEST(order_does_not_matter) {
+  static const char *const line[] = {"chi = V/2\n", "eta = e1 + chi\n", "V = 1\n", "e1 = 2*V\n", "e2 = eta\n"};
+  for (int first = 0; first < 5; first++) {
+    struct text t;
+    struct scene s;
+    struct diag d;
+    text_init(&t);
+    for (int i = 0; i < 5; i++) text_add(&t, line[(first + 2 * i) % 5]);
+    ck_assert_msg(load(&s, &d, text_str(&t), NULL), "%s", d.message);
+    is_rational(&s.value[KEY_CHI], "1/2");
+    is_rational(&s.value[KEY_ETA], "5/2");
+    is_rational(&s.value[KEY_E2], "5/2");
+    scene_clear(&s);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* What an override prints stays, on whichever side of it the file's printed numbers are taken away. */
+START_TEST(overrides_print_in_any_order) {
+  static const char *const items[][3] = {{"printed=t_a = 0.5", "printed=", "printed=t_b = 7"},
+                                         {"printed=", "printed=t_a = 0.5", "printed=t_b = 7"},
+                                         {"printed=t_b = 7", "printed=t_a = 0.5", "printed="}};
+  for (size_t i = 0; i < sizeof items / sizeof *items; i++) {
+    struct scene s;
+    struct diag d;
+    const struct scene_overrides o = {items[i], 3, "--set"};
+    ck_assert_msg(load(&s, &d, GOOD "printed: t_a = 0.6\nprinted: z10 = 0.9\n", &o), "%s", d.message);
+    ck_assert_msg(s.n_printed == 2 && scene_printed(&s, "t_a") && scene_printed(&s, "t_b"), "order %zu", i);
+    is_rational(&scene_printed(&s, "t_a")->value, "1/2");
+    is_rational(&scene_printed(&s, "t_b")->value, "7");
+    scene_clear(&s);
+  }
+}
+END_TEST
+
+/* --- What is asked --- */
+
+static void list_is(const struct scene_list *list, int n, const char *const *item) {
+  ck_assert_int_eq((int)list->n, n);
+  for (int i = 0; i < n; i++) ck_assert_str_eq(list->item[i], item[i]);
+}
+
+START_TEST(what_is_asked) {
+  struct scene s;
+  struct diag d;
+  ck_assert_msg(load(&s, &d,
+                     GOOD "ask: eq-27,  section\tstability ,\n  # a comment\n  matrices\nvalues: trace_J, H(t_c)[1,3], "
+                          "tr(J)\nroutes: balls, fd\ndigits: 30\nbudget: 1000000000000000000\n",
+                     NULL),
+                "%s", d.message);
+  list_is(&s.asked.claims, 3, (const char *const[]){"eq-27", "section stability", "matrices"});
+  list_is(&s.asked.values, 3, (const char *const[]){"trace_J", "H(t_c)[1,3]", "tr(J)"});
+  list_is(&s.asked.routes, 2, (const char *const[]){"balls", "fd"});
+  ck_assert(s.asked.digits == 30 && s.asked.budget == 1000000000000000000ULL);
+  /* places: line 8 is the one behind the comment */
+  size_t line, column;
+  source_place(&line, &column, s.asked.claims.source, s.asked.claims.place[2].begin);
+  ck_assert_msg(line == 8 && column == 3, "%zu:%zu", line, column);
+  scene_clear(&s);
+  ck_assert(load(&s, &d, GOOD, NULL));
+  ck_assert(!s.asked.claims.n && !s.asked.values.n && !s.asked.routes.n && !s.asked.digits && !s.asked.budget);
+  scene_clear(&s);
+}
+END_TEST
+
+/* Claims and names that do not exist are shown where they stand. */
+START_TEST(what_is_asked_must_exist) {
+  static const struct {
+    const char *text, *place, *says;
+  } cases[] = {{"ask: eq-27, eq-999\n", "6:13", "no claim is called"},
+               {"ask: section nowhere\n", "6:6", "section nowhere"},
+               {"ask: section 9\n", "6:6", "section 9"},
+               {"ask: kind poem\n", "6:6", "kind poem"},
+               {"values: z10, trace_Q\n", "6:14", "the paper has no quantity trace_Q"},
+               {"values: H(t_q)\n", "6:11", "the paper has no quantity t_q"}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    struct text text;
+    char begin[300];
+    struct run r;
+    text_init(&text);
+    text_printf(&text, GOOD "%s", cases[i].text);
+    const char *path = scratch_put("asks.scene", text_str(&text));
+    snprintf(begin, sizeof begin, "%s:%s: error: ", path, cases[i].place);
+    for (int k = 0; k < 2; k++) {
+      if (k == 0)
+        run_words(&r, (const char *const[]){"check", path, NULL});
+      else
+        run_words(&r, (const char *const[]){"verify", path, "--out", scratch_path("out"), NULL});
+      ck_assert_msg(r.status == 3 && begins(r.err.text, begin) && strstr(r.err.text, cases[i].says), "%d: %s", r.status,
+                    r.err.text);
+      run_clear(&r);
+    }
+    text_clear(&text);
+  }
+}
+END_TEST
+
+/* The groups against the attributes of the claims, counted here with the files as text. */
+static int count_lines(const char *line) {
+  glob_t g;
+  int n = 0;
+  ck_assert(glob("verify/claims/*.claim", 0, NULL, &g) == 0);
+  for (size_t i = 0; i < g.gl_pathc; i++) {
+    struct source s;
+    read_back(&s, g.gl_pathv[i]);
+    for (const char *p = strstr(s.text, line); p; p = strstr(p + 1, line)) n++;
+    source_clear(&s);
+  }
+  globfree(&g);
+  return n;
+}
+
+static int count_asked(const struct claims *c, const char *item) {
+  int n = 0;
+  for (size_t i = 0; i < c->n; i++) n += claim_asked_for(&c->claim[i], item);
+  return n;
+}
+
+START_TEST(groups_of_claims) {
+  static const struct {
+    const char *group, *lines[3];
+  } cases[] = {{"matrices", {"\n  kind: matrix\n"}},
+               {"identities", {"\n  kind: identity\n"}},
+               {"numbers", {"\n  kind: number\n", "\n  kind: closure\n"}},
+               {"inequalities", {"\n  kind: inequality\n", "\n  kind: threshold\n", "\n  kind: sharp\n"}},
+               {"arguments", {"\n  kind: argument\n"}},
+               {"definitions", {"\n  kind: definition\n"}},
+               {"kind notation", {"\n  kind: notation\n"}},
+               {"record refuted", {"\n  record: refuted\n"}},
+               {"fault formula", {"\n  fault: formula\n"}},
+               {"equations", {"\n  equation: "}}};
+  struct claims c = {.n = 0};
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(claims_load(&c, "verify/claims", "claim", &d), "%s", d.message);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int want = 0;
+    for (int k = 0; k < 3 && cases[i].lines[k]; k++) want += count_lines(cases[i].lines[k]);
+    ck_assert_msg(want > 0 && count_asked(&c, cases[i].group) == want, "%s: %d, not %d", cases[i].group,
+                  count_asked(&c, cases[i].group), want);
+  }
+  ck_assert_int_eq(count_asked(&c, "all"), (int)c.n);
+  ck_assert_int_eq(count_asked(&c, "equations") + count_asked(&c, "sentences"), (int)c.n);
+  for (size_t i = 0; i < c.n; i++) {
+    const char *section = claim_get(&c.claim[i], "section");
+    struct text item;
+    text_init(&item);
+    text_printf(&item, "section %s", section);
+    ck_assert(claim_asked_for(&c.claim[i], text_str(&item)));
+    ck_assert(claim_asked_for(&c.claim[i], c.claim[i].id) && !claim_asked_for(&c.claim[i], "eq-999"));
+    /* a section's number is that of the file of claims that bears its name */
+    const char *file = strrchr(c.claim[i].file->src.name, '/') + 1;
+    if (file[1] == '-' && strncmp(file, "8-text", 6) != 0) {
+      char number[] = "section N";
+      number[8] = file[0];
+      size_t same = strlen("section ");
+      if (strncmp(file + 2, text_str(&item) + same, 5) == 0)
+        ck_assert_msg(claim_asked_for(&c.claim[i], number), "%s is not %s", section, number);
+    }
+    text_clear(&item);
+  }
+  /* J_a, J_b, J_c, J_f and J have an equation each: (27), (32), (36), (40), (41) */
+  static const char *const of[] = {"eq-27", "eq-32", "eq-36", "eq-40", "eq-41", "text-singular"};
+  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+    for (size_t k = 0; k < c.n; k++)
+      if (strcmp(c.claim[k].id, of[i]) == 0) ck_assert_msg(claim_asked_for(&c.claim[k], "jacobians"), "%s", of[i]);
+  claims_clear(&c);
+}
+END_TEST
+
+/* --- --set --- */
+
+/* The records of a scene on file are not those of another file of the same name, whatever it holds. */
+START_TEST(only_the_file_itself_is_on_file) {
+  const char *const chi[] = {"chi=0.7"}, *const ask[] = {"ask=eq-27"};
+  struct scene_overrides changed = {chi, 1, "--set"}, asking = {ask, 1, "--set"};
+  struct {
+    const char *spec;
+    const struct scene_overrides *o;
+    bool is;
+  } c[] = {{"paper", NULL, true},
+           {"verify/scenes/paper.scene", NULL, true},
+           {"./verify/../verify/scenes/paper.scene", NULL, true},
+           {"paper", &asking, true},
+           {"paper", &changed, false},
+           {scratch_put("paper.scene", GOOD), NULL, false}};
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct scene s;
+    struct diag d;
+    diag_init(&d);
+    ck_assert_msg(scene_load_with(&s, c[i].spec, "verify", c[i].o, false, &d), "%s", d.message);
+    ck_assert_str_eq(s.file, "paper");
+    ck_assert_msg(scene_is(&s, "paper") == c[i].is, "%s", c[i].spec);
+    scene_clear(&s);
+  }
+}
+END_TEST
+
+START_TEST(set_names_what_it_changed) {
+  struct scene s, plain, other;
+  struct diag d;
+  const char *const item[] = {"e2=[1, 2]", "title=it's"}, *const asked[] = {"ask=eq-27"};
+  struct scene_overrides o = {item, 2, "--set"}, only_asked = {asked, 1, "--set"};
+  ck_assert_msg(load(&s, &d, GOOD, &o), "%s", d.message);
+  ck_assert(load(&plain, &d, GOOD, NULL));
+  ck_assert_str_eq(s.name, "case --set 'e2=[1, 2]' --set 'title=it'\\''s'");
+  ck_assert_str_eq(s.file, "case");
+  ck_assert_str_eq(s.title, "it's");
+  ck_assert(s.changed && !plain.changed);
+  ck_assert_str_eq(plain.name, "case");
+  ck_assert_str_eq(plain.folder, "case");
+  ck_assert(strcmp(s.folder, "case") != 0 && !strpbrk(s.folder, "/ '[]"));
+  ck_assert(load(&other, &d, GOOD, &only_asked));
+  ck_assert(!other.changed); /* it asks for less of the same scene */
+  scene_clear(&other);
+  scene_clear(&plain);
+  scene_clear(&s);
+}
+END_TEST
+
+/* Two values whose names fold into one do not share a folder. */
+START_TEST(folders_differ) {
+  struct scene a, b;
+  struct diag d;
+  const char *const one[] = {"e2=1/2"}, *const two[] = {"e2=1*2"};
+  ck_assert(load(&a, &d, GOOD, &(struct scene_overrides){one, 1, "--set"}));
+  ck_assert(load(&b, &d, GOOD, &(struct scene_overrides){two, 1, "--set"}));
+  ck_assert_str_ne(a.folder, b.folder);
+  scene_clear(&a);
+  scene_clear(&b);
+}
+END_TEST
+
+/* Every command that takes a scene takes --set, and what it prints shows it. */
+START_TEST(set_reaches_every_command) {
+  static const char *const commands[][10] = {{"orbit", "paper", "--json", "--set", "e2=1"},
+                                             {"orbit", "paper", "--set", "e2=1"},
+                                             {"orbit", "paper", "--method", "paper", "--json", "--set", "e2=1"},
+                                             {"jacobian", "paper", "--set", "e2=1"},
+                                             {"jacobian", "paper", "--phases", "--json", "--set", "e2=1"},
+                                             {"simulate", "paper", "--set", "e2=1"},
+                                             {"bifurcate", "paper", "--along", "V=1:1.01", "--json", "--set", "e2=1"},
+                                             {"sweep", "paper", "--over", "V=1:1.1:2", "--json", "--set", "e2=1"},
+                                             {"sweep", "paper", "--over", "V=1:1.1:2", "--set", "e2=1"},
+                                             {"repair", "eq-27", "--json", "--set", "e2=1"}};
+  for (size_t i = 0; i < sizeof commands / sizeof *commands; i++) {
+    struct run r;
+    run_words(&r, commands[i]);
+    ck_assert_msg(r.status == 0 && strstr(r.out.text, "paper --set e2=1"), "%s %s: %d, %.500s %s", commands[i][0],
+                  commands[i][2], r.status, r.out.text, r.err.text);
+    run_clear(&r);
+  }
+  struct run r;
+  run_words(&r, (const char *const[]){"explain", "num-t_a", "--set", "printed=t_a = 0.5", NULL});
+  ck_assert_msg(r.status == 0 && strstr(r.out.text, "0.5"), "%s", r.err.text);
+  run_clear(&r);
+  run_words(&r, (const char *const[]){"list", "--set", "e2=1", NULL});
+  ck_assert(r.status == 2);
+  run_clear(&r);
+}
+END_TEST
+
+/* A changed scene and a file with the same value give the same numbers. */
+START_TEST(set_is_what_the_file_says) {
+  struct run a, b;
+  const char *path =
+      scratch_put("paper-too.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 1/2\nprinted: t_a = 0.6784\n");
+  run_words(&a, (const char *const[]){"orbit", "paper", "--set", "chi=0.7", "--set", "e2=1/2", NULL});
+  run_words(&b, (const char *const[]){"orbit", path, NULL});
+  ck_assert(a.status == 0 && b.status == 0);
+  ck_assert_str_eq(strchr(a.out.text, '\n'), strchr(b.out.text, '\n'));
+  run_clear(&b);
+  run_clear(&a);
+}
+END_TEST
+
+/* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says how it
+   was changed, and the paper's own report stays. */
+START_TEST(a_changed_scene_is_not_the_recorded_one) {
+  struct run r;
+  struct source audit;
+  /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not asked */
+  run_words(&r, (const char *const[]){"verify", "paper", "--only", "num-t_a", "--set", "printed=t_a = 0.5322", "--out",
+                                      scratch_path("changed"), NULL});
+  ck_assert_msg(r.status == 0, "%d: %s%s", r.status, r.out.text, r.err.text);
+  run_clear(&r);
+  read_back(&audit, scratch_path("changed/audit.json"));
+  ck_assert(strstr(audit.text, "\"verdict\": \"proved\"") || strstr(audit.text, "\"verdict\": \"supported\""));
+  ck_assert(
+      strstr(audit.text, "\"reproduce\": \"stickslip verify paper --set 'printed=t_a = 0.5322' --only num-t_a\""));
+  ck_assert(strstr(audit.text, "\"scene\": \"paper --set 'printed=t_a = 0.5322'\""));
+  source_clear(&audit);
+}
+END_TEST
+
+/* --- Names of files --- */
+
+/* A sweep's head says the scene's name in one line of comment, whatever the file is called. */
+START_TEST(names_of_files_do_not_break_lines) {
+  static const char *const names[] = {"a\nb.scene",
+                                      "a,b.scene",
+                                      "a\"b\r.scene",
+                                      "a\xFF"
+                                      "b.scene",
+                                      "...scene",
+                                      "a\x1B[31m.scene"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++) {
+    struct run r;
+    const char *path = scratch_put(names[i], GOOD);
+    run_words(&r, (const char *const[]){"sweep", path, "--over", "e2=0.5:0.6:2", NULL});
+    ck_assert_msg(r.status == 0, "%s", r.err.text);
+    bool rows = false;
+    for (const char *line = r.out.text; *line; line = strchr(line, '\n') + 1) {
+      if (begins(line, "point,e2,orbit,")) rows = true;
+      ck_assert_msg(*line == '#' || (rows && (*line == 'p' || (*line >= '0' && *line <= '9'))), "%.100s", line);
+      for (const char *p = line; *p && *p != '\n'; p++) ck_assert(*p >= ' ' && *p != 0x7F);
+    }
+    run_clear(&r);
+  }
+}
+END_TEST
+
+/* --- Keys --- */
+
+START_TEST(keys_are_documented) {
+  struct source page;
+  struct run r, json;
+  read_back(&page, "man/stickslip-scene.5");
+  run_words(&r, (const char *const[]){"list", "--scene-keys", NULL});
+  run_words(&json, (const char *const[]){"list", "--scene-keys", "--json", NULL});
+  for (int k = 0; k < N_SCENE_KEYS; k++) {
+    char item[100], line[100], member[100];
+    snprintf(item, sizeof item, "\n.It Ic %s ", scene_keys[k].name);
+    snprintf(line, sizeof line, "%s%s", scene_keys[k].name, k < N_KEYS ? " =" : ":");
+    snprintf(member, sizeof member, "\"name\": \"%s\"", scene_keys[k].name);
+    ck_assert_msg(strstr(page.text, item), "%s is not in the man page", scene_keys[k].name);
+    ck_assert_msg(strstr(r.out.text, line) && strstr(r.out.text, scene_keys[k].meaning), "%s", line);
+    ck_assert_msg(strstr(json.out.text, member), "%s", member);
+  }
+  run_clear(&json);
+  run_clear(&r);
+  source_clear(&page);
+}
+END_TEST
+
+START_TEST(keys_obey_their_schema) {
+  struct run r;
+  run_words(&r, (const char *const[]){"list", "--scene-keys", "--json", NULL});
+  const char *path = scratch_put_n("keys.json", r.out.text, r.out.len);
+  struct text command;
+  text_init(&command);
+  text_printf(&command, "%s tests/oracle/validate.py schema/scene-keys.schema.json %s", python(), path);
+  ck_assert(system(text_str(&command)) == 0);
+  text_clear(&command);
+  run_clear(&r);
+}
+END_TEST
+
+/* --- Which command uses which key --- */
+
+/* A scene as the values of its keys; NULL: the key is not given. */
+struct lines {
+  const char *of[N_SCENE_KEYS];
+};
+
+static const struct lines full = {{[KEY_CHI] = "0.8",
+                                   [KEY_ETA] = "1",
+                                   [KEY_V] = "1",
+                                   [KEY_E1] = "2.7844",
+                                   [KEY_E2] = "0.8587",
+                                   [KEY_U_R1] = "4",
+                                   [KEY_U_R2] = "4",
+                                   [KEY_TITLE] = "as it was",
+                                   [KEY_PRINTED] = "z10 = 0.8921",
+                                   [KEY_VALUES] = "z10"}};
+
+/* Another value of a key; one of the six that comes or goes changes places with another. */
+static const struct altered {
+  enum scene_key key;
+  const char *value;
+  enum scene_key with;
+  const char *its;
+} changes[] = {{KEY_CHI, "0.79", KEY_CHI, "0.79"},
+               {KEY_ETA, "1.01", KEY_ETA, "1.01"},
+               {KEY_V, "1.01", KEY_V, "1.01"},
+               {KEY_E1, "2.78", KEY_E1, "2.78"},
+               {KEY_E1, NULL, KEY_TB, "2"},
+               {KEY_E2, "0.86", KEY_E2, "0.86"},
+               {KEY_E2, NULL, KEY_TB, "2"},
+               {KEY_TA, "0.1", KEY_E2, NULL},
+               {KEY_TB, "1.9", KEY_E2, NULL},
+               {KEY_TC, "1.4", KEY_E2, NULL},
+               {KEY_TD, "2.1", KEY_E2, NULL},
+               {KEY_U_R1, "2.785", KEY_U_R1, "2.785"},
+               {KEY_U_R1, NULL, KEY_U_R1, NULL},
+               {KEY_U_R2, "1.68", KEY_U_R2, "1.68"},
+               {KEY_U_R2, NULL, KEY_U_R2, NULL},
+               {KEY_WORD, "D Gamma H Gamma", KEY_WORD, "D Gamma H Gamma"},
+               {KEY_TITLE, "another", KEY_TITLE, "another"},
+               {KEY_PRINTED, "z10 = 0.8929", KEY_PRINTED, "z10 = 0.8929"},
+               {KEY_ASK, "eq-27", KEY_ASK, "eq-27"},
+               {KEY_VALUES, "z20", KEY_VALUES, "z20"},
+               {KEY_ROUTES, "balls", KEY_ROUTES, "balls"},
+               {KEY_DIGITS, "30", KEY_DIGITS, "30"},
+               {KEY_BUDGET, "1", KEY_BUDGET, "1"}};
+enum { N_CHANGES = sizeof changes / sizeof *changes };
+
+/* Ways to use a command, one after the other, on ranges with a change of orbits; SCENE and OUT stand for the scene's file and a folder.  list is told of the scene by
+   its data folder; no orbit is known of the word with a faster mass, but that it needs friction. */
+static const struct use {
+  const char *word; /* of the scene, in place of the paper's */
+  const char *argv[9];
+} uses[] = {{NULL,
+             {"verify", "SCENE", "--out", "OUT", "--only",
+              "eq-27,num-t_a,text-periodic,text-long-run,num-u_r1,num-u_r2,eq-52,eq-54,text-first-example"}},
+            {NULL, {"orbit", "SCENE"}},
+            {NULL, {"jacobian", "SCENE"}},
+            {NULL, {"jacobian", "SCENE", "--at", "printed"}},
+            {"Gamma H Gamma gamma", {"jacobian", "SCENE"}},
+            {NULL, {"simulate", "SCENE"}},
+            {NULL, {"simulate", "SCENE", "--at", "printed"}},
+            {NULL, {"bifurcate", "SCENE", "--along", "V=0.9:1.1"}},
+            {NULL, {"bifurcate", "SCENE", "--along", "e1=2.78:3.2"}},
+            {NULL, {"words", "SCENE", "--longest", "2"}},
+            {NULL, {"readings", "SCENE"}},
+            {NULL, {"sweep", "SCENE", "--over", "V=0.9:1.1:3"}},
+            {NULL, {"sweep", "SCENE", "--over", "e1=2.7:2.9:3"}},
+            {NULL, {"plot", "SCENE", "--out", "OUT"}},
+            {NULL, {"list", "scenes"}}};
+enum { N_USES = sizeof uses / sizeof *uses };
+
+static void put_scene(const struct lines *l) {
+  struct text t;
+  text_init(&t);
+  for (int k = 0; k < N_SCENE_KEYS; k++)
+    if (l->of[k]) text_printf(&t, "%s%s %s\n", scene_key_name[k], k < N_KEYS ? " =" : ":", l->of[k]);
+  text_add(&t, "printed: z20 = -2.1958\nprinted: t_a = 0.6784\nprinted: t_b = 2\nprinted: t_c = 1.5\n"
+               "printed: t_d = 2.34\nprinted: e1 = 2.7844\nprinted: e2 = 0.8587\nprinted: u_r2 = 1.6645\n");
+  scratch_put("scenes/x.scene", text_str(&t));
+  text_clear(&t);
+}
+
+/* All that the command says and writes, but for what belongs to the machine; its exit status. */
+static int answer(struct text *out, const struct use *u, const struct lines *l) {
+  const char *words[10] = {NULL}, *folder = scratch_path("keys-out");
+  struct run r;
+  struct lines own = *l;
+  if (u->word) own.of[KEY_WORD] = u->word;
+  put_scene(&own);
+  for (int i = 0; i < 9 && u->argv[i]; i++)
+    words[i] = strcmp(u->argv[i], "SCENE") == 0 ? scratch_path("scenes/x.scene")
+               : strcmp(u->argv[i], "OUT") == 0 ? folder
+                                                : u->argv[i];
+  if (strcmp(words[0], "list") == 0) setenv("STICKSLIP_DATA", scratch_path(""), 1);
+  run_words(&r, words);
+  unsetenv("STICKSLIP_DATA");
+  text_printf(out, "%d\n%s%s", r.status, r.out.text, r.err.text);
+  if (access(folder, F_OK) == 0) {
+    char *list = ss_strdup(scratch_list(folder));
+    for (char *name = strtok(list, " "); name; name = strtok(NULL, " ")) {
+      char path[100];
+      struct source s;
+      snprintf(path, sizeof path, "keys-out/%s", name);
+      read_back(&s, scratch_path(path));
+      if (strcmp(name, "run.json") != 0) text_printf(out, "%s\n%s", name, s.text);
+      source_clear(&s);
+      unlink(scratch_path(path));
+    }
+    free(list);
+    ck_assert(rmdir(folder) == 0);
+  }
+  int status = r.status;
+  run_clear(&r);
+  return status;
+}
+
+/* Whether the list of the column, from a place up to a semicolon, names the command. */
+static bool lists_command(const char *list, const char *command) {
+  size_t n = strlen(command), len;
+  const char *end = strchr(list, ';');
+  for (const char *s = list_item(&len, list); s && (!end || s < end); s = list_item(&len, s + len))
+    if (strncmp(s, command, n) == 0 && (len == n || (len == n + 1 && s[n] == ';'))) return true;
+  return false;
+}
+
+/* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for byte, or
+   does not. */
+START_TEST(keys_act_where_they_say) {
+  bool acts[N_SCENE_KEYS][N_USES] = {{false}}, refused[N_SCENE_KEYS][N_USES] = {{false}};
+  ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);
+  for (int u = 0; u < N_USES; u++) {
+    struct text before;
+    text_init(&before);
+    int status = answer(&before, &uses[u], &full);
+    for (int i = 0; i < N_CHANGES; i++) {
+      const struct altered *c = &changes[i];
+      struct lines l = full;
+      struct text after;
+      if (uses[u].word && c->key == KEY_WORD) continue;
+      text_init(&after);
+      l.of[c->key] = c->value;
+      l.of[c->with] = c->its;
+      int then = answer(&after, &uses[u], &l);
+      int first = u; /* of the same command */
+      while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
+      bool refuses = status == 0 && then == 3;
+      if (refuses)
+        refused[c->key][first] = true;
+      else if (strcmp(text_str(&before), text_str(&after)) != 0)
+        acts[c->key][first] = true;
+      text_clear(&after);
+    }
+    text_clear(&before);
+  }
+  for (int u = 0; u < N_USES; u++) /* read as a pair, of which one can be too large to matter on every orbit */
+    acts[KEY_U_R1][u] = acts[KEY_U_R2][u] = acts[KEY_U_R1][u] || acts[KEY_U_R2][u];
+  for (int k = 0; k < N_SCENE_KEYS; k++)
+    for (int u = 0; u < N_USES; u++) {
+      const char *command = uses[u].argv[0], *used = scene_keys[k].used, *refusal = strstr(used, "; refused by ");
+      if (u > 0 && strcmp(uses[u - 1].argv[0], command) == 0) continue;
+      bool every = strcmp(used, "every command") == 0 && strcmp(command, "list") != 0;
+      bool told = every || lists_command(used, command), barred = refusal && lists_command(refusal + 13, command);
+      ck_assert_msg(acts[k][u] == told, "%s %s in %s", scene_keys[k].name, told ? "does not act" : "acts", command);
+      ck_assert_msg((refused[k][u] && !acts[k][u]) == barred, "%s is %s by %s", scene_keys[k].name,
+                    barred ? "not refused" : "refused", command);
+    }
+}
+END_TEST
+
+Suite *scene_suite(void) {
+  Suite *s = suite_create("scene");
+  TCase *c = tcase_create("hostile");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, hostile_scenes);
+  tcase_add_test(c, hostile_sets);
+  tcase_add_test(c, what_is_no_file);
+  tcase_add_test(c, values_beyond_double_precision);
+  suite_add_tcase(s, c);
+  c = tcase_create("scene");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, the_library_is_readable);
+  tcase_add_test(c, values_use_each_other);
+  tcase_add_test(c, order_does_not_matter);
+  tcase_add_test(c, overrides_print_in_any_order);
+  tcase_add_test(c, what_is_asked);
+  tcase_add_test(c, what_is_asked_must_exist);
+  tcase_add_test(c, groups_of_claims);
+  tcase_add_test(c, keys_are_documented);
+  tcase_add_test(c, keys_obey_their_schema);
+  suite_add_tcase(s, c);
+  c = tcase_create("keys");
+  tcase_set_tags(c, "long");
+  tcase_set_timeout(c, 900);
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, keys_act_where_they_say);
+  suite_add_tcase(s, c);
+  c = tcase_create("set");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, set_names_what_it_changed);
+  tcase_add_test(c, only_the_file_itself_is_on_file);
+  tcase_add_test(c, folders_differ);
+  tcase_add_test(c, set_reaches_every_command);
+  tcase_add_test(c, set_is_what_the_file_says);
+  tcase_add_test(c, a_changed_scene_is_not_the_recorded_one);
+  tcase_add_test(c, names_of_files_do_not_break_lines);
+  suite_add_tcase(s, c);
+  return s;
+}

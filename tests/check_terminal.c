@@ -1,0 +1,433 @@
+/* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are typed
+   from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
+#include <check.h>
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "scratch.h"
+#include "stickslip/text.h"
+#include "suites.h"
+
+/* Standard output of a shell command, to be freed, with its exit status. */
+static char *shell(int *status, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+static char *shell(int *status, const char *fmt, ...) {
+  char command[4000];
+  struct text t;
+  va_list ap;
+  va_start(ap, fmt);
+  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
+  va_end(ap);
+  FILE *f = popen(command, "r");
+  ck_assert(f != NULL);
+  text_init(&t);
+  char part[4096];
+  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
+  text_add(&t, "");
+  int s = pclose(f);
+  *status = WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+  return t.data;
+}
+
+static int count(const char *text, const char *part) {
+  int n = 0;
+  for (const char *p = strstr(text, part); p; p = strstr(p + 1, part)) n++;
+  return n;
+}
+
+/* --- Colours and tables --- */
+
+static const char audit_args[] = "verify paper --only eq-10,eq-27,num-t_a --out";
+
+static char *on_a_terminal(const char *settings, const char *more) {
+  int status;
+  char *out = shell(&status, "%s tests/oracle/terminal.py %s -- %s %s %s %s", python(), settings, program(), audit_args,
+                    scratch_path("r"), more);
+  ck_assert_int_eq(status, 0);
+  return out;
+}
+
+/* Where standard error is a terminal too, progress comes first, and wipes itself away. */
+static const char *after_progress(const char *out) {
+  const char *last = out;
+  for (const char *p = strstr(out, "\033[K"); p; p = strstr(p + 1, "\033[K")) last = p + 3;
+  return last;
+}
+
+START_TEST(colours_only_where_they_are_wanted) {
+  static const struct {
+    const char *settings;
+    bool colours;
+  } cases[] = {{"TERM=xterm NO_COLOR=", true},   {"TERM=xterm-256color NO_COLOR=", true},
+               {"TERM=dumb NO_COLOR=", false},   {"TERM= NO_COLOR=", false},
+               {"TERM=xterm NO_COLOR=1", false}, {"TERM=xterm NO_COLOR=0", false}};
+  int status;
+  char *plain = shell(&status, "TERM=xterm %s %s %s 2>&1", program(), audit_args, scratch_path("r"));
+  ck_assert_int_eq(status, 0);
+  ck_assert_msg(!strchr(plain, '\033') && !strchr(plain, '\r'), "%s", plain);
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char *out = on_a_terminal(cases[i].settings, "");
+    const char *said = after_progress(out);
+    if (cases[i].colours)
+      ck_assert_msg(strstr(said, "\033[1;31mrefuted\033[0m     num-t_a"), "%s: %s", cases[i].settings, said);
+    else
+      ck_assert_msg(strcmp(said, plain) == 0, "%s: %s", cases[i].settings, said);
+    ck_assert_int_eq(count(said, "\033[0m") * 2, count(said, "\033["));
+    free(out);
+  }
+  free(plain);
+}
+END_TEST
+
+/* Without its colours the text is the same, and the last line is the contract's. */
+START_TEST(colours_change_no_character) {
+  int status;
+  char *plain = shell(&status, "%s %s %s", program(), audit_args, scratch_path("r"));
+  char *out = on_a_terminal("TERM=xterm NO_COLOR=", ""), *to = out;
+  for (const char *p = after_progress(out); *p;) {
+    if (*p == '\033')
+      p = strchr(p, 'm') + 1;
+    else
+      *to++ = *p++;
+  }
+  *to = '\0';
+  ck_assert_str_eq(out, plain);
+  const char *last = strstr(plain, "\npaper: 6 claims: ");
+  ck_assert(last && strcmp(last + strlen(last) - 12, "as recorded\n") == 0 &&
+            !strchr(strchr(last + 1, '\n') + 1, '\n'));
+  free(out);
+  out = on_a_terminal("TERM=xterm NO_COLOR=1", "--quiet");
+  ck_assert_str_eq(out, last + 1);
+  free(out);
+  free(plain);
+}
+END_TEST
+
+/* The counts of the table add up: down the columns to its last row, and along each row. */
+START_TEST(the_table_adds_up) {
+  int status, sum[8] = {0};
+  char *out = shell(&status, "%s verify paper --out %s", program(), scratch_path("r"));
+  char *line = strstr(out, "\nsection");
+  ck_assert(line != NULL);
+  line = strtok(strchr(line + 1, '\n'), "\n");
+  for (; line; line = strtok(NULL, "\n")) {
+    char name[40], cell[8][8];
+    int n = sscanf(line, "%39s %7s %7s %7s %7s %7s %7s %7s", name, cell[0], cell[1], cell[2], cell[3], cell[4], cell[5],
+                   cell[6]) -
+            1;
+    int along = 0;
+    ck_assert_msg(n == 7, "%s", line);
+    for (int i = 0; i + 1 < n; i++) along += atoi(cell[i]);
+    ck_assert_msg(along == atoi(cell[n - 1]), "%s", line);
+    bool all = strcmp(name, "all") == 0;
+    for (int i = 0; i < n; i++) {
+      if (all)
+        ck_assert_msg(sum[i] == atoi(cell[i]), "%s: column %d is %d", line, i, sum[i]);
+      else
+        sum[i] += atoi(cell[i]);
+    }
+    if (all) break;
+  }
+  ck_assert(line && sum[0] > 0 && sum[6] > 100);
+  free(out);
+}
+END_TEST
+
+/* Tables that a person can read: every number says what it is, and columns stand under each other. */
+START_TEST(orbits_and_motions_are_tables) {
+  int status;
+  char *out = shell(&status, "%s orbit paper --digits 30", program());
+  const char *meaning = strstr(out, "position of m_1"), *begin = meaning;
+  ck_assert_int_eq(status, 0);
+  ck_assert(meaning != NULL);
+  while (begin[-1] != '\n') begin--;
+  long column = meaning - begin;
+  static const char *const words[] = {"length of the global stick", "of the slip-stick",
+                                      "tr J: ", "static friction of m_2"};
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
+    const char *at = strstr(out, words[i]), *from = at;
+    ck_assert_msg(at != NULL, "%s", words[i]);
+    while (from[-1] != '\n') from--;
+    ck_assert_int_eq(at - from, column);
+  }
+  free(out);
+  out = shell(&status, "%s simulate paper --at orbit:2", program());
+  ck_assert(status == 0 && strstr(out, "without dimensions") && strstr(out, "\n          t mass change"));
+  free(out);
+}
+END_TEST
+
+/* Text less all that is blank. */
+static void squeeze(char *s) {
+  char *to = s;
+  for (; *s; s++)
+    if (!strchr(" \n", *s)) *to++ = *s;
+  *to = '\0';
+}
+
+/* Lines that fit the terminal, with the same words: those that are wider elsewhere are broken at blanks. */
+START_TEST(lines_fit_the_terminal) {
+  static const struct {
+    const char *command;
+    int width;
+    bool same; /* nothing but blanks differs from what a pipe is given */
+  } cases[] = {{"list", 80, true},
+               {"list", 60, true},
+               {"list scenes", 80, true},
+               {"list scenes", 45, true},
+               {"orbit paper", 80, true},
+               {"orbit paper --digits 30", 72, true},
+               {"orbit near-flip --digits 40", 80, true},
+               {"list --scene-keys", 80, false},
+               {"list --scene-keys", 60, false},
+               {"list --scene-keys", 130, true}};
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    char *wide = shell(&status, "%s %s", program(), cases[i].command);
+    ck_assert_int_eq(status, 0);
+    char *out = shell(&status, "%s tests/oracle/terminal.py COLUMNS=%d -- %s %s 2>&1", python(), cases[i].width,
+                      program(), cases[i].command);
+    ck_assert_int_eq(status, 0);
+    int lines = 0;
+    for (const char *p = out; *p; p += strcspn(p, "\n") + 1, lines++)
+      ck_assert_msg(strcspn(p, "\n") <= (size_t)cases[i].width && *p != '\n', "%s: %.200s", cases[i].command, p);
+    ck_assert_int_gt(lines, 15);
+    size_t long_lines = 0;
+    for (const char *p = wide; *p; p += strcspn(p, "\n") + 1) long_lines += strcspn(p, "\n") > (size_t)cases[i].width;
+    ck_assert_msg(long_lines > 0 || cases[i].width == 130, "%s: nothing to break", cases[i].command);
+    squeeze(out);
+    squeeze(wide);
+    if (cases[i].same) ck_assert_msg(strcmp(out, wide) == 0, "%s: %s", cases[i].command, out);
+    free(out);
+    free(wide);
+  }
+}
+END_TEST
+
+/* --- Scenes on file --- */
+
+START_TEST(scenes_are_listed) {
+  int status;
+  char *out = shell(&status, "%s list scenes", program());
+  ck_assert(status == 0 && strncmp(out, "above-one ", 10) == 0);
+  ck_assert(strstr(out, "\npaper              the paper's numerical example\n"));
+  free(out);
+  out = shell(&status, "ls verify/scenes/*.scene | wc -l; %s list scenes | wc -l", program());
+  int files = -1, lines = -2;
+  ck_assert(sscanf(out, "%d %d", &files, &lines) == 2 && files == lines);
+  free(out);
+  out = shell(&status, "STICKSLIP_DATA=%s %s list scenes 2>&1", scratch_path(""), program());
+  ck_assert(status == 3 && strstr(out, "scenes: error: "));
+  free(out);
+  out = shell(
+      &status, "mkdir %s; echo 'chi = 2' > %s; cp verify/scenes/stable.scene %s; STICKSLIP_DATA=%s %s list scenes 2>&1",
+      scratch_path("scenes"), scratch_path("scenes/broken.scene"), scratch_path("scenes"), scratch_path(""), program());
+  ck_assert_msg(status == 3 && strstr(out, "broken.scene: error: ") && strstr(out, "stable  "), "%s", out);
+  free(out);
+}
+END_TEST
+
+/* --- Completion --- */
+
+/* What bash offers for the line, a word a line. */
+static char *offered(const char *line) {
+  int status;
+  scratch_put("try.bash", "source tools/completion.bash\n"
+                          "COMP_LINE=$1 COMP_POINT=${#1} COMP_WORDBREAKS=$' \\t\\n=:'\n"
+                          "read -ra COMP_WORDS <<< \"$1\"\n"
+                          "[[ $1 == *' ' ]] && COMP_WORDS+=('')\n"
+                          "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
+                          "_stickslip\n"
+                          "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
+  char *out = shell(&status, "bash %s '%s %s' 2>&1", scratch_path("try.bash"), program(), line);
+  ck_assert_int_eq(status, 0);
+  return out;
+}
+
+START_TEST(bash_completes) {
+  static const struct {
+    const char *line, *words;
+  } cases[] = {{"ver", "verify\n"},
+               {"s", "simulate\nstability\nsweep\n"},
+               {"orbit --b", "--basin\n"},
+               {"verify --o", "--only\n--out\n--overlay\n"},
+               {"orbit near-f", "near-flip\nnear-fold\n"},
+               {"verify --only eq-60", "eq-60\neq-60b\n"},
+               {"verify --only eq-27,num-t_", "eq-27,num-t_a\neq-27,num-t_b\neq-27,num-t_c\neq-27,num-t_d\n"},
+               {"explain text-periodic", "text-periodic\ntext-periodicity-and-16\ntext-periodicity-alone\n"},
+               {"jacobian paper --method s", "saltation\n"},
+               {"jacobian paper --layer=s", "stable\n"},
+               {"orbit --method ", "model\npaper\n"},
+               {"list ", "scenes\n"},
+               {"bench --job m", "map\n"},
+               {"orbit verify/scenes/near-t", "verify/scenes/near-ta.scene\n"},
+               {"nonsense --x", "\n"}};
+  if (system("command -v bash >/dev/null") != 0) return;
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    char *out = offered(cases[i].line);
+    ck_assert_msg(strcmp(out, cases[i].words) == 0, "%s: %s", cases[i].line, out);
+    free(out);
+  }
+}
+END_TEST
+
+/* Every option that is offered belongs to its command. */
+START_TEST(what_is_offered_is_known) {
+  if (system("command -v bash >/dev/null") != 0) return;
+  char *commands = offered("");
+  int tried = 0;
+  char *end_of_commands = NULL;
+  for (char *c = strtok_r(commands, "\n", &end_of_commands); c; c = strtok_r(NULL, "\n", &end_of_commands)) {
+    char line[64], *end = NULL;
+    if (c[0] == '-') continue;
+    snprintf(line, sizeof line, "%.40s --", c);
+    char *options = offered(line);
+    for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
+      int status;
+      char *said = shell(&status, "%s %s %s=x --no-such 2>&1 >/dev/null", program(), c, o);
+      ck_assert_msg(status == 2 && !strstr(said, "belong") &&
+                        (strstr(said, o) == NULL || strstr(said, "takes no value")),
+                    "%s %s: %s", c, o, said);
+      free(said);
+    }
+    free(options);
+  }
+  ck_assert_int_gt(tried, 40);
+  free(commands);
+}
+END_TEST
+
+/* --- Documents --- */
+
+/* The blocks of a document that begin with ``` and a kind of file, less their indentation. */
+static int check_blocks(const char *path, int *refused) {
+  char line[2000], kind[20] = "", mode[20] = "";
+  struct text body;
+  FILE *f = fopen(path, "r");
+  int n = 0;
+  ck_assert_msg(f != NULL, "%s", path);
+  text_init(&body);
+  size_t indent = 0;
+  while (fgets(line, sizeof line, f)) {
+    const char *mark = strstr(line, "```");
+    if (mark && !*kind) {
+      mode[0] = '\0';
+      indent = (size_t)(mark - line);
+      text_reset(&body);
+      ck_assert_msg(sscanf(mark + 3, "%19[a-z] %19[a-z]", kind, mode) >= 1, "%s: a block of no kind", path);
+    } else if (mark) {
+      char name[40];
+      int status;
+      bool wrong = strcmp(mode, "refused") == 0;
+      snprintf(name, sizeof name, "block.%s", kind);
+      char *said = shell(&status, "%s check %s 2>&1", program(), scratch_put(name, text_str(&body)));
+      ck_assert_msg(status == (wrong ? 3 : 0), "%s: %s\n%s", path, text_str(&body), said);
+      free(said);
+      *refused += wrong;
+      kind[0] = '\0';
+      n++;
+    } else if (*kind) {
+      text_add(&body, line + (strlen(line) > indent ? indent : 0));
+    }
+  }
+  fclose(f);
+  text_clear(&body);
+  return n;
+}
+
+START_TEST(documents_hold_what_the_program_reads) {
+  int refused = 0;
+  ck_assert_int_ge(check_blocks("docs/language.md", &refused), 7);
+  ck_assert_int_ge(refused, 4);
+  ck_assert_int_ge(check_blocks("docs/scenes.md", &refused), 7);
+  ck_assert_int_ge(check_blocks("docs/another-paper.md", &refused), 1);
+}
+END_TEST
+
+/* A paper of two equations, of which the first is right (the propagator of a mass that keeps its velocity) and the second is
+   wrong (a triangular matrix with ones on its diagonal has the determinant 1). */
+START_TEST(another_paper_is_audited) {
+  int status;
+  char *out =
+      shell(&status, "STICKSLIP_DATA=tests/another %s verify --out %s 2>&1", program(), scratch_path("another"));
+  ck_assert_msg(status == 0 && strstr(out, "refuted     eq-2 "), "%s", out);
+  ck_assert_msg(strstr(out, "\npaper: 2 claims: 1 proved, 1 refuted; 3 of 3 controls noticed; as recorded\n"), "%s",
+                out);
+  free(out);
+  out = shell(&status, "grep -c 'replaced by\\|det(D(t)) = 1\"' %s/audit.json", scratch_path("another"));
+  ck_assert_int_eq(atoi(out), 1); /* the correction */
+  free(out);
+  /* the page says whose paper it is, and without its title of none */
+  out = shell(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
+  ck_assert_str_eq(out, "<h1>Audit of a paper: <cite>A note on two equations of the oscillator</cite></h1>\n");
+  free(out);
+  /* the same folder with its second equation right: the verdict is not the recorded one */
+  out = shell(
+      &status,
+      "cp -R tests/another/paper %s && sed -i 's/= 1 + t$/= 1/; /^paper:/d' %s/note.eq && STICKSLIP_DATA=tests/another "
+      "%s verify --paper %s --out %s",
+      scratch_path("paper"), scratch_path("paper"), program(), scratch_path("paper"), scratch_path("another"));
+  ck_assert_msg(status == 1 && strstr(out, "eq-2: proved, recorded as refuted\n"), "%s", out);
+  free(out);
+  out = shell(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
+  ck_assert_str_eq(out, "<h1>Audit of a paper</h1>\n");
+  free(out);
+}
+END_TEST
+
+/* Every command of docs/ and of README's quick start is typed, and ends as they say. */
+START_TEST(documents_show_what_happens) {
+  int status;
+  char *out = shell(&status, "%s tests/oracle/documents.py %s %s-checker 'README.md@More to look at' docs/*.md 2>&1",
+                    python(), program(), program());
+  ck_assert_msg(status == 0, "%s", out);
+  ck_assert_int_ge(atoi(out), 20);
+  free(out);
+}
+END_TEST
+
+START_TEST(man_pages_are_sound) {
+  int status;
+  if (system("command -v mandoc >/dev/null") != 0) return;
+  char *out = shell(&status, "mandoc -Tlint -Wwarning man/*.[15]");
+  ck_assert_msg(status == 0 && !*out, "%s", out);
+  free(out);
+}
+END_TEST
+
+START_TEST(every_kind_of_claim_is_in_the_manual) {
+  int status;
+  char *out =
+      shell(&status,
+            "for k in $(%s list | awk '{ print $2 }' | sort -u); do grep -qw -e \"$k\" man/stickslip-eq.5 || echo "
+            "$k; done",
+            program());
+  ck_assert_msg(!*out, "%s", out);
+  free(out);
+}
+END_TEST
+
+Suite *terminal_suite(void) {
+  Suite *s = suite_create("terminal");
+  TCase *c = tcase_create("terminal");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_set_timeout(c, 300);
+  tcase_add_test(c, colours_only_where_they_are_wanted);
+  tcase_add_test(c, colours_change_no_character);
+  tcase_add_test(c, the_table_adds_up);
+  tcase_add_test(c, orbits_and_motions_are_tables);
+  tcase_add_test(c, lines_fit_the_terminal);
+  tcase_add_test(c, scenes_are_listed);
+  tcase_add_test(c, bash_completes);
+  tcase_add_test(c, what_is_offered_is_known);
+  tcase_add_test(c, documents_hold_what_the_program_reads);
+  tcase_add_test(c, documents_show_what_happens);
+  tcase_add_test(c, another_paper_is_audited);
+  tcase_add_test(c, man_pages_are_sound);
+  tcase_add_test(c, every_kind_of_claim_is_in_the_manual);
+  suite_add_tcase(s, c);
+  return s;
+}

@@ -1,0 +1,790 @@
+/* Words of phases: their notation, which phase can follow which, and their orbits against the paper's word, an oracle that
+   shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
+#include <check.h>
+#include <math.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "scratch.h"
+#include "stickslip/audit.h"
+#include "stickslip/json.h"
+#include "stickslip/word.h"
+#include "suites.h"
+
+static struct phase_word word_of(const char *text) {
+  struct phase_word w;
+  size_t at;
+  const char *why;
+  ck_assert_msg(phase_word_parse(&w, &at, &why, text, strlen(text)), "%s: %s", text, why);
+  return w;
+}
+
+static const char *shown(const struct phase_word *w) {
+  static char line[256];
+  struct text t;
+  text_init(&t);
+  phase_word_print(&t, w);
+  snprintf(line, sizeof line, "%s", text_str(&t));
+  text_clear(&t);
+  return line;
+}
+
+/* --- Notation --- */
+
+START_TEST(a_word_is_read_and_printed) {
+  static const char *const same[][2] = {{"D Gamma H C", "D-Gamma-H-C"},
+                                        {"D-Gamma-H-C", "D-Gamma-H-C"},
+                                        {"DGHC", "D-Gamma-H-C"},
+                                        {"  D  - G\tH C ", "D-Gamma-H-C"},
+                                        {"Gamma", "Gamma"},
+                                        {"gamma h c X x", "gamma-h-c-X-x"},
+                                        {"ghcXx", "gamma-h-c-X-x"},
+                                        {"G gamma", "Gamma-gamma"},
+                                        {"HCHCHCHCHCHC", "H-C-H-C-H-C-H-C-H-C-H-C"}};
+  for (size_t i = 0; i < sizeof same / sizeof *same; i++) {
+    struct phase_word w = word_of(same[i][0]);
+    ck_assert_str_eq(shown(&w), same[i][1]);
+  }
+}
+END_TEST
+
+START_TEST(what_is_no_word) {
+  static const struct {
+    const char *text, *why;
+    size_t at;
+  } bad[] = {{"", "at least one phase", 0},       {"   ", "at least one phase", 0}, {"-D", "a hyphen stands", 0},
+             {"D-", "a hyphen stands", 1},        {"D--H", "a hyphen stands", 2},   {"D Q", "the phases are", 2},
+             {"GammaH", "the phases are", 1},     {"D+H", "the phases are", 1},     {"D,H", "the phases are", 1},
+             {"D(H)^2", "the phases are", 1},     {"Gamme", "the phases are", 1},   {"\xce\x93", "the phases are", 0},
+             {"HCHCHCHCHCHCH", "at most 12", 12}, {"d", "the phases are", 0},       {"D\n", "the phases are", 1},
+             {"D 1", "the phases are", 2}};
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    struct phase_word w;
+    size_t at = 99;
+    const char *why = NULL;
+    ck_assert_msg(!phase_word_parse(&w, &at, &why, bad[i].text, strlen(bad[i].text)), "%s", bad[i].text);
+    ck_assert_msg(strstr(why, bad[i].why) && at == bad[i].at, "%s: %s at %zu", bad[i].text, why, at);
+  }
+}
+END_TEST
+
+/* Random bytes, mostly from the letters of words: what is read is a word that reads back, what is not names a place. */
+START_TEST(any_bytes_are_a_word_or_not) {
+  static const char letters[] = "DGHCghcXxDGHCghcXx  --\tammaGamma+^()\0\xff\n";
+  unsigned seed = 12345, words = 0;
+  for (int i = 0; i < 200000; i++) {
+    char bytes[40];
+    size_t len = (size_t)i % sizeof bytes;
+    for (size_t k = 0; k < len; k++) {
+      seed = seed * 1664525u + 1013904223u;
+      bytes[k] = (seed >> 8) % 16 == 0 ? (char)(seed >> 16) : letters[(seed >> 12) % (sizeof letters - 1)];
+    }
+    char *exact = malloc(len + 1); /* so that a sanitizer sees a byte too many read */
+    memcpy(exact, bytes, len);
+    exact = realloc(exact, len ? len : 1);
+    struct phase_word w, again;
+    size_t at = 99;
+    const char *why = NULL;
+    if (phase_word_parse(&w, &at, &why, exact, len)) {
+      words++;
+      ck_assert(w.n >= 1 && w.n <= WORD_MOST);
+      again = word_of(shown(&w));
+      ck_assert(again.n == w.n && memcmp(again.mode, w.mode, (size_t)w.n * sizeof w.mode[0]) == 0);
+    } else {
+      ck_assert(why != NULL && (at < len || len == 0));
+    }
+    free(exact);
+  }
+  ck_assert_uint_gt(words, 1000);
+}
+END_TEST
+
+START_TEST(a_word_has_no_beginning) {
+  struct phase_word w = word_of("H C D Gamma"), other = word_of("C H D Gamma");
+  ck_assert(phase_word_is_papers(&w) && !phase_word_is_papers(&other));
+  ck_assert(!phase_word_same(&w, &other) && !phase_word_has_faster(&w));
+  phase_word_canonical(&w);
+  ck_assert_str_eq(shown(&w), "D-Gamma-H-C");
+  phase_word_turn(&w, &w, 3);
+  ck_assert_str_eq(shown(&w), "C-D-Gamma-H");
+  w = word_of("DGHCDGHC");
+  ck_assert(!phase_word_is_papers(&w));
+}
+END_TEST
+
+/* Every word of n letters is written down: those without a repeated neighbour are counted by the least of their turns. */
+START_TEST(all_words_are_counted_and_listed) {
+  static const char letter[] = "DGHCghcXx";
+  for (int n = 1; n <= 5; n++) {
+    long canonical = 0, possible = 0, listed = 0, total = 1;
+    for (int i = 0; i < n; i++) total *= 9;
+    for (long k = 0; k < total; k++) {
+      char text[8] = {0};
+      int place[5];
+      bool repeats = false, least = true, barred = false;
+      long rest = k;
+      for (int i = n - 1; i >= 0; i--, rest /= 9) place[i] = (int)(rest % 9);
+      for (int i = 0; i < n; i++) {
+        text[i] = letter[place[i]];
+        repeats |= n > 1 && place[i] == place[(i + 1) % n];
+      }
+      for (int by = 1; by < n && least; by++)
+        for (int i = 0; i < n; i++) {
+          int order = place[(i + by) % n] - place[i];
+          if (order < 0) least = false;
+          if (order) break;
+        }
+      if (repeats || !least) continue;
+      canonical++;
+      struct phase_word w = word_of(text), turned = w;
+      phase_word_canonical(&turned);
+      ck_assert_int_eq(memcmp(&turned.mode, &w.mode, (size_t)n * sizeof w.mode[0]), 0);
+      for (int i = 0; i < n && n > 1; i++) barred |= phase_word_barrier(w.mode[i], w.mode[(i + 1) % n]) != NULL;
+      possible += !barred;
+    }
+    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) listed++;
+    ck_assert_int_eq(phase_word_count(n), canonical);
+    ck_assert_int_eq(listed, possible);
+  }
+}
+END_TEST
+
+/* --- Transitions --- */
+
+static unsigned random_state = 1;
+static double uniform(double low, double high) {
+  random_state = random_state * 1664525u + 1013904223u;
+  return low + (high - low) * ((double)(random_state >> 8) / 16777216.0);
+}
+
+static void random_start(double start[N_STATE], const double p[N_COULOMB], double reach) {
+  double f1 = uniform(-reach, reach), f2 = uniform(-reach, reach);
+  start[Z_1] = (f1 + f2) / (1 - p[COULOMB_CHI]);
+  start[Z_2] = start[Z_1] + f2 / p[COULOMB_CHI];
+  for (int i = 0; i < 2; i++) start[DZ_1 + i] = p[COULOMB_V] * uniform(-2, 4);
+}
+
+/* GSL's integration of the equations knows no list of transitions: none that is barred may occur in it, and the others
+   all do. */
+START_TEST(simulations_know_the_barriers) {
+  enum { RUNS = 1500, KINDS = 9 };
+  long seen[KINDS][KINDS] = {{0}};
+  for (int k = 0; k < RUNS; k++) {
+    double p[N_COULOMB], start[N_STATE];
+    p[COULOMB_CHI] = uniform(0.05, 0.95);
+    p[COULOMB_ETA] = uniform(0.1, 4);
+    p[COULOMB_V] = uniform(0.05, 2);
+    for (int i = 0; i < 2; i++) {
+      p[COULOMB_US1 + i] = uniform(0, 0.5);
+      p[COULOMB_UR1 + i] = p[COULOMB_US1 + i] + uniform(0.01, 1);
+    }
+    random_start(start, p, 4);
+    struct coulomb_log log;
+    struct coulomb_result r;
+    struct coulomb_plan plan = coulomb_plan_default;
+    coulomb_log_init(&log);
+    struct coulomb_sink sink = coulomb_log_sink(&log);
+    plan.duration = 20;
+    plan.tolerance = 1e-9;
+    coulomb_simulate_ode(&r, p, start, &plan, &sink);
+    for (size_t i = 1; i < log.n; i++) {
+      const enum coulomb_mode *from = log.event[i - 1].at.mode, *to = log.event[i].at.mode;
+      if (log.event[i].at.t - log.event[i - 1].at.t < 1e-6 || log.event[i].simultaneous || log.event[i].grazing)
+        continue;
+      const char *why = phase_word_barrier(from, to);
+      ck_assert_msg(!why, "run %d: %s to %s: %s", k, phase_word_name(from), phase_word_name(to), why);
+      seen[from[0] * 3 + from[1]][to[0] * 3 + to[1]]++;
+    }
+    coulomb_log_clear(&log);
+  }
+  for (struct phase_word a = {.n = 0}; phase_word_next(&a, 1);)
+    for (struct phase_word b = {.n = 0}; phase_word_next(&b, 1);) {
+      if (phase_word_barrier(a.mode[0], b.mode[0])) continue;
+      long n = seen[a.mode[0][0] * 3 + a.mode[0][1]][b.mode[0][0] * 3 + b.mode[0][1]];
+      ck_assert_msg(n > 0, "%s to %s never seen", phase_word_name(a.mode[0]), phase_word_name(b.mode[0]));
+    }
+}
+END_TEST
+
+START_TEST(what_is_known_against_a_word) {
+  static const struct {
+    const char *word, *why;
+    enum word_fate fate;
+  } known[] = {{"D Gamma H C", "", WORD_OPEN},
+               {"H C", "", WORD_OPEN},
+               {"D", "m1 is never slower", WORD_UNCLOSED},
+               {"Gamma D", "m2 is never slower", WORD_UNCLOSED},
+               {"h", "m1 is never slower", WORD_UNCLOSED},
+               {"H", "families", WORD_FAMILY},
+               {"D H C", "D to H: both masses", WORD_COINCIDENCE},
+               {"Gamma H C", "C to Gamma: both masses", WORD_COINCIDENCE},
+               {"D C H Gamma", "D to C: the force on m2 is constant", WORD_IMPOSSIBLE},
+               {"D gamma H C", "D to gamma: the force on m1 only rises", WORD_IMPOSSIBLE},
+               {"Gamma X H C D", "Gamma to X: the force on m2 only rises", WORD_IMPOSSIBLE},
+               {"Gamma gamma x H", "gamma to x: the force on m2 only falls", WORD_IMPOSSIBLE},
+               {"H C H H", "H to H: a phase does not follow itself", WORD_IMPOSSIBLE}};
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++) {
+    struct text why;
+    text_init(&why);
+    struct phase_word w = word_of(known[i].word);
+    ck_assert_msg(phase_word_fate(&why, &w) == known[i].fate, "%s: %s", known[i].word, text_str(&why));
+    ck_assert_msg(strstr(text_str(&why), known[i].why) != NULL, "%s: %s", known[i].word, text_str(&why));
+    text_clear(&why);
+  }
+}
+END_TEST
+
+/* --- Orbits --- */
+
+static void set_params(fmpq params[N_PARAMS], const char *const text[N_PARAMS]) {
+  for (int i = 0; i < N_PARAMS; i++) {
+    fmpq_init(params + i);
+    ck_assert_int_eq(fmpq_set_str(params + i, text[i], 10), 0);
+    fmpq_canonicalise(params + i);
+  }
+}
+
+static void clear_params(fmpq params[N_PARAMS]) {
+  for (int i = 0; i < N_PARAMS; i++) fmpq_clear(params + i);
+}
+
+static truth holds(const struct word_orbit *o, int phase, int mass, enum word_condition_kind kind) {
+  for (int i = 0; i < o->n_conditions; i++) {
+    const struct word_condition *c = &o->condition[i];
+    if (c->phase == phase && c->mass == mass && c->kind == kind) return c->holds;
+  }
+  ck_abort_msg("no condition %s of m%d in phase %d", word_condition_name[kind], mass + 1, phase + 1);
+}
+
+/* Each condition is that of the paper's word by its name. */
+static void same_conditions(const struct word_orbit *b, const struct dyn_orbit *a) {
+  enum { GAMMA, H, C, D };
+  ck_assert_int_eq(holds(b, D, 0, WORD_LENGTH), a->holds[COND_TA]);
+  ck_assert_int_eq(holds(b, GAMMA, 0, WORD_SLOWER), a->holds[COND_GAMMA_V1]);
+  ck_assert_int_eq(holds(b, GAMMA, 1, WORD_BELOW_BREAK), a->holds[COND_GAMMA_R]);
+  ck_assert_int_eq(holds(b, H, 0, WORD_SLOWER), a->holds[COND_H_V1]);
+  ck_assert_int_eq(holds(b, H, 1, WORD_SLOWER), a->holds[COND_H_V2]);
+  ck_assert_int_eq(holds(b, C, 1, WORD_SLOWER), a->holds[COND_C_V2]);
+  ck_assert_int_eq(holds(b, C, 0, WORD_BELOW_BREAK), a->holds[COND_C_W]);
+  if (a->holds[COND_TA] == TRUTH_TRUE) ck_assert_int_eq(holds(b, D, 1, WORD_BELOW_BREAK), a->holds[COND_D_R]);
+}
+
+/* The orbits of the paper's word by the general way are those of the search made for it: every number, every verdict. */
+START_TEST(the_papers_word_is_one_of_them) {
+  static const char *const sets[][N_PARAMS] = {{"4/5", "1", "1", "27844/10000", "8587/10000"},
+                                               {"73/100", "31/100", "98/100", "119/100", "161/1000"},
+                                               {"71/100", "77/10", "28/100", "107/100", "852/1000"},
+                                               {"92/100", "21/10", "1", "439/100", "257/100"},
+                                               {"87/100", "32/100", "45/100", "242/1000", "279/1000"},
+                                               {"66/100", "93/100", "75/100", "647/1000", "271/100"},
+                                               {"1/2", "3/2", "7/10", "147/100", "515/1000"},
+                                               {"58/100", "78/10", "23/10", "402/100", "287/1000"},
+                                               {"2/3", "2", "1", "2", "1/4"},
+                                               {"71/100", "12/10", "19/10", "59/10", "158/1000"}};
+  const fmpq *none[2] = {NULL, NULL};
+  struct phase_word papers = word_of("DGHC");
+  long orbits = 0;
+  for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+    fmpq params[N_PARAMS];
+    struct dyn_orbits own;
+    struct word_orbits list;
+    set_params(params, sets[k]);
+    ck_assert_int_eq(dyn_orbits_find(&own, params, 128, NULL), SS_OK);
+    ck_assert_int_eq(word_orbits_find(&list, &papers, params, none, NULL, 128), SS_OK);
+    ck_assert_int_eq(list.n, own.n);
+    ck_assert_int_eq(list.failed, 0);
+    for (slong i = 0; i < own.n; i++) {
+      const struct dyn_orbit *a = &own.orbit[i];
+      const struct word_orbit *b = NULL;
+      for (slong m = 0; m < list.n && !b; m++)
+        if (arb_overlaps(list.orbit[m].period, a->period)) b = &list.orbit[m];
+      ck_assert_msg(b != NULL, "set %zu, orbit %ld", k, (long)i);
+      ck_assert_str_eq(shown(&b->word), "Gamma-H-C-D");
+      for (int p = 0; p < 4; p++) ck_assert(arb_overlaps(b->t + p, a->t[(p + 1) % 4]));
+      ck_assert(b->n_free == 1 && arb_overlaps(b->jacobian, a->trace) && arb_rel_accuracy_bits(b->jacobian) > 100);
+      ck_assert(b->certified && b->stable == a->stable && b->admissible == a->admissible);
+      ck_assert(a->admissible != TRUTH_TRUE ||
+                (arb_overlaps(b->u_r_min[0], a->u_r1_min) && arb_overlaps(b->u_r_min[1], a->u_r2_min)));
+      same_conditions(b, a);
+      orbits++;
+    }
+    word_orbits_clear(&list);
+    dyn_orbits_clear(&own);
+    clear_params(params);
+  }
+  ck_assert_int_ge(orbits, 20);
+}
+END_TEST
+
+/* --- The oracle's table --- */
+
+struct row {
+  char line[2048], *field[11];
+};
+
+static bool row_named(struct row *r, const char *name) {
+  FILE *f = fopen("tests/oracle/words.tsv", "r");
+  bool found = false;
+  ck_assert(f != NULL);
+  while (!found && fgets(r->line, sizeof r->line, f)) {
+    r->line[strcspn(r->line, "\n")] = '\0';
+    found = split_tabs(r->field, 11, r->line) == 11 && strcmp(r->field[0], name) == 0;
+  }
+  fclose(f);
+  return found;
+}
+
+static void decimal(fmpq *q, const char *text) {
+  fmpq_init(q);
+  ck_assert_int_eq(num_parse_decimal(q, text, strlen(text)), SS_OK);
+}
+
+/* |x - text| < 10^-exponent. */
+static bool near(arb_srcptr x, const char *text, int exponent) {
+  arb_t d, bound;
+  arb_init(d);
+  arb_init(bound);
+  ck_assert_int_eq(arb_set_str(d, text, 200), 0);
+  arb_sub(d, d, x, 200);
+  arb_abs(d, d);
+  arb_set_ui(bound, 10);
+  arb_pow_ui(bound, bound, (ulong)exponent, 200);
+  arb_inv(bound, bound, 200);
+  bool ok = arb_lt(d, bound);
+  arb_clear(d);
+  arb_clear(bound);
+  return ok;
+}
+
+static void compare_with_oracle(const char *name) {
+  struct row r;
+  fmpq params[N_PARAMS], limit[2];
+  const fmpq *u_r[2] = {NULL, NULL};
+  ck_assert(row_named(&r, name));
+  for (int i = 0; i < N_PARAMS; i++) decimal(params + i, r.field[2 + i]);
+  for (int i = 0; i < 2; i++) {
+    decimal(limit + i, r.field[7 + i]);
+    if (!fmpq_is_zero(limit + i)) u_r[i] = limit + i;
+  }
+  struct phase_word w = word_of(r.field[1]);
+  struct word_orbits list;
+  ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 160), SS_OK);
+  const struct word_orbit *o = NULL;
+  char *t[WORD_MOST];
+  int n = 0;
+  for (char *p = strtok(r.field[9], " "); p; p = strtok(NULL, " ")) t[n++] = p;
+  ck_assert_int_eq(n, w.n);
+  for (slong i = 0; i < list.n && !o; i++)
+    if (near(list.orbit[i].t, t[0], 3)) o = &list.orbit[i];
+  ck_assert_msg(o != NULL, "%s: not found", name);
+  ck_assert_int_eq(memcmp(o->word.mode, w.mode, (size_t)n * sizeof w.mode[0]), 0);
+  for (int p = 0; p < n; p++) ck_assert_msg(near(o->t + p, t[p], 28), "%s: time %d", name, p + 1);
+  acb_ptr z = _acb_vec_init(o->n_free);
+  ck_assert_int_eq(word_eigenvalues(z, o->jacobian, o->n_free, 160), SS_OK);
+  int m = 0;
+  for (char *p = strtok(r.field[10], " "); p; p = strtok(NULL, " "), m++) {
+    char *comma = strchr(p, ',');
+    *comma = '\0';
+    ck_assert_msg(m < o->n_free && near(acb_realref(z + m), p, 17) && near(acb_imagref(z + m), comma + 1, 17), "%s: %s",
+                  name, p);
+  }
+  ck_assert_int_eq(m, o->n_free);
+  ck_assert(o->certified && o->admissible == TRUTH_TRUE);
+  _acb_vec_clear(z, o->n_free);
+  word_orbits_clear(&list);
+  clear_params(params);
+  for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+}
+
+START_TEST(the_oracles_orbits) {
+  compare_with_oracle("other-word");
+  compare_with_oracle("overrun");
+  compare_with_oracle("two-phases");
+}
+END_TEST
+
+/* --- Where simulations settle --- */
+
+/* Saltation against differences of two simulations, of every admissible orbit of some words. */
+START_TEST(jacobians_are_those_of_simulations) {
+  static const char *const words[] = {"Gamma H", "H C", "Gamma H Gamma gamma", "Gamma H x H", "H C c C"};
+  static const char *const text[N_PARAMS] = {"4/5", "1", "1", "1/2", "2/5"};
+  fmpq params[N_PARAMS], limit[2];
+  const fmpq *u_r[2] = {limit, limit + 1};
+  int compared = 0;
+  set_params(params, text);
+  decimal(limit, "0.52");
+  decimal(limit + 1, "0.42");
+  for (size_t k = 0; k < sizeof words / sizeof *words; k++) {
+    struct phase_word w = word_of(words[k]);
+    struct word_orbits list;
+    ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
+    for (slong i = 0; i < list.n; i++) {
+      const struct word_orbit *o = &list.orbit[i];
+      if (o->admissible != TRUTH_TRUE) continue;
+      for (int ode = 0; ode < 2; ode++) {
+        double j[WORD_FREE_MOST * WORD_FREE_MOST], err;
+        ck_assert_int_eq(word_jacobian_differences(j, &err, o, params, u_r, ode), SS_OK);
+        ck_assert_double_lt(err, ode ? 1e-4 : 1e-7);
+        for (int e = 0; e < o->n_free * o->n_free; e++)
+          ck_assert_msg(fabs(j[e] - arf_get_d(arb_midref(o->jacobian + e), ARF_RND_NEAR)) < 2 * err + 1e-12,
+                        "%s, entry %d: %.12g, off by more than %g", words[k], e, j[e], err);
+        compared++;
+      }
+    }
+    word_orbits_clear(&list);
+  }
+  ck_assert_int_ge(compared, 10);
+  clear_params(params);
+  for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+}
+END_TEST
+
+/* The period in events of the end of a motion, at most most; 0 when it has none. */
+static int settled(const struct coulomb_log *log, int most) {
+  for (int n = 2; n <= most && (size_t)(8 * n) < log->n; n++) {
+    bool repeats = true;
+    for (size_t i = log->n - 7 * (size_t)n; i < log->n && repeats; i++) {
+      const struct coulomb_event *a = &log->event[i], *b = &log->event[i - (size_t)n];
+      repeats = a->at.mode[0] == b->at.mode[0] && a->at.mode[1] == b->at.mode[1] && !a->simultaneous;
+      for (int k = 0; k < 2; k++)
+        repeats = repeats && fabs(a->at.x[k] - b->at.x[k]) < 1e-6 && fabs(a->at.v[k] - b->at.v[k]) < 1e-6;
+    }
+    if (repeats) return n;
+  }
+  return 0;
+}
+
+/* GSL's integration from random starts: the word that it settles on has, among the orbits found without seeds, one with
+   the same lengths of its phases; that one is admissible and not unstable. */
+START_TEST(what_simulations_settle_on_is_found) {
+  static const char *const sets[][N_PARAMS + 2] = {
+      {"4/5", "1", "1", "1/2", "2/5", "13/25", "21/50"},       {"2/3", "2", "1", "2", "1/4", "3", "1"},
+      {"1/2", "1", "1/2", "1", "1/2", "6/5", "3/5"},           {"3/5", "3", "1", "1/2", "1/3", "1", "1/2"},
+      {"71/100", "6/5", "19/10", "59/10", "79/500", "7", "3"}, {"9/10", "1/2", "1/5", "1/2", "1/2", "3/5", "11/20"}};
+  int found = 0, kinds = 0;
+  for (size_t k = 0; k < sizeof sets / sizeof *sets; k++) {
+    fmpq params[N_PARAMS], limit[2];
+    const fmpq *u_r[2] = {limit, limit + 1};
+    double p[N_COULOMB];
+    set_params(params, sets[k]);
+    for (int i = 0; i < 2; i++) {
+      fmpq_init(limit + i);
+      fmpq_set_str(limit + i, sets[k][N_PARAMS + i], 10);
+      p[COULOMB_UR1 + i] = fmpq_get_d(limit + i);
+      p[COULOMB_US1 + i] = p[COULOMB_UR1 + i] - fmpq_get_d(params + P_E1 + i);
+    }
+    for (int i = 0; i < 3; i++) p[COULOMB_CHI + i] = fmpq_get_d(params + i);
+    random_state = 7;
+    for (int run = 0; run < 6; run++) {
+      double start[N_STATE];
+      struct coulomb_log log;
+      struct coulomb_result r;
+      struct coulomb_plan plan = coulomb_plan_default;
+      coulomb_log_init(&log);
+      struct coulomb_sink sink = coulomb_log_sink(&log);
+      random_start(start, p, 3);
+      plan.duration = 4000;
+      plan.max_events = 500;
+      plan.tolerance = 1e-11;
+      coulomb_simulate_ode(&r, p, start, &plan, &sink);
+      int n = settled(&log, 6);
+      if (n > 0) {
+        struct phase_word w = {.n = n};
+        double t[WORD_MOST];
+        const struct coulomb_event *e = log.event + log.n - 1 - n;
+        for (int i = 0; i < n; i++) {
+          memcpy(w.mode[i], e[i].at.mode, sizeof w.mode[i]);
+          t[i] = e[i + 1].at.t - e[i].at.t;
+        }
+        struct word_orbits list;
+        ck_assert_int_eq(word_orbits_find(&list, &w, params, u_r, NULL, 64), SS_OK);
+        bool same = false;
+        for (slong i = 0; i < list.n && !same; i++) {
+          const struct word_orbit *o = &list.orbit[i];
+          for (int by = 0; by < n && !same; by++) {
+            same = memcmp(o->word.mode[0], w.mode[by], sizeof w.mode[0]) == 0;
+            for (int q = 0; q < n && same; q++)
+              same = fabs(arf_get_d(arb_midref(o->t + q), ARF_RND_NEAR) - t[(q + by) % n]) < 1e-4;
+          }
+          if (same) ck_assert(o->admissible == TRUTH_TRUE && o->stable == TRUTH_TRUE && o->certified);
+        }
+        ck_assert_msg(same, "set %zu: %s, where a simulation settled, has no such orbit", k, shown(&w));
+        found++;
+        kinds += w.n != 4 || !phase_word_is_papers(&w);
+        word_orbits_clear(&list);
+      }
+      coulomb_log_clear(&log);
+    }
+    clear_params(params);
+    for (int i = 0; i < 2; i++) fmpq_clear(limit + i);
+  }
+  ck_assert_msg(found >= 12 && kinds >= 6, "%d settled, %d of other words", found, kinds);
+}
+END_TEST
+
+/* --- Scenes and the command line --- */
+
+static int shell(char **out, const char *format, ...) {
+  char command[2000];
+  static char text[1 << 20];
+  va_list args;
+  va_start(args, format);
+  vsnprintf(command, sizeof command, format, args);
+  va_end(args);
+  FILE *f = popen(command, "r");
+  ck_assert(f != NULL);
+  text[fread(text, 1, sizeof text - 1, f)] = '\0';
+  *out = text;
+  int status = pclose(f);
+  ck_assert(WIFEXITED(status));
+  return WEXITSTATUS(status);
+}
+
+#define EXAMPLE "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\n"
+
+START_TEST(a_scene_names_a_word) {
+  static const struct {
+    const char *text, *says;
+  } bad[] = {{EXAMPLE "word: D Q\n", ":6:9: error: the phases are"},
+             {EXAMPLE "word: \n", "error: "},
+             {EXAMPLE "word: D-\n", ":6:8: error: a hyphen"},
+             {EXAMPLE "word: H C\nword: H C\n", "word is given twice"},
+             {EXAMPLE "word: HCHCHCHCHCHCH\n", "at most 12 phases"},
+             {"chi = 0.8\neta = 1\nV = 1\nt_b = 2\nt_c = 1.5\nword: H C\n", "a scene of the word H-C gives e1 and e2"},
+             {"chi = 0.8\neta = 1\nV = 1\ne1 = [2, 3]\ne2 = 1\nword: H C\n", "and no interval"},
+             {"chi = 0.8\neta = 1\nV = 1\nt_a = 0.1\ne2 = 1\nword: Gamma H C\n", "Gamma-H-C, t_a = 0"}};
+  struct scene s;
+  struct diag d;
+  for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
+    diag_init(&d);
+    ck_assert(!scene_load_box(&s, scratch_put("bad.scene", bad[i].text), "verify", &d));
+    ck_assert_msg(strstr(d.message, bad[i].says) != NULL, "%s", d.message);
+    scene_clear(&s);
+  }
+  diag_init(&d);
+  ck_assert(scene_load(&s, scratch_put("turned.scene", EXAMPLE "word: H C D Gamma\n"), "verify", &d));
+  ck_assert(!scene_other_word(&s));
+  scene_clear(&s);
+  ck_assert(!scene_load(&s, scratch_put("other.scene", EXAMPLE "word: H C\n"), "verify", &d));
+  ck_assert_msg(strstr(d.message, "names the word H-C; only orbit, jacobian and words") != NULL, "%s", d.message);
+  ck_assert(scene_other_word(&s));
+  scene_clear(&s);
+}
+END_TEST
+
+START_TEST(commands_take_a_word_or_say_why_not) {
+  char *out, other[512], whole[512];
+  snprintf(other, sizeof other, "%s", scratch_put("o.scene", EXAMPLE "word: D Gamma H Gamma\n"));
+  snprintf(whole, sizeof whole, "%s", scratch_put("f.scene", EXAMPLE "word: H X\n"));
+  static const char *const refused[] = {"verify",
+                                        "simulate",
+                                        "readings",
+                                        "bifurcate --along V=0.5:2",
+                                        "sweep --over V=1:2:3",
+                                        "orbit --method paper",
+                                        "orbit --basin",
+                                        "orbit --certificate x.json",
+                                        "jacobian --phases",
+                                        "jacobian --method analytic",
+                                        "jacobian --method implicit",
+                                        "jacobian --layer printed",
+                                        "jacobian --at printed",
+                                        "jacobian --at orbit:9",
+                                        "orbit --digits 1001"};
+  for (size_t i = 0; i < sizeof refused / sizeof *refused; i++) {
+    ck_assert_msg(shell(&out, "%s %s %s 2>&1", program(), refused[i], other) == 3, "%s: %s", refused[i], out);
+    ck_assert_msg(strstr(out, "word") && strstr(out, "error"), "%s: %s", refused[i], out);
+  }
+  ck_assert_int_eq(shell(&out, "%s orbit %s 2>&1", program(), whole), 3);
+  ck_assert_msg(strstr(out, "needs u_r1 and u_r2") != NULL, "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), other), 0);
+  ck_assert_msg(strstr(out, "1 orbit of the word D-Gamma-H-Gamma found") != NULL, "%s", out);
+  const char *none = scratch_put("n.scene", EXAMPLE "word: D Gamma\n");
+  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), none), 0);
+  ck_assert_msg(strstr(out, "there is none: m2 is never slower") != NULL, "%s", out);
+  static const char *const misused[] = {"words",
+                                        "words paper stable",
+                                        "words paper --longest 0",
+                                        "words paper --longest 9",
+                                        "words paper --longest x",
+                                        "words paper --longest",
+                                        "words paper --longest -1",
+                                        "words paper --digits 1001",
+                                        "orbit paper --longest 3"};
+  for (size_t i = 0; i < sizeof misused / sizeof *misused; i++)
+    ck_assert_msg(shell(&out, "%s %s 2>&1", program(), misused[i]) == 2, "%s: %s", misused[i], out);
+  ck_assert_int_eq(shell(&out, "%s words paper-times 2>&1", program()), 3);
+  ck_assert_msg(strstr(out, "words needs a scene that gives e1 and e2") != NULL, "%s", out);
+  ck_assert_int_eq(shell(&out, "%s words paper --set 'e2=[0.8,0.9]' 2>&1", program()), 3);
+  ck_assert_msg(strstr(out, "e2 is an interval") != NULL, "%s", out);
+}
+END_TEST
+
+/* Solution II: t_a = 0 and the three phases Gamma-H-C; times and e1 of the oracle. */
+START_TEST(solution_ii_has_three_phases) {
+  struct row r;
+  char *out, *t[3];
+  ck_assert(row_named(&r, "solution-ii"));
+  int n = 0;
+  for (char *p = strtok(r.field[9], " "); p && n < 3; p = strtok(NULL, " ")) t[n++] = p;
+  const char *path = scratch_put("two.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\ne2 = 0.8587\nword: Gamma H C\n");
+  ck_assert_int_eq(shell(&out, "%s orbit %s --digits 25", program(), path), 0);
+  const char *names[] = {"t_b", "t_c", "t_d", "e1"}, *want[] = {t[0], t[1], t[2], r.field[5]};
+  for (int i = 0; i < 4; i++) {
+    char line[64];
+    snprintf(line, sizeof line, "  %-8s %.22s", names[i], want[i]);
+    ck_assert_msg(strstr(out, line) != NULL, "%s not in %s", line, out);
+  }
+}
+END_TEST
+
+/* tests/oracle/solution_ii.py follows Coulomb's law from the orbit of the scene on file: it returns without a phase D, and
+   beside it, on both sides, the slope tends to the same number. */
+START_TEST(solution_ii_is_judged_by_its_three_phases) {
+  static const char *const want[] = {"1 orbit of the word Gamma-H-C found",
+                                     "orbit 1: unstable, admissible with u_r1, u_r2",
+                                     "  certified at ",
+                                     "  c_w          holds  0, as it must be",
+                                     "  d_r          holds  3.03282",
+                                     "  trace    -1.0267"};
+  char *out;
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II", program()), 0);
+  for (size_t i = 0; i < sizeof want / sizeof *want; i++)
+    ck_assert_msg(strstr(out, want[i]) != NULL, "no \"%s\" in %s", want[i], out);
+  ck_assert_msg(!strstr(out, "breaks") && !strstr(out, "\n  t_a          "), "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --json", program()), 0);
+  ck_assert_msg(strstr(out, "\"admissible\": true,\n      \"violations\": []") != NULL, "%s", out);
+  /* the same numbers as an orbit of D-Gamma-H-C break (51); u_r below its bound breaks either */
+  const char *four = scratch_put("four.scene", "chi = 0.8\neta = 1\nV = 1\nt_a = 0\nt_b = 2\n");
+  ck_assert_int_eq(shell(&out, "%s orbit %s", program(), four), 0);
+  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   t_a"), "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set u_r1=3 --set u_r2=1.5", program()), 0);
+  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   u_r2"), "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set u_r1=3 --set u_r2=1.6", program()), 0);
+  ck_assert_msg(strstr(out, "unstable, admissible\n") != NULL, "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --certificate x.json 2>&1", program()), 3);
+  ck_assert_msg(strstr(out, "--certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C") != NULL, "%s",
+                out);
+}
+END_TEST
+
+/* At t_b = 3 it is stable; at t_b = 1, where m_2 overruns the belt, it is no motion. */
+START_TEST(not_every_solution_ii_is_a_motion) {
+  char *out;
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set t_b=3", program()), 0);
+  ck_assert_msg(strstr(out, "orbit 1: conditionally stable, admissible with") != NULL, "%s", out);
+  ck_assert_int_eq(shell(&out, "%s orbit solution-II --set t_b=1", program()), 0);
+  ck_assert_msg(strstr(out, "not admissible") && strstr(out, "breaks   h_v2"), "%s", out);
+}
+END_TEST
+
+/* The budget is work, not time; what it leaves out is told, and what comes before is the same as without. */
+START_TEST(a_survey_keeps_to_its_budget) {
+  char *out, *whole;
+  const char *path = scratch_put("b.scene", EXAMPLE "budget: 1000000\n");
+  ck_assert_int_eq(shell(&out, "%s words %s", program(), path), 0);
+  const char *late = strstr(out, "not searched, as the budget of work is used up: ");
+  ck_assert_msg(late && strstr(late, "H-C-H-C") && !strstr(late, " Gamma-H "), "%s", out);
+  const char *first = strstr(out, "  Gamma-H  ");
+  ck_assert_msg(first != NULL, "%s", out);
+  char row[64];
+  snprintf(row, sizeof row, "%.60s", first);
+  ck_assert_int_eq(shell(&whole, "%s words paper", program()), 0);
+  ck_assert_msg(!strstr(whole, "budget") && strstr(whole, row), "%s", whole);
+  ck_assert_int_eq(shell(&out, "%s words %s --json > %s", program(), path, scratch_path("b.json")), 0);
+  ck_assert_msg(shell(&out, "%s tests/oracle/validate.py schema/words.schema.json %s 2>&1", python(),
+                      scratch_path("b.json")) == 0,
+                "%s", out);
+  ck_assert_int_eq(shell(&out, "grep -c '\"fate\": \"budget\"' %s", scratch_path("b.json")), 0);
+}
+END_TEST
+
+START_TEST(output_obeys_its_schemas) {
+  static const char *const runs[][2] = {{"words overrun --json", "words"},
+                                        {"words none --longest 2 --digits 30 --json", "words"},
+                                        {"orbit overrun --json", "word-orbit"},
+                                        {"orbit other-word --json --digits 40", "word-orbit"},
+                                        {"jacobian overrun --json", "word-jacobian"},
+                                        {"jacobian other-word --method ode --json", "word-jacobian"}};
+  char *out;
+  for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
+    ck_assert_int_eq(shell(&out, "%s %s > %s", program(), runs[i][0], scratch_path("o.json")), 0);
+    ck_assert_msg(shell(&out, "%s tests/oracle/validate.py schema/%s.schema.json %s 2>&1", python(), runs[i][1],
+                        scratch_path("o.json")) == 0,
+                  "%s: %s", runs[i][0], out);
+  }
+  const char *damaged = scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"w1\"], \"J\": [[\"1\"]]}");
+  ck_assert_int_eq(
+      shell(&out, "%s tests/oracle/validate.py schema/word-jacobian.schema.json %s 2>&1", python(), damaged), 1);
+}
+END_TEST
+
+/* The survey lists every word it says, and the same bytes twice. */
+START_TEST(the_survey_is_whole) {
+  char *out, *first;
+  ck_assert_int_eq(shell(&out, "%s words overrun --json", program()), 0);
+  first = strdup(out);
+  ck_assert_int_eq(shell(&out, "%s words overrun --json", program()), 0);
+  ck_assert_str_eq(first, out);
+  struct source src;
+  struct arena a;
+  struct diag d;
+  struct json_value v;
+  diag_init(&d);
+  arena_init(&a);
+  source_from_string(&src, "words.json", first);
+  ck_assert_msg(json_parse(&v, &a, &src, &d), "%s", d.message);
+  long words = 0, canonical = 0;
+  for (int n = 1; n <= 4; n++) {
+    for (struct phase_word w = {.n = 0}; phase_word_next(&w, n);) words++;
+    canonical += phase_word_count(n);
+  }
+  ck_assert_int_eq((long)json_member(&v, "words")->n, words);
+  ck_assert_int_eq(atol(json_member(&v, "canonical")->text), canonical);
+  ck_assert_int_eq(atol(json_member(json_member(&v, "summary"), "possible")->text), words);
+  int papers = 0;
+  for (const struct json_value *w = json_member(&v, "words")->first; w; w = w->next)
+    papers += strcmp(json_text(w, "word"), "D-Gamma-H-C") == 0;
+  ck_assert_int_eq(papers, 1);
+  source_clear(&src);
+  arena_clear(&a);
+  free(first);
+}
+END_TEST
+
+Suite *words_suite(void) {
+  Suite *s = suite_create("words");
+  TCase *c = tcase_create("notation");
+  tcase_add_test(c, a_word_is_read_and_printed);
+  tcase_add_test(c, what_is_no_word);
+  tcase_add_test(c, any_bytes_are_a_word_or_not);
+  tcase_add_test(c, a_word_has_no_beginning);
+  tcase_add_test(c, all_words_are_counted_and_listed);
+  suite_add_tcase(s, c);
+  c = tcase_create("transitions");
+  tcase_add_test(c, simulations_know_the_barriers);
+  tcase_add_test(c, what_is_known_against_a_word);
+  suite_add_tcase(s, c);
+  c = tcase_create("orbits");
+  tcase_add_test(c, the_papers_word_is_one_of_them);
+  tcase_add_test(c, the_oracles_orbits);
+  tcase_add_test(c, jacobians_are_those_of_simulations);
+  tcase_add_test(c, what_simulations_settle_on_is_found);
+  suite_add_tcase(s, c);
+  c = tcase_create("commands");
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, a_scene_names_a_word);
+  tcase_add_test(c, commands_take_a_word_or_say_why_not);
+  tcase_add_test(c, solution_ii_has_three_phases);
+  tcase_add_test(c, solution_ii_is_judged_by_its_three_phases);
+  tcase_add_test(c, not_every_solution_ii_is_a_motion);
+  tcase_add_test(c, a_survey_keeps_to_its_budget);
+  tcase_add_test(c, output_obeys_its_schemas);
+  tcase_add_test(c, the_survey_is_whole);
+  suite_add_tcase(s, c);
+  return s;
+}

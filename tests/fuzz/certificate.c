@@ -1,0 +1,57 @@
+/* The checker on any bytes, in this process.  It ends by exit(), which jumps back here; what it holds then is lost, as it is
+   when it ends, so that leaks do not count.  Law: an exit status of its own. */
+#include <setjmp.h>
+
+#include "fuzz.h"
+
+static jmp_buf ended;
+static int checker_status;
+
+static _Noreturn void checker_exit(int status) {
+  checker_status = status;
+  longjmp(ended, 1);
+}
+
+int checker_main(int argc, char **argv);
+#define main checker_main
+#define exit checker_exit
+#include "../../verify/checker/check.c"
+#undef exit
+#undef main
+
+const char *__asan_default_options(void);
+const char *__asan_default_options(void) {
+  return "detect_leaks=0";
+}
+
+static struct entry orbit[MAX_ORBITS];
+
+/* The reading and, at the first precision, the proofs; what a proof may cost is bounded by the checker, not here. */
+static int check(const char *path) {
+  enum { PROVED = 2 };
+  read_file(path);
+  int n = read_claims(orbit);
+  prec = 128;
+  for (int i = 0; i < n && i < PROVED; i++) recheck(&orbit[i], i);
+  return VERIFIED;
+}
+
+static void forget(void) {
+  free(buffer);
+  buffer = NULL;
+  n_values = 0;
+  used = 0;
+  memset(values, 0, sizeof values);
+  for (int i = 0; i < MAX_ORBITS; i++) {
+    for (int k = 0; k < N_X; k++) arb_clear(&orbit[i].x[k]);
+    orbit[i] = (struct entry){.open = NULL};
+  }
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  if (!setjmp(ended)) checker_status = check(fuzz_file(".json", data, size));
+  fuzz_law(checker_status == VERIFIED || checker_status == REJECTED || checker_status == BAD_FILE,
+           "the status is one of its own");
+  forget();
+  return 0;
+}

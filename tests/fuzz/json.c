@@ -1,0 +1,19 @@
+/* JSON from any bytes.  Laws: refused with a message or read without one; a value is the same as itself. */
+#include "stickslip/json.h"
+#include "fuzz.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  struct source src;
+  struct arena a;
+  struct json_value v;
+  struct diag d;
+  if (!fuzz_source(&src, data, size)) return 0;
+  diag_init(&d);
+  arena_init(&a);
+  bool ok = json_parse(&v, &a, &src, &d);
+  fuzz_law(ok != d.set, "a value is read, or there is a message");
+  if (ok) fuzz_law(json_same(&v, &v), "a value is the same as itself");
+  arena_clear(&a);
+  source_clear(&src);
+  return 0;
+}

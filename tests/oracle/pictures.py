@@ -1,0 +1,241 @@
+"""pictures.py FOLDER SCENE: hold what stickslip plot SCENE has written against the equations of motion and other data.
+
+States along the motions are recomputed by mpmath's matrix exponential from the start and the times that orbits.tsv,
+paper_1000.tsv and arcs.tsv hold (SCENE is a name in orbits.tsv); the return map by Runge-Kutta steps of (1) with the events
+found by bisection; its slopes, and the rates of the long runs, are the traces of orbits.tsv; the printed start keeps its word
+for as many periods as longrun.tsv says.  The pictures must be well-formed, named, told in words and free of anything
+outside.  One line for each error; exit status 0 or 1.
+"""
+import math
+import pathlib
+import re
+import sys
+import xml.etree.ElementTree as ET
+
+import mpmath
+from mpmath import mpf
+
+HERE = pathlib.Path(__file__).parent
+WORD = ("D", "Gamma", "H", "C")
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def table(path):
+    lines = [l for l in path.read_text().splitlines() if not l.startswith("#")]
+    assert path.read_text().startswith("# "), path
+    head = lines[0].split("\t")
+    return [dict(zip(head, l.split("\t"), strict=True)) for l in lines[1:]]
+
+
+def number(text):
+    return mpf(text) if text != "-" else None
+
+
+class Scene:
+    """Parameters and orbits of a set of orbits.tsv, and the printed start of arcs.tsv where there is one."""
+
+    def __init__(self, name):
+        mpmath.mp.dps = 30
+        lines = [l.split("\t") for l in (HERE / "orbits.tsv").read_text().splitlines()]
+        fields = next(l for l in lines if l[:2] == ["set", name])
+        self.chi, self.eta, self.v, self.e1, self.e2 = (mpf(x.split("/")[0]) / mpf((x + "/1").split("/")[1])
+                                                        for x in fields[2:7])
+        head = next(l for l in lines if l[0] == "# orbit")
+        self.orbits = [dict(zip(head, l)) for l in lines if l[:2] == ["orbit", name]]
+        arcs = [l.split() for l in (HERE / "arcs.tsv").read_text().splitlines() if not l.startswith("#")]
+        self.printed = next((a for a in arcs if name == "paper" and a[5:7] == ["0.8921", "-2.1958"]), None)
+
+    def system(self, phase):
+        ce, rows = self.chi * self.eta, {1: (0, 0), 2: (0, 0)}
+        if phase in ("Gamma", "H"):
+            rows[1] = (-1, self.chi)
+        if phase in ("H", "C"):
+            rows[2] = (ce, -ce)
+        return mpmath.matrix([[0, 0, 1, 0], [0, 0, 0, 1], [*rows[1], 0, 0], [*rows[2], 0, 0]])
+
+    def motion(self, z10, z20, times):
+        """For each phase its start in time, its system and its starting state."""
+        z, t, out = mpmath.matrix([z10, z20, self.v, self.v]), mpf(0), []
+        for phase, last in zip(WORD, times):
+            out.append((t, self.system(phase), z))
+            z, t = mpmath.expm(self.system(phase) * last) * z, t + last
+        return out, t
+
+    def next_r(self, r):
+        """r one period later, by fixed steps in floats."""
+        chi, eta, v, e1, e2 = map(float, (self.chi, self.eta, self.v, self.e1, self.e2))
+        z1 = (e1 + chi * r) / (1 - chi)
+        y = [z1, z1 + r, v, v]
+
+        def rates(y, phase):
+            a1 = -(y[0] - chi * y[1]) if phase in ("Gamma", "H") else 0
+            a2 = -eta * chi * (y[1] - y[0]) if phase in ("H", "C") else 0
+            return [y[2], y[3], a1, a2]
+
+        def step(y, h, phase):
+            k1 = rates(y, phase)
+            k2 = rates([p + h / 2 * q for p, q in zip(y, k1)], phase)
+            k3 = rates([p + h / 2 * q for p, q in zip(y, k2)], phase)
+            k4 = rates([p + h * q for p, q in zip(y, k3)], phase)
+            return [p + h / 6 * (a + 2 * b + 2 * c + d) for p, a, b, c, d in zip(y, k1, k2, k3, k4)]
+
+        below = {"Gamma": lambda y: chi * (y[1] - y[0]) < e2, "H": lambda y: y[2] < v, "C": lambda y: y[3] < v}
+        for phase in WORD[1:]:
+            h, n, side = 1 / 256, 0, below[phase](y)
+            while below[phase](step(y, h, phase)) == side:
+                y, n = step(y, h, phase), n + 1
+                assert n < 256 * 200
+            low, high = 0, h
+            for _ in range(50):
+                mid = (low + high) / 2
+                low, high = (mid, high) if below[phase](step(y, mid, phase)) == side else (low, mid)
+            y = step(y, high, phase)
+            if phase != "Gamma":
+                y[2 if phase == "H" else 3] = v
+        return y[1] - y[0]
+
+
+def off(cell, value, places):
+    return cell == "-" or abs(mpf(cell) - value) > mpf(10) ** -places * mpf("0.500001")
+
+
+def motion_errors(folder, s):
+    """Every row of figures 3 and 4 and of the margins."""
+    history, portrait = table(folder / "figure-3.tsv"), table(folder / "figure-4.tsv")
+    margins = iter(table(folder / "margins.tsv"))
+    assert len(history) == len(portrait)
+    orbit = s.orbits[nearest(s)]
+    times = {"orbit": [mpf(orbit[k]) for k in ("t_a", "t_b", "t_c", "t_d")]}
+    start = {"orbit": (mpf(orbit["z10"]), mpf(orbit["z20"]))}
+    if s.printed:
+        times["printed"], start["printed"] = [mpf(x) for x in s.printed[7:11]], (mpf("0.8921"), mpf("-2.1958"))
+    motions = {m: s.motion(*start[m], times[m]) for m in times}
+    marks = {m: [] for m in times}
+    for h, p in zip(history, portrait):
+        name, phase = h["motion"], WORD.index(h["phase"])
+        (begin, system, z), last = motions[name][0][phase], times[name][phase]
+        at = mpf(h["t"]) - begin
+        share = at / last * round(len([x for x in history if x["motion"] == name and x["phase"] == h["phase"]]) - 1)
+        exact = last * mpmath.nint(share) / (len([x for x in history if x["motion"] == name and
+                                                  x["phase"] == h["phase"]]) - 1)
+        z = mpmath.expm(system * exact) * z
+        cells = [(h["t"], begin + exact), (h["z_1"], z[0]), (h["z_2"], z[1]), (p["z_1"], z[0]), (p["z'_1"], z[2]),
+                 (p["z_2"], z[1]), (p["z'_2"], z[3])]
+        if name == "orbit":
+            m, ph = next(margins), h["phase"]
+            want = [s.v - z[2] if ph in ("Gamma", "H") else None, s.v - z[3] if ph in ("H", "C") else None,
+                    s.e1 - z[0] + s.chi * z[1] if ph in ("D", "C") else None,
+                    s.e2 - s.chi * (z[1] - z[0]) if ph in ("D", "Gamma") else None]
+            for cell, w in zip(list(m.values())[2:], want):
+                if (cell == "-") != (w is None):
+                    yield "a margin of the wrong phase: %s" % m
+                elif w is not None:
+                    cells.append((cell, w))
+        for cell, w in cells:
+            if off(cell, w, 6):
+                yield "%s %s t %s: %s, not %s" % (name, h["phase"], h["t"], cell, mpmath.nstr(w, 10))
+        if h["mark"] != "-":
+            marks[name].append(h["mark"])
+    if any(m != list("Oabcd") for m in marks.values()):
+        yield "marks %s" % marks
+    if next(margins, None):
+        yield "margins without a row in figure 3"
+
+
+def nearest(s):
+    if not s.printed:
+        return 0
+    want = dict(z10=0.8921, z20=-2.1958, t_a=0.6784, t_b=2, t_c=1.5, t_d=2.34)
+    return min(range(len(s.orbits)), key=lambda k: sum((float(s.orbits[k][n]) / v - 1) ** 2 for n, v in want.items()))
+
+
+def return_errors(folder, s):
+    rows = table(folder / "return-map.tsv")
+    fixed = [r for r in rows if r["curve"] in ("orbit", "formal")]
+    if len(fixed) != len(s.orbits):
+        yield "%d fixed points, not %d" % (len(fixed), len(s.orbits))
+    for row, o in zip(fixed, s.orbits):
+        if off(row["r"], mpf(o["z20"]) - mpf(o["z10"]), 6) or off(row["slope"], mpf(o["trace"]), 6):
+            yield "orbit %s: %s" % (o["index"], row)
+        if (row["curve"] == "orbit") != (o["admissible"] == "yes"):
+            yield "orbit %s is %s, here %s" % (o["index"], o["admissible"], row["curve"])
+    curve = [r for r in rows if r["curve"] == "map"]
+    for row in curve[::9] + [r for r in rows if r["curve"] == "near"][::40] + [r for r in rows if r["curve"] == "iterate"]:
+        got, want = float(row["r'"]), s.next_r(float(row["r"]))
+        if abs(got - want) > 1e-5 + 1e-6 * abs(float(row["slope"])):
+            yield "r = %s: r' = %s, not %.8f" % (row["r"], row["r'"], want)
+    for a, b in zip(curve, curve[1:]):  # slopes are those of the curve
+        if a["piece"] != b["piece"] or abs(float(a["slope"]) - float(b["slope"])) > 0.02:
+            continue
+        slope = (float(b["r'"]) - float(a["r'"])) / (float(b["r"]) - float(a["r"]))
+        if abs(slope - (float(a["slope"]) + float(b["slope"])) / 2) > 0.01:
+            yield "slope %s at r = %s, differences say %.5f" % (a["slope"], a["r"], slope)
+
+
+def long_errors(folder, s):
+    runs = {}
+    for row in table(folder / "long-run.tsv"):
+        runs.setdefault(row["run"], []).append(float(row["log10"]))
+    for k, o in enumerate(s.orbits):
+        run = runs.get("orbit %d" % (k + 1)) or runs.get("formal %d" % (k + 1))
+        rate = math.log10(abs(float(o["trace"])))
+        step = run[1] - run[0] if rate > 0 else run[-1] - run[-2]  # where the motion is nearest to the orbit
+        if run[0] != -3 or abs(step - rate) > 0.02 * max(1, abs(rate)):
+            yield "orbit %d: %s, by %.4f a period" % (k + 1, run[:3], rate)
+    if s.printed:
+        words = dict(l.split("\t")[0::8] for l in (HERE / "longrun.tsv").read_text().splitlines())
+        kept = int(re.match(r"\(GHCD\)\^(\d+) ", words["paper"])[1])
+        steps = [b - a for a, b in zip(runs["printed"], runs["printed"][1:])]
+        rate = math.log10(abs(float(s.orbits[nearest(s)]["trace"])))
+        if not all(0 < x < 2 * rate for x in steps[:kept - 2]) or any(abs(x) > rate / 2 for x in steps[kept + 2:]):
+            yield "the printed start keeps its word for other than %d periods" % kept
+
+
+def step_errors(folder):
+    rows = table(folder / "differences.tsv")
+    least = {c: min(float(r[c]) for r in rows if r[c] != "-") for c in list(rows[0])[1:]}
+    for bits, (low, high) in {"bits_53": (-14, -8), "bits_113": (-25, -20), "bits_256": (-55, -45)}.items():
+        # eps^(2/3) is where h^2 and eps/h meet
+        if not low < least[bits] < high:
+            yield "least error with %s: %.1f" % (bits, least[bits])
+    fine = [(float(r["log10_h"]), float(r["bits_256"])) for r in rows if r["bits_256"] != "-"]
+    for (h, e), (g, f) in zip(fine[20:60], fine[21:60]):
+        if abs((f - e) - 2 * (g - h)) > 0.02:
+            yield "the error with 256 bits does not fall as the square at 10^%.1f" % h
+
+
+def svg_errors(path):
+    text = path.read_text(encoding="utf-8")
+    root = ET.fromstring(text)
+    ids = [e.get("id") for e in root.iter() if e.get("id")]
+    named = root.get("aria-labelledby", "").split()
+    if len(ids) != len(set(ids)) or not all(i.split("-")[0] in ("t", "d") or i.startswith(path.stem) for i in ids):
+        yield "ids %s" % ids
+    if [root.find(SVG + "title").get("id"), root.find(SVG + "desc").get("id")] != named or root.get("role") != "img":
+        yield "not named"
+    if len(root.find(SVG + "title").text) < 10 or not re.search(r"\d\.\d", root.find(SVG + "desc").text):
+        yield "not told"
+    if re.search(r"nan|inf\b|href|@import|https?:(?!//www\.w3\.org/2000/svg\")|<script", text, re.I):
+        yield "holds what it must not"
+    for u in re.findall(r"url\(#([^)]*)\)", text):
+        if u not in ids:
+            yield "url(#%s) is not there" % u
+    if re.search(r'(fill|stroke)="(?!(?:none|currentColor)")', text):
+        yield "a fixed colour"
+
+
+def main():
+    folder, s = pathlib.Path(sys.argv[1]), Scene(sys.argv[2])
+    errors = [*motion_errors(folder, s), *return_errors(folder, s), *long_errors(folder, s), *step_errors(folder)]
+    pictures = sorted(folder.glob("*.svg"))
+    if len(pictures) != 6:
+        errors.append("%d pictures" % len(pictures))
+    for p in pictures:
+        errors += ["%s: %s" % (p.name, e) for e in svg_errors(p)]
+    for e in errors[:20]:
+        print(e)
+    return 1 if errors else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

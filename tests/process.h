@@ -1,0 +1,21 @@
+/* Processes that a test has started, as Linux shows them in /proc: a test waits for what they do, never for some time, so that
+   neither a slow machine nor a fast one changes what it says.  A zombie has ended, whether or not anybody asks for its
+   status. */
+#ifndef STICKSLIP_TESTS_PROCESS_H
+#define STICKSLIP_TESTS_PROCESS_H
+
+#include <stdbool.h>
+#include <sys/types.h>
+
+/* Asks again and again until it is so, or for a minute and a half; whether it is so. */
+bool process_until(bool (*is_so)(pid_t pid), pid_t pid);
+
+/* How many of a group live, and the processor time in seconds that these have used. */
+int group_lives(pid_t group);
+double group_seconds(pid_t group);
+bool group_has_ended(pid_t group);
+
+/* Whether a handler of its own is in place for a signal; false of a process that has ended. */
+bool process_catches(pid_t pid, int number);
+
+#endif
