@@ -35,6 +35,11 @@ SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
 FUZZ  = reader model claims scene json report options certificate
+# one for each tests/check_*.c; those that take longest are begun first
+SLOW  = scene
+SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
+# processes at a time
+JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
 FUZZ_SECONDS ?= 10
 FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/replay.o
@@ -44,7 +49,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check verify mutate bench stability lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all check check-build verify mutate bench stability lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -107,7 +112,8 @@ $(B)/%.o: %.c Makefile
 
 -include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(FOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 
-verify: $(B)/stickslip ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
+verify: ## audit the paper: writes reports/paper/, fails when a verdict differs from its record
+	@$(MAKE) --no-print-directory -j$(JOBS) $(B)/stickslip
 	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 
@@ -125,14 +131,21 @@ stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scen
 	$(B)/stickslip stability --after stable --out reports/stability
 	$(B)/stickslip bench --job studies --out reports/stability
 
-check: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%) ## run the tests; with MPI=1 those of mpirun too
+check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
+	@$(MAKE) --no-print-directory -j$(JOBS) check-build
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
-	STICKSLIP=$(B)/stickslip STICKSLIP_MPI=$(if $(MPI),$(B)/mpi/stickslip) PYTHON=$(PYTHON) $(B)/check
+	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
+
+check-build: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%)
+
+# one suite of the tests: make suite-cli, after make check-build
+suite-%:
+	@CK_RUN_SUITE=$* STICKSLIP=$(B)/stickslip STICKSLIP_MPI=$(if $(MPI),$(B)/mpi/stickslip) PYTHON=$(PYTHON) $(B)/check
 
 lint: ## formatting, include arrows, static analysis
 	sh tools/lint.sh
 
-asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, in one process and without the longest tests
+asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, a suite in one process and without the longest tests
 	CK_FORK=no CK_EXCLUDE_TAGS=long $(MAKE) B=$(B)/asan CFLAGS="-O1 -g -fno-omit-frame-pointer" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check
 
 fuzz: ## every reader on random input under libFuzzer (clang), FUZZ_SECONDS each; what is new goes to build/fuzz/corpus

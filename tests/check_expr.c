@@ -106,10 +106,10 @@ static struct expr *power(const struct expr *a, int n) {
 
 /* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
 static void spell(struct text *out, const struct expr *e) {
-  static const char *const names[] = {"num",       "sym",         "call",   "neg",   "+",   "-",    "*",
-                                      "/",         "^",           "sin",    "cos",   "cot", "sqrt", "abs",
-                                      "sinc",      "stumpff",     "hypot",  "paren", "inv", "det",  "tr",
-                                      "transpose", "first_order", "matrix", "index"};
+  static const char *const names[] = {"num",     "sym",       "call",        "neg",    "+",     "-",    "*",
+                                      "/",       "^",         "sin",         "cos",    "cot",   "sqrt", "abs",
+                                      "rounded", "sinc",      "stumpff",     "hypot",  "paren", "inv",  "det",
+                                      "tr",      "transpose", "first_order", "matrix", "index"};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
     text_add(out, e->name);
     return;
@@ -576,8 +576,8 @@ static struct expr *random_matrix(int depth) {
 }
 
 static struct expr *random_primary(int depth) {
-  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT,       EXPR_SQRT, EXPR_ABS,    EXPR_INV,
-                                             EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE, EXPR_SINC, EXPR_STUMPFF};
+  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT,       EXPR_SQRT, EXPR_ABS,     EXPR_INV,
+                                             EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED};
   if (depth <= 0) return random_leaf();
   switch (below(6)) {
   case 0:
@@ -589,7 +589,7 @@ static struct expr *random_primary(int depth) {
       e->args[1] = random_sum(depth - 1);
       return e;
     }
-    return one(functions[below(11)], random_sum(depth - 1));
+    return one(functions[below(12)], random_sum(depth - 1));
   case 2:
     return random_matrix(depth - 1);
   case 3: {
@@ -713,13 +713,13 @@ START_TEST(test_same) {
 END_TEST
 
 static const struct expr *random_scalar(int depth) {
-  static const enum expr_kind unary[] = {EXPR_NEG,  EXPR_SIN, EXPR_COS,  EXPR_COT,
-                                         EXPR_SQRT, EXPR_ABS, EXPR_SINC, EXPR_STUMPFF};
+  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN,  EXPR_COS,     EXPR_COT,    EXPR_SQRT,
+                                         EXPR_ABS, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED};
   static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV, EXPR_HYPOT};
   if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
   switch (below(8)) {
   case 0:
-    return expr_op1(&pool, unary[below(8)], random_scalar(depth - 1));
+    return expr_op1(&pool, unary[below(9)], random_scalar(depth - 1));
   case 1:
     return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
   case 2:
@@ -1157,10 +1157,12 @@ static long double node_value(const struct expr *e, long double a, long double b
     return a > 0 ? sqrtl(a) : NAN; /* not differentiable at 0 */
   case EXPR_ABS:
     return a == 0 ? NAN : fabsl(a);
+  case EXPR_ROUNDED:
+    return a;
   case EXPR_SINC:
     return a == 0 ? 1 : sinl(a) / a;
   case EXPR_STUMPFF:
-    return a == 0 ? NAN : fabsl(a) < 1e-3L ? (1 - a * a / 20) / 6 : (a - sinl(a)) / (a * a * a);
+    return fabsl(a) < 1e-3L ? (1 - a * a / 20) / 6 : (a - sinl(a)) / (a * a * a);
   case EXPR_HYPOT:
     return a == 0 && b == 0 ? NAN : hypotl(a, b);
   default:
@@ -1173,6 +1175,8 @@ static long double value(const struct expr *e, struct point p, long double large
   long double a = e->n_args > 0 ? value(e->args[0], p, largest) : 0;
   long double b = e->n_args > 1 ? value(e->args[1], p, largest) : 0;
   long double v = node_value(e, a, b, p);
+  if (e->kind == EXPR_STUMPFF && a == 0 && largest < LDBL_MAX)
+    return NAN; /* its derivative's form has no value there */
   return fabsl(v) <= largest && !isnan(a) && !isnan(b) ? v : NAN;
 }
 

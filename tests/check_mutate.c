@@ -336,7 +336,7 @@ START_TEST(a_process_that_ends_early_is_noticed) {
       struct diag d;
       diag_init(&d);
       ck_assert(!workers_run(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
-      ck_assert_msg(strstr(d.message, "a worker process ended after"), "%s", d.message);
+      ck_assert_msg(strstr(d.message, "a worker process ended before its time: "), "%s", d.message);
       no_child_is_left();
     }
 }

@@ -34,7 +34,8 @@ static const char planted[] = "define planted\n"
                               "  dregs := (V/10000000000)*10000000000\n"
                               "  sinks := e_1*t/sqrt(V*e_1)\n"
                               "  drifts := ((V/49)*49 - V) + t\n"
-                              "  folds := (abs(V - t/3) + (V - t/3)) + V^2/3\n";
+                              "  folds := (abs(V - t/3) + (V - t/3)) + V^2/3\n"
+                              "  whole := rounded((V + t)*(V - t) - V^2)\n";
 static const char mended[] = "define mended\n"
                              "  cancels(t) := 2*sin(t/2)^2\n"
                              "  grows := V*sqrt(1 + (t/V)^2)\n";
@@ -437,10 +438,26 @@ START_TEST(what_is_zero_has_no_relative_error) {
 }
 END_TEST
 
-START_TEST(another_layer_is_held_against_it) {
-  static const char *const only[] = {"cancels", "hides"};
+/* What rounding hides from the result is no loss of the formula, and the rule knows it. */
+START_TEST(rounded_once_nothing_is_lost) {
+  static const char *const only[] = {"whole"};
   struct stability_result r;
-  run(&r, only, 2, false, 1, LAYER_CORRECTED);
+  run(&r, only, 1, false, 2, -1);
+  ck_assert(!faulty(&r, "whole"));
+  for (int k = 0; k < r.n_regions; k++) {
+    const struct stability_row *row = stability_row_at(&r, 0, k);
+    ck_assert_msg(row->failures == 0 && row->undecided == 0, "%s: %ld", r.region[k].id, row->failures);
+    if (row->found)
+      ck_assert_msg(row->observed < 0.1 && row->predicted < 0.1, "%s: %g", r.region[k].id, row->predicted);
+  }
+  stability_result_clear(&r);
+}
+END_TEST
+
+START_TEST(another_layer_is_held_against_it) {
+  static const char *const only[] = {"cancels", "hides", "grows"};
+  struct stability_result r;
+  run(&r, only, 3, false, 1, LAYER_CORRECTED);
   const struct stability_row *row = row_of(&r, "cancels", "times-small");
   ck_assert_double_gt(row->formula_lost, 15);
   ck_assert_double_lt(row->after, 1);
@@ -450,6 +467,12 @@ START_TEST(another_layer_is_held_against_it) {
     ck_assert_msg(at->after_most >= 0 && at->after_most < 1, "%s: %g", r.region[k].id, at->after_most);
     ck_assert(at->after_witness && at->after_failures == 0);
   }
+  long fall_short = 0, remain = 0; /* where t/V overflows, but for a form that is rounded as a whole */
+  for (int k = 0; k < r.n_regions; k++) {
+    fall_short += stability_row_at(&r, formula_of(&r, "grows"), k)->after_short;
+    remain += stability_row_at(&r, formula_of(&r, "grows"), k)->after_rounded;
+  }
+  ck_assert(fall_short > 0 && remain == 0);
   ck_assert(isnan(row_of(&r, "hides", "times-small")->after));  /* the same formula there */
   ck_assert(!r.formula[formula_of(&r, "cancels")].replacement); /* no record of stable.eq */
   stability_result_clear(&r);
@@ -931,6 +954,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, errors_are_in_units_of_the_last_place);
   tcase_add_test(c, the_rule_predicts);
   tcase_add_test(c, what_is_zero_has_no_relative_error);
+  tcase_add_test(c, rounded_once_nothing_is_lost);
   tcase_add_test(c, another_layer_is_held_against_it);
   tcase_add_test(c, witnesses_reproduce);
   tcase_add_test(c, truth_and_condition_agree_with_mpmath);

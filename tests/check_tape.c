@@ -310,6 +310,107 @@ START_TEST(flags_of_each_output) {
 }
 END_TEST
 
+/* ---- values rounded once */
+
+/* splitmix64 (Steele, Lea, Flood 2014) */
+static uint64_t rng;
+static uint64_t rnd(void) {
+  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
+  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+  return z ^ z >> 31;
+}
+
+/* Of y at x = a, z = b in a context. */
+static int value_at(double *y, const char *body, double a, double b, struct num_ctx ctx) {
+  struct work w;
+  struct run r;
+  work_y(&w, "xz", body);
+  run_open(&r, &w.t, ctx);
+  give_d(&r, &w.t, "x", a);
+  give_d(&r, &w.t, "z", b);
+  run_go(&r, &w.t);
+  *y = get_d(&r, 0);
+  int status = r.all;
+  run_close(&r);
+  work_close(&w);
+  return status;
+}
+
+/* What plain arithmetic loses, or has no value for, and the value in closed form. */
+START_TEST(a_value_rounded_once) {
+  static const double x = 0x1p-60, big = 0x1p1000;
+  const struct {
+    const char *y;
+    double x, z, plain, rounded;
+  } c[] = {
+      {"(1 + x) - 1", x, 0, 0, x},           {"(1 + x)*(1 - x) - 1", x, 0, 0, -x * x},
+      {"x*x/x", big, 0, NAN, big},           {"x^2/z", 1 / big, 1 / big, 0, 1 / big},
+      {"1 - cos(x)", x, 0, 0, x * x / 2}, /* to a relative x^2/12 */
+      {"sqrt(x)*sqrt(x) - x", 0.3, 0, 0, 0}, {"1/(1 - (1 - x))", x, 0, NAN, 1 / x},
+      {"rounded(1 + x) - 1", x, 0, 0, x},
+  };
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    struct text t;
+    double y;
+    text_init(&t);
+    text_printf(&t, "  y := rounded(%s)", c[i].y);
+    ck_assert_int_eq(value_at(&y, text_str(&t), c[i].x, c[i].z, num_ctx_double()), SS_OK);
+    ck_assert_msg(y == c[i].rounded, "%s: %a", c[i].y, y);
+    text_clear(&t);
+    if (strncmp(c[i].y, "rounded", 7) == 0) continue;
+    text_init(&t);
+    text_printf(&t, "  y := %s", c[i].y);
+    value_at(&y, text_str(&t), c[i].x, c[i].z, num_ctx_double());
+    ck_assert_msg(y == c[i].plain || (isnan(y) && isnan(c[i].plain)) || i == 5, "plain %s: %a", c[i].y, y);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* Sines of products that no double holds, against MPFR at 300 bits, rounded to nearest there. */
+START_TEST(rounded_to_nearest_or_next_to_it) {
+  mpfr_t s;
+  rng = 20;
+  mpfr_init2(s, 300);
+  for (int i = 0; i < 200; i++) {
+    double a = 1 + (double)(rnd() >> 12) * 0x1p-40, b = 1 + (double)(rnd() >> 12) * 0x1p-20, y;
+    ck_assert_int_eq(value_at(&y, "  y := rounded(sin(x*z))", a, b, num_ctx_double()), SS_OK);
+    mpfr_set_d(s, a, MPFR_RNDN);
+    mpfr_mul_d(s, s, b, MPFR_RNDN);
+    mpfr_sin(s, s, MPFR_RNDN);
+    double best = mpfr_get_d(s, MPFR_RNDN);
+    ck_assert_msg(y == best || y == nextafter(best, 2) || y == nextafter(best, -2), "%a, not %a", y, best);
+    mpfr_sub_d(s, s, y, MPFR_RNDN);
+    ck_assert(fabs(mpfr_get_d(s, MPFR_RNDN)) <= 0.51 * ldexp(1, ilogb(best) - 52));
+  }
+  mpfr_clear(s);
+}
+END_TEST
+
+/* What is used outside as well is there as it comes; the flags are those of the operand; balls and MPFR. */
+START_TEST(what_is_not_sheltered) {
+  double y;
+  ck_assert_int_eq(value_at(&y, "  p := (1 + x) - 1\n  y := rounded(p) + p", 0x1p-60, 0, num_ctx_double()), SS_OK);
+  ck_assert(y == 0x1p-60);
+  ck_assert_int_eq(value_at(&y, "  y := rounded(1/x)", 0, 0, num_ctx_double()), SS_DOMAIN);
+  ck_assert_int_eq(value_at(&y, "  y := rounded(sqrt(-x))", 4, 0, num_ctx_mpfr(80)), SS_DOMAIN);
+  ck_assert_int_eq(value_at(&y, "  y := rounded(x^2)", 0x1p600, 0, num_ctx_double()), SS_UNABLE);
+  ck_assert_int_eq(value_at(&y, "  y := rounded(sqrt(x)*sqrt(x) - x)", 0.1, 0, num_ctx_mpfr(80)), SS_UNABLE);
+  ck_assert_int_eq(value_at(&y, "  y := rounded((1 + x) - 1)", 0x1p-200, 0, num_ctx_mpfr(80)), SS_OK);
+  ck_assert(y == 0x1p-200);
+  ck_assert_int_eq(value_at(&y, "  y := rounded(x^4)*2^1000*2^1000*2^1000*2^400", 0x1p-850, 0, num_ctx_mpfr(80)),
+                   SS_OK);
+  ck_assert(y == 1);
+  ck_assert_int_eq(value_at(&y, "  y := 1/rounded((1 + x) - 1)", 0x1p-200, 0, num_ctx_arb(80)), SS_UNABLE);
+  struct work w;
+  work_y(&w, "x", "  m := rounded([x + 1, 2; x, 3])\n  y := m[2,1]*m[1,1]");
+  check_dump(&w.t,
+             "%0 = input x\n%1 = rounded %0\n%2 = const 1\n%3 = add %0 %2\n%4 = rounded %3\n%5 = mul %1 %4\nout %5\n");
+  work_close(&w);
+}
+END_TEST
+
 /* ---- roots */
 
 /* The eigenfrequencies: det(K - I w^2) = 0 is a quadratic in w^2 with the roots
@@ -412,14 +513,6 @@ END_TEST
 
 /* ---- random formulas */
 
-/* splitmix64 (Steele, Lea, Flood 2014) */
-static uint64_t rng;
-static uint64_t rnd(void) {
-  uint64_t z = (rng += UINT64_C(0x9E3779B97F4A7C15));
-  z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-  z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-  return z ^ z >> 31;
-}
 static int below(int n) {
   return (int)(rnd() % (uint64_t)n);
 }
@@ -929,6 +1022,9 @@ Suite *tape_suite(void) {
   tcase_add_test(tc, constants_are_exact);
   tcase_add_test(tc, numbers_too_large);
   tcase_add_test(tc, flags_of_each_output);
+  tcase_add_test(tc, a_value_rounded_once);
+  tcase_add_test(tc, rounded_to_nearest_or_next_to_it);
+  tcase_add_test(tc, what_is_not_sheltered);
   tcase_add_test(tc, roots_of_the_characteristic_equation);
   tcase_add_test(tc, roots_that_do_not_exist);
   tcase_add_test(tc, random_formulas);

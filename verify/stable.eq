@@ -1,7 +1,8 @@
 # Forms that keep their digits where double precision loses those of the printed ones, an overlay on paper/ and errata.eq.
 # A definition here equals the corrected one of its name wherever both have a value (include/stickslip/stable.h proves it, and
 # tries at points that they have one together); a name that is not the paper's is a part of others.  "replaces" says what loses
-# digits where.
+# digits where.  Where the terms of a result cancel as the point has it, and not by its form, no form keeps the digits:
+# rounded() computes it as precisely as it takes.
 
 define stable-omega
   section: appendix_a
@@ -144,7 +145,8 @@ define stable-50-less
 define stable-44
   section: validation
   equation: 44
-  note: the blocks of H Gamma, and of those without the 1 of the identity
+  note: the blocks of H Gamma, and of those without the 1 of the identity; at some times the three motions cancel in an entry of N
+  N := rounded(C(t_d)*H(t_c)*Gamma(t_b)*D(t_a))
   G_1 := H_1(t_c)*Gamma_1(t_b) + H_2(t_c)*Gamma_3(t_b)
   G_2 := H_1(t_c)*Gamma_2(t_b) + H_2(t_c)*Gamma_1(t_b)
   G_3 := H_3(t_c)*Gamma_1(t_b) + H_1(t_c)*Gamma_3(t_b)
@@ -316,7 +318,7 @@ define stable-45
   det_3 := (gap_3/gap_size_3)*(even_3[1]/even_size_3) + (slack_3[1]/gap_size_3)*(edge_3/even_size_3)
   adjugate_1 := [less_N_1[2,2], -less_N_1[1,2]; -less_N_1[2,1], less_N_1[1,1]]/even_size_1
   adjugate_3 := [N_3[2,2], -N_3[1,2]; -N_3[2,1], N_3[1,1]]/even_size_3
-  M := (adjugate_1*(rest_2/gap_size_1)/det_1 - adjugate_3*(rest_4/gap_size_3)/det_3)/(1 - chi)
+  M := rounded((adjugate_1*(rest_2/gap_size_1)/det_1 - adjugate_3*(rest_4/gap_size_3)/det_3)/(1 - chi))
 
 define stable-46-rate
   section: validation
@@ -479,32 +481,33 @@ equation eq-44b
   section: validation
   equation: 44
   note: N_1 - I as one matrix
-  less_N_1*z_0 + N_2*z'_0 = 0
+  rounded(less_N_1*z_0 + N_2*z'_0) = 0
 
 equation eq-44c
   section: validation
   equation: 44
   note: N_4 - I without the 1 of the identity
-  N_3*(z_0 + t_a*z'_0) + rest_4*z'_0 = 0
+  rounded(N_3*(z_0 + t_a*z'_0) + rest_4*z'_0) = 0
 
 equation eq-45b
   section: validation
   equation: 45
-  -((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w)) = 0
-  -((share_r + share_w)/(1 - chi) + (rate_r + rate_w)) = 0
+  rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
+  rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0
 
 equation eq-46
   section: validation
   equation: 46
-  z_0 = V*[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - chi) - t_a]
+  z_0 = rounded(V*[(chi*share_r + share_w)/(1 - chi) - t_a; (share_r + share_w)/(1 - chi) - t_a])
 
 equation text-45-suffices
   section: validation
-  -V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4) = -V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4)
+  rounded(-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4))
+    = rounded(-V*(share_r*slack_3 + share_w*even_3 + (1 - chi)*even_4))
 
 equation text-times-alone
   section: validation
-  -((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w)) = 0
-  -((share_r + share_w)/(1 - chi) + (rate_r + rate_w)) = 0
-  V*share_w = e_1
-  chi*(V*(share_r + versed(t_b)*share_w + (1 - chi)*lag_b)) = e_2
+  rounded(-((chi*share_r + share_w)/(1 - chi) + (chi*rate_r + rate_w))) = 0
+  rounded(-((share_r + share_w)/(1 - chi) + (rate_r + rate_w))) = 0
+  rounded(V*share_w) = e_1
+  rounded(chi*(V*(share_r + versed(t_b)*share_w + (1 - chi)*lag_b))) = e_2

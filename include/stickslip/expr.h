@@ -23,8 +23,10 @@
                  | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt abs sinc stumpff inv det tr transpose are functions of one argument, hypot(a, b) of two; they take no
-   prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep their digits.
+   sin cos cot sqrt abs sinc stumpff rounded inv det tr transpose are functions of one argument, hypot(a, b) of two; they take
+   no prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep their digits.
+   rounded(x) is x, of which a type that rounds has the nearest number or next to it, however x would come out (tape.h); of a
+   matrix, entry by entry.
    first_order(f; x, y) is f to the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
    that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
    v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
@@ -50,6 +52,7 @@ enum expr_kind {
   EXPR_COT,
   EXPR_SQRT,
   EXPR_ABS,
+  EXPR_ROUNDED,
   EXPR_SINC,
   EXPR_STUMPFF,
   EXPR_HYPOT, /* of two */

@@ -84,6 +84,8 @@ struct stability_row {
   double after_most; /* the most that a search for its own worst point in this region finds; NaN: none asked for */
   const char *after_witness; /* there; NULL */
   long after_failures;       /* points at which it has no value though a double holds it */
+  long after_short;          /* points at which it fails or loses, of those at which it was found out, */
+  long after_rounded;        /* and how many of them remain when the form is rounded(...) as a whole */
   /* The failure at the least extreme inputs: where it can be met soonest. */
   enum loss_cause failure;
   double failure_size; /* log10 of the true value of its node; NaN: none is named */

@@ -12,8 +12,9 @@ enum tape_op {
 #define NUM_UNARY(name)  TAPE_##name,
 #define NUM_BINARY(name) TAPE_##name,
 #include "stickslip/ops.def"
-  TAPE_POW, /* a ^ k */
-  TAPE_ROOT /* coefficients links[a .. a+b), k = 1 smallest or -1 largest positive root */
+  TAPE_POW,     /* a ^ k */
+  TAPE_ROUNDED, /* a, rounded; see tape_eval */
+  TAPE_ROOT     /* coefficients links[a .. a+b), k = 1 smallest or -1 largest positive root */
 };
 
 /* A quantity defined as a root: coefficients in ascending order as scalars.  Its symbol is its name, or "name@section"
@@ -41,6 +42,8 @@ struct tape {
   slong n_links;
   slong *outputs;
   slong n_outputs;
+  bool *
+      sheltered; /* of each instruction: the outputs reach it through TAPE_ROUNDED alone; NULL when there is none of these */
 };
 
 /* Compiles scalars of one pool; a symbol that names a root is computed, any other is an input.  false with d set when a
@@ -56,7 +59,12 @@ bool tape_same(const struct tape *a, const struct tape *b);
 void tape_dump(struct text *out, const struct tape *t);
 
 /* Evaluates with the given inputs (n_inputs of them, same context as out).  status, when given, receives the flags of
-   each output: those of every operation it depends on.  Returns their union. */
+   each output: those of every operation it depends on.  Returns their union.
+
+   In balls and in exact numbers TAPE_ROUNDED changes nothing.  In double and MPFR it is the value of its operand at exactly the
+   given inputs, found in balls of rising precision and rounded: off by at most 0.51 units in the last place (double: below
+   2^-1100 it is 0); SS_UNABLE when the balls do not tell it to so much at 4096 bits, or at eight times the precision if that is
+   more. */
 int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in);
 
 #endif

@@ -32,6 +32,9 @@ static void add_instruction(struct text *out, const struct tape *t, slong i) {
   case TAPE_POW:
     text_printf(out, "v(%ld) ** %ld", (long)in->a, (long)in->k);
     break;
+  case TAPE_ROUNDED:
+    text_printf(out, "v(%ld)", (long)in->a);
+    break;
   case TAPE_neg:
     text_printf(out, "-v(%ld)", (long)in->a);
     break;

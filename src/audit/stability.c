@@ -51,22 +51,27 @@ bool digits_study_open(struct digits_study *st, const struct model *m, const str
   if (ok && st->have_pairs) keep_selected(&st->pairs, opt);
   st->formula = ss_malloc((st->set.n + 1) * sizeof *st->formula);
   st->after = ss_malloc((st->set.n + 1) * sizeof *st->after);
+  st->rounded = ss_malloc((st->set.n + 1) * sizeof *st->rounded);
   for (size_t i = 0; ok && i < st->set.n; i++) {
     if (!selected(&st->set.formula[i], opt)) continue;
     st->formula[st->n] = &st->set.formula[i];
     st->after[st->n] = in_other_layer(st, st->formula[st->n]);
-    st->n++;
+    if (st->after[st->n]) ok = digits_formula_rounded(&st->rounded[st->n], &st->other, st->after[st->n], d);
+    st->n += ok;
   }
   return ok;
 }
 
 void digits_study_close(struct digits_study *st) {
+  for (size_t i = 0; i < st->n; i++)
+    if (st->after[i]) digits_formula_clear(&st->rounded[i]);
   digits_set_clear(&st->set);
   if (st->have_other) digits_set_clear(&st->other);
   if (st->have_pairs) digits_pairs_clear(&st->pairs);
   if (st->have_proofs) stable_proofs_clear(&st->proofs);
   free(st->formula);
   free(st->after);
+  free(st->rounded);
 }
 
 /* --- Searching --- */
@@ -74,7 +79,8 @@ void digits_study_close(struct digits_study *st) {
 static void search_item(void *result, size_t i, void *arg) {
   struct digits_study *st = arg;
   size_t f = i / (size_t)n_digits_regions, region = i % (size_t)n_digits_regions;
-  digits_search(result, st->formula[f], &st->set, st->after[f], (int)region, st->effort);
+  struct digits_formula *after = st->after[f];
+  digits_search(result, st->formula[f], &st->set, after, after ? &st->rounded[f] : NULL, (int)region, st->effort);
 }
 
 /* The worst of all regions, or the first that comes within half a digit of it; of failures, that at the least extreme

@@ -77,6 +77,7 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
   slong prec = w->prec;
   switch (in->op) {
   case TAPE_add:
+  case TAPE_ROUNDED:
     arb_one(z);
     break;
   case TAPE_sub:
@@ -163,7 +164,8 @@ static double reach(const struct digits_bench *w, slong i) {
   return arb_is_zero(a) ? -INFINITY : digits_log2(a) + digits_log2(value(w, i));
 }
 
-static void fill_adjoint(struct digits_bench *w, slong which) {
+/* What reaches the result; through: of what lies behind a TAPE_ROUNDED too, whose own roundings do not. */
+static void fill_adjoint(struct digits_bench *w, slong which, bool through) {
   const struct tape *t = &w->f->tape;
   slong top = w->f->out[which];
   arb_t p;
@@ -172,7 +174,7 @@ static void fill_adjoint(struct digits_bench *w, slong which) {
   arb_one(num_vec_at(&w->adjoint, top));
   for (slong i = top; i >= 0; i--) {
     arb_srcptr a = num_vec_at(&w->adjoint, i);
-    if (arb_is_zero(a)) continue;
+    if (arb_is_zero(a) || (!through && t->code[i].op == TAPE_ROUNDED)) continue;
     for (slong k = 0; k < n_operands(&t->code[i]); k++) {
       arb_ptr z = num_vec_at(&w->adjoint, operand(t, i, k));
       partial(p, w, i, k);
@@ -203,17 +205,19 @@ static double blur(const struct digits_bench *w, slong i) {
 
 struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size) {
   const struct tape *t = &w->f->tape;
+  slong top = w->f->out[which];
   double squares = -INFINITY, sum = -INFINITY, unknown = -INFINITY, hazy = -INFINITY;
   bool fails = false;
-  fill_adjoint(w, which);
-  for (slong i = 0; i <= w->f->out[which]; i++) {
-    double r = reach(w, i) - size;
-    if (t->code[i].op == TAPE_INPUT) {
-      sum = log2_add(sum, r);
-      unknown = fmax(unknown, blur(w, i) - size);
-      continue;
-    }
-    double off = rounds(t->code[i].op) ? r + rounding(value(w, i)) : -INFINITY;
+  fill_adjoint(w, which, true);
+  for (slong i = 0; i <= top; i++) {
+    if (t->code[i].op != TAPE_INPUT) continue;
+    sum = log2_add(sum, reach(w, i) - size);
+    unknown = fmax(unknown, blur(w, i) - size);
+  }
+  if (t->sheltered) fill_adjoint(w, which, false);
+  for (slong i = 0; i <= top; i++) {
+    if (t->code[i].op == TAPE_INPUT) continue;
+    double off = rounds(t->code[i].op) ? reach(w, i) - size + rounding(value(w, i)) : -INFINITY;
     squares = log2_add(squares, 2 * off);
     hazy = fmax(hazy, haze(w, i) - size);
     fails = fails || (off > 4 && is_tiny(value(w, i)));
@@ -225,7 +229,7 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
 double digits_amplification(struct digits_bench *w, slong which) {
   const struct tape *t = &w->f->tape;
   double sum = -INFINITY;
-  fill_adjoint(w, which);
+  fill_adjoint(w, which, true);
   for (slong i = 0; i <= w->f->out[which]; i++) {
     arb_srcptr a = num_vec_at(&w->adjoint, i), v = value(w, i);
     if (arb_is_zero(a)) continue;
@@ -235,6 +239,11 @@ double digits_amplification(struct digits_bench *w, slong which) {
     sum = log2_add(sum, digits_log2(a) + off);
   }
   return sum - digits_log2(value(w, w->f->out[which]));
+}
+
+/* What becomes of it in double does not matter. */
+static bool is_sheltered(const struct digits_bench *w, slong i) {
+  return w->f->tape.sheltered && w->f->tape.sheltered[i];
 }
 
 /* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
@@ -268,6 +277,7 @@ bool digits_predicts_failure(const struct digits_bench *w) {
   bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
   for (slong i = 0; !fails && i < t->n; i++) {
     zero[i] = becomes_zero(w, zero, i);
+    if (is_sheltered(w, i)) continue;
     fails = digits_log2(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
   }
   free(zero);
@@ -361,7 +371,7 @@ static slong underflowing(double *most, const struct digits_bench *w) {
   slong best = -1;
   *most = -INFINITY;
   for (slong i = 0; i < w->f->tape.n; i++) {
-    if (!is_tiny(value(w, i)) || w->d_flags[i]) continue;
+    if (is_sheltered(w, i) || !is_tiny(value(w, i)) || w->d_flags[i]) continue;
     double e = error_through(w, i);
     if (!(e > *most)) continue;
     *most = e;
@@ -373,7 +383,8 @@ static slong underflowing(double *most, const struct digits_bench *w) {
 /* The first node that has become zero; -1. */
 static slong vanished(const struct digits_bench *w) {
   for (slong i = 0; i < w->f->tape.n; i++)
-    if (is_tiny(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0) return i;
+    if (!is_sheltered(w, i) && is_tiny(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0)
+      return i;
   return -1;
 }
 
@@ -381,11 +392,11 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
   enum { UNEXPLAINED = 20 };
   double most;
   bool any = false;
-  for (slong i = 0; i < w->f->tape.n; i++) any = any || is_tiny(value(w, i));
+  for (slong i = 0; i < w->f->tape.n; i++) any = any || (!is_sheltered(w, i) && is_tiny(value(w, i)));
   if (!any) return false;
   if (r->error > r->predicted + UNEXPLAINED && vanished(w) >= 0)
     return true; /* no small change: a frequency became 0 */
-  fill_adjoint(w, worst_entry(w));
+  fill_adjoint(w, worst_entry(w), false);
   return underflowing(&most, w) >= 0 && most - size > fmin(r->error, 53) - 2;
 }
 
@@ -411,7 +422,7 @@ struct digits_cause digits_explain(struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
   if (w->f->kernel) return (struct digits_cause){CAUSE_CODE, -1, 0};
   slong which = worst_entry(w), top = w->f->out[which], by = 0;
-  fill_adjoint(w, which);
+  fill_adjoint(w, which, false);
   slong n = source_node(w, top);
   struct digits_cause c = {CAUSE_ROUNDING, n, 0};
   bool divides = false; /* the culprit, behind which nothing but factors came, is a divisor */
@@ -454,7 +465,7 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
   if (w->f->kernel) return (struct digits_cause){CAUSE_CODE, -1, 0};
   for (slong i = 0; i < t->n; i++) {
-    if (w->d_flags[i] == SS_OK) continue;
+    if (w->d_flags[i] == SS_OK || is_sheltered(w, i)) continue;
     enum tape_op op = t->code[i].op;
     slong at = op == TAPE_div ? zero_source(w, t->code[i].b) : i;
     bool tiny = digits_log2(value(w, at)) < LEAST_NORMAL;
@@ -465,7 +476,7 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
     return (struct digits_cause){over ? CAUSE_OVERFLOW : CAUSE_ZERO_DIVISOR, over ? i : at, 0};
   }
   double most;
-  fill_adjoint(w, worst_entry(w));
+  fill_adjoint(w, worst_entry(w), false);
   slong i = underflowing(&most, w);
   if (i < 0) i = vanished(w);
   return (struct digits_cause){CAUSE_UNDERFLOW, i < 0 ? w->f->out[0] : i, 0};

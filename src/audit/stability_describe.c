@@ -109,7 +109,9 @@ void digits_describe_row(struct stability_row *z, struct digits_study *st, int f
                               .failure_size = NAN,
                               .after_most = found->after_found ? found->after_worst.formula : (double)NAN,
                               .after_witness = found->after_found ? point_text(st, f, found->after_x) : NULL,
-                              .after_failures = found->after_failures};
+                              .after_failures = found->after_failures,
+                              .after_short = found->after_short,
+                              .after_rounded = found->after_rounded};
   if (found->found) {
     z->error = found->loss.error * log10(2);
     z->observed = found->loss.observed;

@@ -101,6 +101,15 @@ bool digits_formula_make(struct digits_formula *f, struct digits_set *s, struct 
   return make_tape(f, s, d);
 }
 
+bool digits_formula_rounded(struct digits_formula *z, struct digits_set *s, const struct digits_formula *f,
+                            struct diag *d) {
+  *z = *f;
+  z->have_slopes = false;
+  z->entry = arena_alloc(&s->arena, (size_t)f->n * sizeof *z->entry);
+  for (slong k = 0; k < f->n; k++) z->entry[k] = expr_op1(&s->el.pool, EXPR_ROUNDED, f->entry[k]);
+  return digits_formula_make(z, s, d);
+}
+
 bool digits_formula_computes(const struct digits_formula *f) {
   const struct tape *t = &f->tape;
   for (slong i = 0; i < t->n; i++) {

@@ -73,6 +73,9 @@ slong digits_input(const struct tape *t, const char *name); /* -1 */
 enum input_class digits_class_of(const char *name);
 /* Makes the tape from the entries; values of a motion, z_1(t), become inputs. */
 bool digits_formula_make(struct digits_formula *f, struct digits_set *s, struct diag *d);
+/* The same formula of the set, every entry under rounded(); to be cleared by itself where that succeeds. */
+bool digits_formula_rounded(struct digits_formula *z, struct digits_set *s, const struct digits_formula *f,
+                            struct diag *d);
 void digits_formula_clear(struct digits_formula *f);
 /* Does it round anything at all? */
 bool digits_formula_computes(const struct digits_formula *f);
@@ -223,15 +226,17 @@ struct digits_found {
   struct digits_loss loss, after; /* at the witness */
   struct digits_loss after_worst; /* of the other layer where it loses most by itself, by a climb of its own */
   bool after_found;
-  int after_failures;
+  int after_failures, after_short, after_rounded;
   struct digits_cause why, failure;
   double failure_size; /* log2 of the true value of the failure's node; NaN where none is named */
   double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS], after_x[DIGITS_INPUTS];
   int confusion[N_LOSS_BINS][N_LOSS_BINS];
 };
-/* The worst point of a formula in a region; `after` is the same formula in another layer, or NULL. */
+/* The worst point of a formula in a region; `after` is the same formula in another layer and `rounded` that under rounded(),
+   or both are NULL. */
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
-                   struct digits_formula *after, int region, struct digits_effort effort);
+                   struct digits_formula *after, struct digits_formula *rounded, int region,
+                   struct digits_effort effort);
 
 /* The next number of [0, 1). */
 double digits_uniform(uint64_t *state);
@@ -282,6 +287,7 @@ struct digits_study {
   struct digits_pairs pairs;   /* then too */
   bool have_proofs, have_pairs;
   struct digits_formula **formula, **after; /* after: NULL where the other layer has the same formula or none */
+  struct digits_formula *rounded;           /* of after[i], where there is one */
   size_t n;
   struct digits_effort effort;
   struct stability_result *out;

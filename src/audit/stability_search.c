@@ -8,7 +8,7 @@
 #include "stability_impl.h"
 
 struct search {
-  struct digits_bench bench, other; /* other: the same formula in another layer */
+  struct digits_bench bench, other, rounded; /* other: the same formula in another layer; that rounded as a whole */
   bool have_other;
   struct digits_place *place;
   struct digits_found *out;
@@ -66,22 +66,32 @@ static bool is_worse(const struct digits_loss *r, const struct digits_loss *than
   return r->excess > than->excess || (r->excess == than->excess && r->observed > than->observed);
 }
 
-/* The other layer at the same point. */
-static struct digits_loss measure_other(struct search *s, const double *x, double floor) {
-  struct digits_formula *f = s->other.f;
+/* The other layer's form at the same point. */
+static struct digits_loss measure_other(const struct search *s, struct digits_bench *other, const double *x,
+                                        double floor) {
+  struct digits_formula *f = other->f;
   double y[DIGITS_INPUTS] = {0};
   for (slong k = 0; k < f->tape.n_inputs; k++) {
     slong i = digits_input(&s->bench.f->tape, f->tape.inputs[k]);
     if (i >= 0) y[k] = x[i];
   }
-  return digits_measure(&s->other, y, floor);
+  return digits_measure(other, y, floor);
+}
+
+static bool falls_short(const struct digits_loss *r) {
+  return r->kind == DIGITS_FAILED || (r->kind == DIGITS_LOST && stability_is_loss(r->formula));
 }
 
 /* Measures the other layer there, and keeps the point when it is that one's worst. */
 static void try_other(struct search *s, const double *x, const double *u) {
   struct digits_found *out = s->out;
-  struct digits_loss r = measure_other(s, x, out->after_found ? out->after_worst.excess : -1);
+  struct digits_loss r = measure_other(s, &s->other, x, out->after_found ? out->after_worst.excess : -1);
   out->after_failures += r.kind == DIGITS_FAILED;
+  if (falls_short(&r)) {
+    struct digits_loss once = measure_other(s, &s->rounded, x, -1);
+    out->after_short++;
+    out->after_rounded += once.kind != DIGITS_LOST || falls_short(&once);
+  }
   if (r.kind != DIGITS_LOST || (out->after_found && !is_worse(&r, &out->after_worst))) return;
   out->after_found = true;
   out->after_worst = r;
@@ -233,12 +243,13 @@ static void settle(struct search *s, struct digits_set *set) {
   }
   out->after = (struct digits_loss){.kind = DIGITS_OUTSIDE};
   if (!s->have_other) return;
-  out->after = measure_other(s, out->x, -1);
+  out->after = measure_other(s, &s->other, out->x, -1);
   try_other(s, out->x, s->u);
 }
 
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
-                   struct digits_formula *after, int region, struct digits_effort effort) {
+                   struct digits_formula *after, struct digits_formula *rounded, int region,
+                   struct digits_effort effort) {
   struct search q = {.out = out};
   struct text seed;
   memset(out, 0, sizeof *out);
@@ -246,6 +257,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
   digits_bench_init(&q.bench, f);
   q.have_other = after != NULL;
   if (after) digits_bench_init(&q.other, after);
+  if (after) digits_bench_init(&q.rounded, rounded);
   q.place = digits_place_new(region, &q.bench, s);
   out->applies = q.place != NULL;
   if (q.place) {
@@ -264,6 +276,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
     if (out->found) settle(&q, s);
   }
   digits_place_free(q.place);
+  if (after) digits_bench_clear(&q.rounded);
   if (after) digits_bench_clear(&q.other);
   digits_bench_clear(&q.bench);
 }

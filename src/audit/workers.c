@@ -1,13 +1,16 @@
-/* Forked processes, each with every jobs-th item, and one pipe each: results come back item by item, so that a process
+/* Forked processes that take items from a shared counter, and one pipe each: results come back item by item, so that a process
    that ends early is seen at once, and one whose parent has gone dies of the broken pipe. */
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "workers.h"
 
 #include <errno.h>
 #include <poll.h>
 #include <signal.h>
+#include <stdatomic.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/mman.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -19,28 +22,38 @@ struct message {
 };
 
 struct worker {
-  pid_t pid;  /* 0: none */
+  pid_t pid;  /* 0: none, or its end was waited for */
   int fd;     /* -1: its end was seen */
   size_t got; /* bytes of the message under way */
   struct message message;
-  size_t done, share;
+  size_t done;
+  int how; /* it ended */
+};
+
+struct crew {
+  size_t size, n; /* of a result, of items */
+  work_fn *work;
+  void *arg;
+  atomic_size_t *next; /* item, in a shared page */
+  struct worker worker[WORKERS_MAX];
+  int n_workers;
 };
 
 /* Never returns. */
-static void be_worker(int fd, int which, size_t size, size_t n, int jobs, work_fn *work, void *arg) {
+static void be_worker(const struct crew *c, int fd) {
   struct message m;
   signal(SIGPIPE, SIG_DFL);
   ss_exhausted_quietly();
-  for (size_t i = (size_t)which; i < n; i += (size_t)jobs) {
+  for (size_t i = atomic_fetch_add(c->next, 1); i < c->n; i = atomic_fetch_add(c->next, 1)) {
     memset(&m, 0, sizeof m);
     m.item = i;
-    work(m.result, i, arg);
-    if (!write_all(fd, (const char *)&m, offsetof(struct message, result) + size)) _exit(1);
+    c->work(m.result, i, c->arg);
+    if (!write_all(fd, (const char *)&m, offsetof(struct message, result) + c->size)) _exit(EXIT_FAILURE);
   }
-  _exit(0);
+  _exit(EXIT_SUCCESS);
 }
 
-static bool start(struct worker *w, int which, size_t size, size_t n, int jobs, work_fn *work, void *arg) {
+static bool start(struct crew *c) {
   int fd[2];
   if (pipe(fd) != 0) return false;
   fflush(NULL);
@@ -51,14 +64,22 @@ static bool start(struct worker *w, int which, size_t size, size_t n, int jobs, 
     return false;
   }
   if (pid == 0) {
-    for (int k = 0; k < which; k++) close(w[k - which].fd);
+    for (int k = 0; k < c->n_workers; k++) close(c->worker[k].fd);
     close(fd[0]);
-    be_worker(fd[1], which, size, n, jobs, work, arg);
+    be_worker(c, fd[1]);
   }
   close(fd[1]);
-  *w = (struct worker){.pid = pid, .fd = fd[0]};
-  w->share = ((size_t)jobs + n - 1 - (size_t)which) / (size_t)jobs;
+  c->worker[c->n_workers++] = (struct worker){.pid = pid, .fd = fd[0]};
   return true;
+}
+
+static bool has_ended_well(const struct worker *w) {
+  return WIFEXITED(w->how) && WEXITSTATUS(w->how) == EXIT_SUCCESS;
+}
+
+static void wait_for(struct worker *w) {
+  while (waitpid(w->pid, &w->how, 0) < 0 && errno == EINTR) continue;
+  w->pid = 0;
 }
 
 /* Takes in what a worker has written; false at the end of its pipe. */
@@ -75,50 +96,57 @@ static bool take(struct worker *w, char *results, size_t size) {
   return true;
 }
 
-static void collect(struct worker *w, int jobs, char *results, size_t size, size_t n,
-                    void (*done)(size_t n, size_t of)) {
-  for (int open = jobs; open > 0;) {
+static size_t items_done(const struct crew *c) {
+  size_t n = 0;
+  for (int k = 0; k < c->n_workers; k++) n += c->worker[k].done;
+  return n;
+}
+
+/* Until every worker has ended, or one of them not well: there is no point in waiting for the others then. */
+static void collect(struct crew *c, char *results, void (*done)(size_t n, size_t of)) {
+  for (int open = c->n_workers; open > 0;) {
     struct pollfd p[WORKERS_MAX];
-    size_t ready = 0;
-    for (int k = 0; k < jobs; k++) p[k] = (struct pollfd){.fd = w[k].fd, .events = POLLIN};
-    if (poll(p, (nfds_t)jobs, -1) < 0 && errno != EINTR) return;
-    for (int k = 0; k < jobs; k++) {
-      if (w[k].fd >= 0 && (p[k].revents & (POLLIN | POLLHUP | POLLERR)) && !take(&w[k], results, size)) {
-        close(w[k].fd);
-        w[k].fd = -1;
-        open--;
-        if (w[k].done < w[k].share) return; /* it ended early: there is no point in waiting for the others */
-      }
-      ready += w[k].done;
+    for (int k = 0; k < c->n_workers; k++) p[k] = (struct pollfd){.fd = c->worker[k].fd, .events = POLLIN};
+    if (poll(p, (nfds_t)c->n_workers, -1) < 0 && errno != EINTR) return;
+    for (int k = 0; k < c->n_workers; k++) {
+      struct worker *w = &c->worker[k];
+      if (w->fd < 0 || !(p[k].revents & (POLLIN | POLLHUP | POLLERR)) || take(w, results, c->size)) continue;
+      close(w->fd);
+      w->fd = -1;
+      wait_for(w);
+      open--;
+      if (!has_ended_well(w)) return;
     }
-    if (done) done(ready, n);
+    if (done) done(items_done(c), c->n);
   }
+}
+
+/* Ends what still works. */
+static void dismiss(struct crew *c) {
+  bool exhausted = false;
+  for (int k = 0; k < c->n_workers; k++) {
+    struct worker *w = &c->worker[k];
+    if (w->pid) kill(w->pid, SIGKILL);
+    if (w->pid) wait_for(w);
+    if (w->fd >= 0) close(w->fd);
+    exhausted = exhausted || (WIFEXITED(w->how) && WEXITSTATUS(w->how) == EXIT_EXHAUSTED);
+  }
+  if (exhausted) ss_out_of_memory();
 }
 
 bool workers_run(void *results, size_t size, size_t n, int jobs, work_fn *work, void *arg,
                  void (*done)(size_t n, size_t of), struct diag *d) {
   if (size > WORKERS_ITEM_MAX || jobs < 1 || jobs > WORKERS_MAX) abort();
-  struct worker w[WORKERS_MAX];
-  bool ok = true, all = true, exhausted = false;
-  int made = 0;
-  while (ok && made < jobs) {
-    ok = start(&w[made], made, size, n, jobs, work, arg);
-    if (!ok) diag_set(d, "error: no process could be made: %s", strerror(errno));
-    made += ok;
-  }
-  if (ok) collect(w, jobs, results, size, n, done);
-  for (int k = 0; k < made; k++) {
-    bool complete = w[k].done == w[k].share, ended = w[k].fd < 0;
-    if (!complete || !ok) kill(w[k].pid, SIGKILL);
-    if (!ended) close(w[k].fd);
-    int how = 0;
-    while (waitpid(w[k].pid, &how, 0) < 0 && errno == EINTR) continue;
-    exhausted = exhausted || (WIFEXITED(how) && WEXITSTATUS(how) == EXIT_EXHAUSTED);
-    if (!complete && ended)
-      diag_set(d, "error: a worker process ended after %zu of its %zu items", w[k].done, w[k].share);
-    all = all && complete;
-  }
-  if (exhausted) ss_out_of_memory();
-  if (ok && !all) diag_set(d, "error: the worker processes could not be waited for");
-  return ok && all;
+  struct crew c = {.size = size, .n = n, .work = work, .arg = arg};
+  c.next = mmap(NULL, sizeof *c.next, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  bool ok = c.next != MAP_FAILED;
+  if (ok) atomic_init(c.next, 0);
+  while (ok && c.n_workers < jobs) ok = start(&c);
+  if (!ok) diag_set(d, "error: no process could be made: %s", strerror(errno));
+  if (ok) collect(&c, results, done);
+  dismiss(&c);
+  if (c.next != MAP_FAILED) munmap(c.next, sizeof *c.next);
+  size_t all = items_done(&c);
+  if (ok && all < n) diag_set(d, "error: a worker process ended before its time: %zu of %zu items are done", all, n);
+  return ok && all == n;
 }

@@ -162,6 +162,8 @@ static const struct expr *diff_unary(struct expr_pool *p, const struct expr *e, 
     return expr_op2(p, EXPR_DIV, da, mul(p, expr_int(p, 2), e));
   case EXPR_ABS: /* none at 0 */
     return mul(p, expr_op2(p, EXPR_DIV, a, e), da);
+  case EXPR_ROUNDED:
+    return da;
   case EXPR_SINC:
     return mul(p, diff_sinc(p, a), da);
   case EXPR_STUMPFF:

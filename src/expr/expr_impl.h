@@ -26,6 +26,7 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
   F(EXPR_SINC, "sinc")                                                                                                 \
   F(EXPR_STUMPFF, "stumpff")                                                                                           \
   F(EXPR_HYPOT, "hypot")                                                                                               \
+  F(EXPR_ROUNDED, "rounded")                                                                                           \
   F(EXPR_SQRT, "sqrt")                                                                                                 \
   F(EXPR_ABS, "abs")                                                                                                   \
   F(EXPR_INV, "inv")                                                                                                   \

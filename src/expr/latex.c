@@ -112,6 +112,7 @@ static enum level level(const struct expr *e) {
   case EXPR_COT:
   case EXPR_SINC:
   case EXPR_STUMPFF:
+  case EXPR_ROUNDED:
   case EXPR_HYPOT:
   case EXPR_DET:
   case EXPR_TR:
@@ -181,6 +182,8 @@ static const char *function_latex(enum expr_kind k) {
     return "\\cot";
   case EXPR_SINC:
     return "\\operatorname{sinc}";
+  case EXPR_ROUNDED:
+    return "\\operatorname{rounded}";
   case EXPR_STUMPFF:
     return "\\operatorname{stumpff}";
   case EXPR_HYPOT:

@@ -440,7 +440,8 @@ static bool apply_index(struct matrix *m, struct elaboration *el, const struct e
 static bool apply_entrywise(struct matrix *m, struct elaboration *el, const struct expr *e, const struct scope *sc,
                             struct diag *d) {
   struct matrix a = *m;
-  if (e->kind != EXPR_NEG && !is_scalar(&a)) return fail(sc, e, d, "a scalar is needed here", &a, NULL);
+  if (e->kind != EXPR_NEG && e->kind != EXPR_ROUNDED && !is_scalar(&a))
+    return fail(sc, e, d, "a scalar is needed here", &a, NULL);
   *m = matrix_new(el, a.rows, a.cols);
   for (int i = 0; i < entries(&a); i++)
     m->e[i] = e->kind == EXPR_POW ? expr_pow(&el->pool, a.e[i], e->exponent) : expr_op1(&el->pool, e->kind, a.e[i]);
@@ -589,6 +590,7 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
   case EXPR_COT:
   case EXPR_SQRT:
   case EXPR_ABS:
+  case EXPR_ROUNDED:
   case EXPR_SINC:
   case EXPR_STUMPFF:
     return apply_entrywise(m, el, e, sc, d);

@@ -8,7 +8,8 @@
 void report_stability_tsv(struct text *out, const struct stability_result *r) {
   char a[80], b[32], c[32], e[32], f[32], g[32];
   text_add(out, "formula\tequation\tregion\tpoints\tfailures\tdigits lost\tby the problem\tby the formula\tpredicted\t"
-                "cause\tnode\tsource\tafter\tgained\tafter, most\tafter, failures\twitness\tfailure\tfailure "
+                "cause\tnode\tsource\tafter\tgained\tafter, most\tafter, failures\tshort\tshort, "
+                "rounded\twitness\tfailure\tfailure "
                 "source\tfailure witness\n");
   for (long i = 0; i < r->n_rows; i++) {
     const struct stability_row *row = &r->row[i];
@@ -23,12 +24,13 @@ void report_stability_tsv(struct text *out, const struct stability_result *r) {
                 stability_or_none(found ? stability_tenths(e, row->predicted) : NULL),
                 found ? loss_cause_says[row->cause] : "-", stability_or_none(found ? row->node : NULL),
                 stability_or_none(found ? row->source : NULL));
-    text_printf(
-        out, "\t%s\t%s\t%s\t%ld\t%s\t%s\t%s\t%s\n", stability_or_none(found ? stability_tenths(a, row->after) : NULL),
-        stability_or_none(found ? stability_tenths(f, stability_gained(row)) : NULL),
-        stability_or_none(stability_tenths(g, row->after_most)), row->after_failures,
-        stability_or_none(found ? row->witness : NULL), row->failure_witness ? loss_cause_says[row->failure] : "-",
-        stability_or_none(row->failure_source), stability_or_none(row->failure_witness));
+    text_printf(out, "\t%s\t%s\t%s\t%ld\t%ld\t%ld\t%s\t%s\t%s\t%s\n",
+                stability_or_none(found ? stability_tenths(a, row->after) : NULL),
+                stability_or_none(found ? stability_tenths(f, stability_gained(row)) : NULL),
+                stability_or_none(stability_tenths(g, row->after_most)), row->after_failures, row->after_short,
+                row->after_rounded, stability_or_none(found ? row->witness : NULL),
+                row->failure_witness ? loss_cause_says[row->failure] : "-", stability_or_none(row->failure_source),
+                stability_or_none(row->failure_witness));
   }
 }
 

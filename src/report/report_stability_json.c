@@ -46,6 +46,8 @@ static void write_row(struct json *j, const struct stability_result *r, const st
     write_digits(j, "gained", stability_gained(row));
     write_digits(j, "after_most", row->after_most);
     json_long(j, "after_failures", row->after_failures);
+    json_long(j, "after_short", row->after_short);
+    json_long(j, "after_rounded", row->after_rounded);
     json_string(j, "after_witness", row->after_witness);
     stability_add_command(&command, r, row, row->witness);
     json_string(j, "command", text_str(&command));

@@ -120,6 +120,19 @@ static void add_unmended(struct text *out, const struct stability_result *r) {
               STABILITY_ALLOWED, n);
 }
 
+/* What is left of the points at which a replacement falls short when it is rounded as a whole. */
+static void add_rounded(struct text *out, const struct stability_result *r) {
+  long fall_short = 0, remain = 0;
+  for (long i = 0; i < r->n_rows; i++) {
+    fall_short += r->row[i].after_short;
+    remain += r->row[i].after_rounded;
+  }
+  text_printf(out,
+              "At %ld of the points that the searches met a replacement has no value or loses more than that. Under "
+              "rounded(), which computes a form as precisely as it takes and rounds it once, %ld of them remain.\n\n",
+              fall_short, remain);
+}
+
 /* The stable forms in balls, and where they have not the corrected form's value. */
 static void add_pairs(struct text *out, const struct stability_result *r) {
   int failing = 0;
@@ -305,6 +318,7 @@ void report_stability_markdown(struct text *out, const struct stability_result *
   if (r->after) {
     text_add(out, "## What the replacements lose\n\n");
     add_unmended(out, r);
+    add_rounded(out, r);
   }
   if (r->n_pairs > 0) {
     text_add(out, "## A value wherever the corrected form has one\n\n");

@@ -613,6 +613,9 @@ static int run(const struct tape *t, slong i, fmpz_mpoly_q_struct *reg, struct e
     return root(z, f, t, in, reg);
   case TAPE_POW:
     return power(z, f, a, in->k);
+  case TAPE_ROUNDED:
+    fmpz_mpoly_q_set(z, a, ring());
+    return SS_OK;
   case TAPE_neg:
     return num_exact.neg(z, a, 0);
   case TAPE_sin:

@@ -1,12 +1,10 @@
-/* A tape is a post-order walk of the shared scalars: every operand stands before its use, once.
-   Its evaluation keeps the status flags of each instruction, so that an output is blamed only for what it depends on. */
+/* A tape is a post-order walk of the shared scalars: every operand stands before its use, once. */
 #include "stickslip/tape.h"
 
-#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/work.h"
+#include "tape_impl.h"
 
 /* --- Building --- */
 
@@ -122,6 +120,8 @@ static enum tape_op op_of(enum expr_kind k) {
     return TAPE_sqrt;
   case EXPR_ABS:
     return TAPE_abs;
+  case EXPR_ROUNDED:
+    return TAPE_ROUNDED;
   case EXPR_SINC:
     return TAPE_sinc;
   case EXPR_STUMPFF:
@@ -176,6 +176,30 @@ static bool place(struct builder *b, const struct expr *e) {
   return true;
 }
 
+static void mark_operands(bool *mark, const struct tape *t, const struct tape_instr *in) {
+  int n = tape_arity(in->op);
+  if (n > 0) mark[in->a] = true;
+  if (n > 1) mark[in->b] = true;
+  if (in->op == TAPE_ROOT)
+    for (slong k = in->a; k < in->a + in->b; k++) mark[t->links[k]] = true;
+}
+
+/* What the outputs reach without passing a TAPE_ROUNDED is open; the rest is sheltered. */
+static void find_sheltered(struct tape *t) {
+  bool any = false;
+  for (slong i = 0; i < t->n; i++) any = any || t->code[i].op == TAPE_ROUNDED;
+  if (!any) return;
+  bool *open = ss_malloc((size_t)t->n * sizeof *open);
+  t->sheltered = ss_malloc((size_t)t->n * sizeof *t->sheltered);
+  for (slong i = 0; i < t->n; i++) open[i] = false;
+  for (slong i = 0; i < t->n_outputs; i++) open[t->outputs[i]] = true;
+  for (slong i = t->n - 1; i >= 0; i--) {
+    t->sheltered[i] = !open[i];
+    if (open[i] && t->code[i].op != TAPE_ROUNDED) mark_operands(open, t, &t->code[i]);
+  }
+  free(open);
+}
+
 /* Post-order with a stack of our own: scalars can be deeper than the machine's. */
 static bool walk(struct builder *b, const struct expr *root) {
   const struct expr **stack = NULL;
@@ -219,6 +243,7 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
     t->n_outputs = n;
     for (slong i = 0; i < n; i++) t->outputs[i] = place_of(&b, outputs[i]);
     tape_check(t);
+    find_sheltered(t);
   } else {
     tape_clear(t);
   }
@@ -233,6 +258,7 @@ void tape_clear(struct tape *t) {
   free(t->inputs);
   free(t->links);
   free(t->outputs);
+  free(t->sheltered);
   free(t->code);
   *t = (struct tape){.n = 0};
 }
@@ -253,7 +279,7 @@ bool tape_same(const struct tape *a, const struct tape *b) {
 
 /* --- Looking at it --- */
 
-static int arity(enum tape_op op) {
+int tape_arity(enum tape_op op) {
   switch (op) {
 #define NUM_UNARY(name)                                                                                                \
   case TAPE_##name:                                                                                                    \
@@ -263,6 +289,7 @@ static int arity(enum tape_op op) {
     return 2;
 #include "stickslip/ops.def"
   case TAPE_POW:
+  case TAPE_ROUNDED:
     return 1;
   case TAPE_CONST:
   case TAPE_INPUT:
@@ -283,6 +310,8 @@ static const char *op_name(enum tape_op op) {
 #include "stickslip/ops.def"
   case TAPE_POW:
     return "pow";
+  case TAPE_ROUNDED:
+    return "rounded";
   case TAPE_CONST:
     return "const";
   case TAPE_INPUT:
@@ -300,7 +329,7 @@ static void insist(bool ok) {
 void tape_check(const struct tape *t) {
   for (slong i = 0; i < t->n; i++) {
     const struct tape_instr *in = &t->code[i];
-    int n = arity(in->op);
+    int n = tape_arity(in->op);
     insist(n < 1 || (in->a >= 0 && in->a < i));
     insist(n < 2 || (in->b >= 0 && in->b < i));
     if (in->op == TAPE_CONST) insist(in->k >= 0 && in->k < t->n_consts);
@@ -325,7 +354,7 @@ static void dump_instr(struct text *out, const struct tape *t, slong i) {
     for (slong k = in->a; k < in->a + in->b; k++) text_printf(out, " %%%ld", (long)t->links[k]);
   } else {
     text_printf(out, " %%%ld", (long)in->a);
-    if (arity(in->op) == 2) text_printf(out, " %%%ld", (long)in->b);
+    if (tape_arity(in->op) == 2) text_printf(out, " %%%ld", (long)in->b);
     if (in->op == TAPE_POW) text_printf(out, " %ld", (long)in->k);
   }
   text_add_char(out, '\n');
@@ -334,76 +363,4 @@ static void dump_instr(struct text *out, const struct tape *t, slong i) {
 void tape_dump(struct text *out, const struct tape *t) {
   for (slong i = 0; i < t->n; i++) dump_instr(out, t, i);
   for (slong i = 0; i < t->n_outputs; i++) text_printf(out, "out %%%ld\n", (long)t->outputs[i]);
-}
-
-/* --- Running it --- */
-
-static int run_root(void *z, const struct tape *t, const struct tape_instr *in, const struct num_vec *reg) {
-  struct num_vec coeff;
-  num_vec_init(&coeff, in->b, reg->ctx);
-  for (slong k = 0; k < in->b; k++) reg->ctx.type->set(num_vec_at(&coeff, k), num_vec_at(reg, t->links[in->a + k]));
-  int status = num_poly_root(z, &coeff, in->k);
-  num_vec_clear(&coeff);
-  return status;
-}
-
-/* The flags of the operands: an instruction with a failed operand is not run. */
-static int inherited(const struct tape *t, const struct tape_instr *in, const int *flags) {
-  int n = arity(in->op), s = SS_OK;
-  if (n > 0) s |= flags[in->a];
-  if (n > 1) s |= flags[in->b];
-  if (in->op == TAPE_ROOT)
-    for (slong k = in->a; k < in->a + in->b; k++) s |= flags[t->links[k]];
-  return s;
-}
-
-static int run(const struct tape *t, slong i, struct num_vec *reg, const struct num_vec *in) {
-  const struct tape_instr *op = &t->code[i];
-  const struct num_type *type = reg->ctx.type;
-  slong prec = reg->ctx.prec;
-  void *z = num_vec_at(reg, i);
-  switch (op->op) {
-  case TAPE_CONST:
-    return type->set_q(z, &t->consts[op->k], prec);
-  case TAPE_INPUT:
-    type->set(z, num_vec_at(in, op->k));
-    return SS_OK;
-  case TAPE_POW:
-    return type->pow_si(z, num_vec_at(reg, op->a), op->k, prec);
-  case TAPE_ROOT:
-    return run_root(z, t, op, reg);
-#define NUM_UNARY(name)                                                                                                \
-  case TAPE_##name:                                                                                                    \
-    return type->name(z, num_vec_at(reg, op->a), prec);
-#define NUM_BINARY(name)                                                                                               \
-  case TAPE_##name:                                                                                                    \
-    return type->name(z, num_vec_at(reg, op->a), num_vec_at(reg, op->b), prec);
-#include "stickslip/ops.def"
-  }
-  abort();
-}
-
-int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in) {
-  struct num_vec reg;
-  slong prec = out->ctx.prec;
-  work_add((unsigned long long)t->n * (prec > 128 ? (unsigned long long)prec / 128 : 1));
-  num_vec_init(&reg, t->n, out->ctx);
-  int *flags = ss_malloc((size_t)t->n * sizeof *flags);
-  for (slong i = 0; i < t->n; i++) {
-    flags[i] = inherited(t, &t->code[i], flags);
-    if (flags[i] == SS_OK) flags[i] = run(t, i, &reg, in);
-  }
-  int all = SS_OK;
-  for (slong i = 0; i < t->n_outputs; i++) {
-    int f = flags[t->outputs[i]];
-    all |= f;
-    if (status) status[i] = f;
-    if (f == SS_OK)
-      out->ctx.type->set(num_vec_at(out, i), num_vec_at(&reg, t->outputs[i]));
-    else
-      out->ctx.type->set_d(num_vec_at(out, i), NAN, out->ctx.prec);
-  }
-  free(flags);
-  num_vec_clear(&reg);
-  return all;
 }
