@@ -135,6 +135,7 @@ check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@$(MAKE) --no-print-directory -j$(JOBS) check-build
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
 	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
+	@echo "$(words $(SUITES)) suites of tests passed"
 
 check-build: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%)
 
@@ -145,7 +146,7 @@ suite-%:
 lint: ## formatting, include arrows, static analysis
 	sh tools/lint.sh
 
-asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, a suite in one process and without the longest tests
+asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, each suite in one process, without the longest tests
 	CK_FORK=no CK_EXCLUDE_TAGS=long $(MAKE) B=$(B)/asan CFLAGS="-O1 -g -fno-omit-frame-pointer" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check
 
 fuzz: ## every reader on random input under libFuzzer (clang), FUZZ_SECONDS each; what is new goes to build/fuzz/corpus

@@ -52,7 +52,7 @@ static int bound_noise(double *noise, const struct double_map *map, const double
   enum { NEIGHBOURHOODS = 4 };
   const double wider = 3.317; /* no simple fraction */
   int s = SS_OK;
-  *noise = map->floor * fmax(map->scale, largest(value, NULL, map->n_out));
+  *noise = fmax(map->jitter, map->floor * fmax(map->scale, largest(value, NULL, map->n_out)));
   for (int k = 0; k < NEIGHBOURHOODS && !s; k++, near *= wider) {
     double sigma;
     s = measure_noise(&sigma, map, x, dir, near);

@@ -314,8 +314,9 @@ struct double_map {
   int (*run)(double *out, const double *x, const void *self);
   const void *self;
   int n_in, n_out;
-  double scale; /* of the arguments; the longest step is a part of it */
-  double floor; /* the error of a value, relative to it and to the scale, is taken to be this at least */
+  double scale;  /* of the arguments; the longest step is a part of it */
+  double floor;  /* the error of a value, relative to it and to the scale, is taken to be this at least */
+  double jitter; /* and this, absolute */
 };
 /* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
    the change between steps and the measured noise.  The status of the map where it has no value nearby. */

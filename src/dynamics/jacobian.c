@@ -171,6 +171,31 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
   return c.status;
 }
 
+/* What the rounding of a phase's switching function, on the scale of its terms, moves the end of the phase by in double: where
+   the function is flat, a Newton step from the unperturbed time ends where it began, and no noise is seen between neighbours. */
+static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
+                        val t) {
+  struct calc c;
+  val p[N_PARAMS], in[N_STATE], end[N_STATE], f[N_STATE], n[N_STATE];
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(in, from, 0, N_STATE);
+  struct blocks b = flow_blocks(&c, ph, p, t);
+  flow_apply(end, &c, &b, in);
+  vector_field(f, &c, ph, p, end);
+  switching_gradient(n, &c, ph, p[P_CHI]);
+  double rate = fabs(c.ctx.type->get_d(flow_switching_rate(&c, ph, p, end))), terms = 0, speed = 0;
+  for (int k = 0; k < N_STATE; k++) {
+    for (int i = 0; i < N_STATE; i++)
+      terms += fabs(c.ctx.type->get_d(calc_mul(&c, n[k], calc_mul(&c, entry(&b, k, i), in[i]))));
+    speed = fmax(speed, fabs(c.ctx.type->get_d(f[k])));
+  }
+  *jitter = 4 * DBL_EPSILON * terms / rate * speed;
+  int status = c.status;
+  calc_clear(&c);
+  return status;
+}
+
 static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
   struct dyn_arc arc;
   dyn_arc_init(&arc, x->ctx);
@@ -230,11 +255,11 @@ static void doubles_of(struct num_vec *v, const double *x, slong n) {
 }
 
 /* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
-static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x,
+static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x, double jitter,
                                  const double (*dir)[N_STATE], int n_dir) {
   double scale = *(const double *)num_vec_at(map->params, P_V);
   for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
-  struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON};
+  struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
   int status = SS_OK;
   for (int k = 0; k < n_dir && !status; k++) status = differences_along(out + map->n * k, err + k, &doubles, x, dir[k]);
   return status;
@@ -247,8 +272,10 @@ int dyn_local_differences_d(double *out, double *err, enum phase ph, const doubl
   doubles_of(&from, in, N_STATE);
   struct event_map map = {run_phase, &p, ph, {.len = 0}, N_STATE};
   num_vec_init(&map.near, 1, num_ctx_double());
+  double jitter = 0;
   int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
-  if (!status) status = differentiate_doubles(out, err, &map, in, dir, n_dir);
+  if (!status) status = phase_jitter(&jitter, ph, &p, &from, num_vec_at(&map.near, 0));
+  if (!status) status = differentiate_doubles(out, err, &map, in, jitter, dir, n_dir);
   num_vec_clear(&map.near);
   num_vec_clear(&from);
   num_vec_clear(&p);
@@ -260,12 +287,18 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   static const double unit[2][N_STATE] = {{1, 0}, {0, 1}};
   struct num_vec p;
   struct dyn_arc arc;
-  double column[4], worst[2];
+  double column[4], worst[2], jitter = 0;
   doubles_of(&p, params, N_PARAMS);
   dyn_arc_init(&arc, num_ctx_double());
   int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
   struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
-  if (!status) status = differentiate_doubles(column, worst, &map, start, unit, 2);
+  for (int ph = PHASE_GAMMA; ph < N_PHASES && !status; ph++) {
+    double more = 0;
+    struct num_vec from = {p.ctx, N_STATE, num_vec_at(&arc.z, ph * N_STATE)};
+    status = phase_jitter(&more, (enum phase)ph, &p, &from, num_vec_at(&arc.t, ph));
+    jitter = fmax(jitter, more);
+  }
+  if (!status) status = differentiate_doubles(column, worst, &map, start, jitter, unit, 2);
   for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
   if (!status) *err = fmax(worst[0], worst[1]);
   dyn_arc_clear(&arc);

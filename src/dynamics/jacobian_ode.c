@@ -66,7 +66,7 @@ static int phase_end(double *z, const double *start, const void *self) {
 static struct double_map map_from(int (*run)(double *, const double *, const void *), const void *self,
                                   const double *params, const double *start, int n_out) {
   double scale = fabs(start[0]) + fabs(start[1]) + params[COULOMB_V];
-  return (struct double_map){run, self, N_STATE, n_out, scale, integration_error};
+  return (struct double_map){run, self, N_STATE, n_out, scale, integration_error, 0};
 }
 
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]) {

@@ -189,7 +189,7 @@ int word_jacobian_differences(double *j, double *err, const struct word_orbit *o
     scale = fmax(scale, fabs(r.state[i]));
   }
   for (int i = 0; i < o->n_free; i++) x[i] = r.state[o->free[i]];
-  struct double_map map = {replay_run, &r, o->n_free, o->n_free, scale, ode ? 1e-12 : 1e-14};
+  struct double_map map = {replay_run, &r, o->n_free, o->n_free, scale, ode ? 1e-12 : 1e-14, 0};
   int status = SS_OK;
   *err = 0;
   for (int k = 0; k < o->n_free && !status; k++) {
