@@ -772,6 +772,23 @@ START_TEST(an_orbit_costs_no_second_search) {
 }
 END_TEST
 
+/* A springy second mass turns some 1e5 times in an orbit; beyond 2^40 the checker does not look. */
+START_TEST(stiff_orbits_are_rechecked) {
+  static const struct {
+    const char *eta;
+    int status;
+  } c[] = {{"1e9", VERIFIED}, {"2e12", REJECTED}};
+  for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
+    char command[1024], path[256];
+    snprintf(path, sizeof path, "%s", scratch_path("stiff.json"));
+    snprintf(command, sizeof command, "%s orbit paper --set eta=%s --certificate '%s' > '%s'", program(), c[i].eta,
+             path, scratch_path("stiff.txt"));
+    ck_assert_int_eq(system(command), 0);
+    ck_assert_msg(checker_on(path) == c[i].status, "eta = %s: %s", c[i].eta, said);
+  }
+}
+END_TEST
+
 Suite *certify_suite(void) {
   Suite *s = suite_create("certify");
   TCase *proofs = tcase_create("proofs"), *lies = tcase_create("lies");
@@ -787,6 +804,7 @@ Suite *certify_suite(void) {
   tcase_add_test(proofs, thousand_digits);
   tcase_add_test(proofs, digits_are_cheap);
   tcase_add_test(proofs, an_orbit_costs_no_second_search);
+  tcase_add_test(proofs, stiff_orbits_are_rechecked);
   tcase_add_test(lies, a_changed_number_is_rejected);
   tcase_add_test(lies, a_changed_truth_is_rejected);
   tcase_add_test(lies, a_value_of_the_wrong_type_is_rejected);

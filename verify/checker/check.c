@@ -456,6 +456,7 @@ static num trace_of(const struct word *o) {
 
 /* --- What the file claims --- */
 enum { N_NUMBERS = N_X + 5, N_CONDITIONS = 8, MAX_ORBITS = 100, MAX_PREC = 1 << 20, ENOUGH = 4096, FAR = 1 << 20 };
+static const ulong MOST_ETA = (ulong)1 << 40;
 
 static const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 /* f < 0 on the open phase; the zeros that f has at its ends. */
@@ -556,7 +557,7 @@ static int read_claims(struct entry *o) {
     stop(BAD_FILE, "this format is not known");
   for (int i = 0; i < 3; i++) {
     read_rational(&model[i], get(STRING, ".given.%s", model_name[i]));
-    if (fmpq_sgn(&model[i]) <= 0 || (i < 2 && fmpq_cmp_ui(&model[i], i == 0 ? 1 : FAR) >= 0))
+    if (fmpq_sgn(&model[i]) <= 0 || (i < 2 && fmpq_cmp_ui(&model[i], i == 0 ? 1 : MOST_ETA) >= 0))
       stop(REJECTED, "%s is out of its range", model_name[i]);
   }
   get(STRING, ".scene");
