@@ -181,6 +181,11 @@ START_TEST(lines_fit_the_terminal) {
                {"orbit paper", 80, true},
                {"orbit paper --digits 30", 72, true},
                {"orbit near-flip --digits 40", 80, true},
+               {"orbit paper --set 'e2=[0.858, 0.859]'", 80, true},
+               {"orbit four --method paper --digits 30", 60, true},
+               {"orbit four --method paper", 72, true},
+               {"words paper", 80, true},
+               {"words overrun --longest 3", 60, true},
                {"list --scene-keys", 80, false},
                {"list --scene-keys", 60, false},
                {"list --scene-keys", 130, true}};
