@@ -112,11 +112,12 @@ static void add_opening(const struct page *p) {
     text_add(p->out, "</cite>");
   }
   text_add(p->out,
-           "</h1>\n<p>Every statement below was decided by computation: the paper's formulas against ways to the same "
-           "result that do not use them. Scene ");
+           "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
+           "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
+           "same result that do not use them. Numbers are those of the scene ");
   html_code(p->out, p->r->scene);
   if (p->r->title) {
-    text_add(p->out, ": ");
+    text_add(p->out, ", ");
     html_text(p->out, p->r->title, NULL);
   }
   html_stop(p->out);
@@ -125,8 +126,8 @@ static void add_opening(const struct page *p) {
            "here</a>.");
   text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
                    "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
-                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
                    "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
                    "<li><a href=\"#s-pictures\">Pictures</a></li>\n"
                    "<li><a href=\"#s-claims\">Every claim</a></li>\n"
                    "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
@@ -152,8 +153,8 @@ void report_html(struct text *out, const struct audit_result *r) {
   add_head(&p);
   add_opening(&p);
   page_summary(&p);
-  page_failures(&p);
   page_model(&p);
+  page_failures(&p);
   page_pictures(&p);
   page_every_claim(&p);
   page_graph(&p);
