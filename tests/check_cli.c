@@ -1117,10 +1117,11 @@ START_TEST(a_claim_reproduces) {
   ck_assert_str_eq(member(object, "verdict"), "refuted");
   ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
   char command[2000];
-  snprintf(command, sizeof command,
-           "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
-           "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
-           program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
+  snprintf(
+      command, sizeof command,
+      "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
+      "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
+      program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
   ck_assert_int_eq(system(command), 0);
   char *json = slurp(scratch_path("reports/paper/only/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);

@@ -170,23 +170,23 @@ static void add_foremost(const struct page *p) {
 /* --- What is asked first --- */
 
 /* The refuted numbers among those that a refuted claim rests on, as printed or as corrected. */
-static bool add_numbers(const struct page *p, const struct finding *f, bool printed, const char *words) {
+static void add_numbers(const struct page *p, const struct finding *f, bool printed, const char *words) {
   const char *sep = words;
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
-    if (!on || !report_is_failure(on) || !report_is_number(on) || !on->printed) continue;
+    const char *number = on && printed ? on->printed : on ? on->correction_latex : NULL;
+    if (!number || !report_is_failure(on) || !report_is_number(on)) continue;
     text_add(p->out, sep);
-    html_math(p->out, printed ? on->printed : on->correction_latex, NULL);
+    html_math(p->out, number, NULL);
     sep = ", ";
   }
-  return sep != words;
+  if (sep != words) text_add_char(p->out, '.');
 }
 
 /* Printed beside true, for the size of the difference. */
 static void add_mended_numbers(const struct page *p, const struct finding *f) {
-  if (!add_numbers(p, f, true, " Printed is ")) return;
-  add_numbers(p, f, false, "; the periodic solution nearest to that has ");
-  text_add_char(p->out, '.');
+  add_numbers(p, f, true, " The paper prints ");
+  add_numbers(p, f, false, " The periodic solution nearest to the printed numbers has ");
 }
 
 /* What was computed for the orbit meant, before the list: "tr J = x: so by the criterion; admissible". */
@@ -224,10 +224,11 @@ static void add_stability(const struct page *p, const struct finding *f) {
   page_claim(p, f->id);
   text_add(p->out, "):");
   page_statements(p, f, "states");
-  html_text(p->out,
-            "Admissible: the two masses can follow it; not admissible: it solves the equations and breaks a condition of "
-            "the motion.",
-            NULL);
+  html_text(
+      p->out,
+      "Admissible: the two masses can follow it; not admissible: it solves the equations and breaks a condition of "
+      "the motion.",
+      NULL);
   const struct finding *later = page_finding(p, "text-long-run");
   if (!later) return;
   text_add(p->out, " See also ");
@@ -321,9 +322,10 @@ static void add_wrong_formulas(const struct page *p) {
   any |= add_wrong(p, true,
                    "<p>Slips of notation, without sense or false when read literally:</p>\n<ul class=\"columns\">\n");
   add_slips_of_text(p);
-  text_add(p->out, any ? "<p>A letter behind the number of an equation tells apart the several things that the paper says "
-                         "under that number.</p></dd>\n"
-                       : "None of those judged.</dd>\n");
+  text_add(p->out,
+           any ? "<p>A letter behind the number of an equation tells apart the several things that the paper says "
+                 "under that number.</p></dd>\n"
+               : "None of those judged.</dd>\n");
 }
 
 /* What is held against what: the printed formula on the left. */
@@ -393,10 +395,11 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
 /* How to see it again, with one formula as the example: its command, and both sides at one point for a calculator. */
 static void add_recheck(const struct page *p) {
   const struct finding *f = example(p);
-  text_add(p->out, "<dt>How do I recheck it?</dt>\n<dd><p>In a copy of the project; its program is "
-                   "<code>build/stickslip</code> there, called <code>stickslip</code> on this page.</p>\n<ul>\n"
-                   "<li>All of it: <code>make deps verify</code> installs what is needed, builds the program and repeats "
-                   "the audit; once built, <code>stickslip verify ");
+  text_add(p->out,
+           "<dt>How do I recheck it?</dt>\n<dd><p>In a copy of the project; its program is "
+           "<code>build/stickslip</code> there, called <code>stickslip</code> on this page.</p>\n<ul>\n"
+           "<li>All of it: <code>make deps verify</code> installs what is needed, builds the program and repeats "
+           "the audit; once built, <code>stickslip verify ");
   html_plain(p->out, p->r->scene);
   text_add(p->out, "</code> does.</li>\n");
   if (f) add_recheck_one(p, f);
@@ -442,11 +445,12 @@ void page_summary(const struct page *p) {
   long count[N_VERDICTS];
   audit_result_count(p->r, count);
   text_add(p->out, "<section id=\"s-verdict\" aria-labelledby=\"h-verdict\">\n<h2 id=\"h-verdict\">The verdict</h2>\n");
-  text_printf(p->out,
-              "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
-              "under a condition); %ld are proved, %ld supported (no proof, and no counterexample), %ld undecided",
-              p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED],
-              count[VERDICT_CONDITIONAL], count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
+  text_printf(
+      p->out,
+      "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
+      "under a condition); %ld are proved, %ld supported (no proof, and no counterexample), %ld undecided",
+      p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED],
+      count[VERDICT_CONDITIONAL], count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, ", %ld not possible here", count[VERDICT_SKIPPED]);
   text_printf(p->out, "; %ld are definitions.</p>\n", count[VERDICT_DEFINITION]);
   add_grades(p, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL]);

@@ -90,6 +90,17 @@ void page_statements(const struct page *p, const struct finding *f, const char *
   if (last) text_add(p->out, "</ul>\n");
 }
 
+void page_heads(const struct page *p, const struct column *columns, size_t n) {
+  text_add(p->out, "<thead><tr>");
+  for (size_t i = 0; i < n; i++)
+    text_printf(p->out, "<th scope=\"col\"%s>%s</th>", columns[i].number ? " class=\"n\"" : "", columns[i].name);
+  text_add(p->out, "</tr></thead>\n");
+}
+
+void page_cell(const struct page *p, const struct column *column) {
+  text_printf(p->out, "<td%s data-of=\"%s\">", column->number ? " class=\"n\"" : "", column->name);
+}
+
 /* --- The page --- */
 
 static void add_head(const struct page *p) {
@@ -111,10 +122,11 @@ static void add_opening(const struct page *p) {
     html_plain(p->out, p->r->paper);
     text_add(p->out, "</cite>");
   }
-  text_add(p->out,
-           "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
-           "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
-           "same result that do not use them. Numbers are those of the scene ");
+  text_add(
+      p->out,
+      "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
+      "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
+      "same result that do not use them. Numbers are those of the scene ");
   html_code(p->out, p->r->scene);
   if (p->r->title) {
     text_add(p->out, ", ");
