@@ -624,7 +624,7 @@ START_TEST(what_is_asked_first) {
                                       "<strong>No:</strong> THE GAP.",
                                       "The paper prints",
                                       "t = 5</annotation>",
-                                      "has <math",
+                                      "numbers has ",
                                       "t = 7</annotation>",
                                       "THE NOTE",
                                       "<strong>Yes:</strong>",

@@ -44,6 +44,7 @@ static void add_words(const struct page *p) {
       {"claim",
        "one thing that the paper says. (27) and eq-27 are its numbered equation, a letter tells apart what one "
        "number says; num-... is a printed number, text-... a sentence, fig-... a figure"},
+      {"scene", "an example: values of the parameters, and what is printed for them"},
       {"orbit",
        "here: a periodic motion that goes through the four phases once, each ending at the first time at which "
        "its condition is met"},

@@ -171,16 +171,16 @@ static void add_foremost(const struct page *p) {
 
 /* The refuted numbers among those that a refuted claim rests on, as printed or as corrected. */
 static void add_numbers(const struct page *p, const struct finding *f, bool printed, const char *words) {
-  const char *sep = words;
+  const char *before = words;
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
     const char *number = on && printed ? on->printed : on ? on->correction_latex : NULL;
     if (!number || !report_is_failure(on) || !report_is_number(on)) continue;
-    text_add(p->out, sep);
+    text_printf(p->out, "%s<span class=\"k\">", before);
     html_math(p->out, number, NULL);
-    sep = ", ";
+    before = ",</span> ";
   }
-  if (sep != words) text_add_char(p->out, '.');
+  if (before != words) text_add(p->out, ".</span>");
 }
 
 /* Printed beside true, for the size of the difference. */
@@ -248,7 +248,7 @@ static void add_answer(const struct page *p, const struct finding *f) {
   html_stop(p->out);
   if (e) add_mended_numbers(p, f);
   if (e && f->effect && e->note) {
-    text_add(p->out, " Rounding does not explain it: ");
+    text_add(p->out, " Rounding does not explain it. ");
     html_text(p->out, e->note, NULL);
     html_stop(p->out);
   }
@@ -371,7 +371,7 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
   page_claim(p, f->id);
   text_add_char(p->out, ' ');
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
-  text_add(p->out, "; what it writes is put beside this report and replaces nothing of it.</li>\n");
+  text_add(p->out, "; its own report goes to <code>only/</code> beside this one.</li>\n");
   if (point_of(&point, note)) {
     text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
     html_plain(p->out, f->id);

@@ -126,13 +126,11 @@ static void add_opening(const struct page *p) {
       p->out,
       "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
       "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
-      "same result that do not use them. Numbers are those of the scene ");
+      "same result that do not use them. The example here: ");
+  html_text(p->out, p->r->title, NULL);
+  text_add(p->out, p->r->title ? " (scene " : "scene ");
   html_code(p->out, p->r->scene);
-  if (p->r->title) {
-    text_add(p->out, ", ");
-    html_text(p->out, p->r->title, NULL);
-  }
-  html_stop(p->out);
+  text_add(p->out, p->r->title ? ")." : ".");
   text_add(p->out,
            " New to it: <a href=\"#s-model\">the system in half a page</a>, <a href=\"#s-words\">the words used "
            "here</a>.");
