@@ -1690,6 +1690,10 @@ START_TEST(explain_shows_both_sides) {
     ck_assert(shown_number(j.out, left, 1) == 1 && shown_number(j.out, right, 1) == 1);
     double d = shown_number(j.out, right, 3) - 3; /* GSL's exponential rounds */
     ck_assert(shown_number(j.out, left, 3) == 6 && d > -1e-13 && d < 1e-13);
+    const char *row = strstr(j.out, left);
+    for (int k = 0; k < 4; k++, row = strchr(row, '\n') + 1) /* D is 4 x 4 */
+      ck_assert(*row == (k ? ' ' : *left) && shown_number(row, k ? "" : left, k + 1) == 1);
+    ck_assert(strncmp(row, right, strlen(right)) == 0);
   }
   discard(&j);
   run_well(&j, "explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL); /* K from (3) */
