@@ -1109,13 +1109,24 @@ START_TEST(alone_or_together) {
 }
 END_TEST
 
-/* A report's claim can be judged again by the command that stands beside it. */
+/* A report's claim can be judged again by the command that stands beside it, and the report stays. */
 START_TEST(a_claim_reproduces) {
   char *object = claim_object(full_json, "eq-31");
   ck_assert(object != NULL);
   ck_assert_str_eq(member(object, "reproduce"), "stickslip verify paper --only eq-31");
   ck_assert_str_eq(member(object, "verdict"), "refuted");
   ck_assert_str_eq(member(strstr(object, "\"correction\": {"), "verdict"), "proved");
+  char command[2000];
+  snprintf(
+      command, sizeof command,
+      "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
+      "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
+      program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
+  ck_assert_int_eq(system(command), 0);
+  char *json = slurp(scratch_path("reports/paper/only/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
+  ck_assert(again && strcmp(again, object) == 0);
+  free(again);
+  free(json);
   free(object);
 }
 END_TEST
@@ -1679,6 +1690,10 @@ START_TEST(explain_shows_both_sides) {
     ck_assert(shown_number(j.out, left, 1) == 1 && shown_number(j.out, right, 1) == 1);
     double d = shown_number(j.out, right, 3) - 3; /* GSL's exponential rounds */
     ck_assert(shown_number(j.out, left, 3) == 6 && d > -1e-13 && d < 1e-13);
+    const char *row = strstr(j.out, left);
+    for (int k = 0; k < 4; k++, row = strchr(row, '\n') + 1) /* D is 4 x 4 */
+      ck_assert(*row == (k ? ' ' : *left) && shown_number(row, k ? "" : left, k + 1) == 1);
+    ck_assert(strncmp(row, right, strlen(right)) == 0);
   }
   discard(&j);
   run_well(&j, "explain", "eq-3", "--at", "chi=1/2,eta=3", "--tape", NULL); /* K from (3) */

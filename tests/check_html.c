@@ -573,17 +573,45 @@ START_TEST(power_and_digits) {
 }
 END_TEST
 
+/* A route that only states or is undecided is no second one; definitions are not counted. */
+START_TEST(claims_by_one_route) {
+  struct evidence e[] = {{.route = "balls", .layer = "l", .result = "agrees", .bits = -1},
+                         {.route = "exact", .layer = "l", .result = "states", .bits = -1},
+                         {.route = "fd", .layer = "l", .result = "undecided", .bits = -1},
+                         {.route = "balls", .layer = "l", .result = "differs", .bits = -1},
+                         {.route = "exact", .layer = "l", .result = "proved", .bits = -1}};
+  struct finding f[] = {
+      small_finding("one", VERDICT_SUPPORTED, N_VERDICTS), small_finding("two", VERDICT_PROVED, N_VERDICTS),
+      small_finding("three", VERDICT_PROVED, N_VERDICTS), small_finding("four", VERDICT_DEFINITION, N_VERDICTS)};
+  f[0].evidence = f[3].evidence = e, f[0].n_evidence = f[3].n_evidence = 3;
+  f[1].evidence = e + 3, f[1].n_evidence = 2;
+  f[2].evidence = e + 4, f[2].n_evidence = 1;
+  struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true}, {"ctl-2", "two", VERDICT_REFUTED, true}};
+  struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4, .controls = c, .n_controls = 2};
+  char *page = written(report_html, &r);
+  ck_assert(strstr(page, "Claims with a control of their own: 1 of 3."));
+  ck_assert(strstr(page, "or more: 1 of 3; by one alone 2: balls (<a href=\"#c-one\">"));
+  ck_assert(strstr(page, "; exact (<a href=\"#c-three\"><code>three</code></a>).</li>"));
+  free(page);
+}
+END_TEST
+
 /* What is asked first is answered from the record: no, with the gap and the number that should stand there. */
 START_TEST(what_is_asked_first) {
   const char *on[] = {"num-t"};
-  struct evidence e = {
-      .route = "balls", .layer = "l", .result = "differs", .note = "THE NOTE", .trials = 1, .bits = -1};
+  struct evidence e = {.route = "balls",
+                       .layer = "l",
+                       .result = "differs",
+                       .note = "THE NOTE, at x = 1/2, y = 3",
+                       .trials = 1,
+                       .bits = -1};
   struct finding f[] = {
       small_finding("num-t", VERDICT_REFUTED, N_VERDICTS), small_finding("text-periodic", VERDICT_REFUTED, N_VERDICTS),
       small_finding("text-example-stability", VERDICT_SUPPORTED, N_VERDICTS),
       small_finding("eq-9", VERDICT_CONDITIONAL, N_VERDICTS), small_finding("eq-8", VERDICT_REFUTED, N_VERDICTS)};
   f[0].fault = f[1].fault = "number";
   f[0].correction = f[0].correction_latex = "t = 7";
+  f[0].printed = "t = 5";
   f[1].effect = "THE GAP";
   f[1].depends_on = on, f[1].n_depends_on = 1;
   f[1].evidence = f[3].evidence = &e;
@@ -594,8 +622,11 @@ START_TEST(what_is_asked_first) {
   char *page = written(report_html, &r);
   static const char *const order[] = {"What readers ask first",
                                       "<strong>No:</strong> THE GAP.",
-                                      "has <math",
+                                      "The paper prints",
+                                      "t = 5</annotation>",
+                                      "numbers has ",
                                       "t = 7</annotation>",
+                                      "THE NOTE",
                                       "<strong>Yes:</strong>",
                                       "Which printed formulas are wrong?",
                                       "Not what the equations",
@@ -604,6 +635,7 @@ START_TEST(what_is_asked_first) {
                                       "#f-eq-8",
                                       "How do I recheck it?",
                                       "AGAIN 9",
+                                      "explain eq-9 --at x=1/2,y=3</code>",
                                       "THE NOTE"};
   const char *at = page;
   for (size_t i = 0; i < sizeof order / sizeof *order; i++) {
@@ -662,7 +694,12 @@ START_TEST(sentences_are_set) {
                {"eq-27, 51-53, t - (0), - and so on", "eq-27, 51-53, t \xe2\x88\x92 (0), - and so on"},
                {"on \"x = -3*4 - y\" only", "on &quot;x = -3*4 - y&quot; only"},
                {"$x$, $y$ and ($z$).", "<span class=\"k\">X,</span> Y and (<span class=\"k\">Z)</span>."},
-               {"$x$", "X"}};
+               {"$x$", "X"},
+               {"s^3 below 2^-52", "s<sup>3</sup> below 2<sup>" MINUS "52</sup>"},
+               {"c_2^2", "<var>c<sub>2</sub></var><sup>2</sup>"},
+               {"(A)^{-1} b, (GH)^68, z'^2", "(A)<sup>" MINUS "1</sup> b, (GH)<sup>68</sup>, z&#39;<sup>2</sup>"},
+               {"x^y, x^2y, ^2, x ^2, x^, a^{2, a^-", "x^y, x^2y, ^2, x ^2, x^, a^{2, a^-"},
+               {"\"s^2\" is quoted", "&quot;s^2&quot; is quoted"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct text t, seen;
     text_init(&t);
@@ -718,8 +755,8 @@ Suite *html_suite(void) {
   tcase_add_test(c, formulas_are_set);
   tcase_add_test(c, what_is_no_formula_is_shown_as_typed);
   tcase_add_test(c, deep_formulas);
-  tcase_add_test(c, sentences_are_set);
   tcase_add_test(c, formulas_break_where_tex_would);
+  tcase_add_test(c, sentences_are_set);
   tcase_add_test(c, what_differs_is_marked);
   tcase_add_test(c, marks_are_carried_to_the_quotation);
   tcase_add_test(c, no_mark_where_the_place_is_not_clear);
@@ -733,6 +770,7 @@ Suite *html_suite(void) {
   tcase_add_test(c, a_record_of_nothing);
   tcase_add_test(c, what_stands_where);
   tcase_add_test(c, power_and_digits);
+  tcase_add_test(c, claims_by_one_route);
   tcase_add_test(c, what_is_asked_first);
   tcase_add_test(c, junit_fails_where_the_record_differs);
   tcase_add_test(c, csv_quotes);

@@ -181,6 +181,14 @@ START_TEST(lines_fit_the_terminal) {
                {"orbit paper", 80, true},
                {"orbit paper --digits 30", 72, true},
                {"orbit near-flip --digits 40", 80, true},
+               {"orbit paper --set 'e2=[0.858, 0.859]'", 80, true},
+               {"orbit four --method paper --digits 30", 60, true},
+               {"orbit four --method paper", 72, true},
+               {"bifurcate paper --along e2=0.5:3", 80, true},
+               {"explain text-otherwise-unstable", 80, true},
+               {"explain eq-40", 90, true},
+               {"words paper", 80, true},
+               {"words overrun --longest 3", 60, true},
                {"list --scene-keys", 80, false},
                {"list --scene-keys", 60, false},
                {"list --scene-keys", 130, true}};
@@ -192,6 +200,7 @@ START_TEST(lines_fit_the_terminal) {
                       program(), cases[i].command);
     ck_assert_int_eq(status, 0);
     int lines = 0;
+    ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases[i].command);
     for (const char *p = out; *p; p += strcspn(p, "\n") + 1, lines++)
       ck_assert_msg(strcspn(p, "\n") <= (size_t)cases[i].width && *p != '\n', "%s: %.200s", cases[i].command, p);
     ck_assert_int_gt(lines, 15);

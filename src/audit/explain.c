@@ -89,11 +89,12 @@ static void add_verdict(struct text *out, const struct finding *f) {
 }
 
 /* One side at the point in one number type. */
-static void add_side(struct text *out, const struct num_vec *v) {
+/* A row of a matrix on each line, what is no matrix on one. */
+static void add_side(struct text *out, const struct num_vec *v, int cols) {
   arb_t x;
   arb_init(x);
   for (slong i = 0; i < v->len; i++) {
-    text_add(out, i ? "  " : " ");
+    text_add(out, i == 0 ? " " : cols > 1 && i % cols == 0 ? "\n             " : "  ");
     v->ctx.type->get_arb(x, num_vec_at(v, i));
     if (v->ctx.type->rigorous)
       num_print_ball(out, x, 20);
@@ -115,9 +116,9 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
                   status & SS_DOMAIN ? "undefined" : "cannot be told");
     } else {
       text_printf(out, "%-6s left ", types[i].type->name);
-      add_side(out, &lhs);
+      add_side(out, &lhs, s->cols);
       text_printf(out, "%-6s right", types[i].type->name);
-      add_side(out, &rhs);
+      add_side(out, &rhs, s->cols);
     }
     num_vec_clear(&rhs);
     num_vec_clear(&lhs);

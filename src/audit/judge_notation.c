@@ -94,6 +94,21 @@ static void clashes(struct text *out, const struct use *u, int n) {
     }
 }
 
+/* "$m_1$ for the first mass", each use once. */
+static const char *uses_text(struct judge *j, const struct use *u, int n) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < n; i++) {
+    bool again = false;
+    for (int k = 0; k < i; k++)
+      again = again || (strcmp(u[k].symbol, u[i].symbol) == 0 && strcmp(u[k].meaning, u[i].meaning) == 0);
+    if (!again) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
+  }
+  const char *said = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return said;
+}
+
 /* --- The kind --- */
 
 static void settle(struct finding *f, struct judge *j, const char *fault, long trials) {
@@ -122,7 +137,7 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
     int m = read_uses(u, c, repaired);
     text_reset(&found);
     clashes(&found, u, m);
-    f->correction = result_str(j->out, "%s", repaired);
+    f->correction = uses_text(j, u, m);
     struct route_word w = {"diagnostic", m < n || found.len ? SAYS_DIFFERS : SAYS_AGREES, true, m};
     f->correction_verdict = verdict_of(&w, 1, true);
   }

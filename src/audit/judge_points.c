@@ -441,7 +441,8 @@ static void describe_effect(struct finding *f, struct run *r) {
   point_init(&p);
   struct tally *first = &r->tally[0];
   const char *size = order_of_magnitude(r->j->out, first->worst_log);
-  text_printf(&t, "Largest relative difference over the trials: below %s. ", strcmp(size, "1e0") == 0 ? "1" : size);
+  text_printf(&t, "At the points tried the two sides differ by less than %s, relative to their size. ",
+              strcmp(size, "1e0") == 0 ? "1" : size);
   bool have = scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);

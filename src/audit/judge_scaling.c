@@ -205,18 +205,18 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
   }
 }
 
-/* Of the prefixes "F_ u_": names that begin with F_ or u_ have the unit. */
+/* Of the prefixes "F_ u_": every F_... or u_... has the unit. */
 static const char *names_with_unit(struct judge *j, const char *prefixes) {
   struct text t;
   text_init(&t);
-  text_add(&t, "names that begin with ");
+  text_add(&t, "every ");
   for (const char *c = prefixes; *c; c++) {
     if (*c == ' ')
-      text_add(&t, " or ");
+      text_add(&t, "... or ");
     else
       text_add_char(&t, *c);
   }
-  const char *said = result_str(j->out, "%s have the unit", text_str(&t));
+  const char *said = result_str(j->out, "%s... has the unit", text_str(&t));
   text_clear(&t);
   return said;
 }
@@ -242,7 +242,8 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
-      f->correction = repaired ? names_with_unit(j, repaired) : "the same formulas as corrected in errata.eq";
+      f->correction = repaired ? names_with_unit(j, repaired)
+                               : "the same formulas with the corrections that this report has for them";
       f->correction_verdict = verdict_of(&w, 1, true);
     }
     if (f->verdict != VERDICT_REFUTED) break;

@@ -209,7 +209,10 @@ static int show(const struct scene *s, const struct range *a, const struct optio
     all_json(&out, &list, s, a, digits);
   else
     all_text(&out, &list, s, a, digits);
-  fputs(text_str(&out), stdout);
+  if (o->json)
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
   text_clear(&out);
   dyn_bifurcations_clear(&list);
   return EXIT_AS_RECORDED;

@@ -99,7 +99,10 @@ int run_explain(const struct options *o, const char *data) {
             (o->receipt ? print_receipt(&out, &m, &c, &s, o->operand[0], data, &d)
                         : audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d));
   int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
-  if (ok) fputs(text_str(&out), stdout);
+  if (ok && o->receipt)
+    fputs(text_str(&out), stdout);
+  else if (ok)
+    terminal_print(text_str(&out));
   text_clear(&out);
   claims_clear(&c);
   model_clear(&m);

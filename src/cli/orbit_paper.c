@@ -160,7 +160,10 @@ int run_orbit_paper(const struct options *o, const char *data) {
     else
       text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
     for (size_t i = 0; i < list.n && !o->json; i++) add_solution(&out, &list.item[i], digits);
-    fputs(text_str(&out), stdout);
+    if (o->json)
+      fputs(text_str(&out), stdout);
+    else
+      terminal_print(text_str(&out));
   } else {
     status = bad_input(&d);
   }

@@ -39,7 +39,9 @@ static void add_fitted(struct text *out, const char *line, size_t len, size_t wi
     if (cut <= least) /* no blank so far: the next one */
       for (cut = width - used; cut < len && line[cut] != ' ';) cut++;
     if (cut >= len) break;
-    text_add_n(out, line, cut);
+    size_t end = cut;
+    while (end > 0 && line[end - 1] == ' ') end--;
+    text_add_n(out, line, end);
     text_printf(out, "\n%*s", (int)indent, "");
     while (cut < len && line[cut] == ' ') cut++;
     line += cut;

@@ -24,7 +24,7 @@ void html_plain_n(struct text *out, const char *s, size_t len);
 void html_plain(struct text *out, const char *s);
 /* Text in which $...$ is mathematics; changed as in mathml_add, or NULL. */
 void html_text(struct text *out, const char *s, const bool *changed);
-/* The same without mathematics between dollar signs, but with names like z_10 and powers like 1e-9 set as such. */
+/* The same without mathematics between dollar signs, but with names like z_10 and powers like 1e-9 and s^2 set as such. */
 void html_prose_n(struct text *out, const char *s, size_t len);
 void html_prose(struct text *out, const char *s);
 /* One formula, without dollar signs. */
@@ -57,6 +57,15 @@ const struct finding *page_finding(const struct page *p, const char *id);
 
 /* What the routes of a finding say, as a list; only those with this result, or all when it is NULL. */
 void page_statements(const struct page *p, const struct finding *f, const char *result);
+
+/* A table of class "stack" is read row by row on a narrow screen: each cell but the first says its column before it. */
+struct column {
+  const char *name; /* plain text without markup */
+  bool number;      /* set to the right */
+};
+/* The head of the table, and the beginning of a cell, which the caller ends. */
+void page_heads(const struct page *p, const struct column *columns, size_t n);
+void page_cell(const struct page *p, const struct column *column);
 
 /* The sections, each from heading to end. */
 void page_summary(const struct page *p);

@@ -60,38 +60,46 @@ static void add_line(const struct page *p, const char *word, const char *s) {
   text_add(p->out, "</dd>\n");
 }
 
-static void add_count(const struct page *p, long n) {
+static const struct column evidence[] = {
+    {"route", false}, {"equations read", false}, {"result", false},       {"trials", true},
+    {"bits", true},   {"residual below", true},  {"digits agreed", true}, {"note; worst", false}};
+
+static void add_count(const struct page *p, const struct column *column, long n) {
+  page_cell(p, column);
   if (n >= 0)
-    text_printf(p->out, "<td class=\"n\">%ld</td>", n);
+    text_printf(p->out, "%ld</td>", n);
   else
-    text_add(p->out, "<td class=\"n\">&#8211;</td>");
+    text_add(p->out, "&#8211;</td>");
 }
 
 /* A residual below 1e-37 at 128 bits: 37 of 38 digits. */
 static void add_digits(const struct page *p, const struct evidence *e) {
   static const double digits_a_bit = 0.30102999566398120;
+  page_cell(p, &evidence[6]);
   long agreed = e->residual && strncmp(e->residual, "1e-", 3) == 0 ? strtol(e->residual + 3, NULL, 10) : 0;
   if (agreed > 0 && e->bits > 0)
-    text_printf(p->out, "<td class=\"n\">%ld of %ld</td>", agreed, (long)((double)e->bits * digits_a_bit));
+    text_printf(p->out, "%ld of %ld</td>", agreed, (long)((double)e->bits * digits_a_bit));
   else
-    text_add(p->out, "<td class=\"n\">&#8211;</td>");
+    text_add(p->out, "&#8211;</td>");
 }
 
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
   text_add(p->out, "<tr><th scope=\"row\">");
   html_plain(p->out, e->route);
-  text_add(p->out, "</th><td>");
+  text_add(p->out, "</th>");
+  page_cell(p, &evidence[1]);
   html_plain(p->out, e->layer);
-  text_add(p->out, "</td><td>");
+  text_add(p->out, "</td>");
+  page_cell(p, &evidence[2]);
   html_plain(p->out, e->result);
   text_add(p->out, "</td>");
-  add_count(p, e->trials);
-  add_count(p, e->bits);
-  text_add(p->out, "<td class=\"n\">");
+  add_count(p, &evidence[3], e->trials);
+  add_count(p, &evidence[4], e->bits);
+  page_cell(p, &evidence[5]);
   html_prose(p->out, e->residual ? e->residual : "\xe2\x80\x93");
   text_add(p->out, "</td>");
   add_digits(p, e);
-  text_add(p->out, "<td>");
+  page_cell(p, &evidence[7]);
   html_text(p->out, e->note, NULL);
   if (e->note && e->worst) text_add(p->out, "; ");
   if (e->worst) {
@@ -103,13 +111,9 @@ static void add_evidence_row(const struct page *p, const struct evidence *e) {
 
 static void add_evidence(const struct page *p, const struct finding *f) {
   if (!f->n_evidence) return;
-  text_add(p->out,
-           "<div class=\"wide\"><table class=\"evidence\">\n<caption>Routes and residuals</caption>\n<thead><tr>"
-           "<th scope=\"col\">route</th><th scope=\"col\">equations read</th><th scope=\"col\">result</th>"
-           "<th scope=\"col\" class=\"n\">trials</th><th scope=\"col\" class=\"n\">bits</th>"
-           "<th scope=\"col\" class=\"n\">residual below</th><th scope=\"col\" class=\"n\">digits agreed"
-           "</th><th scope=\"col\">note; worst</th></tr></thead>\n"
-           "<tbody>\n");
+  text_add(p->out, "<div class=\"wide\"><table class=\"evidence stack\">\n<caption>Routes and residuals</caption>\n");
+  page_heads(p, evidence, sizeof evidence / sizeof *evidence);
+  text_add(p->out, "<tbody>\n");
   for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
   text_add(p->out, "</tbody></table></div>\n");
   if (p->r->n_pairs) text_add(p->out, "<p><a href=\"#s-routes\">What the routes share</a></p>\n");
@@ -162,7 +166,7 @@ static void add_details(const struct page *p, const struct finding *f) {
   add_correction(p, f);
   add_line(p, "Effect", f->effect);
   add_dependences(p, f);
-  text_add(p->out, "<dt>See it again</dt>\n<dd>");
+  text_add(p->out, "<dt>Recheck</dt>\n<dd>");
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
   text_add(p->out, "</dd>\n</dl>\n");
   add_evidence(p, f);

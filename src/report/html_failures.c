@@ -1,5 +1,5 @@
 /* What needs attention, worst first: the paper's own text beside the corrected one, what is wrong with it and how large it
-   is, a certificate, what depends on it, and how to see it again. */
+   is, a certificate, what depends on it, and how to recheck it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -156,16 +156,20 @@ static void add_certificate(const struct page *p, const struct finding *f) {
 
 /* --- What depends on it --- */
 
+static const struct column changed[] = {
+    {"result", false}, {"with the printed formula", false}, {"with the corrected one", false}, {"at", false}};
+
 static void add_changed(const struct page *p, const struct consequence *q) {
   bool any = false;
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
-    if (!any)
-      text_add(p->out,
-               "<div class=\"wide\"><table>\n<caption>Results that change, each with one example</caption>\n"
-               "<thead><tr><th scope=\"col\">result</th><th scope=\"col\">with the printed formula</th>"
-               "<th scope=\"col\">with the corrected one</th><th scope=\"col\">at</th></tr></thead>\n<tbody>\n");
+    if (!any) {
+      text_add(p->out, "<div class=\"wide\"><table class=\"stack\">\n<caption>Results that change, each with one "
+                       "example</caption>\n");
+      page_heads(p, changed, sizeof changed / sizeof *changed);
+      text_add(p->out, "<tbody>\n");
+    }
     any = true;
     text_add(p->out, "<tr><th scope=\"row\">");
     html_math(p->out, d->latex, NULL);
@@ -173,12 +177,14 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     html_plain(p->out, d->entry);
     text_add(p->out, "<br /><small>");
     html_plain(p->out, d->title);
-    text_add(p->out, "</small>");
-    text_add(p->out, "</th><td>");
+    text_add(p->out, "</small></th>");
+    page_cell(p, &changed[1]);
     html_text(p->out, d->printed, NULL);
-    text_add(p->out, "</td><td>");
+    text_add(p->out, "</td>");
+    page_cell(p, &changed[2]);
     html_text(p->out, d->corrected, NULL);
-    text_add(p->out, "</td><td>");
+    text_add(p->out, "</td>");
+    page_cell(p, &changed[3]);
     html_text(p->out, d->where, NULL);
     text_add(p->out, "</td></tr>\n");
   }
@@ -228,7 +234,7 @@ static void add_size(const struct page *p, const struct finding *f, const struct
 }
 
 static void add_reproduction(const struct page *p, const struct finding *f) {
-  begin_row(p, "See it again");
+  begin_row(p, "Recheck");
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
   end_row(p);
 }
@@ -277,6 +283,9 @@ static void add_failure(const struct page *p, const struct finding *f) {
 
 /* --- The printed numbers in a table --- */
 
+static const struct column numbers[] = {{"claim", false},   {"the paper prints", false},   {"nearest solution", false},
+                                        {"how far", false}, {"what depends on it", false}, {"recheck", false}};
+
 static void add_number(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
   struct texts t = {.quote = f->quote, .printed = f->printed, .corrected = f->correction_latex};
@@ -286,13 +295,17 @@ static void add_number(const struct page *p, const struct finding *f) {
   html_anchor(p->out, "f-", f->id);
   text_add(p->out, "\"><th scope=\"row\">");
   page_row(p, f->id);
-  text_add(p->out, "</th><td>");
+  text_add(p->out, "</th>");
+  page_cell(p, &numbers[1]);
   html_text(p->out, t.quote, t.in_quote);
-  text_add(p->out, "</td><td>");
+  text_add(p->out, "</td>");
+  page_cell(p, &numbers[2]);
   html_math(p->out, t.corrected, t.in_corrected);
-  text_printf(p->out, " (%s)</td><td>", verdict_name[f->correction_verdict]);
+  text_printf(p->out, " (%s)</td>", verdict_name[f->correction_verdict]);
+  page_cell(p, &numbers[3]);
   html_text(p->out, size, NULL);
-  text_add(p->out, "</td><td>");
+  text_add(p->out, "</td>");
+  page_cell(p, &numbers[4]);
   for (int i = 0; q && i < q->n_derived; i++) {
     if (q->derived[i].change != CHANGE_CHANGES) continue;
     text_add(p->out, sep);
@@ -301,7 +314,8 @@ static void add_number(const struct page *p, const struct finding *f) {
   }
   text_add(p->out, q && q->falls.n ? sep : "");
   if (q) page_claims(p, &q->falls);
-  text_add(p->out, "</td><td>");
+  text_add(p->out, "</td>");
+  page_cell(p, &numbers[5]);
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
   text_add(p->out, "</td></tr>\n");
   texts_clear(&t);
@@ -312,12 +326,12 @@ static void add_numbers(const struct page *p) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
     if (!report_is_failure(f) || !report_is_number(f)) continue;
-    if (!any)
-      text_add(p->out, "<div class=\"wide\"><table class=\"numbers\">\n<caption>Printed numbers and those of the orbit "
-                       "nearest to them</caption>\n<thead><tr><th scope=\"col\">claim</th><th scope=\"col\">the paper "
-                       "prints</th><th scope=\"col\">nearest solution</th><th scope=\"col\">certificate</th>"
-                       "<th scope=\"col\">what depends on it</th><th scope=\"col\">see it again</th></tr></thead>\n"
-                       "<tbody>\n");
+    if (!any) {
+      text_add(p->out, "<div class=\"wide\"><table class=\"numbers stack\">\n<caption>Printed numbers and those of the "
+                       "orbit nearest to them</caption>\n");
+      page_heads(p, numbers, sizeof numbers / sizeof *numbers);
+      text_add(p->out, "<tbody>\n");
+    }
     any = true;
     add_number(p, f);
   }
@@ -407,7 +421,7 @@ void page_failures(const struct page *p) {
       "so that one slip is counted once. Examples are at exact parameters, where anybody can evaluate both sides. Of "
       "a formula, the left side is what the paper prints and the right side what the equations of motion give; of an "
       "equation, they are its own two sides. What differs between the printed and the corrected text is "
-      "<mark>marked</mark>.</p>\n");
+      "<mark>marked</mark>. Route, trials, bits and other words are <a href=\"#s-words\">said above</a>.</p>\n");
   add_unexpected(p);
   for (int g = 0; g < N_GRADES; g++) add_grade(p, (enum grade)g);
   add_statements(p, "Undecided", is_undecided, NULL);

@@ -12,18 +12,24 @@ static void add_phases(const struct page *p) {
                  "the pull on $m_2$ reaches its limit, $\\chi (z_2 - z_1) = e_2$"},
                 {"H", "global slipping", "both slip", "t_c", "$m_1$ has the belt's velocity again, $z'_1 = V$"},
                 {"C", "stick-slip", "$m_1$ sticks, $m_2$ slips", "t_d", "$m_2$ has it again, $z'_2 = V$"}};
-  text_add(p->out,
-           "<div class=\"wide\"><table>\n<caption>The four phases of the paper's periodic motion</caption>\n<thead>"
-           "<tr><th scope=\"col\">phase</th><th scope=\"col\">matrix</th><th scope=\"col\">masses</th>"
-           "<th scope=\"col\">lasts</th><th scope=\"col\">ends when</th></tr></thead>\n<tbody>\n");
+  static const struct column heads[] = {
+      {"phase", false}, {"matrix", false}, {"masses", false}, {"lasts", false}, {"ends when", false}};
+  text_add(p->out, "<div class=\"wide\"><table class=\"stack\">\n<caption>The four phases of the paper's periodic "
+                   "motion</caption>\n");
+  page_heads(p, heads, sizeof heads / sizeof *heads);
+  text_add(p->out, "<tbody>\n");
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
-    text_printf(p->out, "<tr><th scope=\"row\">%s</th><td>", phases[i].name);
+    text_printf(p->out, "<tr><th scope=\"row\">%s</th>", phases[i].name);
+    page_cell(p, &heads[1]);
     html_math(p->out, phases[i].matrix, NULL);
-    text_add(p->out, "</td><td>");
+    text_add(p->out, "</td>");
+    page_cell(p, &heads[2]);
     html_text(p->out, phases[i].masses, NULL);
-    text_add(p->out, "</td><td>");
+    text_add(p->out, "</td>");
+    page_cell(p, &heads[3]);
     html_math(p->out, phases[i].lasts, NULL);
-    text_add(p->out, "</td><td>");
+    text_add(p->out, "</td>");
+    page_cell(p, &heads[4]);
     html_text(p->out, phases[i].ends, NULL);
     text_add(p->out, "</td></tr>\n");
   }
@@ -38,6 +44,7 @@ static void add_words(const struct page *p) {
       {"claim",
        "one thing that the paper says. (27) and eq-27 are its numbered equation, a letter tells apart what one "
        "number says; num-... is a printed number, text-... a sentence, fig-... a figure"},
+      {"scene", "an example: values of the parameters, and what is printed for them"},
       {"orbit",
        "here: a periodic motion that goes through the four phases once, each ending at the first time at which "
        "its condition is met"},
@@ -48,8 +55,10 @@ static void add_words(const struct page *p) {
        "unstable where not"},
       {"propagator", "the matrix that carries the state over a phase of given length"},
       {"printed, corrected", "the paper's own formulas, and the same with the errata of this project over them"},
-      {"route", "one way to compute a thing, such as exact algebra, balls (numbers with proved error bounds), a matrix "
-                "exponential, finite differences (fd) or integration of the equations of motion"},
+      {"route",
+       "one way to judge a thing, such as exact algebra, balls (numbers with proved error bounds), a matrix "
+       "exponential, finite differences (fd), integration of the equations of motion, or reading what is printed "
+       "(diagnostic)"},
       {"residual", "by how much two routes differ, relative to the size of what they compute"},
       {"trials, bits", "at how many points they were compared, and with how many binary digits"},
       {"certificate",
@@ -77,17 +86,17 @@ void page_model(const struct page *p) {
       "friction can hold it.",
       "Without dimensions, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
       "$\\chi = "
-      "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$. Measured from the equilibrium under both sliding "
+      "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$: time is counted in units of "
+      "$\\sqrt{\\frac{m_1}{k_1 + k_2}}$, forces are divided by $k_1 + k_2$, which makes lengths of them, and lengths "
+      "are "
+      "in any one unit; so no number on this page names one. Measured from the equilibrium under both sliding "
       "forces, "
       "positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ matter."};
   static const char after[] =
       "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
-      "the "
-      "state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: what separates a "
-      "motion nearby from it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
-      "$|\\operatorname{tr} J| < "
-      "1$ "
-      "and grows where $|\\operatorname{tr} J| > 1$.";
+      "the state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: the small "
+      "distance of a motion beside it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
+      "$|\\operatorname{tr} J| < 1$ and grows where $|\\operatorname{tr} J| > 1$.";
   text_add(p->out, "<section id=\"s-model\" aria-labelledby=\"h-model\">\n"
                    "<h2 id=\"h-model\">The system in half a page</h2>\n");
   page_belt(p);

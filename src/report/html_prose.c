@@ -1,5 +1,5 @@
 /* Names and numbers in plain sentences as a book sets them: z_10 with a lowered index, chi as the Greek letter, 1e-9 as a
-   power of ten, a minus as long as a plus.  What stands between quotation marks is meant to be copied and stays as it is. */
+   power of ten, s^2 and 2^-52 with a raised exponent, a minus as long as a plus.  What stands between quotation marks is meant to be copied and stays as it is. */
 #include <string.h>
 
 #include "html.h"
@@ -98,6 +98,19 @@ static size_t add_power(struct text *out, const struct prose *p) {
   return from + n;
 }
 
+/* ^2, ^-52, ^{-1} behind a name, a number or a closing bracket; the bytes read, or 0. */
+static size_t add_exponent(struct text *out, const char *all, size_t i, size_t len) {
+  if (all[i] != '^' || i == 0 || !(char_is_word(all[i - 1]) || strchr(")'", all[i - 1]))) return 0;
+  const struct prose p = {all + i, len - i};
+  size_t brace = at(&p, 1) == '{', minus = at(&p, 1 + brace) == '-', from = 1 + brace + minus;
+  size_t n = count(&p, from, char_is_digit), end = from + n + brace;
+  if (!n || (brace && at(&p, from + n) != '}') || (!brace && char_is_word(at(&p, end)))) return 0;
+  text_add(out, minus ? "<sup>\xe2\x88\x92" : "<sup>");
+  html_plain_n(out, p.s + from, n);
+  text_add(out, "</sup>");
+  return end;
+}
+
 /* A minus, as a sign before a number or between two blanks after a name or number; a product of what stands beside it. */
 static const char *operator_at(const char *all, size_t i, size_t len) {
   char before = i ? all[i - 1] : ' ', after = i + 1 < len ? all[i + 1] : ' ';
@@ -117,6 +130,7 @@ void html_prose_n(struct text *out, const char *s, size_t len) {
     size_t n = 0;
     quoted ^= s[i] == '"';
     if (!quoted && begins(s, i)) n = char_is_digit(s[i]) ? add_power(out, &rest) : add_name(out, &rest);
+    if (!quoted && !n) n = add_exponent(out, s, i, len);
     if (!quoted && !n && rest.len >= 3 && memcmp(s + i, "+/-", 3) == 0) {
       text_add(out, "\xc2\xb1");
       n = 3;

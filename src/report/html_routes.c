@@ -149,10 +149,11 @@ static void add_matrices(const struct page *p) {
   }
   for (size_t i = 0; i < r->n_pairs; i++) each_part(&parts, &r->pairs[i], NULL);
   add_parts(p, &parts);
-  text_add(p->out,
-           "<p>Below: what both rest on, by these numbers; the largest disagreement seen, relative to max(1, "
-           "largest entry), as the power of ten above it, or the accuracy that was kept to where figures belong "
-           "to one machine.</p>\n");
+  text_add(
+      p->out,
+      "<p>A cell of the tables below stands for two routes. It says what both rest on, by the numbers of this "
+      "list; then their largest disagreement, relative to max(1, largest entry), as the power of ten above it, or, "
+      "after \"within\", the accuracy that they kept to, where the figure is not the same on every machine.</p>\n");
   for (size_t i = 0; i < r->n_pairs; i++)
     if (first_of_its_quantity(r, i)) add_matrix(p, r->pairs[i].quantity, &parts);
   free(parts.s);
@@ -172,26 +173,40 @@ static void add_independence(const struct page *p) {
   text_add(p->out, "</ul></details>\n");
 }
 
+static const struct column runs[] = {{"orbit", false},
+                                     {"tr J", true},
+                                     {"periods", true},
+                                     {"a difference of 2 to the -52 is 1e-6 after", false},
+                                     {"routes part at that rate", false},
+                                     {"a displacement grows at that rate", false}};
+
 static void add_long_runs(const struct page *p) {
   if (!p->r->n_long_runs) return;
-  text_add(p->out,
-           "<h3>Long runs</h3>\n<p>Integration and closed forms, both in double precision, beside closed forms in "
-           "multiprecision, from one start on the orbit. What separates them must grow or shrink each period as "
-           "the multiplier of the orbit says.</p>\n<div class=\"wide\"><table>\n<caption>Runs over many periods"
-           "</caption>\n<thead><tr><th scope=\"col\">orbit</th><th scope=\"col\" class=\"n\">tr J</th>"
-           "<th scope=\"col\" class=\"n\">periods</th><th scope=\"col\">2^-52 becomes 1e-6 after</th>"
-           "<th scope=\"col\">routes part so</th><th scope=\"col\">a displacement grows so</th></tr></thead>\n"
-           "<tbody>\n");
+  text_add(
+      p->out,
+      "<h3>Long runs</h3>\n<p>Integration and closed forms, both in double precision, beside closed forms in "
+      "multiprecision, from one start on the orbit. What separates them must grow or shrink each period as "
+      "the multiplier of the orbit says.</p>\n<div class=\"wide\"><table class=\"stack\">\n<caption>Runs over many "
+      "periods</caption>\n");
+  page_heads(p, runs, sizeof runs / sizeof *runs);
+  text_add(p->out, "<tbody>\n");
   for (size_t i = 0; i < p->r->n_long_runs; i++) {
     const struct long_result *l = &p->r->long_runs[i];
     text_add(p->out, "<tr><th scope=\"row\">");
     html_prose(p->out, l->orbit);
-    text_add(p->out, "</th><td class=\"n\">");
-    html_plain(p->out, l->multiplier);
-    text_printf(p->out, "</td><td class=\"n\">%ld</td><td>", l->periods);
+    text_add(p->out, "</th>");
+    page_cell(p, &runs[1]);
+    html_prose(p->out, l->multiplier);
+    text_add(p->out, "</td>");
+    page_cell(p, &runs[2]);
+    text_printf(p->out, "%ld</td>", l->periods);
+    page_cell(p, &runs[3]);
     html_prose(p->out, l->expected);
-    text_printf(p->out, "</td><td>%s</td><td>%s</td></tr>\n", l->obeys ? "yes" : "<strong>NO</strong>",
-                l->displaced ? "yes" : "<strong>NO</strong>");
+    text_add(p->out, "</td>");
+    page_cell(p, &runs[4]);
+    text_printf(p->out, "%s</td>", l->obeys ? "yes" : "<strong>NO</strong>");
+    page_cell(p, &runs[5]);
+    text_printf(p->out, "%s</td></tr>\n", l->displaced ? "yes" : "<strong>NO</strong>");
   }
   text_add(p->out, "</tbody></table></div>\n");
 }
@@ -199,11 +214,12 @@ static void add_long_runs(const struct page *p) {
 static void add_controls(const struct page *p) {
   const struct audit_result *r = p->r;
   if (!r->n_controls) return;
-  text_add(p->out,
-           "<h3 id=\"s-controls\">Statements made wrong on purpose</h3>\n<details><summary>The controls</summary>\n"
-           "<div class=\"wide\"><table>\n<caption>Controls and what they damage</caption>\n<thead><tr>"
-           "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
-           "<th scope=\"col\">noticed</th></tr></thead>\n<tbody>\n");
+  text_add(p->out, "<h3 id=\"s-controls\">Statements made wrong on purpose</h3>\n<p>Each is a claim, or a check of the "
+                   "audit itself, with one part made wrong, and must be refuted in every "
+                   "run.</p>\n<details><summary>The controls</summary>\n<div class=\"wide\"><table "
+                   "class=\"narrow\">\n<caption>Controls and what they damage</caption>\n<thead><tr>"
+                   "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
+                   "<th scope=\"col\">noticed</th></tr></thead>\n<tbody>\n");
   for (size_t i = 0; i < r->n_controls; i++) {
     text_add(p->out, "<tr><th scope=\"row\">");
     html_code(p->out, r->controls[i].id);

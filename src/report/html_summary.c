@@ -1,5 +1,5 @@
-/* The verdict first: counts, the worst that was found in a few sentences, answers to what a reader asks first, how the
-   audit itself was tested, how to run it again.  Every sentence is made of the record. */
+/* The verdict first: counts, answers to what a reader asks first with how to run it again, the worst that was found in a few
+   sentences, how the audit itself was tested.  Every sentence is made of the record. */
 #include <string.h>
 
 #include "html.h"
@@ -169,27 +169,35 @@ static void add_foremost(const struct page *p) {
 
 /* --- What is asked first --- */
 
-/* The corrected numbers among those that a refuted claim rests on. */
-static void add_mended_numbers(const struct page *p, const struct finding *f) {
-  const char *sep = " The periodic solution nearest to the printed numbers has ";
+/* The refuted numbers among those that a refuted claim rests on, as printed or as corrected. */
+static void add_numbers(const struct page *p, const struct finding *f, bool printed, const char *words) {
+  const char *before = words;
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
-    if (!on || !report_is_failure(on) || !report_is_number(on)) continue;
-    text_add(p->out, sep);
-    html_math(p->out, on->correction_latex, NULL);
-    sep = ", ";
+    const char *number = on && printed ? on->printed : on ? on->correction_latex : NULL;
+    if (!number || !report_is_failure(on) || !report_is_number(on)) continue;
+    text_printf(p->out, "%s<span class=\"k\">", before);
+    html_math(p->out, number, NULL);
+    before = ",</span> ";
   }
-  if (sep[0] == ',') text_add_char(p->out, '.');
+  if (before != words) text_add(p->out, ".</span>");
 }
 
-/* What was computed for the orbit meant, in a sentence before the list: "tr J = x: so by the criterion; admissible". */
+/* Printed beside true, for the size of the difference. */
+static void add_mended_numbers(const struct page *p, const struct finding *f) {
+  add_numbers(p, f, true, " The paper prints ");
+  add_numbers(p, f, false, " The periodic solution nearest to the printed numbers has ");
+}
+
+/* What was computed for the orbit meant, before the list: "tr J = x: so by the criterion; admissible". */
 static void add_meant(const struct page *p, const struct finding *f) {
-  static const char meant[] = ", the nearest to the printed numbers";
+  static const char meant[] = ", the nearest to the printed numbers", unstable[] = ": unstable";
   for (int i = 0; i < f->n_evidence; i++) {
     const struct evidence *e = &f->evidence[i];
     const char *colon = e->note ? strstr(e->note, ": ") : NULL, *end = colon ? strchr(colon, ';') : NULL;
     if (!e->worst || !strstr(e->worst, meant) || !end) continue;
-    text_add(p->out, "<strong>The periodic solution nearest to the printed numbers is ");
+    text_printf(p->out, "<strong>%s: the periodic solution nearest to the printed numbers is ",
+                strncmp(colon, unstable, strlen(unstable)) == 0 ? "No" : "Yes");
     html_prose_n(p->out, colon + 2, (size_t)(end - colon - 2));
     text_add(p->out, "</strong>, with ");
     html_prose_n(p->out, e->note, (size_t)(colon - e->note));
@@ -198,37 +206,53 @@ static void add_meant(const struct page *p, const struct finding *f) {
   }
 }
 
-static void add_answer(const struct page *p, const struct finding *f) {
-  bool yes = f->verdict == VERDICT_PROVED || f->verdict == VERDICT_SUPPORTED;
-  if (f->verdict != VERDICT_DEFINITION) {
-    const struct evidence *e = report_is_failure(f) ? report_deciding(f) : NULL;
-    text_printf(p->out, "<strong>%s:</strong> ", e ? "No" : yes ? "Yes" : "Open");
-    html_text(p->out, e && f->effect ? f->effect : e ? e->note : NULL, NULL);
-    html_stop(p->out);
-    if (e) add_mended_numbers(p, f);
-    text_add(p->out, " Claim ");
-    page_claim(p, f->id);
-    text_add(p->out, ": ");
-    page_verdict(p, f->verdict);
-    text_add_char(p->out, '.');
-    return;
-  }
+static void add_verdict_of(const struct page *p, const struct finding *f) {
+  text_add(p->out, " Claim ");
+  page_claim(p, f->id);
+  text_add(p->out, ": ");
+  page_verdict(p, f->verdict);
+  text_add_char(p->out, '.');
+}
+
+static void add_stability(const struct page *p, const struct finding *f) {
   add_meant(p, f);
-  text_add(p->out, "The paper itself does not say. Computed for the periodic solutions of its data (claim ");
+  html_text(p->out,
+            "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
+            "stable, above 1 unstable. The paper gives this criterion and does not say which its example is. For all "
+            "periodic solutions found with its data (claim ",
+            NULL);
   page_claim(p, f->id);
   text_add(p->out, "):");
   page_statements(p, f, "states");
-  html_text(p->out,
-            "$\\operatorname{tr} J$ is the factor by which what separates a neighbouring motion from the periodic one "
-            "grows with each period: it dies out where $|\\operatorname{tr} J| < 1$ (stable) and takes over where "
-            "$|\\operatorname{tr} J| > 1$ (unstable). Admissible: the two masses can follow it; not admissible: it "
-            "solves the equations and breaks a condition of the motion.",
-            NULL);
+  html_text(
+      p->out,
+      "Admissible: the two masses can follow it; not admissible: it solves the equations and breaks a condition of "
+      "the motion.",
+      NULL);
   const struct finding *later = page_finding(p, "text-long-run");
   if (!later) return;
-  text_add(p->out, " Where the printed start leads: ");
-  page_claim(p, later->id);
+  text_add(p->out, " See also ");
+  add_titled(p, later);
   text_add_char(p->out, '.');
+}
+
+static void add_answer(const struct page *p, const struct finding *f) {
+  bool yes = f->verdict == VERDICT_PROVED || f->verdict == VERDICT_SUPPORTED;
+  const struct evidence *e = report_is_failure(f) ? report_deciding(f) : NULL;
+  if (f->verdict == VERDICT_DEFINITION) {
+    add_stability(p, f);
+    return;
+  }
+  text_printf(p->out, "<strong>%s:</strong> ", e ? "No" : yes ? "Yes" : "Open");
+  html_text(p->out, e && f->effect ? f->effect : e ? e->note : NULL, NULL);
+  html_stop(p->out);
+  if (e) add_mended_numbers(p, f);
+  if (e && f->effect && e->note) {
+    text_add(p->out, " Rounding does not explain it. ");
+    html_text(p->out, e->note, NULL);
+    html_stop(p->out);
+  }
+  add_verdict_of(p, f);
 }
 
 static bool is_wrong_formula(const struct finding *f) {
@@ -244,6 +268,11 @@ static void add_remedy(const struct page *p, const struct finding *f) {
   } else if (f->change) {
     text_add(p->out, ": ");
     html_text(p->out, f->change, NULL);
+    if (f->verdict == VERDICT_CONDITIONAL && f->condition) {
+      text_add(p->out, " (as printed it holds where ");
+      html_text(p->out, f->condition, NULL);
+      text_add_char(p->out, ')');
+    }
   } else if (f->correction) {
     text_add(p->out, ": should read ");
     if (f->correction_latex)
@@ -276,14 +305,15 @@ static bool is_slip_of_text(const struct finding *f) {
 
 /* Slips outside the numbered equations, by what does not hold. */
 static void add_slips_of_text(const struct page *p) {
-  const char *sep = "<p>Such slips in the text besides; what does not hold is that ";
+  const char *before = "<p>Slips of notation in the text. It does not hold that</p>\n<ul>\n";
   for (size_t i = 0; i < p->r->n_findings; i++) {
     if (!is_slip_of_text(&p->r->findings[i])) continue;
-    text_add(p->out, sep);
+    text_printf(p->out, "%s<li>", before);
     add_titled(p, &p->r->findings[i]);
-    sep = "; ";
+    text_add(p->out, "</li>\n");
+    before = "";
   }
-  if (sep[0] == ';') text_add(p->out, ".</p>\n");
+  if (!*before) text_add(p->out, "</ul>\n");
 }
 
 static void add_wrong_formulas(const struct page *p) {
@@ -292,8 +322,10 @@ static void add_wrong_formulas(const struct page *p) {
   any |= add_wrong(p, true,
                    "<p>Slips of notation, without sense or false when read literally:</p>\n<ul class=\"columns\">\n");
   add_slips_of_text(p);
-  text_add(p->out, any ? "<p>A letter after the number tells apart several things that are said under it.</p></dd>\n"
-                       : "None of those judged.</dd>\n");
+  text_add(p->out,
+           any ? "<p>A letter behind the number of an equation tells apart the several things that the paper says "
+                 "under that number.</p></dd>\n"
+               : "None of those judged.</dd>\n");
 }
 
 /* What is held against what: the printed formula on the left. */
@@ -302,38 +334,76 @@ static void add_both_texts(const struct page *p, const struct finding *f) {
   if (!printed || !f->correction_latex) return;
   text_add(p->out, ", printed ");
   html_math(p->out, printed, NULL);
-  text_add(p->out, " against ");
+  text_add(p->out, " (left) against ");
   html_math(p->out, f->correction_latex, NULL);
+  text_add(p->out, " (right)");
 }
 
-/* How to see it again, with one formula as the example: its command, and both sides at one point for a calculator. */
-static void add_recheck(const struct page *p) {
-  const struct finding *f = NULL;
-  for (size_t i = 0; i < p->r->n_findings && !f; i++)
-    if (is_wrong_formula(&p->r->findings[i]) && report_deciding(&p->r->findings[i])) f = &p->r->findings[i];
-  text_add(p->out,
-           "<dt>How do I recheck it?</dt>\n<dd>All of it: <code>make deps verify</code> in a copy of the project "
-           "installs what is needed, builds the program and repeats the audit; once built, <code>stickslip "
-           "verify ");
-  html_plain(p->out, p->r->scene);
-  text_add(p->out, "</code> does. One claim: by the command that stands with it");
-  if (f) {
-    text_add(p->out, ", for ");
-    page_claim(p, f->id);
-    text_add(p->out, " <code>");
-    html_plain(p->out, f->reproduce ? f->reproduce : "stickslip verify");
-    text_add(p->out, "</code>");
+/* The parameters that a certificate ends with, "... at chi = 1/2, t = 5", as --at takes them; NULL where it ends with more,
+   such as the number of an orbit. */
+static const char *point_of(struct text *out, const char *note) {
+  const char *at = note ? strstr(note, ", at ") : NULL;
+  text_reset(out);
+  if (!at) return NULL;
+  for (const char *s = at + 5; *s;) {
+    size_t n = strcspn(s, ",;"), equals = strcspn(s, "=");
+    if (equals >= n || s[n] == ';') return NULL;
+    for (size_t i = 0; i < n; i++)
+      if (s[i] != ' ') text_add_char(out, s[i]);
+    if (s[n]) text_add_char(out, ',');
+    s += n + (s[n] != '\0');
   }
-  text_add(p->out, ". By hand: evaluate both sides at the exact parameters that its certificate names");
-  if (f && report_deciding(f)->note) {
+  return text_str(out);
+}
+
+/* The formula that is the example: wrong, and with a certificate. */
+static const struct finding *example(const struct page *p) {
+  for (size_t i = 0; i < p->r->n_findings; i++)
+    if (is_wrong_formula(&p->r->findings[i]) && report_deciding(&p->r->findings[i])) return &p->r->findings[i];
+  return NULL;
+}
+
+static void add_recheck_one(const struct page *p, const struct finding *f) {
+  const char *note = report_deciding(f)->note;
+  struct text point;
+  text_init(&point);
+  text_add(p->out, "<li>One claim, by the command that stands with it, for ");
+  page_claim(p, f->id);
+  text_add_char(p->out, ' ');
+  html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+  text_add(p->out, "; its own report goes to <code>only/</code> beside this one.</li>\n");
+  if (point_of(&point, note)) {
+    text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
+    html_plain(p->out, f->id);
+    text_add(p->out, " --at ");
+    html_plain(p->out, text_str(&point));
+    text_add(p->out, "</code>.</li>\n");
+  }
+  text_add(p->out, "<li>By hand: evaluate both sides at the exact parameters that a certificate names");
+  if (note) {
     text_add(p->out, ". For ");
     page_claim(p, f->id);
     add_both_texts(p, f);
     text_add(p->out, ": ");
-    html_text(p->out, report_deciding(f)->note, NULL);
+    html_text(p->out, note, NULL);
   }
   html_stop(p->out);
-  text_add(p->out, "</dd>\n");
+  text_add(p->out, "</li>\n");
+  text_clear(&point);
+}
+
+/* How to see it again, with one formula as the example: its command, and both sides at one point for a calculator. */
+static void add_recheck(const struct page *p) {
+  const struct finding *f = example(p);
+  text_add(p->out,
+           "<dt>How do I recheck it?</dt>\n<dd><p>In a copy of the project; its program is "
+           "<code>build/stickslip</code> there, called <code>stickslip</code> on this page.</p>\n<ul>\n"
+           "<li>All of it: <code>make deps verify</code> installs what is needed, builds the program and repeats "
+           "the audit; once built, <code>stickslip verify ");
+  html_plain(p->out, p->r->scene);
+  text_add(p->out, "</code> does.</li>\n");
+  if (f) add_recheck_one(p, f);
+  text_add(p->out, "</ul></dd>\n");
 }
 
 /* Questions and the claims that answer them, where those were judged. */
@@ -375,17 +445,18 @@ void page_summary(const struct page *p) {
   long count[N_VERDICTS];
   audit_result_count(p->r, count);
   text_add(p->out, "<section id=\"s-verdict\" aria-labelledby=\"h-verdict\">\n<h2 id=\"h-verdict\">The verdict</h2>\n");
-  text_printf(p->out,
-              "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong>; %ld are proved, "
-              "%ld supported (no proof, and no counterexample), %ld undecided",
-              p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_PROVED],
-              count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
+  text_printf(
+      p->out,
+      "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
+      "under a condition); %ld are proved, %ld supported (no proof, and no counterexample), %ld undecided",
+      p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED],
+      count[VERDICT_CONDITIONAL], count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, ", %ld not possible here", count[VERDICT_SKIPPED]);
   text_printf(p->out, "; %ld are definitions.</p>\n", count[VERDICT_DEFINITION]);
   add_grades(p, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL]);
   page_verdict_bar(p, count);
-  add_foremost(p);
   add_questions(p);
+  add_foremost(p);
   page_power(p);
   add_counts(p, count);
   text_add(p->out, "</section>\n");

@@ -12,10 +12,8 @@ const char *const picture_style =
     "@media screen and (prefers-color-scheme: dark) { :root:not([data-theme=light]) { --c0: #8fbdf5; --c1: #ff9a80; "
     "--c2: #7fd09a; --c3: #d0b0f5; } }\n"
     ":root[data-theme=dark] { --c0: #8fbdf5; --c1: #ff9a80; --c2: #7fd09a; --c3: #d0b0f5; }\n"
-    ".plots { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 22rem), 1fr)); gap: 0 1.5rem; "
-    "align-items: start; }\n"
-    "@media print { .plots { grid-template-columns: 1fr 1fr; } }\n"
     ".plot { display: block; width: 100%; max-width: 36rem; }\n"
+
     ".plot text { font-size: 12px; fill: var(--fg); font-family: system-ui, \"DejaVu Sans\", sans-serif;\n"
     "  paint-order: stroke; stroke: var(--bg); stroke-width: 3px; stroke-linejoin: round; }\n"
     ".plot .frame { fill: none; stroke: var(--fg); stroke-width: 1; }\n"

@@ -90,6 +90,17 @@ void page_statements(const struct page *p, const struct finding *f, const char *
   if (last) text_add(p->out, "</ul>\n");
 }
 
+void page_heads(const struct page *p, const struct column *columns, size_t n) {
+  text_add(p->out, "<thead><tr>");
+  for (size_t i = 0; i < n; i++)
+    text_printf(p->out, "<th scope=\"col\"%s>%s</th>", columns[i].number ? " class=\"n\"" : "", columns[i].name);
+  text_add(p->out, "</tr></thead>\n");
+}
+
+void page_cell(const struct page *p, const struct column *column) {
+  text_printf(p->out, "<td%s data-of=\"%s\">", column->number ? " class=\"n\"" : "", column->name);
+}
+
 /* --- The page --- */
 
 static void add_head(const struct page *p) {
@@ -111,22 +122,22 @@ static void add_opening(const struct page *p) {
     html_plain(p->out, p->r->paper);
     text_add(p->out, "</cite>");
   }
-  text_add(p->out,
-           "</h1>\n<p>Every statement below was decided by computation: the paper's formulas against ways to the same "
-           "result that do not use them. Scene ");
+  text_add(
+      p->out,
+      "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
+      "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
+      "same result that do not use them. The example here: ");
+  html_text(p->out, p->r->title, NULL);
+  text_add(p->out, p->r->title ? " (scene " : "scene ");
   html_code(p->out, p->r->scene);
-  if (p->r->title) {
-    text_add(p->out, ": ");
-    html_text(p->out, p->r->title, NULL);
-  }
-  html_stop(p->out);
+  text_add(p->out, p->r->title ? ")." : ".");
   text_add(p->out,
            " New to it: <a href=\"#s-model\">the system in half a page</a>, <a href=\"#s-words\">the words used "
            "here</a>.");
   text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
                    "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
-                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
                    "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
                    "<li><a href=\"#s-pictures\">Pictures</a></li>\n"
                    "<li><a href=\"#s-claims\">Every claim</a></li>\n"
                    "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
@@ -152,8 +163,8 @@ void report_html(struct text *out, const struct audit_result *r) {
   add_head(&p);
   add_opening(&p);
   page_summary(&p);
-  page_failures(&p);
   page_model(&p);
+  page_failures(&p);
   page_pictures(&p);
   page_every_claim(&p);
   page_graph(&p);
