@@ -464,6 +464,8 @@ void printed_ball(arb_t x, const struct printed_number *p);
    values the caller clears. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
 
+/* Why a scene for which scene_has_forces is false has none: also a box, of which an audit keeps no data. */
+const char *scene_lacks_forces(const struct scene *s);
 /* Marks the claim as skipped, with the reason. */
 void finding_skip(struct finding *f, struct judge *j, const char *why);
 /* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
