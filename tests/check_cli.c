@@ -60,6 +60,7 @@ static void limit_files(void) {
   if (!largest_file) return;
   signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &limit);
+  count_nothing();
 }
 
 /* stdout_to: a device to write to, or NULL for a file that is read back. */
