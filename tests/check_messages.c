@@ -92,49 +92,93 @@ END_TEST
 
 /* --- Claims --- */
 
-static struct model model;
+static struct model papers;
 static struct scene paper;
+
+static void add_paper(struct model *m) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok =
+      model_add_folder(m, "verify/paper", RANK_PAPER, &d) && model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
 
 static void load(void) {
   struct diag d;
   diag_init(&d);
-  model_init(&model);
-  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) && scene_load(&paper, "paper", "verify", &d);
-  ck_assert_msg(ok, "%s", d.message);
+  add_paper(&papers);
+  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
   scratch_open();
 }
 
 static void unload(void) {
   scratch_close();
   scene_clear(&paper);
-  model_clear(&model);
+  model_clear(&papers);
+}
+
+static void add_lines(struct text *out, const char *lines) {
+  for (const char *p = lines; *p; p++) text_add(out, *p == '|' ? "\n  " : (char[]){*p, '\0'});
+  text_add(out, "\n");
+}
+
+/* The paper's equations, with more records if there are any. */
+static const struct model *model_with(struct model *own, const char *records) {
+  struct text text;
+  struct diag d;
+  if (!*records) return &papers;
+  diag_init(&d);
+  text_init(&text);
+  add_lines(&text, records);
+  add_paper(own);
+  ck_assert_msg(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d), "%s", d.message);
+  text_clear(&text);
+  return own;
 }
 
 static void refuse_claim(char *column[MOST_COLUMNS]) {
   struct claims own = {.n = 0}, none = {.n = 0};
   struct audit_result r;
+  struct model more;
   struct text text;
   struct diag d;
   static const char *const only = "own"; /* without the studies of a whole audit */
+  const struct model *model = model_with(&more, column[3]);
   text_init(&text);
-  text_add(&text, "claim own\n  title: of the test\n  ");
-  for (const char *p = column[2]; *p; p++) text_add(&text, *p == '|' ? "\n  " : (char[]){*p, '\0'});
-  text_add(&text, "\n");
+  text_add(&text, *column[2] == '|' ? "claim own" : "claim own\n  title: of the test\n  ");
+  add_lines(&text, column[2]);
   diag_init(&d);
   audit_result_init(&r);
   bool ok = claims_add_file(&own, scratch_put("own.claim", text_str(&text)), "claim", &d) &&
-            audit_run(&r, &model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+            audit_run(&r, model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
   ck_assert_msg(!ok, "%s: was judged", column[0]);
-  ck_assert_msg(strstr(d.message, "own.claim:") && strstr(d.message, column[1]) && strstr(d.message, "\n  "),
-                "%s: says\n%s", column[0], d.message);
+  bool placed = strstr(d.message, "own.claim:") || strstr(d.message, "own.eq:");
+  ck_assert_msg(placed && strstr(d.message, column[1]) && strstr(d.message, "\n  "), "%s: says\n%s", column[0],
+                d.message);
   audit_result_clear(&r);
   claims_clear(&own);
   text_clear(&text);
+  if (model == &more) model_clear(&more);
 }
 
 START_TEST(claims_are_refused_as_said) {
-  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 3, refuse_claim), 0);
+  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 4, refuse_claim), 0);
+}
+END_TEST
+
+START_TEST(a_control_of_no_claim) {
+  struct claims own = {.n = 0}, none = {.n = 0};
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  const char *path = scratch_put("own.claim", "control own\n  claim: nobody\n  title: of the test\n");
+  bool ok = claims_add_file(&own, path, "control", &d) &&
+            audit_run(&r, &papers, &none, &own, &paper, &(struct audit_options){.jobs = 1}, &d);
+  ck_assert(!ok && strstr(d.message, "own.claim:2:10: error: own: a control names the claim that it damages"));
+  audit_result_clear(&r);
+  claims_clear(&own);
 }
 END_TEST
 
@@ -146,6 +190,7 @@ Suite *messages_suite(void) {
   suite_add_tcase(s, words);
   tcase_add_checked_fixture(claims, load, unload);
   tcase_add_test(claims, claims_are_refused_as_said);
+  tcase_add_test(claims, a_control_of_no_claim);
   suite_add_tcase(s, claims);
   return s;
 }

@@ -436,6 +436,26 @@ START_TEST(too_few_printed_numbers) {
 }
 END_TEST
 
+/* The paper's matrices as somebody else would have them. */
+START_TEST(other_matrices_are_refused) {
+  static const struct {
+    const char *of_d, *why;
+  } rows[] = {{"t", "D(t_a) is not a 4x4 matrix"},
+              {"[1, 0, t, 0; 0, 1, 0, t; 0, 0, e_1, 0; 0, 0, 0, 1]", "the matrices depend on e_1"}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct diag d;
+    char text[200];
+    diag_init(&d);
+    load("paper");
+    snprintf(text, sizeof text, "define own\n  equation: 10\n  section: prediction\n  D(t) := %s\n", rows[i].of_d);
+    ck_assert_msg(model_add_file(&model, scratch_put("own.eq", text), RANK_USER, &d), "%s", d.message);
+    const char *why = audit_readings(&result, &model, &scene);
+    ck_assert_msg(why && strstr(why, rows[i].why), "%s", why ? why : "read");
+    unload();
+  }
+}
+END_TEST
+
 /* --- In the audit --- */
 
 static void audit(const char *only, bool readings) {
@@ -494,6 +514,7 @@ Suite *readings_suite(void) {
   tcase_add_test(c, a_bracket_that_is_missed_narrowly);
   tcase_add_loop_test(c, hostile_decimals, 0, 5);
   tcase_add_test(c, too_few_printed_numbers);
+  tcase_add_test(c, other_matrices_are_refused);
   tcase_add_loop_test(c, searched_only_where_it_was_asked_for, 0, 4);
   suite_add_tcase(s, c);
   return s;

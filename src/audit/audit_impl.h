@@ -230,13 +230,14 @@ struct sentence {
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
 };
 
-/* value = oracle of the same name, with names in it replaced by the model's quantities. */
+/* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
 bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
                          const struct override *overrides, int n_overrides, struct diag *d);
-/* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
-bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
-                          int n_overrides, struct diag *d);
-/* The same of a record at hand. */
+/* The record that an attribute of a claim names, which has a relation to be judged; NULL with d set. */
+const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
+                                            struct diag *d);
+/* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
+   quantities. */
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d);
 /* What a matrix or identity claim says: by its statement or its value. */
