@@ -182,6 +182,32 @@ START_TEST(a_control_of_no_claim) {
 }
 END_TEST
 
+START_TEST(a_value_of_two_sections) {
+  const char *set = "values=twice";
+  const struct claims none = {.n = 0};
+  struct audit_result r;
+  struct model own;
+  struct scene s;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  add_paper(&own);
+  const char *path = scratch_put(
+      "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
+  bool ok = model_add_file(&own, path, RANK_PAPER, &d) &&
+            scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, false, &d) &&
+            audit_run(&r, &own, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  const char *why = NULL;
+  for (size_t i = 0; i < r.n_skipped; i++)
+    if (strcmp(r.skipped[i].what, "the value of twice") == 0) why = r.skipped[i].why;
+  ck_assert_msg(why && strcmp(why, "sections one and two define it differently") == 0, "%s", why ? why : "has a value");
+  scene_clear(&s);
+  model_clear(&own);
+  audit_result_clear(&r);
+}
+END_TEST
+
 Suite *messages_suite(void) {
   Suite *s = suite_create("messages");
   TCase *words = tcase_create("words"), *claims = tcase_create("claims");
@@ -191,6 +217,7 @@ Suite *messages_suite(void) {
   tcase_add_checked_fixture(claims, load, unload);
   tcase_add_test(claims, claims_are_refused_as_said);
   tcase_add_test(claims, a_control_of_no_claim);
+  tcase_add_test(claims, a_value_of_two_sections);
   suite_add_tcase(s, claims);
   return s;
 }

@@ -480,7 +480,7 @@ END_TEST
 
 /* chi = 4/5 is exact; t_a rounds to the paper's corrected 0.5323 on one of the orbits. */
 START_TEST(values_are_enclosed) {
-  const char *set[] = {"values=chi, K, t_a, H(t), omega", "digits=30"};
+  const char *set[] = {"values=chi, K, t_a, H(t)", "digits=30"};
   struct scene s;
   struct audit_result r;
   struct diag d;
@@ -500,8 +500,6 @@ START_TEST(values_are_enclosed) {
   }
   ck_assert_msg(found, "%s %s", r.values[5].value, r.values[6].value);
   ck_assert(why_skipped(&r, "the value of H(t)"));
-  const char *twice = why_skipped(&r, "the value of omega");
-  ck_assert(twice && strstr(twice, "define it differently"));
   char *json = json_of(&r);
   ck_assert_ptr_nonnull(strstr(json, "\"values\": ["));
   free(json);
