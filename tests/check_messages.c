@@ -182,6 +182,63 @@ START_TEST(a_control_of_no_claim) {
 }
 END_TEST
 
+static void claims_of(struct claims *own, const char *lines) {
+  struct text text;
+  struct diag d;
+  diag_init(&d);
+  text_init(&text);
+  *own = (struct claims){.n = 0};
+  text_add(&text, "claim own\n  title: of the test\n  ");
+  add_lines(&text, lines);
+  ck_assert_msg(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d), "%s", d.message);
+  text_clear(&text);
+}
+
+/* (22) is worth two equations. */
+START_TEST(a_receipt_of_another_rank) {
+  struct claims own;
+  struct text out;
+  struct diag d;
+  for (int rank = 1; rank <= 2; rank++) {
+    char lines[100];
+    snprintf(lines, sizeof lines, "section: stability|kind: rank|statement: eq-22|unknowns: u, v|rank: %d", rank);
+    claims_of(&own, lines);
+    text_init(&out);
+    diag_init(&d);
+    bool ok = audit_receipt(&out, &papers, &own, &paper, "own", "", &d);
+    ck_assert_msg(ok == (rank == 2), "rank %d: %s", rank, d.message);
+    if (!ok) ck_assert_str_eq(d.message, "error: own is not proved by exact algebra: the rank differs");
+    text_clear(&out);
+    claims_clear(&own);
+  }
+}
+END_TEST
+
+/* q^2 - 2q + 1/V: of degrees 0 and -1 in V, so that its root has none. */
+START_TEST(a_root_of_coefficients_that_scale_apart) {
+  static const char *const only = "own";
+  struct claims own, none = {.n = 0};
+  struct audit_result r;
+  struct model more;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  claims_of(&own, "kind: scaling|scaled: V|statement: own");
+  add_paper(&more);
+  const char *path =
+      scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
+  bool ok = model_add_file(&more, path, RANK_PAPER, &d) &&
+            audit_run(&r, &more, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+  ck_assert_msg(ok && r.n_findings == 1, "%s", d.message);
+  const struct finding *f = &r.findings[0];
+  ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
+  ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, "coefficients "), "%s", f->evidence[0].note);
+  audit_result_clear(&r);
+  model_clear(&more);
+  claims_clear(&own);
+}
+END_TEST
+
 START_TEST(a_value_of_two_sections) {
   const char *set = "values=twice";
   const struct claims none = {.n = 0};
@@ -217,6 +274,8 @@ Suite *messages_suite(void) {
   tcase_add_checked_fixture(claims, load, unload);
   tcase_add_test(claims, claims_are_refused_as_said);
   tcase_add_test(claims, a_control_of_no_claim);
+  tcase_add_test(claims, a_receipt_of_another_rank);
+  tcase_add_test(claims, a_root_of_coefficients_that_scale_apart);
   tcase_add_test(claims, a_value_of_two_sections);
   suite_add_tcase(s, claims);
   return s;
