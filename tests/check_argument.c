@@ -470,7 +470,7 @@ static const struct {
     {"  kind: scaling\n", "scaled is missing"},
     {"  kind: scaling\n  scaled: V\n  statement: eq-999\n", "no such record"},
     {"  kind: reach\n  statements: eq-52\n", "absent are needed"},
-    {"  kind: reach\n  statements: eq-999\n  absent: V\n", "no such record"},
+    {"  kind: reach\n  statements: eq-999\n  absent: V\n", "there is no record"},
     {"  kind: rank\n  statement: eq-999\n  unknowns: V\n  rank: 1\n", "a record and its unknowns"},
     {"  kind: rank\n  statement: eq-12b\n  unknowns: nobody\n  rank: 1\n", "do not contain"},
     {"  kind: rank\n  statement: eq-12b\n  unknowns: e_1\n", "rank is missing"},

@@ -1010,8 +1010,8 @@ START_TEST(two_sides_at_a_point) {
   sampler_next(&p, &s);
   snprintf(text, sizeof text, "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
   load_model(&m, text, false);
-  ck_assert_msg(sentence_from_record(&sides, (struct view){&m, LAYER_PRINTED, NULL, NULL}, "user", NULL, 0, &d), "%s",
-                d.message);
+  struct view v = {&m, LAYER_PRINTED, NULL, NULL};
+  ck_assert_msg(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d), "%s", d.message);
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, cache);
   ck_assert_msg(t.outcome == sentences[_i].balls, "%s: %d at %ld bits", sentences[_i].sentence, (int)t.outcome, t.bits);
   if (sentences[_i].bits) ck_assert_int_eq(t.bits, sentences[_i].bits);

@@ -60,6 +60,7 @@ static void limit_files(void) {
   if (!largest_file) return;
   signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &limit);
+  count_nothing();
 }
 
 /* stdout_to: a device to write to, or NULL for a file that is read back. */
@@ -775,6 +776,53 @@ START_TEST(orbit_writes_certificates) {
   ck_assert_msg(strstr(y, "\"chi\": \"2/3\"") != NULL, "the old file is gone");
   free(y);
   discard(&a);
+}
+END_TEST
+
+/* e2 at which t_a = 0 on an orbit, with so many digits: with t_a given the equations are solved for e2. */
+static char *e2_at_the_end_of_d(const char *digits) {
+  struct job j;
+  const char *scene = scratch_put("end.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\nt_a = 0\n");
+  run_well(&j, "orbit", scene, "--digits", digits, NULL);
+  const char *at = strstr(j.out, "\n  e2 ");
+  ck_assert_ptr_nonnull(at);
+  at += 6 + strspn(at + 6, " ");
+  struct text e2;
+  text_init(&e2);
+  text_printf(&e2, "e2=%.*s", (int)strcspn(at, " "), at);
+  discard(&j);
+  return e2.data;
+}
+
+/* 1400 digits from there no ball of 4096 bits knows whether t_a > 0; two other orbits are certified all the same. */
+START_TEST(some_orbits_are_certified) {
+  struct job j;
+  char *e2 = e2_at_the_end_of_d("1400");
+  const char *path = scratch_path("some.json");
+  run(&j, "orbit", "paper", "--set", e2, "--certificate", path, NULL);
+  ck_assert_msg(j.status == 0 && strstr(j.err, "warning: 2 of 3 orbits are certified; the others are not in the "
+                                               "certificate"),
+                "%d %s", j.status, j.err);
+  discard(&j);
+  char *json = slurp(path);
+  int n = 0;
+  for (const char *p = strstr(json, "\"enclosures\""); p; p = strstr(p + 1, "\"enclosures\"")) n++;
+  ck_assert_int_eq(n, 2);
+  free(json);
+  free(e2);
+}
+END_TEST
+
+/* 5000 digits from there no precision that is tried tells a digit of t_a. */
+START_TEST(an_orbit_beyond_the_digits_is_told) {
+  struct job j;
+  char *e2 = e2_at_the_end_of_d("5000");
+  run(&j, "orbit", "paper", "--set", e2, NULL);
+  ck_assert_msg(j.status == 3 && strstr(j.err, "an orbit could not be enclosed to 15 digits"), "%d %s", j.status,
+                j.err);
+  ck_assert_str_eq(j.out, "");
+  discard(&j);
+  free(e2);
 }
 END_TEST
 
@@ -1651,6 +1699,25 @@ START_TEST(a_full_disk_is_noticed) {
 }
 END_TEST
 
+/* A copy of the program beside which there is none of the folders. */
+START_TEST(no_data_folder_is_noticed) {
+  struct job j;
+  struct text command;
+  if (access(STICKSLIP_DATADIR, F_OK) == 0) return; /* installed */
+  text_init(&command);
+  text_printf(&command, "mkdir -p %s/a/b && cp %s %s/a/b/copy", scratch_path(""), program(), scratch_path(""));
+  ck_assert_int_eq(system(text_str(&command)), 0);
+  text_clear(&command);
+  const char *const words[] = {"list", NULL};
+  unsetenv("STICKSLIP_DATA");
+  start(&j, NULL, scratch_path("a/b/copy"), words);
+  finish(&j);
+  ck_assert_msg(j.status == 3 && strstr(j.err, "the data folder verify/ was not found; set STICKSLIP_DATA to it"),
+                "%d, %.1500s", j.status, j.err);
+  discard(&j);
+}
+END_TEST
+
 START_TEST(a_missing_data_folder_is_noticed) {
   struct job j;
   setenv("STICKSLIP_DATA", scratch_path("no-data"), 1);
@@ -1794,6 +1861,8 @@ Suite *cli_suite(void) {
   tcase_add_test(c, the_tests_own_rounding);
   tcase_add_test(c, orbits_of_every_set);
   tcase_add_test(c, orbit_writes_certificates);
+  tcase_add_test(c, some_orbits_are_certified);
+  tcase_add_test(c, an_orbit_beyond_the_digits_is_told);
   tcase_add_test(c, digits_as_asked);
   tcase_add_test(c, a_thousand_digits);
   tcase_add_test(c, no_orbit_is_no_error);
@@ -1857,6 +1926,7 @@ Suite *cli_suite(void) {
   tcase_add_test(c, scenes_on_file_are_proved);
   tcase_add_test(c, one_bad_file_among_good_ones);
   tcase_add_test(c, a_full_disk_is_noticed);
+  tcase_add_test(c, no_data_folder_is_noticed);
   tcase_add_test(c, a_missing_data_folder_is_noticed);
   suite_add_tcase(s, c);
   c = tcase_create("explain");

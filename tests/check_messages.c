@@ -92,49 +92,176 @@ END_TEST
 
 /* --- Claims --- */
 
-static struct model model;
+static struct model papers;
 static struct scene paper;
+
+static void add_paper(struct model *m) {
+  struct diag d;
+  diag_init(&d);
+  model_init(m);
+  bool ok =
+      model_add_folder(m, "verify/paper", RANK_PAPER, &d) && model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
+  ck_assert_msg(ok, "%s", d.message);
+}
 
 static void load(void) {
   struct diag d;
   diag_init(&d);
-  model_init(&model);
-  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) && scene_load(&paper, "paper", "verify", &d);
-  ck_assert_msg(ok, "%s", d.message);
+  add_paper(&papers);
+  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
   scratch_open();
 }
 
 static void unload(void) {
   scratch_close();
   scene_clear(&paper);
-  model_clear(&model);
+  model_clear(&papers);
+}
+
+static void add_lines(struct text *out, const char *lines) {
+  for (const char *p = lines; *p; p++) text_add(out, *p == '|' ? "\n  " : (char[]){*p, '\0'});
+  text_add(out, "\n");
+}
+
+/* The paper's equations, with more records if there are any. */
+static const struct model *model_with(struct model *own, const char *records) {
+  struct text text;
+  struct diag d;
+  if (!*records) return &papers;
+  diag_init(&d);
+  text_init(&text);
+  add_lines(&text, records);
+  add_paper(own);
+  ck_assert_msg(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d), "%s", d.message);
+  text_clear(&text);
+  return own;
 }
 
 static void refuse_claim(char *column[MOST_COLUMNS]) {
   struct claims own = {.n = 0}, none = {.n = 0};
   struct audit_result r;
+  struct model more;
   struct text text;
   struct diag d;
   static const char *const only = "own"; /* without the studies of a whole audit */
+  const struct model *model = model_with(&more, column[3]);
   text_init(&text);
-  text_add(&text, "claim own\n  title: of the test\n  ");
-  for (const char *p = column[2]; *p; p++) text_add(&text, *p == '|' ? "\n  " : (char[]){*p, '\0'});
-  text_add(&text, "\n");
+  text_add(&text, *column[2] == '|' ? "claim own" : "claim own\n  title: of the test\n  ");
+  add_lines(&text, column[2]);
   diag_init(&d);
   audit_result_init(&r);
   bool ok = claims_add_file(&own, scratch_put("own.claim", text_str(&text)), "claim", &d) &&
-            audit_run(&r, &model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+            audit_run(&r, model, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
   ck_assert_msg(!ok, "%s: was judged", column[0]);
-  ck_assert_msg(strstr(d.message, "own.claim:") && strstr(d.message, column[1]) && strstr(d.message, "\n  "),
-                "%s: says\n%s", column[0], d.message);
+  bool placed = strstr(d.message, "own.claim:") || strstr(d.message, "own.eq:");
+  ck_assert_msg(placed && strstr(d.message, column[1]) && strstr(d.message, "\n  "), "%s: says\n%s", column[0],
+                d.message);
   audit_result_clear(&r);
   claims_clear(&own);
   text_clear(&text);
+  if (model == &more) model_clear(&more);
 }
 
 START_TEST(claims_are_refused_as_said) {
-  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 3, refuse_claim), 0);
+  ck_assert_int_gt(each_row("tests/hostile/claims.tsv", 4, refuse_claim), 0);
+}
+END_TEST
+
+START_TEST(a_control_of_no_claim) {
+  struct claims own = {.n = 0}, none = {.n = 0};
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  const char *path = scratch_put("own.claim", "control own\n  claim: nobody\n  title: of the test\n");
+  bool ok = claims_add_file(&own, path, "control", &d) &&
+            audit_run(&r, &papers, &none, &own, &paper, &(struct audit_options){.jobs = 1}, &d);
+  ck_assert(!ok && strstr(d.message, "own.claim:2:10: error: own: a control names the claim that it damages"));
+  audit_result_clear(&r);
+  claims_clear(&own);
+}
+END_TEST
+
+static void claims_of(struct claims *own, const char *lines) {
+  struct text text;
+  struct diag d;
+  diag_init(&d);
+  text_init(&text);
+  *own = (struct claims){.n = 0};
+  text_add(&text, "claim own\n  title: of the test\n  ");
+  add_lines(&text, lines);
+  ck_assert_msg(claims_add_file(own, scratch_put("own.claim", text_str(&text)), "claim", &d), "%s", d.message);
+  text_clear(&text);
+}
+
+/* (22) is worth two equations. */
+START_TEST(a_receipt_of_another_rank) {
+  struct claims own;
+  struct text out;
+  struct diag d;
+  for (int rank = 1; rank <= 2; rank++) {
+    char lines[100];
+    snprintf(lines, sizeof lines, "section: stability|kind: rank|statement: eq-22|unknowns: u, v|rank: %d", rank);
+    claims_of(&own, lines);
+    text_init(&out);
+    diag_init(&d);
+    bool ok = audit_receipt(&out, &papers, &own, &paper, "own", "", &d);
+    ck_assert_msg(ok == (rank == 2), "rank %d: %s", rank, d.message);
+    if (!ok) ck_assert_str_eq(d.message, "error: own is not proved by exact algebra: the rank differs");
+    text_clear(&out);
+    claims_clear(&own);
+  }
+}
+END_TEST
+
+/* q^2 - 2q + 1/V: of degrees 0 and -1 in V, so that its root has none. */
+START_TEST(a_root_of_coefficients_that_scale_apart) {
+  static const char *const only = "own";
+  struct claims own, none = {.n = 0};
+  struct audit_result r;
+  struct model more;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  claims_of(&own, "kind: scaling|scaled: V|statement: own");
+  add_paper(&more);
+  const char *path =
+      scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
+  bool ok = model_add_file(&more, path, RANK_PAPER, &d) &&
+            audit_run(&r, &more, &own, &none, &paper, &(struct audit_options){.only = &only, .n_only = 1}, &d);
+  ck_assert_msg(ok && r.n_findings == 1, "%s", d.message);
+  const struct finding *f = &r.findings[0];
+  ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
+  ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, "coefficients "), "%s", f->evidence[0].note);
+  audit_result_clear(&r);
+  model_clear(&more);
+  claims_clear(&own);
+}
+END_TEST
+
+START_TEST(a_value_of_two_sections) {
+  const char *set = "values=twice";
+  const struct claims none = {.n = 0};
+  struct audit_result r;
+  struct model own;
+  struct scene s;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  add_paper(&own);
+  const char *path = scratch_put(
+      "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
+  bool ok = model_add_file(&own, path, RANK_PAPER, &d) &&
+            scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, false, &d) &&
+            audit_run(&r, &own, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
+  ck_assert_msg(ok, "%s", d.message);
+  const char *why = NULL;
+  for (size_t i = 0; i < r.n_skipped; i++)
+    if (strcmp(r.skipped[i].what, "the value of twice") == 0) why = r.skipped[i].why;
+  ck_assert_msg(why && strcmp(why, "sections one and two define it differently") == 0, "%s", why ? why : "has a value");
+  scene_clear(&s);
+  model_clear(&own);
+  audit_result_clear(&r);
 }
 END_TEST
 
@@ -146,6 +273,10 @@ Suite *messages_suite(void) {
   suite_add_tcase(s, words);
   tcase_add_checked_fixture(claims, load, unload);
   tcase_add_test(claims, claims_are_refused_as_said);
+  tcase_add_test(claims, a_control_of_no_claim);
+  tcase_add_test(claims, a_receipt_of_another_rank);
+  tcase_add_test(claims, a_root_of_coefficients_that_scale_apart);
+  tcase_add_test(claims, a_value_of_two_sections);
   suite_add_tcase(s, claims);
   return s;
 }

@@ -87,11 +87,49 @@ static const struct finding *finding_of(const struct audit_result *r, const char
   return NULL;
 }
 
-static bool is_skipped(const struct audit_result *r, const char *what) {
+/* NULL when it is not skipped. */
+static const char *why_skipped(const struct audit_result *r, const char *what) {
   for (size_t i = 0; i < r->n_skipped; i++)
-    if (strstr(r->skipped[i].what, what)) return true;
-  return false;
+    if (strstr(r->skipped[i].what, what)) return r->skipped[i].why;
+  return NULL;
 }
+
+/* What an audit leaves out for want of forces or of orbits: the reason is the scene's own. */
+START_TEST(what_is_left_out_has_its_reason) {
+  static const struct {
+    const char *data, *why[2];
+  } row[] = {
+      {"chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]",
+       {"the scene gives intervals", "the scene gives intervals"}},
+      {"chi = 0.8\neta = 1\nV = 1\nt_b = 3.5\nt_c = 1",
+       {"the scene does not give e1 and e2", "the scene does not give e1 and e2"}},
+      {"chi = 0.58\neta = 7.8\nV = 2.3\ne1 = 4.02\ne2 = 0.287", {"no orbit was found", NULL}},
+  };
+  static const char *const what[] = {"long runs beside the scene's own orbit", "the routes on the scene's own orbits"};
+  const struct claims none = {.n = 0};
+  for (size_t i = 0; i < sizeof row / sizeof *row; i++) {
+    struct scene s;
+    struct text text;
+    struct diag d;
+    struct audit_result r;
+    text_init(&text);
+    text_printf(&text, "%s\n", row[i].data);
+    diag_init(&d);
+    audit_result_init(&r);
+    bool ok = scene_load_box(&s, scratch_put("own.scene", text_str(&text)), "verify", &d) &&
+              audit_run(&r, &model, &none, &none, &s, &(struct audit_options){.jobs = 1}, &d);
+    ck_assert_msg(ok, "%s", d.message);
+    for (int k = 0; k < 2; k++) {
+      const char *why = why_skipped(&r, what[k]);
+      ck_assert_msg(row[i].why[k] ? why && strcmp(why, row[i].why[k]) == 0 : !why, "%s: %s: %s", row[i].data, what[k],
+                    why ? why : "done");
+    }
+    audit_result_clear(&r);
+    scene_clear(&s);
+    text_clear(&text);
+  }
+}
+END_TEST
 
 /* --- The same bytes --- */
 
@@ -461,7 +499,7 @@ START_TEST(values_are_enclosed) {
     found = found || strncmp(r.values[k].value, "0.53228", 7) == 0;
   }
   ck_assert_msg(found, "%s %s", r.values[5].value, r.values[6].value);
-  ck_assert(is_skipped(&r, "the value of H(t)"));
+  ck_assert(why_skipped(&r, "the value of H(t)"));
   char *json = json_of(&r);
   ck_assert_ptr_nonnull(strstr(json, "\"values\": ["));
   free(json);
@@ -566,7 +604,7 @@ START_TEST(values_have_their_documented_names) {
   }
   for (size_t k = 0; k < r.n_values; k++)
     ck_assert(strcmp(r.values[k].name, "det_J") != 0 || r.values[k].value == NULL);
-  ck_assert(is_skipped(&r, "the value of det_J_a"));
+  ck_assert(why_skipped(&r, "the value of det_J_a"));
   ck_assert_uint_eq(r.n_spent, 1);
   ck_assert_str_eq(r.spent[0].name, "values");
   ck_assert_uint_gt(r.spent[0].units, 0);
@@ -638,7 +676,7 @@ START_TEST(plans_name_what_is_then_done) {
       if (!(touched_by_claim >> part & 1U)) continue;
       ck_assert_msg(in_plan, "%s needs %s", opt.only[0], work_part_name[part]);
       if (part > WORK_PHASE_C)
-        ck_assert_msg(!is_skipped(&r, work_part_name[part]), "%s: %s", opt.only[0], work_part_name[part]);
+        ck_assert_msg(!why_skipped(&r, work_part_name[part]), "%s: %s", opt.only[0], work_part_name[part]);
     }
     audit_plan_clear(&p);
     audit_result_clear(&r);
@@ -708,8 +746,8 @@ START_TEST(one_claim_needs_little) {
   static const char *const left[] = {"other claims",  "controls",           "routes, the long runs",
                                      "readings",      "scene's periodic",   "drawn all over",
                                      "Coulomb's law", "routes taylor, gsl", "1024 bits"};
-  for (size_t i = 0; i < sizeof left / sizeof *left; i++) ck_assert_msg(is_skipped(&r, left[i]), "%s", left[i]);
-  ck_assert(!is_skipped(&r, "phase") && !is_skipped(&r, "exact algebra"));
+  for (size_t i = 0; i < sizeof left / sizeof *left; i++) ck_assert_msg(why_skipped(&r, left[i]), "%s", left[i]);
+  ck_assert(!why_skipped(&r, "phase") && !why_skipped(&r, "exact algebra"));
   audit_result_clear(&r);
   /* of the formulas, those that it reaches */
   struct model_use use = {ss_malloc(model.n_defs), ss_malloc(model.n_records)};
@@ -959,6 +997,7 @@ Suite *plan_suite(void) {
   Suite *s = suite_create("plan");
   TCase *c = tcase_create("plan");
   tcase_add_checked_fixture(c, load, unload);
+  tcase_add_test(c, what_is_left_out_has_its_reason);
   tcase_add_test(c, jobs_change_no_byte);
   tcase_add_test(c, some_claims_are_the_same_alone);
   tcase_add_test(c, mistakes_are_told_alike);

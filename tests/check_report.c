@@ -253,9 +253,14 @@ START_TEST(neighbours_are_shown_by_the_page_alone) {
   const char *dir = scratch_path("");
   same_files("", "paper --only eq-27");
   ck_assert_int_eq(shell("cd %s && grep -q '/mutation/mutation.md' there/index.html && grep -q '/bench/map.svg' "
-                         "there/index.html && rm -r mutation bench && realpath there > where",
+                         "there/index.html && printf '{' > mutation/mutation.json",
                          dir),
                    0);
+  ck_assert_int_eq(
+      shell("%s report %s/there > /dev/null 2> %s/said && grep -q '^stickslip: warning: .*mutation.json:1:2: "
+            "error: ' %s/said && cd %s && rm -r mutation bench said && realpath there > where",
+            program(), dir, dir, dir, dir),
+      0);
   ck_assert_int_eq(shell("%s report %s/there > /dev/null", program(), dir), 0);
   ck_assert_int_eq(shell("cd %s && ! grep -q '/mutation/\\|/bench/' there/index.html && [ \"$(diff -rq here there)\" = "
                          "\"Files here/index.html and there/index.html differ\" ]",

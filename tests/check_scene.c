@@ -331,6 +331,17 @@ START_TEST(the_library_is_readable) {
 }
 END_TEST
 
+/* The option that a value came with is named. */
+START_TEST(a_value_without_a_name) {
+  const char *item = "chi";
+  struct scene s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert(!scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d));
+  ck_assert_msg(strstr(d.message, "--with takes NAME=VALUE, as in e2=1/2"), "%s", d.message);
+}
+END_TEST
+
 /* --- Values --- */
 
 static bool load(struct scene *s, struct diag *d, const char *text, const struct scene_overrides *o) {
@@ -903,6 +914,7 @@ Suite *scene_suite(void) {
   tcase_add_test(c, hostile_scenes);
   tcase_add_test(c, hostile_sets);
   tcase_add_test(c, what_is_no_file);
+  tcase_add_test(c, a_value_without_a_name);
   tcase_add_test(c, values_beyond_double_precision);
   suite_add_tcase(s, c);
   c = tcase_create("scene");

@@ -612,6 +612,38 @@ static int at_kept_points(const char *path, void (*check)(struct digits_set *s, 
   return n;
 }
 
+/* What is studied has room for 32 inputs; each of these is a symbol of its own. */
+START_TEST(more_inputs_than_there_is_room_for) {
+  for (int n = DIGITS_INPUTS; n <= DIGITS_INPUTS + 1; n++) {
+    struct model many;
+    struct digits_set s;
+    struct digits_formula f;
+    struct text file, sum;
+    struct diag d;
+    diag_init(&d);
+    text_init(&file);
+    text_init(&sum);
+    for (int i = 0; i < n; i++) {
+      text_printf(&file, "symbol q_%d\n", i);
+      text_printf(&sum, "%sq_%d", i ? " + " : "", i);
+    }
+    model_init(&many);
+    ck_assert_msg(model_add_file(&many, scratch_put("many.eq", text_str(&file)), RANK_PAPER, &d), "%s", d.message);
+    ck_assert(digits_set_make(&s, &many, LAYER_CORRECTED, &d));
+    bool ok = digits_formula_of(&f, &s, "sum", text_str(&sum), "", &d);
+    ck_assert(ok == (n == DIGITS_INPUTS) && d.set == !ok);
+    if (ok)
+      digits_formula_clear(&f);
+    else
+      ck_assert_str_eq(d.message, "sum has more than 32 inputs");
+    digits_set_clear(&s);
+    model_clear(&many);
+    text_clear(&sum);
+    text_clear(&file);
+  }
+}
+END_TEST
+
 START_TEST(worst_cases_stay_known) {
   ck_assert_int_ge(at_kept_points("tests/stability.wc", check_worst), 80);
 }
@@ -959,6 +991,7 @@ Suite *stability_suite(void) {
   tcase_add_test(c, witnesses_reproduce);
   tcase_add_test(c, truth_and_condition_agree_with_mpmath);
   tcase_add_test(c, worst_cases_stay_known);
+  tcase_add_test(c, more_inputs_than_there_is_room_for);
   tcase_add_test(c, every_entry_is_enrolled);
   tcase_add_test(c, regions_are_where_they_say);
   tcase_add_test(c, every_region_is_reached);

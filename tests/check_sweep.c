@@ -19,6 +19,7 @@
 
 #include "process.h"
 #include "scratch.h"
+#include "stickslip/arena.h"
 #include "stickslip/bifurcate.h"
 #include "stickslip/decimal.h"
 #include "stickslip/family.h"
@@ -543,6 +544,17 @@ START_TEST(wrong_parts_are_refused) {
   scratch_put("cut.part", "# stickslip");
   ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
   says("err", "ends within its head");
+  size_t head = (size_t)(strstr(whole, "\npoint,") - whole);
+  head += strcspn(whole + head + 1, "\n") + 2;
+  char *row_end = memset(ss_malloc(len + 100000), '1', len + 100000);
+  memcpy(row_end, whole, head);
+  scratch_put_n("cut.part", row_end, len + 100000);
+  free(row_end);
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/cut\" --resume 2> \"$D/err\""), 3);
+  says("err", "error: not a row of this sweep");
+  shell_well("mkfifo \"$D/pipe.part\"");
+  ck_assert_int_eq(shell("\"$P\" " PLANE " --csv \"$D/pipe\" --resume 2> \"$D/err\""), 3);
+  says("err", "pipe.part: error: not a regular file");
   free(whole);
 }
 END_TEST
@@ -636,6 +648,31 @@ START_TEST(signals_leave_a_file_to_resume) {
 }
 END_TEST
 
+static bool has_shown_enough(pid_t pid) {
+  struct stat st;
+  (void)pid;
+  return stat(scratch_path("rows"), &st) == 0 && st.st_size >= enough;
+}
+
+START_TEST(a_signal_ends_what_goes_to_no_file) {
+  fflush(NULL);
+  pid_t pid = fork();
+  int s;
+  ck_assert(pid >= 0);
+  if (pid == 0) {
+    if (freopen(scratch_path("err"), "w", stderr) && freopen(scratch_path("rows"), "w", stdout))
+      execl(program(), program(), "sweep", "paper", "--over", "e1=2:4:60", "--over", "e2=0.5:3:2000", (char *)NULL);
+    _exit(127);
+  }
+  enough = 100000;
+  ck_assert(process_until(has_shown_enough, pid));
+  kill(pid, SIGINT);
+  ck_assert(waitpid(pid, &s, 0) == pid);
+  ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
+  says("err", "stickslip: interrupted\n");
+}
+END_TEST
+
 static int unread; /* the end to read of a pipe */
 static int room;   /* bytes that go into it */
 
@@ -690,7 +727,8 @@ START_TEST(what_cannot_be_written_is_said) {
   shell_well("mkdir \"$D/locked\" && chmod 555 \"$D/locked\"");
   if (geteuid() != 0)
     ck_assert_int_eq(shell("\"$P\" sweep paper --over e2=1:2:3 --csv \"$D/locked/x\" 2> \"$D/err\""), 3);
-  ck_assert_int_eq(shell("(trap '' XFSZ; ulimit -f 100; \"$P\" " PLANE " --csv \"$D/big\" 2> \"$D/err\")"), 3);
+  ck_assert_int_eq(
+      shell("(trap '' XFSZ; ulimit -f 100; GCOV_PREFIX=/dev/null \"$P\" " PLANE " --csv \"$D/big\" 2> \"$D/err\")"), 3);
   says("err", "big.part: error: cannot be written: File too large");
   shell_well("\"$P\" " PLANE " --csv \"$D/big\" --resume && \"$P\" " PLANE " | cmp - \"$D/big\"");
 }
@@ -810,6 +848,7 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, rows_say_what_was_found);
   tcase_add_test(program_case, searches_are_spread_over_the_line);
   tcase_add_test(program_case, digits_are_those_of_the_orbits);
+  tcase_add_test(program_case, a_signal_ends_what_goes_to_no_file);
   tcase_add_test(program_case, resumed_files_are_those_of_one_run);
   tcase_add_test(program_case, wrong_parts_are_refused);
   tcase_add_test(program_case, one_run_writes_a_file);

@@ -218,6 +218,20 @@ END_TEST
 
 /* --- Scenes on file --- */
 
+/* Who waits at a terminal is told how far a sweep is and how long it takes. */
+START_TEST(a_sweep_tells_how_long) {
+  int status;
+  char *out = shell(&status,
+                    "%s tests/oracle/terminal.py TERM=xterm -- %s sweep paper --over e1=2:4:20 --over "
+                    "e2=0.5:3:2000 --csv %s",
+                    python(), program(), scratch_path("rows"));
+  ck_assert_int_eq(status, 0);
+  const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
+  ck_assert_msg(first && left && left - first > 10, "%.300s", out);
+  free(out);
+}
+END_TEST
+
 START_TEST(scenes_are_listed) {
   int status;
   char *out = shell(&status, "%s list scenes", program());
@@ -429,6 +443,7 @@ Suite *terminal_suite(void) {
   tcase_add_test(c, the_table_adds_up);
   tcase_add_test(c, orbits_and_motions_are_tables);
   tcase_add_test(c, lines_fit_the_terminal);
+  tcase_add_test(c, a_sweep_tells_how_long);
   tcase_add_test(c, scenes_are_listed);
   tcase_add_test(c, bash_completes);
   tcase_add_test(c, what_is_offered_is_known);

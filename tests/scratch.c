@@ -127,6 +127,10 @@ int child_end(void (*f)(void)) {
   return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
 }
 
+void count_nothing(void) {
+  setenv("GCOV_PREFIX", "/dev/null", 1);
+}
+
 const char *program(void) {
   const char *p = getenv("STICKSLIP");
   return p && *p ? p : "build/stickslip";

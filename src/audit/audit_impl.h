@@ -230,13 +230,14 @@ struct sentence {
   const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
 };
 
-/* value = oracle of the same name, with names in it replaced by the model's quantities. */
+/* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
 bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
                          const struct override *overrides, int n_overrides, struct diag *d);
-/* The entries of statement record id (every step of its relations), with names replaced by the model's quantities. */
-bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
-                          int n_overrides, struct diag *d);
-/* The same of a record at hand. */
+/* The record that an attribute of a claim names, which has a relation to be judged; NULL with d set. */
+const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
+                                            struct diag *d);
+/* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
+   quantities. */
 bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
                              const struct override *overrides, int n_overrides, struct diag *d);
 /* What a matrix or identity claim says: by its statement or its value. */
@@ -464,6 +465,8 @@ void printed_ball(arb_t x, const struct printed_number *p);
    values the caller clears. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
 
+/* Why a scene for which scene_has_forces is false has none: also a box, of which an audit keeps no data. */
+const char *scene_lacks_forces(const struct scene *s);
 /* Marks the claim as skipped, with the reason. */
 void finding_skip(struct finding *f, struct judge *j, const char *why);
 /* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */

@@ -30,8 +30,9 @@ static bool symbols_of(struct text *found, struct text *all, struct judge *j, co
   if (n == 0 || m == 0) return claim_error(j, c, "kind", "statements and absent are needed");
   for (int i = 0; i < n; i++) {
     struct sentence s;
-    if (!view_record(&view, ids[i])) return claim_error(j, c, "statements", "there is no such record");
-    bool ok = sentence_from_record(&s, view, ids[i], NULL, 0, j->d);
+    const struct statement_record *r = claim_record(view, c, "statements", ids[i], j->d);
+    if (!r) return false;
+    bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
     if (ok) work_add((unsigned long long)s.tape.n);
     for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
       const char *name = s.tape.inputs[k];

@@ -240,8 +240,10 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   struct point p;
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
+  const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
+  if (!r) return false;
   point_init(&p);
-  bool ok = sentence_from_record(&y.sentence, view, statement, NULL, 0, j->d) && try_given(&y, &p);
+  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_given(&y, &p);
   if (ok) try_pool(&y, &p);
   point_clear(&p);
   sentence_clear(&y.sentence);

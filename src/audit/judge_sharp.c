@@ -90,13 +90,14 @@ bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, stru
   const char *id = claim_get(c, "statement");
   struct point_spec spec;
   struct sentence s;
-  if (!id || !view_record(&view, id))
-    return claim_error(j, c, "statement", "there is no such record in the equation files");
+  if (!id) return claim_error(j, c, "kind", "the attribute statement is missing");
+  const struct statement_record *r = claim_record(view, c, "statement", id, j->d);
+  if (!r) return false;
   int n = claim_points(&spec, 1, j, c);
   if (n < 0) return false;
   if (spec.kind != POINT_ORBIT && spec.kind != POINT_ARC)
     return claim_error(j, c, "points", "the time lies in a phase of arcs or orbits");
-  bool ok = sentence_from_record(&s, view, id, NULL, 0, j->d);
+  bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
   struct route_word w[2];
   struct tally t[2] = {{0}, {0}};
   n = j->effort == EFFORT_REFUTE ? 1 : 2;

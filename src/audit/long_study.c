@@ -98,7 +98,8 @@ static void beside_scene(struct judge *j) {
     else
       audit_leave_out(j->out, result_str(j->out, "long runs beside %s", name), "Coulomb's law does not follow it");
   } else {
-    audit_leave_out(j->out, "long runs beside the scene's own orbit", "no orbit was found, or e1 and e2 are not given");
+    const char *why = scene_has_forces(j->scene) ? "no orbit was found" : scene_lacks_forces(j->scene);
+    audit_leave_out(j->out, "long runs beside the scene's own orbit", why);
   }
   point_clear(&p);
 }

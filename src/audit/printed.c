@@ -141,6 +141,10 @@ bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_
   return list->n > 0;
 }
 
+const char *scene_lacks_forces(const struct scene *s) {
+  return scene_is_box(s) ? "the scene gives intervals" : "the scene does not give e1 and e2";
+}
+
 void finding_skip(struct finding *f, struct judge *j, const char *why) {
   f->verdict = VERDICT_SKIPPED;
   if (scene_is_box(j->scene)) { /* of which no record speaks */

@@ -15,10 +15,8 @@ struct engine {
 };
 
 static bool engine_start(struct engine *g, const struct model *m, enum layer layer, const struct scene *s) {
-  struct diag d;
-  diag_init(&d);
   g->layer = layer;
-  bool ok = formulas_read(&g->formulas, m, layer, &d);
+  bool ok = formulas_read(&g->formulas, m, layer);
   system_init(&g->search, &g->formulas, s, num_ctx_double());
   system_init(&g->proof, &g->formulas, s, num_ctx_arb(FIRST_PREC));
   return ok;

@@ -42,7 +42,8 @@ struct formulas {
   struct tape tape;
   int input[16]; /* what the tape's inputs are: 0, 1, 2 for chi, eta, V, then 3 + X_... */
 };
-bool formulas_read(struct formulas *f, const struct model *m, enum layer layer, struct diag *d);
+/* false when the matrices D to C cannot be read there or hang on anything else; to be cleared all the same. */
+bool formulas_read(struct formulas *f, const struct model *m, enum layer layer);
 void formulas_own(struct formulas *f);
 void formulas_clear(struct formulas *f);
 

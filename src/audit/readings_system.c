@@ -21,40 +21,35 @@ static bool elaborate_text(struct matrix *m, struct elaboration *el, const char 
   source_from_string(&src, text, text);
   arena_init(&a);
   const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(m, el, e, &src, "validation", d);
-  if (ok && (m->rows != 4 || m->cols != 4)) {
-    diag_set(d, "%s is not a 4x4 matrix", text);
-    ok = false;
-  }
+  bool ok = e && elaborate(m, el, e, &src, "validation", d) && m->rows == 4 && m->cols == 4;
   arena_clear(&a);
   source_clear(&src);
   return ok;
 }
 
-static bool name_inputs(struct formulas *f, struct diag *d) {
+static bool name_inputs(struct formulas *f) {
   static const char *const names[] = {"chi", "eta", "V", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
   for (slong i = 0; i < f->tape.n_inputs; i++) {
     int k = 0;
     while (k < (int)(sizeof names / sizeof *names) && strcmp(names[k], f->tape.inputs[i]) != 0) k++;
-    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == (int)(sizeof names / sizeof *names)) {
-      diag_set(d, "the matrices depend on %s", f->tape.inputs[i]);
-      return false;
-    }
+    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == (int)(sizeof names / sizeof *names)) return false;
     f->input[i] = k;
   }
   return true;
 }
 
-bool formulas_read(struct formulas *f, const struct model *m, enum layer layer, struct diag *d) {
+bool formulas_read(struct formulas *f, const struct model *m, enum layer layer) {
+  struct diag d;
+  diag_init(&d);
   *f = (struct formulas){.own_model = false};
   elaboration_init(&f->el, (struct view){m, layer, NULL, NULL}, NULL, 0);
   const struct expr *entry[8 * 16];
   for (int k = 0; k < 8; k++) {
     struct matrix mat;
-    if (!elaborate_text(&mat, &f->el, propagator_text[k], d)) return false;
+    if (!elaborate_text(&mat, &f->el, propagator_text[k], &d)) return false;
     for (int i = 0; i < 16; i++) entry[16 * k + i] = mat.e[i];
   }
-  return elaboration_tape(&f->tape, &f->el, entry, 8 * 16, d) && name_inputs(f, d);
+  return elaboration_tape(&f->tape, &f->el, entry, 8 * 16, &d) && name_inputs(f);
 }
 
 void formulas_own(struct formulas *f) {

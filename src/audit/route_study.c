@@ -485,7 +485,7 @@ static void on_random_orbits(struct study *s, int n, bool admissible) {
 /* The routes take exact e1 and e2. */
 static void on_scene_orbits(struct study *s) {
   if (!scene_has_forces(s->j->scene)) {
-    audit_leave_out(s->j->out, "the routes on the scene's own orbits", "the scene does not give e1 and e2");
+    audit_leave_out(s->j->out, "the routes on the scene's own orbits", scene_lacks_forces(s->j->scene));
     return;
   }
   slong n = scene_orbits(s->j->scene, s->j->cache)->n;

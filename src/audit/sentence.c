@@ -30,10 +30,7 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
   *s = (struct sentence){.n = 0};
   elaboration_init(&s->el, v, overrides, n_overrides);
   s->oracle = oracle_find(value);
-  if (!s->oracle) {
-    diag_set(d, "the model has no quantity named %s", value);
-    return false;
-  }
+  if (!s->oracle) abort(); /* the callers look first */
   struct source src;
   source_from_string(&src, value, value);
   struct arena a;
@@ -77,7 +74,6 @@ static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n
       }
     }
   }
-  if (*n == 0) diag_set(d, "record %s has no relation to be judged", r->id);
   return *n > 0;
 }
 
@@ -99,29 +95,37 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
   return ok;
 }
 
-bool sentence_from_record(struct sentence *s, struct view v, const char *id, const struct override *overrides,
-                          int n_overrides, struct diag *d) {
+const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
+                                            struct diag *d) {
   const struct statement_record *r = view_record(&v, id);
-  if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
-  *s = (struct sentence){.n = 0};
-  elaboration_init(&s->el, v, NULL, 0);
-  diag_set(d, "there is no record %s in the equation files", id);
+  for (int k = 0; r && k < r->n_stmts; k++)
+    if (r->stmts[k]->kind == STMT_RELATION) return r;
+  diag_at(d, &c->file->src, record_field(c->record, attribute)->value.begin,
+          r ? "%s: record %s has no relation to be judged" : "%s: there is no record %s in the equation files", c->id,
+          id);
+  return NULL;
+}
+
+static bool claim_value_known(const struct claim *c, const char *value, struct diag *d) {
+  if (value && oracle_find(value)) return true;
+  if (value)
+    diag_at(d, &c->file->src, record_field(c->record, "value")->value.begin, "%s: the model has no quantity named %s",
+            c->id, value);
+  else
+    diag_at(d, &c->file->src, c->record->id.begin, "%s: a value or a statement is missing", c->id);
   return false;
 }
 
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
-  if (statement ? !view_record(&v, statement) : value && !oracle_find(value)) {
-    *s = (struct sentence){.n = 0};
-    elaboration_init(&s->el, v, NULL, 0);
-    diag_at(d, &c->file->src, record_field(c->record, statement ? "statement" : "value")->value.begin,
-            statement ? "there is no record %s in the equation files" : "the model has no quantity named %s",
-            statement ? statement : value);
-    return false;
-  }
-  if (statement) return sentence_from_record(s, v, statement, overrides, n_overrides, d);
-  return sentence_from_value(s, v, value ? value : "", section ? section : "", overrides, n_overrides, d);
+  const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
+  if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
+  if (!statement && claim_value_known(c, value, d))
+    return sentence_from_value(s, v, value, section ? section : "", overrides, n_overrides, d);
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, NULL, 0);
+  return false;
 }
 
 void sentence_clear(struct sentence *s) {

@@ -35,8 +35,10 @@ bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const cha
   f->entry = arena_alloc(&s->arena, (size_t)f->n * sizeof *f->entry);
   memcpy(f->entry, m.e, (size_t)f->n * sizeof *f->entry);
   if (!digits_formula_make(f, s, d)) return false;
-  if (f->tape.n_inputs > DIGITS_INPUTS) diag_set(d, "%s has more than %d inputs", id, DIGITS_INPUTS);
-  return true;
+  if (f->tape.n_inputs <= DIGITS_INPUTS) return true;
+  diag_set(d, "%s has more than %d inputs", id, DIGITS_INPUTS);
+  digits_formula_clear(f);
+  return false;
 }
 
 /* --- Taking one in --- */

@@ -340,7 +340,8 @@ int run_orbit(const struct options *o, const char *data) {
     text_clear(&out);
     certificates_free(proof, list.n);
   } else {
-    diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits", s.path, (long)digits);
+    diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
+             s.path, (long)digits);
     status = bad_input(&d);
   }
   dyn_orbits_clear(&list);

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "stickslip/model.h"
+#include "stickslip/num.h"
 
 /* MAX_DEPTH bounds the recursion over brackets, calls and definitions together, MAX_SCALARS the memory (the paper
    with all its statements has a few thousand). */
@@ -558,6 +559,8 @@ static bool eval_primary(struct matrix *out, struct elaboration *el, const struc
                          struct diag *d) {
   switch (e->kind) {
   case EXPR_NUM:
+    if (num_check_decimal(e->name, strlen(e->name)))
+      return fail(sc, e, d, "a number too large to hold; write one of fewer digits", NULL, NULL);
     *out = scalar(el, expr_num(&el->pool, e->name));
     return true;
   case EXPR_SYM:

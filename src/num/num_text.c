@@ -31,21 +31,36 @@ static bool parse_exponent(long *e, const char *s, const char *end) {
   return true;
 }
 
-int num_parse_decimal(fmpq_t q, const char *s, size_t len) {
+/* Its digits without the point, at most len of them, how many stand behind the point, and its exponent. */
+static int split_decimal(char *digits, long *places, long *exponent, const char *s, size_t len) {
   const char *end = s + len;
-  long exponent = 0, places = 0;
-  if (len > PARSE_MAX) return SS_UNABLE;
-  char *digits = ss_malloc(len + 1);
   size_t n = 0;
+  *exponent = *places = 0;
   for (; s < end && char_is_digit(*s); s++) digits[n++] = *s;
   if (s < end && *s == '.') {
-    for (s++; s < end && char_is_digit(*s); s++, places++) digits[n++] = *s;
-    if (places == 0) n = 0; /* "5." is not of the form */
+    for (s++; s < end && char_is_digit(*s); s++, ++*places) digits[n++] = *s;
+    if (*places == 0) n = 0; /* "5." is not of the form */
   }
   digits[n] = '\0';
   bool ok = n > 0;
-  if (s < end) ok = ok && (*s == 'e' || *s == 'E') && parse_exponent(&exponent, s + 1, end);
-  int status = !ok ? SS_DOMAIN : labs(exponent) > PARSE_MAX ? SS_UNABLE : SS_OK;
+  if (s < end) ok = ok && (*s == 'e' || *s == 'E') && parse_exponent(exponent, s + 1, end);
+  return !ok ? SS_DOMAIN : labs(*exponent) > PARSE_MAX ? SS_UNABLE : SS_OK;
+}
+
+int num_check_decimal(const char *s, size_t len) {
+  long places, exponent;
+  if (len > PARSE_MAX) return SS_UNABLE;
+  char *digits = ss_malloc(len + 1);
+  int status = split_decimal(digits, &places, &exponent, s, len);
+  free(digits);
+  return status;
+}
+
+int num_parse_decimal(fmpq_t q, const char *s, size_t len) {
+  long places, exponent;
+  if (len > PARSE_MAX) return SS_UNABLE;
+  char *digits = ss_malloc(len + 1);
+  int status = split_decimal(digits, &places, &exponent, s, len);
   if (status == SS_OK) {
     fmpz_t ten;
     fmpz_init_set_ui(ten, 10);

@@ -71,7 +71,7 @@ static bool add_const(slong *index, struct builder *b, const char *decimal) {
   fmpq_init(q);
   *index = t->n_consts++;
   if (num_parse_decimal(q, decimal, strlen(decimal)) == SS_OK) return true;
-  diag_set(b->d, "the number %.40s%s is too large to hold", decimal, strlen(decimal) > 40 ? "..." : "");
+  diag_set(b->d, "the number %.40s is too large to hold", decimal);
   return false;
 }
 
