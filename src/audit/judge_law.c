@@ -180,9 +180,9 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
                                  i == 0, trials};
       finding_say(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
                   result_str(j->out,
-                             "of %ld states, at and beside the belt's velocity, just the law's branch applies and has "
-                             "its force at %ld",
-                             trials, l.as_said[i]));
+                             "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies, and "
+                             "gives the friction of the law",
+                             l.as_said[i], trials));
     }
     f->verdict = verdict_of(w, 2, false);
   }

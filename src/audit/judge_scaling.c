@@ -62,6 +62,7 @@ static bool starts(const char *name, const char *prefixes) {
   return false;
 }
 
+/* "a (degree 1) is what b (degree 2)"; without b, "a (degree 1) is what". */
 static bool complain(struct scaling *s, const char *what, const struct expr *a, struct degree da, const struct expr *b,
                      struct degree db) {
   enum { CLIP = 90 };
@@ -71,9 +72,9 @@ static bool complain(struct scaling *s, const char *what, const struct expr *a, 
   text_init(&y);
   expr_print(&x, a);
   if (b) expr_print(&y, b);
-  text_printf(s->fault, "%s %.*s%s (degree %g)", what, CLIP, text_str(&x), x.len > CLIP ? "..." : "", 0.5 * da.twice);
-  if (b)
-    text_printf(s->fault, " and %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", 0.5 * db.twice);
+  text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", 0.5 * da.twice,
+              what);
+  if (b) text_printf(s->fault, " %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", 0.5 * db.twice);
   text_clear(&y);
   text_clear(&x);
   return false;
@@ -92,7 +93,7 @@ static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct e
     for (int k = 0; k < r->n_coeff; k++) {
       if (!degree_of(&next, s, r->coeff[k])) return false;
       if (!first.any && !next.any && first.twice != next.twice)
-        return complain(s, "coefficients", r->coeff[0], first, r->coeff[k], next);
+        return complain(s, "a coefficient beside", r->coeff[0], first, r->coeff[k], next);
       if (first.any) first = next;
     }
   }
@@ -102,7 +103,7 @@ static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct e
 static bool degree_of_sum(struct degree *d, struct scaling *s, const struct expr *e) {
   struct degree a, b;
   if (!degree_of(&a, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
-  if (!a.any && !b.any && a.twice != b.twice) return complain(s, "added:", e->args[0], a, e->args[1], b);
+  if (!a.any && !b.any && a.twice != b.twice) return complain(s, "added to", e->args[0], a, e->args[1], b);
   *d = a.any ? b : a;
   return true;
 }
@@ -134,7 +135,7 @@ static bool degree_of_form(struct degree *d, struct scaling *s, const struct exp
   bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_SINC ||
                   e->kind == EXPR_STUMPFF;
   if (function || e->kind == EXPR_CALL) {
-    if (!d->any && d->twice) return complain(s, "argument:", e->args[0], *d, NULL, *d);
+    if (!d->any && d->twice) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
     *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 2 : 0};
   }
   return true;
@@ -156,7 +157,7 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
 static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b) {
   struct degree da, db = {true, 0};
   if (!degree_of(&da, s, a) || (b && !degree_of(&db, s, b))) return false;
-  if (b && !da.any && !db.any && da.twice != db.twice) return complain(s, "set equal:", a, da, b, db);
+  if (b && !da.any && !db.any && da.twice != db.twice) return complain(s, "set equal to", a, da, b, db);
   return true;
 }
 

@@ -61,6 +61,9 @@ static void add_words(const struct page *p) {
        "(diagnostic)"},
       {"residual", "by how much two routes differ, relative to the size of what they compute"},
       {"trials, bits", "at how many points they were compared, and with how many binary digits"},
+      {"degree", "of a quantity, when all that is measured in one unit is multiplied by a number: the power of the "
+                 "number with which "
+                 "the quantity grows; only what has the same degree can be added or set equal"},
       {"certificate",
        "what anybody can recheck: exact parameters at which the two sides differ, or why a form cannot be "
        "right"},

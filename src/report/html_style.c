@@ -142,6 +142,7 @@ const char *const page_style =
     ".node.failed { stroke: var(--bad); stroke-width: 2.5; }\n"
     "footer { margin-top: 3rem; border-top: 1px solid var(--line); color: var(--soft); font-size: .92rem; }\n"
     "@media screen and (max-width: 40rem) { .wide table.stack, .wide table.narrow { min-width: 0; }\n"
+    "  .narrow tbody th, .narrow td { overflow-wrap: anywhere; }\n"
     "  .stack, .stack tbody, .stack tr, .stack th, .stack td, .stack caption { display: block; }\n"
     "  .stack thead { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }\n"
     "  .stack tr { border-bottom: 1px solid var(--line); padding: .3rem 0; }\n"

@@ -1,7 +1,8 @@
 """browser.py FOLDER [TOOLS]: open FOLDER/index.html in headless Chromium, wide and narrow, light and dark, and try it.
 
 The filters must show as many claims as audit.json has, sorting must put a failure first and back, a link to a claim must
-open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow), no script may fail and
+open it, every formula must have a size, nothing may be wider than the page (360 pixels when narrow, where tables of class stack need no scrolling and name the column
+of each cell), no script may fail and
 nothing may be loaded; every link into the page must lead to something that is shown.  TOOLS: the folder for axe-core
 (axe.py), by which the page must then be accessible, at both widths in light and in dark; where it cannot be had, a line
 says why.  One line for each error; exit status 0, 1 with errors, 2 where the browser gave no answer.
@@ -59,6 +60,12 @@ window.addEventListener('load', async function () {
     if (e.parentElement.closest('.wide, .tex, svg, math')) return false;
     return e.getBoundingClientRect().right > width;
   }).map(function (e) { return e.outerHTML.slice(0, 80); }).slice(0, 5);
+  out.scrolls = !narrow ? [] : Array.from(document.querySelectorAll('.wide > .stack, .wide > .narrow')).filter(function (t) {
+    return t.parentElement.scrollWidth > t.parentElement.clientWidth + 1;
+  }).map(function (t) { return t.textContent.slice(0, 80); }).slice(0, 5);
+  out.unnamed = Array.from(document.querySelectorAll('.stack td')).filter(function (td) {
+    return td.dataset.of !== td.closest('table').querySelectorAll('thead th')[td.cellIndex].textContent;
+  }).length;
   var maths = Array.from(document.querySelectorAll('math'));
   out.formulas = maths.length;
   out.flat = maths.filter(function (m) { var b = m.getBoundingClientRect(); return !(b.width > 1 && b.height > 1); }).length;
@@ -111,7 +118,7 @@ def errors(out, audit, dark):
         for route in {e["route"] for e in c["evidence"]}:
             routes[route] = routes.get(route, 0) + 1
     for name, want in (("all", len(claims)), ("verdicts", verdicts), ("sections", sections), ("routes", routes),
-                       ("none", 0), ("opened", True), ("wide", []), ("flat", 0), ("foreign", 0), ("loaded", []),
+                       ("none", 0), ("opened", True), ("wide", []), ("scrolls", []), ("unnamed", 0), ("flat", 0), ("foreign", 0), ("loaded", []),
                        ("failed", None), ("astray", [])):
         if out[name] != want:
             yield "%s: %s, not %s" % (name, out[name], want)
