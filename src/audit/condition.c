@@ -74,8 +74,10 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       struct condition *c = &list->at[list->n++];
       *c = (struct condition){.equation = r->equation, .phase = (enum phase)(phase < 0 ? 0 : phase)};
       bool scalar = true;
-      if (!build(c, &scalar, j, r, st, k, view))
-        return scalar ? false : claim_error(j, claim, attribute, "a condition needs scalars");
+      if (!build(c, &scalar, j, r, st, k, view)) {
+        if (!scalar) claim_error(j, claim, attribute, "a condition needs scalars");
+        return false;
+      }
       struct text t;
       text_init(&t);
       static const char *const ops[] = {" = ", " < ", " <= ", " > ", " >= "};
