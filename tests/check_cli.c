@@ -1168,10 +1168,10 @@ START_TEST(a_claim_reproduces) {
   snprintf(
       command, sizeof command,
       "p=$(realpath %s) && v=$PWD/verify && cd %s && mkdir -p reports/paper && echo whole > reports/paper/audit.json "
-      "&& STICKSLIP_DATA=$v $p%s > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
+      "&& STICKSLIP_DATA=$v $p%s --out again > /dev/null && echo whole | cmp -s - reports/paper/audit.json",
       program(), scratch_path(""), member(object, "reproduce") + strlen("stickslip"));
   ck_assert_int_eq(system(command), 0);
-  char *json = slurp(scratch_path("reports/paper/only/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
+  char *json = slurp(scratch_path("again/audit.json")), *again = json ? claim_object(json, "eq-31") : NULL;
   ck_assert(again && strcmp(again, object) == 0);
   free(again);
   free(json);

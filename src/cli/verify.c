@@ -98,13 +98,12 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
   return status;
 }
 
-/* Where a scene's reports go: the folder of --out, or one in it where there are several.  Those on a few claims do not take
-   the place of the report on all. */
+/* Where a scene's reports go: the folder of --out, or one in it where there are several. */
 static void print_folder(struct text *out, const struct options *o, const char *folder) {
   if (o->out && o->n_operands <= 1)
     text_add(out, o->out);
   else
-    text_printf(out, "%s/%s%s", o->out ? o->out : "reports", folder, o->n_only && !o->out ? "/only" : "");
+    text_printf(out, "%s/%s", o->out ? o->out : "reports", folder);
 }
 
 static int verify_scene(const struct verify_data *v, const char *spec, const char *data, const struct options *o,

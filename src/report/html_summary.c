@@ -371,7 +371,7 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
   page_claim(p, f->id);
   text_add_char(p->out, ' ');
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
-  text_add(p->out, "; its own report goes to <code>only/</code> beside this one.</li>\n");
+  text_add(p->out, "; with <code>--out DIR</code> its report goes to that folder and this one stays.</li>\n");
   if (point_of(&point, note)) {
     text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
     html_plain(p->out, f->id);
