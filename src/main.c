@@ -239,6 +239,7 @@ static void secure_output(void) {
 int main(int argc, char **argv) {
   secure_output();
   signal(SIGABRT, on_abort);
+  signal(SIGCHLD, SIG_DFL); /* a caller that ignores it would hide how processes end */
   own_memory();
   if (argc < 2)
     return usage("a command is needed: %s", "verify, orbit, jacobian, simulate, readings, explain, list, check, "

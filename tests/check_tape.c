@@ -355,10 +355,13 @@ START_TEST(a_value_rounded_once) {
     const char *y;
     double x, z, plain, rounded;
   } c[] = {
-      {"(1 + x) - 1", x, 0, 0, x},           {"(1 + x)*(1 - x) - 1", x, 0, 0, -x * x},
-      {"x*x/x", big, 0, NAN, big},           {"x^2/z", 1 / big, 1 / big, 0, 1 / big},
+      {"(1 + x) - 1", x, 0, 0, x},
+      {"(1 + x)*(1 - x) - 1", x, 0, 0, -x * x},
+      {"x*x/x", big, 0, NAN, big},
+      {"x^2/z", 1 / big, 1 / big, 0, 1 / big},
       {"1 - cos(x)", x, 0, 0, x * x / 2}, /* to a relative x^2/12 */
-      {"sqrt(x)*sqrt(x) - x", 0.3, 0, 0, 0}, {"1/(1 - (1 - x))", x, 0, NAN, 1 / x},
+      {"sqrt(x)*sqrt(x) - x", 0.3, 0, sqrt(0.3) * sqrt(0.3) - 0.3, 0},
+      {"1/(1 - (1 - x))", x, 0, NAN, 1 / x},
       {"rounded(1 + x) - 1", x, 0, 0, x},
   };
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
@@ -373,7 +376,7 @@ START_TEST(a_value_rounded_once) {
     text_init(&t);
     text_printf(&t, "  y := %s", c[i].y);
     value_at(&y, text_str(&t), c[i].x, c[i].z, num_ctx_double());
-    ck_assert_msg(y == c[i].plain || (isnan(y) && isnan(c[i].plain)) || i == 5, "plain %s: %a", c[i].y, y);
+    ck_assert_msg(y == c[i].plain || (isnan(y) && isnan(c[i].plain)), "plain %s: %a", c[i].y, y);
     text_clear(&t);
   }
 }

@@ -42,8 +42,8 @@ struct tape {
   slong n_links;
   slong *outputs;
   slong n_outputs;
-  bool *
-      sheltered; /* of each instruction: the outputs reach it through TAPE_ROUNDED alone; NULL when there is none of these */
+  /* Of each instruction: the outputs given to tape_build reach it through TAPE_ROUNDED alone.  NULL: there is no TAPE_ROUNDED. */
+  bool *sheltered;
 };
 
 /* Compiles scalars of one pool; a symbol that names a root is computed, any other is an input.  false with d set when a
@@ -57,6 +57,10 @@ void tape_check(const struct tape *t);
 bool tape_same(const struct tape *a, const struct tape *b);
 /* One instruction a line, "%3 = mul %1 %2", inputs and constants by name, outputs last. */
 void tape_dump(struct text *out, const struct tape *t);
+
+static inline bool tape_shelters(const struct tape *t, slong i) {
+  return t->sheltered && t->sheltered[i];
+}
 
 /* Evaluates with the given inputs (n_inputs of them, same context as out).  status, when given, receives the flags of
    each output: those of every operation it depends on.  Returns their union.

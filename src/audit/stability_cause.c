@@ -241,11 +241,6 @@ double digits_amplification(struct digits_bench *w, slong which) {
   return sum - digits_log2(value(w, w->f->out[which]));
 }
 
-/* What becomes of it in double does not matter. */
-static bool is_sheltered(const struct digits_bench *w, slong i) {
-  return w->f->tape.sheltered && w->f->tape.sheltered[i];
-}
-
 /* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
 static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
@@ -277,7 +272,7 @@ bool digits_predicts_failure(const struct digits_bench *w) {
   bool *zero = ss_malloc((size_t)t->n * sizeof *zero), fails = false;
   for (slong i = 0; !fails && i < t->n; i++) {
     zero[i] = becomes_zero(w, zero, i);
-    if (is_sheltered(w, i)) continue;
+    if (tape_shelters(&w->f->tape, i)) continue;
     fails = digits_log2(value(w, i)) > MOST_NUMBER || (t->code[i].op == TAPE_div && zero[t->code[i].b]);
   }
   free(zero);
@@ -371,7 +366,7 @@ static slong underflowing(double *most, const struct digits_bench *w) {
   slong best = -1;
   *most = -INFINITY;
   for (slong i = 0; i < w->f->tape.n; i++) {
-    if (is_sheltered(w, i) || !is_tiny(value(w, i)) || w->d_flags[i]) continue;
+    if (tape_shelters(&w->f->tape, i) || !is_tiny(value(w, i)) || w->d_flags[i]) continue;
     double e = error_through(w, i);
     if (!(e > *most)) continue;
     *most = e;
@@ -383,7 +378,8 @@ static slong underflowing(double *most, const struct digits_bench *w) {
 /* The first node that has become zero; -1. */
 static slong vanished(const struct digits_bench *w) {
   for (slong i = 0; i < w->f->tape.n; i++)
-    if (!is_sheltered(w, i) && is_tiny(value(w, i)) && !w->d_flags[i] && *(const double *)num_vec_at(&w->d, i) == 0)
+    if (!tape_shelters(&w->f->tape, i) && is_tiny(value(w, i)) && !w->d_flags[i] &&
+        *(const double *)num_vec_at(&w->d, i) == 0)
       return i;
   return -1;
 }
@@ -392,7 +388,7 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
   enum { UNEXPLAINED = 20 };
   double most;
   bool any = false;
-  for (slong i = 0; i < w->f->tape.n; i++) any = any || (!is_sheltered(w, i) && is_tiny(value(w, i)));
+  for (slong i = 0; i < w->f->tape.n; i++) any = any || (!tape_shelters(&w->f->tape, i) && is_tiny(value(w, i)));
   if (!any) return false;
   if (r->error > r->predicted + UNEXPLAINED && vanished(w) >= 0)
     return true; /* no small change: a frequency became 0 */
@@ -465,7 +461,7 @@ struct digits_cause digits_explain_failure(struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
   if (w->f->kernel) return (struct digits_cause){CAUSE_CODE, -1, 0};
   for (slong i = 0; i < t->n; i++) {
-    if (w->d_flags[i] == SS_OK || is_sheltered(w, i)) continue;
+    if (w->d_flags[i] == SS_OK || tape_shelters(&w->f->tape, i)) continue;
     enum tape_op op = t->code[i].op;
     slong at = op == TAPE_div ? zero_source(w, t->code[i].b) : i;
     bool tiny = digits_log2(value(w, at)) < LEAST_NORMAL;

@@ -7,10 +7,6 @@
 
 static const double MOST_NUMBER = 1024, LEAST_NORMAL = -1022, BITS = 53;
 
-static bool is_sheltered(const struct tape *t, slong i) {
-  return t->sheltered && t->sheltered[i];
-}
-
 static bool is_leaf(const struct tape *t, slong i) {
   return t->code[i].op == TAPE_CONST || t->code[i].op == TAPE_INPUT;
 }
@@ -28,7 +24,7 @@ static void strain_under(double *strain, struct digits_bench *w) {
   bool known = false;
   for (slong i = 0; i < t->n; i++) {
     arb_srcptr v = num_vec_at(&w->b, i);
-    if (is_leaf(t, i) || is_sheltered(t, i) || arb_contains_zero(v)) continue;
+    if (is_leaf(t, i) || tape_shelters(t, i) || arb_contains_zero(v)) continue;
     double bits = -digits_log2(v);
     if (bits / -LEAST_NORMAL <= *strain) continue;
     if (bits > -LEAST_NORMAL) {
@@ -57,7 +53,7 @@ void digits_strain(double strain[N_STRAINS], struct digits_bench *w) {
   for (int k = 0; k < N_STRAINS; k++) strain[k] = -INFINITY;
   if (w->f->kernel) return;
   for (slong i = 0; i < t->n; i++) {
-    if (w->b_flags[i] || is_sheltered(t, i)) continue;
+    if (w->b_flags[i] || tape_shelters(t, i)) continue;
     if (!is_leaf(t, i))
       strain[STRAIN_OVER] = fmax(strain[STRAIN_OVER], digits_log2(num_vec_at(&w->b, i)) / MOST_NUMBER);
     if (t->code[i].op == TAPE_div) strain[STRAIN_DIVISOR] = fmax(strain[STRAIN_DIVISOR], cancelled(w, t->code[i].b));

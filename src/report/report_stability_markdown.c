@@ -127,10 +127,13 @@ static void add_rounded(struct text *out, const struct stability_result *r) {
     fall_short += r->row[i].after_short;
     remain += r->row[i].after_rounded;
   }
-  text_printf(out,
-              "At %ld of the points that the searches met a replacement has no value or loses more than that. Under "
-              "rounded(), which computes a form as precisely as it takes and rounds it once, %ld of them remain.\n\n",
-              fall_short, remain);
+  text_printf(
+      out,
+      "%ld times the searches noted that a replacement has no value or loses more than that, by points that they "
+      "met first or that were worse than those before. Under rounded(), which computes a form as precisely as it "
+      "takes and rounds it once, %ld of them remain: the balls that say what is true settle there, and rounded() "
+      "takes its value from such balls.\n\n",
+      fall_short, remain);
 }
 
 /* The stable forms in balls, and where they have not the corrected form's value. */

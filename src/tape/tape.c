@@ -242,8 +242,8 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
     t->outputs = ss_malloc((size_t)n * sizeof *t->outputs);
     t->n_outputs = n;
     for (slong i = 0; i < n; i++) t->outputs[i] = place_of(&b, outputs[i]);
-    tape_check(t);
     find_sheltered(t);
+    tape_check(t);
   } else {
     tape_clear(t);
   }
@@ -334,6 +334,7 @@ void tape_check(const struct tape *t) {
     insist(n < 2 || (in->b >= 0 && in->b < i));
     if (in->op == TAPE_CONST) insist(in->k >= 0 && in->k < t->n_consts);
     if (in->op == TAPE_INPUT) insist(in->k >= 0 && in->k < t->n_inputs);
+    if (in->op == TAPE_ROUNDED) insist(t->sheltered != NULL);
     if (in->op != TAPE_ROOT) continue;
     insist(in->a >= 0 && in->b >= 2 && in->a <= t->n_links - in->b);
     for (slong k = in->a; k < in->a + in->b; k++) insist(t->links[k] >= 0 && t->links[k] < i);
