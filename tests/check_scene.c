@@ -339,6 +339,7 @@ START_TEST(a_value_without_a_name) {
   diag_init(&d);
   ck_assert(!scene_load_with(&s, "paper", "verify", &(struct scene_overrides){&item, 1, "--with"}, false, &d));
   ck_assert_msg(strstr(d.message, "--with takes NAME=VALUE, as in e2=1/2"), "%s", d.message);
+  scene_clear(&s);
 }
 END_TEST
 

@@ -43,24 +43,39 @@ static val entry(const struct blocks *b, int i, int j) {
   return j < 2 ? b->n[2 * (i - 2) + j] : b->c[2 * (i - 2) + j - 2];
 }
 
+/* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of the
+   switching function there. */
+struct phase_end {
+  struct blocks b;
+  val z[N_STATE], f[N_STATE], n[N_STATE], rate;
+};
+
+static struct phase_end phase_end(struct calc *c, enum phase ph, const struct num_vec *params, const val in[N_STATE],
+                                  val t) {
+  struct phase_end e;
+  val p[N_PARAMS];
+  flow_vals(p, params, 0, N_PARAMS);
+  e.b = flow_blocks(c, ph, p, t);
+  flow_apply(e.z, c, &e.b, in);
+  vector_field(e.f, c, ph, p, e.z);
+  switching_gradient(e.n, c, ph, p[P_CHI]);
+  e.rate = flow_switching_rate(c, ph, p, e.z);
+  return e;
+}
+
 static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                      const void *t) {
   struct calc c;
-  val p[N_PARAMS], from[N_STATE], end[N_STATE], f[N_STATE], n[N_STATE];
+  val from[N_STATE], out[N_STATE][N_STATE];
   calc_init(&c, j->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
   flow_vals(from, in, 0, N_STATE);
-  struct blocks b = flow_blocks(&c, ph, p, t);
-  flow_apply(end, &c, &b, from);
-  vector_field(f, &c, ph, p, end);
-  switching_gradient(n, &c, ph, p[P_CHI]);
-  val rate = flow_switching_rate(&c, ph, p, end), out[N_STATE][N_STATE];
+  const struct phase_end e = phase_end(&c, ph, params, from, t);
   for (int col = 0; col < N_STATE; col++) {
     val lead = calc_d(&c, 0);
-    for (int k = 0; k < N_STATE; k++) lead = calc_add(&c, lead, calc_mul(&c, n[k], entry(&b, k, col)));
-    val delay = calc_div(&c, lead, rate); /* minus the derivative of the time */
+    for (int k = 0; k < N_STATE; k++) lead = calc_add(&c, lead, calc_mul(&c, e.n[k], entry(&e.b, k, col)));
+    val delay = calc_div(&c, lead, e.rate); /* minus the derivative of the time */
     for (int row = 0; row < N_STATE; row++)
-      out[row][col] = calc_sub(&c, entry(&b, row, col), calc_mul(&c, f[row], delay));
+      out[row][col] = calc_sub(&c, entry(&e.b, row, col), calc_mul(&c, e.f[row], delay));
   }
   for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), out[i / N_STATE][i % N_STATE]);
   calc_clear(&c);
@@ -176,21 +191,17 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
 static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
                         val t) {
   struct calc c;
-  val p[N_PARAMS], in[N_STATE], end[N_STATE], f[N_STATE], n[N_STATE];
+  val in[N_STATE];
+  double terms = 0, speed = 0;
   calc_init(&c, params->ctx);
-  flow_vals(p, params, 0, N_PARAMS);
+  double (*const size)(const void *) = c.ctx.type->get_d;
   flow_vals(in, from, 0, N_STATE);
-  struct blocks b = flow_blocks(&c, ph, p, t);
-  flow_apply(end, &c, &b, in);
-  vector_field(f, &c, ph, p, end);
-  switching_gradient(n, &c, ph, p[P_CHI]);
-  double rate = fabs(c.ctx.type->get_d(flow_switching_rate(&c, ph, p, end))), terms = 0, speed = 0;
+  const struct phase_end e = phase_end(&c, ph, params, in, t);
   for (int k = 0; k < N_STATE; k++) {
-    for (int i = 0; i < N_STATE; i++)
-      terms += fabs(c.ctx.type->get_d(calc_mul(&c, n[k], calc_mul(&c, entry(&b, k, i), in[i]))));
-    speed = fmax(speed, fabs(c.ctx.type->get_d(f[k])));
+    for (int i = 0; i < N_STATE; i++) terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, entry(&e.b, k, i), in[i]))));
+    speed = fmax(speed, fabs(size(e.f[k])));
   }
-  *jitter = 4 * DBL_EPSILON * terms / rate * speed;
+  *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
   int status = c.status;
   calc_clear(&c);
   return status;
