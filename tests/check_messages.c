@@ -232,7 +232,8 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   ck_assert_msg(ok && r.n_findings == 1, "%s", d.message);
   const struct finding *f = &r.findings[0];
   ck_assert_int_eq(f->verdict, VERDICT_REFUTED);
-  ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, " is a coefficient beside "), "%s", f->evidence[0].note);
+  ck_assert_msg(f->n_evidence > 0 && strstr(f->evidence[0].note, " is a coefficient beside "), "%s",
+                f->evidence[0].note);
   audit_result_clear(&r);
   model_clear(&more);
   claims_clear(&own);
