@@ -49,7 +49,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check check-build verify mutate bench stability lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all check check-build verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -130,6 +130,10 @@ bench: $(B)/stickslip ## error against run time, by every method: writes reports
 stability: $(B)/stickslip ## where the formulas lose digits, and why; stiff scenes: writes reports/stability/
 	$(B)/stickslip stability --after stable --out reports/stability
 	$(B)/stickslip bench --job studies --out reports/stability
+
+scenes: $(B)/stickslip ## what each scene leaves out, and what it costs: writes reports/scenes/ and verify/costs.tsv
+	$(B)/stickslip bench --job scenes --out reports/scenes
+	mv reports/scenes/scenes-costs.tsv verify/costs.tsv
 
 check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@$(MAKE) --no-print-directory -j$(JOBS) check-build
