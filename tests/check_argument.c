@@ -8,6 +8,7 @@
 
 #include "audit/condition.h"
 #include "audit/orbit_pool.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/margins.h"
 #include "stickslip/report.h"
@@ -17,22 +18,11 @@ static struct model model;
 static struct scene paper;
 static struct orbit_cache *cache;
 
-static void load(struct model *m, const char *overlay) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
-            (!overlay || model_add_file(m, scratch_put("overlay.eq", overlay), RANK_USER, &d)) &&
-            model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d) &&
-            model_add_folder(m, "verify/controls", RANK_CONTROL, &d);
-  ck_assert_msg(ok, "%s", d.message);
-}
-
 static void open_all(void) {
   struct diag d;
   diag_init(&d);
   scratch_open();
-  load(&model, NULL);
+  paper_model(&model, NULL, true);
   cache = orbit_cache_new();
   ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
 }
@@ -114,9 +104,11 @@ static const struct {
 START_TEST(what_follows_and_what_does_not) {
   struct model m;
   struct text t;
-  load(&m, "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
-           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
-           "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n");
+  paper_model(&m,
+              "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+              "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+              "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n",
+              true);
   text_init(&t);
   text_printf(&t, HEAD "%s", arguments[_i].claim);
   enum verdict v = verdict_under(&m, text_str(&t));
@@ -315,7 +307,7 @@ static void faults_of(struct text *out, const char *overlay) {
   struct model m;
   struct audit_result r;
   struct diag d;
-  load(&m, overlay);
+  paper_model(&m, overlay, true);
   ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &d), "%s", d.message);
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
@@ -393,7 +385,7 @@ START_TEST(ranks_by_hand) {
   struct text t;
   text_init(&t);
   text_printf(&t, "equation user\n  section: periodic\n%s", cases[_i].statements);
-  load(&m, text_str(&t));
+  paper_model(&m, text_str(&t), true);
   text_reset(&t);
   text_printf(&t, HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n", cases[_i].unknowns,
               cases[_i].rank);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "audit/audit_impl.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
@@ -851,18 +852,6 @@ END_TEST
 
 /* --- The paper's expressions at points --- */
 
-/* The equation files; overlay: a text over them as a user would give it, or NULL. */
-static void load_model(struct model *m, const char *overlay, bool with_controls) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
-            (!overlay || model_add_file(m, scratch_put("overlay.eq", overlay), RANK_USER, &d)) &&
-            model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d) &&
-            (!with_controls || model_add_folder(m, "verify/controls", RANK_CONTROL, &d));
-  ck_assert_msg(ok, "%s", d.message);
-}
-
 /* (27), (32), (36), (40), (41) typed in once more; ktilde_4 times V^power_of_v, which is -1 as printed. */
 static void chain_by_hand(real j[4], const struct plain *p, const real start[2], const real t[4], int power_of_v) {
   real za[4], zb[4], zc[4], h[16], z0[4] = {start[0], start[1], p->v, p->v};
@@ -889,7 +878,7 @@ static void jacobian_of(real j[4], struct scene *s, const struct jacobian_reques
   struct model m;
   struct diag d;
   diag_init(&d);
-  load_model(&m, NULL, false);
+  paper_model(&m, NULL, false);
   arb_ptr x = _arb_vec_init(6);
   ck_assert_msg(audit_jacobian(x, x + 4, x + 5, &m, s, q, &d), "%s", d.message);
   for (int i = 0; i < 4; i++) j[i] = arf_get_d(arb_midref(x + i), ARF_RND_NEAR);
@@ -944,7 +933,7 @@ START_TEST(expressions_at_a_point) {
   struct diag d;
   point_init(&p);
   diag_init(&d);
-  load_model(&m, NULL, false);
+  paper_model(&m, NULL, false);
   ck_assert(printed_point(&p, &paper));
   arb_ptr x = _arb_vec_init(16);
   int n;
@@ -1009,7 +998,7 @@ START_TEST(two_sides_at_a_point) {
   sampler_init(&s, "sentences", POINT_PARAMS, PHASE_D, NULL);
   sampler_next(&p, &s);
   snprintf(text, sizeof text, "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
-  load_model(&m, text, false);
+  paper_model(&m, text, false);
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
   ck_assert_msg(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d), "%s", d.message);
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, cache);
@@ -1034,7 +1023,7 @@ static void judge_all(struct audit_result *r, const char *overlay, bool with_con
   struct diag d;
   diag_init(&d);
   audit_result_init(r);
-  load_model(&m, overlay, with_controls);
+  paper_model(&m, overlay, with_controls);
   const struct audit_options opt = {.only = items, .n_only = n};
   bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
             claims_load(&controls, "verify/controls", "control", &d) &&

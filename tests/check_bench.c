@@ -13,6 +13,7 @@
 #include <time.h>
 
 #include "bench/jobs.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
@@ -180,15 +181,6 @@ END_TEST
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
 
-static void load_paper(struct model *m) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok =
-      model_add_folder(m, "verify/paper", RANK_PAPER, &d) && model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
-  ck_assert_msg(ok, "%s", d.message);
-}
-
 /* log10 of the error that a row may have.  Differences: the least of truncation and rounding decides, so only the best of
    their steps is held to anything (best_of). */
 static double allowed(const struct bench_row *r) {
@@ -236,7 +228,7 @@ static void check_listed(const struct bench_table *t) {
 START_TEST(every_method_keeps_its_promise) {
   struct model m;
   struct bench_table t;
-  load_paper(&m);
+  paper_model(&m, NULL, false);
   ck_assert_int_lt(_i, n_bench_jobs);
   ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){.model = &m}, true));
   ck_assert_int_eq(t.cases, bench_jobs[_i]->n_quick);

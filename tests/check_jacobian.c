@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "audit/audit_impl.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "suites.h"
 
@@ -66,16 +67,6 @@ static void read_line(char *line) {
   ck_assert_int_ge(split_tabs(o->field, N_FIELDS, o->line), 14);
 }
 
-static void load_model(struct model *m, const char *overlay) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
-            (!overlay || model_add_file(m, scratch_put("overlay.eq", overlay), RANK_USER, &d)) &&
-            model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
-  ck_assert_msg(ok, "%s", d.message);
-}
-
 static void open_data(void) {
   static char line[4000];
   scratch_open();
@@ -85,8 +76,9 @@ static void open_data(void) {
   while (fgets(line, sizeof line, f)) read_line(line);
   fclose(f);
   ck_assert_int_eq(n_samples, N_ORBITS);
-  load_model(&model, NULL);
-  load_model(&damaged, "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n");
+  paper_model(&model, NULL, false);
+  paper_model(&damaged, "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n",
+              false);
 }
 
 static void close_data(void) {

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/plan.h"
 #include "suites.h"
@@ -95,19 +96,10 @@ END_TEST
 static struct model papers;
 static struct scene paper;
 
-static void add_paper(struct model *m) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok =
-      model_add_folder(m, "verify/paper", RANK_PAPER, &d) && model_add_file(m, "verify/errata.eq", RANK_ERRATA, &d);
-  ck_assert_msg(ok, "%s", d.message);
-}
-
 static void load(void) {
   struct diag d;
   diag_init(&d);
-  add_paper(&papers);
+  paper_model(&papers, NULL, false);
   ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
   scratch_open();
 }
@@ -131,7 +123,7 @@ static const struct model *model_with(struct model *own, const char *records) {
   diag_init(&d);
   text_init(&text);
   add_lines(&text, records);
-  add_paper(own);
+  paper_model(own, NULL, false);
   ck_assert_msg(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d), "%s", d.message);
   text_clear(&text);
   return own;
@@ -224,7 +216,7 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   diag_init(&d);
   audit_result_init(&r);
   claims_of(&own, "kind: scaling|scaled: V|statement: own");
-  add_paper(&more);
+  paper_model(&more, NULL, false);
   const char *path =
       scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
   bool ok = model_add_file(&more, path, RANK_PAPER, &d) &&
@@ -249,7 +241,7 @@ START_TEST(a_value_of_two_sections) {
   struct diag d;
   diag_init(&d);
   audit_result_init(&r);
-  add_paper(&own);
+  paper_model(&own, NULL, false);
   const char *path = scratch_put(
       "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
   bool ok = model_add_file(&own, path, RANK_PAPER, &d) &&
