@@ -49,7 +49,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check check-build verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -142,6 +142,9 @@ check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@echo "$(words $(SUITES)) suites of tests passed"
 
 check-build: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%)
+
+digests: $(B)/stickslip ## hold the bytes of outputs against tests/digests.tsv (DIGESTS=--quick: a part; --record: anew)
+	@$(PYTHON) tools/digests.py $(B)/stickslip $(DIGESTS)
 
 # one suite of the tests: make suite-cli, after make check-build
 suite-%:
