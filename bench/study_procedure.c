@@ -12,7 +12,7 @@
 #include "bench/printed_digits.h"
 #include "bench/study.h"
 #include "bench/three_ways.h"
-#include "dynamics/dual.h"
+#include "motion/dual.h"
 #include "stickslip/arena.h"
 
 enum { PREC = THREE_WAYS_BITS };

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/condition.h"
-#include "audit/orbit_pool.h"
 #include "paper_model.h"
+#include "proof/condition.h"
+#include "scene/orbit_pool.h"
 #include "scratch.h"
 #include "stickslip/margins.h"
 #include "stickslip/report.h"

@@ -1,7 +1,7 @@
 /* Behaviour: the return map's Taylor series, chains of masses, and the claims that are judged by motions.
 
    Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
-   Runge-Kutta in floats), from the return map of carrier.c, which knows no series, from the simulation of two masses, and
+   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, from the simulation of two masses, and
    from a chain integrated here with tiny steps. */
 #include <check.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/behaviour.h"
+#include "judge/behaviour.h"
 #include "laws_num.h"
 #include "scratch.h"
 #include "stickslip/chain.h"

@@ -8,8 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../src/dynamics/dyn_impl.h"
 #include "laws_num.h"
+#include "motion/motion_impl.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 

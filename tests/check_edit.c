@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/mutants.h"
+#include "power/mutants.h"
 #include "suites.h"
 
 static const struct edit_word some_words[] = {

@@ -7,10 +7,10 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/exact_rank.h"
-#include "audit/judge_exact.h"
-#include "audit/mutants.h"
 #include "laws_num.h"
+#include "power/mutants.h"
+#include "proof/exact_proof.h"
+#include "proof/exact_rank.h"
 #include "scratch.h"
 #include "suites.h"
 

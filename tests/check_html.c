@@ -10,8 +10,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/audit_impl.h"
 #include "report/html.h"
+#include "run/audit_impl.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"

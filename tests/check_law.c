@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/audit_impl.h"
+#include "run/audit_impl.h"
 #include "scratch.h"
 #include "suites.h"
 

@@ -12,10 +12,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "audit/mutants.h"
-#include "audit/orbit_pool.h"
-#include "audit/workers.h"
+#include "power/mutants.h"
 #include "process.h"
+#include "run/workers.h"
+#include "scene/orbit_pool.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"

@@ -13,16 +13,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "audit/expression.h"
-#include "audit/precision.h"
-#include "audit/routes.h"
-#include "audit/tasks.h"
 #include "process.h"
+#include "route/routes.h"
+#include "run/tasks.h"
 #include "scratch.h"
 #include "stickslip/plan.h"
 #include "stickslip/report.h"
 #include "stickslip/work.h"
 #include "suites.h"
+#include "value/expression.h"
+#include "value/precision.h"
 
 static struct model model;
 static struct claims claims, controls;

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/readings_impl.h"
+#include "readings/readings.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"

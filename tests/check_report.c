@@ -11,8 +11,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/audit_impl.h"
 #include "report/audit_shape.h"
+#include "run/audit_impl.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"

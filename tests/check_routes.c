@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/routes.h"
+#include "route/routes.h"
 #include "scratch.h"
 #include "stickslip/long_run.h"
 #include "stickslip/report.h"

@@ -11,8 +11,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "audit/stability_impl.h"
 #include "scratch.h"
+#include "stability/stability.h"
 #include "stickslip/report_stability.h"
 #include "suites.h"
 

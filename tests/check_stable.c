@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/stability_impl.h"
 #include "scratch.h"
+#include "stability/stability.h"
 #include "stable_points.h"
 #include "stickslip/audit.h"
 #include "stickslip/exact.h"

@@ -65,7 +65,7 @@
    its other points and routes are tried all the same, since the evidence says at how many points it differs and where the
    most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a refutation can come of
    it.  A route that would add no independence is not asked for: any two of a claim's routes, balls among them, are
-   independent by the table of src/audit/routes.h (tests/check_plan.c). */
+   independent by the table of src/route/routes.h (tests/check_plan.c). */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
