@@ -208,7 +208,7 @@ struct descent {
   bool small, last;
 };
 
-static int descent_values(const void **f, const void **j, const void *const *x, void *self) {
+static int descent_values(const void **f, const void **j, const struct num_vec *x, void *self) {
   struct descent *d = self;
   d->s->work += STEP_WORK;
   return word_values(f, j, x, &d->w);

@@ -281,7 +281,7 @@ struct word_system {
   slong mark;              /* what lies above it in the calc belongs to one evaluation */
   val known[N_QUANTITIES]; /* those of the unknown ones are not read */
 };
-int word_values(const void **f, const void **j, const void *const *x, void *self);
+int word_values(const void **f, const void **j, const struct num_vec *x, void *self);
 /* Whether each part of a step is at most 2^-bits of all times together, or of both limits. */
 bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits);
 /* Newton's iteration in mpfr from x, the precision doubling up to that of x; the known ones are rounded once. */

@@ -51,13 +51,13 @@ static void solution_clear(struct solution *s) {
 }
 
 /* The two equations, the velocity pc and the defect, as functions of (t_b, t_c). */
-static int values(const void **f, const void **j, const void *const *x, void *self) {
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
   struct solution *s = self;
   struct calc *c = &s->c;
   struct ball_pass at;
   calc_release(c, s->mark);
   c->status = SS_OK;
-  ball_pass_make(&at, c, &s->m, x[0], x[1], s->up);
+  ball_pass_make(&at, c, &s->m, num_vec_at(x, 0), num_vec_at(x, 1), s->up);
   if (f) f[0] = at.pc, f[1] = at.defect;
   j[0] = at.pc_tb, j[1] = calc_neg(c, at.wc);
   j[2] = at.defect_tb, j[3] = at.defect_tc;

@@ -92,14 +92,14 @@ void word_params(struct ball_params *m, struct calc *c, const fmpq *model) {
   ball_params_make(m, c, p);
 }
 
-int word_values(const void **f, const void **j, const void *const *x, void *self) {
+int word_values(const void **f, const void **j, const struct num_vec *x, void *self) {
   struct word_system *s = self;
   struct word w;
   val at[N_QUANTITIES];
   calc_release(s->c, s->mark);
   s->c->status = SS_OK;
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->known[i];
-  for (int k = 0; k < WORD_FREE; k++) at[s->unknown[k]] = x[k];
+  for (int k = 0; k < WORD_FREE; k++) at[s->unknown[k]] = num_vec_at(x, k);
   word_make(&w, s->c, s->m, at);
   for (int i = 0; i < WORD_FREE; i++) {
     if (f) f[i] = w.e[i];

@@ -7,12 +7,7 @@
 
 #include <stdlib.h>
 
-enum { FIRST_BITS = 192, LEVEL_GUARD = 24, MOST_BOXES = 14, FIRST_BOX = 3, GROWTH = 3 };
-
-static void point_at(const void **at, const struct num_vec *x) {
-  if (x->len > SOLVE_MOST) abort();
-  for (slong i = 0; i < x->len; i++) at[i] = num_vec_at(x, i);
-}
+enum { FIRST_BITS = 192, LEVEL_GUARD = 24, MOST_BOXES = 12, FIRST_BOX = 3, GROWTH = 3 };
 
 static void gather(struct num_vec *z, const void *const *from) {
   for (slong i = 0; i < z->len; i++) z->ctx.type->set(num_vec_at(z, i), from[i]);
@@ -25,19 +20,18 @@ static void to_middles(struct num_vec *z) {
 /* --- Newton's iteration. --- */
 
 static int newton_step(struct num_vec *step, struct num_vec *a, const struct solve_system *s, const struct num_vec *x) {
-  const void *at[SOLVE_MOST], *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
-  point_at(at, x);
-  int status = s->values(f, j, at, s->self);
+  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
+  int status = s->values(f, j, x, s->self);
   if (status) return status;
   gather(step, f);
   gather(a, j);
   status = num_mat_solve(step, a, step, s->n, 1);
-  if (step->ctx.type->rigorous) to_middles(step);
   return status;
 }
 
 int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx ctx, int most, newton_judge *judge) {
   struct num_vec step, a;
+  if (s->n > SOLVE_MOST || x->len != s->n) abort();
   enum newton_next next = NEWTON_ON;
   int status = SS_OK;
   num_vec_init(&step, s->n, ctx);
@@ -84,6 +78,7 @@ int newton_rising(int (*level)(slong bits, void *self), void *self, slong prec) 
 
 void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec) {
   struct num_ctx ctx = num_ctx_arb(prec);
+  if (s->n > SOLVE_MOST) abort();
   *k = (struct krawczyk){.system = s};
   num_vec_init(&k->mid, s->n, ctx);
   num_vec_init(&k->step, s->n, ctx);
@@ -101,13 +96,12 @@ void krawczyk_clear(struct krawczyk *k) {
 }
 
 int krawczyk_centre(struct krawczyk *k, const struct num_vec *x) {
-  const void *at[SOLVE_MOST], *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
+  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
   slong n = k->system->n;
   struct num_vec a;
   num_vec_set(&k->mid, x);
   to_middles(&k->mid);
-  point_at(at, &k->mid);
-  int status = k->system->values(f, j, at, k->system->self);
+  int status = k->system->values(f, j, &k->mid, k->system->self);
   if (status) return status;
   num_vec_init(&a, n * n, k->y.ctx);
   gather(&a, j);
@@ -142,9 +136,8 @@ static void image_row(struct krawczyk *k, slong i, const void *const *j) {
 }
 
 int krawczyk_apply(struct krawczyk *k) {
-  const void *at[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
-  point_at(at, &k->box);
-  int status = k->system->values(NULL, j, at, k->system->self);
+  const void *j[SOLVE_MOST * SOLVE_MOST];
+  int status = k->system->values(NULL, j, &k->box, k->system->self);
   k->inside = !status;
   for (slong i = 0; i < k->system->n && !status; i++) {
     image_row(k, i, j);

@@ -23,7 +23,7 @@ enum { SOLVE_MOST = 16 }; /* unknowns */
    derivative over all of it.  At a point j need not enclose anything: it serves as a direction. */
 struct solve_system {
   slong n;
-  int (*values)(const void **f, const void **j, const void *const *x, void *self);
+  int (*values)(const void **f, const void **j, const struct num_vec *x, void *self);
   void *self;
 };
 
