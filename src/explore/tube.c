@@ -96,8 +96,11 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
   struct equations *e = self;
   e->quiet++;
-  for (int k = 0; k < 2; k++)
-    if (!newton_is_small(&num_arb, num_vec_at(step, k), x->ctx.prec / 2, num_vec_at(x, k))) e->quiet = 0;
+  for (int k = 0; k < 2; k++) {
+    arf_srcptr by = arb_midref((arb_srcptr)num_vec_at(step, k)), at = arb_midref((arb_srcptr)num_vec_at(x, k));
+    slong size = arf_is_zero(by) ? -ARF_PREC_EXACT : arf_abs_bound_lt_2exp_si(by);
+    if (size > arf_abs_bound_lt_2exp_si(at) - x->ctx.prec / 2) e->quiet = 0;
+  }
   return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 

@@ -17,27 +17,56 @@ static void to_middles(struct num_vec *z) {
   for (slong i = 0; i < z->len; i++) arb_get_mid_arb(num_vec_at(z, i), num_vec_at(z, i));
 }
 
+static void fill(arb_mat_t z, const void *const *from) {
+  for (slong i = 0; i < arb_mat_nrows(z); i++)
+    for (slong l = 0; l < arb_mat_ncols(z); l++) arb_set(arb_mat_entry(z, i, l), from[i * arb_mat_ncols(z) + l]);
+}
+
+/* y = the inverse of the derivative, rounded, and step = y f.  SS_UNABLE when it cannot be told from a singular one. */
+static int precondition(arb_mat_t y, arb_mat_t step, const void *const *f, const void *const *j, slong prec) {
+  fill(y, j);
+  fill(step, f);
+  if (!arb_mat_inv(y, y, prec)) return SS_UNABLE;
+  arb_mat_get_mid(y, y);
+  arb_mat_mul(step, y, step, prec);
+  return SS_OK;
+}
+
 /* --- Newton's iteration. --- */
 
-static int newton_step(struct num_vec *step, struct num_vec *a, const struct solve_system *s, const struct num_vec *x) {
-  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
-  int status = s->values(f, j, x, s->self);
-  if (status) return status;
+static int ball_step(struct num_vec *step, const void *const *f, const void *const *j) {
+  slong n = step->len;
+  arb_mat_t y, b;
+  arb_mat_init(y, n, n);
+  arb_mat_init(b, n, 1);
+  int status = precondition(y, b, f, j, step->ctx.prec);
+  for (slong i = 0; i < n && !status; i++) arb_swap(num_vec_at(step, i), arb_mat_entry(b, i, 0));
+  arb_mat_clear(b);
+  arb_mat_clear(y);
+  return status;
+}
+
+static int plain_step(struct num_vec *step, const void *const *f, const void *const *j) {
+  slong n = step->len;
+  struct num_vec a;
+  num_vec_init(&a, n * n, step->ctx);
   gather(step, f);
-  gather(a, j);
-  status = num_mat_solve(step, a, step, s->n, 1);
+  gather(&a, j);
+  int status = num_mat_solve(step, &a, step, n, 1);
+  num_vec_clear(&a);
   return status;
 }
 
 int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx ctx, int most, newton_judge *judge) {
-  struct num_vec step, a;
-  if (s->n > SOLVE_MOST || x->len != s->n) abort();
+  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
   enum newton_next next = NEWTON_ON;
+  struct num_vec step;
   int status = SS_OK;
+  if (s->n > SOLVE_MOST || x->len != s->n) abort();
   num_vec_init(&step, s->n, ctx);
-  num_vec_init(&a, s->n * s->n, ctx);
   for (int i = 0; next == NEWTON_ON && !status; i++) {
-    status = i < most ? newton_step(&step, &a, s, x) : SS_UNABLE;
+    status = i < most ? s->values(f, j, x, s->self) : SS_UNABLE;
+    if (!status) status = ctx.type == &num_arb ? ball_step(&step, f, j) : plain_step(&step, f, j);
     if (status) break;
     next = judge(x, &step, s->self);
     if (next == NEWTON_LOST) status = SS_UNABLE;
@@ -46,7 +75,6 @@ int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx c
       status |= ctx.type->sub(num_vec_at(x, k), num_vec_at(x, k), num_vec_at(&step, k), ctx.prec);
     if (ctx.type->rigorous) to_middles(x);
   }
-  num_vec_clear(&a);
   num_vec_clear(&step);
   return status;
 }
@@ -79,84 +107,72 @@ int newton_rising(int (*level)(slong bits, void *self), void *self, slong prec) 
 void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec) {
   struct num_ctx ctx = num_ctx_arb(prec);
   if (s->n > SOLVE_MOST) abort();
-  *k = (struct krawczyk){.system = s};
+  k->system = s;
+  k->inside = false;
   num_vec_init(&k->mid, s->n, ctx);
-  num_vec_init(&k->step, s->n, ctx);
-  num_vec_init(&k->y, s->n * s->n, ctx);
   num_vec_init(&k->box, s->n, ctx);
   num_vec_init(&k->image, s->n, ctx);
+  arb_mat_init(k->y, s->n, s->n);
+  arb_mat_init(k->step, s->n, 1);
+  arb_mat_init(k->rest, s->n, s->n);
+  arb_mat_init(k->off, s->n, 1);
 }
 
 void krawczyk_clear(struct krawczyk *k) {
+  arb_mat_clear(k->off);
+  arb_mat_clear(k->rest);
+  arb_mat_clear(k->step);
+  arb_mat_clear(k->y);
   num_vec_clear(&k->image);
   num_vec_clear(&k->box);
-  num_vec_clear(&k->y);
-  num_vec_clear(&k->step);
   num_vec_clear(&k->mid);
 }
 
 int krawczyk_centre(struct krawczyk *k, const struct num_vec *x) {
   const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
-  slong n = k->system->n;
-  struct num_vec a;
+  slong prec = k->mid.ctx.prec;
   num_vec_set(&k->mid, x);
   to_middles(&k->mid);
   int status = k->system->values(f, j, &k->mid, k->system->self);
   if (status) return status;
-  num_vec_init(&a, n * n, k->y.ctx);
-  gather(&a, j);
-  to_middles(&a);
-  for (slong i = 0; i < n * n; i++) arb_set_si(num_vec_at(&k->y, i), i / n == i % n);
-  status = num_mat_solve(&k->y, &a, &k->y, n, n);
-  to_middles(&k->y);
-  gather(&k->step, f);
-  if (!status) status = num_mat_mul(&k->step, &k->y, &k->step, n, n, 1);
-  num_vec_clear(&a);
-  return status;
-}
-
-/* image_i = mid_i - step_i + sum over l of (I - Y J)_il (box_l - mid_l). */
-static void image_row(struct krawczyk *k, slong i, const void *const *j) {
-  slong n = k->system->n, prec = k->image.ctx.prec;
-  arb_struct column[SOLVE_MOST]; /* borrowed */
-  arb_ptr z = num_vec_at(&k->image, i);
-  arb_t rest, off;
-  arb_init(rest);
-  arb_init(off);
-  arb_sub(z, num_vec_at(&k->mid, i), num_vec_at(&k->step, i), prec);
-  for (slong l = 0; l < n; l++) {
-    for (slong m = 0; m < n; m++) column[m] = *(arb_srcptr)j[m * n + l];
-    arb_dot(rest, NULL, 1, num_vec_at(&k->y, i * n), 1, column, 1, n, prec);
-    if (i == l) arb_add_si(rest, rest, 1, prec);
-    arb_sub(off, num_vec_at(&k->box, l), num_vec_at(&k->mid, l), prec);
-    arb_addmul(z, rest, off, prec);
-  }
-  arb_clear(off);
-  arb_clear(rest);
+  return precondition(k->y, k->step, f, j, prec);
 }
 
 int krawczyk_apply(struct krawczyk *k) {
   const void *j[SOLVE_MOST * SOLVE_MOST];
+  slong n = k->system->n, prec = k->image.ctx.prec;
   int status = k->system->values(NULL, j, &k->box, k->system->self);
   k->inside = !status;
-  for (slong i = 0; i < k->system->n && !status; i++) {
-    image_row(k, i, j);
-    k->inside = k->inside && arb_is_finite(num_vec_at(&k->image, i)) &&
-                arb_contains_interior(num_vec_at(&k->box, i), num_vec_at(&k->image, i));
+  if (status) return status;
+  fill(k->rest, j);
+  arb_mat_mul(k->rest, k->y, k->rest, prec);
+  arb_mat_neg(k->rest, k->rest);
+  for (slong i = 0; i < n; i++) {
+    arb_add_si(arb_mat_entry(k->rest, i, i), arb_mat_entry(k->rest, i, i), 1, prec);
+    arb_sub(arb_mat_entry(k->off, i, 0), num_vec_at(&k->box, i), num_vec_at(&k->mid, i), prec);
   }
-  return status;
+  arb_mat_mul(k->off, k->rest, k->off, prec);
+  for (slong i = 0; i < n; i++) {
+    arb_ptr z = num_vec_at(&k->image, i);
+    arb_sub(z, arb_mat_entry(k->off, i, 0), arb_mat_entry(k->step, i, 0), prec);
+    arb_add(z, z, num_vec_at(&k->mid, i), prec);
+    k->inside = k->inside && arb_is_finite(z) && arb_contains_interior(num_vec_at(&k->box, i), z);
+  }
+  return SS_OK;
 }
 
 /* Adds 2^shift of the size of x, and what rounding can do to mid, to the radius; a step can be exactly zero. */
 static void widen(arb_t box, const arb_t mid, mag_srcptr x, slong shift, slong prec) {
-  mag_t more;
+  mag_t more, least;
   mag_init(more);
+  mag_init(least);
   mag_mul_2exp_si(more, x, shift);
+  arb_get_mag(least, mid);
+  mag_mul_2exp_si(least, least, 8 - prec);
+  mag_add_ui_2exp_si(least, least, 1, -4 * prec);
   mag_add(arb_radref(box), arb_radref(box), more);
-  arb_get_mag(more, mid);
-  mag_mul_2exp_si(more, more, 8 - prec);
-  mag_add(arb_radref(box), arb_radref(box), more);
-  mag_add_ui_2exp_si(arb_radref(box), arb_radref(box), 1, -4 * prec);
+  mag_add(arb_radref(box), arb_radref(box), least);
+  mag_clear(least);
   mag_clear(more);
 }
 
@@ -167,7 +183,7 @@ int krawczyk_grow(struct krawczyk *k) {
   mag_init(size);
   num_vec_set(&k->box, &k->mid);
   for (slong i = 0; i < n; i++) {
-    arb_get_mag(size, num_vec_at(&k->step, i));
+    arb_get_mag(size, arb_mat_entry(k->step, i, 0));
     widen(num_vec_at(&k->box, i), num_vec_at(&k->mid, i), size, FIRST_BOX, prec);
   }
   mag_clear(size);
@@ -186,7 +202,7 @@ int krawczyk_follow(struct krawczyk *k, slong wider) {
   slong n = k->system->n, prec = k->box.ctx.prec;
   int status = SS_OK;
   for (slong i = 0; i < n; i++)
-    arb_sub(num_vec_at(&k->image, i), num_vec_at(&k->mid, i), num_vec_at(&k->step, i), prec);
+    arb_sub(num_vec_at(&k->image, i), num_vec_at(&k->mid, i), arb_mat_entry(k->step, i, 0), prec);
   k->inside = false;
   for (int t = 0; t < MOST_BOXES && !k->inside && !status; t++) {
     num_vec_set(&k->box, &k->image);

@@ -56,9 +56,10 @@ int newton_rising(int (*level)(slong bits, void *self), void *self, slong prec);
 
 struct krawczyk {
   const struct solve_system *system;
-  struct num_vec mid, step, y; /* the exact point, Y f(mid), and Y */
-  struct num_vec box, image;
-  bool inside; /* the image lies in the interior of the box */
+  struct num_vec mid, box, image; /* mid is an exact point */
+  arb_mat_t y, step;              /* Y, and Y f(mid) */
+  arb_mat_t rest, off;            /* I - Y J, and box - mid */
+  bool inside;                    /* the image lies in the interior of the box */
 };
 /* The system must outlive it. */
 void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec);
