@@ -1,8 +1,8 @@
 /* Newton's iteration and Krawczyk's operator over the number table.
 
    The caller's function hands over pointers to its own elements; what is formed here lives in vectors of the iteration or of
-   the operator.  The linear algebra is num_mat_solve's elimination, in Krawczyk's operator on midpoints: there the inverse may be
-   any matrix, and only what is multiplied with it is enclosed. */
+   the operator.  In balls a step is the product of the values with a rounded inverse of the derivative, which may be any
+   matrix and is the operator's too; in the other types it comes from num_mat_solve's elimination. */
 #include "solve.h"
 
 #include <stdlib.h>
@@ -148,6 +148,7 @@ int krawczyk_apply(struct krawczyk *k) {
   arb_mat_mul(k->rest, k->y, k->rest, prec);
   arb_mat_neg(k->rest, k->rest);
   for (slong i = 0; i < n; i++) {
+    k->inside = k->inside && arb_contains(num_vec_at(&k->box, i), num_vec_at(&k->mid, i));
     arb_add_si(arb_mat_entry(k->rest, i, i), arb_mat_entry(k->rest, i, i), 1, prec);
     arb_sub(arb_mat_entry(k->off, i, 0), num_vec_at(&k->box, i), num_vec_at(&k->mid, i), prec);
   }

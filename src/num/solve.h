@@ -2,11 +2,11 @@
 
    The system f(x) = 0 has n equations in n unknowns and is a function of its caller.  Elements are those of one number type
    (num.h); Newton's iteration takes any, Krawczyk's operator takes balls.  Statuses are flags (status.h): what the system
-   itself returns is passed on, SS_DOMAIN besides means that the derivative is exactly singular, SS_UNABLE that nothing was
-   found or proved, which never shows that there is no solution.
+   itself returns is passed on; besides, SS_DOMAIN means that a derivative in double or mpfr is exactly singular, and SS_UNABLE
+   that nothing was found or proved, which never shows that there is no solution.
 
-   What is proved.  With mid a point, Y any matrix (here the inverse of the derivative near mid, rounded) and J an enclosure of
-   the derivative over the box X, every zero of f in X lies in the image
+   What is proved.  With X a box, mid a point in it, Y any matrix (here the inverse of the derivative near mid, rounded) and J an enclosure of
+   the derivative over X, every zero of f in X lies in the image
        K(X) = mid - Y f(mid) + (I - Y J) (X - mid).
    When K(X) lies in the interior of X, X holds exactly one zero, J is regular on all of X, and the zero lies in K(X).  When
    the system has parameters that are balls, f(mid) and J enclose their values for all of these, and what is proved holds
