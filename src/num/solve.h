@@ -69,8 +69,8 @@ int krawczyk_centre(struct krawczyk *k, const struct num_vec *x);
 /* image = K(box), and whether it is inside.  One call of the system, n^3 multiplications. */
 int krawczyk_apply(struct krawczyk *k);
 /* Finds a box that is proved, SS_UNABLE when none is.  grow: boxes around mid, the first eight times as wide as Newton's step
-   is long, each a multiple of the one before; for parameters that are points.  follow: each box is the image of the one
-   before, its radii longer by 2^wider of themselves; for parameters that are balls, when Newton's step is as wide as they make
+   is long, each a multiple of the one before; for parameters that are points, at Newton's last iterate.  follow: each box is the image of the one
+   before, its radii longer by 2^wider of themselves, and mid; for parameters that are balls, when Newton's step is as wide as they make
    it.  In both the box is wider than what rounding can do to mid. */
 int krawczyk_grow(struct krawczyk *k);
 int krawczyk_follow(struct krawczyk *k, slong wider);
