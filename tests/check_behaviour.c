@@ -396,9 +396,9 @@ START_TEST(a_slowed_sticking_mass_departs) {
     plan.duration = 400;
     if (slowed) m.start[DZ_1] -= 1e-6;
     for (int route = 0; route < N_MOTION_ROUTES; route++) {
-      struct told t = motion_tell((enum motion_route)route, &m, &plan);
+      struct trajectory t = motion_simulate((enum motion_route)route, &m, &plan);
       ck_assert_int_eq((int)t.result.returns, slowed ? 0 : 20);
-      told_clear(&t);
+      trajectory_clear(&t);
     }
   }
 }

@@ -137,7 +137,7 @@ const struct cost *cost_of(const struct costs *c, const char *what, const char *
 /* What an audit or a study of damages is of, as a number in hexadecimal digits: the same for formulas of the paper and its
    overlay that are read alike, and a scene of the same parameters, printed numbers and word; errata, claims and what is
    asked for have no part in it. */
-void audit_subject(struct text *out, const struct model *m, const struct scene *s);
+void audit_fingerprint(struct text *out, const struct model *m, const struct scene *s);
 
 struct audit_options {
   const char *const *only;

@@ -30,7 +30,7 @@ void dyn_basin_clear(struct dyn_basin *b) {
 struct field {
   struct calc c;
   struct ball_params m;
-  struct carrier k;
+  struct return_map_double k;
   const fmpq *u_r[2];
   bool up;
   arb_t r, image;     /* of the orbit; where the pass at hand ends */
@@ -50,7 +50,7 @@ static bool field_init(struct field *f, const fmpq *params, const fmpq *const u_
   arb_sub(f->r, orbit->z20, orbit->z10, BASIN_PREC);
   f->up = arb_is_positive(f->r);
   dyn_orbit_init(&f->o);
-  return carrier_init(&f->k, p) == SS_OK && !f->c.status;
+  return return_map_double_init(&f->k, p) == SS_OK && !f->c.status;
 }
 
 static void field_clear(struct field *f) {
@@ -67,7 +67,7 @@ static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
   struct calc *c = &f->c;
   struct pass s;
   struct ball_pass at, all;
-  carrier_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
+  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
   if (s.status) return false;
   slong mark = calc_mark(c);
   arb_ptr mid = calc_new(c), ball = calc_new(c), next = calc_new(c);
@@ -158,7 +158,7 @@ static bool contracts(struct field *f, double low, double high, int depth) {
 /* The t_b before the first crest at which the stick phase has this r: interval Newton on the rise. */
 static bool time_of(arb_t tb, struct field *f, const arb_t r) {
   struct calc *c = &f->c;
-  double near = carrier_time(&f->k, num_arb.get_d(calc_sub(c, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]), r)));
+  double near = return_map_double_time(&f->k, num_arb.get_d(calc_sub(c, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]), r)));
   if (!(near > 0 && near < f->k.fall)) return false;
   slong mark = calc_mark(c);
   bool proved = false;

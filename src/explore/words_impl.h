@@ -10,7 +10,7 @@
 #ifndef STICKSLIP_WORDS_IMPL_H
 #define STICKSLIP_WORDS_IMPL_H
 
-#include "motion/trajectory.h"
+#include "motion/mode_motion.h"
 #include "stickslip/word.h"
 
 enum { WORD_UNKNOWNS = WORD_MOST + WORD_FREE_MOST };

@@ -48,11 +48,12 @@ static bool own_length(double *t, struct searcher *s, int phase, const struct mo
     *t = -as_d(word_event_value(&s->c, &s->m, &e, state)) / as_d(s->m.law.gap);
     return true;
   }
-  struct wave wave = harmonic_wave(&s->c, e.from == MODE_STICK ? &motion->force[e.mass] : &motion->speed[e.mass]);
+  struct trig_sum wave =
+      harmonic_trig_sum(&s->c, e.from == MODE_STICK ? &motion->force[e.mass] : &motion->speed[e.mass]);
   wave.start = as_d(word_event_value(&s->c, &s->m, &e, state));
   if (fabs(wave.start) < 1e-14 * s->force) wave.start = 0; /* the mass has just broken loose */
-  struct wave_root root;
-  int status = wave_first_root(&root, &wave, NULL, &s->lim);
+  struct trig_sum_root root;
+  int status = trig_sum_first_root(&root, &wave, NULL, &s->lim);
   work_add((unsigned long long)root.steps * UNITS_OF_STEP);
   if (status) return false;
   *t = root.t;

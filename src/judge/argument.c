@@ -349,26 +349,26 @@ static void search(struct tally *t, struct argument *a, bool proved) {
 
 /* --- Evidence --- */
 
-static enum says said(const long decided[3]) {
-  if (decided[TRUTH_FALSE]) return SAYS_DIFFERS;
-  if (decided[TRUTH_UNKNOWN]) return SAYS_UNDECIDED;
-  return decided[TRUTH_TRUE] ? SAYS_AGREES : SAYS_NOTHING;
+static enum route_outcome said(const long decided[3]) {
+  if (decided[TRUTH_FALSE]) return ROUTE_DIFFERS;
+  if (decided[TRUTH_UNKNOWN]) return ROUTE_UNDECIDED;
+  return decided[TRUTH_TRUE] ? ROUTE_AGREES : ROUTE_NOTHING;
 }
 
-static struct route_word add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
-                                   bool decisive, const char *note) {
-  struct route_word w = {route, said(decided), decisive, decided[0] + decided[1] + decided[2]};
-  finding_say(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
+static struct route_result add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
+                                     bool decisive, const char *note) {
+  struct route_result w = {route, said(decided), decisive, decided[0] + decided[1] + decided[2]};
+  finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
   return w;
 }
 
-static bool add_proof(struct route_word *w, struct finding *f, struct argument *a, struct view view) {
+static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
   struct text t;
   text_init(&t);
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
   if (proved) {
-    *w = (struct route_word){"algebra", SAYS_AGREES, true, a->part[CONCLUSION].n};
-    finding_say(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));
+    *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
+    finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));
   }
   text_clear(&t);
   return proved;
@@ -376,7 +376,7 @@ static bool add_proof(struct route_word *w, struct finding *f, struct argument *
 
 /* Proof and search in one direction; proof_alone: what is proved is not tried besides. */
 static enum verdict judge_direction(struct finding *f, struct argument *a, struct view view, bool proof_alone) {
-  struct route_word w[3];
+  struct route_result w[3];
   struct tally t = {.certificate = NULL};
   int n = 0;
   bool proved = add_proof(&w[0], f, a, view);
@@ -425,7 +425,7 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
 static void judge_at_scene(struct finding *f, struct argument *a) {
   struct point p;
   struct decision d = {.where = 0};
-  struct route_word w[2];
+  struct route_result w[2];
   long decided[2][3] = {{0}};
   point_init(&p);
   arb_init(d.value);

@@ -37,21 +37,21 @@ bool judge_behaviour(struct finding *f, struct judge *j, const struct claim *c, 
 const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
 
 static bool keep_event(void *self, const struct coulomb_event *e) {
-  struct told *t = self;
+  struct trajectory *t = self;
   struct coulomb_sink log = coulomb_log_sink(&t->log);
   return log.event(log.self, e);
 }
 
 static bool keep_row(void *self, const struct coulomb_row *row) {
-  struct told *t = self;
+  struct trajectory *t = self;
   t->row = ss_grow(t->row, t->n_rows, &t->cap_rows, sizeof *t->row);
   t->row[t->n_rows] = *row;
   t->row[t->n_rows++].exact = NULL;
   return true;
 }
 
-struct told motion_tell(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
-  struct told t = {.status = SS_OK};
+struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
+  struct trajectory t = {.status = SS_OK};
   struct coulomb_sink sink = {&t, keep_event, keep_row};
   coulomb_log_init(&t.log);
   t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
@@ -59,12 +59,12 @@ struct told motion_tell(enum motion_route route, const struct motion *m, const s
   return t;
 }
 
-void told_clear(struct told *t) {
+void trajectory_clear(struct trajectory *t) {
   coulomb_log_clear(&t->log);
   free(t->row);
 }
 
-bool told_same(const struct told *a, const struct told *b) {
+bool trajectories_agree(const struct trajectory *a, const struct trajectory *b) {
   size_t shared;
   double size = 1, apart = coulomb_log_compare(&shared, &a->log, &b->log);
   for (int i = 0; i < 2; i++) {
@@ -87,7 +87,7 @@ static size_t tail_period(const char *word, size_t len) {
   return 0;
 }
 
-const char *told_ending(struct behaviour *b, const struct told *t) {
+const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
   struct text word;
   text_init(&word);
   coulomb_log_word(&word, &t->log);
@@ -162,10 +162,11 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
 
 /* --- Evidence --- */
 
-struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
-                                bool decisive, long trials, const char *where, const char *note) {
-  struct route_word w = {route, says, decisive, trials};
-  finding_say(b->f, b->j->out, w, layer, -1, where, note);
+struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
+                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
+                                    const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(b->f, b->j->out, w, layer, -1, where, note);
   return w;
 }
 
@@ -195,32 +196,32 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
   sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
   for (long i = 0; i < n; i++) {
     struct motion m;
-    struct told told[N_MOTION_ROUTES];
+    struct trajectory trajectory[N_MOTION_ROUTES];
     struct coulomb_plan plan = coulomb_plan_default;
     motion_params(&m, &s);
     motion_start(&m, &s, sticking);
     plan.duration = duration;
     plan.sample = sample;
-    for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
-    bool same = told_same(&told[0], &told[1]);
+    for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
+    bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
     w.motions += same;
     w.apart += !same;
-    if (same) fn(self, &m, told);
-    for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
+    if (same) fn(self, &m, trajectory);
+    for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
   }
   return w;
 }
 
 /* Both routes' words, alike, and their verdict. */
-void behaviour_conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
-                        const char *note) {
-  struct route_word w[N_MOTION_ROUTES];
+void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
+                        const char *where, const char *note) {
+  struct route_result w[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(b, motion_route_name[r], "model", says[r], r == BY_INTEGRATION, trials,
-                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
+                           r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }
 
-enum says behaviour_count(long good, long bad) {
-  return bad ? SAYS_DIFFERS : good ? SAYS_AGREES : SAYS_NOTHING;
+enum route_outcome behaviour_count(long good, long bad) {
+  return bad ? ROUTE_DIFFERS : good ? ROUTE_AGREES : ROUTE_NOTHING;
 }

@@ -25,20 +25,20 @@ struct motion {
   double params[N_COULOMB], start[N_STATE];
 };
 /* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
-struct told {
+struct trajectory {
   int status;
   struct coulomb_result result;
   struct coulomb_log log;
   struct coulomb_row *row;
   size_t n_rows, cap_rows;
 };
-struct told motion_tell(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan);
-void told_clear(struct told *t);
+struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan);
+void trajectory_clear(struct trajectory *t);
 /* The same events within a millionth of the state, with no flat contact that rounding could turn. */
-bool told_same(const struct told *a, const struct told *b);
+bool trajectories_agree(const struct trajectory *a, const struct trajectory *b);
 
 /* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D where it has one. */
-const char *told_ending(struct behaviour *b, const struct told *t);
+const char *trajectory_ending(struct behaviour *b, const struct trajectory *t);
 
 /* The nine pairs of modes by their letters, the paper's four phases first. */
 enum { N_MODE_PAIRS = N_MODES * N_MODES };
@@ -71,13 +71,14 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
 /* --- Evidence --- */
 
 /* A route's word, with evidence that says it; where and note may be NULL. */
-struct route_word behaviour_say(struct behaviour *b, const char *route, const char *layer, enum says says,
-                                bool decisive, long trials, const char *where, const char *note);
+struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
+                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
+                                    const char *note);
 /* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p. */
 bool behaviour_params(struct point *p, struct behaviour *b, const char *at);
 
-/* Who watches a motion; told[] are both routes' accounts, which are the same. */
-typedef void (*watch_fn)(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]);
+/* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
+typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
 struct watched {
   long motions, apart; /* accepted; left out, since rounding could turn them */
 };
@@ -85,10 +86,10 @@ struct watched {
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
 /* Both routes' words on the same trials, of which the integration's decides, and the verdict. */
-void behaviour_conclude(struct behaviour *b, const enum says says[N_MOTION_ROUTES], long trials, const char *where,
-                        const char *note);
+void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
+                        const char *where, const char *note);
 /* Any bad one differs; none at all says nothing. */
-enum says behaviour_count(long good, long bad);
+enum route_outcome behaviour_count(long good, long bad);
 
 /* --- The checks --- */
 

@@ -52,20 +52,20 @@ bool behaviour_patching(struct behaviour *b) {
     bad += !same;
     events += m[CHAIN_PATCHED].n_events;
   }
-  enum says says = bad ? SAYS_UNDECIDED : good ? SAYS_AGREES : SAYS_NOTHING;
-  struct route_word w[2];
-  w[0] = behaviour_say(
-      b, "exponential", "model", says, true, good + bad, NULL,
+  enum route_outcome outcome = bad ? ROUTE_UNDECIDED : good ? ROUTE_AGREES : ROUTE_NOTHING;
+  struct route_result w[2];
+  w[0] = behaviour_route(
+      b, "exponential", "model", outcome, true, good + bad, NULL,
       result_str(
           b->j->out,
           "chains of three and of four masses, random springs, masses, friction and starts over 12 units of time: "
           "solutions of the successive configurations by matrix exponentials, patched at %ld events",
           events));
-  w[1] = behaviour_say(b, "integration", "model", says, false, good + bad, NULL,
-                       result_str(b->j->out,
-                                  "GSL's direct integration has the same events and ends at the same state "
-                                  "at %ld of %ld",
-                                  good, good + bad));
+  w[1] = behaviour_route(b, "integration", "model", outcome, false, good + bad, NULL,
+                         result_str(b->j->out,
+                                    "GSL's direct integration has the same events and ends at the same state "
+                                    "at %ld of %ld",
+                                    good, good + bad));
   b->f->verdict = verdict_of(w, 2, false);
   return true;
 }

@@ -92,11 +92,11 @@ static void move(struct found *t, const struct point *at, const struct dyn_orbit
   m.start[Z_2] += offset;
   plan.returns = 200;
   plan.max_events = 64 * plan.returns;
-  struct told told = motion_tell(BY_INTEGRATION, &m, &plan);
-  double ratio = fabs(told.result.at.x[1] - told.result.at.x[0] - x0) / offset;
-  bool ok = told.status == SS_OK;
+  struct trajectory trajectory = motion_simulate(BY_INTEGRATION, &m, &plan);
+  double ratio = fabs(trajectory.result.at.x[1] - trajectory.result.at.x[0] - x0) / offset;
+  bool ok = trajectory.status == SS_OK;
   *(ok && ratio < 1 - 1e-4 ? &t->moved_back : ok && ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
-  told_clear(&told);
+  trajectory_clear(&trajectory);
 }
 
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
@@ -169,13 +169,13 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
 }
 
 /* One orbit that is stable refutes; no number of unstable ones proves. */
-static enum says says_of(long stable, long unstable, long open) {
-  return stable ? SAYS_DIFFERS : open ? SAYS_UNDECIDED : unstable ? SAYS_AGREES : SAYS_NOTHING;
+static enum route_outcome says_of(long stable, long unstable, long open) {
+  return stable ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : unstable ? ROUTE_AGREES : ROUTE_NOTHING;
 }
 
 static void conclude(struct behaviour *b, const struct found *t) {
-  struct route_word w[3];
-  w[0] = behaviour_say(
+  struct route_result w[3];
+  w[0] = behaviour_route(
       b, "balls", "model", says_of(t->stable, t->unstable, t->open), true, t->stable + t->unstable + t->open, t->where,
       result_str(
           b->j->out,
@@ -184,20 +184,20 @@ static void conclude(struct behaviour *b, const struct found *t) {
           "unstable, %ld open",
           t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
           t->open));
-  w[1] = behaviour_say(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
-                       t->back + t->away + t->unsure, NULL,
-                       result_str(b->j->out,
-                                  "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
-                                  "either side: %ld come back to "
-                                  "half of it, %ld leave to twice as far",
-                                  t->back, t->away));
+  w[1] = behaviour_route(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
+                         t->back + t->away + t->unsure, NULL,
+                         result_str(b->j->out,
+                                    "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
+                                    "either side: %ld come back to "
+                                    "half of it, %ld leave to twice as far",
+                                    t->back, t->away));
   w[2] =
-      behaviour_say(b, "integration", "model", says_of(t->moved_back, t->moved_away, t->moved_unsure), false,
-                    t->moved_back + t->moved_away + t->moved_unsure, NULL,
-                    result_str(b->j->out,
-                               "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
-                               "nearer, %ld go farther",
-                               t->moved_back, t->moved_away));
+      behaviour_route(b, "integration", "model", says_of(t->moved_back, t->moved_away, t->moved_unsure), false,
+                      t->moved_back + t->moved_away + t->moved_unsure, NULL,
+                      result_str(b->j->out,
+                                 "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
+                                 "nearer, %ld go farther",
+                                 t->moved_back, t->moved_away));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED)
     b->f->effect = "only at |tr J| = 1 exactly, which linearization does not decide: \"Otherwise\" should read "

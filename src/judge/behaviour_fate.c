@@ -174,11 +174,11 @@ static void add_reach(struct text *out, struct behaviour *b, const struct orbit_
     plan.returns = o->periods;
     plan.duration = 4 * (double)o->periods * o->begin[4];
     plan.max_events = 64 * o->periods;
-    struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
+    struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
     bool back = t.status == SS_OK && t.result.returns == plan.returns &&
                 fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
-    if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, told_ending(b, &t));
-    told_clear(&t);
+    if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, trajectory_ending(b, &t));
+    trajectory_clear(&t);
     if (!back) return;
     good = size;
   }
@@ -229,15 +229,15 @@ static void scene_orbit_fates(struct behaviour *b) {
           if (!orbit_at(&m, &o, o.begin[ph] + 0.5 * (o.begin[ph + 1] - o.begin[ph]))) continue;
           m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
           plan.returns = PERIODS;
-          struct told t = motion_tell(BY_CLOSED_FORMS, &m, &plan);
-          const char *end = told_ending(b, &t);
+          struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
+          const char *end = trajectory_ending(b, &t);
           int k = 0;
           while (k < words && strcmp(word[k], end) != 0) k++;
           if (k < MAX_WORDS) word[k] = end;
           if (k < MAX_WORDS) count[k]++;
           if (k == words && words < MAX_WORDS) words++;
           trials++;
-          told_clear(&t);
+          trajectory_clear(&t);
         }
   }
   point_clear(&p);
@@ -255,7 +255,7 @@ static void scene_orbit_fates(struct behaviour *b) {
 
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
    there are such that do not keep it near. */
-static void judge_table(struct route_word w[N_MOTION_ROUTES], struct behaviour *b, const struct table *t,
+static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour *b, const struct table *t,
                         double friction) {
   long near = t->total[FATE_NEAR], open = t->total[FATE_OPEN],
        all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
@@ -274,10 +274,13 @@ static void judge_table(struct route_word w[N_MOTION_ROUTES], struct behaviour *
   if (far) motion_print(&departs, &t->departs);
   const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
   text_clear(&departs);
-  enum says says = open ? SAYS_UNDECIDED : near && far ? SAYS_AGREES : near ? SAYS_DIFFERS : SAYS_NOTHING;
+  enum route_outcome outcome = open          ? ROUTE_UNDECIDED
+                               : near && far ? ROUTE_AGREES
+                               : near        ? ROUTE_DIFFERS
+                                             : ROUTE_NOTHING;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(b, motion_route_name[r], "model", t->apart ? SAYS_UNDECIDED : says, r == BY_INTEGRATION, all,
-                         r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+    w[r] = behaviour_route(b, motion_route_name[r], "model", t->apart ? ROUTE_UNDECIDED : outcome, r == BY_INTEGRATION,
+                           all, r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
 }
 
 bool behaviour_perturb(struct behaviour *b) {
@@ -285,7 +288,7 @@ bool behaviour_perturb(struct behaviour *b) {
   static const double friction[FRICTIONS] = {OWN_FRICTION, 2};
   struct orbit_motion o;
   struct table t[FRICTIONS];
-  struct route_word w[FRICTIONS * N_MOTION_ROUTES];
+  struct route_result w[FRICTIONS * N_MOTION_ROUTES];
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);

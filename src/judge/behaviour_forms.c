@@ -88,13 +88,13 @@ static void try_arc(struct arcs *a, const struct motion *m, const struct coulomb
   text_clear(&t);
 }
 
-static void watch_arcs(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
+static void watch_arcs(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct arcs *a = self;
-  for (size_t i = 0; !a->failed && i + 1 < told[0].log.n; i++) {
+  for (size_t i = 0; !a->failed && i + 1 < trajectory[0].log.n; i++) {
     const struct coulomb_row *from[N_MOTION_ROUTES], *to[N_MOTION_ROUTES];
     for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      from[r] = &told[r].log.event[i].at;
-      to[r] = &told[r].log.event[i + 1].at;
+      from[r] = &trajectory[r].log.event[i].at;
+      to[r] = &trajectory[r].log.event[i + 1].at;
     }
     int letter = mode_index(from[0]->mode);
     bool wanted = letter > 0 && to[0]->t - from[0]->t > 0.25;
@@ -139,9 +139,9 @@ bool behaviour_closed_forms(struct behaviour *b) {
                                  : "C");
     for (int k = 0; k < 2; k++) count[k] += a.printed[i][k];
   }
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(count[0], count[1]);
-  behaviour_conclude(b, says, count[0] + count[1], count[1] ? a.where : NULL,
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(count[0], count[1]);
+  behaviour_conclude(b, outcome, count[0] + count[1], count[1] ? a.where : NULL,
                      result_str(b->j->out, "%s", text_str(&note)));
   text_clear(&note);
   state_overrun(b, &a);

@@ -124,20 +124,20 @@ bool behaviour_linearization(struct behaviour *b) {
       "answers right at %ld orbits and wrong at %ld",
       s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
-  struct route_word w[2];
-  w[0] = behaviour_say(b, "balls", "model",
-                       wrong   ? SAYS_AGREES
-                       : right ? SAYS_DIFFERS
-                               : SAYS_NOTHING,
-                       true, right + wrong, s.where, note);
-  enum says fate = s.leaves ? SAYS_DIFFERS : s.comes_back ? SAYS_AGREES : SAYS_NOTHING;
+  struct route_result w[2];
+  w[0] = behaviour_route(b, "balls", "model",
+                         wrong   ? ROUTE_AGREES
+                         : right ? ROUTE_DIFFERS
+                                 : ROUTE_NOTHING,
+                         true, right + wrong, s.where, note);
+  enum route_outcome fate = s.leaves ? ROUTE_DIFFERS : s.comes_back ? ROUTE_AGREES : ROUTE_NOTHING;
   int n = 1;
   if (wrong)
-    w[n++] = behaviour_say(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,
-                           result_str(b->j->out,
-                                      "from beside the orbits that the propagators call unstable and J stable the "
-                                      "return map comes back at %ld and leaves at %ld",
-                                      s.comes_back, s.leaves));
+    w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,
+                             result_str(b->j->out,
+                                        "from beside the orbits that the propagators call unstable and J stable the "
+                                        "return map comes back at %ld and leaves at %ld",
+                                        s.comes_back, s.leaves));
   b->f->verdict = verdict_of(w, n, false);
   return true;
 }

@@ -44,18 +44,18 @@ static bool long_run_once(struct behaviour *b, double factor) {
   struct coulomb_plan plan = coulomb_plan_default;
   plan.returns = RETURNS;
   plan.duration = 100.0 * RETURNS;
-  struct told told[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) told[r] = motion_tell((enum motion_route)r, &m, &plan);
+  struct trajectory trajectory[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
   struct text word, folded;
   double period, change;
-  bool same = told_same(&told[0], &told[1]);
+  bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
   text_init(&word);
   text_init(&folded);
-  coulomb_log_word(&word, &told[0].log);
+  coulomb_log_word(&word, &trajectory[0].log);
   coulomb_word_fold(&folded, text_str(&word));
-  last_returns(&period, &change, &told[0].log);
+  last_returns(&period, &change, &trajectory[0].log);
   bool steady = change < 1e-8;
-  const char *end = told_ending(b, &told[0]);
+  const char *end = trajectory_ending(b, &trajectory[0]);
   const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   const char *note =
       result_str(b->j->out,
@@ -67,7 +67,7 @@ static bool long_run_once(struct behaviour *b, double factor) {
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   text_clear(&folded);
   text_clear(&word);
-  for (int r = 0; r < N_MOTION_ROUTES; r++) told_clear(&told[r]);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
   return true;
 }
 

@@ -28,11 +28,12 @@ static bool obeys(const struct coulomb_row *row, const double p[N_COULOMB]) {
   return ok;
 }
 
-static void watch_modes(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
+static void watch_modes(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct modes *s = self;
-  for (size_t i = 0; i < told[0].log.n; i++) s->seen[mode_index(told[0].log.event[i].at.mode)]++;
+  for (size_t i = 0; i < trajectory[0].log.n; i++) s->seen[mode_index(trajectory[0].log.event[i].at.mode)]++;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    for (size_t i = 0; i < told[r].n_rows; i++) *(obeys(&told[r].row[i], m->params) ? &s->rows[r] : &s->bad[r]) += 1;
+    for (size_t i = 0; i < trajectory[r].n_rows; i++)
+      *(obeys(&trajectory[r].row[i], m->params) ? &s->rows[r] : &s->bad[r]) += 1;
 }
 
 bool behaviour_modes(struct behaviour *b) {
@@ -47,9 +48,9 @@ bool behaviour_modes(struct behaviour *b) {
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.rows[r], s.bad[r]);
-  behaviour_conclude(b, says, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.rows[r], s.bad[r]);
+  behaviour_conclude(b, outcome, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
   text_clear(&note);
   return true;
 }
@@ -65,16 +66,18 @@ struct visits {
   const char *where;        /* the motion that has it */
 };
 
-static void watch_visits(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
+static void watch_visits(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct visits *v = self;
   double lead = 0;
-  for (size_t i = 0; i < told[0].n_rows; i++)
-    for (int k = 0; k < 2; k++) lead = fmax(lead, told[0].row[i].v[k] / m->params[COULOMB_V] - 1);
+  for (size_t i = 0; i < trajectory[0].n_rows; i++)
+    for (int k = 0; k < 2; k++) lead = fmax(lead, trajectory[0].row[i].v[k] / m->params[COULOMB_V] - 1);
   bool out = false;
-  for (size_t i = 0; i < told[0].log.n; i++) out = out || mode_index(told[0].log.event[i].at.mode) >= N_PAPER_LETTERS;
+  for (size_t i = 0; i < trajectory[0].log.n; i++)
+    out = out || mode_index(trajectory[0].log.event[i].at.mode) >= N_PAPER_LETTERS;
   *(out ? &v->outside : &v->inside) += 1;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    for (size_t i = 0; i < told[r].n_rows; i++) *(obeys(&told[r].row[i], m->params) ? &v->rows[r] : &v->bad[r]) += 1;
+    for (size_t i = 0; i < trajectory[r].n_rows; i++)
+      *(obeys(&trajectory[r].row[i], m->params) ? &v->rows[r] : &v->bad[r]) += 1;
   if (!out || lead < v->fastest + 0.01) return;
   struct text t;
   text_init(&t);
@@ -101,11 +104,11 @@ static void watch_orbits(long count[2], struct behaviour *b) {
     struct coulomb_plan plan = coulomb_plan_default;
     plan.returns = 1;
     plan.max_events = 64;
-    struct told t = motion_tell(BY_INTEGRATION, &m, &plan);
+    struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
     bool out = false;
     for (size_t k = 0; k < t.log.n; k++) out = out || mode_index(t.log.event[k].at.mode) >= N_PAPER_LETTERS;
     count[out]++;
-    told_clear(&t);
+    trajectory_clear(&t);
   }
   point_clear(&p);
 }
@@ -121,7 +124,7 @@ static const char *from_rest(struct behaviour *b) {
   memcpy(m.params, setup.params, sizeof m.params);
   struct coulomb_plan plan = coulomb_plan_default;
   plan.duration = 400;
-  struct told t = motion_tell(BY_INTEGRATION, &m, &plan);
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
   struct text word;
   text_init(&word);
   coulomb_log_word(&word, &t.log);
@@ -133,7 +136,7 @@ static const char *from_rest(struct behaviour *b) {
   else
     note = result_str(b->j->out, "; from rest with slack springs at the scene's parameters no mass overruns the belt");
   text_clear(&word);
-  told_clear(&t);
+  trajectory_clear(&t);
   return note;
 }
 
@@ -149,16 +152,17 @@ bool behaviour_configurations(struct behaviour *b) {
                  "overruns the belt, and (3), (5), (7) speak of z'_i < V only; of %ld admissible orbits of the word, "
                  "%ld%s",
                  w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = found ? SAYS_DIFFERS : v.inside ? SAYS_AGREES : SAYS_NOTHING;
-  behaviour_conclude(b, says, w.motions, found ? v.where : NULL, note);
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    outcome[r] = found ? ROUTE_DIFFERS : v.inside ? ROUTE_AGREES : ROUTE_NOTHING;
+  behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note);
   if (b->f->verdict != VERDICT_REFUTED) return true;
-  struct route_word all[N_MOTION_ROUTES];
+  struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     all[r] =
-        behaviour_say(b, motion_route_name[r], "correction", behaviour_count(v.rows[r], v.bad[r]), r == BY_INTEGRATION,
-                      v.rows[r] + v.bad[r], NULL,
-                      "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
+        behaviour_route(b, motion_route_name[r], "correction", behaviour_count(v.rows[r], v.bad[r]),
+                        r == BY_INTEGRATION, v.rows[r] + v.bad[r], NULL,
+                        "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
   b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
                      "x'_i > V (slipping)";
   b->f->correction_verdict = verdict_of(all, N_MOTION_ROUTES, false);
@@ -182,16 +186,16 @@ static bool at_event(struct switches *s, const struct coulomb_event *e, const st
   return e->to == MODE_STICK ? fabs(f) <= limit + fine : fabs(f) >= limit - fine;
 }
 
-static void watch_switches(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
+static void watch_switches(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct switches *s = self;
   for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    for (size_t i = 0; i < told[r].log.n; i++) {
-      const struct coulomb_event *e = &told[r].log.event[i];
+    for (size_t i = 0; i < trajectory[r].log.n; i++) {
+      const struct coulomb_event *e = &trajectory[r].log.event[i];
       if ((e->from != MODE_STICK) != s->to_stick) continue;
       s->crossings += r == 0 && e->from != MODE_STICK && e->to != MODE_STICK;
       *(at_event(s, e, m) ? &s->good[r] : &s->bad[r]) += 1;
     }
-    for (size_t i = 0; i < told[r].n_rows; i++) s->bad[r] += !obeys(&told[r].row[i], m->params);
+    for (size_t i = 0; i < trajectory[r].n_rows; i++) s->bad[r] += !obeys(&trajectory[r].row[i], m->params);
   }
 }
 
@@ -213,9 +217,9 @@ bool behaviour_switches(struct behaviour *b) {
                       "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a "
                       "greater one. Where a force only touches the limit and turns back, (2) allows both",
                       w.motions, s.good[0] + s.bad[0]);
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.good[r], s.bad[r]);
-  behaviour_conclude(b, says, s.good[0] + s.bad[0], NULL, note);
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.good[r], s.bad[r]);
+  behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note);
   return true;
 }
 
@@ -241,16 +245,16 @@ static bool continuous(const struct coulomb_row *a, const struct coulomb_row *b,
 
 /* At an event x_i'' = u_i - f_i (times eta for i = 2) jumps by the jump of u_i: by e_i where a mass breaks loose, from
    u_si to the restoring force where it is caught; the other mass's force does not jump. */
-static void watch_jumps(void *self, const struct motion *m, const struct told told[N_MOTION_ROUTES]) {
+static void watch_jumps(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
   struct jumps *s = self;
   const double *p = m->params;
   for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    for (size_t i = 0; i + 1 < told[r].n_rows; i++) {
+    for (size_t i = 0; i + 1 < trajectory[r].n_rows; i++) {
       s->rows += r == 0;
-      s->bad[r] += !continuous(&told[r].row[i], &told[r].row[i + 1], p);
+      s->bad[r] += !continuous(&trajectory[r].row[i], &trajectory[r].row[i + 1], p);
     }
-    for (size_t i = 0; i < told[r].log.n; i++) {
-      const struct coulomb_event *e = &told[r].log.event[i];
+    for (size_t i = 0; i < trajectory[r].log.n; i++) {
+      const struct coulomb_event *e = &trajectory[r].log.event[i];
       int k = e->mass;
       double f = k == 0 ? e->at.x[0] - p[COULOMB_CHI] * e->at.x[1] : p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0]);
       double before = e->from == MODE_STICK ? f : (e->from == MODE_BELOW ? 1 : -1) * p[COULOMB_US1 + k];
@@ -274,8 +278,8 @@ bool behaviour_jumps(struct behaviour *b) {
       "at %ld of the catches and crossings u_i jumps from u_si to the restoring force (or to -u_si), and x''_i with "
       "it; positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
       w.motions, s.loose, s.caught, s.rows);
-  enum says says[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) says[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
-  behaviour_conclude(b, says, s.loose + s.caught, NULL, note);
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
+  behaviour_conclude(b, outcome, s.loose + s.caught, NULL, note);
   return true;
 }

@@ -79,9 +79,9 @@ static void meet_motions(struct met met[N_MOTION_ROUTES], struct motion *m, cons
     plan.sample = 0.75;
     motion_start(m, &s, i % 3 == 0);
     for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      struct told t = motion_tell((enum motion_route)r, m, &plan);
+      struct trajectory t = motion_simulate((enum motion_route)r, m, &plan);
       for (size_t k = 1; k < t.n_rows; k++) meet(&met[r], &t.row[k]); /* the start may lie on a boundary */
-      told_clear(&t);
+      trajectory_clear(&t);
     }
   }
 }
@@ -102,7 +102,7 @@ bool behaviour_dimension(struct behaviour *b) {
   struct met *met = ss_malloc(N_MOTION_ROUTES * sizeof *met);
   struct motion m;
   struct text note;
-  struct route_word w[N_MOTION_ROUTES];
+  struct route_result w[N_MOTION_ROUTES];
   memset(met, 0, N_MOTION_ROUTES * sizeof *met);
   meet_motions(met, &m, b->c->id);
   text_init(&note);
@@ -121,9 +121,11 @@ bool behaviour_dimension(struct behaviour *b) {
     bool all = modes == N_MODE_PAIRS && against == 0;
     if (r == BY_INTEGRATION)
       text_add(&note, against ? "; the law disagrees" : "; the law leaves as many directions free at each of them");
-    enum says says = !all ? SAYS_UNDECIDED : least == claimed[0] && most == claimed[1] ? SAYS_AGREES : SAYS_DIFFERS;
-    w[r] = behaviour_say(b, motion_route_name[r], "model", says, r == BY_INTEGRATION, modes, NULL,
-                         r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&note)) : NULL);
+    enum route_outcome outcome = !all                                        ? ROUTE_UNDECIDED
+                                 : least == claimed[0] && most == claimed[1] ? ROUTE_AGREES
+                                                                             : ROUTE_DIFFERS;
+    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome, r == BY_INTEGRATION, modes, NULL,
+                           r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&note)) : NULL);
   }
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
   text_clear(&note);
@@ -137,13 +139,13 @@ bool behaviour_dimension(struct behaviour *b) {
 static bool carried(double z[N_STATE], enum motion_route r, const struct motion *m, double time) {
   struct coulomb_plan plan = coulomb_plan_default;
   plan.duration = time;
-  struct told t = motion_tell(r, m, &plan);
+  struct trajectory t = motion_simulate(r, m, &plan);
   bool ok = t.status == SS_OK && t.log.n == 0;
   for (int i = 0; i < 2; i++) {
     z[Z_1 + i] = t.result.at.x[i];
     z[DZ_1 + i] = t.result.at.v[i];
   }
-  told_clear(&t);
+  trajectory_clear(&t);
   return ok;
 }
 
@@ -203,15 +205,17 @@ bool behaviour_linear(struct behaviour *b) {
       *(worst < 1e-9 * size ? &good[r] : &bad[r]) += 1;
     }
   }
-  struct route_word w[N_MOTION_ROUTES];
+  struct route_result w[N_MOTION_ROUTES];
   const char *note = result_str(b->j->out,
                                 "differences of motions add up inside a mode: %ld quadruples of starts in %ld of the "
                                 "nine modes",
                                 total, modes);
   for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    enum says says = bad[r] ? SAYS_DIFFERS : good[r] && modes == N_MODE_PAIRS ? SAYS_AGREES : SAYS_UNDECIDED;
-    w[r] = behaviour_say(b, motion_route_name[r], "model", says, r == BY_INTEGRATION, total, NULL,
-                         r == BY_INTEGRATION ? note : NULL);
+    enum route_outcome outcome = bad[r]                             ? ROUTE_DIFFERS
+                                 : good[r] && modes == N_MODE_PAIRS ? ROUTE_AGREES
+                                                                    : ROUTE_UNDECIDED;
+    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome, r == BY_INTEGRATION, total, NULL,
+                           r == BY_INTEGRATION ? note : NULL);
   }
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
   return true;
@@ -248,12 +252,12 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) 
       }
   }
   point_clear(&p);
-  struct route_word w[N_MOTION_ROUTES];
+  struct route_result w[N_MOTION_ROUTES];
   const char *words =
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_say(b, motion_route_name[r], "model", behaviour_count(good[r], bad[r]), r == BY_INTEGRATION,
-                         good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
+    w[r] = behaviour_route(b, motion_route_name[r], "model", behaviour_count(good[r], bad[r]), r == BY_INTEGRATION,
+                           good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }
 
@@ -278,10 +282,10 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
     coulomb_law_d(mode, moved.params, moved.start);
     plan.duration = 1000;
     plan.max_events = 1;
-    struct told t = motion_tell(r, &moved, &plan);
+    struct trajectory t = motion_simulate(r, &moved, &plan);
     ok = ok && mode[0] == MODE_STICK && mode[1] == MODE_STICK && t.log.n == 1 && t.log.event[0].at.t > 0 &&
          t.log.event[0].mass == 0 && t.log.event[0].from == MODE_STICK;
-    told_clear(&t);
+    trajectory_clear(&t);
   }
   return ok;
 }
@@ -298,14 +302,14 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
   struct text word;
   plan.returns = 1;
   plan.max_events = 64;
-  struct told t = motion_tell(r, m, &plan);
+  struct trajectory t = motion_simulate(r, m, &plan);
   text_init(&word);
   coulomb_log_word(&word, &t.log);
   double gap = 0;
   for (int i = 0; i < 2; i++) gap = fmax(gap, fabs(t.result.at.x[i] - m->start[i]) / (1 + fabs(m->start[i])));
   bool ok = t.status == SS_OK && gap < 1e-8 && strcmp(text_str(&word), "GHCD") == 0;
   text_clear(&word);
-  told_clear(&t);
+  trajectory_clear(&t);
   return ok;
 }
 

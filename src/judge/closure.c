@@ -135,7 +135,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   if (s == SS_OK)
     e->note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
                          apart ? ", which excludes 0: no start with these digits is periodic" : "");
-  struct route_word w = {"balls", apart ? SAYS_DIFFERS : SAYS_UNDECIDED, true, s == SS_OK};
+  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, s == SS_OK};
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);
   /* a gap that may vanish is no proof that it does */

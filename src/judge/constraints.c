@@ -234,21 +234,21 @@ static void by_simulation(struct constraints *x) {
 
 /* --- The kind --- */
 
-static enum says says_of(long as_said, long against, long undecided) {
-  if (against) return SAYS_DIFFERS;
-  if (undecided) return SAYS_UNDECIDED;
-  return as_said ? SAYS_AGREES : SAYS_NOTHING;
+static enum route_outcome says_of(long as_said, long against, long undecided) {
+  if (against) return ROUTE_DIFFERS;
+  if (undecided) return ROUTE_UNDECIDED;
+  return as_said ? ROUTE_AGREES : ROUTE_NOTHING;
 }
 
-static struct route_word add(struct finding *f, struct constraints *x, const char *route, enum says says, bool decisive,
-                             long trials, const char *note) {
-  struct route_word w = {route, says, decisive, trials};
-  finding_say(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
+static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
+                               bool decisive, long trials, const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
   return w;
 }
 
 static void describe(struct finding *f, struct constraints *x) {
-  struct route_word w[2];
+  struct route_result w[2];
   const char *note = result_str(
       x->j->out,
       "the paper's constraints hold together just where the model's do on %ld orbits, differ on %ld, open on "

@@ -54,11 +54,11 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
   text_init(&all);
   bool ok = symbols_of(&found, &all, j, c, view);
   if (ok) {
-    struct route_word w = {"algebra", found.len ? SAYS_DIFFERS : SAYS_AGREES, true, 1};
+    struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
     if (all.len) all.data[all.len - 1] = '\0';
-    finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
-                found.len ? result_str(j->out, "%s", text_str(&found))
-                          : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
+    finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
+                      found.len ? result_str(j->out, "%s", text_str(&found))
+                                : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
     f->verdict = verdict_of(&w, 1, true);
   }
   text_clear(&all);
@@ -216,22 +216,22 @@ static void count_at(struct count *n, struct rank_system *y, const struct point 
   num_vec_clear(&m);
 }
 
-static struct route_word add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
-                                   const struct count *n, long bits, bool decisive) {
-  struct route_word w = {route, SAYS_NOTHING, decisive, n->as_said + n->other + n->open};
-  if (w.trials) w.says = n->other ? SAYS_DIFFERS : n->open ? SAYS_UNDECIDED : SAYS_AGREES;
-  finding_say(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
-              result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d", y->rows,
-                         y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));
+static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
+                                     const struct count *n, long bits, bool decisive) {
+  struct route_result w = {route, ROUTE_NOTHING, decisive, n->as_said + n->other + n->open};
+  if (w.trials) w.outcome = n->other ? ROUTE_DIFFERS : n->open ? ROUTE_UNDECIDED : ROUTE_AGREES;
+  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
+                    result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d",
+                               y->rows, y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));
   return w;
 }
 
 /* Where no point has another rank. */
-static struct route_word prove_rank(struct finding *f, struct judge *j, const struct rank_system *y, int wanted) {
+static struct route_result prove_rank(struct finding *f, struct judge *j, const struct rank_system *y, int wanted) {
   struct exact_rank e = exact_rank_of(j->out, y);
-  struct route_word w = {"exact", e.rank == wanted ? SAYS_AGREES : SAYS_DIFFERS, true, 1};
+  struct route_result w = {"exact", e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
   if (e.rank < 0) {
-    w.says = SAYS_NOTHING;
+    w.outcome = ROUTE_NOTHING;
     finding_state(f, j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
                   result_str(j->out, "not proved: %s", e.note));
     return w;
@@ -267,13 +267,13 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
       if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
     }
     point_clear(&p);
-    struct route_word w[3], proof = {.says = SAYS_NOTHING};
+    struct route_result w[3], proof = {.outcome = ROUTE_NOTHING};
     int n = 0;
     w[n++] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
     if (j->effort != EFFORT_REFUTE) w[n++] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
     if (balls.other == 0) proof = prove_rank(f, j, &y, wanted);
-    if (proof.says != SAYS_NOTHING) w[n++] = proof;
-    f->verdict = verdict_of(w, n, proof.says == SAYS_AGREES);
+    if (proof.outcome != ROUTE_NOTHING) w[n++] = proof;
+    f->verdict = verdict_of(w, n, proof.outcome == ROUTE_AGREES);
   }
   sentence_clear(&y.s);
   return ok;

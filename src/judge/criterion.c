@@ -79,10 +79,10 @@ static int motion_fate(const struct point *p, const struct dyn_orbit *o, long pe
   m.start[Z_2] += offset;
   plan.returns = periods;
   plan.max_events = 8 * periods;
-  struct told t = motion_tell(BY_INTEGRATION, &m, &plan);
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
   double off = fabs(t.result.at.x[1] - t.result.at.x[0] - r0) / offset;
   int fate = t.status != SS_OK ? 0 : off < 0.5 ? 1 : off > 2 ? -1 : 0;
-  told_clear(&t);
+  trajectory_clear(&t);
   return fate;
 }
 
@@ -151,12 +151,12 @@ static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, cons
   book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
 }
 
-static enum says says_of(long as_said, long against, long open) {
-  return against ? SAYS_DIFFERS : open ? SAYS_UNDECIDED : as_said ? SAYS_AGREES : SAYS_NOTHING;
+static enum route_outcome says_of(long as_said, long against, long open) {
+  return against ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : as_said ? ROUTE_AGREES : ROUTE_NOTHING;
 }
 
 static void conclude(struct behaviour *b, const struct tried *t) {
-  struct route_word w[3];
+  struct route_result w[3];
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
@@ -170,16 +170,16 @@ static void conclude(struct behaviour *b, const struct tried *t) {
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[0] = behaviour_say(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
-                       result_str(b->j->out, "%s", text_str(&note)));
+  w[0] = behaviour_route(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
+                         result_str(b->j->out, "%s", text_str(&note)));
   text_clear(&note);
-  w[1] = behaviour_say(
+  w[1] = behaviour_route(
       b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
       t->fate_as_said + t->fate_against + t->fate_open, NULL,
       result_str(b->j->out,
                  "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
                  t->fate_as_said, t->fate_against, t->fate_open));
-  w[2] = behaviour_say(
+  w[2] = behaviour_route(
       b, "integration", "model", says_of(t->moved_as_said, t->moved_against, t->moved_open), false,
       t->moved_as_said + t->moved_against + t->moved_open, NULL,
       result_str(b->j->out,

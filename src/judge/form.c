@@ -76,7 +76,7 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
   return s == SS_OK ? holds : TRUTH_UNKNOWN;
 }
 
-static void threshold_route(struct route_word *w, struct finding *f, struct judge *j, const struct claim *c,
+static void threshold_route(struct route_result *w, struct finding *f, struct judge *j, const struct claim *c,
                             const struct threshold *t, int n, enum variant variant, const char *route) {
   enum { ORBITS = 12, DRAWS = 100 };
   struct sampler s;
@@ -104,10 +104,13 @@ static void threshold_route(struct route_word *w, struct finding *f, struct judg
     }
   }
   point_clear(&p);
-  enum says says = !accepted ? SAYS_NOTHING : no ? SAYS_DIFFERS : yes == accepted ? SAYS_AGREES : SAYS_UNDECIDED;
-  *w = (struct route_word){route, says, variant == VARIANT_CLOSED, accepted};
-  finding_say(f, j->out, *w, "own text printed, the rest corrected", FIRST_PREC, where,
-              "zero at the bound, false one below it, true one above");
+  enum route_outcome outcome = !accepted         ? ROUTE_NOTHING
+                               : no              ? ROUTE_DIFFERS
+                               : yes == accepted ? ROUTE_AGREES
+                                                 : ROUTE_UNDECIDED;
+  *w = (struct route_result){route, outcome, variant == VARIANT_CLOSED, accepted};
+  finding_add_route(f, j->out, *w, "own text printed, the rest corrected", FIRST_PREC, where,
+                    "zero at the bound, false one below it, true one above");
 }
 
 bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -120,7 +123,7 @@ bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, 
     return claim_error(j, c, "bound", "there is no such record with at most as many statements");
   struct threshold t[MAX];
   memset(t, 0, sizeof t);
-  struct route_word w[2];
+  struct route_result w[2];
   bool ok = true;
   int n = 0;
   for (; ok && n < bound->n_stmts; n++) ok = threshold_build(&t[n], j, c, view, bound, rec, n);

@@ -50,15 +50,16 @@ static bool holds_step(truth *holds, const char **unbound, struct judge *j, cons
     num_vec_clear(&in);
     values_clear(&v);
   }
-  if (ok && !*unbound) work_rung(LADDER_INEQUALITY, first);
+  if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);
   tape_clear(&tape);
   elaboration_clear(&el);
   return ok;
 }
 
-/* All steps of the record at one point: says, and a list of what failed and what could not be tried. */
-static bool try_inequalities(struct route_word *w, struct finding *f, struct judge *j, const struct statement_record *r,
-                             struct view view, const struct point *p, const char *where) {
+/* All steps of the record at one point: what it says, and a list of what failed and what could not be tried. */
+static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j,
+                             const struct statement_record *r, struct view view, const struct point *p,
+                             const char *where) {
   struct text note;
   text_init(&note);
   long tried = 0, failed = 0, unknown = 0;
@@ -85,14 +86,14 @@ static bool try_inequalities(struct route_word *w, struct finding *f, struct jud
       }
       text_clear(&step);
     }
-  *w = (struct route_word){"balls",
-                           failed              ? SAYS_DIFFERS
-                           : unknown || !tried ? SAYS_UNDECIDED
-                                               : SAYS_AGREES,
-                           true, tried};
+  *w = (struct route_result){"balls",
+                             failed              ? ROUTE_DIFFERS
+                             : unknown || !tried ? ROUTE_UNDECIDED
+                                                 : ROUTE_AGREES,
+                             true, tried};
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
-  finding_say(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
-              note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);
+  finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
+                    note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);
   text_clear(&note);
   return ok;
 }
@@ -104,7 +105,7 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   struct point printed, orbit;
   point_init(&printed);
   point_init(&orbit);
-  struct route_word w[2];
+  struct route_result w[2];
   int n = 0;
   bool ok = true;
   if (printed_point(&printed, j->scene)) ok = try_inequalities(&w[n++], f, j, r, view, &printed, "the printed numbers");

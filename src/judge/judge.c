@@ -193,7 +193,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
 
 /* --- One claim --- */
 
-bool claim_subject(const struct statement_record *r, const struct claim *c) {
+bool claim_is_about(const struct statement_record *r, const struct claim *c) {
   const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
              *equation = claim_get(c, "equation");
   if (r->rank > RANK_USER) return false;
@@ -209,7 +209,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   text_init(&parsed);
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    if (!claim_subject(r, c)) continue;
+    if (!claim_is_about(r, c)) continue;
     if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
     for (int k = 0; k < r->n_stmts; k++) {
       text_add(&parsed, parsed.len ? ", \\quad " : "");

@@ -169,20 +169,21 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     if (ok && l.branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
   }
   if (ok) {
-    struct route_word w[2];
+    struct route_result w[2];
     try_states(&l);
     for (int i = 0; i < 2; i++) {
       long trials = l.as_said[i] + l.against[i];
-      w[i] = (struct route_word){route[i],
-                                 !trials        ? SAYS_NOTHING
-                                 : l.against[i] ? SAYS_DIFFERS
-                                                : SAYS_AGREES,
-                                 i == 0, trials};
-      finding_say(f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
-                  result_str(j->out,
-                             "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies, and "
-                             "gives the friction of the law",
-                             l.as_said[i], trials));
+      w[i] = (struct route_result){route[i],
+                                   !trials        ? ROUTE_NOTHING
+                                   : l.against[i] ? ROUTE_DIFFERS
+                                                  : ROUTE_AGREES,
+                                   i == 0, trials};
+      finding_add_route(
+          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
+          result_str(j->out,
+                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies, and "
+                     "gives the friction of the law",
+                     l.as_said[i], trials));
     }
     f->verdict = verdict_of(w, 2, false);
   }

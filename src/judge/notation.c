@@ -112,7 +112,7 @@ static const char *uses_text(struct judge *j, const struct use *u, int n) {
 /* --- The kind --- */
 
 static void settle(struct finding *f, struct judge *j, const char *fault, long trials) {
-  struct route_word w = {"diagnostic", fault ? SAYS_DIFFERS : SAYS_AGREES, true, trials};
+  struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, trials};
   struct evidence *e = finding_add(f, j->out);
   e->route = "diagnostic";
   e->layer = "printed";
@@ -138,7 +138,7 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
     text_reset(&found);
     clashes(&found, u, m);
     f->correction = uses_text(j, u, m);
-    struct route_word w = {"diagnostic", m < n || found.len ? SAYS_DIFFERS : SAYS_AGREES, true, m};
+    struct route_result w = {"diagnostic", m < n || found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, m};
     f->correction_verdict = verdict_of(&w, 1, true);
   }
   text_clear(&found);
@@ -154,7 +154,7 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, section ? section : "", view, &d);
-    struct route_word w = {"diagnostic", again ? SAYS_AGREES : SAYS_DIFFERS, true, 1};
+    struct route_result w = {"diagnostic", again ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
     f->correction = result_str(j->out, "%s", repaired);
     f->correction_verdict = verdict_of(&w, 1, true);
   }

@@ -55,7 +55,7 @@ static int number_at(arb_t x, slong *bits, const struct number_job *n, const str
       s = expression_value(v, &e, p, prec, n->j->cache);
       *bits = FLINT_MAX(*bits, prec);
       bool well = s == SS_OK && known_well(v, n->p);
-      if (well || 2 * prec > LAST_PREC) work_rung(LADDER_NUMBER, well && prec == first);
+      if (well || 2 * prec > LAST_PREC) work_precision_raise(LADDER_NUMBER, well && prec == first);
       if (well || (s & SS_DOMAIN)) break;
     }
   }
@@ -112,7 +112,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
 }
 
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
-static truth number_on_orbits(struct route_word *w, struct finding *f, const struct number_job *n) {
+static truth number_on_orbits(struct route_result *w, struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   struct point p;
   point_init(&p);
@@ -152,11 +152,11 @@ static truth number_on_orbits(struct route_word *w, struct finding *f, const str
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   e->note = note.len ? result_str(j->out, "%s", text_str(&note))
                      : "no orbit was found, or the quantity could not be evaluated on it";
-  *w = (struct route_word){"balls",
-                           t == TRUTH_TRUE    ? SAYS_AGREES
-                           : t == TRUTH_FALSE ? SAYS_DIFFERS
-                                              : SAYS_UNDECIDED,
-                           true, e->trials};
+  *w = (struct route_result){"balls",
+                             t == TRUTH_TRUE    ? ROUTE_AGREES
+                             : t == TRUTH_FALSE ? ROUTE_DIFFERS
+                                                : ROUTE_UNDECIDED,
+                             true, e->trials};
   text_clear(&note);
   arb_clear(x);
   point_clear(&p);
@@ -216,7 +216,7 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
 }
 
 /* What the other printed numbers give through the same formula. */
-static truth number_from_printed(struct route_word *w, struct finding *f, const struct number_job *n) {
+static truth number_from_printed(struct route_result *w, struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   struct point p;
   point_init(&p);
@@ -245,11 +245,11 @@ static truth number_from_printed(struct route_word *w, struct finding *f, const 
                   ball_text(j, x, 8), units_off(j, x, n->p));
   }
   if (w)
-    *w = (struct route_word){"balls",
-                             t == TRUTH_TRUE    ? SAYS_AGREES
-                             : t == TRUTH_FALSE ? SAYS_DIFFERS
-                                                : SAYS_UNDECIDED,
-                             true, have};
+    *w = (struct route_result){"balls",
+                               t == TRUTH_TRUE    ? ROUTE_AGREES
+                               : t == TRUTH_FALSE ? ROUTE_DIFFERS
+                                                  : ROUTE_UNDECIDED,
+                               true, have};
   arb_clear(x);
   point_clear(&p);
   return t;
@@ -275,7 +275,7 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   name_latex(&latex, name);
   f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
   text_clear(&latex);
-  struct route_word w;
+  struct route_result w;
   if (strcmp(from, "orbit") == 0) {
     truth t = number_on_orbits(&w, f, &n);
     if (t == TRUTH_FALSE) number_rescue(f, &n);

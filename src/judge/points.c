@@ -38,7 +38,7 @@ struct tally {
 };
 
 /* One claim on its points. */
-struct run {
+struct point_trials {
   struct judge *j;
   const struct claim *c;
   struct view view;
@@ -121,7 +121,7 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
 }
 
 /* Names that route oracle replaces, as overrides of the model's shapes. */
-static bool read_overrides(struct override *o, int *n, char names[][16], const struct run *r) {
+static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
   const char *list = claim_get(r->c, "oracle");
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
@@ -134,7 +134,7 @@ static bool read_overrides(struct override *o, int *n, char names[][16], const s
   return true;
 }
 
-static bool build_sentence(struct tally *t, struct run *r, struct override *o, char names[][16]) {
+static bool build_sentence(struct tally *t, struct point_trials *r, struct override *o, char names[][16]) {
   const char *value = claim_get(r->c, "value");
   int n_overrides = 0;
   if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(o, &n_overrides, names, r)) return false;
@@ -149,7 +149,7 @@ static bool build_sentence(struct tally *t, struct run *r, struct override *o, c
   return true;
 }
 
-static bool read_routes(struct run *r) {
+static bool read_routes(struct point_trials *r) {
   char item[32];
   const char *list = claim_get(r->c, "routes");
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
@@ -169,7 +169,7 @@ static bool read_routes(struct run *r) {
 /* --- Route ode: the paper's matrix against its own differential equation --- */
 
 /* value is NAME(t): its derivative minus A times it, and its value at 0 minus the identity, as balls. */
-static struct trial try_ode(struct run *r, const char *value, const struct point *p) {
+static struct trial try_ode(struct point_trials *r, const char *value, const struct point *p) {
   static const struct {
     const char *value;
     enum phase phase;
@@ -229,7 +229,7 @@ static struct trial try_ode(struct run *r, const char *value, const struct point
 
 /* --- Trying --- */
 
-static struct trial try_route(struct run *r, struct tally *t, const struct point *p) {
+static struct trial try_route(struct point_trials *r, struct tally *t, const struct point *p) {
   const struct route *q = t->route;
   if (strcmp(q->name, "ode") == 0) return try_ode(r, claim_get(r->c, "value"), p);
   if (!q->type) return sentence_try_balls(&t->sentence, p, q->variant, r->j->cache);
@@ -249,7 +249,7 @@ static const char *entry_name(struct audit_result *out, const struct sentence *s
 }
 
 /* Books a trial; false when the claim itself cannot be evaluated. */
-static bool book(struct run *r, struct tally *t, const struct trial *tr, const struct point *p) {
+static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
   if (tr->outcome == OUTCOME_UNBOUND) {
     char what[128];
@@ -278,7 +278,7 @@ static bool book(struct run *r, struct tally *t, const struct trial *tr, const s
   return true;
 }
 
-static bool try_point(bool *accepted, struct run *r, const struct point *p, long nth) {
+static bool try_point(bool *accepted, struct point_trials *r, const struct point *p, long nth) {
   struct tally *first = &r->tally[0];
   long before = first->trials, failures = first->differs;
   for (int i = 0; i < r->n_routes; i++) {
@@ -304,7 +304,7 @@ static bool try_point(bool *accepted, struct run *r, const struct point *p, long
 
 /* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
    transcription of the model's side. */
-static long points_wanted(struct run *r, const struct point_spec *spec, long done) {
+static long points_wanted(struct point_trials *r, const struct point_spec *spec, long done) {
   bool wants_proof =
       (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
   if (done == 1 && wants_proof && !r->proof_tried && !r->tally[0].differs) {
@@ -315,7 +315,7 @@ static long points_wanted(struct run *r, const struct point_spec *spec, long don
 }
 
 /* Nothing that further points could say is asked for. */
-static bool enough(const struct run *r) {
+static bool enough(const struct point_trials *r) {
   enum effort effort = r->j->effort;
   bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
   for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
@@ -323,7 +323,7 @@ static bool enough(const struct run *r) {
   return settled;
 }
 
-static bool try_spec(struct run *r, const struct point_spec *spec) {
+static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   struct sampler s;
   struct point p;
   char seed[128];
@@ -349,21 +349,22 @@ static bool try_spec(struct run *r, const struct point_spec *spec) {
 
 /* --- Summing up --- */
 
-static enum says says(const struct tally *t) {
-  if (t->trials == 0) return SAYS_NOTHING;
-  if (t->differs) return SAYS_DIFFERS;
-  return t->undecided ? SAYS_UNDECIDED : SAYS_AGREES;
+static enum route_outcome outcome(const struct tally *t) {
+  if (t->trials == 0) return ROUTE_NOTHING;
+  if (t->differs) return ROUTE_DIFFERS;
+  return t->undecided ? ROUTE_UNDECIDED : ROUTE_AGREES;
 }
 
-static const char *layer_of(const struct run *r) {
+static const char *layer_of(const struct point_trials *r) {
   return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
                                                          : layer_name[r->view.layer];
 }
 
-static void add_evidence(struct finding *f, struct run *r, const struct tally *t, struct route_word w) {
+static void add_evidence(struct finding *f, struct point_trials *r, const struct tally *t, struct route_result w) {
   struct audit_result *out = r->j->out;
   bool is_double = t->route->type == &num_double;
-  struct evidence *e = finding_say(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  struct evidence *e =
+      finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
   if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
   if (t->trials)
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
@@ -379,20 +380,20 @@ static void add_evidence(struct finding *f, struct run *r, const struct tally *t
   text_clear(&note);
 }
 
-static void conclude(struct finding *f, struct run *r) {
-  struct route_word w[MAX_ROUTES];
+static void conclude(struct finding *f, struct point_trials *r) {
+  struct route_result w[MAX_ROUTES];
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
-    w[i] = (struct route_word){t->route->name, says(t), i == 0, t->trials};
+    w[i] = (struct route_result){t->route->name, outcome(t), i == 0, t->trials};
     add_evidence(f, r, t, w[i]);
   }
   finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
   f->verdict = verdict_of(w, r->n_routes, r->proof.proved);
 }
 
-static bool run_init(struct run *r, struct judge *j, const struct claim *c, struct view view,
+static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                      const struct restriction *restriction, struct override *o, char names[][16]) {
-  *r = (struct run){.j = j, .c = c, .view = view, .restriction = restriction};
+  *r = (struct point_trials){.j = j, .c = c, .view = view, .restriction = restriction};
   point_init(&r->example);
   r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
   if (r->n_specs < 0 || !read_routes(r)) return false;
@@ -401,13 +402,13 @@ static bool run_init(struct run *r, struct judge *j, const struct claim *c, stru
   return true;
 }
 
-static void run_clear(struct run *r) {
+static void run_clear(struct point_trials *r) {
   for (int i = 0; i < r->n_routes; i++)
     if (r->tally[i].ready) sentence_clear(&r->tally[i].sentence);
   point_clear(&r->example);
 }
 
-static bool run_all(struct finding *f, struct run *r, struct judge *j, const struct claim *c, struct view view,
+static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
                     const struct restriction *restriction) {
   struct override o[MAX_ROUTES];
   char names[MAX_ROUTES][16];
@@ -433,7 +434,7 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
   return point_settle(out, cache);
 }
 
-static void describe_effect(struct finding *f, struct run *r) {
+static void describe_effect(struct finding *f, struct point_trials *r) {
   struct text t;
   struct point p;
   text_init(&t);
@@ -458,19 +459,19 @@ static void describe_effect(struct finding *f, struct run *r) {
 
 /* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */
 static bool judge_by_algebra(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct run r = {.j = j, .c = c, .view = view, .proof = exact_prove(j, c, view, NULL)};
-  struct route_word w = {"exact",
-                         r.proof.proved    ? SAYS_AGREES
-                         : r.proof.differs ? SAYS_DIFFERS
-                                           : SAYS_UNDECIDED,
-                         true, 1};
+  struct point_trials r = {.j = j, .c = c, .view = view, .proof = exact_prove(j, c, view, NULL)};
+  struct route_result w = {"exact",
+                           r.proof.proved    ? ROUTE_AGREES
+                           : r.proof.differs ? ROUTE_DIFFERS
+                                             : ROUTE_UNDECIDED,
+                           true, 1};
   finding_add_proof(f, j->out, &r.proof, layer_of(&r), false);
   f->verdict = verdict_of(&w, 1, true);
   return true;
 }
 
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct run r;
+  struct point_trials r;
   const char *routes_asked = claim_get(c, "routes");
   bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
   if (algebra || !route_is_asked(j->scene, "balls")) {
@@ -521,7 +522,7 @@ bool claim_makes(const struct claim *c, const char *id) {
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
   for (int i = 0; i < n_restrictions; i++) {
-    struct run r;
+    struct point_trials r;
     struct finding f = *refuted;
     f.evidence = NULL;
     f.n_evidence = 0;

@@ -235,11 +235,12 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     bool own = pass == 0;
     text_reset(&faults);
     check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
-    struct route_word w = {"algebra", faults.len ? SAYS_DIFFERS : SAYS_AGREES, true, checked};
-    finding_say(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1, NULL,
-                faults.len ? result_str(j->out, "%s", text_str(&faults))
-                : only     ? "the record is homogeneous"
-                           : "every record is homogeneous");
+    struct route_result w = {"algebra", faults.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, checked};
+    finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
+                      NULL,
+                      faults.len ? result_str(j->out, "%s", text_str(&faults))
+                      : only     ? "the record is homogeneous"
+                                 : "every record is homogeneous");
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {

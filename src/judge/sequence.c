@@ -10,10 +10,10 @@
 
 enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */
 
-static struct route_word add(struct finding *f, struct judge *j, const char *route, enum says says, bool decisive,
-                             long trials, const char *note) {
-  struct route_word w = {route, says, decisive, trials};
-  finding_say(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
+static struct route_result add(struct finding *f, struct judge *j, const char *route, enum route_outcome outcome,
+                               bool decisive, long trials, const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
   return w;
 }
 
@@ -55,19 +55,19 @@ static bool letters_of(char out[16], const char *word) {
   return true;
 }
 
-static enum says hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
+static enum route_outcome hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
   arb_t value;
-  enum says says = SAYS_AGREES;
+  enum route_outcome outcome = ROUTE_AGREES;
   arb_init(value);
-  for (int k = 0; k < list->n && says == SAYS_AGREES; k++) {
+  for (int k = 0; k < list->n && outcome == ROUTE_AGREES; k++) {
     double where;
     truth holds = condition_holds(&where, value, &list->at[k], p, FIRST_PREC, j->cache);
     if (holds == TRUTH_TRUE) continue;
-    says = holds == TRUTH_FALSE ? SAYS_DIFFERS : SAYS_UNDECIDED;
+    outcome = holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
     *note = result_str(j->out, "%s: %s", list->at[k].text, holds == TRUTH_FALSE ? "false" : "undecided");
   }
   arb_clear(value);
-  return says;
+  return outcome;
 }
 
 bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -81,19 +81,19 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
   if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
     finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
   } else if (ok) {
-    struct route_word w[2];
+    struct route_result w[2];
     struct text got;
     const char *note = NULL;
     text_init(&got);
-    enum says balls = hold_all(&note, j, &list, &p);
+    enum route_outcome balls = hold_all(&note, j, &list, &p);
     w[0] = add(f, j, "balls", balls, true, list.n, note);
     bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
     bool same = done && strcmp(text_str(&got), letters) == 0;
     note = done ? result_str(j->out, "phases of one period: %s", text_str(&got))
                 : "the simulation did not come to its end";
-    w[1] = add(f, j, "integration", !done ? SAYS_UNDECIDED : same ? SAYS_AGREES : SAYS_DIFFERS, false, 1, note);
+    w[1] = add(f, j, "integration", !done ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, false, 1, note);
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the comparison */
-    if (done && !same && balls == SAYS_AGREES) w[0] = (struct route_word){"balls", SAYS_DIFFERS, true, 1};
+    if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
     f->verdict = verdict_of(w, 2, false);
     text_clear(&got);
   }
@@ -165,8 +165,8 @@ static int read_phases(enum phase through[N_PHASES], const char *text) {
   return n;
 }
 
-static struct route_word add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
-                                     const enum phase *through, int n, bool closed) {
+static struct route_result add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
+                                       const enum phase *through, int n, bool closed) {
   long back[3] = {0};
   for (slong i = 0; i < list->n; i++) back[returns(j, &list->orbit[i], through, n, closed)]++;
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
@@ -178,8 +178,10 @@ static struct route_word add_returns(struct finding *f, struct judge *j, const s
                      list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                      ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
-  enum says says = back[TRUTH_FALSE] ? SAYS_DIFFERS : back[TRUTH_UNKNOWN] || !o ? SAYS_UNDECIDED : SAYS_AGREES;
-  return add(f, j, closed ? "balls" : "exponential", says, closed, list->n, note);
+  enum route_outcome outcome = back[TRUTH_FALSE]           ? ROUTE_DIFFERS
+                               : back[TRUTH_UNKNOWN] || !o ? ROUTE_UNDECIDED
+                                                           : ROUTE_AGREES;
+  return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
 }
 
 bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -198,7 +200,7 @@ bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, 
   ok = ok && (read_given(which, value, claim_get(c, "given")) ||
               claim_error(j, c, "given", "reads NAME = VALUE, NAME = VALUE"));
   if (ok) {
-    struct route_word w[2];
+    struct route_result w[2];
     work_add(UNITS_OF_EXISTENCE);
     dyn_orbits_given(&list, j->scene->value, which, value, FIRST_PREC, &dyn_given_limits);
     w[0] = add_returns(f, j, &list, through, n, true);
@@ -215,7 +217,7 @@ bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, st
   (void)view;
   const char *why = claim_get(c, "needs");
   if (!why) return claim_error(j, c, "kind", "the attribute needs is missing");
-  struct route_word w = add(f, j, "reading", SAYS_UNDECIDED, false, 0, result_str(j->out, "needs %s", why));
+  struct route_result w = add(f, j, "reading", ROUTE_UNDECIDED, false, 0, result_str(j->out, "needs %s", why));
   f->verdict = verdict_of(&w, 1, false);
   return true;
 }

@@ -72,17 +72,20 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
   point_clear(&p);
 }
 
-static struct route_word conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
-                                  bool decisive) {
+static struct route_result conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
+                                    bool decisive) {
   long trials = t->reached + t->apart + t->open;
-  enum says says = !trials ? SAYS_NOTHING : t->apart ? SAYS_DIFFERS : t->open ? SAYS_UNDECIDED : SAYS_AGREES;
-  struct route_word w = {route, says, decisive, trials};
+  enum route_outcome outcome = !trials    ? ROUTE_NOTHING
+                               : t->apart ? ROUTE_DIFFERS
+                               : t->open  ? ROUTE_UNDECIDED
+                                          : ROUTE_AGREES;
+  struct route_result w = {route, outcome, decisive, trials};
   const char *note =
       !trials ? "no accepted point"
       : t->apart
           ? result_str(j->out, "at %ld of %ld points some step stays apart at both ends of the phase", t->apart, trials)
           : "each step becomes an equality at one end of the phase";
-  finding_say(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
+  finding_add_route(f, j->out, w, "corrected", FIRST_PREC, t->where, note);
   return w;
 }
 
@@ -98,7 +101,7 @@ bool judge_sharp(struct finding *f, struct judge *j, const struct claim *c, stru
   if (spec.kind != POINT_ORBIT && spec.kind != POINT_ARC)
     return claim_error(j, c, "points", "the time lies in a phase of arcs or orbits");
   bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
-  struct route_word w[2];
+  struct route_result w[2];
   struct tally t[2] = {{0}, {0}};
   n = j->effort == EFFORT_REFUTE ? 1 : 2;
   for (int i = 0; ok && i < n; i++) {

@@ -19,13 +19,13 @@ bool verdict_fails(enum verdict v) {
   return v == VERDICT_REFUTED || v == VERDICT_CONDITIONAL;
 }
 
-int independent_routes(const struct route_word *w, int n) {
+int independent_routes(const struct route_result *w, int n) {
   int count = 0;
   for (int i = 0; i < n; i++) {
-    if (w[i].says != SAYS_AGREES) continue;
+    if (w[i].outcome != ROUTE_AGREES) continue;
     bool fresh = true;
     for (int k = 0; k < i; k++)
-      if (w[k].says == SAYS_AGREES && !routes_independent(w[k].route, w[i].route)) fresh = false;
+      if (w[k].outcome == ROUTE_AGREES && !routes_independent(w[k].route, w[i].route)) fresh = false;
     count += fresh;
   }
   return count;
@@ -38,14 +38,14 @@ int independent_routes(const struct route_word *w, int n) {
     agrees         | none differs, undecided | yes                   | proved
     agrees         | two independent agree   | no                    | supported
     anything else                                                    | unknown                                      */
-enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain) {
+enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain) {
   bool certificate = false, agrees = false, agrees_besides = false, differs_besides = false, undecided = false;
   for (int i = 0; i < n; i++) {
     if (w[i].trials == 0)
       undecided = true;
-    else if (w[i].says == SAYS_DIFFERS)
+    else if (w[i].outcome == ROUTE_DIFFERS)
       *(w[i].decisive ? &certificate : &differs_besides) = true;
-    else if (w[i].says == SAYS_AGREES)
+    else if (w[i].outcome == ROUTE_AGREES)
       *(w[i].decisive ? &agrees : &agrees_besides) = true;
     else
       undecided = true;
@@ -86,10 +86,10 @@ static struct evidence *put(struct finding *f, struct audit_result *out, const c
   return e;
 }
 
-struct evidence *finding_say(struct finding *f, struct audit_result *out, struct route_word w, const char *layer,
-                             long bits, const char *where, const char *note) {
+struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                   const char *layer, long bits, const char *where, const char *note) {
   static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
-  return put(f, out, w.route, layer, words[w.says], bits, w.trials, where, note);
+  return put(f, out, w.route, layer, words[w.outcome], bits, w.trials, where, note);
 }
 
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,

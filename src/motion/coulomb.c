@@ -79,7 +79,7 @@ bool run_domain(const double p[N_COULOMB], const double start[N_STATE], const st
   return isfinite(plan->duration) || plan->returns > 0;
 }
 
-static void fill_row(struct run *run, struct coulomb_row *row, double t) {
+static void fill_row(struct coulomb_run *run, struct coulomb_row *row, double t) {
   run->route.row(run->route.self, row, t);
   for (int i = 0; i < 2; i++) {
     row->mode[i] = run->mode[i];
@@ -87,7 +87,7 @@ static void fill_row(struct run *run, struct coulomb_row *row, double t) {
   }
 }
 
-bool run_samples(struct run *run, double t, bool last) {
+bool run_samples(struct coulomb_run *run, double t, bool last) {
   double step = run->plan->sample;
   if (!(step > 0)) return true;
   double end = last ? t * (1 + 1e-12) : t; /* the last of many steps may miss the duration by rounding */
@@ -100,7 +100,7 @@ bool run_samples(struct run *run, double t, bool last) {
 }
 
 /* Lets the law decide and reports what changes. */
-static bool change_modes(struct run *run) {
+static bool change_modes(struct coulomb_run *run) {
   struct coulomb_signs signs;
   enum coulomb_mode before[2] = {run->mode[0], run->mode[1]};
   run->route.signs(run->route.self, &signs);
@@ -122,7 +122,7 @@ static bool change_modes(struct run *run) {
   return true;
 }
 
-static enum coulomb_end run_loop(struct run *run) {
+static enum coulomb_end run_loop(struct coulomb_run *run) {
   static const enum coulomb_end after[] = {
       [MOVE_END] = COULOMB_DONE,      [MOVE_QUIET] = COULOMB_QUIET,     [MOVE_BUDGET] = COULOMB_STEPS,
       [MOVE_FAILED] = COULOMB_FAILED, [MOVE_STOPPED] = COULOMB_STOPPED,
@@ -147,7 +147,7 @@ static enum coulomb_end run_loop(struct run *run) {
 /* What a simulation counts as: nothing that hangs on the rounding of its steps. */
 enum { UNITS = 5000 };
 
-int run_all(struct run *run) {
+int run_all(struct coulomb_run *run) {
   work_touch(WORK_SIMULATION);
   work_add(UNITS);
   struct coulomb_result *r = run->result;

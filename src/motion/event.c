@@ -8,21 +8,22 @@
 #include "motion_impl.h"
 
 /* The switching function of a phase other than D as a wave. */
-static struct wave phase_wave(enum phase ph, const struct carrier *k, const struct event_view *z) {
+static struct trig_sum phase_wave(enum phase ph, const struct return_map_double *k, const struct event_view *z) {
   if (ph == PHASE_GAMMA)
-    return (struct wave){z->rise, k->chi * (1 - k->chi) * z->v[1], {1, 0}, {-k->chi * z->w, 0}, {-k->chi * z->dw, 0}};
+    return (struct trig_sum){
+        z->rise, k->chi * (1 - k->chi) * z->v[1], {1, 0}, {-k->chi * z->w, 0}, {-k->chi * z->dw, 0}};
   double pull = k->omc * k->omc * z->r;
-  if (ph == PHASE_H) return carrier_wave(k, z->v[0], z->v[1], z->w, pull, z->over[0]);
-  return (struct wave){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
+  if (ph == PHASE_H) return return_map_double_wave(k, z->v[0], z->v[1], z->w, pull, z->over[0]);
+  return (struct trig_sum){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
 }
 
 int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
                   const struct dyn_limits *lim) {
-  struct carrier k;
+  struct return_map_double k;
   const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
   *grazing = false;
   *t = 0;
-  if (carrier_init(&k, params)) return SS_DOMAIN;
+  if (return_map_double_init(&k, params)) return SS_DOMAIN;
   for (size_t i = 0; i < sizeof all / sizeof *all; i++)
     if (!isfinite(all[i])) return SS_UNABLE;
   if (ph == PHASE_D) {
@@ -30,9 +31,9 @@ int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N
     *t = (k.e1 - z->w) / z->dw;
     return isfinite(*t) ? SS_OK : SS_UNABLE;
   }
-  struct wave wave = phase_wave(ph, &k, z);
-  struct wave_root root;
-  int status = wave_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
+  struct trig_sum wave = phase_wave(ph, &k, z);
+  struct trig_sum_root root;
+  int status = trig_sum_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
   *t = root.t;
   *grazing = root.grazing;
   return status;

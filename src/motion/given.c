@@ -35,7 +35,7 @@ enum {
 struct quest {
   struct word_data data;
   double target[2];
-  struct carrier k; /* of the given e1; its e2 is not used */
+  struct return_map_double k; /* of the given e1; its e2 is not used */
   struct dyn_limits lim;
 };
 
@@ -65,7 +65,7 @@ struct slip {
   double t, c[4], s[4], n[4];
 };
 
-static void slip_function(double out[4], const struct carrier *k, double slow, double fast) {
+static void slip_function(double out[4], const struct return_map_double *k, double slow, double fast) {
   double lead = k->x * k->y * (slow - fast);
   out[0] = k->x * k->x * slow + k->y * k->y * fast;
   out[1] = lead / k->root_eta;
@@ -73,7 +73,7 @@ static void slip_function(double out[4], const struct carrier *k, double slow, d
   out[3] = k->y * k->y * slow + k->x * k->x * fast;
 }
 
-static struct slip slip_at(const struct carrier *k, double t) {
+static struct slip slip_at(const struct return_map_double *k, double t) {
   struct slip h = {.t = t};
   double s[2] = {sin(k->om[0] * t), sin(k->om[1] * t)};
   slip_function(h.c, k, cos(k->om[0] * t), cos(k->om[1] * t));
@@ -87,12 +87,14 @@ struct linear {
   double x[3];
 };
 
-static struct linear velocity(const struct carrier *k, const struct slide *b, const double c[2], const double s[2]) {
+static struct linear velocity(const struct return_map_double *k, const struct slide *b, const double c[2],
+                              const double s[2]) {
   double v1 = k->chi * k->V + k->a * b->c;
   return (struct linear){{-c[0] * b->s - s[0] * b->c, -s[1] * k->eta, c[0] * v1 + c[1] * k->V - s[0] * k->a * b->s}};
 }
 
-static struct linear force(const struct carrier *k, const struct slide *b, const double c[2], const double n[2]) {
+static struct linear force(const struct return_map_double *k, const struct slide *b, const double c[2],
+                           const double n[2]) {
   double v1 = k->chi * k->V + k->a * b->c;
   return (struct linear){{c[0] * b->c - n[0] * b->s, c[1] * k->eta, c[0] * k->a * b->s + n[0] * v1 + n[1] * k->V}};
 }
@@ -116,7 +118,8 @@ static double quadratic_roots(double s[2], double a, double b, double c) {
   return square / (b * b + fabs(a * c));
 }
 
-static void sheets_at(struct sheet out[2], const struct carrier *k, const struct slide *b, const struct slip *h) {
+static void sheets_at(struct sheet out[2], const struct return_map_double *k, const struct slide *b,
+                      const struct slip *h) {
   struct linear p = velocity(k, b, h->c, h->s), q = velocity(k, b, h->c + 2, h->s + 2);
   struct linear w = force(k, b, h->c, h->n), pull = force(k, b, h->c + 2, h->n + 2);
   struct linear r0 = {{-b->versine, 1 / k->chi, -k->a * b->lag}}, y = q;
@@ -165,17 +168,17 @@ struct scan {
 /* No event comes clearly before its time, and every quantity is in its domain. */
 static bool plausible(struct scan *scan, const double x[N_QUANTITIES]) {
   const struct quest *q = scan->q;
-  struct carrier k;
+  struct return_map_double k;
   struct pass s;
   double tb = x[QUANTITY_TB], tc = x[QUANTITY_TC], td = x[QUANTITY_TD], turn = fmod(tb, 2 * PI), slack = 1e-6;
   const double p[N_PARAMS] = {q->k.chi, q->k.eta, q->k.V, x[QUANTITY_E1], x[QUANTITY_E2]};
-  if (carrier_init(&k, p) || !(tb > 0 && tc > 0 && td > 0 && td * k.omc < PI)) return false;
+  if (return_map_double_init(&k, p) || !(tb > 0 && tc > 0 && td > 0 && td * k.omc < PI)) return false;
   if ((tb > q->lim.t_max && !is_given(q, QUANTITY_TB)) || (tc > q->lim.t_max && !is_given(q, QUANTITY_TC)))
     return false;
-  carrier_records(&k);
+  return_map_double_records(&k);
   if (turn > k.fall + slack || (tb > k.fall + slack && turn < k.rise - slack)) return false;
   const struct dyn_limits lim = {tc + 1, q->lim.max_steps};
-  carrier_pass(&s, &k, tb, &lim);
+  return_map_double_pass(&s, &k, tb, &lim);
   scan->work += s.steps;
   return s.status || s.tc > tc - slack * (1 + tc);
 }
@@ -378,7 +381,7 @@ static size_t axis_of(double **t, struct scan *s, enum dyn_quantity x, double en
 
 /* Whether t_b can end phase Gamma near a given e1: chi r is at a record. */
 static bool on_record(const struct scan *s, double tb) {
-  const struct carrier *k = &s->q->k;
+  const struct return_map_double *k = &s->q->k;
   double turn = fmod(tb, 2 * PI), slack = 2 * s->cell[0];
   return !is_given(s->q, QUANTITY_E1) || (turn < k->fall + slack && (tb < k->fall || turn > k->rise - slack));
 }
@@ -623,8 +626,8 @@ static int quest_init(struct quest *q, const fmpq *model, const enum dyn_quantit
   int n = 0;
   for (int i = 0; i < N_QUANTITIES; i++)
     if (!is_given(q, (enum dyn_quantity)i)) q->data.unknown[n++] = i;
-  if (carrier_init(&q->k, p)) return SS_UNABLE; /* in the domain, but not in that of double precision */
-  carrier_records(&q->k);
+  if (return_map_double_init(&q->k, p)) return SS_UNABLE; /* in the domain, but not in that of double precision */
+  return_map_double_records(&q->k);
   return SS_OK;
 }
 

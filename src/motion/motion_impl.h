@@ -1,7 +1,7 @@
 /* What the files of this module share.
 
-   wave    a motion seen through one switching function: constant, drift and two oscillations
-   carrier the one-dimensional return map in double precision, with the modes of phase H worked out once
+   trig_sum  a motion seen through one switching function: constant, drift and two oscillations
+   return_map_double  the one-dimensional return map in double precision, with the modes of phase H worked out once
    search  the zeros of the return map's defect, in double precision
    calc    formulas over any number type, written as nested calls
    flow    the closed form of each phase, as four 2x2 blocks */
@@ -17,15 +17,15 @@
 
 /* --- trig_sum.c: f(t) = start + drift t + sum over i of cs[i] (cos(om[i] t) - 1) + sn[i] sin(om[i] t). --- */
 
-struct wave {
+struct trig_sum {
   double start, drift, om[2], cs[2], sn[2];
 };
 /* How a wave changes with a parameter: its derivative, and bounds of that and of the second derivative. */
-struct wave_shift {
-  struct wave rate;
+struct trig_sum_shift {
+  struct trig_sum rate;
   double most, bend;
 };
-struct wave_root {
+struct trig_sum_root {
   double t, rate; /* the first positive root and f' there */
   double safe;    /* the parameter can move about this far before the first root can jump: no maximum that stays below
                      zero before the root comes up to it, and the one right after the root does not sink to it */
@@ -36,17 +36,17 @@ struct wave_root {
    walk change no count at ordinary ones: there a search or a proof is counted once, by whoever asks for it. */
 enum { WORK_BLOCK = 4096, UNITS_OF_STEP = 10 }; /* of a root's search */
 /* value[0..2] = f, f', f'' at t. */
-void wave_at(double value[3], const struct wave *w, double t);
+void trig_sum_at(double value[3], const struct trig_sum *w, double t);
 /* Its first positive root, as dyn_first_event_d words it.  shift may be NULL when safe is not wanted.  When there is
    no root, safe and steps are still set. */
-int wave_first_root(struct wave_root *root, const struct wave *w, const struct wave_shift *shift,
-                    const struct dyn_limits *lim);
+int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
+                        const struct dyn_limits *lim);
 /* x - sin x without cancellation. */
 double x_minus_sin(double x);
 
 /* --- return_map_double.c: phases Gamma, H and C of the word in double precision, started by t_b alone. --- */
 
-struct carrier {
+struct return_map_double {
   double chi, eta, V, e1, e2;
   double a;          /* (1 - chi) V, the speed of w while both stick */
   double rho;        /* hypot(a, e1) */
@@ -68,20 +68,21 @@ struct pass {
   bool grazing;
   long steps;
 };
-/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to carrier_records: few need it, and it takes an iteration. */
-int carrier_init(struct carrier *k, const double params[N_PARAMS]);
-void carrier_records(struct carrier *k);
+/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an iteration. */
+int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]);
+void return_map_double_records(struct return_map_double *k);
 /* How far chi r / chi has risen t after the start of phase Gamma. */
-double carrier_rise(const struct carrier *k, double t);
+double return_map_double_rise(const struct return_map_double *k, double t);
 /* The first time at which it has risen by g > 0. */
-double carrier_time(const struct carrier *k, double g);
+double return_map_double_time(const struct return_map_double *k, double g);
 /* The largest |r| that phase C can end with. */
-double carrier_reach(const struct carrier *k);
+double return_map_double_reach(const struct return_map_double *k);
 /* z_1' - V along phase H from velocities v1, v2, w and pull = chi eta r; start is its first value. */
-struct wave carrier_wave(const struct carrier *k, double v1, double v2, double w, double pull, double start);
-void carrier_pass(struct pass *s, const struct carrier *k, double tb, const struct dyn_limits *lim);
+struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
+                                       double start);
+void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct dyn_limits *lim);
 /* The last phase and the next stick phase: t_d and t_a. */
-void carrier_times(double *ta, double *td, const struct carrier *k, const struct pass *s);
+void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s);
 
 /* --- search.c: zeros of the defect. --- */
 
@@ -93,7 +94,7 @@ struct zero {
   bool grazing;
 };
 struct search {
-  struct carrier k;
+  struct return_map_double k;
   struct dyn_limits lim;
   struct zero *zeros;
   size_t n, cap;

@@ -101,23 +101,23 @@ static bool fast_map(struct dyn_return *out, const struct slip *k, double g, con
 }
 
 /* Whether the rise touches g at a crest, within rounding. */
-static bool touches(const struct carrier *k, double g) {
-  double crest = carrier_rise(k, k->fall), noise = 1e-13 * (g + crest), turn = 2 * PI * k->a;
+static bool touches(const struct return_map_double *k, double g) {
+  double crest = return_map_double_rise(k, k->fall), noise = 1e-13 * (g + crest), turn = 2 * PI * k->a;
   double over = g - crest - (g > crest ? turn * nearbyint((g - crest) / turn) : 0);
   return fabs(over) < noise;
 }
 
 /* By the walk of trig_sum.c. */
 static int slow_map(struct dyn_return *out, const double params[N_PARAMS], double g, const struct dyn_limits *lim) {
-  struct carrier k;
+  struct return_map_double k;
   struct pass s;
-  if (carrier_init(&k, params)) return SS_DOMAIN;
-  double tb = carrier_time(&k, g);
+  if (return_map_double_init(&k, params)) return SS_DOMAIN;
+  double tb = return_map_double_time(&k, g);
   if (!(tb <= lim->t_max)) return SS_UNABLE;
-  carrier_pass(&s, &k, tb, lim);
+  return_map_double_pass(&s, &k, tb, lim);
   if (s.status) return s.status;
   *out = (struct dyn_return){{0, s.tb, s.tc, 0}, s.r_end, s.slope / s.pb + 1, s.grazing || touches(&k, g), true};
-  carrier_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
+  return_map_double_times(&out->t[PHASE_D], &out->t[PHASE_C], &k, &s);
   return is_sound(out) ? SS_OK : SS_UNABLE;
 }
 

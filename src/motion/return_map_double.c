@@ -10,7 +10,7 @@
 
 #include "motion_impl.h"
 
-int carrier_init(struct carrier *k, const double params[N_PARAMS]) {
+int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]) {
   for (int i = 0; i < N_PARAMS; i++)
     if (!(params[i] > 0 && isfinite(params[i]))) return SS_DOMAIN;
   if (!(params[P_CHI] < 1)) return SS_DOMAIN;
@@ -44,26 +44,26 @@ int carrier_init(struct carrier *k, const double params[N_PARAMS]) {
   return SS_OK;
 }
 
-void carrier_records(struct carrier *k) {
+void return_map_double_records(struct return_map_double *k) {
   /* The height of one crest over the one before is 2 pi a. */
   double half = atan2(k->e1, k->a), s = sin(half);
   double level = 2 * k->e1 * s * s - k->a * x_minus_sin(2 * half);
-  k->rise = carrier_time(k, fmax(level, 0));
+  k->rise = return_map_double_time(k, fmax(level, 0));
 }
 
-double carrier_rise(const struct carrier *k, double t) {
+double return_map_double_rise(const struct return_map_double *k, double t) {
   double s = sin(0.5 * t);
   return k->a * x_minus_sin(t) + 2 * k->e1 * s * s;
 }
 
 /* Its derivative, which is V - z_1'; exact in relative terms near both ends of the first rise. */
-static double rise_rate(const struct carrier *k, double t) {
+static double rise_rate(const struct return_map_double *k, double t) {
   return 2 * k->rho * sin(0.5 * t) * sin(0.5 * (k->fall - t));
 }
 
-double carrier_time(const struct carrier *k, double g) {
+double return_map_double_time(const struct return_map_double *k, double g) {
   if (!(g > 0)) return 0;
-  double crest = carrier_rise(k, k->fall), turn = 2 * PI * k->a, whole = 0;
+  double crest = return_map_double_rise(k, k->fall), turn = 2 * PI * k->a, whole = 0;
   if (g > crest) whole = ceil((g - crest) / turn);
   g -= whole * turn;
   double low = 0, high = k->fall, t = fmin(sqrt(2 * g / k->e1), 0.5 * k->fall);
@@ -81,7 +81,7 @@ double carrier_time(const struct carrier *k, double g) {
   return 2 * PI * whole + t;
 }
 
-double carrier_reach(const struct carrier *k) {
+double return_map_double_reach(const struct return_map_double *k) {
   /* Twice the energy of the z-system, eta z_1'^2 + z_2'^2 + eta (w^2 + 2 chi w r + chi r^2)/(1 - chi), is kept in phase
      H and starts with |w| <= rho, r = e2/chi, z_2' = V.  At its end chi eta r^2 + z_2'^2 is not more. */
   double w = k->rho, r = k->e2 / k->chi, speed = k->V + k->rho + k->a;
@@ -95,25 +95,26 @@ struct modes {
   double a[2], b[2]; /* amplitudes: velocity = a cos - b sin along each mode */
 };
 
-static struct modes modes_from(const struct carrier *k, double v1, double v2, double w, double pull) {
+static struct modes modes_from(const struct return_map_double *k, double v1, double v2, double w, double pull) {
   double v = k->root_eta * v1, f = k->root_eta * w;
   return (struct modes){{k->x * v + k->y * v2, k->y * v - k->x * v2},
                         {(k->x * f + k->y * pull) / k->om[0], (k->y * f - k->x * pull) / k->om[1]}};
 }
 
 /* z_1' along the motion. */
-static struct wave modes_wave(const struct carrier *k, const struct modes *m, double start) {
+static struct trig_sum modes_wave(const struct return_map_double *k, const struct modes *m, double start) {
   double x = k->x / k->root_eta, y = k->y / k->root_eta;
-  return (struct wave){start, 0, {k->om[0], k->om[1]}, {x * m->a[0], y * m->a[1]}, {-x * m->b[0], -y * m->b[1]}};
+  return (struct trig_sum){start, 0, {k->om[0], k->om[1]}, {x * m->a[0], y * m->a[1]}, {-x * m->b[0], -y * m->b[1]}};
 }
 
-struct wave carrier_wave(const struct carrier *k, double v1, double v2, double w, double pull, double start) {
+struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
+                                       double start) {
   struct modes m = modes_from(k, v1, v2, w, pull);
   return modes_wave(k, &m, start);
 }
 
 /* w, r and z_2' - (z_2' at the start) at the time whose half angles have the sines s and cosines c. */
-static void modes_end(double out[3], const struct carrier *k, const struct modes *m, const double s[2],
+static void modes_end(double out[3], const struct return_map_double *k, const struct modes *m, const double s[2],
                       const double c[2]) {
   double change[2], force[2];
   for (int i = 0; i < 2; i++) {
@@ -127,24 +128,25 @@ static void modes_end(double out[3], const struct carrier *k, const struct modes
 }
 
 /* The sum of the amplitudes. */
-static double highest(const struct wave *w) {
+static double highest(const struct trig_sum *w) {
   return hypot(w->cs[0], w->sn[0]) + hypot(w->cs[1], w->sn[1]);
 }
 
-void carrier_pass(struct pass *s, const struct carrier *k, double tb, const struct dyn_limits *lim) {
+void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb,
+                            const struct dyn_limits *lim) {
   double phase = tb > k->fall ? fmod(tb, 2 * PI) : tb;
   double pb = -rise_rate(k, phase), wb = k->e1 * cos(tb) + k->a * sin(tb);
   struct modes now = modes_from(k, k->V + pb, k->V, wb, k->eta * k->e2);
   struct modes var = modes_from(k, -wb, 0, k->a + pb, 0);     /* d/dt_b, r_b = e2/chi being fixed */
   struct modes bent = modes_from(k, -(k->a + pb), 0, -wb, 0); /* second derivatives */
-  struct wave wave = modes_wave(k, &now, pb), bend = modes_wave(k, &bent, 0);
-  struct wave_shift shift = {.rate = modes_wave(k, &var, -wb), .bend = highest(&bend)};
+  struct trig_sum wave = modes_wave(k, &now, pb), bend = modes_wave(k, &bent, 0);
+  struct trig_sum_shift shift = {.rate = modes_wave(k, &var, -wb), .bend = highest(&bend)};
   shift.most = highest(&shift.rate);
 
   *s = (struct pass){.tb = tb, .pb = pb};
-  s->r = k->e2 / k->chi - carrier_rise(k, tb);
-  struct wave_root root;
-  s->status = wave_first_root(&root, &wave, &shift, lim);
+  s->r = k->e2 / k->chi - return_map_double_rise(k, tb);
+  struct trig_sum_root root;
+  s->status = trig_sum_first_root(&root, &wave, &shift, lim);
   s->steps = root.steps;
   s->safe = root.safe;
   s->grazing = root.grazing;
@@ -159,7 +161,7 @@ void carrier_pass(struct pass *s, const struct carrier *k, double tb, const stru
   modes_end(end, k, &now, half_s, half_c);
   modes_end(d, k, &var, half_s, half_c);
   double pull = k->omc * k->omc, shift_c[3];
-  wave_at(shift_c, &shift.rate, s->tc);
+  trig_sum_at(shift_c, &shift.rate, s->tc);
   s->wc = end[0];
   s->rc = end[1];
   s->qc = end[2];
@@ -170,7 +172,7 @@ void carrier_pass(struct pass *s, const struct carrier *k, double tb, const stru
   s->slope = (s->rc * d[1] + s->qc * d[2] / pull) / s->r_end - pb;
 }
 
-void carrier_times(double *ta, double *td, const struct carrier *k, const struct pass *s) {
+void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s) {
   double turn = atan2(fabs(s->qc), (s->r_end > 0 ? 1 : -1) * k->omc * s->rc);
   *td = turn / k->omc;
   *ta = (k->e1 - s->wc + k->chi * (s->r_end - s->rc)) / k->a - *td;

@@ -74,7 +74,7 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
   struct calc c;
   struct ball_params m;
   struct ball_pass s;
-  struct carrier k;
+  struct return_map_double k;
   val p[N_PARAMS];
   double middle[N_PARAMS];
   calc_init(&c, params->ctx);
@@ -82,9 +82,9 @@ static int near_first(double t[N_PHASES], const struct num_vec *params, const vo
   for (int i = 0; i < N_PARAMS; i++) middle[i] = num_arb.get_d(p[i]);
   ball_params_make(&m, &c, p);
   val rise = calc_sub(&c, calc_div(&c, p[P_E2], p[P_CHI]), r);
-  int status = carrier_init(&k, middle) ? SS_UNABLE : c.status;
+  int status = return_map_double_init(&k, middle) ? SS_UNABLE : c.status;
   t[PHASE_D] = t[PHASE_H] = 0;
-  t[PHASE_GAMMA] = status ? 0 : carrier_time(&k, num_arb.get_d(rise));
+  t[PHASE_GAMMA] = status ? 0 : return_map_double_time(&k, num_arb.get_d(rise));
   if (!(t[PHASE_GAMMA] > 0 && t[PHASE_GAMMA] < INFINITY)) status = SS_UNABLE;
   if (!status) {
     val tb = calc_d(&c, t[PHASE_GAMMA]);

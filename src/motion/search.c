@@ -24,7 +24,7 @@ enum {
 };
 
 static void evaluate(struct search *s, struct pass *p, double tb) {
-  carrier_pass(p, &s->k, tb, &s->lim);
+  return_map_double_pass(p, &s->k, tb, &s->lim);
   s->evaluations++;
   long before = s->steps / FREE_STEPS;
   s->steps += p->steps + PASS_STEPS;
@@ -133,11 +133,12 @@ static void scan_interval(struct search *s, double begin, double end, int n, dou
 
 int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim) {
   *s = (struct search){.lim = *lim};
-  if (carrier_init(&s->k, params)) return SS_DOMAIN;
-  carrier_records(&s->k);
-  const struct carrier *k = &s->k;
+  if (return_map_double_init(&s->k, params)) return SS_DOMAIN;
+  return_map_double_records(&s->k);
+  const struct return_map_double *k = &s->k;
   /* r at the stick phase is at least -reach: no t_b beyond this time leads to an orbit. */
-  double last = fmin(1.001 * carrier_time(k, k->e2 / k->chi + 1.001 * carrier_reach(k)) + 1e-6, lim->t_max);
+  double last =
+      fmin(1.001 * return_map_double_time(k, k->e2 / k->chi + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
   long later = (long)(last / (2 * PI)) + 1;
   scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, MAX_STEPS / 2);
   for (long i = 1; 2 * PI * (double)i + k->rise < last; i++) {

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 
 #include "coulomb_impl.h"
+#include "mode_motion.h"
 #include "motion_impl.h"
-#include "trajectory.h"
 
 /* Elements of a state. */
 enum { F_1, P_1 = 2, TIME = 4, N_EXACT };
@@ -84,8 +84,8 @@ static double as_double(const struct calc *c, val x) {
 }
 
 /* The same wave seen from time t on, where it is zero. */
-static struct wave wave_from(const struct wave *w, double t) {
-  struct wave v = *w;
+static struct trig_sum trig_sum_from(const struct trig_sum *w, double t) {
+  struct trig_sum v = *w;
   v.start = 0;
   for (int k = 0; k < 2; k++) {
     double s = sin(w->om[k] * t), c = cos(w->om[k] * t);
@@ -116,14 +116,14 @@ static enum contact judge_flat(val *t, struct exact *e, const struct harmonic *f
 /* The first contact of a margin with zero that ends the present mode: *t and whether it is flat.  NULL when there is
    none before t_max; *status is that of the search which ended without one. */
 static val first_contact(bool *flat, int *status, struct exact *e, const struct harmonic *f, bool sticks, double t_max,
-                         struct run *run) {
+                         struct coulomb_run *run) {
   struct calc *c = &e->c;
-  struct wave w = harmonic_wave(c, f);
-  struct wave_root root;
+  struct trig_sum w = harmonic_trig_sum(c, f);
+  struct trig_sum_root root;
   double passed = 0;
   for (;;) {
     struct dyn_limits lim = {t_max - passed, run->plan->max_steps - run->result->steps};
-    *status = wave_first_root(&root, &w, NULL, &lim);
+    *status = trig_sum_first_root(&root, &w, NULL, &lim);
     run->result->steps += root.steps;
     if (*status) return NULL;
     val t = calc_d(c, passed + root.t);
@@ -138,7 +138,7 @@ static val first_contact(bool *flat, int *status, struct exact *e, const struct 
       if (contact == CONTACT_CROSS || (contact == CONTACT_TOUCH && !sticks)) return t;
     }
     passed += root.t; /* a force that turns back at its limit, or the end of an excursion below rounding */
-    w = wave_from(&w, root.t);
+    w = trig_sum_from(&w, root.t);
   }
 }
 
@@ -150,7 +150,7 @@ struct event {
 
 /* The first event up to t_max.  *status: SS_DOMAIN when it is proved that no event ever comes, SS_UNABLE when none was
    found before t_max or within the budget. */
-static struct event first_event(int *status, struct exact *e, double t_max, struct run *run) {
+static struct event first_event(int *status, struct exact *e, double t_max, struct coulomb_run *run) {
   struct calc *c = &e->c;
   struct event first = {.t = NULL};
   *status = SS_DOMAIN;
@@ -234,7 +234,7 @@ static void settle(struct exact *e, const struct event *event) {
   }
 }
 
-static enum move exact_move(void *self, struct run *run) {
+static enum move exact_move(void *self, struct coulomb_run *run) {
   struct exact *e = self;
   struct calc *c = &e->c;
   double duration = run->plan->duration, left = duration - exact_time(e);
@@ -300,7 +300,7 @@ int coulomb_simulate_exact(struct coulomb_result *result, struct num_vec *end, c
   if (!run_domain(p, x, plan)) return SS_DOMAIN;
   struct exact e;
   exact_begin(&e, params, start);
-  struct run run = {.plan = plan, .sink = sink, .result = result};
+  struct coulomb_run run = {.plan = plan, .sink = sink, .result = result};
   run.route = (struct route){&e, exact_signs, exact_move, exact_row, exact_time};
   for (int i = 0; i < 2; i++) run.us[i] = p[COULOMB_US1 + i];
   int status = run_all(&run);

@@ -237,7 +237,7 @@ static void settle(struct ode *o, int mass) {
   }
 }
 
-static enum move ode_move(void *self, struct run *run) {
+static enum move ode_move(void *self, struct coulomb_run *run) {
   struct ode *o = self;
   const double duration = run->plan->duration;
   set_modes(o, run->mode);
@@ -287,7 +287,7 @@ int coulomb_simulate_ode(struct coulomb_result *result, const double params[N_CO
   o.step = gsl_odeiv2_step_alloc(gsl_odeiv2_step_rk8pd, N_STATE);
   o.control = gsl_odeiv2_control_standard_new(plan->tolerance * params[COULOMB_V], plan->tolerance, 1, 0);
   o.evolve = gsl_odeiv2_evolve_alloc(N_STATE);
-  struct run run = {.plan = plan, .sink = sink, .result = result};
+  struct coulomb_run run = {.plan = plan, .sink = sink, .result = result};
   run.route = (struct route){&o, ode_signs, ode_move, ode_row, ode_time};
   for (int i = 0; i < 2; i++) run.us[i] = params[COULOMB_US1 + i];
   int status = run_all(&run);

@@ -14,7 +14,7 @@
 
 const struct dyn_limits dyn_limits_default = {1000, 100000};
 
-void wave_at(double value[3], const struct wave *w, double t) {
+void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
   double f = w->start + w->drift * t, d = w->drift, dd = 0;
   for (int i = 0; i < 2; i++) {
     double om = w->om[i], s = sin(0.5 * om * t), c = cos(0.5 * om * t);
@@ -40,7 +40,7 @@ double x_minus_sin(double x) {
 
 /* A wave turned so that it starts below zero, with its bounds. */
 struct walk {
-  struct wave w;
+  struct trig_sum w;
   double amp[2], mean;
   double bound;     /* of |f''| */
   double speed;     /* of |f'| without drift */
@@ -60,7 +60,7 @@ static double tolerance(const struct walk *k, double t) {
 
 /* The sign of the wave just after its start: that of its first derivative, from the 0th, that is not zero.
    *first receives half of a time through which the sign surely lasts. */
-static double starting_sign(double *first, const struct wave *w) {
+static double starting_sign(double *first, const struct trig_sum *w) {
   *first = 0;
   if (w->start != 0) return w->start > 0 ? 1 : -1;
   double quad[2] = {1, 1}; /* om^k */
@@ -82,7 +82,7 @@ static double starting_sign(double *first, const struct wave *w) {
   return 0;
 }
 
-static void walk_init(struct walk *k, const struct wave *w, double sign) {
+static void walk_init(struct walk *k, const struct trig_sum *w, double sign) {
   k->w = *w;
   k->w.start *= -sign;
   k->w.drift *= -sign;
@@ -170,10 +170,10 @@ static double depth_between(const double from[3], const double to[3], double h) 
 }
 
 /* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple. */
-static double polish(const struct wave *w, double t, int order) {
+static double polish(const struct trig_sum *w, double t, int order) {
   for (int i = 0; i < 4; i++) {
     double v[3];
-    wave_at(v, w, t);
+    trig_sum_at(v, w, t);
     double step = -v[order] / v[order + 1];
     t += step;
     if (fabs(step) <= DBL_EPSILON * t) break;
@@ -198,33 +198,33 @@ static enum verdict look_closely(double *t, const struct walk *k, const double v
   if (!(fabs(lie) < 1e5 * sqrt(tol / k->bound))) return TOUCHING;
   if (v[2] > 0) return v[1] > 0 ? TOUCHING : PASSING;
   double crest = polish(&k->w, *t, 1), at[3];
-  wave_at(at, &k->w, crest);
+  trig_sum_at(at, &k->w, crest);
   bool above = at[0] > fmax(tol, tolerance(k, crest));
   *t = above ? polish(&k->w, crest - sqrt(2 * at[0] / -at[2]), 0) : crest;
   return above ? CROSSING : TOUCHING;
 }
 
 /* How far the parameter can move before a maximum at t that is `clear` away from zero can reach it. */
-static double safe_move(const struct wave_shift *shift, double t, double clear) {
+static double safe_move(const struct trig_sum_shift *shift, double t, double clear) {
   if (!shift || !(clear > 0)) return 0;
   double v[3];
-  wave_at(v, &shift->rate, t);
+  trig_sum_at(v, &shift->rate, t);
   double speed = 1.25 * fabs(v[0]), bend = 1.25 * shift->bend;
   return fmax(2 * clear / (speed + sqrt(speed * speed + 4 * bend * clear)), clear / shift->most);
 }
 
 /* A wave without oscillations. */
-static int straight_root(struct wave_root *root, const struct wave *w) {
+static int straight_root(struct trig_sum_root *root, const struct trig_sum *w) {
   root->t = -w->start / w->drift;
   root->rate = w->drift;
   return isfinite(root->t) && root->t > 0 ? SS_OK : SS_DOMAIN;
 }
 
-int wave_first_root(struct wave_root *root, const struct wave *w, const struct wave_shift *shift,
-                    const struct dyn_limits *lim) {
+int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
+                        const struct dyn_limits *lim) {
   struct walk k;
   double first, sign = starting_sign(&first, w);
-  *root = (struct wave_root){.t = 0, .safe = INFINITY};
+  *root = (struct trig_sum_root){.t = 0, .safe = INFINITY};
   if (sign == 0) return SS_DOMAIN;
   walk_init(&k, w, sign);
   if (k.bound == 0) return straight_root(root, w);
@@ -236,7 +236,7 @@ int wave_first_root(struct wave_root *root, const struct wave *w, const struct w
 
   double t = isfinite(first) ? first : 0, v[3], next[3];
   long counted = 0;
-  wave_at(v, &k.w, t);
+  trig_sum_at(v, &k.w, t);
   for (root->steps = 1; root->steps <= lim->max_steps; root->steps++) {
     double tol = tolerance(&k, t);
     if (root->steps - counted >= WORK_BLOCK) {
@@ -250,7 +250,7 @@ int wave_first_root(struct wave_root *root, const struct wave *w, const struct w
       double found = t;
       enum verdict seen = look_closely(&found, &k, v, tol);
       if (seen != PASSING && found > 0) {
-        wave_at(next, &k.w, found);
+        trig_sum_at(next, &k.w, found);
         root->t = found;
         root->rate = -sign * next[1];
         root->grazing = seen == TOUCHING;
@@ -276,7 +276,7 @@ int wave_first_root(struct wave_root *root, const struct wave *w, const struct w
       }
     }
     h = fmax(h, DBL_EPSILON * t);
-    wave_at(next, &k.w, t + h);
+    trig_sum_at(next, &k.w, t + h);
     if (h > wait && v[1] > 0 && next[1] < 0)
       root->safe = fmin(root->safe, safe_move(shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h)));
     t += h;

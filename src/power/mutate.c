@@ -21,7 +21,7 @@ struct reader {
   bool asserts;
 };
 
-struct run {
+struct mutation_study {
   const struct model *model;
   const struct claims *claims;
   const struct scene *scene;
@@ -37,8 +37,8 @@ struct run {
   size_t n_drawn;
 };
 
-static struct judge new_judge(struct run *r, const struct model *m, struct audit_result *out, enum effort effort,
-                              struct diag *d) {
+static struct judge new_judge(struct mutation_study *r, const struct model *m, struct audit_result *out,
+                              enum effort effort, struct diag *d) {
   audit_result_init(out);
   diag_init(d);
   return (struct judge){.out = out,
@@ -58,7 +58,7 @@ static bool asserts(const struct audit_result *said) {
   return v != VERDICT_DEFINITION && v != VERDICT_SKIPPED;
 }
 
-static bool read_claim(struct reader *rd, struct run *r, struct model *recording, const struct claim *c,
+static bool read_claim(struct reader *rd, struct mutation_study *r, struct model *recording, const struct claim *c,
                        struct diag *d) {
   *rd = (struct reader){.claim = c};
   rd->use.def = ss_malloc(r->model->n_defs + 1);
@@ -85,7 +85,7 @@ static int lightest_first(const void *a, const void *b) {
   return x->claim < y->claim ? -1 : x->claim > y->claim;
 }
 
-static bool read_all(struct run *r, struct diag *d) {
+static bool read_all(struct mutation_study *r, struct diag *d) {
   struct model recording = *r->model;
   r->reader = ss_malloc((r->claims->n + 1) * sizeof *r->reader);
   for (size_t i = 0; i < r->claims->n; i++) {
@@ -149,7 +149,7 @@ static enum notice quick_besides(const struct reader *rd, const struct audit_res
 }
 
 /* The least effort that can tell. */
-static enum notice ask_quickly(struct run *r, const struct reader *rd) {
+static enum notice ask_quickly(struct mutation_study *r, const struct reader *rd) {
   enum verdict before = rd->said.findings[0].verdict;
   struct audit_result out;
   struct diag d;
@@ -168,7 +168,7 @@ static enum notice ask_quickly(struct run *r, const struct reader *rd) {
   return n;
 }
 
-static enum notice ask_in_full(struct run *r, const struct reader *rd) {
+static enum notice ask_in_full(struct mutation_study *r, const struct reader *rd) {
   struct audit_result out;
   struct diag d;
   struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_FULL, &d);
@@ -184,7 +184,7 @@ static enum notice compare(enum verdict was, enum verdict is) {
   return (was == VERDICT_PROVED) != (is == VERDICT_PROVED) ? LOST : OPEN;
 }
 
-static enum notice ask_late(struct run *r, const struct reader *rd) {
+static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
   const struct finding *was = &rd->said.findings[0];
   struct audit_result out;
   struct diag d;
@@ -213,7 +213,7 @@ static bool decides_exactly(const struct claim *c) {
 }
 
 /* By exact algebra: the statement and what uses it, or every claim that reads it. */
-static bool says_the_same(struct run *r, const struct target *t) {
+static bool says_the_same(struct mutation_study *r, const struct target *t) {
   const struct model *damaged = &r->overlay.model;
   bool all = true, any = false;
   if (target_same_in(t, r->model, damaged, r->claims, r->facts)) return true;
@@ -226,8 +226,8 @@ static bool says_the_same(struct run *r, const struct target *t) {
 }
 
 /* Asks the claims of one turn that read the target, until one notices: the fate then, else FATE_UNDECIDED. */
-static enum mutant_fate ask_all(struct run *r, const struct target *t, enum asked turn,
-                                enum notice (*ask)(struct run *, const struct reader *)) {
+static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t, enum asked turn,
+                                enum notice (*ask)(struct mutation_study *, const struct reader *)) {
   enum mutant_fate fate = FATE_UNDECIDED;
   for (size_t i = 0; i < r->n_readers; i++) {
     if (!reads(&r->reader[i], t) || claim_asked(r->reader[i].claim) != turn) continue;
@@ -239,7 +239,7 @@ static enum mutant_fate ask_all(struct run *r, const struct target *t, enum aske
   return fate;
 }
 
-static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
+static enum mutant_fate fate_in_place(struct mutation_study *r, const struct target *t) {
   bool any = false;
   for (size_t i = 0; !any && i < r->n_readers; i++) any = reads(&r->reader[i], t);
   if (!any) return FATE_UNREAD;
@@ -256,7 +256,7 @@ static enum mutant_fate fate_in_place(struct run *r, const struct target *t) {
 }
 
 static void try_mutant(void *result, size_t i, void *arg) {
-  struct run *r = arg;
+  struct mutation_study *r = arg;
   const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
   const struct target *t = &r->mutants.target[m->target];
   overlay_set(&r->overlay, t, m->edit.stmt);
@@ -276,7 +276,7 @@ static unsigned long long next_random(unsigned long long *state) {
 }
 
 /* Selection sampling: each subset of the size asked for is equally likely, and the order is kept. */
-static void draw(struct run *r, const struct mutation_options *opt) {
+static void draw(struct mutation_study *r, const struct mutation_options *opt) {
   size_t n = r->mutants.n, wanted = opt->count > 0 && (size_t)opt->count < n ? (size_t)opt->count : n;
   unsigned long long state = opt->seed;
   r->drawn = ss_malloc((n + 1) * sizeof *r->drawn);
@@ -306,13 +306,13 @@ static const char *keep(struct mutation_result *out, const char *s) {
 static const char *keep_subject(struct mutation_result *out, const struct model *m, const struct scene *s) {
   struct text subject;
   text_init(&subject);
-  audit_subject(&subject, m, s);
+  audit_fingerprint(&subject, m, s);
   const char *kept = keep(out, text_str(&subject));
   text_clear(&subject);
   return kept;
 }
 
-static const char *readers_of(struct mutation_result *out, const struct run *r, const struct target *t) {
+static const char *readers_of(struct mutation_result *out, const struct mutation_study *r, const struct target *t) {
   struct text list;
   text_init(&list);
   for (size_t c = 0; c < r->claims->n; c++)
@@ -324,7 +324,7 @@ static const char *readers_of(struct mutation_result *out, const struct run *r, 
   return s;
 }
 
-static void add_survivor(struct mutation_result *out, const struct run *r, const struct mutant *m,
+static void add_survivor(struct mutation_result *out, const struct mutation_study *r, const struct mutant *m,
                          enum mutant_fate fate) {
   const struct target *t = &r->mutants.target[m->target];
   const struct statement_record *rec = &r->model->records[t->record];
@@ -351,7 +351,7 @@ static void add_survivor(struct mutation_result *out, const struct run *r, const
   out->survivor[out->n_survivors++] = s;
 }
 
-static void report(struct mutation_result *out, const struct run *r, const enum mutant_fate *fate) {
+static void report(struct mutation_result *out, const struct mutation_study *r, const enum mutant_fate *fate) {
   out->kind = arena_alloc(&out->arena, N_EDIT_KINDS * sizeof *out->kind);
   out->n_kinds = N_EDIT_KINDS;
   for (int k = 0; k < N_EDIT_KINDS; k++) out->kind[k].name = edit_kind_name[k];
@@ -373,7 +373,7 @@ static void report(struct mutation_result *out, const struct run *r, const enum 
 
 /* --- The run --- */
 
-static void run_clear(struct run *r) {
+static void run_clear(struct mutation_study *r) {
   for (size_t i = 0; i < r->n_readers; i++) {
     free(r->reader[i].use.def);
     free(r->reader[i].use.record);
@@ -391,7 +391,8 @@ static void run_clear(struct run *r) {
 
 bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
                   const struct scene *scene, const struct mutation_options *opt, struct diag *d) {
-  struct run r = {.model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .facts = facts_new(m)};
+  struct mutation_study r = {
+      .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .facts = facts_new(m)};
   r.touched = ss_malloc(m->n_records + 1);
   overlay_init(&r.overlay, m);
   mutants_init(&r.mutants, m, opt->only, opt->n_only);

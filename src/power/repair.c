@@ -59,7 +59,7 @@ static void find_targets(struct search *s) {
   for (size_t i = 0; i < s->model->n_records; i++) {
     const struct statement_record *r = &s->model->records[i];
     bool defines = strcmp(r->record->kind_name, "define") == 0;
-    bool subject = claim_subject(r, s->claim) || (with_definitions && is_own_definition(r, s->claim));
+    bool subject = claim_is_about(r, s->claim) || (with_definitions && is_own_definition(r, s->claim));
     if (!subject || (!defines && view_record(&v, r->id) != r)) continue;
     for (int k = 0; k < r->n_stmts; k++) {
       if (r->stmts[k]->kind == STMT_TRAJECTORY) continue;

@@ -591,7 +591,7 @@ static int as_values(struct values *v, struct exact_motion *m, const struct poin
 
 /* omega_3 is the root of an element, and t' is t/omega_3. */
 static int block_time(element *z, struct exact_motion *m, struct values *v, bool old_time) {
-  int s = blocks_square_of_omega_3(z, v);
+  int s = springs_square_of_omega_3(z, v);
   if (s == SS_OK) s = exact_sqrt(z, m->field, z);
   if (s == SS_OK && old_time) s = op(num_exact.div, z, m, at(&v->t, 0), z);
   return s;
@@ -610,7 +610,7 @@ static bool bind_block(int *status, element *z, struct exact_motion *m, const ch
   if (old_time || strcmp(name, "omega_3") == 0)
     *status = block_time(z, m, &v, old_time);
   else
-    known = blocks_bind(status, z, &v, name);
+    known = springs_bind(status, z, &v, name);
   if (known) *status |= s;
   if (known && *status == SS_OK) *status = exact_reduce(z, m->field);
   num_vec_clear(&v.t);

@@ -184,7 +184,7 @@ static void add_head(struct text *out, const struct claim *c, const char *id, co
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
   for (size_t i = 0; !corrected && i < m->n_records; i++) {
     const struct statement_record *r = &m->records[i];
-    const struct statement_record *seen = claim_subject(r, c) ? view_record(&v, r->id) : NULL;
+    const struct statement_record *seen = claim_is_about(r, c) ? view_record(&v, r->id) : NULL;
     for (int k = 0; seen && k < seen->n_stmts; k++) {
       text_add(out, "#   ");
       stmt_print(out, seen->stmts[k]);

@@ -161,8 +161,8 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
 /* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
-bool blocks_bind(int *status, void *z, struct values *v, const char *name);
-int blocks_square_of_omega_3(void *z, struct values *v);
+bool springs_bind(int *status, void *z, struct values *v, const char *name);
+int springs_square_of_omega_3(void *z, struct values *v);
 
 /* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
    "t_a" ... "t_d": 100 and more; -1 for another name. */
@@ -398,25 +398,25 @@ struct evidence *finding_add(struct finding *f, struct audit_result *out);
 truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y);
 
 /* What one route says of a claim, as the table reads it. */
-enum says { SAYS_NOTHING, SAYS_AGREES, SAYS_DIFFERS, SAYS_UNDECIDED };
-struct route_word {
+enum route_outcome { ROUTE_NOTHING, ROUTE_AGREES, ROUTE_DIFFERS, ROUTE_UNDECIDED };
+struct route_result {
   const char *route;
-  enum says says;
+  enum route_outcome outcome;
   bool decisive; /* its difference is a certificate */
   long trials;
 };
 /* The word as evidence.  bits is -1, where and note are NULL, when they do not apply. */
-struct evidence *finding_say(struct finding *f, struct audit_result *out, struct route_word w, const char *layer,
-                             long bits, const char *where, const char *note);
+struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                   const char *layer, long bits, const char *where, const char *note);
 /* Evidence that only states something. */
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
                    long trials, const char *where, const char *note);
 /* The one table from evidence to verdict. */
-enum verdict verdict_of(const struct route_word *w, int n, bool whole_domain);
+enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
 /* Of a sentence with that verdict, judged again under a condition. */
 enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
 /* How many of the routes agree and are pairwise independent by the table of routes.h. */
-int independent_routes(const struct route_word *w, int n);
+int independent_routes(const struct route_result *w, int n);
 
 /* log2 of an upper bound of |x|; -inf for zero. */
 double log2_upper(const arb_t x);
@@ -425,7 +425,7 @@ const char *order_of_magnitude(struct audit_result *r, double log2x);
 
 /* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
    equation number, since a formula is printed together with its parts? */
-bool claim_subject(const struct statement_record *r, const struct claim *c);
+bool claim_is_about(const struct statement_record *r, const struct claim *c);
 /* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
    the claim's equation number. */
 bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);

@@ -177,7 +177,7 @@ static bool try_results(struct failure *f, const struct point *p) {
     for (size_t i = 0; accepted && last && i < f->n; i++) book_result(f, &f->result[i], &t[i], p, &v);
     free(t);
     values_clear(&v);
-    if (last && accepted) work_rung(LADDER_RESULT, prec == FIRST_PREC && !open);
+    if (last && accepted) work_precision_raise(LADDER_RESULT, prec == FIRST_PREC && !open);
     if (last || !accepted) return accepted;
   }
   return false;

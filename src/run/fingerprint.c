@@ -40,7 +40,7 @@ static void add_scene(struct text *out, const struct scene *s) {
   phase_word_print(out, &s->word);
 }
 
-void audit_subject(struct text *out, const struct model *m, const struct scene *s) {
+void audit_fingerprint(struct text *out, const struct model *m, const struct scene *s) {
   struct text all;
   text_init(&all);
   add_formulas(&all, m);

@@ -141,13 +141,13 @@ double piece_cost(const struct piece *p, const struct costs *costs) {
 
 /* --- Doing them --- */
 
-struct run {
+struct audit_work {
   const struct judge *base; /* its cache and pool are those of this process */
   const struct audit_options *opt;
   const struct audit_result *findings; /* of the first pieces */
   const struct pieces *pieces;
   struct orbit_pool *pool;
-  struct work_rungs rungs; /* of all pieces */
+  struct work_raises raises; /* of all pieces */
 };
 
 static bool do_consequence(struct judge *j, const struct piece *p, const struct audit_result *all) {
@@ -183,7 +183,7 @@ static void do_readings(struct judge *j) {
 }
 
 static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag *d) {
-  struct run *r = arg;
+  struct audit_work *r = arg;
   const struct piece *p = &r->pieces->item[i];
   struct judge j = *r->base;
   bool ok = true;
@@ -225,7 +225,7 @@ static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag
 /* --- Putting the parts together --- */
 
 /* A claim that ran out of its budget is undecided, and so is what a failure does; a control was not tried. */
-static void note_exhausted(struct audit_result *out, struct run *r, const struct piece *p) {
+static void note_exhausted(struct audit_result *out, struct audit_work *r, const struct piece *p) {
   struct judge j = *r->base;
   struct diag d;
   diag_init(&d);
@@ -252,8 +252,8 @@ static void take_consequence(struct audit_result *out, const struct piece *p, co
   result_append(out, &part);
 }
 
-static bool take(struct audit_result *out, struct run *r, const struct pieces *pieces, const struct task_result *t,
-                 enum piece_kind from, enum piece_kind to, struct diag *d) {
+static bool take(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
+                 const struct task_result *t, enum piece_kind from, enum piece_kind to, struct diag *d) {
   for (size_t i = 0; i < pieces->n; i++) {
     const struct piece *p = &pieces->item[i];
     if (p->kind < from || p->kind > to) continue;
@@ -289,7 +289,7 @@ static double expected(const struct pieces *p, const struct costs *costs) {
   return ms;
 }
 
-static struct task_result *do_pieces(struct audit_result *out, struct run *r, const struct pieces *pieces,
+static struct task_result *do_pieces(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
                                      struct teller *teller, unsigned *touched) {
   double *cost = ss_malloc(pieces->n * sizeof *cost);
   for (size_t i = 0; i < pieces->n; i++) cost[i] = piece_cost(&pieces->item[i], r->opt->costs);
@@ -308,8 +308,8 @@ static struct task_result *do_pieces(struct audit_result *out, struct run *r, co
     const struct piece *p = &pieces->item[i];
     *touched |= t[i].touched;
     for (int k = 0; k < N_WORK_LADDERS; k++) {
-      r->rungs.tried[k] += t[i].rungs.tried[k];
-      r->rungs.enough[k] += t[i].rungs.enough[k];
+      r->raises.tried[k] += t[i].raises.tried[k];
+      r->raises.enough[k] += t[i].raises.enough[k];
     }
     out->spent = ss_grow(out->spent, out->n_spent, &out->cap_spent, sizeof *out->spent);
     out->spent[out->n_spent++] =
@@ -319,7 +319,7 @@ static struct task_result *do_pieces(struct audit_result *out, struct run *r, co
   return t;
 }
 
-static bool run_pieces(struct audit_result *out, struct run *r, struct pieces *first, struct pieces *second,
+static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pieces *first, struct pieces *second,
                        unsigned *touched, struct diag *d) {
   double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
   double share = all > 0 ? all / (1.2 * all + controls) : 1;
@@ -351,7 +351,7 @@ static bool run_pieces(struct audit_result *out, struct run *r, struct pieces *f
   return ok;
 }
 
-static void add_rungs(struct audit_result *out, const struct work_rungs *r) {
+static void add_raises(struct audit_result *out, const struct work_raises *r) {
   for (int k = 0; k < N_WORK_LADDERS; k++) {
     if (!r->tried[k]) continue;
     out->precision = ss_grow(out->precision, out->n_precision, &out->cap_precision, sizeof *out->precision);
@@ -371,7 +371,7 @@ static struct scene without_data(const struct scene *s) {
 static void name_subject(struct audit_result *out, const struct model *m, const struct scene *scene) {
   struct text subject;
   text_init(&subject);
-  audit_subject(&subject, m, scene);
+  audit_fingerprint(&subject, m, scene);
   out->subject = result_str(out, "%s", text_str(&subject));
   out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
   text_clear(&subject);
@@ -392,7 +392,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
                        .cache = orbit_cache_new(),
                        .out = out,
                        .d = d};
-  struct run r = {.base = &base, .opt = opt, .findings = out};
+  struct audit_work r = {.base = &base, .opt = opt, .findings = out};
   struct pieces first = {.n = 0}, second = {.n = 0};
   unsigned touched = 0;
   out->scene = result_str(out, "%s", scene->name);
@@ -402,7 +402,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   pieces_first(&first, claims, scene, opt);
   bool ok =
       pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
-  if (ok) add_rungs(out, &r.rungs);
+  if (ok) add_raises(out, &r.raises);
   if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
   pieces_clear(&second);
   pieces_clear(&first);

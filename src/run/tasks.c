@@ -112,7 +112,7 @@ static void do_task(struct crew *c, size_t i, struct arena *arena) {
   slot->part.arena.head = NULL;
   slot->error = error;
   slot->touched = work_touched();
-  slot->rungs = work_rungs();
+  slot->raises = work_raises();
   slot->units = work_units();
   slot->seconds = c->t->seconds_now ? c->t->seconds_now() - start : 0;
   slot->end = ok ? TASK_DONE : TASK_FAILED;

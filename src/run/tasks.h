@@ -17,7 +17,7 @@ struct task_result {
   struct audit_result part; /* its lists; strings and lists live as long as the result given to tasks_run */
   const char *error;        /* of one that failed */
   unsigned touched;         /* work.h */
-  struct work_rungs rungs;
+  struct work_raises raises;
   unsigned long long units; /* of work that it took, */
   double seconds;           /* and by the clock */
 };

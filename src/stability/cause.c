@@ -214,7 +214,7 @@ struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double 
     sum = log2_add(sum, reach(w, i) - size);
     unknown = fmax(unknown, blur(w, i) - size);
   }
-  if (t->sheltered) fill_adjoint(w, which, false);
+  if (t->only_under_rounded) fill_adjoint(w, which, false);
   for (slong i = 0; i <= top; i++) {
     if (t->code[i].op == TAPE_INPUT) continue;
     double off = rounds(t->code[i].op) ? reach(w, i) - size + rounding(value(w, i)) : -INFINITY;

@@ -19,7 +19,7 @@ static slong largest_entry(const struct digits_bench *w) {
 }
 
 /* Below the normal numbers it matters as far as its rounding moves the result. */
-static void strain_under(double *strain, struct digits_bench *w) {
+static void nearness_under(double *strain, struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
   bool known = false;
   for (slong i = 0; i < t->n; i++) {
@@ -48,17 +48,18 @@ static double cancelled(const struct digits_bench *w, slong i) {
   return (most - digits_log2(num_vec_at(&w->b, i))) / BITS;
 }
 
-void digits_strain(double strain[N_STRAINS], struct digits_bench *w) {
+void digits_nearness(double strain[N_NEARNESSES], struct digits_bench *w) {
   const struct tape *t = &w->f->tape;
-  for (int k = 0; k < N_STRAINS; k++) strain[k] = -INFINITY;
+  for (int k = 0; k < N_NEARNESSES; k++) strain[k] = -INFINITY;
   if (w->f->kernel) return;
   for (slong i = 0; i < t->n; i++) {
     if (w->b_flags[i] || tape_shelters(t, i)) continue;
     if (!is_leaf(t, i))
-      strain[STRAIN_OVER] = fmax(strain[STRAIN_OVER], digits_log2(num_vec_at(&w->b, i)) / MOST_NUMBER);
-    if (t->code[i].op == TAPE_div) strain[STRAIN_DIVISOR] = fmax(strain[STRAIN_DIVISOR], cancelled(w, t->code[i].b));
+      strain[NEARNESS_OVER] = fmax(strain[NEARNESS_OVER], digits_log2(num_vec_at(&w->b, i)) / MOST_NUMBER);
+    if (t->code[i].op == TAPE_div)
+      strain[NEARNESS_DIVISOR] = fmax(strain[NEARNESS_DIVISOR], cancelled(w, t->code[i].b));
   }
-  strain_under(&strain[STRAIN_UNDER], w);
+  nearness_under(&strain[NEARNESS_UNDER], w);
 }
 
 double digits_extreme(const struct digits_formula *f, const double *x) {

@@ -13,7 +13,7 @@ struct search {
   struct digits_place *place;
   struct digits_found *out;
   double u[DIGITS_COORDINATES], other_u[DIGITS_COORDINATES]; /* of the worst points */
-  double strain[N_STRAINS], strain_u[N_STRAINS][DIGITS_COORDINATES];
+  double strain[N_NEARNESSES], strain_u[N_NEARNESSES][DIGITS_COORDINATES];
   double extreme, failure_u[DIGITS_COORDINATES]; /* of the worst failure */
   int n, which[DIGITS_COORDINATES], n_which;     /* coordinates, and those that a step moves */
   uint64_t random;
@@ -46,10 +46,10 @@ static void count(struct search *s, const struct digits_loss *r, const double *x
 
 /* Keeps the coordinates when the point measured last is nearer to a failure than any before. */
 static void keep_strain(struct search *s, const struct digits_loss *r, const double *u) {
-  double strain[N_STRAINS];
+  double strain[N_NEARNESSES];
   if (r->kind != DIGITS_LOST && r->kind != DIGITS_LESS && r->kind != DIGITS_FAILED) return;
-  digits_strain(strain, &s->bench);
-  for (int k = 0; k < N_STRAINS; k++) {
+  digits_nearness(strain, &s->bench);
+  for (int k = 0; k < N_NEARNESSES; k++) {
     if (!(strain[k] > s->strain[k])) continue;
     s->strain[k] = strain[k];
     memcpy(s->strain_u[k], u, sizeof s->strain_u[k]);
@@ -166,7 +166,7 @@ static void climb(struct search *s, int steps) {
 /* Towards a failure of each kind, then from the worst failure to less extreme inputs. */
 static void climb_to_failures(struct search *s, int steps) {
   double u[DIGITS_COORDINATES];
-  for (int k = 0; k < N_STRAINS; k++)
+  for (int k = 0; k < N_NEARNESSES; k++)
     for (int i = 0; i < steps && isfinite(s->strain[k]); i++) {
       step(u, s, s->strain_u[k]);
       try_point(s, u, FOR_FAILURE);
@@ -253,7 +253,7 @@ void digits_search(struct digits_found *out, struct digits_formula *f, struct di
   struct search q = {.out = out};
   struct text seed;
   memset(out, 0, sizeof *out);
-  for (int k = 0; k < N_STRAINS; k++) q.strain[k] = -INFINITY;
+  for (int k = 0; k < N_NEARNESSES; k++) q.strain[k] = -INFINITY;
   digits_bench_init(&q.bench, f);
   q.have_other = after != NULL;
   if (after) digits_bench_init(&q.other, after);

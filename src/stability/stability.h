@@ -191,10 +191,10 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
 
 /* --- Nearness to failure (nearness.c) --- */
 
-enum digits_strain { STRAIN_OVER, STRAIN_UNDER, STRAIN_DIVISOR, N_STRAINS };
+enum digits_nearness { NEARNESS_OVER, NEARNESS_UNDER, NEARNESS_DIVISOR, N_NEARNESSES };
 /* Of the point measured last: each grows towards a failure of its kind, which comes at about 1; -inf where there is no node
    that can fail so, and for a function of the program. */
-void digits_strain(double strain[N_STRAINS], struct digits_bench *w);
+void digits_nearness(double strain[N_NEARNESSES], struct digits_bench *w);
 /* The largest |log2| of an input, of 1 - chi too: how far the point is from ordinary numbers. */
 double digits_extreme(const struct digits_formula *f, const double *x);
 

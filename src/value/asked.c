@@ -220,7 +220,7 @@ static bool value_at(struct judge *j, const struct quantity *q, const struct poi
     }
     text_clear(&t);
     num_vec_clear(&x);
-    if (known && settled && !(s & SS_DOMAIN)) work_rung(LADDER_VALUE, all && prec == first);
+    if (known && settled && !(s & SS_DOMAIN)) work_precision_raise(LADDER_VALUE, all && prec == first);
     if (!known || settled) return known;
   }
 }

@@ -690,7 +690,7 @@ int values_bind(void *z, bool *known, struct values *v, const char *name) {
     t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
     return s;
   }
-  if (blocks_bind(&status, z, v, name)) return status;
+  if (springs_bind(&status, z, v, name)) return status;
   bool in_x;
   const char *argument, *bracket = strchr(name, '[');
   if (bracket) return bind_entry(z, known, v, name, bracket);

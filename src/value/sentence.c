@@ -324,7 +324,7 @@ struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum 
     decide(&t, &c, prec);
     if (t.outcome != OUTCOME_UNDECIDED) break;
   }
-  work_rung(LADDER_SIDES, t.bits == FIRST_PREC);
+  work_precision_raise(LADDER_SIDES, t.bits == FIRST_PREC);
   return t;
 }
 

@@ -64,7 +64,7 @@ static int first_mass(void *z, struct values *v) {
 }
 
 /* The first block alone on both springs turns once in the unit of time. */
-int blocks_square_of_omega_3(void *z, struct values *v) {
+int springs_square_of_omega_3(void *z, struct values *v) {
   struct num_vec m;
   num_vec_init(&m, 1, v->ctx);
   int s = stiffness(z, v) | first_mass(num_vec_at(&m, 0), v);
@@ -73,7 +73,7 @@ int blocks_square_of_omega_3(void *z, struct values *v) {
   return s;
 }
 static int time_scale(void *z, struct values *v) {
-  return blocks_square_of_omega_3(z, v) | v->ctx.type->sqrt(z, z, v->ctx.prec);
+  return springs_square_of_omega_3(z, v) | v->ctx.type->sqrt(z, z, v->ctx.prec);
 }
 static int old_time(void *z, struct values *v) {
   struct num_vec w;
@@ -105,7 +105,7 @@ static int second_friction(void *z, struct values *v) {
   return friction(z, v, 1);
 }
 
-bool blocks_bind(int *status, void *z, struct values *v, const char *name) {
+bool springs_bind(int *status, void *z, struct values *v, const char *name) {
   static const struct {
     const char *name;
     int (*value)(void *, struct values *);

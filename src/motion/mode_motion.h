@@ -7,7 +7,7 @@
 #include "motion_impl.h"
 #include "stickslip/coulomb.h"
 
-/* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct wave. */
+/* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct trig_sum. */
 struct harmonic {
   int n;
   val start, drift, om[2], cs[2], sn[2];
@@ -24,7 +24,7 @@ val harmonic_rate(struct calc *c, const struct harmonic *f, const struct angle a
 val harmonic_bend(struct calc *c, const struct harmonic *f, const struct angle angle[2]);
 /* Its negative where side is negative. */
 struct harmonic harmonic_sided(struct calc *c, const struct harmonic *f, int side);
-struct wave harmonic_wave(const struct calc *c, const struct harmonic *f);
+struct trig_sum harmonic_trig_sum(const struct calc *c, const struct harmonic *f);
 /* Newton's iteration for a root (order 0) or for an extremum (order 1), until half of the bits are settled before the
    last step. */
 val harmonic_newton(struct calc *c, const struct harmonic *f, val start, int order);

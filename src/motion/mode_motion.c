@@ -1,5 +1,5 @@
 /* The closed form of a motion within one pair of modes, written once for the simulation and for the phase words. */
-#include "trajectory.h"
+#include "mode_motion.h"
 
 void harmonic_angles(struct angle angle[2], struct calc *c, const struct harmonic *f, val t) {
   val half = calc_d(c, 0.5), two = calc_d(c, 2);
@@ -135,8 +135,8 @@ struct harmonic harmonic_sided(struct calc *c, const struct harmonic *f, int sid
   return m;
 }
 
-struct wave harmonic_wave(const struct calc *c, const struct harmonic *f) {
-  struct wave w = {.start = c->ctx.type->get_d(f->start), .drift = c->ctx.type->get_d(f->drift)};
+struct trig_sum harmonic_trig_sum(const struct calc *c, const struct harmonic *f) {
+  struct trig_sum w = {.start = c->ctx.type->get_d(f->start), .drift = c->ctx.type->get_d(f->drift)};
   for (int k = 0; k < f->n; k++) {
     w.om[k] = c->ctx.type->get_d(f->om[k]);
     w.cs[k] = c->ctx.type->get_d(f->cs[k]);
