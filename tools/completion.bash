@@ -35,7 +35,7 @@ _stickslip() {
   operands=$(_stickslip_rows "$program" "$command" usage 3)
   if ((COMP_CWORD == 1)); then
     words="$(_stickslip_rows "$program" "*" usage 1) help --help --version"
-  elif [[ $command == help && COMP_CWORD -eq 2 ]]; then
+  elif [[ $command == help ]] && ((COMP_CWORD == 2)); then
     words=$(_stickslip_rows "$program" "*" usage 1)
   elif [[ $previous == --only ]]; then
     local before=
