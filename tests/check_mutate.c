@@ -20,6 +20,7 @@
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"
 #include "suites.h"
+#include "value/expression.h"
 #include "value/orbit_pool.h"
 
 static struct model model;
