@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "mutants.h"
-#include "run/workers.h"
 #include "scene/orbit_pool.h"
 
 #define FATE_STRING(upper, lower) #lower,
@@ -406,7 +406,8 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
     if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
   }
   enum mutant_fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
-  ok = ok && read_all(&r, d) && workers_run(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
+  ok =
+      ok && read_all(&r, d) && crew_results(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
   if (ok) report(out, &r, fate);
   free(fate);
   run_clear(&r);
