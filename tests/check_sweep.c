@@ -648,6 +648,31 @@ START_TEST(signals_leave_a_file_to_resume) {
 }
 END_TEST
 
+/* One of its processes; 0: none is there. */
+static pid_t child_of(pid_t pid) {
+  char path[64];
+  int child = 0;
+  snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)pid, (int)pid);
+  FILE *f = fopen(path, "r");
+  if (f && fscanf(f, "%d", &child) != 1) child = 0;
+  if (f) fclose(f);
+  return child;
+}
+
+/* What it had cannot be told from what the others have: the run ends, and another goes on. */
+START_TEST(a_process_that_is_killed_is_noticed) {
+  int s;
+  pid_t pid = start_long(false, 100000), child = child_of(pid);
+  ck_assert_int_gt(child, 0);
+  kill(child, SIGKILL);
+  ck_assert(waitpid(pid, &s, 0) == pid);
+  ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
+  says("err", "a worker process ended before its time");
+  says("err", "long.part holds ");
+  interrupt(start_long(true, 200000), SIGINT);
+}
+END_TEST
+
 static bool has_shown_enough(pid_t pid) {
   struct stat st;
   (void)pid;
@@ -856,6 +881,7 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, long_heads_are_resumed);
   tcase_add_test(program_case, a_second_signal_ends_at_once);
   tcase_add_test(program_case, signals_leave_a_file_to_resume);
+  tcase_add_test(program_case, a_process_that_is_killed_is_noticed);
   tcase_add_test(program_case, what_cannot_be_written_is_said);
   tcase_add_test(program_case, hostile_options);
   tcase_add_test(program_case, hostile_parameters);
