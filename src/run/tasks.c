@@ -10,6 +10,8 @@
 #include <unistd.h>
 
 #include "base/crew.h"
+#include "stickslip/arena.h"
+#include "stickslip/audit.h"
 
 /* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the paper
    says a few million. */
