@@ -82,19 +82,6 @@ static int load_swept(struct sweep *q, const struct options *o, const char *data
   return status;
 }
 
-#ifdef STICKSLIP_MPI
-static int serve(const struct sweep *q, int jobs) {
-  struct diag d;
-  diag_init(&d);
-  struct pool *p = pool_open(q, jobs, &d);
-  if (!p) return bad_input(&d);
-  int status = ranks_serve(q, p, jobs);
-  sweep_stop();
-  pool_close(p);
-  return status;
-}
-#endif
-
 static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
   struct sink s;
   struct diag d;
@@ -112,7 +99,7 @@ static int sweep_with(struct sweep *q, const struct options *o, const char *data
   sweep_listen(true);
 #ifdef STICKSLIP_MPI
   if (!option(o, OPT_JOBS)) jobs = ranks_jobs();
-  status = ranks_number() > 0 ? serve(q, jobs) : write_all_rows(q, o, jobs);
+  status = ranks_number() > 0 ? ranks_serve(q, jobs) : write_all_rows(q, o, jobs);
 #else
   status = write_all_rows(q, o, jobs);
 #endif
