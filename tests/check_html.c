@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "report/html.h"
+#include "report/page.h"
 #include "run/audit_impl.h"
 #include "scratch.h"
 #include "stickslip/report.h"

@@ -1,7 +1,7 @@
 /* What the sheets and pages ask about a failure: how bad it is, what decided it, what mends it. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 bool report_is_failure(const struct finding *f) {
   return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;

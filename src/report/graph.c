@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 static size_t node_of(struct claim_graph *g, const char *id) {
   for (size_t i = 0; i < g->n; i++)

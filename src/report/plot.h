@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_REPORT_PLOT_H
 #define STICKSLIP_REPORT_PLOT_H
 
-#include "html.h"
+#include "page.h"
 
 /* --- Tables --- */
 

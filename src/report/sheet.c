@@ -2,7 +2,7 @@
    table's cell, an underscore must not begin italics, and a percent sign must not hide the rest of a line. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 /* --- Escapes --- */
 

@@ -1,8 +1,8 @@
 /* What the parts of index.html share. */
-#ifndef STICKSLIP_REPORT_HTML_H
-#define STICKSLIP_REPORT_HTML_H
+#ifndef STICKSLIP_REPORT_PAGE_H
+#define STICKSLIP_REPORT_PAGE_H
 
-#include "report_impl.h"
+#include "impl.h"
 
 /* --- Mathematics --- */
 

@@ -2,7 +2,7 @@
    Markdown and LaTeX; every number in it is one of the result record. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 /* Of a longer correction only what changes is shown. */
 enum { LONG_FORMULA = 200 };

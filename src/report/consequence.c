@@ -1,7 +1,7 @@
 /* The part of audit.md about what falls with a failure and what survives it. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 static void add_ids(struct text *out, const char *label, const struct id_list *list) {
   for (int i = 0; i < list->n; i++)

@@ -2,7 +2,7 @@
    formulas by the token in the study whose file stands beside the report; and which claims one route alone has judged. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* Whether the claim could have failed by it. */
 static bool decides(const struct evidence *e) {

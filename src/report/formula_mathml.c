@@ -3,7 +3,7 @@
    (MathML Core): italics are theirs, the form of a sign is said where its place in the row would mislead. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
 #define DIGITS  "0123456789"

@@ -1,5 +1,5 @@
 /* Pictures drawn from the record as SVG, in the page's own colours; each says in words what it shows. */
-#include "html.h"
+#include "page.h"
 
 /* So that a line is one where no style sheet is read. */
 #define LINE "fill=\"none\" stroke=\"currentColor\""

@@ -1,7 +1,7 @@
 /* The commands of LaTeX that formulas of a report may use: one table for the checker and for the setters. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 bool math_is(const char *s, size_t len, const char *word) {
   return strlen(word) == len && memcmp(s, word, len) == 0;

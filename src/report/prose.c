@@ -2,7 +2,7 @@
    power of ten, s^2 and 2^-52 with a raised exponent, a minus as long as a plus.  What stands between quotation marks is meant to be copied and stays as it is. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* The rest of a sentence, and what of it was read. */
 struct prose {

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* --- Rows of a description --- */
 

@@ -1,7 +1,7 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 static const char *or_dash(const char *s) {
   return s && *s ? s : "-";

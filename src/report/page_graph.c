@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 enum { COLUMN = 200, ROW = 20, BOX = 152, MARGIN = 10 };
 

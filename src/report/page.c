@@ -2,7 +2,7 @@
    which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* --- What the parts share --- */
 

@@ -3,7 +3,7 @@
    with one a dashed one. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 static const char *colour(enum verdict v) {
   static const char *const of[N_VERDICTS] = {

@@ -1,5 +1,5 @@
 /* audit.csv: a row for each claim, by RFC 4180 but for the ends of lines, which are plain. */
-#include "report_impl.h"
+#include "impl.h"
 
 /* Quoted whenever that could matter; control characters but for ends of lines become blanks. */
 static void add_field(struct text *out, const char *s, bool last) {

@@ -2,7 +2,7 @@
    sentences, how the audit itself was tested.  Every sentence is made of the record. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 static const char *const meaning[N_VERDICTS] = {
     [VERDICT_PROVED] = "an exact identity, or enclosures that settle the claim on its whole domain",

@@ -1,6 +1,6 @@
 /* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the one
    on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
-#include "html.h"
+#include "page.h"
 
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
   text_add(out, "    <testcase classname=\"stickslip.");

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */
 

@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "audit_shape.h"
-#include "report_impl.h"
+#include "impl.h"
 
 /* The names that the reports make lists and graphs of (claims, what they rest on, routes, sections): with more distinct
    ones the graph of the claims would be too large to be drawn, or looked at. */

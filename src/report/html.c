@@ -2,7 +2,7 @@
    markup. */
 #include <string.h>
 
-#include "html.h"
+#include "page.h"
 
 /* A character that XML can hold, by its bytes: no control characters, no noncharacters at the end of the plane. */
 static bool shows(const unsigned char *s, size_t n) {

@@ -2,7 +2,7 @@
    would obey commands that are not of formulas.  A formula that is not understood here is shown as it is typed. */
 #include <string.h>
 
-#include "report_impl.h"
+#include "impl.h"
 
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
