@@ -1,20 +1,13 @@
 /* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
 #include <string.h>
 
-#include "impl.h"
+#include "escape.h"
+#include "finding.h"
+#include "sheet.h"
+#include "stickslip/report.h"
 
 static const char *or_dash(const char *s) {
   return s && *s ? s : "-";
-}
-
-/* Text inside a table cell: a bar would end the cell. */
-static void add_cell(struct text *out, const char *s) {
-  for (s = or_dash(s); *s; s++) {
-    if (*s == '|')
-      text_add(out, "\\|");
-    else
-      text_add_char(out, *s);
-  }
 }
 
 static long unexpected(const struct finding *f) {
@@ -67,14 +60,11 @@ static void add_section(struct text *out, const struct audit_result *r, const ch
 static bool is_unexpected(const struct finding *f) {
   return unexpected(f) != 0;
 }
-static bool is_refuted(const struct finding *f) {
-  return verdict_fails(f->verdict);
-}
 static bool is_unknown(const struct finding *f) {
   return f->verdict == VERDICT_UNKNOWN;
 }
 static bool is_rest(const struct finding *f) {
-  return !is_refuted(f) && !is_unknown(f);
+  return !finding_fails(f) && !is_unknown(f);
 }
 
 static void add_overview(struct text *out, const struct audit_result *r) {
@@ -84,7 +74,7 @@ static void add_overview(struct text *out, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     text_printf(out, "| %s | ", f->id);
-    add_cell(out, f->title);
+    escape_cell(out, or_dash(f->title));
     text_printf(out, " | %s | %s | %s |\n", verdict_name[f->verdict], or_dash(f->fault),
                 f->recorded == N_VERDICTS ? "-"
                 : unexpected(f)           ? "NO"
@@ -122,7 +112,7 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
     quantity = p->quantity;
     text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
     text_printf(out, "%s%s | ", p->within ? "" : "**beyond**: ", p->largest ? p->largest : p->within ? "within" : "-");
-    add_cell(out, p->worst);
+    escape_cell(out, or_dash(p->worst));
     text_add(out, " |\n");
   }
   if (*quantity) text_add_char(out, '\n');
@@ -192,14 +182,84 @@ static void add_disagreeing_routes(struct text *out, const struct audit_result *
   add_route_pairs(out, r, true);
 }
 
+/* --- What falls with a failure, and what survives it --- */
+
+static void add_ids(struct text *out, const char *label, const struct id_list *list) {
+  for (int i = 0; i < list->n; i++)
+    text_printf(out, "%s%s%s", i ? ", " : label, list->id[i], i + 1 == list->n ? "\n" : "");
+}
+
+/* The formulas of those that a change leaves as they are, on one line. */
+static void add_kept(const struct sheet *s, const struct consequence *q, enum change change, const char *label) {
+  const char *sep = label;
+  for (int i = 0; i < q->n_derived; i++) {
+    const struct derived *d = &q->derived[i];
+    if (d->change != change) continue;
+    text_add(s->out, sep);
+    sheet_math(s, d->latex);
+    if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
+    sep = ", ";
+  }
+  if (sep != label) text_add_char(s->out, '\n');
+}
+
+static bool all_same(const struct consequence *q) {
+  for (int i = 0; i < q->n_derived; i++)
+    if (q->derived[i].change != CHANGE_SAME_FORMULA) return false;
+  return q->n_derived > 0;
+}
+
+static void add_changes(const struct sheet *s, const struct consequence *q) {
+  bool any = false;
+  for (int i = 0; i < q->n_derived; i++) {
+    const struct derived *d = &q->derived[i];
+    if (d->change != CHANGE_CHANGES) continue;
+    if (!any)
+      text_add(s->out, "\n| derived | | size | entry | with the printed form | corrected | where |\n"
+                       "| --- | --- | --- | --- | --- | --- | --- |\n");
+    any = true;
+    text_add(s->out, "| ");
+    sheet_math(s, d->latex);
+    text_add(s->out, ", ");
+    sheet_text(s, d->title);
+    text_printf(s->out, " | %s | below %s | %s | %s%s%s | %s | %s |\n", d->verdict, d->size, d->entry ? d->entry : "-",
+                d->printed, d->chain ? "; all printed: " : "", d->chain ? d->chain : "", d->corrected, d->where);
+  }
+}
+
+static void add_consequences(struct text *out, const struct audit_result *r) {
+  struct sheet s = {out, false};
+  if (r->n_consequences == 0) return;
+  text_add(out, "## What falls with a failure\n\nEverything is corrected but the failed formula, which is read as "
+                "printed. A result with the same formula in both readings cannot change.\n\n");
+  for (size_t i = 0; i < r->n_consequences; i++) {
+    const struct consequence *q = &r->consequences[i];
+    text_printf(out, "### with %s\n\n", q->failure);
+    add_ids(out, "- fails: ", &q->falls);
+    add_ids(out, "- rests on it and holds: ", &q->survives);
+    add_ids(out, "- rests on it, undecided: ", &q->open);
+    add_kept(&s, q, CHANGE_AGREES, "- keeps its value: ");
+    add_kept(&s, q, CHANGE_UNDECIDED, "- undecided: ");
+    add_kept(&s, q, CHANGE_UNDEFINED, "- cannot be evaluated: ");
+    if (all_same(q))
+      text_printf(out, "- same formula: all %d derived results\n", q->n_derived);
+    else
+      add_kept(&s, q, CHANGE_SAME_FORMULA, "- same formula: ");
+    add_changes(&s, q);
+    text_add_char(out, '\n');
+  }
+}
+
+/* --- The whole --- */
+
 void report_markdown(struct text *out, const struct audit_result *r) {
   text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
   add_counts(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", is_unexpected);
-  add_section(out, r, "Refuted", is_refuted);
-  report_consequences(out, r);
+  add_section(out, r, "Refuted", finding_fails);
+  add_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
   if (r->readings) report_readings_markdown(out, r->readings);
   add_overview(out, r);

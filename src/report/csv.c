@@ -1,17 +1,9 @@
 /* audit.csv: a row for each claim, by RFC 4180 but for the ends of lines, which are plain. */
-#include "impl.h"
+#include "escape.h"
+#include "stickslip/report.h"
 
-/* Quoted whenever that could matter; control characters but for ends of lines become blanks. */
 static void add_field(struct text *out, const char *s, bool last) {
-  if (s && *s) {
-    text_add_char(out, '"');
-    for (; *s; s++) {
-      if (*s == '"') text_add_char(out, '"');
-      bool control = ((unsigned char)*s < ' ' && *s != '\n') || *s == 0x7F;
-      text_add_char(out, control ? ' ' : *s);
-    }
-    text_add_char(out, '"');
-  }
+  escape_csv(out, s);
   text_add_char(out, last ? '\n' : ',');
 }
 

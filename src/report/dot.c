@@ -3,7 +3,10 @@
    with one a dashed one. */
 #include <string.h>
 
-#include "impl.h"
+#include "escape.h"
+#include "finding.h"
+#include "graph.h"
+#include "stickslip/report.h"
 
 static const char *colour(enum verdict v) {
   static const char *const of[N_VERDICTS] = {
@@ -22,27 +25,18 @@ static const char *shape(const struct finding *f) {
   return "ellipse";
 }
 
-static void add_quoted(struct text *out, const char *s) {
-  text_add_char(out, '"');
-  for (; *s; s++) {
-    if (*s == '"' || *s == '\\') text_add_char(out, '\\');
-    text_add_char(out, (unsigned char)*s < ' ' ? ' ' : *s);
-  }
-  text_add_char(out, '"');
-}
-
 static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
   const struct finding *f = i < g->r->n_findings ? &g->r->findings[i] : NULL;
   text_add(out, "  ");
-  add_quoted(out, g->id[i]);
+  escape_dot(out, g->id[i]);
   if (f)
     text_printf(out, " [shape=%s, fillcolor=\"%s\", tooltip=", shape(f), colour(f->verdict));
   else
     text_add(out, " [shape=ellipse, fillcolor=\"#ffffff\", tooltip=");
-  add_quoted(out, f && f->title ? f->title : "not judged in this run");
-  bool failed = f && report_is_failure(f);
+  escape_dot(out, f && f->title ? f->title : "not judged in this run");
+  bool failed = f && finding_fails(f);
   if (failed) text_add(out, ", penwidth=3, color=\"#b2182b\"");
-  if (report_falls(g->r, g->id[i], NULL))
+  if (claim_falls(g->r, g->id[i], NULL))
     text_add(out, failed ? ", peripheries=2" : ", color=\"#b2182b\", style=\"filled,dashed\"");
   text_add(out, "];\n");
 }
@@ -55,17 +49,17 @@ void report_dot(struct text *out, const struct audit_result *r) {
            "// failure (octagon notation, box formula, diamond number, hexagon argument).  Heavy border: a failure;\n"
            "// dashed: it fails when a formula it rests on is read as printed (doubled where it is a failure too).\n");
   text_add(out, "digraph claims {\n  rankdir=LR;\n  node [style=filled, fontname=\"Helvetica\"];\n  label=");
-  add_quoted(out, r->title ? r->title : r->scene);
+  escape_dot(out, r->title ? r->title : r->scene);
   text_add(out, ";\n");
   for (size_t i = 0; i < g.n; i++) add_node(out, &g, i);
   for (size_t a = 0; a < g.n; a++)
     for (size_t b = 0; b < g.n; b++) {
-      bool fatal = report_falls(r, g.id[a], g.id[b]);
+      bool fatal = claim_falls(r, g.id[a], g.id[b]);
       if (!fatal && (!g.rests[a * g.n + b] || claim_graph_implied(&g, a, b))) continue;
       text_add(out, "  ");
-      add_quoted(out, g.id[b]);
+      escape_dot(out, g.id[b]);
       text_add(out, " -> ");
-      add_quoted(out, g.id[a]);
+      escape_dot(out, g.id[a]);
       text_add(out, fatal ? " [color=\"#b2182b\", penwidth=2];\n" : ";\n");
     }
   text_add(out, "}\n");

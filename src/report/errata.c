@@ -2,7 +2,9 @@
    Markdown and LaTeX; every number in it is one of the result record. */
 #include <string.h>
 
-#include "impl.h"
+#include "finding.h"
+#include "sheet.h"
+#include "stickslip/report.h"
 
 /* Of a longer correction only what changes is shown. */
 enum { LONG_FORMULA = 200 };
@@ -98,9 +100,9 @@ static void add_texts(const struct sheet *s, const struct finding *f) {
 
 /* In plain words, from the class of the fault and what decided. */
 static void add_fault(const struct sheet *s, const struct finding *f) {
-  const struct evidence *e = report_deciding(f);
+  const struct evidence *e = failure_evidence(f);
   label(s, "Wrong");
-  text_add(s->out, report_fault_words(f));
+  text_add(s->out, failure_words(f));
   if (e && e->note) {
     text_add(s->out, ": ");
     sheet_text(s, e->note);
@@ -116,7 +118,7 @@ static void add_fault(const struct sheet *s, const struct finding *f) {
 static void add_restrictions(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *o = &r->findings[i];
-    if (!report_restricts(o, f)) continue;
+    if (!finding_restricts(o, f)) continue;
     text_add(s->out, " As printed it holds when ");
     sheet_text(s, o->condition);
     text_printf(s->out, " (%s).", verdict_name[o->verdict]);
@@ -177,7 +179,7 @@ static void add_consequence(const struct sheet *s, const struct consequence *q) 
 /* A slip that changes no result, in one paragraph. */
 static void add_slip(const struct sheet *s, const struct finding *f) {
   const char *quote = f->quote_part ? f->quote_part : f->quote;
-  const struct evidence *e = report_deciding(f);
+  const struct evidence *e = failure_evidence(f);
   begin_item(s);
   add_place(s, f);
   if (quote) {
@@ -198,7 +200,7 @@ static void add_slip(const struct sheet *s, const struct finding *f) {
 static void add_failure(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(r, f->id);
   const char *size = q ? f->size : f->effect;
-  const struct finding *first = report_mended_with(r, f);
+  const struct finding *first = failure_mended_with(r, f);
   begin_item(s);
   add_place(s, f);
   if (first) {
@@ -252,7 +254,7 @@ static void add_numbers(const struct sheet *s, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    if (!report_is_failure(f) || !report_is_number(f)) continue;
+    if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any)
       text_add(s->out,
                s->tex
@@ -284,11 +286,11 @@ static void add_grade(const struct sheet *s, const struct audit_result *r, enum 
   bool any = false, items = false;
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    if (!report_is_failure(f) || report_grade(r, f) != g) continue;
-    if (!any) heading(s, report_grade_heading[g]);
+    if (!finding_fails(f) || failure_grade(r, f) != g) continue;
+    if (!any) heading(s, grade_heading[g]);
     if (!any && g == GRADE_NUMBER) add_example(s, r);
     any = true;
-    if (report_is_number(f)) continue;
+    if (failure_is_number(f)) continue;
     if (!items) begin_items(s);
     items = true;
     if (g == GRADE_NOTATION)
@@ -301,7 +303,7 @@ static void add_grade(const struct sheet *s, const struct audit_result *r, enum 
 
 static size_t failures(const struct audit_result *r) {
   size_t n = 0;
-  for (size_t i = 0; i < r->n_findings; i++) n += report_is_failure(&r->findings[i]);
+  for (size_t i = 0; i < r->n_findings; i++) n += finding_fails(&r->findings[i]);
   return n;
 }
 
@@ -364,7 +366,7 @@ static void add_statement(const struct sheet *s, const struct finding *f) {
 static void add_statements(const struct sheet *s, const struct audit_result *r) {
   bool any = false;
   for (size_t i = 0; i < r->n_findings; i++) {
-    if (!report_states(&r->findings[i])) continue;
+    if (!finding_states(&r->findings[i])) continue;
     if (!any) {
       heading(s, "What the paper does not say");
       begin_items(s);

@@ -4,10 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
-
-#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-#define DIGITS  "0123456789"
+#include "base/tex.h"
+#include "formula.h"
+#include "stickslip/arena.h"
 
 enum { MOST_SYMBOLS = 600, LONGEST_KEY = 40 };
 
@@ -31,9 +30,8 @@ static void add_key(struct symbol *y, const char *s, size_t len) {
 
 /* The length of a group without groups or scripts in it, or of the one sign or command at s; 0 for others. */
 static size_t small_group(const char *s, const char *end) {
-  if (s == end) return 0;
-  if (*s == '\\') return 1 + strspn(s + 1, LETTERS);
-  if (*s != '{') return 1;
+  const struct tex_token t = tex_read(s, end);
+  if (t.kind != TEX_OPEN) return t.len;
   size_t n = 1;
   while (s + n < end && !strchr("{}_^&", s[n])) n++;
   return s + n < end && s[n] == '}' && n < LONGEST_KEY / 2 ? n + 1 : 0;
@@ -57,34 +55,52 @@ static const char *read_suffix(struct symbol *y, const char *s, const char *end)
   }
 }
 
-/* A point after the last digit ends a sentence. */
-static size_t number_length(const char *s, const char *end) {
-  size_t n = 1;
-  while (s + n < end && (strchr(DIGITS, s[n]) || (s[n] == '.' && s + n + 1 < end && strchr(DIGITS, s[n + 1])))) n++;
-  return n;
+/* A command or its accent with the letter under it, each with what belongs to it. */
+static const char *read_word(struct symbol *y, const struct tex_token *t, const char *end) {
+  const char *after = t->s + t->len;
+  enum tex_role role = t->word->role;
+  if (role == TEX_ROLE_SPACE) return after;
+  add_key(y, t->s, t->len);
+  if (role == TEX_ROLE_ACCENT) {
+    size_t n = small_group(after, end);
+    add_key(y, after, n);
+    after += n;
+  }
+  bool letter = role == TEX_ROLE_ACCENT || role == TEX_ROLE_LETTER || role == TEX_ROLE_UPRIGHT;
+  return letter ? read_suffix(y, after, end) : after;
+}
+
+/* An environment is a symbol where it begins. */
+static const char *read_environment(struct symbol *y, const struct tex_token *t, const char *end) {
+  size_t len;
+  const char *after = t->s + t->len, *name = tex_braced(&len, after, end);
+  if (t->kind == TEX_BEGIN) add_key(y, t->s, t->len);
+  return name ? name + len + 1 : after;
 }
 
 /* One symbol or command; what only groups or spaces has an empty key. */
 static const char *read_symbol(struct symbol *y, const char *s, const char *end) {
-  size_t letters = *s == '\\' ? strspn(s + 1, LETTERS) : 0;
-  const struct math_word *w = letters ? math_word(s + 1, letters) : NULL;
-  if (*s == '\\' && !w) {
-    bool begin = math_is(s + 1, letters, "begin"), environment = begin || math_is(s + 1, letters, "end");
-    if (begin || (s + 1 < end && s[1] == '\\')) add_key(y, s, 2);
-    const char *name = environment ? memchr(s, '}', (size_t)(end - s)) : NULL;
-    return name ? name + 1 : letters ? s + 1 + letters : s + 1 < end ? s + 2 : end;
+  const struct tex_token t = tex_read(s, end);
+  const char *after = s + t.len;
+  switch (t.kind) {
+  case TEX_WORD:
+    return read_word(y, &t, end);
+  case TEX_BEGIN:
+  case TEX_FINISH:
+    return read_environment(y, &t, end);
+  case TEX_GAP:
+  case TEX_BRACE:
+  case TEX_LEFT:
+  case TEX_RIGHT:
+    return after;
+  case TEX_DIGIT:
+    after = s + tex_number_length(s, end);
+    break;
+  default:
+    break;
   }
-  size_t len = w ? 1 + letters : 1;
-  if (!w && strchr(DIGITS, *s)) len = number_length(s, end);
-  if (w && w->role == MATH_SPACE) return s + len;
-  add_key(y, s, len);
-  if (w && w->role == MATH_ACCENT) {
-    size_t n = small_group(s + len, end);
-    add_key(y, s + len, n);
-    return read_suffix(y, s + len + n, end);
-  }
-  bool letter = w ? w->role == MATH_LETTER || w->role == MATH_UPRIGHT : strchr(LETTERS, *s) != NULL;
-  return letter ? read_suffix(y, s + len, end) : s + len;
+  add_key(y, s, (size_t)(after - s));
+  return t.kind == TEX_LETTER ? read_suffix(y, after, end) : after;
 }
 
 static void read_symbols(struct symbols *list, const char *tex, size_t begin, size_t end) {
@@ -116,7 +132,7 @@ static uint16_t *common_lengths(const struct symbols *a, const struct symbols *b
   return length;
 }
 
-bool math_changes(bool *a_changed, const char *a, bool *b_changed, const char *b) {
+bool formula_changes(bool *a_changed, const char *a, bool *b_changed, const char *b) {
   struct symbols x = {.n = 0}, y = {.n = 0};
   memset(a_changed, 0, strlen(a) * sizeof *a_changed);
   memset(b_changed, 0, strlen(b) * sizeof *b_changed);
@@ -156,7 +172,7 @@ static bool same_place(const struct symbols *a, size_t i, const struct symbols *
          (i + 1 == a->n || (j + 1 < b->n && same(&a->s[i + 1], &b->s[j + 1])));
 }
 
-void math_changes_in_text(bool *changed, const char *text, const char *a, const bool *a_changed) {
+void formula_changes_in_text(bool *changed, const char *text, const char *a, const bool *a_changed) {
   struct symbols x = {.n = 0}, y = {.n = 0};
   memset(changed, 0, strlen(text) * sizeof *changed);
   read_symbols(&x, a, 0, strlen(a));

@@ -2,21 +2,21 @@
    would obey commands that are not of formulas.  A formula that is not understood here is shown as it is typed. */
 #include <string.h>
 
-#include "impl.h"
+#include "base/tex.h"
+#include "formula.h"
 
-#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-
-enum { MAX_LEVELS = 64, MAX_TABS = 9 };
+enum { MAX_LEVELS = 64 };
 
 /* A group, \left...\right or an environment that is open. */
 struct level {
-  char kind;                           /* '{', 'l' for a fence, an environment's first letter; 0 outermost */
+  enum tex_kind opened;                /* TEX_OPEN, TEX_LEFT or TEX_BEGIN; TEX_END for the formula as a whole */
+  const struct tex_environment *kind;  /* of TEX_BEGIN, else NULL */
   bool text;                           /* inside \text */
   bool superscript, subscript, primes; /* the last atom has them */
   bool pending;                        /* a script waits for its argument */
   int args;                            /* braced arguments that the last command waits for */
   bool text_next;                      /* the argument is that of \text */
-  int tabs, most_tabs;
+  int cells;                           /* of the row, that are ended */
 };
 
 struct reader {
@@ -53,17 +53,17 @@ static bool prime(struct level *l) {
   return true;
 }
 
-static bool open_level(struct reader *r, char kind, int most_tabs) {
+static bool open_level(struct reader *r, enum tex_kind opened, const struct tex_environment *kind) {
   struct level *l = &r->level[r->depth];
-  if (r->depth + 1 == MAX_LEVELS || (kind != '{' && (l->args > 0 || l->pending || l->text))) return false;
+  if (r->depth + 1 == MAX_LEVELS || (opened != TEX_OPEN && (l->args > 0 || l->pending || l->text))) return false;
   r->level[++r->depth] =
-      (struct level){.kind = kind, .text = l->text || (l->args > 0 && l->text_next), .most_tabs = most_tabs};
+      (struct level){.opened = opened, .kind = kind, .text = l->text || (l->args > 0 && l->text_next)};
   return true;
 }
 
-static bool close_level(struct reader *r, char kind) {
+static bool close_level(struct reader *r, enum tex_kind opened, const struct tex_environment *kind) {
   struct level *l = &r->level[r->depth];
-  if (l->kind != kind || l->args > 0 || l->pending) return false;
+  if (l->opened != opened || l->kind != kind || l->args > 0 || l->pending) return false;
   l = &r->level[--r->depth];
   if (l->args > 0) {
     l->args--;
@@ -74,22 +74,19 @@ static bool close_level(struct reader *r, char kind) {
 
 /* {name} after \begin or \end. */
 static bool environment(struct reader *r, bool begin) {
-  static const char *const names[] = {"pmatrix", "bmatrix", "matrix", "aligned", "cases"};
-  const char *close = r->s < r->end && *r->s == '{' ? memchr(r->s, '}', (size_t)(r->end - r->s)) : NULL;
-  if (!close) return false;
-  const char *name = r->s + 1;
-  size_t len = (size_t)(close - name);
-  bool known = false;
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++) known = known || math_is(name, len, names[i]);
-  r->s = close + 1;
-  return known && (begin ? open_level(r, *name, *name == 'c' ? 1 : MAX_TABS) : close_level(r, *name));
+  size_t len;
+  const char *name = tex_braced(&len, r->s, r->end);
+  const struct tex_environment *kind = name ? tex_environment(name, len) : NULL;
+  if (!kind) return false;
+  r->s = name + len + 1;
+  return begin ? open_level(r, TEX_BEGIN, kind) : close_level(r, TEX_BEGIN, kind);
 }
 
 /* \left and \right with their delimiter. */
 static bool fence(struct reader *r, bool left) {
   if (r->s == r->end || !strchr("()[].|", *r->s)) return false;
   r->s++;
-  return left ? open_level(r, 'l', 0) : close_level(r, 'l');
+  return left ? open_level(r, TEX_LEFT, NULL) : close_level(r, TEX_LEFT, NULL);
 }
 
 /* \\[...] would be a distance, and \\* another command. */
@@ -97,68 +94,72 @@ static bool new_row(const struct reader *r, struct level *l) {
   const char *after = r->s;
   while (after < r->end && *after == ' ') after++;
   if (after < r->end && (*after == '[' || *after == '*')) return false;
-  if (l->most_tabs == 0 || l->args > 0 || l->pending) return false;
-  l->tabs = 0;
+  if (!l->kind || l->args > 0 || l->pending) return false;
+  l->cells = 0;
   l->superscript = l->subscript = l->primes = false;
   return true;
 }
 
-static bool command(struct reader *r) {
-  struct level *l = &r->level[r->depth];
-  const char *word = r->s;
-  size_t len = strspn(word, LETTERS);
-  if (len > (size_t)(r->end - word)) return false;
-  if (len == 0) {
-    if (r->s == r->end) return false;
-    char c = *r->s++;
-    if (c == '\\') return new_row(r, l);
-    return strchr(",;:! ", c) ? l->args == 0 && !l->pending : (c == '{' || c == '}') && atom(l);
-  }
-  r->s += len;
-  if (math_is(word, len, "begin") || math_is(word, len, "end")) return environment(r, *word == 'b');
-  if (math_is(word, len, "left") || math_is(word, len, "right")) return fence(r, *word == 'l');
-  const struct math_word *w = math_word(word, len);
-  if (!w || l->text || (!w->symbol && l->pending) || !atom(l)) return false;
+static bool command(struct level *l, const struct tex_word *w) {
+  if (l->text || (!w->symbol && l->pending) || !atom(l)) return false;
   l->args = w->args;
-  l->text_next = w->role == MATH_TEXT;
+  l->text_next = w->role == TEX_ROLE_TEXT;
   return true;
 }
 
-static bool tab(struct level *l) {
-  bool ok = l->args == 0 && !l->pending && l->tabs++ < l->most_tabs;
+static bool new_cell(struct level *l) {
+  bool ok = l->args == 0 && !l->pending && l->kind && ++l->cells < l->kind->most_cells;
   l->superscript = l->subscript = l->primes = false;
   return ok;
 }
 
 static bool next(struct reader *r) {
   struct level *l = &r->level[r->depth];
-  unsigned char c = (unsigned char)*r->s++;
-  switch (c) {
-  case ' ':
+  const struct tex_token t = tex_read(r->s, r->end);
+  r->s += t.len;
+  switch (t.kind) {
+  case TEX_BLANK:
     l->primes = false; /* x' ^2 has two superscripts */
     return true;
-  case '\\':
-    return command(r);
-  case '{':
-    return open_level(r, '{', 0);
-  case '}':
-    return close_level(r, '{');
-  case '^':
+  case TEX_LETTER:
+  case TEX_DIGIT:
+  case TEX_SIGN:
+  case TEX_BRACE:
+    return atom(l);
+  case TEX_OPEN:
+    return open_level(r, TEX_OPEN, NULL);
+  case TEX_CLOSE:
+    return close_level(r, TEX_OPEN, NULL);
+  case TEX_RAISED:
     return superscript(l);
-  case '_':
+  case TEX_LOWERED:
     l->primes = false; /* x'_1' has two superscripts */
     return script(l, &l->subscript);
-  case '\'':
+  case TEX_PRIME:
     return prime(l);
-  case '&':
-    return tab(l);
-  default:
-    return c > ' ' && c < 127 && !strchr("%#~$`", c) && atom(l);
+  case TEX_CELL:
+    return new_cell(l);
+  case TEX_ROW:
+    return new_row(r, l);
+  case TEX_GAP:
+    return l->args == 0 && !l->pending;
+  case TEX_LEFT:
+  case TEX_RIGHT:
+    return fence(r, t.kind == TEX_LEFT);
+  case TEX_BEGIN:
+  case TEX_FINISH:
+    return environment(r, t.kind == TEX_BEGIN);
+  case TEX_WORD:
+    return command(l, t.word);
+  case TEX_END:
+  case TEX_STRANGE:
+    break;
   }
+  return false;
 }
 
-bool math_is_sane(const char *s, size_t len) {
-  struct reader r = {.s = s, .end = s + len};
+bool formula_is_sane(const char *s, size_t len) {
+  struct reader r = {.s = s, .end = s + len, .level = {{.opened = TEX_END}}};
   while (r.s < r.end)
     if (!next(&r)) return false;
   return r.depth == 0 && !r.level[0].args && !r.level[0].pending;

@@ -3,17 +3,17 @@
    (MathML Core): italics are theirs, the form of a sign is said where its place in the row would mislead. */
 #include <string.h>
 
-#include "page.h"
-
-#define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
-#define DIGITS  "0123456789"
+#include "base/tex.h"
+#include "escape.h"
+#include "formula.h"
 
 /* What stands before the next sign: a minus after an operator is that of a number. */
 enum before { BEFORE_NOTHING, BEFORE_OPERATOR, BEFORE_ATOM };
 
 struct setter {
   struct text *out;
-  const char *s, *end;
+  struct tex_token t; /* the next one */
+  const char *end;
   const char *whole; /* where the marks count from */
   const bool *changed;
   bool continued; /* the formula was broken before its first sign */
@@ -22,13 +22,21 @@ struct setter {
 
 static void set_row(struct setter *m);
 
-static bool starts(const struct setter *m, const char *word) {
-  size_t n = strlen(word);
-  return (size_t)(m->end - m->s) >= n && memcmp(m->s, word, n) == 0;
+/* Goes on at s. */
+static void go_to(struct setter *m, const char *s) {
+  m->t = tex_read(s, m->end);
+}
+
+static void pass(struct setter *m) {
+  go_to(m, m->t.s + m->t.len);
 }
 
 static void skip_blanks(struct setter *m) {
-  while (m->s < m->end && *m->s == ' ') m->s++;
+  while (m->t.kind == TEX_BLANK) pass(m);
+}
+
+static bool is_function(const struct tex_token *t) {
+  return t->kind == TEX_WORD && t->word->role == TEX_ROLE_FUNCTION;
 }
 
 /* Puts what has been written since `at` between two tags. */
@@ -44,7 +52,7 @@ static void wrap(struct text *out, size_t at, const char *open, const char *clos
 
 static void set_sign(struct setter *m, const char *attributes, const char *s, size_t len, enum before after) {
   text_printf(m->out, "<mo%s>", attributes);
-  html_plain_n(m->out, s, len);
+  escape_html_n(m->out, s, len);
   text_add(m->out, "</mo>");
   m->before = after;
 }
@@ -55,7 +63,7 @@ static void set_binary(struct setter *m, const char *s, size_t len) {
 }
 
 static void set_character(struct setter *m) {
-  const char *c = m->s++;
+  const char *c = m->t.s;
   if (*c == '-')
     set_binary(m, "\xe2\x88\x92", 3);
   else if (*c == '+')
@@ -70,41 +78,41 @@ static void set_character(struct setter *m) {
     set_sign(m, " stretchy=\"false\" lspace=\"0\" rspace=\"0\"", c, 1, BEFORE_ATOM);
   else
     set_sign(m, "", c, 1, strchr(",;", *c) ? BEFORE_OPERATOR : BEFORE_ATOM);
+  pass(m);
 }
 
-static void set_number(struct setter *m) {
-  const char *from = m->s;
-  while (m->s < m->end && (strchr(DIGITS, *m->s) || (*m->s == '.' && m->s + 1 < m->end && strchr(DIGITS, m->s[1]))))
-    m->s++;
-  text_printf(m->out, "<mn>%.*s</mn>", (int)(m->s - from), from);
+static void set_number(struct setter *m, size_t len) {
+  text_printf(m->out, "<mn>%.*s</mn>", (int)len, m->t.s);
+  go_to(m, m->t.s + len);
   m->before = BEFORE_ATOM;
 }
 
 static void set_letter(struct setter *m) {
-  text_printf(m->out, "<mi>%c</mi>", *m->s++);
+  text_printf(m->out, "<mi>%c</mi>", *m->t.s);
+  pass(m);
   m->before = BEFORE_ATOM;
 }
 
 /* {...} as one element. */
 static void set_group(struct setter *m) {
   skip_blanks(m);
-  m->s++;
+  pass(m);
   set_row(m);
-  m->s++;
+  pass(m);
   m->before = BEFORE_ATOM;
 }
 
 /* --- Commands --- */
 
-/* The next group when it holds letters alone, which is then passed; NULL otherwise. */
+/* The next group when it holds letters and digits alone, which is then passed; NULL otherwise. */
 static const char *letters_group(struct setter *m, size_t *len) {
   skip_blanks(m);
-  const char *from = m->s + 1;
-  *len = 0;
-  while (from + *len < m->end && strchr(LETTERS DIGITS, from[*len])) ++*len;
-  if (*len == 0 || from + *len >= m->end || from[*len] != '}') return NULL;
-  m->s = from + *len + 1;
-  return from;
+  const char *s = tex_braced(len, m->t.s, m->end);
+  size_t n = 0;
+  while (s && n < *len && (char_is_letter(s[n]) || char_is_digit(s[n]))) n++;
+  if (n == 0 || n < *len) return NULL;
+  go_to(m, s + n + 1);
+  return s;
 }
 
 /* Script and bold capitals have characters of their own; of the script ones some stand elsewhere in Unicode. */
@@ -138,25 +146,25 @@ static void set_words(struct setter *m) {
   skip_blanks(m);
   text_add(m->out, "<mtext>");
   do {
-    char c = *m->s++;
-    depth += (c == '{') - (c == '}');
-    if (c == '\\' && m->s < m->end) c = strchr(",;:! ", *m->s) ? ' ' : *m->s, m->s++;
-    if (c == ' ')
+    const enum tex_kind kind = m->t.kind;
+    depth += (kind == TEX_OPEN) - (kind == TEX_CLOSE);
+    if (kind == TEX_BLANK || kind == TEX_GAP)
       text_add(m->out, "&#xA0;");
-    else if (c != '{' && c != '}')
-      html_plain_n(m->out, &c, 1);
+    else if (kind != TEX_OPEN && kind != TEX_CLOSE && kind != TEX_BRACE)
+      escape_html_n(m->out, m->t.s, m->t.len);
+    pass(m);
   } while (depth > 0);
   text_add(m->out, "</mtext>");
   m->before = BEFORE_ATOM;
 }
 
-static void set_accent(struct setter *m, const struct math_word *w) {
+static void set_accent(struct setter *m, const struct tex_word *w) {
   text_add(m->out, "<mover accent=\"true\">");
   set_group(m);
   text_printf(m->out, "<mo stretchy=\"false\">%s</mo></mover>", w->text);
 }
 
-static void set_operator_name(struct setter *m, const struct math_word *w) {
+static void set_operator_name(struct setter *m, const struct tex_word *w) {
   size_t len = strlen(w->text);
   const char *s = w->args ? letters_group(m, &len) : w->text;
   if (s)
@@ -166,47 +174,47 @@ static void set_operator_name(struct setter *m, const struct math_word *w) {
   m->before = BEFORE_ATOM;
 }
 
-static void set_word(struct setter *m, const struct math_word *w) {
+static void set_word(struct setter *m, const struct tex_word *w) {
   size_t at = m->out->len;
   switch (w->role) {
-  case MATH_LETTER:
+  case TEX_ROLE_LETTER:
     text_printf(m->out, "<mi>%s</mi>", w->text);
     m->before = BEFORE_ATOM;
     return;
-  case MATH_UPRIGHT:
+  case TEX_ROLE_UPRIGHT:
     text_printf(m->out, "<mi mathvariant=\"normal\">%s</mi>", w->text);
     m->before = BEFORE_ATOM;
     return;
-  case MATH_ORDINARY:
+  case TEX_ROLE_ORDINARY:
     set_sign(m, " stretchy=\"false\" lspace=\"0\" rspace=\"0\"", w->text, strlen(w->text), BEFORE_ATOM);
     return;
-  case MATH_OPEN:
-  case MATH_CLOSE:
-    set_sign(m, " stretchy=\"false\"", w->text, 1, w->role == MATH_OPEN ? BEFORE_NOTHING : BEFORE_ATOM);
+  case TEX_ROLE_OPEN:
+  case TEX_ROLE_CLOSE:
+    set_sign(m, " stretchy=\"false\"", w->text, 1, w->role == TEX_ROLE_OPEN ? BEFORE_NOTHING : BEFORE_ATOM);
     return;
-  case MATH_BINARY:
+  case TEX_ROLE_BINARY:
     set_binary(m, w->text, strlen(w->text));
     return;
-  case MATH_SPACE:
+  case TEX_ROLE_SPACE:
     text_printf(m->out, "<mspace width=\"%s\"></mspace>", w->text);
     return;
-  case MATH_FUNCTION:
+  case TEX_ROLE_FUNCTION:
     set_operator_name(m, w);
     return;
-  case MATH_ACCENT:
+  case TEX_ROLE_ACCENT:
     set_accent(m, w);
     return;
-  case MATH_FONT:
+  case TEX_ROLE_FONT:
     set_font(m, w->name);
     return;
-  case MATH_TEXT:
+  case TEX_ROLE_TEXT:
     set_words(m);
     return;
-  case MATH_ROOT:
+  case TEX_ROLE_ROOT:
     set_group(m);
     wrap(m->out, at, "<msqrt>", "</msqrt>");
     return;
-  case MATH_FRACTION:
+  case TEX_ROLE_FRACTION:
     set_group(m);
     set_group(m);
     wrap(m->out, at, "<mfrac>", "</mfrac>");
@@ -221,17 +229,22 @@ static void add_delimiter(struct text *out, char c, bool opens, bool stretches) 
               opens ? "prefix" : "postfix", c == '|' ? " lspace=\"0\" rspace=\"0\"" : "", c);
 }
 
+/* The delimiter behind \left or \right. */
+static char pass_fence(struct setter *m) {
+  const char *delimiter = m->t.s + m->t.len;
+  go_to(m, delimiter + 1);
+  return *delimiter;
+}
+
 /* \left( ... \right) as one element. */
 static void set_fenced(struct setter *m) {
   struct text *out = m->out, inside;
   text_init(&inside);
-  m->s += strlen("\\left");
-  char open = *m->s++;
+  char open = pass_fence(m);
   m->out = &inside;
   set_row(m);
   m->out = out;
-  m->s += strlen("\\right");
-  char close = *m->s++;
+  char close = pass_fence(m);
   bool high = strstr(inside.data, "<mfrac>") || strstr(inside.data, "<mtable") || strstr(inside.data, "<msqrt>");
   text_add(out, "<mrow>");
   add_delimiter(out, open, true, high);
@@ -242,23 +255,22 @@ static void set_fenced(struct setter *m) {
   m->before = BEFORE_ATOM;
 }
 
-static void pass_group(struct setter *m) {
-  m->s = (const char *)memchr(m->s, '}', (size_t)(m->end - m->s)) + 1;
-}
-
-/* After a new line: whether the environment ends there all the same. */
-static bool ends_here(struct setter *m) {
-  skip_blanks(m);
-  return starts(m, "\\end");
+/* {name} behind \begin or \end. */
+static const struct tex_environment *pass_environment(struct setter *m) {
+  size_t len;
+  const char *name = tex_braced(&len, m->t.s + m->t.len, m->end);
+  go_to(m, name + len + 1);
+  return tex_environment(name, len);
 }
 
 static void set_cells(struct setter *m) {
   text_add(m->out, "<mtr><mtd>");
   set_row(m);
-  while (!starts(m, "\\end")) {
-    bool cell = *m->s == '&';
-    m->s += cell ? 1 : 2;
-    if (!cell && ends_here(m)) break;
+  while (m->t.kind != TEX_FINISH) {
+    bool cell = m->t.kind == TEX_CELL;
+    pass(m);
+    if (!cell) skip_blanks(m);
+    if (!cell && m->t.kind == TEX_FINISH) break; /* the last row is ended too */
     text_add(m->out, cell ? "</mtd><mtd>" : "</mtd></mtr><mtr><mtd>");
     set_row(m);
   }
@@ -266,102 +278,95 @@ static void set_cells(struct setter *m) {
 }
 
 static void set_environment(struct setter *m) {
-  static const struct {
-    const char *name, *open, *close;
-  } kinds[] = {
-      {"pmatrix", "(", ")"}, {"bmatrix", "[", "]"}, {"matrix", "", ""}, {"aligned", "", ""}, {"cases", "{", ""}};
-  const char *name = m->s + strlen("\\begin{");
-  size_t k = 0;
-  while (strncmp(kinds[k].name, name, strlen(kinds[k].name)) != 0) k++;
-  pass_group(m);
+  const struct tex_environment *kind = pass_environment(m);
   text_add(m->out, "<mrow>");
-  if (*kinds[k].open) text_printf(m->out, "<mo fence=\"true\" form=\"prefix\">%s</mo>", kinds[k].open);
-  text_printf(m->out, "<mtable class=\"%s\">", kinds[k].name);
+  if (*kind->open) text_printf(m->out, "<mo fence=\"true\" form=\"prefix\">%s</mo>", kind->open);
+  text_printf(m->out, "<mtable class=\"%s\">", kind->name);
   set_cells(m);
   text_add(m->out, "</mtable>");
-  if (*kinds[k].close) text_printf(m->out, "<mo fence=\"true\" form=\"postfix\">%s</mo>", kinds[k].close);
+  if (*kind->close) text_printf(m->out, "<mo fence=\"true\" form=\"postfix\">%s</mo>", kind->close);
   text_add(m->out, "</mrow>");
-  pass_group(m);
+  pass_environment(m);
   m->before = BEFORE_ATOM;
 }
 
-/* \, and its like, \{ and \}. */
-static void set_control_sign(struct setter *m) {
+/* \, and its like. */
+static void set_gap(struct setter *m) {
   static const char kinds[] = ",:;! ";
   static const char *const width[] = {"0.1667em", "0.2222em", "0.2778em", "-0.1667em", "0.25em"};
-  const char *c = m->s + 1, *kind = strchr(kinds, *c);
-  m->s += 2;
-  if (kind)
-    text_printf(m->out, "<mspace width=\"%s\"></mspace>", width[kind - kinds]);
-  else
-    set_sign(m, " stretchy=\"false\"", c, 1, *c == '{' ? BEFORE_NOTHING : BEFORE_ATOM);
+  text_printf(m->out, "<mspace width=\"%s\"></mspace>", width[strchr(kinds, m->t.s[1]) - kinds]);
+  pass(m);
 }
 
-/* Whether the name of a function was set, after which comes its argument. */
-static bool set_command(struct setter *m) {
-  size_t len = strspn(m->s + 1, LETTERS);
-  if (starts(m, "\\begin{")) {
-    set_environment(m);
-  } else if (math_is(m->s + 1, len, "left")) {
-    set_fenced(m);
-  } else if (len == 0) {
-    set_control_sign(m);
-  } else {
-    const struct math_word *w = math_word(m->s + 1, len);
-    m->s += 1 + len;
-    set_word(m, w);
-    return w->role == MATH_FUNCTION;
-  }
-  return false;
+/* \{ and \}. */
+static void set_brace(struct setter *m) {
+  const char *c = m->t.s + 1;
+  set_sign(m, " stretchy=\"false\"", c, 1, *c == '{' ? BEFORE_NOTHING : BEFORE_ATOM);
+  pass(m);
 }
 
 /* --- Rows and scripts --- */
 
-static bool set_atom(struct setter *m) {
-  if (*m->s == '\\') return set_command(m);
-  if (*m->s == '{')
+static void set_atom(struct setter *m) {
+  const struct tex_word *w = m->t.word;
+  switch (m->t.kind) {
+  case TEX_WORD:
+    pass(m);
+    set_word(m, w);
+    return;
+  case TEX_OPEN:
     set_group(m);
-  else if (strchr(DIGITS, *m->s))
-    set_number(m);
-  else if (strchr(LETTERS, *m->s))
+    return;
+  case TEX_DIGIT:
+    set_number(m, tex_number_length(m->t.s, m->end));
+    return;
+  case TEX_LETTER:
     set_letter(m);
-  else
+    return;
+  case TEX_BEGIN:
+    set_environment(m);
+    return;
+  case TEX_LEFT:
+    set_fenced(m);
+    return;
+  case TEX_GAP:
+    set_gap(m);
+    return;
+  case TEX_BRACE:
+    set_brace(m);
+    return;
+  default:
     set_character(m);
-  return false;
+  }
 }
 
-/* A group, or one character or command. */
+/* A group, or one digit, character or command. */
 static void set_script(struct setter *m, struct text *into) {
   struct text *out = m->out;
-  const char *end = m->end;
   m->out = into;
   skip_blanks(m);
-  if (strchr(DIGITS, *m->s)) m->end = m->s + 1;
   m->before = BEFORE_NOTHING;
-  set_atom(m);
-  m->end = end;
+  if (m->t.kind == TEX_DIGIT)
+    set_number(m, 1);
+  else
+    set_atom(m);
   m->out = out;
-}
-
-static int count_primes(struct setter *m) {
-  int n = 0;
-  for (; m->s < m->end && *m->s == '\''; m->s++) n++;
-  return n;
 }
 
 /* Scripts and primes that follow, in any order; the number of primes. */
 static int read_scripts(struct setter *m, struct text *sub, struct text *sup) {
-  int primes = 0;
-  for (;;) {
-    const char *blank = m->s;
+  for (int primes = 0;;) {
+    const struct tex_token blank = m->t;
     skip_blanks(m);
-    if (m->s < m->end && *m->s == '\'') {
-      primes += count_primes(m);
-    } else if (m->s < m->end && (*m->s == '_' || *m->s == '^')) {
-      struct text *into = *m->s++ == '_' ? sub : sup;
+    if (m->t.kind == TEX_PRIME) {
+      primes++;
+      pass(m);
+    } else if (m->t.kind == TEX_LOWERED || m->t.kind == TEX_RAISED) {
+      struct text *into = m->t.kind == TEX_LOWERED ? sub : sup;
+      pass(m);
       set_script(m, into);
     } else {
-      m->s = blank;
+      m->t = blank;
       return primes;
     }
   }
@@ -404,32 +409,25 @@ static void set_scripts(struct setter *m, size_t at) {
 static void set_application(struct setter *m) {
   text_add(m->out, "<mo>&#x2061;</mo>");
   skip_blanks(m);
-  if (m->s < m->end && *m->s != '(' && !starts(m, "\\left")) text_add(m->out, "<mspace width=\"0.1667em\"></mspace>");
+  if (m->t.kind != TEX_END && *m->t.s != '(' && m->t.kind != TEX_LEFT)
+    text_add(m->out, "<mspace width=\"0.1667em\"></mspace>");
   m->before = BEFORE_NOTHING;
 }
 
-static bool row_ends(const struct setter *m) {
-  if (m->s >= m->end || *m->s == '}' || *m->s == '&') return true;
-  return starts(m, "\\\\") || starts(m, "\\end{") || (starts(m, "\\right") && !strchr(LETTERS, m->s[6]));
-}
-
-/* A thin space between a factor and the name of a function. */
-static void set_apart(struct setter *m) {
-  size_t len = *m->s == '\\' ? strspn(m->s + 1, LETTERS) : 0;
-  const struct math_word *w = len ? math_word(m->s + 1, len) : NULL;
-  if (w && w->role == MATH_FUNCTION && m->before == BEFORE_ATOM)
-    text_add(m->out, "<mspace width=\"0.1667em\"></mspace>");
+static bool row_ends(enum tex_kind next) {
+  return next == TEX_END || next == TEX_CLOSE || next == TEX_CELL || next == TEX_ROW || next == TEX_FINISH ||
+         next == TEX_RIGHT;
 }
 
 /* The number of elements. */
 static int set_item(struct setter *m) {
-  set_apart(m);
-  size_t at = m->out->len, from = (size_t)(m->s - m->whole);
-  bool function = false;
-  if (strchr("^_'", *m->s))
+  bool function = is_function(&m->t);
+  if (function && m->before == BEFORE_ATOM) text_add(m->out, "<mspace width=\"0.1667em\"></mspace>");
+  size_t at = m->out->len, from = (size_t)(m->t.s - m->whole);
+  if (m->t.kind == TEX_RAISED || m->t.kind == TEX_LOWERED || m->t.kind == TEX_PRIME)
     text_add(m->out, "<mrow></mrow>");
   else
-    function = set_atom(m);
+    set_atom(m);
   set_scripts(m, at);
   m->continued = false;
   if (m->changed && m->changed[from]) wrap(m->out, at, "<mrow class=\"chg\">", "</mrow>");
@@ -442,7 +440,7 @@ static void set_row(struct setter *m) {
   size_t at = m->out->len;
   int n = 0;
   m->before = BEFORE_NOTHING;
-  for (skip_blanks(m); !row_ends(m); skip_blanks(m)) n += set_item(m);
+  for (skip_blanks(m); !row_ends(m->t.kind); skip_blanks(m)) n += set_item(m);
   if (n != 1) wrap(m->out, at, "<mrow>", "</mrow>");
 }
 
@@ -453,22 +451,24 @@ struct depth {
   int groups, parentheses;
 };
 
-/* Passes one sign or command of TeX; its length. */
-static size_t pass(struct depth *d, const char *s, const char *end) {
-  size_t n = *s == '\\' && s + 1 < end ? strspn(s + 1, LETTERS) : 0, len = *s != '\\' ? 1 : n ? n + 1 : 2;
-  const char *word = s + 1;
-  bool left = math_is(word, n, "left"), right = math_is(word, n, "right");
-  if (*s == '{' || left || math_is(word, n, "begin")) d->groups++;
-  if (*s == '}' || right || math_is(word, n, "end")) d->groups--;
-  if (strchr("([", *s) || math_is(word, n, "lbrace") || (len == 2 && n == 0 && *word == '{')) d->parentheses++;
-  if (strchr(")]", *s) || math_is(word, n, "rbrace") || (len == 2 && n == 0 && *word == '}')) d->parentheses--;
-  return len + (left || right); /* with the fence */
+static void count(struct depth *d, const struct tex_token *t) {
+  enum tex_kind k = t->kind;
+  char sign = k == TEX_SIGN ? *t->s : k == TEX_BRACE ? t->s[1] : '\0';
+  enum tex_role role = t->word ? t->word->role : TEX_ROLE_ORDINARY;
+  d->groups +=
+      (k == TEX_OPEN || k == TEX_LEFT || k == TEX_BEGIN) - (k == TEX_CLOSE || k == TEX_RIGHT || k == TEX_FINISH);
+  d->parentheses += (sign == '(' || sign == '[' || sign == '{' || role == TEX_ROLE_OPEN) -
+                    (sign == ')' || sign == ']' || sign == '}' || role == TEX_ROLE_CLOSE);
 }
 
-/* Whether TeX would break a line before the sign or command: an operator or a relation. */
-static bool is_break(const char *s, size_t len) {
-  const struct math_word *w = *s == '\\' ? math_word(s + 1, len - 1) : NULL;
-  return w ? w->role == MATH_BINARY : strchr("=<>+-", *s) != NULL;
+/* Whether TeX would break a line before it: an operator or a relation. */
+static bool is_break(const struct tex_token *t) {
+  return t->word ? t->word->role == TEX_ROLE_BINARY : t->kind == TEX_SIGN && strchr("=<>+-", *t->s);
+}
+
+static bool takes_room(const struct tex_token *t) {
+  return t->kind != TEX_BLANK && t->kind != TEX_OPEN && t->kind != TEX_CLOSE && t->kind != TEX_RAISED &&
+         t->kind != TEX_LOWERED;
 }
 
 /* The end of the piece that begins at s: behind a comma, before a wide space, and, when it has become long, before an
@@ -477,38 +477,38 @@ static const char *piece_end(const char *s, const char *end) {
   enum { LONG_PIECE = 24 };
   struct depth d = {0, 0};
   int signs = 0;
-  bool follows = false;
+  bool follows = false, script = true; /* nothing is broken off before the first token either */
   for (const char *p = s; p < end;) {
-    size_t len = pass(&d, p, end);
-    bool script = p > s && (p[-1] == '_' || p[-1] == '^');
-    if (d.groups == 0 && d.parentheses == 0 && p > s && !script) {
-      if (*p == ',') return p + 1;
-      if (*p == '\\' && (math_is(p + 1, len - 1, "quad") || math_is(p + 1, len - 1, "qquad"))) return p;
-      if (signs >= LONG_PIECE && follows && is_break(p, len)) return p;
+    const struct tex_token t = tex_read(p, end);
+    count(&d, &t);
+    if (d.groups == 0 && d.parentheses == 0 && !script) {
+      if (t.kind == TEX_SIGN && *p == ',') return p + 1;
+      if (t.word && t.word->role == TEX_ROLE_SPACE) return p;
+      if (signs >= LONG_PIECE && follows && is_break(&t)) return p;
     }
-    if (!strchr(" {}_^", *p)) {
+    if (takes_room(&t)) {
       signs++;
-      follows = !is_break(p, len) && !strchr("([", *p);
+      follows = !is_break(&t) && !(t.kind == TEX_SIGN && strchr("([", *p));
     }
-    p += len;
+    script = t.kind == TEX_RAISED || t.kind == TEX_LOWERED;
+    p += t.len + (t.kind == TEX_LEFT || t.kind == TEX_RIGHT); /* with the fence */
   }
   return end;
 }
 
 static void set_piece(struct setter *m, const char *s, const char *end) {
-  m->s = s;
   m->end = end;
-  size_t command = *s == '\\' ? 1 + strspn(s + 1, LETTERS) : 1;
-  m->continued = s > m->whole && is_break(s, command);
+  go_to(m, s);
+  m->continued = s > m->whole && is_break(&m->t);
   text_add(m->out, "<math displaystyle=\"true\"><semantics>");
   set_row(m);
   text_add(m->out, "<annotation encoding=\"application/x-tex\">");
-  html_plain_n(m->out, s, (size_t)(end - s));
+  escape_html_n(m->out, s, (size_t)(end - s));
   text_add(m->out, "</annotation></semantics></math>");
 }
 
-bool mathml_add(struct text *out, const char *tex, size_t len, const bool *changed) {
-  if (!math_is_sane(tex, len)) return false;
+bool formula_mathml(struct text *out, const char *tex, size_t len, const bool *changed) {
+  if (!formula_is_sane(tex, len)) return false;
   struct setter m = {.out = out, .whole = tex, .changed = changed};
   const char *end = tex + len;
   for (const char *s = tex; s < end;) {

@@ -2,7 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "impl.h"
+#include "graph.h"
+#include "stickslip/arena.h"
 
 static size_t node_of(struct claim_graph *g, const char *id) {
   for (size_t i = 0; i < g->n; i++)
@@ -50,7 +51,7 @@ bool claim_graph_implied(const struct claim_graph *g, size_t a, size_t b) {
   return false;
 }
 
-bool report_falls(const struct audit_result *r, const char *id, const char *failure) {
+bool claim_falls(const struct audit_result *r, const char *id, const char *failure) {
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
     if (failure && strcmp(q->failure, failure) != 0) continue;

@@ -1,16 +1,17 @@
 /* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the one
    on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
-#include "page.h"
+#include "escape.h"
+#include "stickslip/report.h"
 
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
   text_add(out, "    <testcase classname=\"stickslip.");
-  html_plain(out, suite);
+  escape_html(out, suite);
   text_add(out, ".");
-  html_plain(out, group);
+  escape_html(out, group);
   text_add(out, "\" name=\"");
-  html_plain(out, name);
+  escape_html(out, name);
   text_add(out, title ? ": " : "");
-  html_plain(out, title);
+  escape_html(out, title);
   text_add(out, "\">");
 }
 static void end_case(struct text *out) {
@@ -35,7 +36,7 @@ static bool is_skipped(const struct finding *f) {
 /* What a skipped claim says about itself. */
 static void add_reason(struct text *out, const struct finding *f) {
   const char *why = f->n_evidence && f->evidence[0].note ? f->evidence[0].note : f->effect;
-  html_plain(out, why ? why : "not possible in this scene");
+  escape_html(out, why ? why : "not possible in this scene");
 }
 
 static void add_claims(struct text *out, const struct audit_result *r) {
@@ -50,7 +51,7 @@ static void add_claims(struct text *out, const struct audit_result *r) {
     begin_case(out, r->scene, f->section ? f->section : "claims", f->id, f->title);
     if (differs(f)) {
       text_printf(out, "<failure message=\"%s, recorded as %s\">", verdict_name[f->verdict], verdict_name[f->recorded]);
-      html_plain(out, f->reproduce);
+      escape_html(out, f->reproduce);
       text_add(out, "</failure>");
     } else if (is_skipped(f)) {
       text_add(out, "<skipped message=\"");
@@ -89,7 +90,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
     text_clear(&name);
     if (!p->within) {
       text_add(out, "<failure message=\"beyond ");
-      html_plain(out, p->stated);
+      escape_html(out, p->stated);
       text_add(out, "\" />");
     }
     end_case(out);
@@ -105,7 +106,7 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 
 void report_junit(struct text *out, const struct audit_result *r) {
   text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"");
-  html_plain(out, r->scene);
+  escape_html(out, r->scene);
   text_add(out, "\">\n");
   add_claims(out, r);
   add_controls(out, r);

@@ -2,7 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "finding.h"
+#include "html.h"
+#include "sections.h"
+#include "stickslip/arena.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */
 
@@ -48,7 +52,7 @@ static void add_routes(const struct page *p, const struct finding *f) {
     for (int k = 0; k < i; k++) again = again || strcmp(f->evidence[k].route, f->evidence[i].route) == 0;
     if (again) continue;
     text_add(p->out, sep);
-    html_plain(p->out, f->evidence[i].route);
+    escape_html(p->out, f->evidence[i].route);
     sep = ", ";
   }
 }
@@ -85,13 +89,13 @@ static void add_digits(const struct page *p, const struct evidence *e) {
 
 static void add_evidence_row(const struct page *p, const struct evidence *e) {
   text_add(p->out, "<tr><th scope=\"row\">");
-  html_plain(p->out, e->route);
+  escape_html(p->out, e->route);
   text_add(p->out, "</th>");
   page_cell(p, &evidence[1]);
-  html_plain(p->out, e->layer);
+  escape_html(p->out, e->layer);
   text_add(p->out, "</td>");
   page_cell(p, &evidence[2]);
-  html_plain(p->out, e->result);
+  escape_html(p->out, e->result);
   text_add(p->out, "</td>");
   add_count(p, &evidence[3], e->trials);
   add_count(p, &evidence[4], e->bits);
@@ -156,7 +160,7 @@ static void add_dependences(const struct page *p, const struct finding *f) {
 
 static void add_details(const struct page *p, const struct finding *f) {
   text_add(p->out, "<details><summary>Text, formula, evidence<span class=\"away\"> of ");
-  html_plain(p->out, f->id);
+  escape_html(p->out, f->id);
   text_add(p->out, "</span></summary>\n<dl class=\"rows\">\n<dt>Section</dt>\n<dd>");
   page_section_name(p, f->section ? f->section : "-");
   text_add(p->out, "</dd>\n");
@@ -170,7 +174,7 @@ static void add_details(const struct page *p, const struct finding *f) {
   html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
   text_add(p->out, "</dd>\n</dl>\n");
   add_evidence(p, f);
-  if (report_is_failure(f)) {
+  if (finding_fails(f)) {
     text_add(p->out, "<p><a href=\"#");
     html_anchor(p->out, "f-", f->id);
     text_add(p->out, "\">What is wrong with it, and what depends on it</a></p>\n");
@@ -188,7 +192,7 @@ static void add_keys(const struct page *p, const struct finding *f, struct names
 
 /* Failures by their grade, then what is undecided, then the rest. */
 static long rank_of(const struct page *p, const struct finding *f) {
-  if (report_is_failure(f)) return (long)report_grade(p->r, f);
+  if (finding_fails(f)) return (long)failure_grade(p->r, f);
   return N_GRADES + (f->verdict == VERDICT_UNKNOWN ? 0 : f->verdict == VERDICT_SKIPPED ? 1 : 2);
 }
 
@@ -197,7 +201,7 @@ static void add_claim(const struct page *p, const struct finding *f, struct name
   html_anchor(p->out, "c-", f->id);
   add_keys(p, f, sections, routes, rank_of(p, f));
   text_add(p->out, "\">\n<tr><th scope=\"row\"><code>");
-  html_plain(p->out, f->id);
+  escape_html(p->out, f->id);
   text_add(p->out, "</code></th><td>");
   html_text(p->out, f->title, NULL);
   text_add(p->out, "</td><td>");

@@ -3,7 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "finding.h"
+#include "formula.h"
+#include "html.h"
+#include "sections.h"
+#include "stickslip/arena.h"
 
 /* --- Rows of a description --- */
 
@@ -32,10 +37,10 @@ static void find_changes(struct texts *t) {
   if (!t->printed || !t->corrected) return;
   t->in_printed = new_marks(t->printed);
   t->in_corrected = new_marks(t->corrected);
-  math_changes(t->in_printed, t->printed, t->in_corrected, t->corrected);
+  formula_changes(t->in_printed, t->printed, t->in_corrected, t->corrected);
   if (!t->quote) return;
   t->in_quote = new_marks(t->quote);
-  math_changes_in_text(t->in_quote, t->quote, t->printed, t->in_printed);
+  formula_changes_in_text(t->in_quote, t->quote, t->printed, t->in_printed);
 }
 
 static void texts_clear(struct texts *t) {
@@ -96,7 +101,7 @@ static void add_texts(const struct page *p, const struct finding *f) {
 static void add_restrictions(const struct page *p, const struct finding *f) {
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *o = &p->r->findings[i];
-    if (!report_restricts(o, f)) continue;
+    if (!finding_restricts(o, f)) continue;
     text_add(p->out, " As printed it holds when ");
     html_text(p->out, o->condition, NULL);
     text_add(p->out, " (");
@@ -107,7 +112,7 @@ static void add_restrictions(const struct page *p, const struct finding *f) {
 
 static void add_fault(const struct page *p, const struct finding *f) {
   begin_row(p, "What is wrong");
-  text_add(p->out, report_fault_words(f));
+  text_add(p->out, failure_words(f));
   if (f->condition) {
     text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition " : "; condition: ");
     html_text(p->out, f->condition, NULL);
@@ -123,7 +128,7 @@ static void add_note(const struct page *p, const char *note) {
     text_add(p->out, "<pre>");
     for (const char *s = note; *s; s += *s == '\n') {
       size_t n = strcspn(s, "\n");
-      html_plain_n(p->out, s, n);
+      escape_html_n(p->out, s, n);
       text_add_char(p->out, '\n');
       s += n;
     }
@@ -136,7 +141,7 @@ static void add_note(const struct page *p, const char *note) {
 }
 
 static void add_certificate(const struct page *p, const struct finding *f) {
-  const struct evidence *e = report_deciding(f);
+  const struct evidence *e = failure_evidence(f);
   if (!e) return;
   begin_row(p, "Certificate");
   add_note(p, e->note);
@@ -147,7 +152,7 @@ static void add_certificate(const struct page *p, const struct finding *f) {
     text_add_char(p->out, ' ');
   }
   text_add(p->out, "Route: ");
-  html_plain(p->out, e->route);
+  escape_html(p->out, e->route);
   if (e->trials >= 0) text_printf(p->out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
   if (e->bits >= 0) text_printf(p->out, ", %ld bits", e->bits);
   text_add_char(p->out, '.');
@@ -174,9 +179,9 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     text_add(p->out, "<tr><th scope=\"row\">");
     html_math(p->out, d->latex, NULL);
     if (d->entry) text_add(p->out, ", entry ");
-    html_plain(p->out, d->entry);
+    escape_html(p->out, d->entry);
     text_add(p->out, "<br /><small>");
-    html_plain(p->out, d->title);
+    escape_html(p->out, d->title);
     text_add(p->out, "</small></th>");
     page_cell(p, &changed[1]);
     html_text(p->out, d->printed, NULL);
@@ -260,7 +265,7 @@ static void end_finding(const struct page *p) {
 
 static void add_failure(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
-  const struct finding *first = report_mended_with(p->r, f);
+  const struct finding *first = failure_mended_with(p->r, f);
   begin_finding(p, f);
   if (first) {
     text_add(p->out, "<p>The same correction as that of ");
@@ -325,7 +330,7 @@ static void add_numbers(const struct page *p) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!report_is_failure(f) || !report_is_number(f)) continue;
+    if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any) {
       text_add(p->out, "<div class=\"wide\"><table class=\"numbers stack\">\n<caption>Printed numbers and those of the "
                        "orbit nearest to them</caption>\n");
@@ -354,14 +359,14 @@ static void add_grade(const struct page *p, enum grade g) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!report_is_failure(f) || report_grade(p->r, f) != g) continue;
-    if (!any) text_printf(p->out, "<h3 id=\"g-%d\">%s</h3>\n", (int)g, report_grade_heading[g]);
+    if (!finding_fails(f) || failure_grade(p->r, f) != g) continue;
+    if (!any) text_printf(p->out, "<h3 id=\"g-%d\">%s</h3>\n", (int)g, grade_heading[g]);
     if (!any && g == GRADE_NUMBER) {
       add_numbers(p);
       add_readings(p);
     }
     any = true;
-    if (!report_is_number(f)) add_failure(p, f);
+    if (!failure_is_number(f)) add_failure(p, f);
   }
 }
 
@@ -425,6 +430,6 @@ void page_failures(const struct page *p) {
   add_unexpected(p);
   for (int g = 0; g < N_GRADES; g++) add_grade(p, (enum grade)g);
   add_statements(p, "Undecided", is_undecided, NULL);
-  add_statements(p, "What the paper does not say", report_states, "states");
+  add_statements(p, "What the paper does not say", finding_states, "states");
   text_add(p->out, "</section>\n");
 }

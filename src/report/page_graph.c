@@ -3,7 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "finding.h"
+#include "graph.h"
+#include "sections.h"
+#include "stickslip/arena.h"
 
 enum { COLUMN = 200, ROW = 20, BOX = 152, MARGIN = 10 };
 
@@ -22,7 +26,7 @@ struct drawing {
 };
 
 static enum arrow arrow_of(const struct claim_graph *g, size_t a, size_t b) {
-  if (report_falls(g->r, g->id[a], g->id[b])) return ARROW_FATAL;
+  if (claim_falls(g->r, g->id[a], g->id[b])) return ARROW_FATAL;
   return g->rests[a * g->n + b] && !claim_graph_implied(g, a, b) ? ARROW_RESTS : ARROW_NONE;
 }
 
@@ -104,19 +108,19 @@ static const char *const sign[N_VERDICTS] = {[VERDICT_PROVED] = "\xe2\x96\xa0",
 static void add_node(const struct page *p, const struct drawing *d, size_t i) {
   const struct finding *f = i < p->r->n_findings ? &p->r->findings[i] : NULL;
   int x = MARGIN + d->at[i].level * COLUMN, y = MARGIN + d->at[i].row * ROW;
-  bool failed = f && report_is_failure(f);
+  bool failed = f && finding_fails(f);
   text_printf(p->out, "<g><title>");
-  html_plain(p->out, d->g.id[i]);
+  escape_html(p->out, d->g.id[i]);
   if (f) text_printf(p->out, " (%s): ", verdict_name[f->verdict]);
-  html_plain(p->out, f ? f->title : " (not judged in this run)");
+  escape_html(p->out, f ? f->title : " (not judged in this run)");
   text_printf(p->out,
               "</title><rect class=\"node %s%s\" x=\"%d\" y=\"%d\" width=\"%d\" height=\"%d\" rx=\"3\" "
               "fill=\"#fff\" stroke=\"currentColor\" />",
               f ? verdict_name[f->verdict] : "skipped", failed ? " failed" : "", x, y + 2, BOX, ROW - 4);
   text_printf(p->out, "<text x=\"%d\" y=\"%d\">", x + 4, y + 14);
-  html_plain(p->out, f ? sign[f->verdict] : sign[VERDICT_SKIPPED]);
+  escape_html(p->out, f ? sign[f->verdict] : sign[VERDICT_SKIPPED]);
   text_add_char(p->out, ' ');
-  html_plain(p->out, d->g.id[i]);
+  escape_html(p->out, d->g.id[i]);
   text_add(p->out, "</text></g>\n");
 }
 

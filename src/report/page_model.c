@@ -1,7 +1,7 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
-#include <string.h>
-
-#include "page.h"
+#include "escape.h"
+#include "html.h"
+#include "sections.h"
 
 static void add_phases(const struct page *p) {
   static const struct {
@@ -138,9 +138,9 @@ void page_limits(const struct page *p) {
   for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
   for (size_t i = 0; i < r->n_skipped; i++) {
     text_add(p->out, "<li>Left out: ");
-    html_plain(p->out, r->skipped[i].what);
+    escape_html(p->out, r->skipped[i].what);
     text_add(p->out, ", ");
-    html_plain(p->out, r->skipped[i].why);
+    escape_html(p->out, r->skipped[i].why);
     html_stop(p->out);
     text_add(p->out, "</li>\n");
   }

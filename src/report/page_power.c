@@ -2,7 +2,8 @@
    formulas by the token in the study whose file stands beside the report; and which claims one route alone has judged. */
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "sections.h"
 
 /* Whether the claim could have failed by it. */
 static bool decides(const struct evidence *e) {
@@ -71,7 +72,7 @@ static void add_alone(const struct page *p) {
     const char *route = only_route(&r->findings[i]);
     if (next_alone(r, 0, route) < i) continue;
     text_add(p->out, sep);
-    html_plain(p->out, route);
+    escape_html(p->out, route);
     const char *before = " (";
     for (size_t k = i; k < r->n_findings; k = next_alone(r, k + 1, route)) {
       text_add(p->out, before);

@@ -3,7 +3,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "html.h"
+#include "sections.h"
+#include "stickslip/arena.h"
 
 /* --- What is shared, numbered --- */
 
@@ -55,7 +58,7 @@ static void add_parts(const struct page *p, const struct parts *list) {
   text_add(p->out, "<p>What two routes can have in common, besides the equations of motion and the point:</p>\n<ol>\n");
   for (size_t i = 0; i < list->n; i++) {
     text_add(p->out, "<li>");
-    html_plain_n(p->out, list->s[i], list->len[i]);
+    escape_html_n(p->out, list->s[i], list->len[i]);
     text_add(p->out, "</li>\n");
   }
   text_add(p->out, "</ol>\n");
@@ -111,17 +114,17 @@ static void add_matrix(const struct page *p, const char *quantity, struct parts 
       add_route_name(&routes, p->r->pairs[i].second);
     }
   text_add(p->out, "<div class=\"wide\"><table class=\"matrix\">\n<caption>Two routes to: ");
-  html_plain(p->out, quantity);
+  escape_html(p->out, quantity);
   text_add(p->out, "</caption>\n<thead><tr><th scope=\"col\">route</th>");
   for (size_t k = 1; k < routes.n; k++) {
     text_add(p->out, "<th scope=\"col\">");
-    html_plain(p->out, routes.name[k]);
+    escape_html(p->out, routes.name[k]);
     text_add(p->out, "</th>");
   }
   text_add(p->out, "</tr></thead>\n<tbody>\n");
   for (size_t i = 0; i + 1 < routes.n; i++) {
     text_add(p->out, "<tr><th scope=\"row\">");
-    html_plain(p->out, routes.name[i]);
+    escape_html(p->out, routes.name[i]);
     text_add(p->out, "</th>");
     for (size_t k = 1; k < routes.n; k++)
       if (k <= i)
@@ -167,7 +170,7 @@ static void add_independence(const struct page *p) {
   text_add(p->out, "<details><summary>What each route does and rests on</summary>\n<ul>\n");
   for (int i = 0; i < p->r->n_independence; i++) {
     text_add(p->out, "<li>");
-    html_plain(p->out, p->r->independence[i]);
+    escape_html(p->out, p->r->independence[i]);
     text_add(p->out, "</li>\n");
   }
   text_add(p->out, "</ul></details>\n");

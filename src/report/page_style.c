@@ -1,7 +1,7 @@
 /* The page's style sheet and script.  Both stand in well-formed XML, so that neither holds "<" or "&".  The sheet has light,
    dark and print colours and names each verdict by a sign besides its colour; the script filters, sorts and opens what is
    there without it. */
-#include "page.h"
+#include "sections.h"
 
 const char *const page_style =
     ":root { --bg: #fff; --fg: #1b1b1b; --soft: #555; --line: #c8c8c8; --panel: #f5f5f3; --link: #0b4fa0; --mark: "

@@ -2,7 +2,10 @@
    sentences, how the audit itself was tested.  Every sentence is made of the record. */
 #include <string.h>
 
-#include "page.h"
+#include "escape.h"
+#include "finding.h"
+#include "html.h"
+#include "sections.h"
 
 static const char *const meaning[N_VERDICTS] = {
     [VERDICT_PROVED] = "an exact identity, or enclosures that settle the claim on its whole domain",
@@ -40,7 +43,7 @@ static long weight(const struct page *p, const struct finding *f) {
   long w = f->n_depends_on;
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
-    w += on && report_is_failure(on) ? 1000000 : 0;
+    w += on && finding_fails(on) ? 1000000 : 0;
   }
   const struct consequence *q = audit_result_consequence(p->r, f->id);
   return w + (q ? 1000L * q->falls.n : 0);
@@ -51,7 +54,7 @@ static const struct finding *foremost(const struct page *p, enum grade g) {
   const struct finding *best = NULL;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!report_is_failure(f) || report_grade(p->r, f) != g || report_mended_with(p->r, f)) continue;
+    if (!finding_fails(f) || failure_grade(p->r, f) != g || failure_mended_with(p->r, f)) continue;
     if (!best || weight(p, f) > weight(p, best)) best = f;
   }
   return best;
@@ -63,7 +66,7 @@ static void add_quoted_title(const struct page *p, const struct finding *f) {
   text_add(p->out, "\">");
   if (strncmp(f->id, "eq-", 3) == 0) {
     text_add(p->out, "Equation (");
-    html_plain(p->out, f->id + 3);
+    escape_html(p->out, f->id + 3);
     text_add(p->out, "), ");
   }
   text_add(p->out, "&#8220;");
@@ -78,7 +81,7 @@ static bool is_fault(const struct finding *f, const char *fault) {
 /* What is wrong, in the shortest words that the record has. */
 static void add_reason(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
-  const struct evidence *e = report_deciding(f);
+  const struct evidence *e = failure_evidence(f);
   const char *size = q ? f->size : f->effect;
   if (f->change) {
     text_add(p->out, ": ");
@@ -122,8 +125,8 @@ static void add_titled(const struct page *p, const struct finding *f) {
 
 /* What to change in one of the others. */
 static void add_change(const struct page *p, const struct finding *f) {
-  bool number = report_is_number(f);
-  if ((!number && !f->change) || report_mended_with(p->r, f)) return;
+  bool number = failure_is_number(f);
+  if ((!number && !f->change) || failure_mended_with(p->r, f)) return;
   text_add(p->out, number ? " <span class=\"k\">(" : " (");
   if (number)
     html_math(p->out, f->correction_latex, NULL);
@@ -137,7 +140,7 @@ static void add_others(const struct page *p, enum grade g, const struct finding 
   const char *sep = " Likewise: ";
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (f == but || !report_is_failure(f) || report_grade(p->r, f) != g) continue;
+    if (f == but || !finding_fails(f) || failure_grade(p->r, f) != g) continue;
     text_add(p->out, sep);
     if (strncmp(f->id, "eq-", 3) == 0)
       page_claim(p, f->id);
@@ -156,7 +159,7 @@ static void add_foremost(const struct page *p) {
     const struct finding *f = foremost(p, (enum grade)g);
     if (!f) continue;
     if (n++ == 0) text_add(p->out, "<h3>The most important findings</h3>\n<ol>\n");
-    text_printf(p->out, "<li><strong>%s.</strong> ", report_grade_heading[g]);
+    text_printf(p->out, "<li><strong>%s.</strong> ", grade_heading[g]);
     add_quoted_title(p, f);
     text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? " holds only under the condition " : " does not hold");
     if (f->verdict == VERDICT_CONDITIONAL) html_text(p->out, f->condition ? f->condition : "named there", NULL);
@@ -175,7 +178,7 @@ static void add_numbers(const struct page *p, const struct finding *f, bool prin
   for (int i = 0; i < f->n_depends_on; i++) {
     const struct finding *on = page_finding(p, f->depends_on[i]);
     const char *number = on && printed ? on->printed : on ? on->correction_latex : NULL;
-    if (!number || !report_is_failure(on) || !report_is_number(on)) continue;
+    if (!number || !finding_fails(on) || !failure_is_number(on)) continue;
     text_printf(p->out, "%s<span class=\"k\">", before);
     html_math(p->out, number, NULL);
     before = ",</span> ";
@@ -238,7 +241,7 @@ static void add_stability(const struct page *p, const struct finding *f) {
 
 static void add_answer(const struct page *p, const struct finding *f) {
   bool yes = f->verdict == VERDICT_PROVED || f->verdict == VERDICT_SUPPORTED;
-  const struct evidence *e = report_is_failure(f) ? report_deciding(f) : NULL;
+  const struct evidence *e = finding_fails(f) ? failure_evidence(f) : NULL;
   if (f->verdict == VERDICT_DEFINITION) {
     add_stability(p, f);
     return;
@@ -256,12 +259,12 @@ static void add_answer(const struct page *p, const struct finding *f) {
 }
 
 static bool is_wrong_formula(const struct finding *f) {
-  return report_is_failure(f) && strncmp(f->id, "eq-", 3) == 0;
+  return finding_fails(f) && strncmp(f->id, "eq-", 3) == 0;
 }
 
 /* What to do about a formula, in a few words. */
 static void add_remedy(const struct page *p, const struct finding *f) {
-  const struct finding *first = report_mended_with(p->r, f);
+  const struct finding *first = failure_mended_with(p->r, f);
   if (first) {
     text_add(p->out, ": mended with ");
     page_claim(p, first->id);
@@ -300,7 +303,7 @@ static bool add_wrong(const struct page *p, bool notation, const char *heading) 
 }
 
 static bool is_slip_of_text(const struct finding *f) {
-  return report_is_failure(f) && strncmp(f->id, "eq-", 3) != 0 && is_fault(f, "notation");
+  return finding_fails(f) && strncmp(f->id, "eq-", 3) != 0 && is_fault(f, "notation");
 }
 
 /* Slips outside the numbered equations, by what does not hold. */
@@ -359,12 +362,12 @@ static const char *point_of(struct text *out, const char *note) {
 /* The formula that is the example: wrong, and with a certificate. */
 static const struct finding *example(const struct page *p) {
   for (size_t i = 0; i < p->r->n_findings; i++)
-    if (is_wrong_formula(&p->r->findings[i]) && report_deciding(&p->r->findings[i])) return &p->r->findings[i];
+    if (is_wrong_formula(&p->r->findings[i]) && failure_evidence(&p->r->findings[i])) return &p->r->findings[i];
   return NULL;
 }
 
 static void add_recheck_one(const struct page *p, const struct finding *f) {
-  const char *note = report_deciding(f)->note;
+  const char *note = failure_evidence(f)->note;
   struct text point;
   text_init(&point);
   text_add(p->out, "<li>One claim, by the command that stands with it, for ");
@@ -374,9 +377,9 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
   text_add(p->out, "; with <code>--out DIR</code> its report goes to that folder and this one stays.</li>\n");
   if (point_of(&point, note)) {
     text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
-    html_plain(p->out, f->id);
+    escape_html(p->out, f->id);
     text_add(p->out, " --at ");
-    html_plain(p->out, text_str(&point));
+    escape_html(p->out, text_str(&point));
     text_add(p->out, "</code>.</li>\n");
   }
   text_add(p->out, "<li>By hand: evaluate both sides at the exact parameters that a certificate names");
@@ -400,7 +403,7 @@ static void add_recheck(const struct page *p) {
            "<code>build/stickslip</code> there, called <code>stickslip</code> on this page.</p>\n<ul>\n"
            "<li>All of it: <code>make deps verify</code> installs what is needed, builds the program and repeats "
            "the audit; once built, <code>stickslip verify ");
-  html_plain(p->out, p->r->scene);
+  escape_html(p->out, p->r->scene);
   text_add(p->out, "</code> does.</li>\n");
   if (f) add_recheck_one(p, f);
   text_add(p->out, "</ul></dd>\n");
@@ -429,13 +432,13 @@ static void add_questions(const struct page *p) {
 static void add_grades(const struct page *p, long failures) {
   long n[N_GRADES] = {0};
   for (size_t i = 0; i < p->r->n_findings; i++)
-    if (report_is_failure(&p->r->findings[i])) n[report_grade(p->r, &p->r->findings[i])]++;
+    if (finding_fails(&p->r->findings[i])) n[failure_grade(p->r, &p->r->findings[i])]++;
   const char *sep = "";
   if (!failures) return;
   text_printf(p->out, "<p>The %ld, worst first: ", failures);
   for (int g = 0; g < N_GRADES; g++) {
     if (!n[g]) continue;
-    text_printf(p->out, "%s<a href=\"#g-%d\">%s</a> <strong>%ld</strong>", sep, g, report_grade_heading[g], n[g]);
+    text_printf(p->out, "%s<a href=\"#g-%d\">%s</a> <strong>%ld</strong>", sep, g, grade_heading[g], n[g]);
     sep = ", ";
   }
   text_add(p->out, ".</p>\n");

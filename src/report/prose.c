@@ -2,7 +2,9 @@
    power of ten, s^2 and 2^-52 with a raised exponent, a minus as long as a plus.  What stands between quotation marks is meant to be copied and stays as it is. */
 #include <string.h>
 
-#include "page.h"
+#include "base/tex.h"
+#include "escape.h"
+#include "html.h"
 
 /* The rest of a sentence, and what of it was read. */
 struct prose {
@@ -40,8 +42,9 @@ static void add_primes(struct text *out, size_t n) {
 
 static const char *greek(const char *s, size_t len) {
   static const char *const names[] = {"chi", "eta", "omega", "lambda"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (math_is(s, len, names[i])) return math_word(s, len)->text;
+  const struct tex_word *w = tex_word(s, len);
+  for (size_t i = 0; w && i < sizeof names / sizeof *names; i++)
+    if (strcmp(w->name, names[i]) == 0) return w->text;
   return NULL;
 }
 
@@ -63,15 +66,15 @@ static size_t add_name(struct text *out, const struct prose *p) {
   if (letter)
     text_add(out, letter);
   else
-    html_plain_n(out, p->s, letters);
+    escape_html_n(out, p->s, letters);
   add_primes(out, before);
   if (lowered) {
     const struct prose low = {p->s + i + gap, index};
     size_t slanted = count(&low, 0, char_is_letter);
     text_add(out, slanted ? "<sub><i>" : "<sub>");
-    html_plain_n(out, low.s, slanted);
+    escape_html_n(out, low.s, slanted);
     text_add(out, slanted ? "</i>" : "");
-    html_plain_n(out, low.s + slanted, index - slanted);
+    escape_html_n(out, low.s + slanted, index - slanted);
     text_add(out, "</sub>");
   }
   add_primes(out, after);
@@ -88,12 +91,12 @@ static size_t add_power(struct text *out, const struct prose *p) {
   size_t sign = minus || at(p, mantissa + 1) == '+', from = mantissa + 1 + sign, n = count(p, from, char_is_digit);
   if (!n || char_is_word(at(p, from + n))) return 0;
   bool one = mantissa == 1 && p->s[0] == '1', zero = n == 1 && p->s[from] == '0';
-  if (!one || zero) html_plain_n(out, p->s, mantissa);
+  if (!one || zero) escape_html_n(out, p->s, mantissa);
   if (zero) return from + n;
   text_add(out, one ? "10" : "&#183;10");
   if (!minus && n == 1 && p->s[from] == '1') return from + n;
   text_add(out, minus ? "<sup>\xe2\x88\x92" : "<sup>");
-  html_plain_n(out, p->s + from, n);
+  escape_html_n(out, p->s + from, n);
   text_add(out, "</sup>");
   return from + n;
 }
@@ -106,7 +109,7 @@ static size_t add_exponent(struct text *out, const char *all, size_t i, size_t l
   size_t n = count(&p, from, char_is_digit), end = from + n + brace;
   if (!n || (brace && at(&p, from + n) != '}') || (!brace && char_is_word(at(&p, end)))) return 0;
   text_add(out, minus ? "<sup>\xe2\x88\x92" : "<sup>");
-  html_plain_n(out, p.s + from, n);
+  escape_html_n(out, p.s + from, n);
   text_add(out, "</sup>");
   return end;
 }
@@ -142,7 +145,7 @@ void html_prose_n(struct text *out, const char *s, size_t len) {
     }
     if (!n) {
       for (n = 1; i + n < len && ((unsigned char)s[i + n] & 0xC0) == 0x80;) n++;
-      html_plain_n(out, s + i, n);
+      escape_html_n(out, s + i, n);
     }
     i += n;
   }

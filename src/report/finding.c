@@ -1,13 +1,13 @@
 /* What the sheets and pages ask about a failure: how bad it is, what decided it, what mends it. */
 #include <string.h>
 
-#include "impl.h"
+#include "finding.h"
 
-bool report_is_failure(const struct finding *f) {
+bool finding_fails(const struct finding *f) {
   return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
 }
 
-const char *const report_grade_heading[N_GRADES] = {
+const char *const grade_heading[N_GRADES] = {
     "Numbers and the example",
     "Formulas that change results",
     "Slips of notation that change results when read literally",
@@ -23,7 +23,7 @@ static bool is_wide(const struct consequence *q) {
   return wide;
 }
 
-enum grade report_grade(const struct audit_result *r, const struct finding *f) {
+enum grade failure_grade(const struct audit_result *r, const struct finding *f) {
   bool wide = is_wide(audit_result_consequence(r, f->id));
   if (f->fault && strcmp(f->fault, "number") == 0) return GRADE_NUMBER;
   if (f->fault && strcmp(f->fault, "argument") == 0) return GRADE_ARGUMENT;
@@ -31,29 +31,29 @@ enum grade report_grade(const struct audit_result *r, const struct finding *f) {
   return wide ? GRADE_FORMULA_WIDE : GRADE_FORMULA;
 }
 
-const struct evidence *report_deciding(const struct finding *f) {
+const struct evidence *failure_evidence(const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];
   return f->n_evidence ? &f->evidence[0] : NULL;
 }
 
-const struct finding *report_mended_with(const struct audit_result *r, const struct finding *f) {
+const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f) {
   for (const struct finding *g = r->findings; f->correction_latex && g < f; g++)
-    if (report_is_failure(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
+    if (finding_fails(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
   return NULL;
 }
 
-bool report_is_number(const struct finding *f) {
+bool failure_is_number(const struct finding *f) {
   return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
 }
 
-bool report_states(const struct finding *f) {
+bool finding_states(const struct finding *f) {
   bool any = false;
   for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
   return any && f->verdict == VERDICT_DEFINITION;
 }
 
-const char *report_fault_words(const struct finding *f) {
+const char *failure_words(const struct finding *f) {
   static const struct {
     const char *fault, *words;
   } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
@@ -65,7 +65,7 @@ const char *report_fault_words(const struct finding *f) {
   return "it does not hold";
 }
 
-bool report_restricts(const struct finding *o, const struct finding *f) {
+bool finding_restricts(const struct finding *o, const struct finding *f) {
   if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) return false;
   return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;
 }
