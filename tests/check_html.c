@@ -10,6 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "report/escape.h"
 #include "report/formula.h"
 #include "report/html.h"
 #include "run/audit_impl.h"

@@ -10,10 +10,6 @@ static const char *or_dash(const char *s) {
   return s && *s ? s : "-";
 }
 
-static long unexpected(const struct finding *f) {
-  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
-}
-
 static void add_counts(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS];
   audit_result_count(r, count);
@@ -57,9 +53,6 @@ static void add_section(struct text *out, const struct audit_result *r, const ch
   }
 }
 
-static bool is_unexpected(const struct finding *f) {
-  return unexpected(f) != 0;
-}
 static bool is_unknown(const struct finding *f) {
   return f->verdict == VERDICT_UNKNOWN;
 }
@@ -77,7 +70,7 @@ static void add_overview(struct text *out, const struct audit_result *r) {
     escape_cell(out, or_dash(f->title));
     text_printf(out, " | %s | %s | %s |\n", verdict_name[f->verdict], or_dash(f->fault),
                 f->recorded == N_VERDICTS ? "-"
-                : unexpected(f)           ? "NO"
+                : finding_unexpected(f)   ? "NO"
                                           : "yes");
   }
   text_add_char(out, '\n');
@@ -85,12 +78,10 @@ static void add_overview(struct text *out, const struct audit_result *r) {
 
 static void add_controls(struct text *out, const struct audit_result *r) {
   if (r->n_controls == 0) return;
-  size_t noticed = 0;
-  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
   text_printf(
       out,
       "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict |\n| --- | --- | --- |\n",
-      noticed, r->n_controls);
+      controls_noticed(r), r->n_controls);
   for (size_t i = 0; i < r->n_controls; i++)
     text_printf(out, "| %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
                 verdict_name[r->controls[i].verdict]);
@@ -257,7 +248,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_counts(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
-  add_section(out, r, "Not as recorded", is_unexpected);
+  add_section(out, r, "Not as recorded", finding_unexpected);
   add_section(out, r, "Refuted", finding_fails);
   add_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
@@ -282,8 +273,6 @@ void report_markdown(struct text *out, const struct audit_result *r) {
 void report_line(struct text *out, const struct audit_result *r) {
   long count[N_VERDICTS];
   audit_result_count(r, count);
-  size_t noticed = 0;
-  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
   text_printf(out, "%s: %zu claims%s", r->scene, r->n_findings, r->n_findings ? ":" : "");
   const char *sep = " ";
   for (int i = 0; i < N_VERDICTS; i++)
@@ -292,7 +281,8 @@ void report_line(struct text *out, const struct audit_result *r) {
       sep = ", ";
     }
   if (r->n_values) text_printf(out, "; %zu values", r->n_values);
-  if (r->n_controls || !r->n_values) text_printf(out, "; %zu of %zu controls noticed", noticed, r->n_controls);
+  if (r->n_controls || !r->n_values)
+    text_printf(out, "; %zu of %zu controls noticed", controls_noticed(r), r->n_controls);
   text_add(out, "; ");
   long bad = audit_result_unexpected(r);
   if (bad)

@@ -28,7 +28,7 @@ static const char *shape(const struct finding *f) {
 static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
   const struct finding *f = i < g->r->n_findings ? &g->r->findings[i] : NULL;
   text_add(out, "  ");
-  escape_dot(out, g->id[i]);
+  escape_dot(out, g->ids.name[i]);
   if (f)
     text_printf(out, " [shape=%s, fillcolor=\"%s\", tooltip=", shape(f), colour(f->verdict));
   else
@@ -36,7 +36,7 @@ static void add_node(struct text *out, const struct claim_graph *g, size_t i) {
   escape_dot(out, f && f->title ? f->title : "not judged in this run");
   bool failed = f && finding_fails(f);
   if (failed) text_add(out, ", penwidth=3, color=\"#b2182b\"");
-  if (claim_falls(g->r, g->id[i], NULL))
+  if (claim_falls(g->r, g->ids.name[i], NULL))
     text_add(out, failed ? ", peripheries=2" : ", color=\"#b2182b\", style=\"filled,dashed\"");
   text_add(out, "];\n");
 }
@@ -51,15 +51,15 @@ void report_dot(struct text *out, const struct audit_result *r) {
   text_add(out, "digraph claims {\n  rankdir=LR;\n  node [style=filled, fontname=\"Helvetica\"];\n  label=");
   escape_dot(out, r->title ? r->title : r->scene);
   text_add(out, ";\n");
-  for (size_t i = 0; i < g.n; i++) add_node(out, &g, i);
-  for (size_t a = 0; a < g.n; a++)
-    for (size_t b = 0; b < g.n; b++) {
-      bool fatal = claim_falls(r, g.id[a], g.id[b]);
-      if (!fatal && (!g.rests[a * g.n + b] || claim_graph_implied(&g, a, b))) continue;
+  for (size_t i = 0; i < g.ids.n; i++) add_node(out, &g, i);
+  for (size_t a = 0; a < g.ids.n; a++)
+    for (size_t b = 0; b < g.ids.n; b++) {
+      bool fatal = claim_falls(r, g.ids.name[a], g.ids.name[b]);
+      if (!fatal && (!g.rests[a * g.ids.n + b] || claim_graph_implied(&g, a, b))) continue;
       text_add(out, "  ");
-      escape_dot(out, g.id[b]);
+      escape_dot(out, g.ids.name[b]);
       text_add(out, " -> ");
-      escape_dot(out, g.id[a]);
+      escape_dot(out, g.ids.name[a]);
       text_add(out, fatal ? " [color=\"#b2182b\", penwidth=2];\n" : ";\n");
     }
   text_add(out, "}\n");

@@ -88,7 +88,7 @@ static void add_correction(const struct sheet *s, const struct finding *f) {
 }
 
 static void add_texts(const struct sheet *s, const struct finding *f) {
-  const char *quote = f->quote_part ? f->quote_part : f->quote;
+  const char *quote = finding_quote(f);
   if (quote) {
     label(s, "Printed");
     sheet_text(s, quote);
@@ -178,7 +178,7 @@ static void add_consequence(const struct sheet *s, const struct consequence *q) 
 
 /* A slip that changes no result, in one paragraph. */
 static void add_slip(const struct sheet *s, const struct finding *f) {
-  const char *quote = f->quote_part ? f->quote_part : f->quote;
+  const char *quote = finding_quote(f);
   const struct evidence *e = failure_evidence(f);
   begin_item(s);
   add_place(s, f);
@@ -199,7 +199,7 @@ static void add_slip(const struct sheet *s, const struct finding *f) {
 
 static void add_failure(const struct sheet *s, const struct audit_result *r, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(r, f->id);
-  const char *size = q ? f->size : f->effect;
+  const char *size = failure_size(r, f);
   const struct finding *first = failure_mended_with(r, f);
   begin_item(s);
   add_place(s, f);
@@ -232,7 +232,7 @@ static void add_number(const struct sheet *s, const struct audit_result *r, cons
   text_add(s->out, cell);
   sheet_math(s, f->correction_latex);
   text_add(s->out, cell);
-  const char *size = q ? f->size : f->effect;
+  const char *size = failure_size(r, f);
   if (size) sheet_text(s, size);
   text_add(s->out, cell);
   for (int i = 0; q && i < q->n_derived; i++) {
@@ -380,8 +380,6 @@ static void add_statements(const struct sheet *s, const struct audit_result *r) 
 static void add_closing(const struct sheet *s, const struct audit_result *r) {
   long count[N_VERDICTS];
   audit_result_count(r, count);
-  size_t noticed = 0;
-  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
   heading(s, "What was checked and holds");
   text_printf(s->out,
               "%sOf %zu statements %ld are proved, %ld supported (at every point tried, by at least two routes that do "
@@ -392,7 +390,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
     text_printf(s->out, "; %ld %s undecided", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
   if (count[VERDICT_SKIPPED]) text_printf(s->out, "; %ld were not possible here", count[VERDICT_SKIPPED]);
   text_add(s->out, ". ");
-  text_printf(s->out, "Of %zu statements made wrong on purpose %zu were noticed. ", r->n_controls, noticed);
+  text_printf(s->out, "Of %zu statements made wrong on purpose %zu were noticed. ", r->n_controls, controls_noticed(r));
   for (size_t i = 0; i < r->n_skipped; i++) {
     text_add(s->out, i ? "; left out: " : "Left out: ");
     sheet_text(s, r->skipped[i].what);

@@ -1,4 +1,4 @@
-/* What the sheets and pages ask about a failure: how bad it is, what decided it, what mends it. */
+/* Questions of the reports to the record. */
 #include <string.h>
 
 #include "finding.h"
@@ -68,4 +68,30 @@ const char *failure_words(const struct finding *f) {
 bool finding_restricts(const struct finding *o, const struct finding *f) {
   if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) return false;
   return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;
+}
+
+bool finding_unexpected(const struct finding *f) {
+  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
+}
+
+const char *finding_quote(const struct finding *f) {
+  return f->quote_part ? f->quote_part : f->quote;
+}
+
+const char *finding_printed(const struct finding *f) {
+  return f->printed_part ? f->printed_part : f->printed;
+}
+
+const char *finding_recheck(const struct finding *f) {
+  return f->reproduce ? f->reproduce : "stickslip verify";
+}
+
+const char *failure_size(const struct audit_result *r, const struct finding *f) {
+  return audit_result_consequence(r, f->id) ? f->size : f->effect;
+}
+
+size_t controls_noticed(const struct audit_result *r) {
+  size_t n = 0;
+  for (size_t i = 0; i < r->n_controls; i++) n += r->controls[i].noticed;
+  return n;
 }

@@ -1,11 +1,27 @@
-/* What reports say of a claim that does not hold as printed: how bad it is, what decided it, what mends it. */
+/* What several reports ask the record about a claim: whether it fails, how bad that is, what decided it, what mends it. */
 #ifndef STICKSLIP_REPORT_FINDING_H
 #define STICKSLIP_REPORT_FINDING_H
 
 #include "stickslip/result.h"
 
-/* Whether a claim does not hold as printed. */
+/* --- Any claim --- */
+
+/* Whether it does not hold as printed. */
 bool finding_fails(const struct finding *f);
+/* Whether the verdict is another than the one recorded beside the claim. */
+bool finding_unexpected(const struct finding *f);
+/* Whether it asserts nothing and states something about the paper's data all the same. */
+bool finding_states(const struct finding *f);
+/* Whether o says the sentence of f under a restriction that saves it. */
+bool finding_restricts(const struct finding *o, const struct finding *f);
+/* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */
+const char *finding_quote(const struct finding *f);
+const char *finding_printed(const struct finding *f);
+/* The command that judges it again. */
+const char *finding_recheck(const struct finding *f);
+
+/* --- Failures --- */
+
 /* How bad a failure is, worst first: results of the paper that are wrong, then formulas and notation, each with those
    first that change what is derived from them. */
 enum grade {
@@ -25,11 +41,14 @@ const struct evidence *failure_evidence(const struct finding *f);
 const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f);
 /* The class of the fault in plain words. */
 const char *failure_words(const struct finding *f);
-/* Whether o says the sentence of f under a restriction that saves it. */
-bool finding_restricts(const struct finding *o, const struct finding *f);
-/* A printed number with the value it should have. */
+/* Whether it is a printed number with the value it should have. */
 bool failure_is_number(const struct finding *f);
-/* A claim that asserts nothing and states something about the paper's data all the same. */
-bool finding_states(const struct finding *f);
+/* How large the effect is; NULL where that is not known. */
+const char *failure_size(const struct audit_result *r, const struct finding *f);
+
+/* --- The record --- */
+
+/* Statements made wrong on purpose that this run has noticed. */
+size_t controls_noticed(const struct audit_result *r);
 
 #endif

@@ -96,6 +96,9 @@ static const char *read_symbol(struct symbol *y, const char *s, const char *end)
   case TEX_DIGIT:
     after = s + tex_number_length(s, end);
     break;
+  case TEX_STRANGE:
+    if (*s == '\\') return after;
+    break;
   default:
     break;
   }

@@ -2,13 +2,13 @@
 #ifndef STICKSLIP_REPORT_GRAPH_H
 #define STICKSLIP_REPORT_GRAPH_H
 
+#include "names.h"
 #include "stickslip/result.h"
 
 /* Nodes: the findings, then ids that findings name and that were not judged in this run. */
 struct claim_graph {
   const struct audit_result *r;
-  const char **id;
-  size_t n, cap;
+  struct names ids;
   bool *rests, *reach; /* n x n: row rests on column, directly; over any way */
 };
 void claim_graph_init(struct claim_graph *g, const struct audit_result *r);

@@ -1,6 +1,7 @@
 /* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the one
    on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
 #include "escape.h"
+#include "finding.h"
 #include "stickslip/report.h"
 
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
@@ -26,11 +27,8 @@ static void end_suite(struct text *out) {
   text_add(out, "  </testsuite>\n");
 }
 
-static bool differs(const struct finding *f) {
-  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
-}
 static bool is_skipped(const struct finding *f) {
-  return f->verdict == VERDICT_SKIPPED && !differs(f);
+  return f->verdict == VERDICT_SKIPPED && !finding_unexpected(f);
 }
 
 /* What a skipped claim says about itself. */
@@ -42,14 +40,14 @@ static void add_reason(struct text *out, const struct finding *f) {
 static void add_claims(struct text *out, const struct audit_result *r) {
   size_t failed = 0, skipped = 0;
   for (size_t i = 0; i < r->n_findings; i++) {
-    failed += differs(&r->findings[i]);
+    failed += finding_unexpected(&r->findings[i]);
     skipped += is_skipped(&r->findings[i]);
   }
   begin_suite(out, "claims", r->n_findings, failed, skipped);
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     begin_case(out, r->scene, f->section ? f->section : "claims", f->id, f->title);
-    if (differs(f)) {
+    if (finding_unexpected(f)) {
       text_printf(out, "<failure message=\"%s, recorded as %s\">", verdict_name[f->verdict], verdict_name[f->recorded]);
       escape_html(out, f->reproduce);
       text_add(out, "</failure>");
@@ -64,9 +62,7 @@ static void add_claims(struct text *out, const struct audit_result *r) {
 }
 
 static void add_controls(struct text *out, const struct audit_result *r) {
-  size_t failed = 0;
-  for (size_t i = 0; i < r->n_controls; i++) failed += !r->controls[i].noticed;
-  begin_suite(out, "controls", r->n_controls, failed, 0);
+  begin_suite(out, "controls", r->n_controls, r->n_controls - controls_noticed(r), 0);
   for (size_t i = 0; i < r->n_controls; i++) {
     const struct control_result *c = &r->controls[i];
     begin_case(out, r->scene, "controls", c->id, NULL);

@@ -26,14 +26,24 @@ const struct finding *page_finding(const struct page *p, const char *id);
 /* What the routes of a finding say, as a list; only those with this result, or all when it is NULL. */
 void page_statements(const struct page *p, const struct finding *f, const char *result);
 
-/* A table of class "stack" is read row by row on a narrow screen: each cell but the first says its column before it. */
+/* Begins a link to where the id stands under that prefix: "c-" the row of a claim, "f-" what is said of a failure. */
+void page_begin_link(const struct page *p, const char *prefix, const char *id);
+/* Begins a section with its heading; the ids are s-NAME and h-NAME. */
+void page_begin_section(const struct page *p, const char *name, const char *heading);
+
+/* A table that may be wider than the page.  With class "stack" it is read row by row on a narrow screen: each cell but the
+   first says its column before it. */
 struct column {
   const char *name; /* plain text without markup */
   bool number;      /* set to the right */
 };
-/* The head of the table, and the beginning of a cell, which the caller ends. */
-void page_heads(const struct page *p, const struct column *columns, size_t n);
+void page_begin_table(const struct page *p, const char *class, const char *caption, const struct column *columns,
+                      size_t n);
+void page_end_table(const struct page *p);
+/* The beginning of a cell, which the caller ends. */
 void page_cell(const struct page *p, const struct column *column);
+/* A cell of text with mathematics between dollar signs. */
+void page_text_cell(const struct page *p, const struct column *column, const char *text);
 
 /* --- Drawings --- */
 

@@ -5,23 +5,11 @@
 #include "escape.h"
 #include "finding.h"
 #include "html.h"
+#include "names.h"
 #include "sections.h"
 #include "stickslip/arena.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */
-
-struct names {
-  const char **name;
-  size_t n, cap;
-};
-
-static size_t name_index(struct names *list, const char *name) {
-  for (size_t i = 0; i < list->n; i++)
-    if (strcmp(list->name[i], name) == 0) return i;
-  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
-  list->name[list->n] = name;
-  return list->n++;
-}
 
 static const char *section_of(const struct finding *f) {
   return f->section ? f->section : "";
@@ -34,12 +22,12 @@ static bool is_appendix(const char *section) {
 static void list_sections(struct names *list, const struct audit_result *r) {
   for (int appendix = 0; appendix < 2; appendix++)
     for (size_t i = 0; i < r->n_findings; i++)
-      if (is_appendix(section_of(&r->findings[i])) == appendix) name_index(list, section_of(&r->findings[i]));
+      if (is_appendix(section_of(&r->findings[i])) == appendix) names_index(list, section_of(&r->findings[i]));
 }
 
 static void list_routes(struct names *list, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
-    for (int k = 0; k < r->findings[i].n_evidence; k++) name_index(list, r->findings[i].evidence[k].route);
+    for (int k = 0; k < r->findings[i].n_evidence; k++) names_index(list, r->findings[i].evidence[k].route);
 }
 
 /* --- One claim --- */
@@ -115,11 +103,9 @@ static void add_evidence_row(const struct page *p, const struct evidence *e) {
 
 static void add_evidence(const struct page *p, const struct finding *f) {
   if (!f->n_evidence) return;
-  text_add(p->out, "<div class=\"wide\"><table class=\"evidence stack\">\n<caption>Routes and residuals</caption>\n");
-  page_heads(p, evidence, sizeof evidence / sizeof *evidence);
-  text_add(p->out, "<tbody>\n");
+  page_begin_table(p, "evidence stack", "Routes and residuals", evidence, sizeof evidence / sizeof *evidence);
   for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
-  text_add(p->out, "</tbody></table></div>\n");
+  page_end_table(p);
   if (p->r->n_pairs) text_add(p->out, "<p><a href=\"#s-routes\">What the routes share</a></p>\n");
 }
 
@@ -171,13 +157,13 @@ static void add_details(const struct page *p, const struct finding *f) {
   add_line(p, "Effect", f->effect);
   add_dependences(p, f);
   text_add(p->out, "<dt>Recheck</dt>\n<dd>");
-  html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+  html_code(p->out, finding_recheck(f));
   text_add(p->out, "</dd>\n</dl>\n");
   add_evidence(p, f);
   if (finding_fails(f)) {
-    text_add(p->out, "<p><a href=\"#");
-    html_anchor(p->out, "f-", f->id);
-    text_add(p->out, "\">What is wrong with it, and what depends on it</a></p>\n");
+    text_add(p->out, "<p>");
+    page_begin_link(p, "f-", f->id);
+    text_add(p->out, "What is wrong with it, and what depends on it</a></p>\n");
   }
   text_add(p->out, "</details>\n");
 }
@@ -186,8 +172,8 @@ static void add_details(const struct page *p, const struct finding *f) {
 static void add_keys(const struct page *p, const struct finding *f, struct names *sections, struct names *routes,
                      long rank) {
   text_printf(p->out, "\" data-v=\"%d\" data-s=\"%zu\" data-w=\"%ld\" data-r=\" ", (int)f->verdict,
-              name_index(sections, section_of(f)), rank);
-  for (int i = 0; i < f->n_evidence; i++) text_printf(p->out, "%zu ", name_index(routes, f->evidence[i].route));
+              names_index(sections, section_of(f)), rank);
+  for (int i = 0; i < f->n_evidence; i++) text_printf(p->out, "%zu ", names_index(routes, f->evidence[i].route));
 }
 
 /* Failures by their grade, then what is undecided, then the rest. */
@@ -206,8 +192,7 @@ static void add_claim(const struct page *p, const struct finding *f, struct name
   html_text(p->out, f->title, NULL);
   text_add(p->out, "</td><td>");
   page_verdict(p, f->verdict);
-  if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
-    text_printf(p->out, " <strong>recorded as %s</strong>", verdict_name[f->recorded]);
+  if (finding_unexpected(f)) text_printf(p->out, " <strong>recorded as %s</strong>", verdict_name[f->recorded]);
   text_add(p->out, "</td><td class=\"opt\">");
   page_section_name(p, f->section);
   text_add(p->out, "</td><td class=\"opt\">");
@@ -259,9 +244,9 @@ void page_every_claim(const struct page *p) {
   struct names sections = {.n = 0}, routes = {.n = 0};
   list_sections(&sections, p->r);
   list_routes(&routes, p->r);
+  page_begin_section(p, "claims", "Every claim");
   text_add(
       p->out,
-      "<section id=\"s-claims\" aria-labelledby=\"h-claims\">\n<h2 id=\"h-claims\">Every claim</h2>\n"
       "<p>By section of the paper, equations before sentences. Behind each row stand the paper's own text, the "
       "formula as the program read it, typeset again so that a slip in transcribing would show, and the routes with "
       "their residuals: the largest difference of the two sides relative to their size, as the power of ten above "

@@ -74,8 +74,8 @@ static void add_correction(const struct page *p, const struct finding *f, const 
 }
 
 static void add_texts(const struct page *p, const struct finding *f) {
-  struct texts t = {.quote = f->quote_part ? f->quote_part : f->quote,
-                    .printed = f->printed_part ? f->printed_part : f->printed,
+  struct texts t = {.quote = finding_quote(f),
+                    .printed = finding_printed(f),
                     .corrected = f->correction ? f->correction_latex : NULL};
   if (!t.quote && !t.printed && !f->correction) return;
   find_changes(&t);
@@ -170,10 +170,8 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
     if (!any) {
-      text_add(p->out, "<div class=\"wide\"><table class=\"stack\">\n<caption>Results that change, each with one "
-                       "example</caption>\n");
-      page_heads(p, changed, sizeof changed / sizeof *changed);
-      text_add(p->out, "<tbody>\n");
+      page_begin_table(p, "stack", "Results that change, each with one example", changed,
+                       sizeof changed / sizeof *changed);
     }
     any = true;
     text_add(p->out, "<tr><th scope=\"row\">");
@@ -183,17 +181,12 @@ static void add_changed(const struct page *p, const struct consequence *q) {
     text_add(p->out, "<br /><small>");
     escape_html(p->out, d->title);
     text_add(p->out, "</small></th>");
-    page_cell(p, &changed[1]);
-    html_text(p->out, d->printed, NULL);
-    text_add(p->out, "</td>");
-    page_cell(p, &changed[2]);
-    html_text(p->out, d->corrected, NULL);
-    text_add(p->out, "</td>");
-    page_cell(p, &changed[3]);
-    html_text(p->out, d->where, NULL);
-    text_add(p->out, "</td></tr>\n");
+    page_text_cell(p, &changed[1], d->printed);
+    page_text_cell(p, &changed[2], d->corrected);
+    page_text_cell(p, &changed[3], d->where);
+    text_add(p->out, "</tr>\n");
   }
-  if (any) text_add(p->out, "</tbody></table></div>\n");
+  if (any) page_end_table(p);
 }
 
 static void add_derived(const struct page *p, const struct consequence *q, enum change change, const char *words) {
@@ -229,8 +222,8 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   end_row(p);
 }
 
-static void add_size(const struct page *p, const struct finding *f, const struct consequence *q) {
-  const char *size = q ? f->size : f->effect;
+static void add_size(const struct page *p, const struct finding *f) {
+  const char *size = failure_size(p->r, f);
   if (!size) return;
   begin_row(p, "Size of the effect");
   html_text(p->out, size, NULL);
@@ -240,7 +233,7 @@ static void add_size(const struct page *p, const struct finding *f, const struct
 
 static void add_reproduction(const struct page *p, const struct finding *f) {
   begin_row(p, "Recheck");
-  html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+  html_code(p->out, finding_recheck(f));
   end_row(p);
 }
 
@@ -277,7 +270,7 @@ static void add_failure(const struct page *p, const struct finding *f) {
   text_add(p->out, "<dl class=\"rows\">\n");
   if (!first) {
     add_fault(p, f);
-    add_size(p, f, q);
+    add_size(p, f);
     add_certificate(p, f);
     add_consequence(p, q);
   }
@@ -294,7 +287,7 @@ static const struct column numbers[] = {{"claim", false},   {"the paper prints",
 static void add_number(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
   struct texts t = {.quote = f->quote, .printed = f->printed, .corrected = f->correction_latex};
-  const char *size = q ? f->size : f->effect, *sep = "";
+  const char *size = failure_size(p->r, f), *sep = "";
   find_changes(&t);
   text_add(p->out, "<tr id=\"");
   html_anchor(p->out, "f-", f->id);
@@ -307,9 +300,7 @@ static void add_number(const struct page *p, const struct finding *f) {
   page_cell(p, &numbers[2]);
   html_math(p->out, t.corrected, t.in_corrected);
   text_printf(p->out, " (%s)</td>", verdict_name[f->correction_verdict]);
-  page_cell(p, &numbers[3]);
-  html_text(p->out, size, NULL);
-  text_add(p->out, "</td>");
+  page_text_cell(p, &numbers[3], size);
   page_cell(p, &numbers[4]);
   for (int i = 0; q && i < q->n_derived; i++) {
     if (q->derived[i].change != CHANGE_CHANGES) continue;
@@ -321,7 +312,7 @@ static void add_number(const struct page *p, const struct finding *f) {
   if (q) page_claims(p, &q->falls);
   text_add(p->out, "</td>");
   page_cell(p, &numbers[5]);
-  html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+  html_code(p->out, finding_recheck(f));
   text_add(p->out, "</td></tr>\n");
   texts_clear(&t);
 }
@@ -332,15 +323,13 @@ static void add_numbers(const struct page *p) {
     const struct finding *f = &p->r->findings[i];
     if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any) {
-      text_add(p->out, "<div class=\"wide\"><table class=\"numbers stack\">\n<caption>Printed numbers and those of the "
-                       "orbit nearest to them</caption>\n");
-      page_heads(p, numbers, sizeof numbers / sizeof *numbers);
-      text_add(p->out, "<tbody>\n");
+      page_begin_table(p, "numbers stack", "Printed numbers and those of the orbit nearest to them", numbers,
+                       sizeof numbers / sizeof *numbers);
     }
     any = true;
     add_number(p, f);
   }
-  if (any) text_add(p->out, "</tbody></table></div>\n");
+  if (any) page_end_table(p);
 }
 
 /* Where inconsistent numbers may have come from. */
@@ -372,15 +361,11 @@ static void add_grade(const struct page *p, enum grade g) {
 
 /* --- What is not wrong and needs attention all the same --- */
 
-static bool is_unexpected(const struct finding *f) {
-  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
-}
-
 static void add_unexpected(const struct page *p) {
   bool any = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!is_unexpected(f)) continue;
+    if (!finding_unexpected(f)) continue;
     text_add(p->out, any ? "<li>" : "<h3>Not as recorded</h3>\n<ul>\n<li>");
     any = true;
     page_claim(p, f->id);
@@ -419,9 +404,9 @@ static void add_statements(const struct page *p, const char *heading, bool (*wan
 }
 
 void page_failures(const struct page *p) {
+  page_begin_section(p, "failures", "What needs attention");
   text_add(
       p->out,
-      "<section id=\"s-failures\" aria-labelledby=\"h-failures\">\n<h2 id=\"h-failures\">What needs attention</h2>\n"
       "<p>Worst first. Each statement was judged as printed, with the corrected form of everything else that it uses, "
       "so that one slip is counted once. Examples are at exact parameters, where anybody can evaluate both sides. Of "
       "a formula, the left side is what the paper prints and the right side what the equations of motion give; of an "

@@ -26,13 +26,13 @@ struct drawing {
 };
 
 static enum arrow arrow_of(const struct claim_graph *g, size_t a, size_t b) {
-  if (claim_falls(g->r, g->id[a], g->id[b])) return ARROW_FATAL;
-  return g->rests[a * g->n + b] && !claim_graph_implied(g, a, b) ? ARROW_RESTS : ARROW_NONE;
+  if (claim_falls(g->r, g->ids.name[a], g->ids.name[b])) return ARROW_FATAL;
+  return g->rests[a * g->ids.n + b] && !claim_graph_implied(g, a, b) ? ARROW_RESTS : ARROW_NONE;
 }
 
 /* A level above all that the claim rests on; claims that rest on each other stand where the first of them does. */
 static void find_levels(struct drawing *d) {
-  size_t n = d->g.n;
+  size_t n = d->g.ids.n;
   bool moved = true;
   for (size_t pass = 0; moved && pass < n; pass++) {
     moved = false;
@@ -47,7 +47,7 @@ static void find_levels(struct drawing *d) {
 }
 
 static void find_rows(struct drawing *d) {
-  size_t n = d->g.n;
+  size_t n = d->g.ids.n;
   int *used = ss_malloc((n + 1) * sizeof *used);
   memset(used, 0, (n + 1) * sizeof *used);
   for (size_t i = 0; i < n; i++) {
@@ -63,7 +63,7 @@ static void find_rows(struct drawing *d) {
 static void drawing_init(struct drawing *d, const struct audit_result *r) {
   *d = (struct drawing){.levels = 0};
   claim_graph_init(&d->g, r);
-  size_t n = d->g.n;
+  size_t n = d->g.ids.n;
   d->at = ss_malloc((n + 1) * sizeof *d->at);
   d->arrow = ss_malloc(n * n + 1);
   memset(d->at, 0, (n + 1) * sizeof *d->at);
@@ -87,9 +87,9 @@ static void drawing_clear(struct drawing *d) {
 }
 
 static void add_arrows(const struct page *p, const struct drawing *d, enum arrow kind) {
-  for (size_t a = 0; a < d->g.n; a++)
-    for (size_t b = 0; b < d->g.n; b++) {
-      if (d->arrow[a * d->g.n + b] != kind) continue;
+  for (size_t a = 0; a < d->g.ids.n; a++)
+    for (size_t b = 0; b < d->g.ids.n; b++) {
+      if (d->arrow[a * d->g.ids.n + b] != kind) continue;
       int x0 = MARGIN + d->at[b].level * COLUMN + BOX, y0 = MARGIN + d->at[b].row * ROW + ROW / 2;
       int x1 = MARGIN + d->at[a].level * COLUMN, y1 = MARGIN + d->at[a].row * ROW + ROW / 2;
       text_printf(p->out, "M%d %dC%d %d %d %d %d %d", x0, y0, x0 + 40, y0, x1 - 40, y1, x1, y1);
@@ -110,7 +110,7 @@ static void add_node(const struct page *p, const struct drawing *d, size_t i) {
   int x = MARGIN + d->at[i].level * COLUMN, y = MARGIN + d->at[i].row * ROW;
   bool failed = f && finding_fails(f);
   text_printf(p->out, "<g><title>");
-  escape_html(p->out, d->g.id[i]);
+  escape_html(p->out, d->g.ids.name[i]);
   if (f) text_printf(p->out, " (%s): ", verdict_name[f->verdict]);
   escape_html(p->out, f ? f->title : " (not judged in this run)");
   text_printf(p->out,
@@ -120,7 +120,7 @@ static void add_node(const struct page *p, const struct drawing *d, size_t i) {
   text_printf(p->out, "<text x=\"%d\" y=\"%d\">", x + 4, y + 14);
   escape_html(p->out, f ? sign[f->verdict] : sign[VERDICT_SKIPPED]);
   text_add_char(p->out, ' ');
-  escape_html(p->out, d->g.id[i]);
+  escape_html(p->out, d->g.ids.name[i]);
   text_add(p->out, "</text></g>\n");
 }
 
@@ -139,7 +139,7 @@ static void add_drawing(const struct page *p, const struct drawing *d) {
            "\" />\n<path class=\"edge fatal\" fill=\"none\" stroke=\"currentColor\" stroke-dasharray=\"5 3\" d=\"");
   add_arrows(p, d, ARROW_FATAL);
   text_add(p->out, "\" />\n");
-  for (size_t i = 0; i < d->g.n; i++)
+  for (size_t i = 0; i < d->g.ids.n; i++)
     if (d->at[i].shown) add_node(p, d, i);
   text_add(p->out, "</svg></div>\n");
 }
@@ -147,8 +147,7 @@ static void add_drawing(const struct page *p, const struct drawing *d) {
 void page_graph(const struct page *p) {
   struct drawing d;
   drawing_init(&d, p->r);
-  text_add(p->out,
-           "<section id=\"s-graph\" aria-labelledby=\"h-graph\">\n<h2 id=\"h-graph\">What rests on what</h2>\n");
+  page_begin_section(p, "graph", "What rests on what");
   if (d.shown) {
     text_add(p->out, "<p>A claim stands to the right of all that it rests on. The sign before its name is that of its "
                      "verdict, as <a href=\"#s-verdicts\">above</a>; a heavy border marks "

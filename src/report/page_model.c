@@ -14,26 +14,20 @@ static void add_phases(const struct page *p) {
                 {"C", "stick-slip", "$m_1$ sticks, $m_2$ slips", "t_d", "$m_2$ has it again, $z'_2 = V$"}};
   static const struct column heads[] = {
       {"phase", false}, {"matrix", false}, {"masses", false}, {"lasts", false}, {"ends when", false}};
-  text_add(p->out, "<div class=\"wide\"><table class=\"stack\">\n<caption>The four phases of the paper's periodic "
-                   "motion</caption>\n");
-  page_heads(p, heads, sizeof heads / sizeof *heads);
-  text_add(p->out, "<tbody>\n");
+  page_begin_table(p, "stack", "The four phases of the paper's periodic motion", heads, sizeof heads / sizeof *heads);
   for (size_t i = 0; i < sizeof phases / sizeof *phases; i++) {
     text_printf(p->out, "<tr><th scope=\"row\">%s</th>", phases[i].name);
     page_cell(p, &heads[1]);
     html_math(p->out, phases[i].matrix, NULL);
     text_add(p->out, "</td>");
-    page_cell(p, &heads[2]);
-    html_text(p->out, phases[i].masses, NULL);
-    text_add(p->out, "</td>");
+    page_text_cell(p, &heads[2], phases[i].masses);
     page_cell(p, &heads[3]);
     html_math(p->out, phases[i].lasts, NULL);
     text_add(p->out, "</td>");
-    page_cell(p, &heads[4]);
-    html_text(p->out, phases[i].ends, NULL);
-    text_add(p->out, "</td></tr>\n");
+    page_text_cell(p, &heads[4], phases[i].ends);
+    text_add(p->out, "</tr>\n");
   }
-  text_add(p->out, "</tbody></table></div>\n");
+  page_end_table(p);
 }
 
 /* What the page says all the time and a reader of the paper has not met, or has met in another sense. */
@@ -100,8 +94,7 @@ void page_model(const struct page *p) {
       "the state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: the small "
       "distance of a motion beside it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
       "$|\\operatorname{tr} J| < 1$ and grows where $|\\operatorname{tr} J| > 1$.";
-  text_add(p->out, "<section id=\"s-model\" aria-labelledby=\"h-model\">\n"
-                   "<h2 id=\"h-model\">The system in half a page</h2>\n");
+  page_begin_section(p, "model", "The system in half a page");
   page_belt(p);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
     text_add(p->out, "<p>");
@@ -133,8 +126,8 @@ void page_limits(const struct page *p) {
       "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
       "own model, which the formulas are held against, is tested with independent programs."};
   const struct audit_result *r = p->r;
-  text_add(p->out, "<section id=\"s-limits\" aria-labelledby=\"h-limits\">\n"
-                   "<h2 id=\"h-limits\">What the audit does not show</h2>\n<ul>\n");
+  page_begin_section(p, "limits", "What the audit does not show");
+  text_add(p->out, "<ul>\n");
   for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
   for (size_t i = 0; i < r->n_skipped; i++) {
     text_add(p->out, "<li>Left out: ");

@@ -22,10 +22,14 @@ static void add_name(struct text *out, const char *id) {
   }
 }
 
-static void add_link(const struct page *p, const char *prefix, const char *id) {
+void page_begin_link(const struct page *p, const char *prefix, const char *id) {
   text_add(p->out, "<a href=\"#");
   html_anchor(p->out, prefix, id);
   text_add(p->out, "\">");
+}
+
+static void add_link(const struct page *p, const char *prefix, const char *id) {
+  page_begin_link(p, prefix, id);
   add_name(p->out, id);
   text_add(p->out, "</a>");
 }
@@ -90,13 +94,29 @@ void page_statements(const struct page *p, const struct finding *f, const char *
   if (last) text_add(p->out, "</ul>\n");
 }
 
-void page_heads(const struct page *p, const struct column *columns, size_t n) {
-  text_add(p->out, "<thead><tr>");
+void page_begin_section(const struct page *p, const char *name, const char *heading) {
+  text_printf(p->out, "<section id=\"s-%s\" aria-labelledby=\"h-%s\">\n<h2 id=\"h-%s\">%s</h2>\n", name, name, name,
+              heading);
+}
+
+void page_begin_table(const struct page *p, const char *class, const char *caption, const struct column *columns,
+                      size_t n) {
+  text_printf(p->out, "<div class=\"wide\"><table class=\"%s\">\n<caption>%s</caption>\n<thead><tr>", class, caption);
   for (size_t i = 0; i < n; i++)
     text_printf(p->out, "<th scope=\"col\"%s>%s</th>", columns[i].number ? " class=\"n\"" : "", columns[i].name);
-  text_add(p->out, "</tr></thead>\n");
+  text_add(p->out, "</tr></thead>\n<tbody>\n");
+}
+
+void page_end_table(const struct page *p) {
+  text_add(p->out, "</tbody></table></div>\n");
 }
 
 void page_cell(const struct page *p, const struct column *column) {
   text_printf(p->out, "<td%s data-of=\"%s\">", column->number ? " class=\"n\"" : "", column->name);
+}
+
+void page_text_cell(const struct page *p, const struct column *column, const char *text) {
+  page_cell(p, column);
+  html_text(p->out, text, NULL);
+  text_add(p->out, "</td>");
 }

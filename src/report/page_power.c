@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "escape.h"
+#include "finding.h"
 #include "sections.h"
 
 /* Whether the claim could have failed by it. */
@@ -33,8 +34,7 @@ static bool has_control(const struct audit_result *r, const char *id) {
 
 static void add_controls(const struct page *p) {
   const struct audit_result *r = p->r;
-  size_t noticed = 0, judged = 0, damaged = 0;
-  for (size_t i = 0; i < r->n_controls; i++) noticed += r->controls[i].noticed;
+  size_t judged = 0, damaged = 0;
   for (size_t i = 0; i < r->n_findings; i++) {
     judged += is_judged(&r->findings[i]);
     damaged += is_judged(&r->findings[i]) && has_control(r, r->findings[i].id);
@@ -43,7 +43,7 @@ static void add_controls(const struct page *p) {
     text_printf(p->out,
                 "<li>Of %zu <a href=\"#s-controls\">controls</a>, statements made wrong on purpose, <strong>%zu were "
                 "noticed</strong> in this run. Claims with a control of their own: %zu of %zu.</li>\n",
-                r->n_controls, noticed, damaged, judged);
+                r->n_controls, controls_noticed(r), damaged, judged);
   else
     text_add(p->out, "<li>No statements made wrong on purpose were tried in this run.</li>\n");
 }

@@ -5,6 +5,7 @@
 
 #include "escape.h"
 #include "html.h"
+#include "names.h"
 #include "sections.h"
 #include "stickslip/arena.h"
 
@@ -66,18 +67,6 @@ static void add_parts(const struct page *p, const struct parts *list) {
 
 /* --- One matrix a quantity --- */
 
-struct matrix_names {
-  const char **name;
-  size_t n, cap;
-};
-
-static void add_route_name(struct matrix_names *list, const char *name) {
-  for (size_t i = 0; i < list->n; i++)
-    if (strcmp(list->name[i], name) == 0) return;
-  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
-  list->name[list->n++] = name;
-}
-
 static const struct route_pair *pair_of(const struct audit_result *r, const char *quantity, const char *a,
                                         const char *b) {
   for (size_t i = 0; i < r->n_pairs; i++) {
@@ -107,11 +96,11 @@ static void add_cell(const struct page *p, const struct route_pair *pair, struct
 }
 
 static void add_matrix(const struct page *p, const char *quantity, struct parts *parts) {
-  struct matrix_names routes = {.n = 0};
+  struct names routes = {.n = 0};
   for (size_t i = 0; i < p->r->n_pairs; i++)
     if (strcmp(p->r->pairs[i].quantity, quantity) == 0) {
-      add_route_name(&routes, p->r->pairs[i].first);
-      add_route_name(&routes, p->r->pairs[i].second);
+      names_index(&routes, p->r->pairs[i].first);
+      names_index(&routes, p->r->pairs[i].second);
     }
   text_add(p->out, "<div class=\"wide\"><table class=\"matrix\">\n<caption>Two routes to: ");
   escape_html(p->out, quantity);
@@ -133,7 +122,7 @@ static void add_matrix(const struct page *p, const char *quantity, struct parts 
         add_cell(p, pair_of(p->r, quantity, routes.name[i], routes.name[k]), parts);
     text_add(p->out, "</tr>\n");
   }
-  text_add(p->out, "</tbody></table></div>\n");
+  page_end_table(p);
   free(routes.name);
 }
 
@@ -185,14 +174,11 @@ static const struct column runs[] = {{"orbit", false},
 
 static void add_long_runs(const struct page *p) {
   if (!p->r->n_long_runs) return;
-  text_add(
-      p->out,
-      "<h3>Long runs</h3>\n<p>Integration and closed forms, both in double precision, beside closed forms in "
-      "multiprecision, from one start on the orbit. What separates them must grow or shrink each period as "
-      "the multiplier of the orbit says.</p>\n<div class=\"wide\"><table class=\"stack\">\n<caption>Runs over many "
-      "periods</caption>\n");
-  page_heads(p, runs, sizeof runs / sizeof *runs);
-  text_add(p->out, "<tbody>\n");
+  text_add(p->out,
+           "<h3>Long runs</h3>\n<p>Integration and closed forms, both in double precision, beside closed forms in "
+           "multiprecision, from one start on the orbit. What separates them must grow or shrink each period as "
+           "the multiplier of the orbit says.</p>\n");
+  page_begin_table(p, "stack", "Runs over many periods", runs, sizeof runs / sizeof *runs);
   for (size_t i = 0; i < p->r->n_long_runs; i++) {
     const struct long_result *l = &p->r->long_runs[i];
     text_add(p->out, "<tr><th scope=\"row\">");
@@ -211,7 +197,7 @@ static void add_long_runs(const struct page *p) {
     page_cell(p, &runs[5]);
     text_printf(p->out, "%s</td></tr>\n", l->displaced ? "yes" : "<strong>NO</strong>");
   }
-  text_add(p->out, "</tbody></table></div>\n");
+  page_end_table(p);
 }
 
 static void add_controls(const struct page *p) {
@@ -236,8 +222,7 @@ static void add_controls(const struct page *p) {
 }
 
 void page_routes(const struct page *p) {
-  text_add(p->out, "<section id=\"s-routes\" aria-labelledby=\"h-routes\">\n"
-                   "<h2 id=\"h-routes\">How independent the routes are</h2>\n");
+  page_begin_section(p, "routes", "How independent the routes are");
   add_matrices(p);
   add_independence(p);
   add_long_runs(p);

@@ -61,9 +61,7 @@ static const struct finding *foremost(const struct page *p, enum grade g) {
 }
 
 static void add_quoted_title(const struct page *p, const struct finding *f) {
-  text_add(p->out, "<a href=\"#");
-  html_anchor(p->out, "f-", f->id);
-  text_add(p->out, "\">");
+  page_begin_link(p, "f-", f->id);
   if (strncmp(f->id, "eq-", 3) == 0) {
     text_add(p->out, "Equation (");
     escape_html(p->out, f->id + 3);
@@ -82,7 +80,7 @@ static bool is_fault(const struct finding *f, const char *fault) {
 static void add_reason(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
   const struct evidence *e = failure_evidence(f);
-  const char *size = q ? f->size : f->effect;
+  const char *size = failure_size(p->r, f);
   if (f->change) {
     text_add(p->out, ": ");
     html_text(p->out, f->change, NULL);
@@ -107,18 +105,16 @@ static void add_reason(const struct page *p, const struct finding *f) {
     html_stop(p->out);
   }
   if (q && q->falls.n) {
-    text_add(p->out, " With it as printed, <a href=\"#");
-    html_anchor(p->out, "f-", f->id);
-    text_printf(p->out, "\">%d statement%s</a> that rest%s on it fail%s.", q->falls.n, q->falls.n == 1 ? "" : "s",
+    text_add(p->out, " With it as printed, ");
+    page_begin_link(p, "f-", f->id);
+    text_printf(p->out, "%d statement%s</a> that rest%s on it fail%s.", q->falls.n, q->falls.n == 1 ? "" : "s",
                 q->falls.n == 1 ? "s" : "", q->falls.n == 1 ? "s" : "");
   }
 }
 
 /* A link that shows what the claim says. */
 static void add_titled(const struct page *p, const struct finding *f) {
-  text_add(p->out, "<a href=\"#");
-  html_anchor(p->out, "f-", f->id);
-  text_add(p->out, "\">");
+  page_begin_link(p, "f-", f->id);
   html_text(p->out, f->title, NULL);
   text_add(p->out, "</a>");
 }
@@ -333,7 +329,7 @@ static void add_wrong_formulas(const struct page *p) {
 
 /* What is held against what: the printed formula on the left. */
 static void add_both_texts(const struct page *p, const struct finding *f) {
-  const char *printed = f->printed_part ? f->printed_part : f->printed;
+  const char *printed = finding_printed(f);
   if (!printed || !f->correction_latex) return;
   text_add(p->out, ", printed ");
   html_math(p->out, printed, NULL);
@@ -373,7 +369,7 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
   text_add(p->out, "<li>One claim, by the command that stands with it, for ");
   page_claim(p, f->id);
   text_add_char(p->out, ' ');
-  html_code(p->out, f->reproduce ? f->reproduce : "stickslip verify");
+  html_code(p->out, finding_recheck(f));
   text_add(p->out, "; with <code>--out DIR</code> its report goes to that folder and this one stays.</li>\n");
   if (point_of(&point, note)) {
     text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
@@ -447,7 +443,7 @@ static void add_grades(const struct page *p, long failures) {
 void page_summary(const struct page *p) {
   long count[N_VERDICTS];
   audit_result_count(p->r, count);
-  text_add(p->out, "<section id=\"s-verdict\" aria-labelledby=\"h-verdict\">\n<h2 id=\"h-verdict\">The verdict</h2>\n");
+  page_begin_section(p, "verdict", "The verdict");
   text_printf(
       p->out,
       "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "

@@ -114,7 +114,7 @@ static void add_neighbours(const struct page *p) {
 }
 
 void page_pictures(const struct page *p) {
-  text_add(p->out, "<section id=\"s-pictures\" aria-labelledby=\"h-pictures\">\n<h2 id=\"h-pictures\">Pictures</h2>\n");
+  page_begin_section(p, "pictures", "Pictures");
   if (p->r->n_tables == 0)
     text_add(p->out, "<p>None: they are made by the whole audit of a scene that has a periodic orbit.</p>\n");
   else
