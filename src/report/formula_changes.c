@@ -4,7 +4,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "base/tex.h"
 #include "formula.h"
 #include "stickslip/arena.h"
 

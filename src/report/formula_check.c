@@ -2,7 +2,6 @@
    would obey commands that are not of formulas.  A formula that is not understood here is shown as it is typed. */
 #include <string.h>
 
-#include "base/tex.h"
 #include "formula.h"
 
 enum { MAX_LEVELS = 64 };

@@ -3,7 +3,6 @@
    (MathML Core): italics are theirs, the form of a sign is said where its place in the row would mislead. */
 #include <string.h>
 
-#include "base/tex.h"
 #include "escape.h"
 #include "formula.h"
 
@@ -444,62 +443,12 @@ static void set_row(struct setter *m) {
   if (n != 1) wrap(m->out, at, "<mrow>", "</mrow>");
 }
 
-/* --- Pieces: a browser does not break a formula, so that it is set in pieces where TeX would break it --- */
-
-/* What is open: groups, which must close within a piece, and parentheses, which should. */
-struct depth {
-  int groups, parentheses;
-};
-
-static void count(struct depth *d, const struct tex_token *t) {
-  enum tex_kind k = t->kind;
-  char sign = k == TEX_SIGN ? *t->s : k == TEX_BRACE ? t->s[1] : '\0';
-  enum tex_role role = t->word ? t->word->role : TEX_ROLE_ORDINARY;
-  d->groups +=
-      (k == TEX_OPEN || k == TEX_LEFT || k == TEX_BEGIN) - (k == TEX_CLOSE || k == TEX_RIGHT || k == TEX_FINISH);
-  d->parentheses += (sign == '(' || sign == '[' || sign == '{' || role == TEX_ROLE_OPEN) -
-                    (sign == ')' || sign == ']' || sign == '}' || role == TEX_ROLE_CLOSE);
-}
-
-/* Whether TeX would break a line before it: an operator or a relation. */
-static bool is_break(const struct tex_token *t) {
-  return t->word ? t->word->role == TEX_ROLE_BINARY : t->kind == TEX_SIGN && strchr("=<>+-", *t->s);
-}
-
-static bool takes_room(const struct tex_token *t) {
-  return t->kind != TEX_BLANK && t->kind != TEX_OPEN && t->kind != TEX_CLOSE && t->kind != TEX_RAISED &&
-         t->kind != TEX_LOWERED;
-}
-
-/* The end of the piece that begins at s: behind a comma, before a wide space, and, when it has become long, before an
-   operator that follows something. */
-static const char *piece_end(const char *s, const char *end) {
-  enum { LONG_PIECE = 24 };
-  struct depth d = {0, 0};
-  int signs = 0;
-  bool follows = false, script = true; /* nothing is broken off before the first token either */
-  for (const char *p = s; p < end;) {
-    const struct tex_token t = tex_read(p, end);
-    count(&d, &t);
-    if (d.groups == 0 && d.parentheses == 0 && !script) {
-      if (t.kind == TEX_SIGN && *p == ',') return p + 1;
-      if (t.word && t.word->role == TEX_ROLE_SPACE) return p;
-      if (signs >= LONG_PIECE && follows && is_break(&t)) return p;
-    }
-    if (takes_room(&t)) {
-      signs++;
-      follows = !is_break(&t) && !(t.kind == TEX_SIGN && strchr("([", *p));
-    }
-    script = t.kind == TEX_RAISED || t.kind == TEX_LOWERED;
-    p += t.len + (t.kind == TEX_LEFT || t.kind == TEX_RIGHT); /* with the fence */
-  }
-  return end;
-}
+/* --- Pieces --- */
 
 static void set_piece(struct setter *m, const char *s, const char *end) {
   m->end = end;
   go_to(m, s);
-  m->continued = s > m->whole && is_break(&m->t);
+  m->continued = s > m->whole && formula_breaks_before(&m->t);
   text_add(m->out, "<math displaystyle=\"true\"><semantics>");
   set_row(m);
   text_add(m->out, "<annotation encoding=\"application/x-tex\">");
@@ -514,7 +463,7 @@ bool formula_mathml(struct text *out, const char *tex, size_t len, const bool *c
   for (const char *s = tex; s < end;) {
     while (s > tex && s < end && *s == ' ') s++;
     if (s == end) break;
-    const char *stop = piece_end(s, end);
+    const char *stop = formula_piece_end(s, end);
     if (s > tex) text_add_char(out, ' ');
     set_piece(&m, s, stop);
     s = stop;

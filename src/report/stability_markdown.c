@@ -16,7 +16,6 @@ static void add_rest(struct text *out, int n, int most) {
   text_add_char(out, '\n');
 }
 
-/* What another layer makes of the formula. */
 /* 10^x, to a power of ten. */
 static const char *power_of_ten(char buffer[32], double x) {
   if (!isfinite(x)) return "-";
@@ -262,8 +261,8 @@ static void add_maps(struct text *out, const struct stability_result *r, bool pi
            "the input's size, of chi log10 chi/(1 - chi).\n\n");
   for (int i = 0; i < r->n_maps; i++) {
     const struct stability_map *m = &r->map[i];
-    text_printf(out, "- `%s` over %s and %s: [map-%d.tsv](map-%d.tsv)%s\n", r->formula[m->formula].id, m->x, m->y,
-                i + 1, i + 1, *m->at ? "" : "");
+    text_printf(out, "- `%s` over %s and %s: [map-%d.tsv](map-%d.tsv)\n", r->formula[m->formula].id, m->x, m->y, i + 1,
+                i + 1);
     if (*m->at) text_printf(out, "  with `%s`\n", m->at);
     if (pictures) text_printf(out, "\n  ![%s](map-%d.svg)\n", r->formula[m->formula].id, i + 1);
   }
@@ -283,7 +282,7 @@ static void add_zeros(struct text *out, const struct stability_result *r) {
   if (n) text_add(out, ".\n\n");
 }
 
-void report_stability_markdown(struct text *out, const struct stability_result *r, bool maps) {
+static void add_opening(struct text *out, const struct stability_result *r) {
   text_add(out, "# Where the formulas lose digits\n\n");
   stability_add_summary(out, r);
   text_printf(
@@ -304,6 +303,9 @@ void report_stability_markdown(struct text *out, const struct stability_result *
       "hand. A repetition on a machine with another C library may differ in tenths of digits and in witnesses.\n\n",
       STABILITY_DIGITS, STABILITY_DIGITS);
   if (r->quick) text_add(out, "This is the quick search: few points, short climbs, no maps.\n\n");
+}
+
+static void add_losses(struct text *out, const struct stability_result *r) {
   text_add(out,
            "## Digits lost by the formula\n\nThe worst point of each formula that loses more than the conditioning "
            "allows, in the region where the search found it; `stickslip stability FORMULA --at WITNESS` shows it. "
@@ -327,6 +329,9 @@ void report_stability_markdown(struct text *out, const struct stability_result *
     text_add(out, "## A value wherever the corrected form has one\n\n");
     add_pairs(out, r);
   }
+}
+
+static void add_where(struct text *out, const struct stability_result *r) {
   text_add(out, "## The nodes that lose them\n\nIn how many formulas, over all regions, and where most.\n\n");
   add_culprits(out, r);
   text_add(out,
@@ -339,8 +344,9 @@ void report_stability_markdown(struct text *out, const struct stability_result *
   text_add(out, "## The program's own functions\n\nResults of dynamics.h in double precision that lose more than the "
                 "conditioning allows and say nothing (an error status is an answer).\n\n");
   add_ledger(out, r, true);
-  text_add(out, "## Regions\n\n");
-  add_regions(out, r);
+}
+
+static void add_prediction(struct text *out, const struct stability_result *r) {
   text_printf(
       out,
       "## Does the explanation predict?\n\nFrom the true values alone the rule adds up what one rounding of each "
@@ -351,5 +357,14 @@ void report_stability_markdown(struct text *out, const struct stability_result *
       "number near 1 is rounded twice and the second rounding undoes the first.\n\n",
       r->conditions, r->condition_differs);
   stability_add_confusion(out, r);
+}
+
+void report_stability_markdown(struct text *out, const struct stability_result *r, bool maps) {
+  add_opening(out, r);
+  add_losses(out, r);
+  add_where(out, r);
+  text_add(out, "## Regions\n\n");
+  add_regions(out, r);
+  add_prediction(out, r);
   add_maps(out, r, maps);
 }
