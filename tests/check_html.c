@@ -13,8 +13,8 @@
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/html.h"
-#include "run/audit_impl.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "stickslip/report.h"
 #include "suites.h"
 
