@@ -4,7 +4,7 @@
 #include "finding.h"
 
 bool finding_fails(const struct finding *f) {
-  return f->verdict == VERDICT_REFUTED || f->verdict == VERDICT_CONDITIONAL;
+  return verdict_fails(f->verdict);
 }
 
 const char *const grade_heading[N_GRADES] = {
