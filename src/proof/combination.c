@@ -172,21 +172,13 @@ static bool facts_of(struct fact *list, int *n, const struct tape *t, const char
 static bool expressions_tape(struct tape *t, struct elaboration *el, const char *const *text, int n,
                              const char *section, struct diag *d) {
   const struct expr *e[8];
-  struct arena a;
-  arena_init(&a);
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
-    struct source src;
     struct matrix m;
-    source_from_string(&src, text[i], text[i]);
-    const struct expr *tree = expr_parse(&a, &src, (struct span){0, src.len}, d);
-    ok = tree && elaborate(&m, el, tree, &src, section, d) && m.rows * m.cols == 1;
+    ok = elaborate_text(&m, el, text[i], text[i], section, d) && m.rows * m.cols == 1;
     if (ok) e[i] = m.e[0];
-    source_clear(&src);
   }
-  ok = ok && elaboration_tape(t, el, e, n, d);
-  arena_clear(&a);
-  return ok;
+  return ok && elaboration_tape(t, el, e, n, d);
 }
 
 /* --- Eliminating by equations --- */

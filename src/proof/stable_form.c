@@ -34,21 +34,9 @@ static void add_entries(struct reading *r, const struct matrix *m) {
   }
 }
 
-bool reading_shape(struct matrix *m, struct reading *r, const char *value, const char *section, struct diag *d) {
-  struct source src;
-  struct arena a;
-  arena_init(&a);
-  source_from_string(&src, value, value);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(m, &r->el, e, &src, section, d);
-  source_clear(&src);
-  arena_clear(&a);
-  return ok;
-}
-
 bool reading_value(struct reading *r, const char *value, const char *section, struct diag *d) {
   struct matrix m;
-  bool ok = reading_shape(&m, r, value, section, d);
+  bool ok = elaborate_text(&m, &r->el, value, value, section, d);
   if (ok) add_entries(r, &m);
   return ok;
 }

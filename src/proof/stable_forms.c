@@ -114,7 +114,7 @@ static bool note_use(bool *used, const struct model *m, const char *name, const 
   noting.use = &use;
   const struct unknowns none = {.n = 0};
   reading_init(&r, &noting, LAYER_STABLE, &none);
-  bool ok = reading_shape(&shape, &r, name, section, &d);
+  bool ok = elaborate_text(&shape, &r.el, name, name, section, &d);
   reading_clear(&r);
   free(use.record);
   return ok;
@@ -248,7 +248,7 @@ static void keep_part(struct unknowns *u, const struct model *m, const struct de
   diag_init(&d);
   if (def->stmt->param || u->n_parts == MOST_PARTS || !means_one_thing(m, def->name)) return;
   reading_init(&r, m, LAYER_STABLE, &none);
-  if (reading_shape(&shape, &r, def->name, def->section, &d) && shape.rows < 10 && shape.cols < 10) {
+  if (elaborate_text(&shape, &r.el, def->name, def->name, def->section, &d) && shape.rows < 10 && shape.cols < 10) {
     u->part[u->n_parts++] = (struct part){def->name, def->section, equals, shape.rows, shape.cols};
     memmove(u->name + u->n_parts, u->name + u->n_parts - 1, sizeof stable_held);
     u->name[u->n_parts - 1] = (struct override){def->name, shape.rows, shape.cols};

@@ -68,8 +68,7 @@ struct unknowns {
 
 void reading_init(struct reading *r, const struct model *m, enum layer layer, const struct unknowns *u);
 void reading_clear(struct reading *r);
-/* An expression elaborated in the layer: its matrix alone, or its entries added to the reading. */
-bool reading_shape(struct matrix *m, struct reading *r, const char *value, const char *section, struct diag *d);
+/* The entries of an expression added to the reading. */
 bool reading_value(struct reading *r, const char *value, const char *section, struct diag *d);
 /* Both sides of every relation of a record added to the reading. */
 bool reading_record(struct reading *r, const struct statement_record *of, struct diag *d);

@@ -7,29 +7,19 @@
 
 /* --- Text to scalars --- */
 
-static bool elaborate_text(struct matrix *out, struct digits_set *s, const char *text, const char *section,
-                           struct diag *d) {
-  struct source src;
-  source_from_string(&src, "formula", text);
-  const struct expr *e = expr_parse(&s->arena, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(out, &s->el, e, &src, section, d);
-  source_clear(&src);
-  return ok;
-}
-
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section) {
   struct diag d;
   struct matrix m;
   diag_init(&d);
   *t = (struct tape){.n = 0};
-  if (!elaborate_text(&m, s, text, section, &d) || m.rows * m.cols != 1) return false;
+  if (!elaborate_text(&m, &s->el, "formula", text, section, &d) || m.rows * m.cols != 1) return false;
   return elaboration_tape(t, &s->el, m.e, 1, &d);
 }
 
 bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const char *id, const char *text,
                        const char *section, struct diag *d) {
   struct matrix m;
-  if (!elaborate_text(&m, s, text, section, d)) return false;
+  if (!elaborate_text(&m, &s->el, "formula", text, section, d)) return false;
   *f = (struct digits_formula){
       .id = id, .also = "", .record = "", .equation = "", .section = section, .text = text, .n = m.rows * m.cols};
   f->entry = arena_alloc(&s->arena, (size_t)f->n * sizeof *f->entry);
