@@ -154,7 +154,7 @@ static bool name_definition(struct digits_set *s, const struct definition *def, 
     if (i && !model_is_symbol(s->el.view.model, argument)) continue;
     struct matrix m;
     const char *text = definition_text(s, def, argument);
-    if (!elaborate_text(&m, s, text, def->section, d)) return false;
+    if (!elaborate_text(&m, &s->el, "formula", text, def->section, d)) return false;
     keep_names(s, text, &m);
   }
   return true;
@@ -174,7 +174,8 @@ static bool add_definition(struct digits_set *s, const struct definition *def, e
                            struct diag *d) {
   struct matrix m;
   if (is_alias(def) != (turn == TURN_ALIASES)) return true;
-  if (!elaborate_text(&m, s, definition_text(s, def, argument_of(s, def)), def->section, d)) return false;
+  if (!elaborate_text(&m, &s->el, "formula", definition_text(s, def, argument_of(s, def)), def->section, d))
+    return false;
   if (turn != TURN_ALIASES && (m.rows * m.cols > 1) != (turn == TURN_MATRICES)) return true;
   struct digits_formula f = {.id = definition_id(s, def),
                              .record = def->record->id_name,
