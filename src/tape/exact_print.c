@@ -44,30 +44,6 @@ void exact_print_generators(struct text *out, const struct exact_field *f) {
   }
 }
 
-static void value_of(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *value) {
-  slong e[EXACT_GENERATORS];
-  fmpq_t term, power;
-  fmpz_t c;
-  fmpq_init(term);
-  fmpq_init(power);
-  fmpz_init(c);
-  fmpq_zero(z);
-  for (slong i = 0; i < fmpz_mpoly_length(p, ring()); i++) {
-    fmpz_mpoly_get_term_coeff_fmpz(c, p, i, ring());
-    fmpz_mpoly_get_term_exp_si(e, p, i, ring());
-    fmpq_set_fmpz(term, c);
-    for (slong k = 0; k < EXACT_GENERATORS; k++) {
-      if (e[k] == 0) continue;
-      fmpq_pow_si(power, &value[k], e[k]);
-      fmpq_mul(term, term, power);
-    }
-    fmpq_add(z, z, term);
-  }
-  fmpz_clear(c);
-  fmpq_clear(power);
-  fmpq_clear(term);
-}
-
 static bool square_root(fmpq_t z, const fmpq_t x) {
   if (!fmpz_is_square(fmpq_numref(x)) || !fmpz_is_square(fmpq_denref(x))) return false;
   fmpz_sqrt(fmpq_numref(z), fmpq_numref(x));
@@ -90,7 +66,7 @@ static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) 
     else if (!g->squared)
       fmpq_set_si(z, a, (ulong)b);
     else {
-      value_of(square, g->square, value);
+      num_exact_polynomial_at(square, g->square, value);
       ok = square_root(z, square);
     }
   }
@@ -117,23 +93,18 @@ static void print_witness(struct text *out, const struct exact_field *f, const f
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   enum { TRIALS = 2000 };
   fmpq value[EXACT_GENERATORS];
-  fmpq_t num, den;
-  fmpq_init(num);
-  fmpq_init(den);
+  fmpq_t there;
+  fmpq_init(there);
   for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_init(&value[i]);
   ulong state = 1;
   bool found = false;
   for (int k = 0; !found && k < TRIALS; k++) {
     if (!draw_values(value, f, &state)) continue;
-    value_of(num, &x->num, value);
-    value_of(den, &x->den, value);
-    found = !fmpq_is_zero(num) && !fmpq_is_zero(den);
+    found = num_exact_at(there, x, value) == SS_OK && !fmpq_is_zero(there);
   }
-  if (found) fmpq_div(num, num, den);
-  if (found) print_witness(out, f, x, value, num);
+  if (found) print_witness(out, f, x, value, there);
   for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_clear(&value[i]);
-  fmpq_clear(den);
-  fmpq_clear(num);
+  fmpq_clear(there);
   return found;
 }
 
