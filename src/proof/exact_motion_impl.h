@@ -5,6 +5,7 @@
 #define STICKSLIP_EXACT_MOTION_IMPL_H
 
 #include "exact_motion.h"
+#include "value/local_maps.h"
 
 typedef fmpz_mpoly_q_struct element;
 

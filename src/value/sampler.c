@@ -1,22 +1,8 @@
 /* Points drawn at random, always the same ones for the same id.  The parameters are small fractions, with e1 and e2 in units
    of V so that arcs and orbits are not rare; V = 1 is avoided, since many wrong formulas are right there. */
+#include "point.h"
+
 #include <string.h>
-
-#include "run/audit_impl.h"
-
-/* splitmix64, and FNV-1a to seed it from an id. */
-uint64_t random_next(uint64_t *state) {
-  uint64_t z = (*state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
-uint64_t random_seed(const char *id) {
-  uint64_t h = 0xCBF29CE484222325U;
-  for (; *id; id++) h = (h ^ (unsigned char)*id) * 0x100000001B3U;
-  return h;
-}
 
 /* k/den with k uniform in [lo, hi]. */
 static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {

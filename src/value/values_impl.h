@@ -1,8 +1,8 @@
-/* What is made of a point's values when a symbol first asks for it; the values themselves are in audit_impl.h. */
+/* What is made of a point's values when a symbol first asks for it; the values themselves are in values.h. */
 #ifndef STICKSLIP_VALUES_IMPL_H
 #define STICKSLIP_VALUES_IMPL_H
 
-#include "run/audit_impl.h"
+#include "oracle.h"
 
 /* One of the model's matrices, made once. */
 struct oracle_matrix {
