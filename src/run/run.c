@@ -13,6 +13,7 @@
 #include "route/studies.h"
 #include "skipped.h"
 #include "stickslip/work.h"
+#include "tables.h"
 #include "value/orbit_pool.h"
 
 const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};
