@@ -9,7 +9,9 @@
 #include <stdlib.h>
 
 #include "laws_num.h"
-#include "motion/motion_impl.h"
+#include "motion/flow.h"
+#include "motion/return_map_double.h"
+#include "motion/trig_sum.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 

@@ -8,7 +8,9 @@
 #include <string.h>
 
 #include "laws_num.h"
-#include "motion/motion_impl.h"
+#include "motion/map.h"
+#include "motion/turn.h"
+#include "num/pi.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 

@@ -11,6 +11,7 @@
 
 #include "motion/polish.h"
 #include "motion/sincos.h"
+#include "num/pi.h"
 
 static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */

@@ -10,7 +10,9 @@
 #include <stdlib.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 enum {
   START_PREC = 64,

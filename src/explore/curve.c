@@ -7,6 +7,8 @@
 #include <math.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
+#include "num/pi.h"
 
 const char *const dyn_change_id[N_CHANGES] = {
     [CHANGE_FLIP] = "flip",         [CHANGE_FOLD] = "fold",       [CHANGE_TA] = "t_a",    [CHANGE_H_V2] = "h_v2",

@@ -7,8 +7,8 @@
 #ifndef STICKSLIP_FAMILY_IMPL_H
 #define STICKSLIP_FAMILY_IMPL_H
 
-#include "motion/motion_impl.h"
 #include "stickslip/family.h"
+#include "stickslip/warm.h"
 
 /* Room for many orbits at once. */
 struct lanes {

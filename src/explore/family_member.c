@@ -7,6 +7,8 @@
 #include <stdlib.h>
 
 #include "family_impl.h"
+#include "motion/search.h"
+#include "num/pi.h"
 #include "stickslip/arena.h"
 
 enum { PREC = 64 };

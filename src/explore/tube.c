@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
 
 void tube_init(struct tube *t) {
   for (int i = 0; i < N_PARAMS; i++) arb_init(&t->p[i]);

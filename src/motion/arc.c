@@ -3,7 +3,10 @@
    A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
 #include <math.h>
 
-#include "motion_impl.h"
+#include "arc.h"
+#include "event.h"
+#include "flow.h"
+#include "map.h"
 
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx) {
   num_vec_init(&a->t, N_PHASES, ctx);

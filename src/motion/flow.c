@@ -4,7 +4,8 @@
    phase C r with frequency sqrt(chi eta), in phase H both together with the two frequencies of K.  Each phase is kept
    as the 2x2 blocks C = cos(sqrt(K) t), S = sin(sqrt(K) t)/sqrt(K) and N = -K S = C', which a flow applies and a
    derivative reuses. */
-#include "motion_impl.h"
+#include "flow.h"
+#include "rounded.h"
 
 const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 

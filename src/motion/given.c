@@ -15,8 +15,15 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "map_balls.h"
+#include "num/pi.h"
+#include "orbit.h"
+#include "orbit_equations.h"
+#include "orbit_judge.h"
+#include "return_map_double.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
+#include "trig_sum.h"
 
 const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
 const struct dyn_limits dyn_given_limits = {200, 100000};

@@ -10,7 +10,10 @@
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a
    division. */
-#include "motion_impl.h"
+#include "map.h"
+#include "flow.h"
+#include "map_balls.h"
+#include "turn.h"
 
 enum { GUARD = 32, SPARE = 8, FIRST = 700, LEVELS = 40, MOST_LOST = 1000 };
 /* The events. */

@@ -4,8 +4,9 @@
 #ifndef STICKSLIP_MOTION_H
 #define STICKSLIP_MOTION_H
 
-#include "motion_impl.h"
+#include "flow.h"
 #include "stickslip/coulomb.h"
+#include "trig_sum.h"
 
 /* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct trig_sum. */
 struct harmonic {

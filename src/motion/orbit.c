@@ -7,8 +7,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "map_balls.h"
+#include "orbit.h"
+#include "orbit_judge.h"
+#include "search.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",

@@ -5,7 +5,7 @@
    constant term is exactly zero at the event and is set to that.  In (w, r) phase Gamma is w'' = -w with
    r' = (1 - chi) V - w', phase H is y'' = -M y with M = [1, -chi^2 eta; -1, chi eta], and phase C ends at the extremum
    of r'' = -chi eta r. */
-#include "motion_impl.h"
+#include "stickslip/dynamics.h"
 
 struct jet {
   slong n, prec;

@@ -10,7 +10,10 @@
 
 #include <string.h>
 
+#include "num/pi.h"
 #include "polish.h"
+#include "return_map_double.h"
+#include "rounded.h"
 
 enum { MOST_STEPS = 8, NEAR_MOST = 256 };
 static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;

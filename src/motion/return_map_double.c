@@ -8,7 +8,9 @@
    its derivative needs no derivative of t_c, and stays finite when the event grazes. */
 #include <math.h>
 
-#include "motion_impl.h"
+#include "num/pi.h"
+#include "return_map_double.h"
+#include "trig_sum.h"
 
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]) {
   for (int i = 0; i < N_PARAMS; i++)

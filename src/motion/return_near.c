@@ -3,7 +3,9 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "flow.h"
+#include "map_balls.h"
+#include "return_map_double.h"
 #include "stickslip/return_map.h"
 
 /* w = e1: z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r. */

@@ -6,6 +6,7 @@
    sine more where phase H is short. */
 #include "stickslip/warm.h"
 
+#include "num/pi.h"
 #include "polish.h"
 
 enum { MOST_STEPS = 16 };
