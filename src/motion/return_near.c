@@ -3,6 +3,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "arc.h"
 #include "flow.h"
 #include "map_balls.h"
 #include "return_map_double.h"
@@ -34,7 +35,7 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
   int status = c.status;
-  if (!status) status = dyn_arc_run(&arc, params, z[0], z[1], near);
+  if (!status) status = arc_run_from(&arc, params, z[0], z[1], near);
   if (!status) status = dyn_return_jet(jet, 2, params, &arc);
   if (!status) {
     arb_set(num_vec_at(out, RETURN_TA), next_stick(&c, p, &arc));
