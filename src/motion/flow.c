@@ -34,7 +34,8 @@ struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]) {
                            calc_div(c, above, gap),
                            calc_div(c, below, gap),
                            calc_div(c, p[P_CHI], gap),
-                           calc_div(c, stiff, gap)};
+                           calc_div(c, stiff, gap),
+                           gap};
 }
 
 /* lead = f1 - f2. */
