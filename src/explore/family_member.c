@@ -38,7 +38,7 @@ void family_line_init(struct family_line *l, struct dyn_family *f, const struct 
 
 void family_line_clear(struct family_line *l) {
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
-  lanes_clear(&l->lanes);
+  family_lanes_clear(&l->lanes);
 }
 
 void family_move(struct family_line *l, slong i) {
