@@ -1,8 +1,8 @@
 /* The closed form of a motion within one pair of modes (coulomb.h): each restoring force f_1 = x_1 - chi x_2,
    f_2 = chi (x_2 - x_1) and each p_i = x_i' - V is a constant, a drift and at most two oscillations.  The law looks at
    these four alone.  Elements are those of the calc; a difference of two motions is a motion with V = 0. */
-#ifndef STICKSLIP_MOTION_H
-#define STICKSLIP_MOTION_H
+#ifndef STICKSLIP_MODE_MOTION_H
+#define STICKSLIP_MODE_MOTION_H
 
 #include "flow.h"
 #include "stickslip/coulomb.h"
