@@ -1,8 +1,10 @@
 /* The solver of one lane, and the loop over lanes for one instruction set.
 
-   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what a branch would
-   look into is left open.  Half of the sines and cosines of the steps are moved by the step.  Conditions are judged in
-   double precision; the outputs are formed in twice that (polish.h), in a loop of its own.  Included by batch.c once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART its
+   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what only a branch
+   could settle is answered with "cannot tell".  Every other step turns the sines and cosines that are there.  Conditions are
+   judged in double precision; the outputs are formed in twice that (polish.h), in a loop of its own.
+
+   batch.c includes this file once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART the names of the
    functions and BATCH_TARGET their attribute; the compiler vectorises the loops (flags in the Makefile). */
 #include "batch_impl.h"
 

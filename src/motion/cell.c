@@ -1,6 +1,8 @@
-/* What can be said of the common zeros of p and H_k = r^2 + q^2/omega^2 - (base - k turn)^2 in a cell.
+/* What can be proved of periodic orbits whose (t_b, t_c) lies in a cell.
 
-   Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
+   Such an orbit is a common zero of p = z_1' - V and H_k = r^2 + q^2/omega^2 - (base - k turn)^2: with q = z_2' - V the first
+   two terms are the square of r at the end of phase C, and base - k turn is r at the stick phase when k full periods of
+   phase Gamma come before the angle of t_b.  Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
    bounded.  Two facts keep cells large: H is r_end^2 - r_0^2 and has no root in it, so nothing is singular where the
    radius vanishes; and H_t = -2 r p, so H stands still in time where p = 0. */
 #include "cell.h"

@@ -4,8 +4,9 @@
    H), so that at a time near its root one sine and cosine for each frequency give the function itself and every
    derivative.  The root is then some products away: a first step of fourth order, Newton's iteration with the kept
    sines turned by what it moved, and the motion at the root comes with it.  Phase C ends at an angle that differs from a
-   kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision, from
-   times of an eighth of that, and those from a double.
+   kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision.  It
+   starts from times that are right to an eighth of its bits; those come from a pass at that precision, and the first of
+   all from doubles.
 
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a

@@ -1,5 +1,8 @@
-/* The return map over balls: from rough times of its events, which is what the map in double precision falls back on where its
-   own roundings would show; and with first events found and proved in balls, which is what it is held against. */
+/* The return map over balls, twice.
+
+   dyn_return_near starts from rough times of the events: return_map.c falls back on it where roundings in double precision
+   would show.  dyn_return_first finds the events in balls and proves them to be first ones: the tests hold the map in double
+   precision against it. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,4 +1,4 @@
-/* Which numbers k of full periods of phase Gamma can be, and strips that no time of phase H brings to a zero.
+/* How many full periods of phase Gamma, k, can come before a strip's t_b, and which strips hold no orbit at any time of phase H.
 
    r at the stick phase is r_0 = base - k turn, and it must be r_end.  In phase H twice the energy,
    2E = eta z_1'^2 + z_2'^2 + eta (w^2 + 2 chi w r + chi r^2)/(1 - chi), is kept, and is the sum of the squared amplitudes
