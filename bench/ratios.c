@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "bench/jobs.h"
-#include "motion/motion_impl.h"
+#include "motion/map_balls.h"
+#include "motion/orbit_judge.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 void bench_result_clear(struct bench_result *r) {
   for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);
@@ -271,7 +273,6 @@ static void sweep_ratios(struct bench_result *r) {
         "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
   add(r, b.bare, false, NAN,
       "sweep, one core: dyn_orbit_bare, in double precision and without conditions / orbits in lanes");
-  add(r, b.two, false, 1.8, "sweep in lanes: one thread / two");
 }
 
 void bench_ratios(struct bench_result *r) {

@@ -8,11 +8,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge/judge.h"
 #include "paper_model.h"
-#include "run/audit_impl.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/expression.h"
 
 typedef long double real;
 

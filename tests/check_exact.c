@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "judge/judge.h"
 #include "laws_num.h"
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
@@ -239,25 +240,18 @@ static const struct claim *claim_of(const char *id) {
 /* The value of a text in a field, as a function of free symbols. */
 static int value_in(element *z, struct exact_field *f, const char *text) {
   struct elaboration el;
-  struct arena a;
-  struct source src;
   struct matrix m;
   struct tape t;
   struct diag d;
   struct exact_vec v;
   diag_init(&d);
-  arena_init(&a);
-  source_from_string(&src, "test", text);
   elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  ck_assert_msg(e && elaborate(&m, &el, e, &src, "", &d) && elaboration_tape(&t, &el, m.e, 1, &d), "%s", d.message);
+  ck_assert_msg(elaborate_tape(&t, &m, &el, "test", text, "", &d), "%s", d.message);
   int s = exact_eval(&v, f, &t);
   if (s == SS_OK) num_exact.set(z, &v.x[0]);
   exact_vec_clear(&v);
   tape_clear(&t);
   elaboration_clear(&el);
-  source_clear(&src);
-  arena_clear(&a);
   return s;
 }
 
@@ -651,7 +645,7 @@ START_TEST(ranks_of_damaged_equations) {
     for (size_t k = 0; k < claims.n; k++) {
       const struct claim *c = &claims.claim[k];
       const char *own = claim_get(c, "equation");
-      if (claim_kind(claim_get(c, "kind")) != judge_rank || !own || strcmp(own, equation) != 0) continue;
+      if (claim_kind(c) != KIND_RANK || !own || strcmp(own, equation) != 0) continue;
       overlay_set(&o, t, all.mutant[i].edit.stmt);
       struct audit_result out;
       struct finding f;

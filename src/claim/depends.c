@@ -1,10 +1,9 @@
 /* What rests on what.  A claim is about a definition (its value, or what it names by "about") or about a record (its
    statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
    that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
+#include "claim.h"
 #include <stdlib.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 /* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked up. */
 struct reach {
@@ -74,16 +73,9 @@ static void add_symbols(struct reach *r, const struct elaboration *el, const str
 static void reach_text(struct reach *r, struct elaboration *el, const char *text, const char *section) {
   if (!text) return;
   struct diag d;
-  struct arena a;
-  struct source src;
   struct matrix m;
   diag_init(&d);
-  arena_init(&a);
-  source_from_string(&src, text, text);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  if (e && elaborate(&m, el, e, &src, section, &d) && r->number) add_symbols(r, el, &m);
-  source_clear(&src);
-  arena_clear(&a);
+  if (elaborate_text(&m, el, text, text, section, &d) && r->number) add_symbols(r, el, &m);
 }
 
 static void reach_record(struct elaboration *el, const struct view *v, const char *id) {

@@ -6,6 +6,7 @@
 #include <stdlib.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
 #include "num/solve.h"
 
 void tube_init(struct tube *t) {

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "motion/motion_impl.h"
+#include "motion/trig_sum.h"
+#include "num/calc.h"
 #include "num/solve.h"
 #include "stickslip/arena.h"
 #include "stickslip/work.h"

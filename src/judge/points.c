@@ -4,7 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/exact_proof.h"
+#include "proof/propagator_law.h"
+#include "value/expression.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
 
@@ -55,77 +58,12 @@ struct point_trials {
 
 /* --- Reading the claim --- */
 
-bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
-  const struct field *f = record_field(c->record, key);
-  size_t at = f ? f->value.begin : c->record->id.begin;
-  diag_at(j->d, &c->file->src, at, "%s: %s", c->id, what);
-  j->claim_at_fault = true;
-  return false;
-}
-
-/* The next comma-separated item of a list, trimmed, into buf; NULL at the end. */
-static const char *next_item(char *buf, size_t size, const char *list) {
-  while (*list == ' ' || *list == ',') list++;
-  if (!*list) return NULL;
-  size_t n = strcspn(list, ",");
-  size_t len = n;
-  while (len && list[len - 1] == ' ') len--;
-  if (len >= size) len = size - 1;
-  memcpy(buf, list, len);
-  buf[len] = '\0';
-  return list + n;
-}
-
-static bool parse_spec(struct point_spec *s, const char *item) {
-  char word[16], phase[16];
-  long n;
-  *s = (struct point_spec){.n = 0};
-  if (sscanf(item, "%15s %15s %ld", word, phase, &n) == 3) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
-    if (ph == N_PHASES) return false;
-    s->phase = (enum phase)ph;
-  } else if (sscanf(item, "%15s %ld", word, &n) != 2) {
-    return false;
-  }
-  if (n <= 0) return false;
-  s->n = n;
-  if (strcmp(word, "flow") == 0)
-    s->kind = POINT_FLOW;
-  else if (strcmp(word, "params") == 0)
-    s->kind = POINT_PARAMS;
-  else if (strcmp(word, "arcs") == 0)
-    s->kind = POINT_ARC;
-  else if (strcmp(word, "patched") == 0)
-    s->kind = POINT_PATCHED;
-  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
-    s->kind = POINT_ORBIT;
-  else
-    return false;
-  s->realistic = strcmp(word, "realistic") == 0;
-  s->admissible = s->realistic || strcmp(word, "admissible") == 0;
-  return true;
-}
-
-int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
-  const char *list = claim_get(c, "points");
-  char item[64];
-  int n = 0;
-  bool ok = list || claim_error(j, c, "kind", "the attribute points is missing");
-  while (ok && (list = next_item(item, sizeof item, list)) != NULL)
-    ok = (n < max && parse_spec(&spec[n++], item)) ||
-         claim_error(j, c, "points",
-                     "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
-                     "or \"admissible [PHASE] N\"");
-  return ok ? n : -1;
-}
-
 /* Names that route oracle replaces, as overrides of the model's shapes. */
 static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
   const char *list = claim_get(r->c, "oracle");
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
-  while (*n < MAX_ROUTES && (list = next_item(names[*n], 16, list)) != NULL) {
+  while (*n < MAX_ROUTES && (list = claim_next_item(names[*n], 16, list)) != NULL) {
     const struct oracle *q = oracle_find(names[*n]);
     if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
     o[*n] = (struct override){names[*n], oracle_rows(q), oracle_cols(q)};
@@ -154,7 +92,7 @@ static bool read_routes(struct point_trials *r) {
   const char *list = claim_get(r->c, "routes");
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
   if (r->j->effort == EFFORT_REFUTE) return true;
-  while (list && (list = next_item(item, sizeof item, list)) != NULL) {
+  while (list && (list = claim_next_item(item, sizeof item, list)) != NULL) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
       if (strcmp(routes[i].name, item) == 0) found = &routes[i];
@@ -168,62 +106,55 @@ static bool read_routes(struct point_trials *r) {
 
 /* --- Route ode: the paper's matrix against its own differential equation --- */
 
-/* value is NAME(t): its derivative minus A times it, and its value at 0 minus the identity, as balls. */
+/* What the law of the propagator leaves of the matrix p, its derivative and its value at 0, as balls. */
+static struct trial try_law(const struct num_vec m[3], const struct num_vec *a) {
+  struct trial t = {.outcome = OUTCOME_UNDECIDED, .bits = FIRST_PREC, .log_diff = -INFINITY};
+  struct num_vec rest;
+  bool apart = false;
+  mag_t bound;
+  num_vec_init(&rest, PROPAGATOR_LAW, a->ctx);
+  mag_init(bound);
+  propagator_law(&rest, &m[0], &m[1], &m[2], a);
+  for (int k = 0; k < PROPAGATOR_LAW; k++) {
+    apart = apart || !arb_contains_zero(num_vec_at(&rest, k));
+    arb_get_mag(bound, num_vec_at(&rest, k));
+    if (!mag_is_zero(bound)) t.log_diff = fmax(t.log_diff, mag_get_d_log2_approx(bound));
+  }
+  if (apart)
+    t.outcome = OUTCOME_DIFFERS;
+  else if (t.log_diff < -0.5 * FIRST_PREC)
+    t.outcome = OUTCOME_AGREES;
+  mag_clear(bound);
+  num_vec_clear(&rest);
+  return t;
+}
+
+/* value is NAME(t), one of the phases' matrices; its derivative is NAME'(t). */
 static struct trial try_ode(struct point_trials *r, const char *value, const struct point *p) {
-  static const struct {
-    const char *value;
-    enum phase phase;
-  } matrices[] = {{"D(t)", PHASE_D}, {"Gamma(t)", PHASE_GAMMA}, {"H(t)", PHASE_H}, {"C(t)", PHASE_C}};
+  static const char *const taken[3] = {"(t)", "'(t)", "(0)"};
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC, .log_diff = -INFINITY};
-  int phase = -1;
-  for (int i = 0; i < N_PHASES; i++)
-    if (strcmp(matrices[i].value, value) == 0) phase = (int)matrices[i].phase;
   const char *section = claim_get(r->c, "section");
-  char name[32], text[64];
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  int n;
-  arb_ptr m = _arb_vec_init(48);
-  arb_ptr dm = m + 16, m0 = m + 32;
-  snprintf(text, sizeof text, "%s'(t)", name);
-  int s = expression_at(m, &n, r->view, value, section, p, FIRST_PREC, r->j->cache, r->j->d);
-  s |= expression_at(dm, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
-  snprintf(text, sizeof text, "%s(0)", name);
-  s |= expression_at(m0, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  int phase = 0, name = (int)strcspn(value, "("), n = 0, s = SS_OK;
+  char form[32];
+  for (; phase < N_PHASES; phase++) {
+    snprintf(form, sizeof form, "%s(t)", phase_name[phase]);
+    if (strcmp(form, value) == 0) break;
+  }
+  struct num_vec m[3], a;
+  for (int i = 0; i < 3; i++) {
+    char text[64];
+    num_vec_init(&m[i], 16, num_ctx_arb(FIRST_PREC));
+    snprintf(text, sizeof text, "%.*s%s", name, value, taken[i]);
+    s |= expression_at((arb_ptr)(void *)m[i].data, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  }
   struct values v;
-  struct num_vec a;
   s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
   num_vec_init(&a, 16, v.ctx);
-  if (s == SS_OK && phase >= 0) s |= dyn_system(&a, (enum phase)phase, &v.params);
-  if (s == SS_OK && phase >= 0 && n == 16) {
-    arb_t d, term;
-    arb_init(d);
-    arb_init(term);
-    bool apart = false;
-    for (int k = 0; k < 32; k++) {
-      int i = k % 16 / 4, jj = k % 4;
-      if (k < 16) {
-        arb_set(d, dm + k);
-        for (int l = 0; l < 4; l++) {
-          arb_mul(term, num_vec_at(&a, 4 * i + l), m + 4 * l + jj, FIRST_PREC);
-          arb_sub(d, d, term, FIRST_PREC);
-        }
-      } else {
-        arb_sub_si(d, m0 + (k - 16), i == jj, FIRST_PREC);
-      }
-      apart = apart || !arb_contains_zero(d);
-      mag_t bound;
-      mag_init(bound);
-      arb_get_mag(bound, d);
-      if (!mag_is_zero(bound)) t.log_diff = fmax(t.log_diff, mag_get_d_log2_approx(bound));
-      mag_clear(bound);
-    }
-    t.outcome = apart ? OUTCOME_DIFFERS : t.log_diff < -0.5 * FIRST_PREC ? OUTCOME_AGREES : OUTCOME_UNDECIDED;
-    arb_clear(term);
-    arb_clear(d);
-  }
+  if (s == SS_OK && phase < N_PHASES && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK)
+    t = try_law(m, &a);
   num_vec_clear(&a);
   values_clear(&v);
-  _arb_vec_clear(m, 48);
+  for (int i = 0; i < 3; i++) num_vec_clear(&m[i]);
   return t;
 }
 
@@ -235,12 +166,6 @@ static struct trial try_route(struct point_trials *r, struct tally *t, const str
   if (!q->type) return sentence_try_balls(&t->sentence, p, q->variant, r->j->cache);
   struct num_ctx ctx = q->type == &num_double ? num_ctx_double() : num_ctx_mpfr(FD_PREC);
   return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
-}
-
-const char *entry_place(struct audit_result *out, slong n, int cols, slong entry) {
-  if (n == 1) return "";
-  if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
-  return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
 }
 
 static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
@@ -510,14 +435,6 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
   *id = result_str(j->out, "%s", text_str(&t));
   text_clear(&t);
   return N_VERDICTS;
-}
-
-bool claim_makes(const struct claim *c, const char *id) {
-  const char *list = claim_get(c, "restricted");
-  size_t n = strlen(id);
-  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
-    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
-  return false;
 }
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {

@@ -7,8 +7,12 @@
 
 #include <math.h>
 
-#include "motion_impl.h"
+#include "map_balls.h"
 #include "num/solve.h"
+#include "orbit_equations.h"
+#include "orbit_judge.h"
+#include "stickslip/given.h"
+#include "stickslip/warm.h"
 
 enum { MAX_STEPS = 100000, BOX_FIRST = -8, BOX_STEP = 3, BOX_TRIES = 60, BOX_SAFETY = 16 };
 

@@ -3,8 +3,11 @@
    With z_1' = V and z_2' = V where they must be, phase C turns (r, q/omega) by omega t_d into (r_0, 0): the four equations
    of given.h.  Any two quantities may be known exactly; Krawczyk's operator on the other four proves that a box holds
    exactly one solution. */
-#include "motion_impl.h"
+#include "orbit_equations.h"
+#include "flow.h"
+#include "map_balls.h"
 #include "num/solve.h"
+#include "stickslip/given.h"
 
 /* cos(sqrt(K) t), sin(sqrt(K) t)/sqrt(K) and sqrt(K) sin(sqrt(K) t): velocities v and forces f = (w, chi eta r) become
    c v - s f and c f + n v. */

@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
+#include "judge/judge.h"
 #include "mutants.h"
-#include "run/workers.h"
 
 enum { PAIR_BUDGET = 20000 };
 
@@ -290,7 +291,7 @@ static bool passes(enum verdict v) {
 
 static bool try_all(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
   enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
-  bool ok = workers_run(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
+  bool ok = crew_results(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
   out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
     if (!passes(v[i])) continue;
@@ -382,8 +383,8 @@ static void search_clear(struct search *s) {
 /* Why there is nothing to search; NULL when there is. */
 static const char *no_search(const struct claim *c, enum verdict v) {
   if (!verdict_fails(v)) return "it is not refuted";
-  const kind_fn kind = claim_kind(claim_get(c, "kind"));
-  if (kind == judge_index_range) return "it is about the range of an index, not about a formula";
+  enum kind kind = claim_kind(c);
+  if (kind == KIND_INDEX_RANGE) return "it is about the range of an index, not about a formula";
   if (!claim_tried_at_points(c)) return "it is about numbers, or about more than one formula";
   return NULL;
 }
