@@ -215,11 +215,9 @@ static bool block_gives(const struct block *b, const char *name, size_t len) {
 
 static void keep_name(struct block *b, int n, const char *name, size_t len);
 
-/* All that it names; an entry of a matrix, N_1, may be one of N.  What a comment names does no harm. */
-static void keep_block(struct block *b, int n, struct block *own) {
-  if (own->kept) return;
-  own->kept = true;
-  for (const char *p = own->text; p < own->text + own->len; p++) {
+/* An entry of a matrix, N_1, may be one of N. */
+static void keep_names(struct block *b, int n, const char *line, size_t size) {
+  for (const char *p = line; p < line + size; p++) {
     size_t len = 0, stem;
     while (in_name(p[len]) && p[len] != '-') len++;
     if (len == 0) continue;
@@ -227,6 +225,19 @@ static void keep_block(struct block *b, int n, struct block *own) {
     for (stem = len; stem > 0 && isdigit((unsigned char)p[stem - 1]); stem--) continue;
     if (stem < len && stem > 1 && p[stem - 1] == '_') keep_name(b, n, p, stem - 1);
     p += len - 1;
+  }
+}
+
+/* A block and all that its formulas name; notes and TeX, which may go on for lines, name nothing. */
+static void keep_block(struct block *b, int n, struct block *own) {
+  bool prose = false;
+  if (own->kept) return;
+  own->kept = true;
+  for (const char *p = own->text; p < own->text + own->len;) {
+    size_t size = strcspn(p, "\n");
+    if (strncmp(p, "    ", 4) != 0) prose = strncmp(p, "  note:", 7) == 0 || strncmp(p, "  tex:", 6) == 0;
+    if (!prose) keep_names(b, n, p, size);
+    p += size + 1;
   }
 }
 
