@@ -27,7 +27,7 @@ PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\
 # threads of the batch kernel; without OpenMP it uses one
 OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_threads() < 1;}\n' | $(CC) $(CFLAGS) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
 LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
-ALL   = $(STD) $(WARN) -Iinclude -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
+ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
 RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
@@ -65,7 +65,7 @@ $(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/libstickslip.a
 
 $(B)/mpi/%.o: %.c Makefile
 	@mkdir -p $(@D)
-	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(ALL) -I. -Isrc -DSTICKSLIP_MPI -MMD -c -o $@ $<
+	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(ALL) -I. -DSTICKSLIP_MPI -MMD -MP -c -o $@ $<
 
 # shares no source with the program
 $(B)/stickslip-checker: verify/checker/check.c Makefile
@@ -74,7 +74,7 @@ $(B)/stickslip-checker: verify/checker/check.c Makefile
 
 $(B)/libstickslip.a: $(OBJ)
 	@rm -f $@
-	ar rcs $@ $^
+	ar qcs $@ $^
 
 $(B)/$(SO): $(OBJ)
 	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
@@ -97,20 +97,20 @@ $(B)/faults.so: tests/preload/faults.c Makefile
 
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(ALL) -I. -Isrc -MMD -c -o $@ $<
+	$(CC) $(ALL) -I. -MMD -MP -c -o $@ $<
 
 # objects that were made without CVODE are made again once it is there, and the other way
 $(BOBJ): $(B)/cvode.$(if $(PEERS),there,absent)
 $(B)/cvode.%:
 	@mkdir -p $(@D); rm -f $(B)/cvode.*; touch $@
 
-$(B)/src/cli/%.o: EXTRA_INCLUDE = -I. -Isrc
+$(B)/src/cli/%.o: EXTRA_INCLUDE = -I.
 # vectorised: no flag here may change a bit of a result
-$(B)/src/dynamics/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math $(OPENMP)
-$(B)/bench/%.o: EXTRA_INCLUDE = -I. -Isrc $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
+$(B)/src/explore/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math $(OPENMP)
+$(B)/bench/%.o: EXTRA_INCLUDE = -I. $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -c -o $@ $<
+	$(CC) $(ALL) $(EXTRA_INCLUDE) -MMD -MP -c -o $@ $<
 
 -include $(OBJ:.o=.d) $(TOBJ:.o=.d) $(FOBJ:.o=.d) $(BOBJ:.o=.d) $(CLI:%.c=$(B)/%.d) $(RANKS:.o=.d) $(B)/src/main.d
 

@@ -11,7 +11,7 @@
 
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
-#include "dynamics/dyn_impl.h"
+#include "motion/motion_impl.h"
 #include "stickslip/arena.h"
 #include "stickslip/dynamics.h"
 #include "stickslip/paper_route.h"

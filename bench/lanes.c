@@ -5,8 +5,8 @@
 #include <stdlib.h>
 
 #include "bench/jobs.h"
-#include "dynamics/batch_impl.h"
-#include "dynamics/dyn_impl.h"
+#include "explore/batch_impl.h"
+#include "motion/motion_impl.h"
 #include "stickslip/arena.h"
 
 enum { LINE = 4096, ROUNDS = 100 };

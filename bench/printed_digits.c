@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/dual.h"
+#include "motion/dual.h"
 
 /* (x y; z w)^-1 (a; b). */
 static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) {

@@ -21,7 +21,7 @@ void printed_times_set(struct printed_times *p, const double t[3], int digits);
 void printed_times_clear(struct printed_times *p);
 
 /* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.  params
-   and t are duals (dynamics/dual.h), t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these, value by
+   and t are duals (motion/dual.h), t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these, value by
    value. */
 void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t);
 

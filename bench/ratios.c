@@ -7,7 +7,7 @@
 #include <string.h>
 
 #include "bench/jobs.h"
-#include "dynamics/dyn_impl.h"
+#include "motion/motion_impl.h"
 #include "stickslip/arena.h"
 
 void bench_result_clear(struct bench_result *r) {

@@ -12,7 +12,7 @@
 #include "bench/printed_digits.h"
 #include "bench/study.h"
 #include "bench/three_ways.h"
-#include "dynamics/dual.h"
+#include "motion/dual.h"
 #include "stickslip/arena.h"
 
 enum { PREC = THREE_WAYS_BITS };
@@ -119,7 +119,7 @@ static void from_printed(struct tables *all, const char *scene, slong number, co
   _arb_vec_clear(truth_of, N_WANTED);
 }
 
-static void count_rungs(struct tables *all, const fmpq *params) {
+static void count_raises(struct tables *all, const fmpq *params) {
   for (int k = 0; k < (all->quick ? 2 : COUNT(asked)); k++) {
     struct planned *p = &all->planned[k];
     slong prec = (slong)ceil(asked[k] * log2(10)) + 64;
@@ -132,7 +132,7 @@ static void count_rungs(struct tables *all, const fmpq *params) {
   }
 }
 
-static void add_rungs(struct study_page *page, const struct tables *all) {
+static void add_raises(struct study_page *page, const struct tables *all) {
   struct study_table *t = study_table(
       page, "precision", "The first working precision", "digits\torbits\traised\tbeyond",
       "The orbits of the scenes that give e1 and e2, enclosed to so many digits and 64 bits more. raised: how often "
@@ -153,7 +153,7 @@ static void study_scene(struct tables *all, const struct scene *s) {
   int times = 0;
   for (int k = KEY_TA; k <= KEY_TD; k++) times += s->given[k];
   if (scene_is_box(s) || (!scene_has_forces(s) && times < 2)) return;
-  if (scene_has_forces(s)) count_rungs(all, s->value);
+  if (scene_has_forces(s)) count_raises(all, s->value);
   audit_orbits(&list, s, PREC);
   for (slong i = 0; i < list.n; i++) {
     const struct dyn_orbit *o = &list.orbit[i];
@@ -399,7 +399,7 @@ static bool run(struct study_page *page, const struct bench_env *env) {
                   "the one at which det(N_1 - I) changes its sign. Columns as above.");
   bool good = each_scene(&all, env->data);
   summarize(&all);
-  add_rungs(page, &all);
+  add_raises(page, &all);
   good = study_line(&all) && good;
   text_printf(&page->found,
               "- %d orbits of scenes: in double the paper's equations lose up to %.1f digits, the six up to %.1f, the "

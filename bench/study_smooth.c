@@ -140,7 +140,7 @@ struct motion {
   double seconds; /* of a return, the mean */
 };
 
-struct run {
+struct smooth_run {
   const struct reference *ref;
   const struct smooth *m;
   struct stepper *stepper;
@@ -156,7 +156,7 @@ static double distance(const double a[UNKNOWNS], const double b[UNKNOWNS]) {
   return off / size;
 }
 
-static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct run *run) {
+static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct smooth_run *run) {
   struct smooth_passage s;
   double before[STEPPER_SIZE];
   memcpy(before, y, sizeof before);
@@ -170,7 +170,7 @@ static int go_round(struct motion *o, double y[STEPPER_SIZE], const struct run *
   return status;
 }
 
-static int long_run(struct motion *o, const struct run *run) {
+static int long_run(struct motion *o, const struct smooth_run *run) {
   int status = SS_OK;
   do status = go_round(o, o->y, run);
   while (!status && o->change > 20 * tolerance && o->returns < MOST_RETURNS);
@@ -178,7 +178,7 @@ static int long_run(struct motion *o, const struct run *run) {
 }
 
 /* x <- x - (P' - I)^-1 (P(x) - x), P' by differences. */
-static int newton_step(struct motion *o, double *moved, const struct run *run) {
+static int newton_step(struct motion *o, double *moved, const struct smooth_run *run) {
   double a[UNKNOWNS * UNKNOWNS], b[UNKNOWNS], image[STEPPER_SIZE], x[UNKNOWNS];
   memcpy(image, o->y, sizeof image);
   int status = go_round(o, image, run), sign;
@@ -210,7 +210,7 @@ static int newton_step(struct motion *o, double *moved, const struct run *run) {
   return isfinite(*moved) ? SS_OK : SS_UNABLE;
 }
 
-static int shoot(struct motion *o, const struct run *run) {
+static int shoot(struct motion *o, const struct smooth_run *run) {
   double moved = INFINITY;
   int status = SS_OK;
   for (int i = 0; i < MOST_NEWTON && !status && moved > 1e-8; i++) status = newton_step(o, &moved, run);
@@ -220,7 +220,7 @@ static int shoot(struct motion *o, const struct run *run) {
 static void find_motion(struct motion *o, const struct reference *ref, const struct smooth *m, const char *solver,
                         long most_steps) {
   struct stepper_system system = smooth_system(m, tolerance, ref->period / 100);
-  struct run run = {ref, m, stepper_open(solver, &system), most_steps};
+  struct smooth_run run = {ref, m, stepper_open(solver, &system), most_steps};
   *o = (struct motion){.state = "cannot be set up", .period = NAN, .creep = NAN, .change = NAN, .seconds = NAN};
   if (!run.stepper) return;
   memcpy(o->y, ref->y, sizeof o->y);

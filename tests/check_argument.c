@@ -6,13 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/condition.h"
-#include "audit/orbit_pool.h"
 #include "paper_model.h"
+#include "proof/condition.h"
 #include "scratch.h"
 #include "stickslip/margins.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/orbit_pool.h"
 
 static struct model model;
 static struct scene paper;

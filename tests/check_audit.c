@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/audit_impl.h"
+#include "judge/judge.h"
 #include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/report.h"
@@ -19,11 +19,12 @@ typedef long double real;
 /* --- Verdicts --- */
 
 /* What must hold of every verdict, said of the evidence alone. */
-static void check_verdict(const struct route_word *w, int n, bool whole) {
+static void check_verdict(const struct route_result *w, int n, bool whole) {
   bool all_agree = true, a_decisive_agrees = false, a_certificate = false, another_agrees = false, two_kinds = false;
   char shown[200] = "";
   for (int i = 0; i < n; i++) {
-    bool agrees = w[i].trials > 0 && w[i].says == SAYS_AGREES, differs = w[i].trials > 0 && w[i].says == SAYS_DIFFERS;
+    bool agrees = w[i].trials > 0 && w[i].outcome == ROUTE_AGREES,
+         differs = w[i].trials > 0 && w[i].outcome == ROUTE_DIFFERS;
     all_agree = all_agree && agrees;
     a_decisive_agrees = a_decisive_agrees || (w[i].decisive && agrees);
     a_certificate = a_certificate || (w[i].decisive && differs);
@@ -31,7 +32,7 @@ static void check_verdict(const struct route_word *w, int n, bool whole) {
     two_kinds = two_kinds || strcmp(w[i].route, w[0].route) != 0;
     size_t at = strlen(shown);
     snprintf(shown + at, sizeof shown - at, "%s%s says %d after %ld, ", w[i].route, w[i].decisive ? " (decisive)" : "",
-             (int)w[i].says, w[i].trials);
+             (int)w[i].outcome, w[i].trials);
   }
   enum verdict v = verdict_of(w, n, whole);
   bool success = n > 0 && all_agree && a_decisive_agrees;
@@ -50,9 +51,9 @@ START_TEST(every_row_of_the_verdict_table) {
   for (int n = 1, combinations = STATES; n <= 3; n++, combinations *= STATES)
     for (int c = 0; c < combinations; c++)
       for (int whole = 0; whole < 2; whole++) {
-        struct route_word w[3];
+        struct route_result w[3];
         for (int i = 0, rest = c; i < n; i++, rest /= STATES)
-          w[i] = (struct route_word){names[i], (enum says)(rest % 4), rest / 4 % 2, rest / 8 % 2 ? 7 : 0};
+          w[i] = (struct route_result){names[i], (enum route_outcome)(rest % 4), rest / 4 % 2, rest / 8 % 2 ? 7 : 0};
         check_verdict(w, n, whole);
         for (int i = 0; i < n; i++) w[i].route = "balls";
         check_verdict(w, n, whole);
@@ -66,14 +67,15 @@ START_TEST(routes_that_share_their_reasoning_count_once) {
   enum { N = sizeof names / sizeof *names };
   for (int i = 0; i < N; i++) {
     for (int k = 0; k < N; k++)
-      for (int says = SAYS_NOTHING; says <= SAYS_UNDECIDED; says++) {
-        struct route_word w[] = {{names[i], SAYS_AGREES, true, 1}, {names[k], (enum says)says, false, 1}};
-        int want = says == SAYS_AGREES && i != k ? 2 : 1;
-        ck_assert_msg(independent_routes(w, 2) == want, "%s and %s saying %d", names[i], names[k], says);
+      for (int outcome = ROUTE_NOTHING; outcome <= ROUTE_UNDECIDED; outcome++) {
+        struct route_result w[] = {{names[i], ROUTE_AGREES, true, 1},
+                                   {names[k], (enum route_outcome)outcome, false, 1}};
+        int want = outcome == ROUTE_AGREES && i != k ? 2 : 1;
+        ck_assert_msg(independent_routes(w, 2) == want, "%s and %s saying %d", names[i], names[k], outcome);
       }
   }
   ck_assert_int_eq(independent_routes(NULL, 0), 0);
-  struct route_word same_text[] = {{"balls", SAYS_AGREES, true, 1}, {"algebra", SAYS_AGREES, true, 1}};
+  struct route_result same_text[] = {{"balls", ROUTE_AGREES, true, 1}, {"algebra", ROUTE_AGREES, true, 1}};
   ck_assert_int_eq(independent_routes(same_text, 2), 1); /* both read the paper's formulas */
 }
 END_TEST
@@ -168,7 +170,7 @@ END_TEST
 static const struct {
   const char *text;
   int line, column;
-  const char *says;
+  const char *outcome;
 } bad_scenes[] = {
     {"", 0, 0, "the parameter chi is missing"},
     {REST, 0, 0, "the parameter chi is missing"},
@@ -227,7 +229,8 @@ START_TEST(a_bad_scene_is_shown_where_it_is_bad) {
   bool ok = load_text(&s, &d, bad_scenes[_i].text);
   scene_clear(&s);
   ck_assert_msg(!ok && d.set, "accepted: %s", bad_scenes[_i].text);
-  ck_assert_msg(strstr(d.message, bad_scenes[_i].says) != NULL, "%s\ndoes not say: %s", d.message, bad_scenes[_i].says);
+  ck_assert_msg(strstr(d.message, bad_scenes[_i].outcome) != NULL, "%s\ndoes not say: %s", d.message,
+                bad_scenes[_i].outcome);
   char place[500];
   if (!bad_scenes[_i].line) {
     snprintf(place, sizeof place, "%s: error: ", scratch_path("case.scene"));
@@ -1143,7 +1146,7 @@ END_TEST
 
 START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
   static const struct {
-    const char *overlay, *says;
+    const char *overlay, *outcome;
   } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := stranger*[-1, 1]\n", "stranger"},
                {"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
                {"define user\n  section: stability\n  equation: 27\n  J_a := [-1, 1]*[1, 2]\n", "1x2 and 1x2"}};
@@ -1153,7 +1156,7 @@ START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
     const struct finding *f = finding_with_id(&r, "eq-27");
     ck_assert(f->verdict == VERDICT_REFUTED && strcmp(f->fault, "notation") == 0);
     ck_assert_str_eq(f->evidence[0].route, "diagnostic");
-    ck_assert_msg(strstr(f->evidence[0].note, cases[i].says) != NULL, "%s", f->evidence[0].note);
+    ck_assert_msg(strstr(f->evidence[0].note, cases[i].outcome) != NULL, "%s", f->evidence[0].note);
     audit_result_clear(&r);
   }
 }

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/batch_impl.h"
-#include "dynamics/dyn_impl.h"
+#include "explore/batch_impl.h"
+#include "motion/motion_impl.h"
 #include "stickslip/arena.h"
 #include "suites.h"
 

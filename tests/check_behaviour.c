@@ -1,7 +1,7 @@
 /* Behaviour: the return map's Taylor series, chains of masses, and the claims that are judged by motions.
 
    Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
-   Runge-Kutta in floats), from the return map of carrier.c, which knows no series, from the simulation of two masses, and
+   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, from the simulation of two masses, and
    from a chain integrated here with tiny steps. */
 #include <check.h>
 #include <math.h>
@@ -10,7 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/behaviour.h"
+#include "judge/behaviour.h"
 #include "laws_num.h"
 #include "paper_model.h"
 #include "scratch.h"
@@ -393,9 +393,9 @@ START_TEST(a_slowed_sticking_mass_departs) {
     plan.duration = 400;
     if (slowed) m.start[DZ_1] -= 1e-6;
     for (int route = 0; route < N_MOTION_ROUTES; route++) {
-      struct told t = motion_tell((enum motion_route)route, &m, &plan);
+      struct trajectory t = motion_simulate((enum motion_route)route, &m, &plan);
       ck_assert_int_eq((int)t.result.returns, slowed ? 0 : 20);
-      told_clear(&t);
+      trajectory_clear(&t);
     }
   }
 }

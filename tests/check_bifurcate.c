@@ -3,14 +3,14 @@
    Values come from tests/oracle/bifurcations.tsv (mpmath, matrix exponentials, unknowns p and r).  What happens at each
    change is held against the search for orbits at single parameter values, which knows no curves: between two changes the
    number of orbits must be what the changes so far make it, on both sides of each the stability and the conditions that it
-   says.  Derivatives carried by balls are held against those written out in balls.c and against differences. */
+   says.  Derivatives carried by balls are held against those written out in motion/map_balls.c and against differences. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/dual.h"
+#include "motion/dual.h"
 #include "stickslip/bifurcate.h"
 #include "suites.h"
 
@@ -80,7 +80,7 @@ static const double points[][N_DIRECTIONS] = {{0.8, 1, 1, 2.7844, 0.8587, 2.0053
                                               {0.95, 4, 0.2, 0.5, 1.5, 0.75, 11.5}};
 enum { N_POINTS = sizeof points / sizeof *points };
 
-/* balls.c writes these derivatives out. */
+/* motion/map_balls.c writes these derivatives out. */
 START_TEST(slopes_are_those_written_out) {
   for (int i = 0; i < N_POINTS; i++)
     for (int up = 0; up < 2; up++) {

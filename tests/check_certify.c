@@ -11,8 +11,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "dynamics/dyn_impl.h"
 #include "effort.h"
+#include "motion/motion_impl.h"
 #include "scratch.h"
 #include "stickslip/certify.h"
 #include "stickslip/complete.h"

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "dynamics/sweep.h"
+#include "motion/complete_impl.h"
 #include "stickslip/complete.h"
 #include "suites.h"
 

@@ -3,8 +3,8 @@
 #include <check.h>
 #include <math.h>
 
-#include "dynamics/double_double.h"
 #include "laws_num.h"
+#include "motion/double_double.h"
 #include "stickslip/flint_compat.h"
 #include "suites.h"
 

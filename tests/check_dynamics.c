@@ -8,8 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "../src/dynamics/dyn_impl.h"
 #include "laws_num.h"
+#include "motion/motion_impl.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 
@@ -307,10 +307,10 @@ START_TEST(a_long_wait_ends_at_the_first_root) {
 END_TEST
 
 /* The first time from begin on at which the wave, looked at every step, is above zero. */
-static double looked_for(const struct wave *w, double begin, double end, double step) {
+static double looked_for(const struct trig_sum *w, double begin, double end, double step) {
   double v[3];
   for (double t = begin; t < end; t += step) {
-    wave_at(v, w, t);
+    trig_sum_at(v, w, t);
     if (v[0] > 0) return t;
   }
   return INFINITY;
@@ -324,11 +324,11 @@ START_TEST(a_fast_oscillation_of_small_amplitude) {
     for (size_t k = 0; k < 6; k++) {
       double a = 3 / fast[i], late = 2.5, crest = -a * lift[k], height = crest - 1; /* slow: height + cos(t - late) */
       double cs = cos(late), sn = sin(late), step = 2 * acos(-1.0) / fast[i] / 64;
-      struct wave w = {height + cs, 0.01 * a, {1, fast[i]}, {cs, a * 0.6}, {sn, a * 0.8}};
+      struct trig_sum w = {height + cs, 0.01 * a, {1, fast[i]}, {cs, a * 0.6}, {sn, a * 0.8}};
       w.start += 0.6 * a; /* so that the fast one is centred */
-      struct wave_root root;
+      struct trig_sum_root root;
       ck_assert(w.start < 0);
-      ck_assert_int_eq(wave_first_root(&root, &w, NULL, &dyn_limits_default), SS_OK);
+      ck_assert_int_eq(trig_sum_first_root(&root, &w, NULL, &dyn_limits_default), SS_OK);
       double seen = looked_for(&w, 0, root.t, step), above = looked_for(&w, root.t, root.t + step, step / 4096);
       ck_assert_msg(seen == INFINITY && above < INFINITY, "fast %g lift %g: %.17g, above zero at %.17g", fast[i],
                     lift[k], root.t, seen);
@@ -339,11 +339,11 @@ END_TEST
 
 START_TEST(a_slow_drift_from_far_below) {
   /* Crests rise by a thousandth of the amplitude from one to the next: a million of them stay below zero. */
-  struct wave w = {-1e4, 0.002, {1, 0}, {1, 0}, {0, 0}};
+  struct trig_sum w = {-1e4, 0.002, {1, 0}, {1, 0}, {0, 0}};
   struct dyn_limits lim = {INFINITY, 400};
-  struct wave_root root;
+  struct trig_sum_root root;
   w.start += 1; /* w.start - cs is the middle */
-  ck_assert_int_eq(wave_first_root(&root, &w, NULL, &lim), SS_OK);
+  ck_assert_int_eq(trig_sum_first_root(&root, &w, NULL, &lim), SS_OK);
   double begin = (1e4 - 1 - 1e-6) / 0.002, seen = looked_for(&w, begin, begin + 1e3, 1e-3);
   ck_assert_msg(root.t <= seen && root.t > seen - 2e-3, "%.17g, seen at %.17g", root.t, seen);
 }
@@ -351,9 +351,9 @@ END_TEST
 
 START_TEST(angles_that_no_double_knows) {
   /* Nothing is known of the fast oscillation's angle: no answer rather than any. */
-  struct wave w = {-1, 0, {1, 1e20}, {-1, 1e-6}, {0, 0}};
-  struct wave_root root;
-  ck_assert_int_eq(wave_first_root(&root, &w, NULL, &dyn_limits_default), SS_UNABLE);
+  struct trig_sum w = {-1, 0, {1, 1e20}, {-1, 1e-6}, {0, 0}};
+  struct trig_sum_root root;
+  ck_assert_int_eq(trig_sum_first_root(&root, &w, NULL, &dyn_limits_default), SS_UNABLE);
   ck_assert_int_lt(root.steps, 1000);
 }
 END_TEST
@@ -815,12 +815,12 @@ END_TEST
 START_TEST(derivatives_of_the_return_map_are_differences) {
   struct rng r = {(uint64_t)_i};
   double p[N_PARAMS], h = 1e-6;
-  struct carrier k;
+  struct return_map_double k;
   struct pass s[3];
   random_params(p, &r);
-  ck_assert_int_eq(carrier_init(&k, p), SS_OK);
+  ck_assert_int_eq(return_map_double_init(&k, p), SS_OK);
   double tb = k.fall * (double)rng_between(&r, 10, 90) / 100;
-  for (int i = 0; i < 3; i++) carrier_pass(&s[i], &k, tb + (i - 1) * h, &dyn_limits_default);
+  for (int i = 0; i < 3; i++) return_map_double_pass(&s[i], &k, tb + (i - 1) * h, &dyn_limits_default);
   if (s[0].status || s[2].status || s[1].safe < 10 * h || fabs(s[1].wc) < 0.1 || fabs(s[1].qc) < 0.01) return;
   double slope = (s[2].defect - s[0].defect) / (2 * h), dqc = (s[2].qc - s[0].qc) / (2 * h);
   ck_assert_msg(fabs(slope - s[1].slope) < 1e-5 * (1 + fabs(slope)), "%s t_b %g: %g, %g", show(p), tb, slope,

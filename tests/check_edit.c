@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/mutants.h"
 #include "paper_model.h"
+#include "power/mutants.h"
 #include "suites.h"
 
 static const struct edit_word some_words[] = {

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/audit_impl.h"
+#include "claim/claim.h"
 #include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/report.h"

@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/audit_impl.h"
 #include "paper_model.h"
+#include "route/jacobian.h"
 #include "scratch.h"
 #include "suites.h"
 

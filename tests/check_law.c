@@ -5,10 +5,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/audit_impl.h"
 #include "paper_model.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "suites.h"
+#include "value/values.h"
 
 static struct scene paper;
 static struct orbit_cache *cache;

@@ -7,8 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "../src/dynamics/dyn_impl.h"
 #include "laws_num.h"
+#include "motion/motion_impl.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 

@@ -7,8 +7,8 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "audit/tables.h"
 #include "report/plot.h"
+#include "run/tables.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
@@ -83,7 +83,7 @@ START_TEST(pictures_come_from_their_tables_alone) {
 }
 END_TEST
 
-/* No claim is judged by drawing: what the audit says of the closing gap (judge_closure.c) and what the figures show come from
+/* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show come from
    separate code. */
 START_TEST(the_gap_is_that_of_the_claim) {
   static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */

@@ -13,17 +13,19 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "audit/expression.h"
-#include "audit/precision.h"
-#include "audit/routes.h"
-#include "audit/tasks.h"
+#include "claim/claim.h"
 #include "paper_model.h"
 #include "process.h"
+#include "record/finding.h"
+#include "record/routes.h"
+#include "run/tasks.h"
 #include "scratch.h"
+#include "stability/precision.h"
 #include "stickslip/plan.h"
 #include "stickslip/report.h"
 #include "stickslip/work.h"
 #include "suites.h"
+#include "value/expression.h"
 
 static struct model model;
 static struct claims claims, controls;

@@ -9,11 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/readings_impl.h"
 #include "paper_model.h"
+#include "readings/readings.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/point.h"
 
 /* --- The independent data --- */
 

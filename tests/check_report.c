@@ -11,10 +11,10 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "audit/audit_impl.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "stickslip/report.h"
 #include "suites.h"
 

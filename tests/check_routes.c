@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/routes.h"
 #include "paper_model.h"
+#include "record/routes.h"
 #include "scratch.h"
 #include "stickslip/long_run.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/coulomb_setup.h"
 
 /* --- The table. --- */
 

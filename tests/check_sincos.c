@@ -1,4 +1,4 @@
-/* The straight-line sine and cosine of src/dynamics/sincos.h: proofs of their error bounds, and measurements.
+/* The straight-line sine and cosine of src/motion/sincos.h: proofs of their error bounds, and measurements.
 
    Proof.  With x = k pi/2 + r + tail the error is that of the reduction (the comment at its bound), that of the
    polynomials (their difference from the series, as a polynomial with small coefficients, enclosed on pieces of z in
@@ -11,7 +11,7 @@
 #include <stdbool.h>
 #include <stdlib.h>
 
-#include "dynamics/sincos.h"
+#include "motion/sincos.h"
 #include "stickslip/flint_compat.h"
 #include "suites.h"
 

@@ -11,9 +11,10 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
-#include "audit/stability_impl.h"
+#include "base/random.h"
 #include "paper_model.h"
 #include "scratch.h"
+#include "stability/stability.h"
 #include "stickslip/report_stability.h"
 #include "suites.h"
 

@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit/stability_impl.h"
 #include "paper_model.h"
 #include "scratch.h"
+#include "stability/stability.h"
 #include "stable_points.h"
 #include "stickslip/audit.h"
 #include "stickslip/exact.h"

@@ -15,7 +15,7 @@
 #include "bench/bench.h"
 #include "bench/printed_digits.h"
 #include "bench/smooth.h"
-#include "dynamics/dual.h"
+#include "motion/dual.h"
 #include "scratch.h"
 #include "suites.h"
 

@@ -403,7 +403,7 @@ START_TEST(rounded_to_nearest_or_next_to_it) {
 END_TEST
 
 /* What is used outside as well is there as it comes; the flags are those of the operand; balls and MPFR. */
-START_TEST(what_is_not_sheltered) {
+START_TEST(what_is_used_outside_rounded) {
   double y;
   ck_assert_int_eq(value_at(&y, "  p := (1 + x) - 1\n  y := rounded(p) + p", 0x1p-60, 0, num_ctx_double()), SS_OK);
   ck_assert(y == 0x1p-60);
@@ -1038,7 +1038,7 @@ Suite *tape_suite(void) {
   tcase_add_test(tc, flags_of_each_output);
   tcase_add_test(tc, a_value_rounded_once);
   tcase_add_test(tc, rounded_to_nearest_or_next_to_it);
-  tcase_add_test(tc, what_is_not_sheltered);
+  tcase_add_test(tc, what_is_used_outside_rounded);
   tcase_add_test(tc, roots_of_the_characteristic_equation);
   tcase_add_test(tc, roots_that_do_not_exist);
   tcase_add_test(tc, random_formulas);

@@ -32,6 +32,8 @@ ALLOWED = {
     "report": {"base", "result", "report"},
     "bench": {"base", "num", "expr", "tape", "model", "dynamics", "result", "audit", "bench"},
 }
+ROOM = {r: "audit" for r in "scene claim value proof judge route power stability readings run".split()}
+ROOM.update(motion="dynamics", explore="dynamics", record="result")
 LIBRARY_OF = {"gsl/": {"dynamics", "bench"}}
 CLOCKS = re.compile(r"\b(clock_gettime|gettimeofday|clock|time)\s*\((NULL|CLOCK_|\)|&)")  # the library knows no time
 
@@ -41,7 +43,7 @@ def module_of(path):
         return "bench"
     if path.parts[0] == "include":
         return HEADERS[path.stem]
-    return path.parts[1] if len(path.parts) > 2 else "main"
+    return ROOM.get(path.parts[1], path.parts[1]) if len(path.parts) > 2 else "main"
 
 
 def main():

@@ -65,7 +65,7 @@
    its other points and routes are tried all the same, since the evidence says at how many points it differs and where the
    most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a refutation can come of
    it.  A route that would add no independence is not asked for: any two of a claim's routes, balls among them, are
-   independent by the table of src/audit/routes.h (tests/check_plan.c). */
+   independent by the table of src/route/routes.h (tests/check_plan.c). */
 #ifndef STICKSLIP_AUDIT_H
 #define STICKSLIP_AUDIT_H
 
@@ -137,7 +137,7 @@ const struct cost *cost_of(const struct costs *c, const char *what, const char *
 /* What an audit or a study of damages is of, as a number in hexadecimal digits: the same for formulas of the paper and its
    overlay that are read alike, and a scene of the same parameters, printed numbers and word; errata, claims and what is
    asked for have no part in it. */
-void audit_subject(struct text *out, const struct model *m, const struct scene *s);
+void audit_fingerprint(struct text *out, const struct model *m, const struct scene *s);
 
 struct audit_options {
   const char *const *only;

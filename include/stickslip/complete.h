@@ -27,7 +27,7 @@
    7  Every zero that was proved is an orbit of the list, or is refined in balls and proved not to be one (an event comes
       before, or the direction of phase C is the other one), or is a new orbit and is added to the list.
 
-   The sweep works in disks (dynamics/disk.h), each zero is settled in Arb's balls. */
+   The sweep works in disks (motion/disk.h), each zero is settled in Arb's balls. */
 #ifndef STICKSLIP_COMPLETE_H
 #define STICKSLIP_COMPLETE_H
 

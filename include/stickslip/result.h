@@ -243,8 +243,9 @@ struct mutation_score {
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
-  const char *paper;   /* the title of the paper; NULL where its files say none */
-  const char *subject; /* what was read: it tells one paper, overlay and scene from others (audit_subject); or NULL */
+  const char *paper; /* the title of the paper; NULL where its files say none */
+  const char
+      *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
   struct finding *findings;
   size_t n_findings, cap_findings;
   struct consequence *consequences;

@@ -10,7 +10,7 @@
    is shown to be its square.  Sines and cosines are made of those of half the angles of the phases.  Equal elements are equal
    values wherever both forms have one; at a few points (near 1, and over orders of magnitude and signs) it is tried that the
    stable form has one where the corrected form has, and that entries meet at all.  `stability --after stable` tries it at the
-   extreme points of its regions, in balls (audit/stability_agree.c).
+   extreme points of its regions, in balls (stability/agree.c).
 
    What is held as an unknown in a proof is known by its name alone: only names of one meaning in all sections.  A function is
    held at t, and refused where it depends on t besides its argument.  Shapes are compared, not only entries. */

@@ -43,7 +43,7 @@ struct tape {
   slong *outputs;
   slong n_outputs;
   /* Of each instruction: the outputs given to tape_build reach it through TAPE_ROUNDED alone.  NULL: there is no TAPE_ROUNDED. */
-  bool *sheltered;
+  bool *only_under_rounded;
 };
 
 /* Compiles scalars of one pool; a symbol that names a root is computed, any other is an input.  false with d set when a
@@ -59,7 +59,7 @@ bool tape_same(const struct tape *a, const struct tape *b);
 void tape_dump(struct text *out, const struct tape *t);
 
 static inline bool tape_shelters(const struct tape *t, slong i) {
-  return t->sheltered && t->sheltered[i];
+  return t->only_under_rounded && t->only_under_rounded[i];
 }
 
 /* Evaluates with the given inputs (n_inputs of them, same context as out).  status, when given, receives the flags of

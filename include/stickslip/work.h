@@ -49,7 +49,7 @@ enum work_ladder {
 extern const char *const work_ladder_name[N_WORK_LADDERS];
 
 /* How often something was tried, and how often the first precision was enough. */
-struct work_rungs {
+struct work_raises {
   long tried[N_WORK_LADDERS], enough[N_WORK_LADDERS];
 };
 
@@ -61,7 +61,7 @@ void work_touch(enum work_part part);
 unsigned long long work_units(void);
 /* A bit for each part touched. */
 unsigned work_touched(void);
-void work_rung(enum work_ladder ladder, bool enough);
-struct work_rungs work_rungs(void);
+void work_precision_raise(enum work_ladder ladder, bool enough);
+struct work_raises work_raises(void);
 
 #endif

@@ -18,7 +18,7 @@ const char *const work_ladder_name[N_WORK_LADDERS] = {
 static _Thread_local struct {
   unsigned long long units, limit;
   unsigned touched;
-  struct work_rungs rungs;
+  struct work_raises raises;
   void (*exhausted)(void);
 } work;
 
@@ -26,7 +26,7 @@ void work_begin(unsigned long long limit, void (*exhausted)(void)) {
   work.units = 0;
   work.limit = limit;
   work.touched = 0;
-  work.rungs = (struct work_rungs){{0}, {0}};
+  work.raises = (struct work_raises){{0}, {0}};
   work.exhausted = exhausted;
 }
 
@@ -49,11 +49,11 @@ unsigned work_touched(void) {
   return work.touched;
 }
 
-void work_rung(enum work_ladder ladder, bool enough) {
-  work.rungs.tried[ladder]++;
-  work.rungs.enough[ladder] += enough;
+void work_precision_raise(enum work_ladder ladder, bool enough) {
+  work.raises.tried[ladder]++;
+  work.raises.enough[ladder] += enough;
 }
 
-struct work_rungs work_rungs(void) {
-  return work.rungs;
+struct work_raises work_raises(void) {
+  return work.raises;
 }

@@ -12,7 +12,7 @@ enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_C
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */
 
 /* What is simulated, and for how long. */
-struct run {
+struct simulation {
   struct coulomb_setup setup;
   struct coulomb_plan plan;
 };
@@ -51,7 +51,7 @@ static bool is_early(enum coulomb_end end) {
   return end != COULOMB_DONE && end != COULOMB_STOPPED;
 }
 
-static int simulate_csv(const struct run *run) {
+static int simulate_csv(const struct simulation *run) {
   struct coulomb_result r = {.end = COULOMB_FAILED};
   struct text line;
   text_init(&line);
@@ -62,7 +62,7 @@ static int simulate_csv(const struct run *run) {
   return is_early(r.end) ? ended_early(r.end, "ode", r.at.t) : EXIT_AS_RECORDED;
 }
 
-static int simulate_table(const struct run *run, const struct scene *s) {
+static int simulate_table(const struct simulation *run, const struct scene *s) {
   struct coulomb_log ode, exact;
   struct coulomb_result r = {.end = COULOMB_FAILED}, r_exact;
   struct text word, folded;
@@ -113,7 +113,7 @@ int run_simulate(const struct options *o, const char *data) {
   if (o->n_operands != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
-  struct run run = {.plan = coulomb_plan_default};
+  struct simulation run = {.plan = coulomb_plan_default};
   diag_init(&d);
   bool ok = load_scene(&s, o->operand[0], data, o, false, &d);
   ok = ok && (o->start ? audit_coulomb_setup_from(&run.setup, &s, o->start, &d)

@@ -41,7 +41,7 @@ struct waiting {
   bool there;
   struct text rows;
 };
-struct run {
+struct sweep_course {
   const struct sweep *q;
   struct sink *sink;
   struct pool *pool;
@@ -67,7 +67,7 @@ static double seconds(const struct timespec *from, const struct timespec *to) {
   return (double)(to->tv_sec - from->tv_sec) + 1e-9 * (double)(to->tv_nsec - from->tv_nsec);
 }
 
-static void show_progress(struct run *r) {
+static void show_progress(struct sweep_course *r) {
   struct timespec now;
   if (!r->terminal) return;
   clock_gettime(CLOCK_MONOTONIC, &now);
@@ -82,20 +82,20 @@ static void show_progress(struct run *r) {
 /* --- Handing out, taking in. --- */
 
 /* The next unit to be handed out; -1 when none is, for now. */
-static slong next_unit(const struct run *r) {
+static slong next_unit(const struct sweep_course *r) {
   if (r->n_again > 0) return r->again[r->n_again - 1];
   if (r->held > HELD) return -1; /* the unit that is waited for is under way */
   return r->next < r->q->units && r->next < r->written + AHEAD ? r->next : -1;
 }
 
-static void advance(struct run *r) {
+static void advance(struct sweep_course *r) {
   if (r->n_again > 0)
     r->n_again--;
   else
     r->next++;
 }
 
-static void give(struct run *r) {
+static void give(struct sweep_course *r) {
   for (slong unit; r->busy < r->room && (unit = next_unit(r)) >= 0; r->busy++) {
     pool_give(r->pool, unit);
     advance(r);
@@ -105,7 +105,7 @@ static void give(struct run *r) {
 #endif
 }
 
-static void put(struct run *r, slong unit, struct text *rows) {
+static void put(struct sweep_course *r, slong unit, struct text *rows) {
   struct waiting *w = &r->ring[unit % AHEAD];
   if (unit < r->written || w->there) return; /* a rank that was taken for lost */
   w->there = true;
@@ -116,7 +116,7 @@ static void put(struct run *r, slong unit, struct text *rows) {
 }
 
 #ifdef STICKSLIP_MPI
-static void take_from_ranks(struct run *r, struct text *rows) {
+static void take_from_ranks(struct sweep_course *r, struct text *rows) {
   slong unit;
   bool lost;
   while (helpers_take(r->helpers, &unit, &lost, rows)) {
@@ -130,7 +130,7 @@ static void take_from_ranks(struct run *r, struct text *rows) {
 }
 #endif
 
-static void take(struct run *r, struct text *rows) {
+static void take(struct sweep_course *r, struct text *rows) {
   slong unit;
   int wait = WAIT;
 #ifdef STICKSLIP_MPI
@@ -144,7 +144,7 @@ static void take(struct run *r, struct text *rows) {
   }
 }
 
-static bool write_ready(struct run *r) {
+static bool write_ready(struct sweep_course *r) {
   for (struct waiting *w; (w = &r->ring[r->written % AHEAD])->there; r->written++) {
     if (!sink_write(r->sink, &w->rows, &r->d)) return false;
     w->there = false;
@@ -154,7 +154,7 @@ static bool write_ready(struct run *r) {
   return true;
 }
 
-static int say_interrupted(const struct run *r) {
+static int say_interrupted(const struct sweep_course *r) {
   if (r->sink->to_file)
     fprintf(stderr, "stickslip: interrupted; %s holds %ld of %ld units of work: --resume continues it\n",
             text_str(&r->sink->part.path), (long)r->written, (long)r->q->units);
@@ -163,7 +163,7 @@ static int say_interrupted(const struct run *r) {
   return EXIT_INTERNAL;
 }
 
-static int loop(struct run *r) {
+static int loop(struct sweep_course *r) {
   struct text rows;
   text_init(&rows);
   bool ok = true;
@@ -181,8 +181,9 @@ static int loop(struct run *r) {
 }
 
 int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
-  struct run *r = ss_malloc(sizeof *r);
-  *r = (struct run){.q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
+  struct sweep_course *r = ss_malloc(sizeof *r);
+  *r = (struct sweep_course){
+      .q = q, .sink = s, .room = jobs + 1, .next = s->done, .written = s->done, .begun_at = s->done};
   diag_init(&r->d);
   r->terminal = isatty(STDERR_FILENO);
   clock_gettime(CLOCK_MONOTONIC, &r->begun);

@@ -93,7 +93,7 @@ static bool is_known(arb_srcptr x, const struct num_ctx *ctx) {
 static bool all_known(const struct num_vec *ball, const int *flags, const struct tape *t, const struct num_ctx *ctx) {
   bool known = true;
   for (slong i = 0; known && i < t->n; i++)
-    if (t->code[i].op == TAPE_ROUNDED && !t->sheltered[i])
+    if (t->code[i].op == TAPE_ROUNDED && !t->only_under_rounded[i])
       known = (flags[i] & SS_DOMAIN) || (!flags[i] && is_known(num_vec_at(ball, i), ctx));
   return known;
 }
@@ -117,17 +117,17 @@ static int rounded(void *z, const struct num_ctx *ctx, arb_srcptr x, bool must_b
   return becomes_zero(x, ctx) ? ctx->type->set_d(z, 0, ctx->prec) : ctx->type->set_arb(z, x, ctx->prec);
 }
 
-/* What is sheltered, and what shelters it, from balls; `there` says which those are. */
+/* What counts only under TAPE_ROUNDED, and the roundings themselves, from balls; `there` says which those are. */
 static void round_once(struct num_vec *reg, int *flags, bool *there, const struct tape *t, const struct num_vec *in) {
   struct num_vec ball;
   int *ball_flags = ss_malloc((size_t)t->n * sizeof *ball_flags);
   num_vec_init(&ball, t->n, num_ctx_arb(FIRST_BITS));
   enclose(&ball, ball_flags, t, in);
   for (slong i = 0; i < t->n; i++) {
-    there[i] = t->sheltered[i] || t->code[i].op == TAPE_ROUNDED;
+    there[i] = t->only_under_rounded[i] || t->code[i].op == TAPE_ROUNDED;
     if (!there[i]) continue;
     flags[i] = ball_flags[i];
-    if (!flags[i]) flags[i] = rounded(num_vec_at(reg, i), &reg->ctx, num_vec_at(&ball, i), !t->sheltered[i]);
+    if (!flags[i]) flags[i] = rounded(num_vec_at(reg, i), &reg->ctx, num_vec_at(&ball, i), !t->only_under_rounded[i]);
   }
   num_vec_clear(&ball);
   free(ball_flags);
@@ -143,7 +143,7 @@ int tape_eval(struct num_vec *out, int *status, const struct tape *t, const stru
   struct num_vec reg;
   num_vec_init(&reg, t->n, out->ctx);
   int *flags = ss_malloc((size_t)t->n * sizeof *flags);
-  bool *there = t->sheltered && rounds(out->ctx.type) ? ss_malloc((size_t)t->n * sizeof *there) : NULL;
+  bool *there = t->only_under_rounded && rounds(out->ctx.type) ? ss_malloc((size_t)t->n * sizeof *there) : NULL;
   if (there) round_once(&reg, flags, there, t, in);
   run_all(&reg, flags, t, in, there);
   int all = SS_OK;

@@ -184,17 +184,17 @@ static void mark_operands(bool *mark, const struct tape *t, const struct tape_in
     for (slong k = in->a; k < in->a + in->b; k++) mark[t->links[k]] = true;
 }
 
-/* What the outputs reach without passing a TAPE_ROUNDED is open; the rest is sheltered. */
-static void find_sheltered(struct tape *t) {
+/* What the outputs reach without passing a TAPE_ROUNDED is open; the rest counts only under one. */
+static void find_only_under_rounded(struct tape *t) {
   bool any = false;
   for (slong i = 0; i < t->n; i++) any = any || t->code[i].op == TAPE_ROUNDED;
   if (!any) return;
   bool *open = ss_malloc((size_t)t->n * sizeof *open);
-  t->sheltered = ss_malloc((size_t)t->n * sizeof *t->sheltered);
+  t->only_under_rounded = ss_malloc((size_t)t->n * sizeof *t->only_under_rounded);
   for (slong i = 0; i < t->n; i++) open[i] = false;
   for (slong i = 0; i < t->n_outputs; i++) open[t->outputs[i]] = true;
   for (slong i = t->n - 1; i >= 0; i--) {
-    t->sheltered[i] = !open[i];
+    t->only_under_rounded[i] = !open[i];
     if (open[i] && t->code[i].op != TAPE_ROUNDED) mark_operands(open, t, &t->code[i]);
   }
   free(open);
@@ -242,7 +242,7 @@ bool tape_build(struct tape *t, const struct expr *const *outputs, slong n, cons
     t->outputs = ss_malloc((size_t)n * sizeof *t->outputs);
     t->n_outputs = n;
     for (slong i = 0; i < n; i++) t->outputs[i] = place_of(&b, outputs[i]);
-    find_sheltered(t);
+    find_only_under_rounded(t);
     tape_check(t);
   } else {
     tape_clear(t);
@@ -258,7 +258,7 @@ void tape_clear(struct tape *t) {
   free(t->inputs);
   free(t->links);
   free(t->outputs);
-  free(t->sheltered);
+  free(t->only_under_rounded);
   free(t->code);
   *t = (struct tape){.n = 0};
 }
@@ -334,7 +334,7 @@ void tape_check(const struct tape *t) {
     insist(n < 2 || (in->b >= 0 && in->b < i));
     if (in->op == TAPE_CONST) insist(in->k >= 0 && in->k < t->n_consts);
     if (in->op == TAPE_INPUT) insist(in->k >= 0 && in->k < t->n_inputs);
-    if (in->op == TAPE_ROUNDED) insist(t->sheltered != NULL);
+    if (in->op == TAPE_ROUNDED) insist(t->only_under_rounded != NULL);
     if (in->op != TAPE_ROOT) continue;
     insist(in->a >= 0 && in->b >= 2 && in->a <= t->n_links - in->b);
     for (slong k = in->a; k < in->a + in->b; k++) insist(t->links[k] >= 0 && t->links[k] < i);

@@ -1,0 +1,171 @@
+/* Claims are records; what they mean is read where they are judged. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "claim.h"
+#include "stickslip/audit.h"
+
+/* One more record at the end of a list in which ids are unique. */
+static bool append(struct claim **list, size_t *n, size_t *cap, const struct record_file *f, const struct record *r,
+                   struct diag *d) {
+  for (size_t i = 0; i < *n; i++)
+    if (strcmp((*list)[i].id, r->id_name) == 0) {
+      diag_at(d, &f->src, r->id.begin, "%s %s is given twice", r->kind_name, r->id_name);
+      return false;
+    }
+  *list = ss_grow(*list, *n, cap, sizeof **list);
+  (*list)[(*n)++] = (struct claim){.id = r->id_name, .record = r, .file = f};
+  return true;
+}
+
+bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
+  struct source src;
+  if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
+  struct record_file *f = ss_malloc(sizeof *f);
+  c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
+  c->files[c->n_files++] = f;
+  if (!record_file_parse(f, src, d)) return false;
+  const struct record *top = &f->records[0];
+  if (top->n_fields > 0) {
+    diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
+            "outside a record; begin one with \"%s ID\"", kind);
+    return false;
+  }
+  for (size_t i = 1; i < f->n_records; i++) {
+    const struct record *r = &f->records[i];
+    bool result = strcmp(kind, "claim") == 0 && strcmp(r->kind_name, "result") == 0;
+    if (strcmp(r->kind_name, kind) != 0 && !result) {
+      diag_at(d, &f->src, r->kind.begin, "unknown record kind \"%s\"; this file holds \"%s ID\" records", r->kind_name,
+              kind);
+      return false;
+    }
+    if (!(result ? append(&c->result, &c->n_results, &c->cap_results, f, r, d)
+                 : append(&c->claim, &c->n, &c->cap, f, r, d)))
+      return false;
+  }
+  return true;
+}
+
+bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {
+  struct arena a;
+  arena_init(&a);
+  size_t n;
+  char **file = folder_files(&n, folder, ".claim", &a, d);
+  bool ok = n > 0;
+  for (size_t i = 0; ok && i < n; i++) ok = claims_add_file(c, file[i], kind, d);
+  free(file);
+  arena_clear(&a);
+  return ok;
+}
+
+void claims_clear(struct claims *c) {
+  for (size_t i = 0; i < c->n_files; i++) {
+    record_file_clear(c->files[i]);
+    free(c->files[i]);
+  }
+  free(c->files);
+  free(c->claim);
+  free(c->result);
+  *c = (struct claims){.n = 0};
+}
+
+const char *claim_get(const struct claim *c, const char *key) {
+  const char *v = c->control ? record_get(c->control, key) : NULL;
+  return v ? v : record_get(c->record, key);
+}
+
+const char *claim_own(const struct claim *c) {
+  const char *own = claim_get(c, "own"), *equation = claim_get(c, "equation");
+  return own ? own : equation ? equation : c->id;
+}
+
+bool claim_selected(const char *id, const char *item) {
+  size_t n = strlen(item);
+  if (n == 0 || strncmp(id, item, n) != 0) return false;
+  const char *rest = id + n;
+  bool numbered = item[n - 1] >= '0' && item[n - 1] <= '9';
+  if (numbered && *rest >= 'a' && *rest <= 'z') rest++;
+  return *rest == '\0' || *rest == '-';
+}
+
+bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
+  const struct field *f = record_field(c->record, key);
+  size_t at = f ? f->value.begin : c->record->id.begin;
+  diag_at(j->d, &c->file->src, at, "%s: %s", c->id, what);
+  j->claim_at_fault = true;
+  return false;
+}
+
+bool claim_makes(const struct claim *c, const char *id) {
+  const char *list = claim_get(c, "restricted");
+  size_t n = strlen(id);
+  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
+    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
+  return false;
+}
+
+const struct claim *claim_named(const struct claims *claims, const char *id) {
+  for (size_t i = 0; id && i < claims->n; i++)
+    if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
+  return NULL;
+}
+
+bool claim_is_about(const struct statement_record *r, const struct claim *c) {
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
+             *equation = claim_get(c, "equation");
+  if (r->rank > RANK_USER) return false;
+  if (statement) return strcmp(r->id, statement) == 0;
+  return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
+}
+
+struct view claim_view(const struct model *m, const struct claim *c) {
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
+}
+
+static bool selects(const char *item, const struct claim *c) {
+  return claim_selected(c->id, item) || claim_makes(c, item);
+}
+
+bool claims_selects(const struct audit_options *opt, const struct claim *c) {
+  if (opt->n_only == 0) return true;
+  for (int i = 0; i < opt->n_only; i++)
+    if (selects(opt->only[i], c)) return true;
+  return false;
+}
+
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
+  for (int i = 0; i < opt->n_only; i++) {
+    bool any = false;
+    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
+    if (!any) {
+      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Items of a list separated by commas, into names. */
+int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
+  int n = 0;
+  for (const char *p = list; p && *p && n < max;) {
+    while (*p == ' ' || *p == ',') p++;
+    size_t len = strcspn(p, ", ");
+    if (len == 0) break;
+    snprintf(names[n++], CLAIM_NAME, "%.*s", (int)(len < CLAIM_NAME ? len : CLAIM_NAME - 1), p);
+    p += len;
+  }
+  return n;
+}
+
+const char *claim_next_item(char *buf, size_t size, const char *list) {
+  while (*list == ' ' || *list == ',') list++;
+  if (!*list) return NULL;
+  size_t n = strcspn(list, ",");
+  size_t len = n;
+  while (len && list[len - 1] == ' ') len--;
+  if (len >= size) len = size - 1;
+  memcpy(buf, list, len);
+  buf[len] = '\0';
+  return list + n;
+}

@@ -1,0 +1,283 @@
+/* What rests on what.  A claim is about a definition (its value, or what it names by "about") or about a record (its
+   statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
+   that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
+#include "claim.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked up. */
+struct reach {
+  const struct definition **about;
+  size_t n_about, cap_about;
+  const char *record, *uses_record; /* the record that it is about; another that it is held against */
+  const char *premises[2];          /* lists of the records that it argues from */
+  const char *number;               /* the printed number that it is about */
+  const struct definition **used;
+  size_t n_used, cap_used;
+  char **symbols; /* of a number's formula */
+  size_t n_symbols, cap_symbols;
+  bool walked;
+};
+
+struct dependences {
+  const struct model *model;
+  const struct claims *claims;
+  struct reach *reach;
+  size_t n;
+};
+
+static struct view view_of(const struct model *m, const struct claim *c) {
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
+}
+
+/* --- One claim --- */
+
+static void add_about(struct reach *r, const struct view *v, const char *name, const char *section) {
+  struct diag d;
+  diag_init(&d);
+  const struct definition *def = view_lookup(v, name, section, &d);
+  if (!def) return;
+  r->about = ss_grow(r->about, r->n_about, &r->cap_about, sizeof *r->about);
+  r->about[r->n_about++] = def;
+}
+
+/* The names in a list, each up to a bracket: "phi_1(t), K". */
+static void read_about(struct reach *r, const struct view *v, const char *list, const char *section) {
+  for (const char *p = list; p && *p;) {
+    p += strspn(p, ", ");
+    size_t n = strcspn(p, ",( ");
+    char *name = ss_malloc(n + 1);
+    memcpy(name, p, n);
+    name[n] = '\0';
+    if (n) add_about(r, v, name, section);
+    free(name);
+    p += strcspn(p, ",");
+  }
+}
+
+/* Symbols of a scalar formula, those of its definitions included. */
+static void add_symbols(struct reach *r, const struct elaboration *el, const struct matrix *m) {
+  struct tape t = {.n = 0};
+  struct diag d;
+  diag_init(&d);
+  if (elaboration_tape(&t, el, m->e, m->rows * m->cols, &d))
+    for (slong i = 0; i < t.n_inputs; i++) {
+      r->symbols = ss_grow(r->symbols, r->n_symbols, &r->cap_symbols, sizeof *r->symbols);
+      r->symbols[r->n_symbols++] = t.inputs[i];
+      t.inputs[i] = NULL;
+    }
+  tape_clear(&t);
+}
+
+/* Mistakes in a formula are the judges' to report; what it reaches before them counts. */
+static void reach_text(struct reach *r, struct elaboration *el, const char *text, const char *section) {
+  if (!text) return;
+  struct diag d;
+  struct arena a;
+  struct source src;
+  struct matrix m;
+  diag_init(&d);
+  arena_init(&a);
+  source_from_string(&src, text, text);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  if (e && elaborate(&m, el, e, &src, section, &d) && r->number) add_symbols(r, el, &m);
+  source_clear(&src);
+  arena_clear(&a);
+}
+
+static void reach_record(struct elaboration *el, const struct view *v, const char *id) {
+  const struct statement_record *rec = id ? view_record(v, id) : NULL;
+  for (int k = 0; rec && k < rec->n_stmts; k++) {
+    const struct stmt *s = rec->stmts[k];
+    for (int i = 0; s->kind == STMT_RELATION && i < s->n_sides; i++) {
+      struct matrix m;
+      struct diag d;
+      diag_init(&d);
+      elaborate(&m, el, s->sides[i], rec->src, rec->section, &d);
+    }
+  }
+}
+
+/* The id at the head of an item of a list, "eq-52#1.2 D", into id; the rest of the list, or NULL at its end. */
+static const char *next_record(char id[64], const char *list) {
+  list += strspn(list, ", ");
+  size_t n = strcspn(list, "#, ");
+  if (n == 0) return NULL;
+  snprintf(id, 64, "%.*s", (int)(n < 64 ? n : 63), list);
+  return list + strcspn(list, ",");
+}
+
+static bool lists_record(const char *list, const char *record) {
+  char id[64];
+  while (list && (list = next_record(id, list)) != NULL)
+    if (strcmp(id, record) == 0) return true;
+  return false;
+}
+
+/* What arguments, counts and sequences are made of. */
+static void reach_lists(struct elaboration *el, const struct view *v, const struct claim *c) {
+  static const char *const lists[] = {"premises", "conclusion", "repair", "constraints", "conditions", "statements"};
+  char id[64];
+  for (size_t i = 0; i < sizeof lists / sizeof *lists; i++)
+    for (const char *p = claim_get(c, lists[i]); p && (p = next_record(id, p)) != NULL;) reach_record(el, v, id);
+}
+
+static const char *section_of(const struct claim *c) {
+  const char *section = claim_get(c, "section");
+  return section ? section : "";
+}
+
+static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
+  const char *value = claim_get(c, "value"), *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
+  struct view v = view_of(m, c);
+  r->number = claim_get(c, "number");
+  r->record = bound ? bound : statement;
+  r->uses_record = bound ? statement : NULL;
+  read_about(r, &v, value, section_of(c));
+  read_about(r, &v, claim_get(c, "about"), section_of(c));
+  r->premises[0] = claim_get(c, "premises");
+  r->premises[1] = claim_get(c, "constraints");
+}
+
+/* Puts the claim's formulas in full. */
+static const struct reach *walk(struct dependences *d, size_t a) {
+  struct reach *r = &d->reach[a];
+  const struct claim *c = &d->claims->claim[a];
+  if (r->walked) return r;
+  r->walked = true;
+  struct view v = view_of(d->model, c);
+  struct elaboration el;
+  elaboration_init(&el, v, NULL, 0);
+  reach_text(r, &el, claim_get(c, "value"), section_of(c));
+  reach_text(r, &el, claim_get(c, "formula"), section_of(c));
+  reach_record(&el, &v, claim_get(c, "statement"));
+  reach_record(&el, &v, claim_get(c, "bound"));
+  reach_lists(&el, &v, c);
+  for (size_t i = 0; i < elaboration_n_used(&el); i++) {
+    const struct definition *def = elaboration_used(&el, i);
+    if (!def) continue;
+    r->used = ss_grow(r->used, r->n_used, &r->cap_used, sizeof *r->used);
+    r->used[r->n_used++] = def;
+  }
+  elaboration_clear(&el);
+  return r;
+}
+
+struct dependences *dependences_new(const struct model *m, const struct claims *claims) {
+  struct dependences *d = ss_malloc(sizeof *d);
+  *d = (struct dependences){
+      .model = m, .claims = claims, .n = claims->n, .reach = ss_malloc(claims->n * sizeof *d->reach)};
+  for (size_t i = 0; i < d->n; i++) {
+    d->reach[i] = (struct reach){.n_about = 0};
+    look_at_claim(&d->reach[i], m, &claims->claim[i]);
+  }
+  return d;
+}
+
+void dependences_free(struct dependences *d) {
+  for (size_t i = 0; i < d->n; i++) {
+    struct reach *r = &d->reach[i];
+    for (size_t k = 0; k < r->n_symbols; k++) free(r->symbols[k]);
+    free(r->symbols);
+    free(r->about);
+    free(r->used);
+  }
+  free(d->reach);
+  free(d);
+}
+
+/* --- Two claims --- */
+
+/* The same name of the paper, whichever layer wrote the text. */
+static bool same_name(const struct definition *a, const struct definition *b) {
+  return strcmp(a->name, b->name) == 0 && (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
+}
+
+static bool is_about(const struct reach *r, const struct definition *def) {
+  for (size_t i = 0; i < r->n_about; i++)
+    if (same_name(r->about[i], def)) return true;
+  return false;
+}
+
+/* A scene prints e1 and z10 for what the formulas call e_1 and z_10. */
+static bool same_number(const char *number, const char *symbol) {
+  for (;; number++, symbol++) {
+    while (*number == '_') number++;
+    while (*symbol == '_') symbol++;
+    if (*number != *symbol) return false;
+    if (!*number) return true;
+  }
+}
+
+/* Claims about the same thing stand beside each other: neither rests on the other. */
+bool dependences_on(struct dependences *d, size_t a, size_t b) {
+  const struct reach *ra = walk(d, a), *rb = &d->reach[b];
+  if (a == b) return false;
+  for (size_t i = 0; i < ra->n_used; i++)
+    if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
+  if (ra->uses_record && rb->record && strcmp(ra->uses_record, rb->record) == 0) return true;
+  for (int i = 0; i < 2 && rb->record; i++)
+    if (lists_record(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
+  if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;
+  for (size_t i = 0; i < ra->n_symbols; i++)
+    if (same_number(rb->number, ra->symbols[i])) return true;
+  return false;
+}
+
+size_t dependences_n_used(struct dependences *d, size_t a) {
+  return walk(d, a)->n_used;
+}
+
+const struct definition *dependences_used(struct dependences *d, size_t a, size_t i) {
+  return walk(d, a)->used[i];
+}
+
+bool dependences_corrected(struct dependences *d, size_t a, const char *equation) {
+  const struct reach *r = walk(d, a);
+  for (size_t i = 0; i < r->n_used; i++) {
+    const struct definition *def = r->used[i];
+    if (def->rank == RANK_ERRATA && strcmp(def->equation, equation) == 0) return true;
+  }
+  return false;
+}
+
+/* --- The list of a finding --- */
+
+/* Whether a comma-separated list names the id. */
+static bool names_id(const char *list, const char *id) {
+  size_t len = strlen(id), n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n))
+    if (n == len && strncmp(p, id, n) == 0) return true;
+  return false;
+}
+
+bool dependences_named(const struct claim *c, const char *id) {
+  return names_id(claim_get(c, "depends-on"), id);
+}
+
+/* Every id that is named by hand must be that of a claim. */
+static bool check_named(struct judge *j, const struct claim *c, const char *list) {
+  size_t n;
+  for (const char *p = list_item(&n, list); p; p = list_item(&n, p + n)) {
+    bool known = false;
+    for (size_t i = 0; i < j->claims->n; i++)
+      known = known || (strlen(j->claims->claim[i].id) == n && strncmp(j->claims->claim[i].id, p, n) == 0);
+    if (!known) return claim_error(j, c, "depends-on", "depends-on names something that is not a claim");
+  }
+  return true;
+}
+
+bool dependences_list(struct finding *f, struct judge *j, const struct claim *c) {
+  const char *by_hand = claim_get(c, "depends-on");
+  size_t a = 0;
+  while (a < j->claims->n && strcmp(j->claims->claim[a].id, c->id) != 0) a++;
+  if (!check_named(j, c, by_hand)) return false;
+  f->depends_on = arena_alloc(&j->out->arena, j->claims->n * sizeof *f->depends_on);
+  f->n_depends_on = 0;
+  for (size_t b = 0; b < j->claims->n; b++) {
+    const char *id = j->claims->claim[b].id;
+    if ((a < j->claims->n && dependences_on(j->dependences, a, b)) || dependences_named(c, id))
+      f->depends_on[f->n_depends_on++] = result_str(j->out, "%s", id);
+  }
+  return true;
+}

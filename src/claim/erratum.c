@@ -1,0 +1,181 @@
+/* A correction set beside what it replaces: both typeset from the parsed statements, and the places where their trees
+   differ, so that a report can say "replace this by that" without anybody having written it. */
+#include "claim.h"
+#include <string.h>
+
+enum { MAX_REPLACEMENTS = 4, MAX_LEVELS = 1000 };
+
+/* Pairs of subexpressions, the printed one and the corrected one. */
+struct replacements {
+  const struct expr *from[MAX_REPLACEMENTS], *to[MAX_REPLACEMENTS];
+  int n;
+  bool too_many;
+};
+
+static bool same_text(const char *a, const char *b) {
+  return a == b || (a && b && strcmp(a, b) == 0);
+}
+
+/* The same operator with as many operands. */
+static bool same_head(const struct expr *a, const struct expr *b) {
+  bool same = a->kind == b->kind && a->n_args == b->n_args && a->order == b->order && a->exponent == b->exponent &&
+              a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index && same_text(a->name, b->name);
+  for (int i = 0; same && i < 2 * a->n_index; i++) same = a->index[i] == b->index[i];
+  return same;
+}
+
+static void add_pair(struct replacements *r, const struct expr *a, const struct expr *b) {
+  for (int i = 0; i < r->n; i++)
+    if (expr_same(r->from[i], a) && expr_same(r->to[i], b)) return;
+  if (r->n == MAX_REPLACEMENTS) {
+    r->too_many = true;
+    return;
+  }
+  r->from[r->n] = a;
+  r->to[r->n++] = b;
+}
+
+/* first_order(...) is how the paper's difference of two motions is written here; its list of symbols is not the paper's. */
+static void compare(struct replacements *r, const struct expr *a, const struct expr *b, int level) {
+  if (r->too_many) return;
+  if (a->kind == EXPR_FIRST_ORDER && b->kind == EXPR_FIRST_ORDER) {
+    compare(r, a->args[0], b->args[0], level);
+    return;
+  }
+  if (level == MAX_LEVELS)
+    r->too_many = true;
+  else if (!same_head(a, b))
+    add_pair(r, a, b);
+  else
+    for (int i = 0; i < a->n_args; i++) compare(r, a->args[i], b->args[i], level + 1);
+}
+
+/* false when the statements are not of the same form. */
+static bool compare_statements(struct replacements *r, const struct stmt *a, const struct stmt *b) {
+  if (a->kind != b->kind || a->n_sides != b->n_sides) return false;
+  int n = a->kind == STMT_RELATION ? a->n_sides : a->kind == STMT_TRAJECTORY ? 0 : 1;
+  for (int i = 0; i < n; i++) compare(r, a->sides[i], b->sides[i], 0);
+  return true;
+}
+
+static void add_change(struct text *out, const struct replacements *r) {
+  for (int i = 0; i < r->n; i++) {
+    text_add(out, i ? "; $" : "replace $");
+    expr_latex(out, r->from[i]);
+    text_add(out, "$ by $");
+    expr_latex(out, r->to[i]);
+    text_add(out, "$");
+  }
+}
+
+/* The statement; of a chain without what is not the paper's text. */
+static void add_statement(struct text *out, struct arena *a, const struct stmt *s) {
+  struct stmt shown = *s;
+  text_add(out, out->len ? ", \\quad " : "");
+  if (s->kind == STMT_RELATION) {
+    shown.sides = arena_alloc(a, (size_t)s->n_sides * sizeof *shown.sides);
+    shown.ops = arena_alloc(a, (size_t)s->n_sides * sizeof *shown.ops);
+    shown.n_sides = 0;
+    for (int i = 0; i < s->n_sides; i++) {
+      if (s->sides[i]->kind == EXPR_FIRST_ORDER) continue;
+      if (shown.n_sides) shown.ops[shown.n_sides - 1] = s->ops[i - 1];
+      shown.sides[shown.n_sides++] = s->sides[i];
+    }
+  }
+  stmt_latex(out, shown.n_sides < 2 ? s : &shown);
+}
+
+/* The record's TeX, once. */
+static void add_quote(struct text *out, const struct statement_record **last, const struct statement_record *r) {
+  if (!r || r == *last || !*r->tex) return;
+  text_printf(out, "%s$%s$", out->len ? " " : "", r->tex);
+  *last = r;
+}
+
+static const struct statement_record *record_of(const struct model *m, const struct record *r) {
+  for (size_t i = 0; i < m->n_records; i++)
+    if (m->records[i].record == r) return &m->records[i];
+  return NULL;
+}
+
+/* What an erratum is set beside: texts that grow from one erratum of a claim to the next. */
+struct beside {
+  struct arena *arena;
+  struct text corrected, printed, quote;
+  struct replacements change;
+  const struct statement_record *quoted;
+  bool comparable;
+};
+
+/* Statement by statement against the record that it replaces; or, definition by definition, by name. */
+static void set_beside(struct beside *b, const struct model *m, const struct statement_record *erratum,
+                       bool by_statement) {
+  struct view printed = {m, LAYER_PRINTED, NULL, NULL};
+  const struct statement_record *old = by_statement ? view_record(&printed, erratum->id) : NULL;
+  for (int k = 0; old && k < old->n_stmts; k++) add_statement(&b->printed, b->arena, old->stmts[k]);
+  add_quote(&b->quote, &b->quoted, old);
+  if (by_statement && (!old || old->n_stmts != erratum->n_stmts)) b->comparable = false;
+  for (int k = 0; k < erratum->n_stmts; k++) {
+    const struct stmt *now = erratum->stmts[k], *before = NULL;
+    struct diag d;
+    diag_init(&d);
+    add_statement(&b->corrected, b->arena, now);
+    if (by_statement) {
+      before = b->comparable ? old->stmts[k] : NULL;
+    } else if (now->name) {
+      const struct definition *def = view_lookup(&printed, now->name, erratum->section, &d);
+      before = def ? def->stmt : NULL;
+      if (before) add_statement(&b->printed, b->arena, before);
+      if (def) add_quote(&b->quote, &b->quoted, record_of(m, def->record));
+    }
+    b->comparable = before && compare_statements(&b->change, before, now) && b->comparable;
+  }
+}
+
+static const char *keep(struct audit_result *out, struct text *t) {
+  const char *s = t->len ? result_str(out, "%s", text_str(t)) : NULL;
+  text_clear(t);
+  return s;
+}
+
+void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) {
+  struct beside b = {.arena = &j->out->arena, .comparable = true};
+  text_init(&b.corrected);
+  text_init(&b.printed);
+  text_init(&b.quote);
+  for (int pass = 0; pass < 2 && !b.corrected.len; pass++)
+    for (size_t i = 0; i < j->model->n_records; i++)
+      if (erratum_is_about(&j->model->records[i], c, pass == 0))
+        set_beside(&b, j->model, &j->model->records[i], pass == 0);
+  struct text change;
+  text_init(&change);
+  if (b.comparable && !b.change.too_many) add_change(&change, &b.change);
+  f->change = keep(j->out, &change);
+  f->correction_latex = keep(j->out, &b.corrected);
+  f->printed_part = keep(j->out, &b.printed);
+  f->quote_part = keep(j->out, &b.quote);
+}
+
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
+  const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
+  if (r->rank != RANK_ERRATA) return false;
+  if (by_statement) return statement && strcmp(r->id, statement) == 0;
+  return strcmp(r->record->kind_name, "define") == 0 && equation && strcmp(r->equation, equation) == 0;
+}
+
+bool erratum_text(struct text *out, const struct model *m, const struct claim *c) {
+  const char *sep = "";
+  bool found = false;
+  for (int pass = 0; pass < 2 && !found; pass++)
+    for (size_t i = 0; i < m->n_records; i++) {
+      const struct statement_record *r = &m->records[i];
+      if (!erratum_is_about(r, c, pass == 0)) continue;
+      for (int k = 0; k < r->n_stmts; k++) {
+        text_add(out, sep);
+        stmt_print(out, r->stmts[k]);
+        sep = "; ";
+      }
+      found = true;
+    }
+  return found;
+}

@@ -1,0 +1,334 @@
+/* The interval of r that the return map contracts around a stable orbit.
+
+   t_b stands for r, which falls strictly as t_b grows up to the first crest.  Over a ball of t_b interval Newton encloses
+   t_c, and what is known of orbits is known of the pass that starts there: its conditions, and the slope of the return map
+   in place of the trace.  A ball that leaves something open is halved.  The half width of the interval is found by growing
+   it until the proof fails, then by bisection. */
+#include "stickslip/basin.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+#include "motion/motion_impl.h"
+
+enum { BASIN_PREC = 96, MOST_DEPTH = 11, BISECTIONS = 8, FINE = 10, CANDIDATES = 16 };
+
+void dyn_basin_init(struct dyn_basin *b) {
+  *b = (struct dyn_basin){.proved = false};
+  fmpq_init(&b->low);
+  fmpq_init(&b->high);
+  fmpq_init(&b->fails_at);
+}
+
+void dyn_basin_clear(struct dyn_basin *b) {
+  fmpq_clear(&b->low);
+  fmpq_clear(&b->high);
+  fmpq_clear(&b->fails_at);
+}
+
+/* The map near one orbit. */
+struct field {
+  struct calc c;
+  struct ball_params m;
+  struct return_map_double k;
+  const fmpq *u_r[2];
+  bool up;
+  arb_t r, image;     /* of the orbit; where the pass at hand ends */
+  struct dyn_orbit o; /* of the pass at hand */
+  truth word;
+  double slope; /* greatest so far */
+};
+
+static bool field_init(struct field *f, const fmpq *params, const fmpq *const u_r[2], const struct dyn_orbit *orbit) {
+  double p[N_PARAMS];
+  for (int i = 0; i < 2; i++) f->u_r[i] = u_r[i];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
+  calc_init(&f->c, num_ctx_arb(BASIN_PREC));
+  ball_params_init(&f->m, &f->c, params);
+  arb_init(f->r);
+  arb_init(f->image);
+  arb_sub(f->r, orbit->z20, orbit->z10, BASIN_PREC);
+  f->up = arb_is_positive(f->r);
+  dyn_orbit_init(&f->o);
+  return return_map_double_init(&f->k, p) == SS_OK && !f->c.status;
+}
+
+static void field_clear(struct field *f) {
+  dyn_orbit_clear(&f->o);
+  arb_clear(f->r);
+  arb_clear(f->image);
+  calc_clear(&f->c);
+}
+
+/* --- One ball of t_b. --- */
+
+/* The only root t_c of z_1' = V near the first one of the midpoint, for every point of tb. */
+static bool enclose_tc(arb_t tc, struct field *f, const arb_t tb) {
+  struct calc *c = &f->c;
+  struct pass s;
+  struct ball_pass at, all;
+  return_map_double_pass(&s, &f->k, num_arb.get_d(tb), &dyn_limits_default);
+  if (s.status) return false;
+  slong mark = calc_mark(c);
+  arb_ptr mid = calc_new(c), ball = calc_new(c), next = calc_new(c);
+  arb_set_d(mid, s.tc);
+  ball_pass_slip(&at, c, &f->m, tb, mid);
+  arb_div(next, at.pc, at.wc, BASIN_PREC); /* z_1'' = -w */
+  arb_set(ball, mid);
+  arb_get_mag(arb_radref(ball), next);
+  bool proved = false;
+  for (int i = 0; i < 8 && !proved && !c->status && arb_is_finite(ball); i++) {
+    arb_add_error_2exp_si(ball, -BASIN_PREC + 16);
+    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
+    ball_pass_slip(&all, c, &f->m, tb, ball);
+    arb_div(next, at.pc, all.wc, BASIN_PREC);
+    arb_add(next, mid, next, BASIN_PREC);
+    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
+  }
+  arb_set(tc, next);
+  c->status = SS_OK;
+  calc_release(c, mark);
+  return proved;
+}
+
+/* Everything about the passes that start in tb, into f->o and f->word. */
+static bool pass_over(struct field *f, const arb_t tb) {
+  arb_t tc;
+  arb_init(tc);
+  slong mark = calc_mark(&f->c);
+  bool ok = enclose_tc(tc, f, tb) && dyn_orbit_describe(&f->o, &f->c, &f->m, tb, tc, f->up) == SS_OK;
+  if (ok) {
+    struct ball_pass s;
+    f->word = dyn_orbit_judge(&f->o, &f->c, &f->m, tb, tc, f->up, dyn_limits_default.max_steps);
+    ball_pass_make(&s, &f->c, &f->m, tb, tc, f->up);
+    arb_set(f->image, s.r_end);
+  }
+  ok = ok && !f->c.status;
+  f->c.status = SS_OK;
+  calc_release(&f->c, mark);
+  arb_clear(tc);
+  return ok;
+}
+
+/* A condition at the pass at hand; after those of every orbit, whether u_r1 and u_r2 are enough. */
+static truth condition(struct field *f, int i) {
+  if (i < N_CONDITIONS) return f->o.holds[i];
+  const fmpq *u = f->u_r[i - N_CONDITIONS];
+  if (!u) return TRUTH_TRUE;
+  slong mark = calc_mark(&f->c);
+  truth t = num_arb.lt(i == N_CONDITIONS ? f->o.u_r1_min : f->o.u_r2_min, calc_q(&f->c, u));
+  calc_release(&f->c, mark);
+  return t;
+}
+
+static truth all_conditions(struct field *f) {
+  truth t = TRUTH_TRUE;
+  for (int i = 0; i < N_CONDITIONS + 2; i++) t = truth_and(t, condition(f, i));
+  return t;
+}
+
+/* Whether all passes that start between the two times contract and keep the order. */
+static bool contracts(struct field *f, double low, double high, int depth) {
+  arb_t tb, end;
+  arb_init(tb);
+  arb_init(end);
+  arb_set_d(tb, low);
+  arb_set_d(end, high);
+  arb_union(tb, tb, end, BASIN_PREC);
+  bool known = pass_over(f, tb);
+  arb_clear(end);
+  arb_clear(tb);
+  truth order = known ? all_conditions(f) : TRUTH_UNKNOWN;
+  if (known && f->word == TRUTH_TRUE && order == TRUTH_TRUE && f->o.stable == TRUTH_TRUE) {
+    arf_t most;
+    arf_init(most);
+    arb_get_abs_ubound_arf(most, f->o.trace, 53);
+    f->slope = fmax(f->slope, arf_get_d(most, ARF_RND_UP));
+    arf_clear(most);
+    return true;
+  }
+  bool broken = known && (f->word == TRUTH_FALSE || order == TRUTH_FALSE || f->o.stable == TRUTH_FALSE);
+  double mid = 0.5 * (low + high);
+  if (broken || depth == MOST_DEPTH || !(mid > low && mid < high)) return false;
+  return contracts(f, low, mid, depth + 1) && contracts(f, mid, high, depth + 1);
+}
+
+/* --- An interval of r. --- */
+
+/* The t_b before the first crest at which the stick phase has this r: interval Newton on the rise. */
+static bool time_of(arb_t tb, struct field *f, const arb_t r) {
+  struct calc *c = &f->c;
+  double near = return_map_double_time(&f->k, num_arb.get_d(calc_sub(c, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]), r)));
+  if (!(near > 0 && near < f->k.fall)) return false;
+  slong mark = calc_mark(c);
+  bool proved = false;
+  arb_set_d(tb, near);
+  for (int i = 0; i < 6 && !proved && !c->status; i++) {
+    struct ball_pass at, all;
+    arb_ptr ball = calc_new(c), next = calc_new(c);
+    ball_pass_slip(&at, c, &f->m, tb, f->m.one);
+    arb_sub(next, at.r, r, BASIN_PREC);
+    arb_div(next, next, at.pb, BASIN_PREC); /* dr/dt_b = z_1' - V */
+    arb_set(ball, tb);
+    arb_get_mag(arb_radref(ball), next);
+    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
+    arb_add_error_2exp_si(ball, -BASIN_PREC + 16);
+    ball_pass_slip(&all, c, &f->m, ball, f->m.one);
+    arb_sub(next, at.r, r, BASIN_PREC);
+    arb_div(next, next, all.pb, BASIN_PREC);
+    arb_sub(next, tb, next, BASIN_PREC);
+    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
+    if (proved)
+      arb_set(tb, next);
+    else
+      arb_get_mid_arb(tb, next);
+  }
+  c->status = SS_OK;
+  calc_release(c, mark);
+  return proved;
+}
+
+static void set_decimal(fmpq_t q, double x, slong places) {
+  fmpz_t ten;
+  fmpz_init(ten);
+  fmpz_ui_pow_ui(ten, 10, (ulong)places);
+  fmpq_t unit;
+  fmpq_init(unit);
+  fmpq_set_fmpz(unit, ten);
+  arf_t scaled;
+  arf_init(scaled);
+  arf_set_d(scaled, x);
+  arf_mul_fmpz(scaled, scaled, ten, ARF_PREC_EXACT, ARF_RND_DOWN);
+  arf_get_fmpz(fmpq_numref(q), scaled, ARF_RND_NEAR);
+  fmpz_one(fmpq_denref(q));
+  fmpq_div(q, q, unit);
+  arf_clear(scaled);
+  fmpq_clear(unit);
+  fmpz_clear(ten);
+}
+
+/* So many decimals that the ends of an interval of this half width are as far from r as it says to 1e-10 of it. */
+static slong places_for(double half) {
+  slong n = FINE - (slong)floor(log10(half));
+  return n > 0 ? n : 0;
+}
+
+/* Slopes up to L and L times the farther end within the nearer one: the interval goes into itself. */
+static bool goes_inside(const struct field *f, const arb_t low, const arb_t high) {
+  arb_ptr d = _arb_vec_init(4);
+  arb_sub(d, f->r, low, BASIN_PREC);
+  arb_sub(d + 1, high, f->r, BASIN_PREC);
+  arb_max(d + 2, d, d + 1, BASIN_PREC);
+  arb_min(d + 3, d, d + 1, BASIN_PREC);
+  arb_set_d(d, f->slope);
+  arb_mul(d + 2, d + 2, d, BASIN_PREC);
+  bool inside = f->slope < 1 && arb_is_positive(d + 3) && arb_lt(d + 2, d + 3);
+  _arb_vec_clear(d, 4);
+  return inside;
+}
+
+/* The proof for r - half, r + half, which b then holds. */
+static bool prove(struct dyn_basin *b, struct field *f, double half) {
+  fmpq_t ends[2];
+  double r = num_arb.get_d(f->r);
+  arb_ptr x = _arb_vec_init(4);
+  bool ok = true;
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(ends[i]);
+    set_decimal(ends[i], i ? r + half : r - half, places_for(half));
+    arb_set_fmpq(x + i, ends[i], BASIN_PREC);
+    ok = ok && time_of(x + 2 + i, f, x + i);
+  }
+  if (ok) {
+    double low = num_arb.get_d(x + 3), high = num_arb.get_d(x + 2); /* r falls as t_b grows */
+    f->slope = 0;
+    ok = contracts(f, low * (1 - 1e-15), high * (1 + 1e-15), 0) && goes_inside(f, x, x + 1);
+  }
+  if (ok) {
+    b->proved = true;
+    b->slope = f->slope;
+    fmpq_set(&b->low, ends[0]);
+    fmpq_set(&b->high, ends[1]);
+  }
+  for (int i = 0; i < 2; i++) fmpq_clear(ends[i]);
+  _arb_vec_clear(x, 4);
+  return ok;
+}
+
+/* --- A point where it fails. --- */
+
+/* The one condition that is broken for certain, or -1. */
+static int broken_condition(struct field *f) {
+  for (int i = 0; i < N_CONDITIONS + 2; i++)
+    if (condition(f, i) == TRUTH_FALSE) return i;
+  return -1;
+}
+
+/* Whether r is too high for m2 to stick, or so low that m1 comes up to the belt's speed in phase Gamma: -1 if neither. */
+static int out_of_reach(struct field *f, const arb_t r) {
+  struct calc *c = &f->c;
+  struct ball_pass crest;
+  arb_ptr pi = calc_new(c);
+  arb_const_pi(pi, BASIN_PREC);
+  if (arb_ge(r, calc_div(c, f->m.p[P_E2], f->m.p[P_CHI]))) return COND_D_R;
+  val fall = calc_add(c, pi, calc_mul(c, f->m.two, calc_atan2(c, f->m.a, f->m.p[P_E1])));
+  ball_pass_slip(&crest, c, &f->m, fall, f->m.one);
+  return arb_lt(r, crest.r) ? COND_GAMMA_V1 : -1;
+}
+
+/* Whether the way from r breaks a condition, or the map does not contract there. */
+static bool fails(struct dyn_basin *b, struct field *f, const arb_t r) {
+  slong mark = calc_mark(&f->c);
+  arb_ptr work = _arb_vec_init(3), tb = work, far = work + 1, start = work + 2;
+  b->why = FAILS_UNKNOWN;
+  b->condition = out_of_reach(f, r);
+  if (b->condition < 0 && time_of(tb, f, r) && pass_over(f, tb) && f->word == TRUTH_TRUE) {
+    b->condition = broken_condition(f);
+    for (int i = 0; i < 2; i++) {
+      arb_sub(work + 1 + i, i ? r : f->image, f->r, BASIN_PREC);
+      arb_abs(work + 1 + i, work + 1 + i);
+    }
+    if (f->o.stable == TRUTH_FALSE)
+      b->why = FAILS_SLOPE;
+    else if (arb_gt(far, start))
+      b->why = FAILS_IMAGE;
+  }
+  if (b->condition >= 0) b->why = FAILS_CONDITION;
+  f->c.status = SS_OK;
+  calc_release(&f->c, mark);
+  _arb_vec_clear(work, 3);
+  return b->why != FAILS_UNKNOWN;
+}
+
+/* The nearest point that fails among some on both sides, up to twice as far as the interval reaches. */
+static void find_failure(struct dyn_basin *b, struct field *f, double half) {
+  arb_t x;
+  arb_init(x);
+  bool found = false;
+  double r = num_arb.get_d(f->r);
+  for (int i = 1; i < CANDIDATES && !found; i++)
+    for (int side = -1; side <= 1 && !found; side += 2) {
+      set_decimal(&b->fails_at, r + side * half * (1 + (double)i / CANDIDATES), places_for(half));
+      arb_set_fmpq(x, &b->fails_at, BASIN_PREC);
+      found = fails(b, f, x);
+    }
+  arb_clear(x);
+}
+
+void dyn_basin_find(struct dyn_basin *b, const fmpq *params, const fmpq *const u_r[2], const struct dyn_orbit *orbit) {
+  struct field f;
+  b->proved = false;
+  b->why = FAILS_UNKNOWN;
+  if (orbit->stable != TRUTH_TRUE || orbit->admissible != TRUTH_TRUE) return;
+  if (field_init(&f, params, u_r, orbit)) {
+    double scale = fabs(num_arb.get_d(f.r)) + fmpq_get_d(params + P_E2) / fmpq_get_d(params + P_CHI);
+    double good = 0, bad = 1e-9 * scale;
+    for (; bad < 4 * scale && prove(b, &f, bad); bad *= 4) good = bad;
+    for (int i = 0; i < BISECTIONS && good > 0; i++) {
+      double mid = sqrt(good * bad);
+      *(prove(b, &f, mid) ? &good : &bad) = mid;
+    }
+    if (good > 0) find_failure(b, &f, good);
+  }
+  field_clear(&f);
+}

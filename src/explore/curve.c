@@ -1,0 +1,298 @@
+/* The curve of orbits along a line in parameter space, and the functions that vanish at bifurcations.
+
+   The three unknowns are the parameter, t_b and t_c.  A third equation next to the two of motion/map_balls.c singles out one point of
+   the curve; its slopes come from duals, so that one line states each function.  A touch of the belt's speed inside phase H
+   is the value at the time of the extremum: there the value does not depend on that time to first order, so the slopes at a
+   fixed time are those of the extremum. */
+#include <math.h>
+
+#include "curve.h"
+
+const char *const dyn_change_id[N_CHANGES] = {
+    [CHANGE_FLIP] = "flip",         [CHANGE_FOLD] = "fold",       [CHANGE_TA] = "t_a",    [CHANGE_H_V2] = "h_v2",
+    [CHANGE_C_W_START] = "c_w",     [CHANGE_C_W_HILL] = "c_w",    [CHANGE_U_R1] = "u_r1", [CHANGE_U_R2] = "u_r2",
+    [CHANGE_H_V1] = "h_v1",         [CHANGE_TC] = "t_c",          [CHANGE_C_V2] = "c_v2", [CHANGE_TB] = "t_b",
+    [CHANGE_GAMMA_V1] = "gamma_v1", [CHANGE_GAMMA_R] = "gamma_r",
+};
+
+void curve_init(struct curve *b, const fmpq *params, int vary, bool up, double tb, const fmpq *const u_r[2],
+                slong prec) {
+  for (int i = 0; i < N_PARAMS; i++) {
+    arb_init(&b->p[i]);
+    if (i != vary) arb_set_fmpq(&b->p[i], params + i, prec);
+  }
+  for (int i = 0; i < 2; i++) b->u_r[i] = u_r[i];
+  b->vary = vary;
+  b->up = up;
+  b->crest = (slong)(tb / (2 * PI));
+}
+
+void curve_clear(struct curve *b) {
+  for (int i = 0; i < N_PARAMS; i++) arb_clear(&b->p[i]);
+}
+
+int view_open(struct view *v, const struct curve *b, arb_srcptr x, slong prec) {
+  val p[N_PARAMS];
+  v->curve = b;
+  calc_init(&v->c, dual_ctx(prec));
+  for (int i = 0; i < N_PARAMS; i++)
+    p[i] = i == b->vary ? dual_variable(&v->c, x, i) : dual_variable(&v->c, &b->p[i], -1);
+  ball_params_make(&v->m, &v->c, p);
+  ball_pass_make(&v->s, &v->c, &v->m, dual_variable(&v->c, x + 1, DIR_TB), dual_variable(&v->c, x + 2, DIR_TC), b->up);
+  return v->c.status;
+}
+
+void view_close(struct view *v) {
+  calc_clear(&v->c);
+}
+
+arb_srcptr view_slope(const struct view *v, val f, int i) {
+  return dual_slope(f, i == 0 ? v->curve->vary : DIR_TB + i - 1);
+}
+
+/* --- The functions. --- */
+
+/* (e1 - w)/2 where w is least while m1 sticks; with q < 0 in phase C w only rises there, so that is at its start. */
+static val friction_left(struct view *v, int mass) {
+  struct calc *c = &v->c;
+  const fmpq *u = v->curve->u_r[mass];
+  if (!u || v->curve->up) return NULL;
+  val need = mass == 0 ? calc_sub(c, v->m.p[P_E1], v->s.wc) : calc_mul(c, v->m.p[P_CHI], v->s.rise);
+  return calc_sub(c, calc_q(c, u), calc_mul(c, calc_d(c, 0.5), need));
+}
+
+/* The greatest w inside phase C, minus e1; with q < 0 there is none, and without a fall before it neither. */
+static val hill(struct view *v) {
+  struct calc *c = &v->c;
+  const struct ball_params *m = &v->m;
+  if (!v->curve->up) return NULL;
+  struct ball_ending e;
+  ball_ending_make(&e, c, m, &v->s, true);
+  val fast = calc_mul(c, m->p[P_CHI], calc_mul(c, m->omega, v->s.r_end));
+  if (!calc_lt(c, m->a, fast)) return NULL;
+  val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_sub(c, m->one, calc_mul(c, x, x)));
+  val u = calc_atan2(c, x, calc_neg(c, y));
+  if (!calc_lt(c, u, e.turn)) return NULL;
+  val r = calc_neg(c, calc_mul(c, v->s.r_end, y)); /* cos u = -y */
+  val slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, e.turn, u), m->omega));
+  val w = calc_add(c, v->s.wc, calc_sub(c, slide, calc_mul(c, m->p[P_CHI], calc_sub(c, r, v->s.rc))));
+  return calc_sub(c, w, m->p[P_E1]);
+}
+
+/* How far t_b's rise lies over the crest of the period before. */
+static val over_crest(struct view *v) {
+  struct calc *c = &v->c;
+  const struct ball_params *m = &v->m;
+  if (v->curve->crest < 1) return NULL;
+  void *pi = calc_new(c);
+  c->status |= num_dual.pi(pi, c->ctx.prec);
+  val e1 = m->p[P_E1], fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, e1))), sine, cosine;
+  calc_sin_cos(c, &sine, &cosine, fall);
+  val turns = calc_mul(c, calc_d(c, 2 * (double)(v->curve->crest - 1)), pi);
+  val first = calc_dot(c, m->a, calc_sub(c, fall, sine), e1, calc_sub(c, m->one, cosine));
+  return calc_sub(c, v->s.rise, calc_add(c, first, calc_mul(c, m->a, turns)));
+}
+
+static struct ball_pass slip_until(struct view *v, const arb_t time, bool moving) {
+  struct ball_pass s;
+  ball_pass_slip(&s, &v->c, &v->m, v->s.tb, dual_variable(&v->c, time, moving ? DIR_TC : -1));
+  return s;
+}
+
+val view_change(struct view *v, enum dyn_change what, const arb_t time) {
+  struct calc *c = &v->c;
+  switch (what) {
+  case CHANGE_FLIP: /* (tr J + 1) z_1' - V at t_b, which has no pole */
+    return calc_add(c, v->s.defect_tb, calc_mul(c, v->m.two, v->s.pb));
+  case CHANGE_FOLD:
+    return v->s.defect_tb;
+  case CHANGE_TA: {
+    struct ball_ending e;
+    ball_ending_make(&e, c, &v->m, &v->s, v->curve->up);
+    return e.ta;
+  }
+  case CHANGE_H_V2:
+    return v->curve->up ? NULL : slip_until(v, time, false).qc;
+  case CHANGE_C_W_START:
+    return v->curve->up ? calc_sub(c, v->s.wc, v->m.p[P_E1]) : NULL;
+  case CHANGE_C_W_HILL:
+    return hill(v);
+  case CHANGE_U_R1:
+  case CHANGE_U_R2:
+    return friction_left(v, what == CHANGE_U_R1 ? 0 : 1);
+  case CHANGE_H_V1:
+    return slip_until(v, time, false).pc;
+  case CHANGE_TC:
+    return v->s.wc;
+  case CHANGE_C_V2:
+    return v->s.qc;
+  case CHANGE_TB:
+    return v->s.tb;
+  case CHANGE_GAMMA_V1:
+    return v->s.tc;
+  case CHANGE_GAMMA_R:
+    return over_crest(v);
+  default:
+    return NULL;
+  }
+}
+
+/* --- Touches. --- */
+
+/* The function whose zero is the time of the extremum. */
+static val touch_at(struct view *v, enum dyn_change what, const arb_t time) {
+  struct ball_pass s = slip_until(v, time, true);
+  return what == CHANGE_H_V1 ? s.wc : s.rc;
+}
+
+static int touch_newton(arb_t time, struct view *v, enum dyn_change what) {
+  slong mark = calc_mark(&v->c), prec = v->c.ctx.prec, near = -prec / 2;
+  arb_t step;
+  int quiet = 0;
+  arb_init(step);
+  for (int i = 0; i < 60 && quiet < 2 && !v->c.status; i++) {
+    arb_get_mid_arb(time, time);
+    val f = touch_at(v, what, time);
+    arb_div(step, dual_value(f), dual_slope(f, DIR_TC), prec);
+    arb_get_mid_arb(step, step);
+    arb_sub(time, time, step, prec);
+    quiet = arf_cmpabs_2exp_si(arb_midref(step), near) < 0 ? quiet + 1 : 0;
+    calc_release(&v->c, mark);
+  }
+  arb_get_mid_arb(time, time);
+  arb_clear(step);
+  return quiet == 2 && arb_is_finite(time) ? v->c.status : v->c.status | SS_UNABLE;
+}
+
+/* Interval Newton on growing balls around time. */
+static int touch_prove(arb_t time, struct view *v, enum dyn_change what) {
+  slong mark = calc_mark(&v->c), prec = v->c.ctx.prec;
+  arb_t ball, next;
+  bool proved = false;
+  arb_init(ball);
+  arb_init(next);
+  val at = touch_at(v, what, time);
+  arb_div(next, dual_value(at), dual_slope(at, DIR_TC), prec);
+  arb_set(ball, time);
+  arb_get_mag(arb_radref(ball), next);
+  for (int i = 0; i < 12 && !proved && !v->c.status && arb_is_finite(ball); i++) {
+    mag_mul_2exp_si(arb_radref(ball), arb_radref(ball), 1);
+    val all = touch_at(v, what, ball);
+    arb_div(next, dual_value(at), dual_slope(all, DIR_TC), prec);
+    arb_sub(next, time, next, prec);
+    proved = arb_is_finite(next) && arb_contains_interior(ball, next);
+    if (proved) arb_set(time, next);
+  }
+  calc_release(&v->c, mark);
+  arb_clear(next);
+  arb_clear(ball);
+  return proved ? v->c.status : v->c.status | SS_UNABLE;
+}
+
+int view_touch(arb_t time, struct view *v, enum dyn_change what, bool prove) {
+  if (what != CHANGE_H_V1 && what != CHANGE_H_V2) return SS_OK;
+  return prove ? touch_prove(time, v, what) : touch_newton(time, v, what);
+}
+
+/* --- The three equations. --- */
+
+/* f (or NULL) and its Jacobian at x; time moves along with a touch. */
+static int system_at(arb_mat_t *f, arb_mat_t j, arb_t time, const struct curve *b, enum dyn_change what, arb_srcptr x,
+                     slong prec) {
+  struct view v;
+  int status = view_open(&v, b, x, prec);
+  if (!status) status = view_touch(time, &v, what, false);
+  const val rows[3] = {v.s.pc, v.s.defect, status ? NULL : view_change(&v, what, time)};
+  if (!rows[2]) status |= SS_UNABLE;
+  for (int i = 0; i < 3 && !status; i++) {
+    if (f) arb_set(arb_mat_entry(*f, i, 0), dual_value(rows[i]));
+    for (int k = 0; k < 3; k++) arb_set(arb_mat_entry(j, i, k), view_slope(&v, rows[i], k));
+  }
+  status |= v.c.status;
+  view_close(&v);
+  return status;
+}
+
+int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what, slong prec) {
+  arb_mat_t f, j;
+  int status = SS_OK, quiet = 0;
+  arb_mat_init(f, 3, 1);
+  arb_mat_init(j, 3, 3);
+  for (int i = 0; i < 60 && !status && quiet < 2; i++) {
+    for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
+    status = system_at(&f, j, time, b, what, x, prec);
+    if (!status && !arb_mat_solve(f, j, f, prec)) status = SS_UNABLE;
+    quiet++;
+    for (int k = 0; k < 3 && !status; k++) {
+      arb_ptr step = arb_mat_entry(f, k, 0);
+      arb_get_mid_arb(step, step);
+      arb_sub(x + k, x + k, step, prec);
+      arb_get_mid_arb(x + k, x + k);
+      if (arf_cmpabs_2exp_si(arb_midref(step), -prec / 2) > 0) quiet = 0;
+    }
+  }
+  arb_mat_clear(j);
+  arb_mat_clear(f);
+  return quiet == 2 ? status : status | SS_UNABLE;
+}
+
+int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slong prec) {
+  arb_mat_t f, j, y, rest, off;
+  arb_mat_init(f, 3, 1);
+  arb_mat_init(off, 3, 1);
+  arb_mat_init(j, 3, 3);
+  arb_mat_init(y, 3, 3);
+  arb_mat_init(rest, 3, 3);
+  arb_ptr box = _arb_vec_init(3);
+  int status = system_at(&f, j, NULL, b, what, x, prec);
+  bool ok = !status && arb_mat_inv(y, j, prec) != 0, proved = false;
+  arb_mat_get_mid(y, y);
+  if (ok) arb_mat_mul(f, y, f, prec);
+  for (int i = 0; i < 12 && ok && !proved; i++) {
+    for (int k = 0; k < 3; k++) {
+      arb_set(box + k, x + k);
+      arb_get_mag(arb_radref(box + k), arb_mat_entry(f, k, 0));
+      mag_mul_2exp_si(arb_radref(box + k), arb_radref(box + k), 1 + 3 * i);
+      arb_add_error_2exp_si(box + k, -prec + 16); /* where Newton's step is zero */
+      arb_sub(arb_mat_entry(off, k, 0), box + k, x + k, prec);
+    }
+    ok = system_at(NULL, j, NULL, b, what, box, prec) == SS_OK;
+    arb_mat_mul(rest, y, j, prec);
+    arb_mat_neg(rest, rest);
+    for (int k = 0; k < 3; k++) arb_add_si(arb_mat_entry(rest, k, k), arb_mat_entry(rest, k, k), 1, prec);
+    arb_mat_mul(off, rest, off, prec);
+    arb_mat_sub(off, off, f, prec);
+    proved = ok;
+    for (int k = 0; k < 3 && proved; k++) {
+      arb_add(arb_mat_entry(off, k, 0), arb_mat_entry(off, k, 0), x + k, prec);
+      proved = arb_contains_interior(box + k, arb_mat_entry(off, k, 0));
+    }
+  }
+  for (int k = 0; k < 3 && proved; k++) arb_set(x + k, arb_mat_entry(off, k, 0));
+  _arb_vec_clear(box, 3);
+  arb_mat_clear(rest);
+  arb_mat_clear(y);
+  arb_mat_clear(j);
+  arb_mat_clear(off);
+  arb_mat_clear(f);
+  return proved ? SS_OK : SS_UNABLE;
+}
+
+/* df/dp + (df/dt_b, df/dt_c) . d(t_b, t_c)/dp, the last from the two equations. */
+int curve_rate(arb_t rate, struct view *v, val f) {
+  const val rows[2] = {v->s.pc, v->s.defect};
+  slong prec = v->c.ctx.prec;
+  arb_mat_t j, along;
+  arb_mat_init(j, 2, 2);
+  arb_mat_init(along, 2, 1);
+  for (int i = 0; i < 2; i++) {
+    arb_set(arb_mat_entry(along, i, 0), view_slope(v, rows[i], 0));
+    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), view_slope(v, rows[i], k + 1));
+  }
+  bool ok = arb_mat_solve(along, j, along, prec) != 0;
+  arb_set(rate, view_slope(v, f, 0));
+  for (int k = 0; k < 2; k++) arb_submul(rate, view_slope(v, f, k + 1), arb_mat_entry(along, k, 0), prec);
+  arb_mat_clear(along);
+  arb_mat_clear(j);
+  return ok && !v->c.status && arb_is_finite(rate) ? SS_OK : SS_UNABLE;
+}

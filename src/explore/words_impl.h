@@ -1,0 +1,79 @@
+/* What the files of the phase words share (word.h).
+
+   words            reading, printing, which phase can follow which
+   words_equations  the equations of a word over any number type, and its map in double precision
+   words_search     where the orbits of a word may be: a grid and Newton's iteration in double precision
+   words_seeds      where simulations settle
+   words_enclose    Krawczyk's operator on the unknowns
+   words_judge      conditions along the phases
+   words_jacobian   the return's Jacobian, its eigenvalues' place, and differences of simulations */
+#ifndef STICKSLIP_WORDS_IMPL_H
+#define STICKSLIP_WORDS_IMPL_H
+
+#include "motion/mode_motion.h"
+#include "stickslip/word.h"
+
+enum { WORD_UNKNOWNS = WORD_MOST + WORD_FREE_MOST };
+
+/* How a phase ends. */
+struct word_event {
+  int mass;
+  enum coulomb_mode from, to;
+};
+struct word_event word_event_of(const struct phase_word *w, int phase);
+
+/* The coordinates that are free at the entry of the first phase; their number. */
+int word_free(enum word_coordinate free[WORD_FREE_MOST], const struct phase_word *w);
+/* The word turned so that they are fewest, and among those first in the word as it is. */
+void word_turn_best(struct phase_word *w);
+
+/* The parameters as elements of a calc. */
+struct word_law {
+  struct motion_law law, difference; /* difference has V = 0 */
+  val e[2], over[2];                 /* over[i] = 2 u_si; NULL where u_ri is not given */
+};
+void word_law_make(struct word_law *m, struct calc *c, const fmpq *params, const fmpq *const u_r[2]);
+/* The motion from the state w1, w2, p1, p2 (difference: of two motions), and its state after t. */
+void word_motion(struct motion *out, struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                 const val state[N_STATE], bool difference);
+void word_motion_at(val out[N_STATE], struct calc *c, const struct motion *motion, val t);
+/* The vector field. */
+void word_field(val out[N_STATE], struct calc *c, const struct word_law *m, const enum coulomb_mode mode[2],
+                const val state[N_STATE]);
+/* What is zero at an event, and its change with the state. */
+val word_event_value(struct calc *c, const struct word_law *m, const struct word_event *e, const val state[N_STATE]);
+val word_event_slope(const struct word_event *e, const val change[N_STATE]);
+/* Sticking masses have no p. */
+void word_settle(val state[N_STATE], const struct word_law *m, const enum coulomb_mode mode[2]);
+/* The state at the entry of the first phase, from the free coordinates. */
+void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
+                const val *free);
+
+/* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return, their
+   derivatives j (row by row; NULL if not wanted), and the states at the entries (4 n; NULL if not wanted). */
+void word_equations(val *f, val *j, val *states, struct calc *c, const struct word_law *m, const struct phase_word *w,
+                    const val *x);
+
+/* Solutions in double precision. */
+struct word_found {
+  double x[WORD_UNKNOWNS];
+};
+struct word_finds {
+  struct word_found *found;
+  size_t n, cap;
+  long evaluations, candidates;
+};
+/* w is turned best. */
+void word_search(struct word_finds *out, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
+                 const struct word_seeds *seeds);
+
+/* The solution near x as exact midpoints first, then enclosed with proof that a box holds no other: x of num_arb. */
+int word_unknowns_enclose(struct num_vec *x, const double *near, const struct phase_word *w, const fmpq *params,
+                          const fmpq *const u_r[2]);
+
+/* Conditions, own, admissible and u_r_min, from t and state. */
+void word_judge(struct word_orbit *o, struct calc *c, const struct word_law *m);
+/* jacobian, trace, det, stable. */
+int word_jacobian(struct word_orbit *o, struct calc *c, const struct word_law *m);
+
+#endif

@@ -1,0 +1,113 @@
+/* Claims about what the masses do: kind behaviour.  Each claim names a check (attribute "check"); each check runs motions
+   under Coulomb's law by both routes of coulomb.h, or asks the return map, and gives its routes' words to the table. */
+#ifndef STICKSLIP_BEHAVIOUR_H
+#define STICKSLIP_BEHAVIOUR_H
+
+#include "claim/judging.h"
+#include "record/finding.h"
+#include "stickslip/coulomb.h"
+#include "value/point.h"
+
+/* A claim being judged by simulation. */
+struct behaviour {
+  struct finding *f;
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+};
+/* false with j->d set when the claim cannot be read. */
+typedef bool (*behaviour_fn)(struct behaviour *b);
+
+/* --- Motions --- */
+
+enum motion_route { BY_INTEGRATION, BY_CLOSED_FORMS, N_MOTION_ROUTES };
+extern const char *const motion_route_name[N_MOTION_ROUTES]; /* "integration", "motion" */
+
+struct motion {
+  double params[N_COULOMB], start[N_STATE];
+};
+/* What one route tells of a motion.  Rows are the samples, when the plan asks for any. */
+struct trajectory {
+  int status;
+  struct coulomb_result result;
+  struct coulomb_log log;
+  struct coulomb_row *row;
+  size_t n_rows, cap_rows;
+};
+struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan);
+void trajectory_clear(struct trajectory *t);
+/* The same events within a millionth of the state, with no flat contact that rounding could turn. */
+bool trajectories_agree(const struct trajectory *a, const struct trajectory *b);
+
+/* The piece of the word that the motion repeats at its end, as (GHCD), cut after a D where it has one. */
+const char *trajectory_ending(struct behaviour *b, const struct trajectory *t);
+
+/* The nine pairs of modes by their letters, the paper's four phases first. */
+enum { N_MODE_PAIRS = N_MODES * N_MODES };
+extern const char mode_letters[N_MODE_PAIRS + 1]; /* "DGHCghcXx" */
+int mode_index(const enum coulomb_mode mode[2]);
+
+/* Random parameters (chi, eta, V, e1, e2, u_si), all exact in double. */
+void motion_params(struct motion *m, struct sampler *s);
+/* A start anywhere, overrunning masses and sticking ones included; sticking: both stick, as in (11). */
+void motion_start(struct motion *m, struct sampler *s, bool sticking);
+/* "chi = ..., u_r2 = ...; --start x1,x2,v1,v2": a scene's lines and the option of stickslip simulate. */
+void motion_print(struct text *out, const struct motion *m);
+
+/* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
+bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);
+
+/* The return map iterated in double from r0 + offset: does it come back to within half of the offset (+1), get twice as far
+   away or lose the word (-1), or neither within the steps (0)? */
+int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps);
+/* r = z_2 - z_1 at its start. */
+double orbit_r(const struct dyn_orbit *o);
+
+/* Orbits that were met before, so that none is counted twice; full, it lets no new one in. */
+struct orbit_set {
+  const struct dyn_orbit *at[256];
+  int n;
+};
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
+
+/* --- Evidence --- */
+
+/* A route's word, with evidence that says it; where and note may be NULL. */
+struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
+                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
+                                    const char *note);
+/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p. */
+bool behaviour_params(struct point *p, struct behaviour *b, const char *at);
+
+/* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
+typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);
+struct watched {
+  long motions, apart; /* accepted; left out, since rounding could turn them */
+};
+/* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
+struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
+                               void *self);
+/* Both routes' words on the same trials, of which the integration's decides, and the verdict. */
+void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
+                        const char *where, const char *note);
+/* Any bad one differs; none at all says nothing. */
+enum route_outcome behaviour_count(long good, long bad);
+
+/* --- The checks --- */
+
+bool behaviour_modes(struct behaviour *b);          /* nine pairs of modes, four kinds of phase */
+bool behaviour_closed_forms(struct behaviour *b);   /* the printed closed forms between two events */
+bool behaviour_configurations(struct behaviour *b); /* are D, Gamma, H and C all there is */
+bool behaviour_dimension(struct behaviour *b);
+bool behaviour_linear(struct behaviour *b);
+bool behaviour_switches(struct behaviour *b);
+bool behaviour_jumps(struct behaviour *b);
+bool behaviour_small(struct behaviour *b);
+bool behaviour_fixed_points(struct behaviour *b);
+bool behaviour_linearization(struct behaviour *b);
+bool behaviour_equality(struct behaviour *b);
+bool behaviour_perturb(struct behaviour *b);
+bool behaviour_long_run(struct behaviour *b);
+bool behaviour_patching(struct behaviour *b);
+
+#endif

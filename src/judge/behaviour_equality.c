@@ -1,0 +1,225 @@
+/* "Otherwise, the periodic solution is unstable", where |tr J| = 1: along a family of orbits the slope of the return map
+   passes -1, and there the third order decides what linearization leaves open. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "judge.h"
+#include "stickslip/bifurcate.h"
+#include "value/coulomb_setup.h"
+
+/* Parameters of which one runs from one value to another. */
+struct family {
+  const struct point *base;
+  int vary; /* P_... */
+  fmpq_t from, to;
+};
+
+enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
+
+/* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3)
+   s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside the bracket
+   and the sum is enclosed over the whole of it. */
+static double flip_r(const struct dyn_bifurcation *q) {
+  const struct dyn_orbit *o = &q->beside[0].orbit[0];
+  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+}
+
+static bool flip_is_admissible(const struct dyn_bifurcation *q) {
+  return q->what == CHANGE_FLIP && q->beside[0].n > 0 && q->beside[0].orbit[0].admissible == TRUTH_TRUE;
+}
+
+/* The orbit at the middle of the bracket, an exact rational that p receives; NULL unless it is admissible. */
+static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bifurcation *q, const struct family *f,
+                                            struct behaviour *b) {
+  for (int i = 0; i < N_PARAMS; i++) fmpq_set(&p->q[i], &f->base->q[i]);
+  fmpq_add(&p->q[f->vary], &q->low, &q->high);
+  fmpq_div_2exp(&p->q[f->vary], &p->q[f->vary], 1);
+  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
+  double r = flip_r(q);
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].admissible == TRUTH_TRUE && fabs(orbit_r(&list->orbit[i]) - r) < 1e-9 * fabs(r))
+      return &list->orbit[i];
+  return NULL;
+}
+
+/* "e2 from 3/4 to 1" */
+static bool read_family(struct family *f, struct behaviour *b, const char *vary) {
+  static const struct {
+    const char *name;
+    int p;
+  } names[] = {{"chi", P_CHI}, {"eta", P_ETA}, {"V", P_V}, {"e1", P_E1}, {"e2", P_E2}};
+  char name[8] = "", low[32] = "", high[32] = "";
+  struct diag d;
+  diag_init(&d);
+  bool ok = sscanf(vary, " %7s from %31s to %31[^; ]", name, low, high) == 3 &&
+            scene_constant(f->from, low, strlen(low), "vary", &d) &&
+            scene_constant(f->to, high, strlen(high), "vary", &d);
+  f->vary = -1;
+  for (size_t i = 0; ok && i < sizeof names / sizeof *names; i++)
+    if (strcmp(names[i].name, name) == 0) f->vary = names[i].p;
+  ok = ok && f->vary >= 0 && fmpq_sgn(f->from) > 0 && fmpq_sgn(f->to) > 0 && !fmpq_equal(f->from, f->to);
+  if (ok && f->vary == P_CHI) ok = fmpq_cmp_si(f->from, 1) < 0 && fmpq_cmp_si(f->to, 1) < 0;
+  return ok || claim_error(b->j, b->c, "vary", "a parameter and two values in its domain, as in \"e2 from 3/4 to 1\"");
+}
+
+/* What is found along all families: by the third order, by iterates at the value, by motions under Coulomb's law. */
+struct found {
+  long stable, unstable, open;
+  long back, away, unsure;
+  long moved_back, moved_away, moved_unsure;
+  const char *where;
+};
+
+/* Iterates approach or leave like 1/sqrt(n), so many steps are allowed; from 3% of r_0 on either side. */
+static void iterate(struct found *t, const struct dyn_bifurcation *q, const struct point *at) {
+  enum { STEPS = 100000 };
+  double params[N_PARAMS], r0 = flip_r(q);
+  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&at->q[i]);
+  for (int side = -1; side <= 1; side += 2) {
+    int fate = return_map_fate(params, r0, side * 0.03 * fabs(r0), STEPS);
+    *(fate > 0 ? &t->back : fate < 0 ? &t->away : &t->unsure) += 1;
+  }
+}
+
+/* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the error
+   of the integration 1e-9. */
+static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
+  struct motion m;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!motion_on_orbit(&m, at, o, OWN_FRICTION)) return;
+  double r0 = num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+  double x0 = m.start[Z_2] - m.start[Z_1], offset = 0.01 * fabs(r0);
+  m.start[Z_2] += offset;
+  plan.returns = 200;
+  plan.max_events = 64 * plan.returns;
+  struct trajectory trajectory = motion_simulate(BY_INTEGRATION, &m, &plan);
+  double ratio = fabs(trajectory.result.at.x[1] - trajectory.result.at.x[0] - x0) / offset;
+  bool ok = trajectory.status == SS_OK;
+  *(ok && ratio < 1 - 1e-4 ? &t->moved_back : ok && ratio > 1 + 1e-4 ? &t->moved_away : &t->moved_unsure) += 1;
+  trajectory_clear(&trajectory);
+}
+
+static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
+  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e1", "e2"};
+  struct point at;
+  struct text where;
+  arb_t value;
+  arb_init(value);
+  point_init(&at);
+  text_init(&where);
+  const struct dyn_orbit *o = middle_orbit(&at, q, f, b);
+  bool decided = q->crosses && q->word == TRUTH_TRUE && o, stable = decided && arb_is_positive(q->third);
+  bool unstable = decided && arb_is_negative(q->third);
+  for (int i = 0; i < N_PARAMS; i++) {
+    text_printf(&where, "%s%s = ", i ? ", " : "", names[i]);
+    if (i == f->vary) {
+      arb_set_fmpq(value, &at.q[i], q->prec);
+      text_add(&where, ball_text(b->j, value, 15));
+    } else {
+      num_print_q(&where, &f->base->q[i]);
+    }
+  }
+  const char *place = result_str(b->j->out, "%s", text_str(&where));
+  ++*(stable ? &t->stable : unstable ? &t->unstable : &t->open);
+  if (stable && !t->where) t->where = place;
+  finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
+                result_str(b->j->out,
+                           "tr J passes -1 inside a bracket of %ld digits there%s, and over the whole of it c_2^2 + "
+                           "c_3 = %s: the orbit with |tr J| = 1 is %s; it is %s",
+                           (long)q->digits, q->crosses ? " (proved in balls)" : " (not proved)",
+                           ball_text(b->j, q->third, 6),
+                           stable     ? "stable"
+                           : unstable ? "unstable"
+                                      : "not decided",
+                           o ? "admissible" : "not known to be admissible"));
+  if (o) iterate(t, q, &at);
+  if (o) move(t, &at, o);
+  text_clear(&where);
+  point_clear(&at);
+  arb_clear(value);
+}
+
+/* Every admissible orbit of the family at which the slope is -1. */
+static void find_flips(struct found *t, struct behaviour *b, const struct family *f) {
+  const fmpq *none[2] = {NULL, NULL};
+  struct dyn_bifurcations list;
+  long n = 0;
+  dyn_bifurcations_find(&list, f->base->q, f->vary, f->from, f->to, none, FLIP_DIGITS, FLIP_STARTS);
+  for (slong i = 0; i < list.n; i++) {
+    if (!flip_is_admissible(&list.at[i])) continue;
+    add_flip(t, b, f, &list.at[i]);
+    n++;
+  }
+  if (n == 0) t->open++;
+  dyn_bifurcations_clear(&list);
+}
+
+static bool try_family(struct found *t, struct behaviour *b, const char *params, const char *vary) {
+  struct point base;
+  struct family f = {.base = &base};
+  point_init(&base);
+  fmpq_init(f.from);
+  fmpq_init(f.to);
+  bool ok = behaviour_params(&base, b, params) && read_family(&f, b, vary);
+  if (ok) find_flips(t, b, &f);
+  fmpq_clear(f.to);
+  fmpq_clear(f.from);
+  point_clear(&base);
+  return ok;
+}
+
+/* One orbit that is stable refutes; no number of unstable ones proves. */
+static enum route_outcome says_of(long stable, long unstable, long open) {
+  return stable ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : unstable ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
+static void conclude(struct behaviour *b, const struct found *t) {
+  struct route_result w[3];
+  w[0] = behaviour_route(
+      b, "balls", "model", says_of(t->stable, t->unstable, t->open), true, t->stable + t->unstable + t->open, t->where,
+      result_str(
+          b->j->out,
+          "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
+          "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable%s%s, %ld "
+          "unstable, %ld open",
+          t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
+          t->open));
+  w[1] = behaviour_route(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
+                         t->back + t->away + t->unsure, NULL,
+                         result_str(b->j->out,
+                                    "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
+                                    "either side: %ld come back to "
+                                    "half of it, %ld leave to twice as far",
+                                    t->back, t->away));
+  w[2] =
+      behaviour_route(b, "integration", "model", says_of(t->moved_back, t->moved_away, t->moved_unsure), false,
+                      t->moved_back + t->moved_away + t->moved_unsure, NULL,
+                      result_str(b->j->out,
+                                 "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
+                                 "nearer, %ld go farther",
+                                 t->moved_back, t->moved_away));
+  b->f->verdict = verdict_of(w, 3, false);
+  if (b->f->verdict == VERDICT_REFUTED)
+    b->f->effect = "only at |tr J| = 1 exactly, which linearization does not decide: \"Otherwise\" should read "
+                   "\"If |tr(J)| > 1\"";
+}
+
+/* "at" and "vary" hold one entry for each family, separated by semicolons. */
+bool behaviour_equality(struct behaviour *b) {
+  const char *params = claim_get(b->c, "at"), *vary = claim_get(b->c, "vary");
+  struct found t = {.where = NULL};
+  bool ok = params && vary;
+  if (!ok) return claim_error(b->j, b->c, "at", "a family needs its parameters (at) and the one that is varied (vary)");
+  while (ok && params && vary) {
+    ok = try_family(&t, b, params, vary);
+    params = strchr(params, ';');
+    vary = strchr(vary, ';');
+    if (!params != !vary) return claim_error(b->j, b->c, "vary", "as many entries as in \"at\" are needed");
+    if (params) params++;
+    if (vary) vary++;
+  }
+  if (ok) conclude(b, &t);
+  return ok;
+}

@@ -1,0 +1,317 @@
+/* What becomes of motions beside a periodic orbit.  They are told by r = x_2 - x_1 at its returns to the global stick phase, where r alone fixes the state when
+   m_1 breaks loose: it stays near (r never gets far from the orbit's, in units of the perturbation), departs and comes
+   back, or ends elsewhere. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "value/coulomb_setup.h"
+#include "verdict.h"
+
+/* --- Perturbed motions --- */
+
+enum { N_SIZES = 3, MOMENTS = 3 };
+static const double sizes[N_SIZES] = {1e-2, 1e-4, 1e-6};
+static const char *const size_words[N_SIZES] = {"1e-2, 1e-4 and 1e-6", "1e-4 and 1e-6", "1e-6"}; /* from one on */
+/* A departure counts as near when it is less than this many times the perturbation; the least that counts as far. */
+static const double near_factor = 50, far_least = 1e-3;
+
+enum fate { FATE_NEAR, FATE_BACK, FATE_ELSEWHERE, FATE_NO_STICK, FATE_OPEN, N_FATES };
+
+struct orbit_motion {
+  struct motion start; /* on the orbit, at the start of the stick phase */
+  double r, begin[5];  /* r there; times at which the phases begin, and the period */
+  long periods;        /* to follow a perturbed motion */
+};
+
+struct followed {
+  double r;        /* the orbit's */
+  double farthest; /* of r at the returns */
+  double last;
+};
+
+static bool follow_event(void *self, const struct coulomb_event *e) {
+  struct followed *f = self;
+  if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) return true;
+  f->last = fabs(e->at.x[1] - e->at.x[0] - f->r);
+  f->farthest = fmax(f->farthest, f->last);
+  return true;
+}
+
+static int simulate_followed(struct followed *f, long *returns, enum motion_route r, const struct motion *m,
+                             const struct coulomb_plan *plan) {
+  struct coulomb_result result = {.end = COULOMB_FAILED};
+  struct coulomb_sink sink = {f, follow_event, NULL};
+  int s = (r == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&result, m->params, m->start, plan, &sink);
+  *returns = result.returns;
+  return s;
+}
+
+/* What becomes of a motion that begins beside the orbit, by one route. */
+static enum fate fate_of(enum motion_route r, const struct orbit_motion *o, const struct motion *m, double size) {
+  struct followed f = {.r = o->r};
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = o->periods;
+  plan.duration = 4 * (double)o->periods * o->begin[4];
+  plan.max_events = 64 * o->periods;
+  long returns;
+  if (simulate_followed(&f, &returns, r, m, &plan) != SS_OK) return FATE_OPEN;
+  if (returns < o->periods) return FATE_NO_STICK; /* in four times the orbit's own time for so many */
+  bool back = f.last < 0.1 * size, near = f.farthest<near_factor * size, far = f.farthest> far_least;
+  if (!back) return f.last > far_least ? FATE_ELSEWHERE : FATE_OPEN;
+  return near ? FATE_NEAR : far ? FATE_BACK : FATE_OPEN;
+}
+
+/* The state of the orbit at a moment, by closed forms. */
+static bool orbit_at(struct motion *m, const struct orbit_motion *o, double t) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result r;
+  *m = o->start;
+  plan.duration = t;
+  if (coulomb_simulate_d(&r, o->start.params, o->start.start, &plan, NULL) != SS_OK) return false;
+  for (int i = 0; i < 2; i++) {
+    m->start[Z_1 + i] = r.at.x[i];
+    m->start[DZ_1 + i] = r.at.v[i];
+  }
+  return true;
+}
+
+static bool orbit_motion_make(struct orbit_motion *m, const struct point *p, const struct dyn_orbit *o, double factor) {
+  bool ok = motion_on_orbit(&m->start, p, o, factor);
+  m->r = m->start.start[Z_2] - m->start.start[Z_1];
+  m->begin[0] = 0;
+  for (int i = 0; i < 4; i++) m->begin[i + 1] = m->begin[i] + o->guess[i];
+  return ok;
+}
+
+/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
+static const struct dyn_orbit *pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
+  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].admissible == TRUTH_TRUE && list->orbit[i].stable == stable && !list->orbit[i].grazing)
+      return &list->orbit[i];
+  return NULL;
+}
+
+struct table {
+  int first;                                  /* of the sizes tried */
+  long count[N_PHASES][2 * N_STATE][N_FATES]; /* phase; direction and side; fate */
+  long total[N_FATES], apart;                 /* apart: the routes disagree */
+  long smallest[2][2];                        /* of the smallest size: breaks_loose or not; near or far */
+  struct motion departs;                      /* the first of the smallest that departs */
+};
+
+static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
+
+/* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it exceeds
+   what sliding friction can carry, so that it falls back further, or faster the other way round? */
+static bool breaks_loose(const struct motion *at, int direction, double change) {
+  const double *p = at->params, *x = at->start;
+  int i = direction - DZ_1;
+  if (i < 0 || x[direction] != p[COULOMB_V]) return false;
+  double f = i == 0 ? x[0] - p[COULOMB_CHI] * x[1] : p[COULOMB_CHI] * (x[1] - x[0]);
+  return change < 0 ? f > p[COULOMB_US1 + i] : f < -p[COULOMB_US1 + i];
+}
+
+static void try_perturbation(struct table *t, const struct orbit_motion *o, const struct motion *at, int ph, int d,
+                             int s) {
+  struct motion m = *at;
+  enum fate fate[N_MOTION_ROUTES];
+  double change = (d % 2 ? -1 : 1) * sizes[s];
+  m.start[d / 2] += change;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) fate[r] = fate_of((enum motion_route)r, o, &m, sizes[s]);
+  bool same = fate[0] == fate[1];
+  if (!same) fate[0] = FATE_OPEN;
+  t->apart += !same;
+  t->count[ph][d][fate[0]]++;
+  t->total[fate[0]]++;
+  if (s < N_SIZES - 1 || fate[0] == FATE_OPEN) return;
+  if (fate[0] != FATE_NEAR && t->smallest[0][1] + t->smallest[1][1] == 0) t->departs = m;
+  t->smallest[breaks_loose(at, d / 2, change)][fate[0] != FATE_NEAR]++;
+}
+
+static void fill_table(struct table *t, const struct orbit_motion *o) {
+  for (int ph = 0; ph < N_PHASES; ph++)
+    for (int k = 0; k < MOMENTS; k++) {
+      struct motion at;
+      double length = o->begin[ph + 1] - o->begin[ph];
+      if (!orbit_at(&at, o, o->begin[ph] + length * (2 * k + 1) / (2.0 * MOMENTS))) continue;
+      for (int d = 0; d < 2 * N_STATE; d++)
+        for (int s = t->first; s < N_SIZES; s++) try_perturbation(t, o, &at, ph, d, s);
+    }
+}
+
+static void say_table(struct behaviour *b, const struct table *t) {
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    struct text line;
+    text_init(&line);
+    text_printf(&line, "moved in phase %s (stay near, depart and come back, end elsewhere, stick together no more):",
+                phase_name[ph]);
+    long trials = 0;
+    for (int d = 0; d < 2 * N_STATE; d++) {
+      const long *c = t->count[ph][d];
+      text_printf(&line, "%s %s%c %ld %ld %ld %ld", d ? "," : "", coordinate[d / 2], d % 2 ? '-' : '+', c[FATE_NEAR],
+                  c[FATE_BACK], c[FATE_ELSEWHERE], c[FATE_NO_STICK]);
+      if (c[FATE_OPEN]) text_printf(&line, " (%ld open)", c[FATE_OPEN]);
+      for (int k = 0; k < N_FATES; k++) trials += c[k];
+    }
+    finding_state(b->f, b->j->out, "integration", "model", -1, trials, NULL,
+                  result_str(b->j->out, "%s", text_str(&line)));
+    text_clear(&line);
+  }
+}
+
+/* How far a coordinate can be moved at a moment of the orbit, in doublings of 1/1000, until the motion no longer comes back,
+   and what it ends on then. */
+static void add_reach(struct text *out, struct behaviour *b, const struct orbit_motion *o, const struct motion *at,
+                      int coordinate_index, int side) {
+  enum { DOUBLINGS = 14 };
+  double good = 0;
+  for (int k = 0; k < DOUBLINGS; k++) {
+    struct motion m = *at;
+    struct coulomb_plan plan = coulomb_plan_default;
+    double size = ldexp(1e-3, k);
+    m.start[coordinate_index] += side * size;
+    plan.returns = o->periods;
+    plan.duration = 4 * (double)o->periods * o->begin[4];
+    plan.max_events = 64 * o->periods;
+    struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
+    bool back = t.status == SS_OK && t.result.returns == plan.returns &&
+                fabs(t.result.at.x[1] - t.result.at.x[0] - o->r) < 0.1 * size;
+    if (!back) text_printf(out, " %c%g (at %g: %s)", side > 0 ? '+' : '-', good, size, trajectory_ending(b, &t));
+    trajectory_clear(&t);
+    if (!back) return;
+    good = size;
+  }
+  text_printf(out, " %c%g and more", side > 0 ? '+' : '-', good);
+}
+
+static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
+  static const struct {
+    int phase, coordinate;
+    double part; /* of the phase */
+    const char *words;
+  } places[] = {{PHASE_D, Z_2, 0, "x_2 at the start of D"}, {PHASE_GAMMA, DZ_1, 0.5, "x'_1 amid Gamma"},
+                {PHASE_H, DZ_1, 0.5, "x'_1 amid H"},        {PHASE_H, DZ_2, 0.5, "x'_2 amid H"},
+                {PHASE_C, DZ_2, 0.5, "x'_2 amid C"},        {PHASE_D, DZ_1, 0.5, "x'_1 amid D"}};
+  struct text line;
+  long trials = 0;
+  text_init(&line);
+  text_add(&line, "the motion comes back when moved by as much as (in doublings of 1/1000; then what it ends on):");
+  for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
+    struct motion at;
+    double length = o->begin[places[i].phase + 1] - o->begin[places[i].phase];
+    if (!orbit_at(&at, o, o->begin[places[i].phase] + places[i].part * length)) continue;
+    text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
+    for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
+  }
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
+  text_clear(&line);
+}
+
+/* The scene's own orbit, when it is unstable: perturbed once in each phase and direction, where do motions go? */
+static void scene_orbit_fates(struct behaviour *b) {
+  enum { PERIODS = 220, MAX_WORDS = 8 };
+  const struct scene *s = b->j->scene;
+  const char *word[MAX_WORDS] = {0};
+  long count[MAX_WORDS] = {0}, trials = 0;
+  int words = 0;
+  struct orbit_motion o;
+  struct point p;
+  point_init(&p);
+  if (scene_has_forces(s)) {
+    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
+    const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_FALSE);
+    if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
+      for (int ph = 0; ph < N_PHASES; ph++)
+        for (int d = 0; d < 2 * N_STATE; d++) {
+          struct motion m;
+          struct coulomb_plan plan = coulomb_plan_default;
+          if (!orbit_at(&m, &o, o.begin[ph] + 0.5 * (o.begin[ph + 1] - o.begin[ph]))) continue;
+          m.start[d / 2] += (d % 2 ? -1 : 1) * sizes[0];
+          plan.returns = PERIODS;
+          struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
+          const char *end = trajectory_ending(b, &t);
+          int k = 0;
+          while (k < words && strcmp(word[k], end) != 0) k++;
+          if (k < MAX_WORDS) word[k] = end;
+          if (k < MAX_WORDS) count[k]++;
+          if (k == words && words < MAX_WORDS) words++;
+          trials++;
+          trajectory_clear(&t);
+        }
+  }
+  point_clear(&p);
+  if (!trials) return;
+  struct text line;
+  text_init(&line);
+  text_printf(&line,
+              "the scene's own admissible orbit, which is unstable, moved by 0.01 in the middle of each phase in "
+              "each of eight directions; after %d returns the motion goes",
+              PERIODS);
+  for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
+  text_clear(&line);
+}
+
+/* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones
+   there are such that do not keep it near. */
+static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour *b, const struct table *t,
+                        double friction) {
+  long near = t->total[FATE_NEAR], open = t->total[FATE_OPEN],
+       all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
+  const char *note = result_str(
+      b->j->out,
+      "a stable admissible orbit, u_ri = %g times what it needs, moved by %s at %d moments of each phase: %ld motions "
+      "stay near and die out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of "
+      "the smallest perturbations, %ld free a sticking mass at once (slower than the belt while the force on it "
+      "exceeds the sliding friction): %ld of these depart; of the %ld others %ld",
+      friction, size_words[t->first], MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE],
+      t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
+      t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);
+  long far = t->smallest[0][1] + t->smallest[1][1];
+  struct text departs;
+  text_init(&departs);
+  if (far) motion_print(&departs, &t->departs);
+  const char *where = far ? result_str(b->j->out, "departs: %s", text_str(&departs)) : NULL;
+  text_clear(&departs);
+  enum route_outcome outcome = open          ? ROUTE_UNDECIDED
+                               : near && far ? ROUTE_AGREES
+                               : near        ? ROUTE_DIFFERS
+                                             : ROUTE_NOTHING;
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_route(b, motion_route_name[r], "model", t->apart ? ROUTE_UNDECIDED : outcome, r == BY_INTEGRATION,
+                           all, r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+}
+
+bool behaviour_perturb(struct behaviour *b) {
+  enum { FRICTIONS = 2 };
+  static const double friction[FRICTIONS] = {OWN_FRICTION, 2};
+  struct orbit_motion o;
+  struct table t[FRICTIONS];
+  struct route_result w[FRICTIONS * N_MOTION_ROUTES];
+  struct point p;
+  memset(t, 0, sizeof t);
+  point_init(&p);
+  bool ok = behaviour_params(&p, b, claim_get(b->c, "at"));
+  const struct dyn_orbit *orbit = ok ? pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
+    double slope = fabs(num_arb.get_d(orbit->trace));
+    ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
+         claim_error(b->j, b->c, "at", "the orbit at these parameters cannot be simulated");
+    o.periods = 6 + (long)ceil(log(1e-3) / log(fmin(0.99, fmax(1e-3, slope))));
+    t[k].first = k == 0 ? 0 : N_SIZES - 1; /* the second friction with the smallest only */
+    if (ok) fill_table(&t[k], &o);
+  }
+  for (int k = 0; ok && k < FRICTIONS; k++) judge_table(w + k * N_MOTION_ROUTES, b, &t[k], friction[k]);
+  if (ok) {
+    b->f->verdict = verdict_of(w, FRICTIONS * N_MOTION_ROUTES, false);
+    say_table(b, &t[0]);
+    say_reach(b, &o);
+    scene_orbit_fates(b);
+  }
+  point_clear(&p);
+  return ok;
+}

@@ -1,0 +1,145 @@
+/* Linearization: what the product of the phases' propagators alone would say of stability, and what it says with the jumps
+   at the switches. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "value/values.h"
+#include "verdict.h"
+
+/* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
+static truth has_growth(const struct num_vec *m) {
+  enum { DOUBLINGS = 9 };
+  struct num_vec power;
+  arb_t trace, four;
+  truth t = TRUTH_UNKNOWN;
+  arb_init(trace);
+  arb_init(four);
+  arb_set_si(four, N_STATE);
+  num_vec_init(&power, m->len, m->ctx);
+  num_vec_set(&power, m);
+  for (int i = 0; t != TRUTH_TRUE && i < DOUBLINGS; i++) {
+    arb_zero(trace);
+    for (int k = 0; k < N_STATE; k++) arb_add(trace, trace, num_vec_at(&power, (N_STATE + 1) * k), m->ctx.prec);
+    arb_abs(trace, trace);
+    if (arb_gt(trace, four)) t = TRUTH_TRUE;
+    num_mat_mul(&power, &power, &power, N_STATE, N_STATE, N_STATE);
+  }
+  num_vec_clear(&power);
+  arb_clear(four);
+  arb_clear(trace);
+  return t;
+}
+
+/* Unstable by the product of the phases' propagators? */
+static truth unstable_by_propagators(struct values *v) {
+  struct num_vec step, product;
+  num_vec_init(&step, N_STATE * N_STATE, v->ctx);
+  num_vec_init(&product, N_STATE * N_STATE, v->ctx);
+  int s = values_propagator(&product, v, PHASE_D);
+  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
+    s |= values_propagator(&step, v, (enum phase)ph);
+    s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
+  }
+  truth t = s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
+  num_vec_clear(&product);
+  num_vec_clear(&step);
+  return t;
+}
+
+/* Unstable by the Jacobian with saltation matrices, which has one eigenvalue that is not 0? */
+static truth unstable_by_saltation(struct values *v) {
+  struct num_vec j;
+  arb_t trace, one;
+  arb_init(trace);
+  arb_init(one);
+  arb_one(one);
+  num_vec_init(&j, 4, v->ctx);
+  truth t = TRUTH_UNKNOWN;
+  if (dyn_return_jacobian_saltation(&j, &v->params, &v->arc) == SS_OK) {
+    arb_add(trace, num_vec_at(&j, 0), num_vec_at(&j, 3), v->ctx.prec);
+    arb_abs(trace, trace);
+    t = arb_gt(trace, one) ? TRUTH_TRUE : arb_lt(trace, one) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  }
+  num_vec_clear(&j);
+  arb_clear(one);
+  arb_clear(trace);
+  return t;
+}
+
+struct methods {
+  long right[2], wrong[2]; /* without jumps, with saltation matrices */
+  long open;               /* without jumps */
+  long comes_back, leaves; /* iterates where the method without jumps is wrong */
+  const char *where;
+  struct orbit_set seen;
+};
+
+static void compare_methods(struct methods *s, struct behaviour *b, const struct point *p) {
+  const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  struct values v;
+  if (o->grazing || o->stable == TRUTH_UNKNOWN || !orbit_is_new(&s->seen, o)) return;
+  if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), b->j->cache) == SS_OK) {
+    truth said[2] = {unstable_by_propagators(&v), unstable_by_saltation(&v)}, is = truth_not(o->stable);
+    for (int i = 0; i < 2; i++)
+      if (said[i] == TRUTH_UNKNOWN)
+        s->open += i == 0;
+      else
+        *(said[i] == is ? &s->right[i] : &s->wrong[i]) += 1;
+    if (said[0] != TRUTH_UNKNOWN && said[0] != is) {
+      double params[N_PARAMS], r0 = orbit_r(o);
+      for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
+      int fate = return_map_fate(params, r0, 1e-4 * fabs(r0), 400);
+      s->comes_back += fate > 0;
+      s->leaves += fate < 0;
+      struct text t;
+      text_init(&t);
+      point_print(&t, p);
+      if (!s->where) s->where = result_str(b->j->out, "%s", text_str(&t));
+      text_clear(&t);
+    }
+  }
+  values_clear(&v);
+}
+
+bool behaviour_linearization(struct behaviour *b) {
+  enum { WANTED = 24, DRAWS = 96 };
+  const char *jumps = claim_get(b->c, "jumps");
+  int method = jumps && strcmp(jumps, "saltation") == 0;
+  struct methods s = {.where = NULL};
+  struct sampler sampler;
+  struct point p;
+  sampler_init(&sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  point_init(&p);
+  for (int i = 0; i < DRAWS && s.right[1] + s.wrong[1] < WANTED; i++) {
+    sampler_next(&p, &sampler);
+    if (point_settle(&p, b->j->cache)) compare_methods(&s, b, &p);
+  }
+  point_clear(&p);
+  const char *note = result_str(
+      b->j->out,
+      "the product of the phases' propagators (the variational equation without what happens at the switches; its "
+      "determinant is 1, so it can never call an orbit stable) has a multiplier outside the unit circle at %ld orbit%s "
+      "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
+      "the switches linearization "
+      "answers right at %ld orbits and wrong at %ld",
+      s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
+  long right = s.right[method], wrong = s.wrong[method];
+  struct route_result w[2];
+  w[0] = behaviour_route(b, "balls", "model",
+                         wrong   ? ROUTE_AGREES
+                         : right ? ROUTE_DIFFERS
+                                 : ROUTE_NOTHING,
+                         true, right + wrong, s.where, note);
+  enum route_outcome fate = s.leaves ? ROUTE_DIFFERS : s.comes_back ? ROUTE_AGREES : ROUTE_NOTHING;
+  int n = 1;
+  if (wrong)
+    w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,
+                             result_str(b->j->out,
+                                        "from beside the orbits that the propagators call unstable and J stable the "
+                                        "return map comes back at %ld and leaves at %ld",
+                                        s.comes_back, s.leaves));
+  b->f->verdict = verdict_of(w, n, false);
+  return true;
+}

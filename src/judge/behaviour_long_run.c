@@ -1,0 +1,97 @@
+/* The long run: what becomes of the printed initial state under Coulomb's law. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "judge.h"
+#include "value/coulomb_setup.h"
+
+/* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
+static bool long_run_motion(struct motion *m, struct behaviour *b, double factor) {
+  const struct scene *s = b->j->scene;
+  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
+  struct coulomb_setup setup;
+  struct diag d;
+  diag_init(&d);
+  if (!audit_coulomb_setup(&setup, s, 0, true, &d)) return false;
+  memcpy(m->params, setup.params, sizeof m->params);
+  for (int i = 0; i < 2 && setup.own_friction; i++) {
+    double e = m->params[COULOMB_UR1 + i] - m->params[COULOMB_US1 + i];
+    if (s->given[KEY_U_R1 + i]) continue;
+    m->params[COULOMB_UR1 + i] *= factor / OWN_FRICTION;
+    m->params[COULOMB_US1 + i] = m->params[COULOMB_UR1 + i] - e;
+  }
+  return coulomb_start_set_d(m->start, m->params, fmpq_get_d(&z[0]->value), fmpq_get_d(&z[1]->value)) == SS_OK;
+}
+
+/* Times and r of the last two returns. */
+static void last_returns(double *period, double *change, const struct coulomb_log *log) {
+  const struct coulomb_event *last[2] = {NULL, NULL};
+  for (size_t i = log->n; i-- > 0 && !last[1];) {
+    const struct coulomb_event *e = &log->event[i];
+    if (e->at.mode[0] != MODE_STICK || e->at.mode[1] != MODE_STICK) continue;
+    last[last[0] != NULL] = e;
+  }
+  *period = *change = INFINITY;
+  if (!last[1]) return;
+  *period = last[0]->at.t - last[1]->at.t;
+  *change = fabs(last[0]->at.x[1] - last[0]->at.x[0] - last[1]->at.x[1] + last[1]->at.x[0]);
+}
+
+static bool long_run_once(struct behaviour *b, double factor) {
+  enum { RETURNS = 200 };
+  struct motion m;
+  if (!long_run_motion(&m, b, factor)) return false;
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.returns = RETURNS;
+  plan.duration = 100.0 * RETURNS;
+  struct trajectory trajectory[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
+  struct text word, folded;
+  double period, change;
+  bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
+  text_init(&word);
+  text_init(&folded);
+  coulomb_log_word(&word, &trajectory[0].log);
+  coulomb_word_fold(&folded, text_str(&word));
+  last_returns(&period, &change, &trajectory[0].log);
+  bool steady = change < 1e-8;
+  const char *end = trajectory_ending(b, &trajectory[0]);
+  const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
+  const char *note =
+      result_str(b->j->out,
+                 "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
+                 "closed forms %s",
+                 RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
+                 steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
+                 same ? "tell the same events" : "part from this by then");
+  finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
+  text_clear(&folded);
+  text_clear(&word);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
+  return true;
+}
+
+bool behaviour_long_run(struct behaviour *b) {
+  const char *friction = claim_get(b->c, "friction");
+  const struct scene *s = b->j->scene;
+  if (!scene_printed(s, "z10") || !scene_printed(s, "z20") || !scene_has_forces(s)) {
+    finding_skip(b->f, b->j, "the scene prints no initial state, or does not give e1 and e2");
+    return true;
+  }
+  char *end = NULL;
+  int n = 0;
+  for (const char *at = friction; at && *at; at = end, n++) {
+    double factor = strtod(at, &end);
+    if (end == at || !(factor > 1 && factor < 1000))
+      return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
+    if (!long_run_once(b, factor)) {
+      finding_skip(b->f, b->j, "the printed start cannot be simulated");
+      return true;
+    }
+  }
+  if (n == 0) return claim_error(b->j, b->c, "friction", "factors greater than 1, as in \"1.25 2\"");
+  b->f->verdict = VERDICT_DEFINITION; /* the paper says nothing of it */
+  return true;
+}

@@ -1,0 +1,287 @@
+/* Random motions watched by both routes: which modes occur, how they follow one another, and what jumps where. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "value/coulomb_setup.h"
+#include "verdict.h"
+
+/* --- Nine pairs of modes, four kinds of phase --- */
+
+enum { N_PAPER_LETTERS = 4 }; /* D, G, H, C come first */
+
+struct modes {
+  long seen[N_MODE_PAIRS];                          /* phases, by the integration */
+  long rows[N_MOTION_ROUTES], bad[N_MOTION_ROUTES]; /* samples that obey (2), that do not */
+};
+
+/* (2) at one moment: a moving mass feels +-u_s against its motion over the belt, a sticking one at most u_r. */
+static bool obeys(const struct coulomb_row *row, const double p[N_COULOMB]) {
+  bool ok = true;
+  for (int i = 0; i < 2; i++) {
+    double lag = p[COULOMB_V] - row->v[i], fine = 1e-9 * (1 + p[COULOMB_V]);
+    double f = i == 0 ? row->x[0] - p[COULOMB_CHI] * row->x[1] : p[COULOMB_CHI] * (row->x[1] - row->x[0]);
+    if (row->mode[i] == MODE_STICK)
+      ok = ok && fabs(lag) <= fine && fabs(f) <= p[COULOMB_UR1 + i] * (1 + 1e-9);
+    else
+      ok = ok && (fabs(lag) <= fine || row->u[i] == copysign(p[COULOMB_US1 + i], lag));
+  }
+  return ok;
+}
+
+static void watch_modes(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+  struct modes *s = self;
+  for (size_t i = 0; i < trajectory[0].log.n; i++) s->seen[mode_index(trajectory[0].log.event[i].at.mode)]++;
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    for (size_t i = 0; i < trajectory[r].n_rows; i++)
+      *(obeys(&trajectory[r].row[i], m->params) ? &s->rows[r] : &s->bad[r]) += 1;
+}
+
+bool behaviour_modes(struct behaviour *b) {
+  struct modes s = {{0}, {0}, {0}};
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
+  struct text note;
+  text_init(&note);
+  text_printf(&note,
+              "%ld motions from starts all over the phase space (%ld more left out: a flat contact), each in a "
+              "definite pair of modes at all %ld moments looked at; phases seen:",
+              w.motions, w.apart, s.rows[0] + s.bad[0]);
+  for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
+  text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
+                  "belt, X x: one faster, one slower)");
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.rows[r], s.bad[r]);
+  behaviour_conclude(b, outcome, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
+  text_clear(&note);
+  return true;
+}
+
+/* --- Do D, Gamma, H, C cover what happens? --- */
+
+struct visits {
+  struct behaviour *b;
+  long inside, outside;
+  long rows[N_MOTION_ROUTES],
+      bad[N_MOTION_ROUTES]; /* samples in one of the nine pairs of modes, as (2) has them, or not */
+  double fastest;           /* largest lead over the belt, in belt speeds */
+  const char *where;        /* the motion that has it */
+};
+
+static void watch_visits(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+  struct visits *v = self;
+  double lead = 0;
+  for (size_t i = 0; i < trajectory[0].n_rows; i++)
+    for (int k = 0; k < 2; k++) lead = fmax(lead, trajectory[0].row[i].v[k] / m->params[COULOMB_V] - 1);
+  bool out = false;
+  for (size_t i = 0; i < trajectory[0].log.n; i++)
+    out = out || mode_index(trajectory[0].log.event[i].at.mode) >= N_PAPER_LETTERS;
+  *(out ? &v->outside : &v->inside) += 1;
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    for (size_t i = 0; i < trajectory[r].n_rows; i++)
+      *(obeys(&trajectory[r].row[i], m->params) ? &v->rows[r] : &v->bad[r]) += 1;
+  if (!out || lead < v->fastest + 0.01) return;
+  struct text t;
+  text_init(&t);
+  motion_print(&t, m);
+  v->fastest = lead;
+  v->where = result_str(v->b->j->out, "%s", text_str(&t));
+  text_clear(&t);
+}
+
+/* How many motions on admissible orbits stay inside. */
+static void watch_orbits(long count[2], struct behaviour *b) {
+  struct orbit_set seen = {.n = 0};
+  struct sampler s;
+  struct point p;
+  sampler_init(&s, b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  s.admissible = true;
+  point_init(&p);
+  for (int i = 0; i < 40 && count[0] + count[1] < 8; i++) {
+    struct motion m;
+    sampler_next(&p, &s);
+    if (!point_settle(&p, b->j->cache)) continue;
+    const struct dyn_orbit *o = &orbit_cache_get(b->j->cache, p.q, FD_PREC + 64)->orbit[p.orbit];
+    if (o->grazing || !orbit_is_new(&seen, o) || !motion_on_orbit(&m, &p, o, OWN_FRICTION)) continue;
+    struct coulomb_plan plan = coulomb_plan_default;
+    plan.returns = 1;
+    plan.max_events = 64;
+    struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
+    bool out = false;
+    for (size_t k = 0; k < t.log.n; k++) out = out || mode_index(t.log.event[k].at.mode) >= N_PAPER_LETTERS;
+    count[out]++;
+    trajectory_clear(&t);
+  }
+  point_clear(&p);
+}
+
+/* Rest with unstretched springs, at the scene's parameters: an ordinary way to begin. */
+static const char *from_rest(struct behaviour *b) {
+  const struct scene *s = b->j->scene;
+  struct coulomb_setup setup;
+  struct diag d;
+  diag_init(&d);
+  if (!scene_has_forces(s) || !audit_coulomb_setup(&setup, s, 0, scene_printed(s, "z10") != NULL, &d)) return "";
+  struct motion m = {.start = {0}};
+  memcpy(m.params, setup.params, sizeof m.params);
+  struct coulomb_plan plan = coulomb_plan_default;
+  plan.duration = 400;
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
+  struct text word;
+  text_init(&word);
+  coulomb_log_word(&word, &t.log);
+  const char *note = "";
+  size_t n = strcspn(text_str(&word), "ghcXx");
+  if (n < word.len)
+    note = result_str(b->j->out, "; from rest with slack springs (simulate %s --start 0,0,0,0) the motion goes H%.*s",
+                      s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
+  else
+    note = result_str(b->j->out, "; from rest with slack springs at the scene's parameters no mass overruns the belt");
+  text_clear(&word);
+  trajectory_clear(&t);
+  return note;
+}
+
+bool behaviour_configurations(struct behaviour *b) {
+  struct visits v = {.b = b};
+  long orbits[2] = {0, 0};
+  struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
+  watch_orbits(orbits, b);
+  bool found = v.fastest > 0.1;
+  const char *note =
+      result_str(b->j->out,
+                 "of %ld motions that start with both masses sticking, as in (11), %ld leave D, Gamma, H and C: a mass "
+                 "overruns the belt, and (3), (5), (7) speak of z'_i < V only; of %ld admissible orbits of the word, "
+                 "%ld%s",
+                 w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    outcome[r] = found ? ROUTE_DIFFERS : v.inside ? ROUTE_AGREES : ROUTE_NOTHING;
+  behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note);
+  if (b->f->verdict != VERDICT_REFUTED) return true;
+  struct route_result all[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    all[r] =
+        behaviour_route(b, motion_route_name[r], "correction", behaviour_count(v.rows[r], v.bad[r]),
+                        r == BY_INTEGRATION, v.rows[r] + v.bad[r], NULL,
+                        "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
+  b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
+                     "x'_i > V (slipping)";
+  b->f->correction_verdict = verdict_of(all, N_MOTION_ROUTES, false);
+  return true;
+}
+
+/* --- Transitions --- */
+
+struct switches {
+  bool to_stick, sliding_limit; /* which transition; the limit is u_s instead of u_r */
+  long good[N_MOTION_ROUTES], bad[N_MOTION_ROUTES], crossings;
+};
+
+static bool at_event(struct switches *s, const struct coulomb_event *e, const struct motion *m) {
+  int i = e->mass;
+  const double *p = m->params;
+  double f = i == 0 ? e->at.x[0] - p[COULOMB_CHI] * e->at.x[1] : p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0]);
+  double limit = p[(s->sliding_limit ? COULOMB_US1 : COULOMB_UR1) + i], fine = 1e-8 * (1 + fabs(e->at.x[0]));
+  if (fabs(e->at.v[i] - p[COULOMB_V]) > fine) return false;
+  if (e->from == MODE_STICK) return fabs(fabs(f) - limit) <= fine;
+  return e->to == MODE_STICK ? fabs(f) <= limit + fine : fabs(f) >= limit - fine;
+}
+
+static void watch_switches(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+  struct switches *s = self;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) {
+    for (size_t i = 0; i < trajectory[r].log.n; i++) {
+      const struct coulomb_event *e = &trajectory[r].log.event[i];
+      if ((e->from != MODE_STICK) != s->to_stick) continue;
+      s->crossings += r == 0 && e->from != MODE_STICK && e->to != MODE_STICK;
+      *(at_event(s, e, m) ? &s->good[r] : &s->bad[r]) += 1;
+    }
+    for (size_t i = 0; i < trajectory[r].n_rows; i++) s->bad[r] += !obeys(&trajectory[r].row[i], m->params);
+  }
+}
+
+bool behaviour_switches(struct behaviour *b) {
+  const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
+  bool to_stick = which && strcmp(which, "slip to stick") == 0;
+  if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
+    return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
+  struct switches s = {.to_stick = to_stick, .sliding_limit = limit && strcmp(limit, "u_s") == 0};
+  struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, &s);
+  const char *note;
+  if (to_stick)
+    note = result_str(b->j->out,
+                      "%ld motions, %ld moments at which a mass reaches the belt's velocity: it sticks where the force "
+                      "is within the limit, and crosses to the other side of the belt's velocity where it is not (%ld)",
+                      w.motions, s.good[0] + s.bad[0], s.crossings);
+  else
+    note = result_str(b->j->out,
+                      "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a "
+                      "greater one. Where a force only touches the limit and turns back, (2) allows both",
+                      w.motions, s.good[0] + s.bad[0]);
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.good[r], s.bad[r]);
+  behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note);
+  return true;
+}
+
+/* --- What jumps --- */
+
+struct jumps {
+  long loose, caught, rows;  /* masses that break loose, and that are caught or cross; steps between samples */
+  long bad[N_MOTION_ROUTES]; /* steps that jump, forces that do not jump by e_i */
+};
+
+/* Positions and velocities change between samples no faster than speeds and accelerations allow. */
+static bool continuous(const struct coulomb_row *a, const struct coulomb_row *b, const double p[N_COULOMB]) {
+  double h = b->t - a->t;
+  for (int i = 0; i < 2; i++) {
+    double f = 0, scale = i == 0 ? 1 : p[COULOMB_ETA];
+    for (int k = 0; k < 2; k++) f += fmax(fabs(a->x[k]), fabs(b->x[k])) + h * fmax(fabs(a->v[k]), fabs(b->v[k]));
+    double push = 2 * scale * (f + p[COULOMB_US1 + i]) + 1e-9;
+    if (fabs(b->v[i] - a->v[i]) > h * push) return false;
+    if (fabs(b->x[i] - a->x[i]) > h * (fmax(fabs(a->v[i]), fabs(b->v[i])) + h * push) + 1e-9) return false;
+  }
+  return true;
+}
+
+/* At an event x_i'' = u_i - f_i (times eta for i = 2) jumps by the jump of u_i: by e_i where a mass breaks loose, from
+   u_si to the restoring force where it is caught; the other mass's force does not jump. */
+static void watch_jumps(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
+  struct jumps *s = self;
+  const double *p = m->params;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) {
+    for (size_t i = 0; i + 1 < trajectory[r].n_rows; i++) {
+      s->rows += r == 0;
+      s->bad[r] += !continuous(&trajectory[r].row[i], &trajectory[r].row[i + 1], p);
+    }
+    for (size_t i = 0; i < trajectory[r].log.n; i++) {
+      const struct coulomb_event *e = &trajectory[r].log.event[i];
+      int k = e->mass;
+      double f = k == 0 ? e->at.x[0] - p[COULOMB_CHI] * e->at.x[1] : p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0]);
+      double before = e->from == MODE_STICK ? f : (e->from == MODE_BELOW ? 1 : -1) * p[COULOMB_US1 + k];
+      double jump = fabs(e->at.u[k] - before), e_k = p[COULOMB_UR1 + k] - p[COULOMB_US1 + k];
+      if (e->from == MODE_STICK) {
+        s->loose += r == 0;
+        s->bad[r] += fabs(jump - e_k) > 1e-7 * (1 + p[COULOMB_UR1 + k]);
+      } else {
+        s->caught += r == 0 && jump > 1e-6;
+      }
+    }
+  }
+}
+
+bool behaviour_jumps(struct behaviour *b) {
+  struct jumps s = {0};
+  struct watched w = behaviour_watch(b, 64, false, 12, 1.0 / 64, watch_jumps, &s);
+  const char *note = result_str(
+      b->j->out,
+      "%ld motions: at each of %ld breaks loose u_i falls from u_ri to u_si, by e_i, and x''_i leaves 0 by that jump; "
+      "at %ld of the catches and crossings u_i jumps from u_si to the restoring force (or to -u_si), and x''_i with "
+      "it; positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
+      w.motions, s.loose, s.caught, s.rows);
+  enum route_outcome outcome[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
+  behaviour_conclude(b, outcome, s.loose + s.caught, NULL, note);
+  return true;
+}

@@ -1,0 +1,132 @@
+/* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
+#include "judge.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
+   r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],
+   slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
+static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *j, arb_srcptr start) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct num_vec params, jac;
+  struct dyn_arc arc;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&jac, 4, ctx);
+  dyn_arc_init(&arc, ctx);
+  int s = scene_numbers(&params, j);
+  if (s == SS_OK) s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
+  if (s == SS_OK) s |= dyn_return_jacobian(&jac, &params, &arc);
+  for (int i = 0; i < 2; i++) {
+    arb_sub(gap + 1 + i, num_vec_at(&arc.z, 16 + i), start + i, FIRST_PREC);
+    arb_sub(slope + i, num_vec_at(&jac, 2 + i), num_vec_at(&jac, i), FIRST_PREC);
+    arb_add_si(slope + i, slope + i, i == 0 ? 1 : -1, FIRST_PREC);
+  }
+  arb_sub(gap, gap + 2, gap + 1, FIRST_PREC);
+  for (int i = 0; times && i < 4; i++) arb_set(times + i, num_vec_at(&arc.t, i));
+  dyn_arc_clear(&arc);
+  num_vec_clear(&jac);
+  num_vec_clear(&params);
+  return s;
+}
+
+/* The gap of r over every start in the box z, by the mean value theorem: the gap at the middle plus the slope over the
+   box times the distance from the middle. */
+static int gap_over_box(arb_t gap, struct judge *j, arb_srcptr z) {
+  arb_ptr at_middle = _arb_vec_init(3), middle = _arb_vec_init(2), slope = _arb_vec_init(2), unused = _arb_vec_init(5);
+  arb_t d;
+  arb_init(d);
+  for (int i = 0; i < 2; i++) arb_get_mid_arb(middle + i, z + i);
+  int s = closing_gap(at_middle, unused + 3, NULL, j, middle);
+  s |= closing_gap(unused, slope, NULL, j, z);
+  arb_set(gap, at_middle);
+  for (int i = 0; i < 2; i++) {
+    arb_sub(d, z + i, middle + i, FIRST_PREC);
+    arb_addmul(gap, slope + i, d, FIRST_PREC);
+  }
+  arb_clear(d);
+  _arb_vec_clear(unused, 5);
+  _arb_vec_clear(slope, 2);
+  _arb_vec_clear(middle, 2);
+  _arb_vec_clear(at_middle, 3);
+  return s;
+}
+
+static void closure_by_times(struct finding *f, struct judge *j) {
+  struct point p;
+  struct values v;
+  point_init(&p);
+  if (printed_point(&p, j->scene)) {
+    if (values_init(&v, &p, VARIANT_EXPONENTIAL, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
+      arb_ptr d = _arb_vec_init(2);
+      for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
+      finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed state and times, taken exactly",
+                    result_str(j->out,
+                               "Over the printed times the motion ends at z_1, z_2 off its start by %s and %s, with "
+                               "velocities %s and %s.",
+                               ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
+                               ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
+      _arb_vec_clear(d, 2);
+    }
+    values_clear(&v);
+  }
+  point_clear(&p);
+}
+
+/* What the printed start itself leads to, its decimals taken exactly. */
+static void closure_by_events(struct finding *f, struct judge *j, const struct printed_number *const z[2], bool apart) {
+  arb_ptr v = _arb_vec_init(11);
+  arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
+  for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
+  if (closing_gap(gap, slope, t, j, start) == SS_OK) {
+    finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed start, taken exactly",
+                  result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
+                             ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
+    if (apart)
+      f->effect = result_str(
+          j->out,
+          "from the printed start the motion does not close: after one period it is off by %s in z_1 and by %s in z_2",
+          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+  }
+  _arb_vec_clear(v, 11);
+}
+
+bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  (void)view;
+  const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
+  if (!z[0] || !z[1] || (!scene_has_forces(j->scene) && scene_orbits(j->scene, j->cache)->n == 0)) {
+    finding_skip(f, j, "the scene prints no initial state, or has neither e1 and e2 nor an orbit that has");
+    return true;
+  }
+  struct printed_number own;
+  bool owned = printed_replace(&own, &z[0], c);
+  arb_ptr box = _arb_vec_init(2);
+  arb_t gap;
+  arb_init(gap);
+  for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
+  int s = gap_over_box(gap, j, box);
+  bool apart = s == SS_OK && !arb_contains_zero(gap);
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "balls";
+  e->layer = "model";
+  e->result = apart ? "differs" : "undecided";
+  e->bits = FIRST_PREC;
+  e->trials = 1;
+  e->worst = "every start that the printed digits of z10 and z20 allow";
+  if (s == SS_OK)
+    e->note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
+                         apart ? ", which excludes 0: no start with these digits is periodic" : "");
+  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, s == SS_OK};
+  closure_by_events(f, j, z, apart);
+  closure_by_times(f, j);
+  /* a gap that may vanish is no proof that it does */
+  f->verdict = verdict_of(&w, 1, true);
+  if (!apart) f->condition = "the gap cannot be told from zero within the printed digits";
+  if (owned) {
+    fmpq_clear(&own.value);
+    fmpq_clear(&own.unit);
+  }
+  arb_clear(gap);
+  _arb_vec_clear(box, 2);
+  return true;
+}

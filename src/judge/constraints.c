@@ -1,0 +1,285 @@
+/* Which conditions make a periodic solution realistic: are the paper's constraints all of them, which follow from others,
+   and what exactly do they ask of u_r1 and u_r2?
+
+   Balls: over the pool of orbits the paper's constraints hold together exactly where the model's do, and the closed forms
+   for the least u_r1 and u_r2 are the infima along the orbits.  Simulation: with u_r just above its bounds the motion
+   under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "proof/condition.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
+#include "value/orbit_pool.h"
+
+enum { EACH = 8, SIMULATED = 3 };
+
+struct constraints {
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+  struct conditions paper;
+  long same, other, open; /* orbits on which the two lists agree */
+  long forms_same, forms_other, forms_open;
+  long as_said, against, undecided; /* simulations */
+};
+
+static const char *const least_attribute[2] = {"least-first", "least-second"};
+
+/* --- Balls --- */
+
+/* Do all of the paper's constraints hold along the orbit? */
+static truth list_holds(struct constraints *x, const struct point *p) {
+  arb_t value;
+  truth all = TRUTH_TRUE;
+  arb_init(value);
+  for (int k = 0; k < x->paper.n && all != TRUTH_FALSE; k++) {
+    double where;
+    all = truth_and(all, condition_holds(&where, value, &x->paper.at[k], p, FIRST_PREC, x->j->cache));
+  }
+  arb_clear(value);
+  return all;
+}
+
+static void compare_lists(struct constraints *x, const struct point *p, const struct dyn_orbit *o) {
+  truth all = list_holds(x, p);
+  x->same += all == o->admissible && all != TRUTH_UNKNOWN;
+  x->other += all != o->admissible && all != TRUTH_UNKNOWN && o->admissible != TRUTH_UNKNOWN;
+  x->open += all == TRUTH_UNKNOWN || o->admissible == TRUTH_UNKNOWN;
+}
+
+/* The closed form for the least u_r1 or u_r2 at an orbit. */
+static bool form_at(arb_t z, struct constraints *x, int i, const struct point *p) {
+  const char *formula = claim_get(x->c, least_attribute[i]), *section = claim_get(x->c, "section");
+  int n;
+  arb_ptr v = _arb_vec_init(16);
+  int s = expression_at(v, &n, x->view, formula, section, p, FIRST_PREC, x->j->cache, x->j->d);
+  arb_set(z, v);
+  _arb_vec_clear(v, 16);
+  return s == SS_OK && n == 1;
+}
+
+static void compare_form(struct constraints *x, int i, const arb_t least, const struct point *p) {
+  arb_t v;
+  arb_init(v);
+  if (!form_at(v, x, i, p))
+    x->forms_open++;
+  else if (arb_overlaps(v, least))
+    x->forms_same++;
+  else
+    x->forms_other++;
+  arb_clear(v);
+}
+
+static void by_balls(struct constraints *x) {
+  const struct orbit_pool *pool = orbit_pool_get(x->j);
+  struct point p;
+  long good = 0, bad = 0;
+  point_init(&p);
+  bool refute = x->j->effort == EFFORT_REFUTE;
+  for (size_t i = 0; i < pool->n && (good < EACH || bad < EACH) && !(refute && x->other + x->forms_other); i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++) {
+      const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
+      long *count = o->admissible == TRUTH_TRUE ? &good : &bad;
+      if (o->grazing || *count == EACH) continue;
+      ++*count;
+      pool_point(&p, pool->item[i], k);
+      p.known = NULL;
+      compare_lists(x, &p, o);
+      if (o->admissible != TRUTH_TRUE) continue;
+      compare_form(x, 0, o->u_r1_min, &p);
+      compare_form(x, 1, o->u_r2_min, &p);
+    }
+  point_clear(&p);
+}
+
+/* --- What follows from what --- */
+
+/* How often each condition is broken, broken alone, and holds where another is broken. */
+struct counts {
+  long broken[N_CONDITIONS], alone[N_CONDITIONS], despite[N_CONDITIONS][N_CONDITIONS];
+};
+
+static void count_orbit(struct counts *n, const truth holds[N_CONDITIONS]) {
+  int failures = 0;
+  for (int a = 0; a < N_CONDITIONS; a++) failures += holds[a] != TRUTH_TRUE;
+  for (int a = 0; a < N_CONDITIONS; a++) {
+    if (holds[a] != TRUTH_FALSE) continue;
+    n->broken[a]++;
+    n->alone[a] += failures == 1;
+    for (int b = 0; b < N_CONDITIONS; b++) n->despite[a][b] += holds[b] != TRUTH_FALSE;
+  }
+}
+
+static const char *table(struct constraints *x) {
+  const struct orbit_pool *pool = orbit_pool_get(x->j);
+  struct counts n = {{0}, {0}, {{0}}};
+  for (size_t i = 0; i < pool->n; i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++) count_orbit(&n, pool->item[i]->list.orbit[k].holds);
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "Of %ld orbits, %ld of them admissible", pool->orbits, pool->admissible);
+  for (int a = 0; a < N_CONDITIONS; a++) {
+    text_printf(&t, "%s %s is broken on %ld, alone on %ld", a ? ";" : ":", dyn_condition_id[a], n.broken[a],
+                n.alone[a]);
+    const char *sep = ", never without ";
+    for (int b = 0; b < N_CONDITIONS; b++) {
+      if (b == a || n.broken[a] == 0 || n.despite[a][b] > 0) continue;
+      text_printf(&t, "%s%s", sep, dyn_condition_id[b]);
+      sep = ", ";
+    }
+  }
+  const char *s = result_str(x->j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return s;
+}
+
+/* --- Simulation --- */
+
+/* Does the motion close after one period of the word D Gamma H C?  UNKNOWN between closed and clearly not. */
+static truth closes(const struct pool_item *item, slong index, const double u_r[2]) {
+  struct scene s = {.name = NULL};
+  struct coulomb_setup sim;
+  struct coulomb_log log;
+  struct coulomb_result end;
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct text word;
+  static const int key[N_DRAW] = {KEY_CHI, KEY_ETA, KEY_V, KEY_TB, KEY_TC};
+  for (int i = 0; i < N_DRAW; i++) s.value[key[i]] = item->q[i]; /* borrowed */
+  for (int i = 0; i < N_DRAW; i++) s.given[key[i]] = true;
+  for (int i = 0; i < 2; i++) {
+    fmpq_init(&s.value[KEY_U_R1 + i]);
+    fmpq_set_si(&s.value[KEY_U_R1 + i], (slong)ceil(ldexp(u_r[i], 20)), 1 << 20);
+    s.given[KEY_U_R1 + i] = true;
+  }
+  bool ok = coulomb_setup_listed(&sim, &s, index, NULL);
+  for (int i = 0; i < 2; i++) fmpq_clear(&s.value[KEY_U_R1 + i]);
+  if (!ok) return TRUTH_UNKNOWN;
+  plan.returns = 1;
+  plan.duration = 2 * sim.period;
+  coulomb_log_init(&log);
+  text_init(&word);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  int status = coulomb_simulate_ode(&end, sim.params, sim.start, &plan, &sink);
+  coulomb_log_word(&word, &log);
+  double off =
+      fabs(end.at.x[1] - end.at.x[0] - (sim.start[1] - sim.start[0])) / (1 + fabs(sim.start[0]) + fabs(sim.start[1]));
+  bool same = strcmp(text_str(&word), "GHCD") == 0;
+  text_clear(&word);
+  coulomb_log_clear(&log);
+  if (status != SS_OK) return TRUTH_UNKNOWN;
+  if (!same || off > 1e-3) return TRUTH_FALSE;
+  return off < 1e-7 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+}
+
+static void book(struct constraints *x, truth got, truth want) {
+  if (got == TRUTH_UNKNOWN)
+    x->undecided++;
+  else
+    ++*(got == want ? &x->as_said : &x->against);
+}
+
+/* As the paper's list says: with u_r a little above its bounds; and where the list holds, with each a little below its
+   bound, if that still exceeds e. */
+static void simulate(struct constraints *x, const struct pool_item *item, slong index, const struct point *p,
+                     truth listed) {
+  const struct dyn_orbit *o = &item->list.orbit[index];
+  const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
+  double least[2], above[2];
+  arb_t form;
+  arb_init(form);
+  for (int i = 0; i < 2; i++) {
+    least[i] = form_at(form, x, i, p) ? num_arb.get_d(form) : 0;
+    above[i] = fmax(least[i], e[i]) * 1.03125;
+  }
+  arb_clear(form);
+  book(x, closes(item, index, above), listed);
+  for (int i = 0; listed == TRUTH_TRUE && i < 2; i++) {
+    double u_r[2] = {above[0], above[1]};
+    u_r[i] = least[i] * 0.96875;
+    if (u_r[i] > e[i] * 1.01) book(x, closes(item, index, u_r), TRUTH_FALSE);
+  }
+}
+
+/* A constraint clearly fails, as far as double precision tells: to pass over orbits of which enough have been tried. */
+static bool clearly_fails(struct constraints *x, const struct point *p) {
+  struct sampled s[MAX_CONDITIONS];
+  bool fails = conditions_sample(s, &x->paper, p, x->j->cache) != SS_OK;
+  for (int i = 0; !fails && i < x->paper.n; i++) fails = s[i].least < -1e-3;
+  return fails;
+}
+
+/* Only the verdict is asked for, and it is refuted whatever further orbits say. */
+static bool enough(const struct constraints *x) {
+  return x->j->effort == EFFORT_VERDICT && x->other + x->forms_other && x->against + x->undecided;
+}
+
+static void by_simulation(struct constraints *x) {
+  const struct orbit_pool *pool = orbit_pool_get(x->j);
+  struct point p;
+  long count[3] = {0}; /* orbits on which the list fails, holds */
+  point_init(&p);
+  for (size_t i = 0; i < pool->n && !enough(x) && (count[0] < SIMULATED || count[1] < SIMULATED); i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++) {
+      const struct dyn_orbit *o = &pool->item[i]->list.orbit[k];
+      if (o->grazing || num_arb.get_d(o->t[0]) < 0.01) continue; /* the simulation starts in the stick phase */
+      pool_point(&p, pool->item[i], k);
+      if (count[0] >= SIMULATED && clearly_fails(x, &p)) continue;
+      p.known = NULL;
+      truth listed = list_holds(x, &p);
+      if (listed == TRUTH_UNKNOWN || count[listed]++ >= SIMULATED) continue;
+      simulate(x, pool->item[i], k, &p, listed);
+    }
+  point_clear(&p);
+}
+
+/* --- The kind --- */
+
+static enum route_outcome says_of(long as_said, long against, long undecided) {
+  if (against) return ROUTE_DIFFERS;
+  if (undecided) return ROUTE_UNDECIDED;
+  return as_said ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
+static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
+                               bool decisive, long trials, const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], decisive ? FIRST_PREC : -1, NULL, note);
+  return w;
+}
+
+static void describe(struct finding *f, struct constraints *x) {
+  struct route_result w[2];
+  const char *note = result_str(
+      x->j->out,
+      "the paper's constraints hold together just where the model's do on %ld orbits, differ on %ld, open on "
+      "%ld; the closed forms are the infima %ld times, are not %ld times, open %ld times",
+      x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
+  w[0] = add(f, x, "balls", says_of(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
+             x->same + x->other + x->open, note);
+  note = result_str(
+      x->j->out,
+      "one period under the Coulomb law, u_r 1/32 above or below the bounds: %ld end as the constraints say, "
+      "%ld otherwise, %ld undecided",
+      x->as_said, x->against, x->undecided);
+  w[1] = add(f, x, "integration", says_of(x->as_said, x->against, x->undecided), false,
+             x->as_said + x->against + x->undecided, note);
+  finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
+  f->verdict = verdict_of(w, 2, false);
+}
+
+bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct constraints x = {.j = j, .c = c, .view = view};
+  bool ok = conditions_read(&x.paper, j, c, "constraints", view);
+  if (ok && (x.paper.n == 0 || !claim_get(c, "least-first") || !claim_get(c, "least-second")))
+    ok = claim_error(j, c, "kind", "constraints, least-first and least-second are needed");
+  if (ok) {
+    by_balls(&x);
+    if (j->effort != EFFORT_REFUTE) by_simulation(&x);
+    describe(f, &x);
+  }
+  conditions_clear(&x.paper);
+  return ok && !j->d->set;
+}

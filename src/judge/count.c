@@ -1,0 +1,239 @@
+/* Sentences that count: which symbols a set of equations contains, and how many independent equations it is worth. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "proof/exact_rank.h"
+#include "stickslip/work.h"
+
+enum { MAX_NAMES = RANK_NAMES };
+
+/* --- What a set of equations contains --- */
+
+/* Symbols of the records that are on the list of absent ones, and all symbols there are. */
+static bool symbols_of(struct text *found, struct text *all, struct judge *j, const struct claim *c, struct view view) {
+  char ids[MAX_NAMES][32], absent[MAX_NAMES][32];
+  int n = claim_names_listed(ids, MAX_NAMES, claim_get(c, "statements")),
+      m = claim_names_listed(absent, MAX_NAMES, claim_get(c, "absent"));
+  if (n == 0 || m == 0) return claim_error(j, c, "kind", "statements and absent are needed");
+  for (int i = 0; i < n; i++) {
+    struct sentence s;
+    const struct statement_record *r = claim_record(view, c, "statements", ids[i], j->d);
+    if (!r) return false;
+    bool ok = sentence_from_relations(&s, view, r, NULL, 0, j->d);
+    if (ok) work_add((unsigned long long)s.tape.n);
+    for (slong k = 0; ok && k < s.tape.n_inputs; k++) {
+      const char *name = s.tape.inputs[k];
+      char word[80];
+      snprintf(word, sizeof word, " %s,", name);
+      if (!strstr(text_str(all), word)) text_add(all, word);
+      for (int a = 0; a < m; a++)
+        if (strcmp(absent[a], name) == 0) text_printf(found, "%s%s in %s", found->len ? ", " : "", name, ids[i]);
+    }
+    sentence_clear(&s);
+    if (!ok) return false;
+  }
+  return true;
+}
+
+bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct text found, all;
+  text_init(&found);
+  text_init(&all);
+  bool ok = symbols_of(&found, &all, j, c, view);
+  if (ok) {
+    struct route_result w = {"algebra", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+    if (all.len) all.data[all.len - 1] = '\0';
+    finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], -1, NULL,
+                      found.len ? result_str(j->out, "%s", text_str(&found))
+                                : result_str(j->out, "the equations contain%s, and nothing else", text_str(&all)));
+    f->verdict = verdict_of(&w, 1, true);
+  }
+  text_clear(&all);
+  text_clear(&found);
+  return ok;
+}
+
+/* --- How many equations it is worth --- */
+
+/* The derivative of the residuals at a point: symbolic in balls, central differences in MPFR. */
+static int system_matrix(struct num_vec *m, struct rank_system *y, const struct point *p, struct orbit_cache *cache) {
+  struct num_ctx ctx = m->ctx;
+  const struct num_type *t = ctx.type;
+  struct values v;
+  struct num_vec in, out, back, w;
+  int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
+  num_vec_init(&in, y->s.tape.n_inputs, ctx);
+  num_vec_init(&out, y->s.tape.n_outputs, ctx);
+  num_vec_init(&back, y->s.tape.n_outputs, ctx);
+  num_vec_init(&w, 2, ctx);
+  bool known;
+  for (slong i = 0; s == SS_OK && i < y->s.tape.n_inputs; i++)
+    s |= values_bind(num_vec_at(&in, i), &known, &v, y->s.tape.inputs[i]);
+  if (s == SS_OK && t->rigorous) {
+    s |= tape_eval(&out, NULL, &y->s.tape, &in);
+    for (int i = 0; i < y->rows * y->cols; i++) t->set(num_vec_at(m, i), num_vec_at(&out, y->rows + i));
+  }
+  void *h = num_vec_at(&w, 0), *kept = num_vec_at(&w, 1);
+  s |= t->set_d(h, ldexp(1, -(int)ctx.prec / 3), ctx.prec);
+  for (int k = 0; s == SS_OK && !t->rigorous && k < y->cols; k++) {
+    if (y->input[k] < 0) continue; /* the equations do not contain it: its column is zero */
+    void *x = num_vec_at(&in, y->input[k]);
+    t->set(kept, x);
+    s |= t->add(x, kept, h, ctx.prec) | tape_eval(&out, NULL, &y->s.tape, &in);
+    s |= t->sub(x, kept, h, ctx.prec) | tape_eval(&back, NULL, &y->s.tape, &in);
+    t->set(x, kept);
+    for (int i = 0; i < y->rows; i++) {
+      void *d = num_vec_at(m, i * y->cols + k);
+      s |= t->sub(d, num_vec_at(&out, i), num_vec_at(&back, i), ctx.prec);
+      s |= t->div(d, d, h, ctx.prec);
+    }
+  }
+  num_vec_clear(&w);
+  num_vec_clear(&back);
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+  values_clear(&v);
+  return s;
+}
+
+static double size_of(const struct num_vec *m, slong i) {
+  arb_t x;
+  mag_t g;
+  arb_init(x);
+  mag_init(g);
+  m->ctx.type->get_arb(x, num_vec_at(m, i));
+  arb_get_mag(g, x);
+  double d = mag_get_d(g);
+  mag_clear(g);
+  arb_clear(x);
+  return d;
+}
+
+/* Whether an entry counts as zero: in balls when its enclosure holds zero and is tiny, rounded below the error of
+   differences. */
+static truth entry_zero(const struct num_vec *m, slong i) {
+  bool tiny = size_of(m, i) < ldexp(1, -(int)m->ctx.prec / 4);
+  if (m->ctx.type->rigorous && !arb_contains_zero(num_vec_at(m, i))) return TRUTH_FALSE;
+  if (m->ctx.type->rigorous) return tiny ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  return tiny ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+/* The rank by elimination with complete pivoting; -1 when an entry cannot be told from zero. */
+static int rank_of(struct num_vec *m, int rows, int cols) {
+  const struct num_type *t = m->ctx.type;
+  slong p = m->ctx.prec;
+  struct num_vec w;
+  num_vec_init(&w, 2, m->ctx);
+  void *factor = num_vec_at(&w, 0), *term = num_vec_at(&w, 1);
+  bool used[MAX_NAMES] = {false};
+  int rank = 0;
+  for (bool more = true; more;) {
+    int best = -1;
+    more = false;
+    for (int i = 0; i < rows * cols; i++) {
+      if (used[i / cols]) continue;
+      truth zero = entry_zero(m, i);
+      if (zero == TRUTH_FALSE && (best < 0 || size_of(m, i) > size_of(m, best))) best = i;
+    }
+    if (best < 0) break;
+    more = true;
+    used[best / cols] = true;
+    rank++;
+    for (int i = 0; i < rows; i++) {
+      if (used[i]) continue;
+      t->div(factor, num_vec_at(m, i * cols + best % cols), num_vec_at(m, best), p);
+      for (int k = 0; k < cols; k++) {
+        t->mul(term, factor, num_vec_at(m, best - best % cols + k), p);
+        t->sub(num_vec_at(m, i * cols + k), num_vec_at(m, i * cols + k), term, p);
+      }
+    }
+  }
+  for (int i = 0; rank >= 0 && i < rows * cols; i++)
+    if (!used[i / cols] && entry_zero(m, i) != TRUTH_TRUE) rank = -1;
+  num_vec_clear(&w);
+  return rank;
+}
+
+struct count {
+  long as_said, other, open;
+  int rank; /* the last */
+};
+
+static void count_at(struct count *n, struct rank_system *y, const struct point *p, int wanted, struct num_ctx ctx,
+                     struct orbit_cache *cache) {
+  struct num_vec m;
+  num_vec_init(&m, y->rows * y->cols, ctx);
+  if (system_matrix(&m, y, p, cache) == SS_OK) {
+    int rank = rank_of(&m, y->rows, y->cols);
+    n->as_said += rank == wanted;
+    n->open += rank < 0;
+    n->other += rank >= 0 && rank != wanted;
+    if (rank >= 0 && (n->other == 0 || rank != wanted)) n->rank = rank;
+  }
+  num_vec_clear(&m);
+}
+
+static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
+                                     const struct count *n, long bits, bool decisive) {
+  struct route_result w = {route, ROUTE_NOTHING, decisive, n->as_said + n->other + n->open};
+  if (w.trials) w.outcome = n->other ? ROUTE_DIFFERS : n->open ? ROUTE_UNDECIDED : ROUTE_AGREES;
+  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
+                    result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d",
+                               y->rows, y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));
+  return w;
+}
+
+/* Where no point has another rank. */
+static struct route_result prove_rank(struct finding *f, struct judge *j, const struct rank_system *y, int wanted) {
+  struct exact_rank e = exact_rank_of(j->out, y);
+  struct route_result w = {"exact", e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
+  if (e.rank < 0) {
+    w.outcome = ROUTE_NOTHING;
+    finding_state(f, j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(j->out, "not proved: %s", e.note));
+    return w;
+  }
+  struct evidence *said = finding_add(f, j->out);
+  said->route = "exact";
+  said->layer = layer_name[LAYER_CORRECTED];
+  said->result = e.rank == wanted ? "proved" : "differs";
+  said->note = e.note;
+  return w;
+}
+
+bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  enum { ORBITS = 8, DRAWS = 100, DIFFERENCES = 4 };
+  const char *said = claim_get(c, "rank");
+  struct rank_system y;
+  bool ok = rank_system_build(&y, j, c, view);
+  if (ok && !said) ok = claim_error(j, c, "kind", "the attribute rank is missing");
+  if (ok) {
+    struct sampler s;
+    struct point p;
+    struct count balls = {0}, differences = {0};
+    int wanted = (int)strtol(said, NULL, 10);
+    sampler_init(&s, c->id, POINT_ORBIT, PHASE_D, NULL);
+    point_init(&p);
+    for (int i = 0; i < DRAWS && balls.as_said + balls.other + balls.open < ORBITS; i++) {
+      sampler_next(&p, &s);
+      if (j->effort == EFFORT_REFUTE && balls.other) break;
+      if (!point_settle(&p, j->cache)) continue;
+      long before =
+          j->effort == EFFORT_REFUTE ? DIFFERENCES : differences.as_said + differences.other + differences.open;
+      count_at(&balls, &y, &p, wanted, num_ctx_arb(FD_PREC), j->cache);
+      if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
+    }
+    point_clear(&p);
+    struct route_result w[3], proof = {.outcome = ROUTE_NOTHING};
+    int n = 0;
+    w[n++] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
+    if (j->effort != EFFORT_REFUTE) w[n++] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
+    if (balls.other == 0) proof = prove_rank(f, j, &y, wanted);
+    if (proof.outcome != ROUTE_NOTHING) w[n++] = proof;
+    f->verdict = verdict_of(w, n, proof.outcome == ROUTE_AGREES);
+  }
+  sentence_clear(&y.s);
+  return ok;
+}

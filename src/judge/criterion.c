@@ -1,0 +1,294 @@
+/* The stability criterion against what the return map does, and what the criterion says about the scene.
+
+   The map is one-dimensional (r at the stick phase to r at the end of phase C), so that its fixed point is decided without
+   any Jacobian: by the ratio |R(r_0 + d) - r_0|/|d| at a d so small that nothing else counts, and by iteration. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "behaviour.h"
+#include "judge.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
+
+enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
+enum { INSIDE, OUTSIDE, N_SIDES };
+
+/* What is found at orbits; sides are those of the slope. */
+struct tried {
+  long as_said[N_SIDES], against[N_SIDES];       /* the sentence against the slope */
+  long near[N_NEAR][N_SIDES];                    /* orbits with a slope within 0.05 of -1, of 1 */
+  long fate_as_said, fate_against, fate_open;    /* the sentence against the iterates */
+  long moved_as_said, moved_against, moved_open; /* and against motions beside admissible orbits */
+  double nearest[N_NEAR][N_SIDES];               /* the slopes nearest to -1 and 1 */
+  const char *where;
+};
+
+/* (R(r_0 + 2^-100) - R(r_0))/2^-100 in MPFR. */
+static int slope_by_difference(double *margin, double *slope, const struct point *p, const struct dyn_orbit *o) {
+  enum { PREC = 384, STEP = -100 };
+  struct num_ctx ctx = num_ctx_mpfr(PREC);
+  struct num_vec params, z, r;
+  struct dyn_arc arc;
+  int s = SS_OK;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&z, 4, ctx); /* z_1, z_2 at r; scratch; the step */
+  num_vec_init(&r, 2, ctx);
+  dyn_arc_init(&arc, ctx);
+  for (int i = 0; i < N_PARAMS; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &p->q[i], PREC);
+  s |= ctx.type->set_d(num_vec_at(&z, 3), ldexp(1, STEP), PREC);
+  for (int side = 0; s == SS_OK && side < 2; side++) {
+    s |= ctx.type->set_arb(num_vec_at(&z, 0), o->z10, PREC);
+    s |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, PREC);
+    if (side) s |= ctx.type->add(num_vec_at(&z, 1), num_vec_at(&z, 1), num_vec_at(&z, 3), PREC);
+    s |= dyn_arc_run(&arc, &params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+    s |= ctx.type->sub(num_vec_at(&r, side), num_vec_at(&arc.z, N_PHASES * N_STATE + Z_2),
+                       num_vec_at(&arc.z, N_PHASES * N_STATE + Z_1), PREC);
+  }
+  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&r, 0), PREC);
+  s |= ctx.type->div(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 3), PREC);
+  *slope = ctx.type->get_d(num_vec_at(&r, 1));
+  s |= ctx.type->abs(num_vec_at(&r, 1), num_vec_at(&r, 1), PREC);
+  s |= ctx.type->set_d(num_vec_at(&z, 2), 1, PREC);
+  s |= ctx.type->sub(num_vec_at(&r, 1), num_vec_at(&r, 1), num_vec_at(&z, 2), PREC);
+  *margin = ctx.type->get_d(num_vec_at(&r, 1));
+  dyn_arc_clear(&arc);
+  num_vec_clear(&r);
+  num_vec_clear(&z);
+  num_vec_clear(&params);
+  return s;
+}
+
+int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps) {
+  double r = r0 + offset, t[4];
+  for (long i = 0; i < steps; i++) {
+    if (dyn_return_map_d(&r, NULL, t, params, r, &dyn_limits_default) != SS_OK) return -1;
+    if (fabs(r - r0) < 0.5 * fabs(offset)) return 1;
+    if (fabs(r - r0) > 2 * fabs(offset)) return -1;
+  }
+  return 0;
+}
+
+double orbit_r(const struct dyn_orbit *o) {
+  return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
+}
+
+/* The same under Coulomb's law, integrated from positions beside an admissible orbit. */
+static int motion_fate(const struct point *p, const struct dyn_orbit *o, long periods) {
+  struct motion m;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!motion_on_orbit(&m, p, o, OWN_FRICTION)) return 0;
+  double r0 = m.start[Z_2] - m.start[Z_1], offset = 1e-5 * fabs(r0);
+  m.start[Z_2] += offset;
+  plan.returns = periods;
+  plan.max_events = 8 * periods;
+  struct trajectory t = motion_simulate(BY_INTEGRATION, &m, &plan);
+  double off = fabs(t.result.at.x[1] - t.result.at.x[0] - r0) / offset;
+  int fate = t.status != SS_OK ? 0 : off < 0.5 ? 1 : off > 2 ? -1 : 0;
+  trajectory_clear(&t);
+  return fate;
+}
+
+static void book(long *as_said, long *against, long *open, int fate, bool stable) {
+  *(fate == 0 ? open : (fate > 0) == stable ? as_said : against) += 1;
+}
+
+static void note_near(struct tried *t, double slope, int side) {
+  int near = slope < 0 ? NEAR_BELOW : NEAR_ABOVE;
+  double off = fabs(fabs(slope) - 1);
+  if (off < 0.05) t->near[near][side]++;
+  if (!(t->nearest[near][side] != 0 && fabs(fabs(t->nearest[near][side]) - 1) <= off)) t->nearest[near][side] = slope;
+}
+
+/* The slope, and what iterates and motions do in so many steps, worked out once for all sentences. */
+static int slope_of(double *margin, double *slope, struct judge *j, const struct point *p, const struct dyn_orbit *o) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  if (!k->have_slope) k->status = slope_by_difference(&k->margin, &k->slope, p, o);
+  k->have_slope = true;
+  *margin = k->margin;
+  *slope = k->slope;
+  return k->status;
+}
+
+static int iterates_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  double r0 = orbit_r(o), params[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) params[i] = fmpq_get_d(&p->q[i]);
+  if (!k->have_iterates) k->iterates = return_map_fate(params, r0, 1e-5 * fabs(r0), steps);
+  k->have_iterates = true;
+  return k->iterates;
+}
+
+static int motion_of(struct judge *j, const struct point *p, const struct dyn_orbit *o, long steps) {
+  struct orbit_slope *k = orbit_cache_slope(j->cache, o);
+  if (!k->have_motion) k->motion = motion_fate(p, o, steps);
+  k->have_motion = true;
+  return k->motion;
+}
+
+/* only: the side that the claim speaks of, or N_SIDES. */
+static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, const struct point *p, int only) {
+  enum { MOTIONS = 6 };
+  const struct dyn_orbit *o = &orbit_cache_get(j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  double margin, slope;
+  if (o->grazing || slope_of(&margin, &slope, j, p, o) != SS_OK || fabs(margin) < 1e-9) return;
+  int side = margin < 0 ? INSIDE : OUTSIDE;
+  if (only != N_SIDES && only != side) return;
+  struct trial said = sentence_try_balls(s, p, VARIANT_CLOSED, j->cache);
+  if (said.outcome != OUTCOME_AGREES && said.outcome != OUTCOME_DIFFERS) return;
+  bool stable = said.outcome == OUTCOME_AGREES;
+  note_near(t, slope, side);
+  t->as_said[side] += stable == (side == INSIDE);
+  t->against[side] += stable != (side == INSIDE);
+  if (stable != (side == INSIDE) && !t->where) {
+    struct text where;
+    text_init(&where);
+    point_print(&where, p);
+    t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
+    text_clear(&where);
+  }
+  if (fabs(margin) < 0.002 || j->effort == EFFORT_REFUTE) return; /* the iterates would need too long */
+  long steps = 8 + (long)(1.5 / fabs(margin));
+  book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
+  if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
+  book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
+}
+
+static enum route_outcome says_of(long as_said, long against, long open) {
+  return against ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : as_said ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
+static void conclude(struct behaviour *b, const struct tried *t) {
+  struct route_result w[3];
+  long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
+  struct text note;
+  text_init(&note);
+  text_printf(&note,
+              "the slope of the one-dimensional return map, by a difference over 2^-100 in 384 bits: as the criterion "
+              "says at %ld orbits with |slope| < 1 and %ld with |slope| > 1, against it at %ld; of them within 0.05",
+              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  for (int near = 0; near < N_NEAR; near++)
+    for (int side = 0; side < N_SIDES; side++) {
+      text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
+                  side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
+      if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
+    }
+  w[0] = behaviour_route(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
+                         result_str(b->j->out, "%s", text_str(&note)));
+  text_clear(&note);
+  w[1] = behaviour_route(
+      b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
+      t->fate_as_said + t->fate_against + t->fate_open, NULL,
+      result_str(b->j->out,
+                 "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
+                 t->fate_as_said, t->fate_against, t->fate_open));
+  w[2] = behaviour_route(
+      b, "integration", "model", says_of(t->moved_as_said, t->moved_against, t->moved_open), false,
+      t->moved_as_said + t->moved_against + t->moved_open, NULL,
+      result_str(b->j->out,
+                 "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
+                 t->moved_as_said, t->moved_against));
+  b->f->verdict = verdict_of(w, 3, false);
+}
+
+static bool read_side(int *only, struct judge *j, const struct claim *c) {
+  const char *side = claim_get(c, "side");
+  *only = !side ? N_SIDES : strcmp(side, "inside") == 0 ? INSIDE : OUTSIDE;
+  return !side || *only == INSIDE || strcmp(side, "outside") == 0 ||
+         claim_error(j, c, "side", "\"inside\" or \"outside\" the unit circle");
+}
+
+/* What a claim tries: the sentence, the side it speaks of, orbits tried so far. */
+struct trying {
+  struct tried t;
+  struct sentence sentence;
+  struct behaviour *b;
+  struct orbit_set seen;
+  int only;
+};
+
+static void try_once(struct trying *y, const struct point *p) {
+  const struct dyn_orbit *o = &orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->orbit[p->orbit];
+  if (orbit_is_new(&y->seen, o)) try_orbit(&y->t, &y->sentence, y->b->j, p, y->only);
+}
+
+/* Every orbit at the parameter sets of the attribute "at", separated by semicolons. */
+static bool try_given(struct trying *y, struct point *p) {
+  for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
+    if (*at == ';') at++;
+    if (!behaviour_params(p, y->b, at)) return false;
+    slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
+    for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
+  }
+  return true;
+}
+
+/* Orbits of the pool, every other one among those that the masses can follow. */
+static void try_pool(struct trying *y, struct point *p) {
+  enum { DRAWS = 128, FEW = 24 };
+  bool refute = y->b->j->effort == EFFORT_REFUTE;
+  struct sampler s;
+  sampler_init(&s, y->b->c->id, POINT_ORBIT, PHASE_D, NULL);
+  for (int i = 0; i < (refute ? FEW : DRAWS) && !(refute && y->t.where); i++) {
+    sampler_next(p, &s);
+    s.admissible = !s.admissible;
+    if (point_settle(p, y->b->j->cache)) try_once(y, p);
+  }
+}
+
+bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *statement = claim_get(c, "statement");
+  struct behaviour b = {f, j, c, view};
+  struct trying y = {.b = &b};
+  struct point p;
+  if (!read_side(&y.only, j, c)) return false;
+  if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
+  const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
+  if (!r) return false;
+  point_init(&p);
+  bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_given(&y, &p);
+  if (ok) try_pool(&y, &p);
+  point_clear(&p);
+  sentence_clear(&y.sentence);
+  if (ok) conclude(&b, &y.t);
+  return ok && !j->d->set;
+}
+
+static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orbits *list, slong i, const char *which) {
+  static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
+  const struct dyn_orbit *o = &list->orbit[i];
+  finding_state(f, j->out, "balls", "model", FD_PREC, 1,
+                result_str(j->out, "orbit %ld of %ld found%s: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
+                           (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                           ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
+                result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
+                           o->admissible == TRUTH_TRUE    ? "admissible"
+                           : o->admissible == TRUTH_FALSE ? "not admissible"
+                                                          : "admissibility undecided"));
+}
+
+/* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion, so nothing is judged. */
+bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *trace = claim_get(c, "formula");
+  if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");
+  const struct dyn_orbits *list = scene_orbits(j->scene, j->cache);
+  struct point p;
+  point_init(&p);
+  slong nearest = j->scene->n_printed && nearest_orbit_point(&p, j->scene, j->cache) ? p.orbit : -1;
+  if (nearest >= 0) state_orbit(f, j, list, nearest, ", the nearest to the printed numbers");
+  for (slong i = 0; i < list->n; i++)
+    if (i != nearest) state_orbit(f, j, list, i, "");
+  for (int layer = 0; printed_point(&p, j->scene) && layer <= LAYER_CORRECTED; layer++) {
+    struct view v = {view.model, (enum layer)layer, NULL, view.control};
+    arb_ptr tr = _arb_vec_init(16);
+    int n;
+    if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
+      finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, "the printed numbers, taken exactly",
+                    result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
+    }
+    _arb_vec_clear(tr, 16);
+  }
+  point_clear(&p);
+  f->verdict = VERDICT_DEFINITION;
+  return !j->d->set;
+}

@@ -1,0 +1,201 @@
+/* Sentences about form: thresholds that two inequalities share, ranges of indices, definitions. */
+#include "judge.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Thresholds --- */
+
+/* Statement k of the bound record reads NAME > expr; step 0 of statement k of the judged record is lhs < rhs.  The bound
+   is the threshold of the step when rhs - lhs is zero at NAME = expr, negative below and positive above. */
+struct threshold {
+  struct sentence s; /* tape outputs: expr, rhs - lhs */
+  slong name;        /* input index of NAME; -1 when the step does not contain it */
+};
+
+static bool threshold_build(struct threshold *t, struct judge *j, const struct claim *c, struct view view,
+                            const struct statement_record *bound, const struct statement_record *rec, int k) {
+  const struct stmt *b = bound->stmts[k], *st = rec->stmts[k];
+  t->s = (struct sentence){.n = 1};
+  elaboration_init(&t->s.el, view, NULL, 0);
+  if (b->kind != STMT_RELATION || b->ops[0] != REL_GT || b->sides[0]->kind != EXPR_SYM)
+    return claim_error(j, c, "bound", "its statements read NAME > expression");
+  struct matrix e, lo, hi;
+  if (!elaborate(&e, &t->s.el, b->sides[1], bound->src, bound->section, j->d) ||
+      !elaborate_sides(&lo, &hi, &t->s.el, st, 0, rec->src, rec->section, j->d))
+    return false;
+  const struct expr *out[] = {e.e[0], expr_op2(&t->s.el.pool, EXPR_SUB, hi.e[0], lo.e[0])};
+  if (!elaboration_tape(&t->s.tape, &t->s.el, out, 2, j->d)) return false;
+  t->name = -1;
+  for (slong i = 0; i < t->s.tape.n_inputs; i++)
+    if (strcmp(t->s.tape.inputs[i], b->sides[0]->name) == 0) t->name = i;
+  return true;
+}
+
+/* TRUE: zero at the bound within 2^(-bits/2), of the right sign one unit below and above. */
+static truth threshold_at(long *accepted, const struct threshold *t, struct judge *j, const struct point *p,
+                          enum variant variant) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct values v;
+  struct num_vec in, out;
+  truth holds = TRUTH_UNKNOWN;
+  int s = values_init(&v, p, variant, ctx, j->cache);
+  num_vec_init(&in, t->s.tape.n_inputs, ctx);
+  num_vec_init(&out, 2, ctx);
+  bool known = true;
+  for (slong i = 0; s == SS_OK && i < t->s.tape.n_inputs; i++)
+    s |= values_bind(num_vec_at(&in, i), &known, &v, t->s.tape.inputs[i]);
+  if (s == SS_OK) s |= tape_eval(&out, NULL, &t->s.tape, &in);
+  if (s == SS_OK && t->name < 0) holds = TRUTH_FALSE; /* the step does not depend on NAME at all */
+  if (s == SS_OK && t->name >= 0) {
+    arb_t bound;
+    arb_init(bound);
+    arb_set(bound, num_vec_at(&out, 0));
+    holds = TRUTH_TRUE;
+    for (int side = -1; side <= 1; side++) {
+      arb_add_si(num_vec_at(&in, t->name), bound, side, FIRST_PREC);
+      s |= tape_eval(&out, NULL, &t->s.tape, &in);
+      arb_srcptr m = num_vec_at(&out, 1);
+      truth here = TRUTH_UNKNOWN;
+      if (side == 0 && !arb_contains_zero(m))
+        here = TRUTH_FALSE;
+      else if (side == 0)
+        here = mag_cmp_2exp_si(arb_radref(m), -FIRST_PREC / 2) < 0 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+      else if (side < 0)
+        here = arb_is_negative(m) ? TRUTH_TRUE : arb_is_nonnegative(m) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+      else
+        here = arb_is_positive(m) ? TRUTH_TRUE : arb_is_nonpositive(m) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+      holds = truth_and(holds, here);
+    }
+    arb_clear(bound);
+  }
+  if (s == SS_OK) ++*accepted;
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+  values_clear(&v);
+  return s == SS_OK ? holds : TRUTH_UNKNOWN;
+}
+
+static void threshold_route(struct route_result *w, struct finding *f, struct judge *j, const struct claim *c,
+                            const struct threshold *t, int n, enum variant variant, const char *route) {
+  enum { ORBITS = 12, DRAWS = 100 };
+  struct sampler s;
+  struct point p;
+  long accepted = 0, yes = 0, no = 0;
+  const char *where = NULL;
+  sampler_init(&s, c->id, POINT_ORBIT, PHASE_D, NULL);
+  point_init(&p);
+  for (int i = 0; i < DRAWS && accepted < ORBITS; i++) {
+    sampler_next(&p, &s);
+    if (!point_settle(&p, j->cache)) continue;
+    long before = accepted, tried = 0;
+    truth all = TRUTH_TRUE;
+    for (int k = 0; k < n; k++) all = truth_and(all, threshold_at(&tried, &t[k], j, &p, variant));
+    accepted = before + (tried == n);
+    if (tried != n) continue;
+    yes += all == TRUTH_TRUE;
+    no += all == TRUTH_FALSE;
+    if (all == TRUTH_FALSE && !where) {
+      struct text at;
+      text_init(&at);
+      point_print(&at, &p);
+      where = result_str(j->out, "%s", text_str(&at));
+      text_clear(&at);
+    }
+  }
+  point_clear(&p);
+  enum route_outcome outcome = !accepted         ? ROUTE_NOTHING
+                               : no              ? ROUTE_DIFFERS
+                               : yes == accepted ? ROUTE_AGREES
+                                                 : ROUTE_UNDECIDED;
+  *w = (struct route_result){route, outcome, variant == VARIANT_CLOSED, accepted};
+  finding_add_route(f, j->out, *w, "own text printed, the rest corrected", FIRST_PREC, where,
+                    "zero at the bound, false one below it, true one above");
+}
+
+bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  enum { MAX = 8 };
+  const char *id = claim_get(c, "statement"), *bound_id = claim_get(c, "bound");
+  const struct statement_record *rec = id ? view_record(&view, id) : NULL;
+  const struct statement_record *bound = bound_id ? view_record(&view, bound_id) : NULL;
+  if (!rec) return claim_error(j, c, "statement", "there is no such record in the equation files");
+  if (!bound || bound->n_stmts > rec->n_stmts || bound->n_stmts > MAX)
+    return claim_error(j, c, "bound", "there is no such record with at most as many statements");
+  struct threshold t[MAX];
+  memset(t, 0, sizeof t);
+  struct route_result w[2];
+  bool ok = true;
+  int n = 0;
+  for (; ok && n < bound->n_stmts; n++) ok = threshold_build(&t[n], j, c, view, bound, rec, n);
+  if (ok) {
+    threshold_route(&w[0], f, j, c, t, n, VARIANT_CLOSED, "balls");
+    threshold_route(&w[1], f, j, c, t, n, VARIANT_EXPONENTIAL, "exponential");
+    f->verdict = verdict_of(w, 2, false);
+  }
+  for (int k = 0; k < n; k++) sentence_clear(&t[k].s);
+  return ok;
+}
+
+/* --- Index ranges --- */
+
+/* Lists the names LETTER_ij in the tree that have an index outside [lo, hi]. */
+static void out_of_range(struct text *found, const struct expr *e, const char *letter, int lo, int hi) {
+  size_t n = strlen(letter);
+  if (e->kind == EXPR_SYM && strncmp(e->name, letter, n) == 0 && e->name[n] == '_') {
+    bool outside = false, digits = e->name[n + 1] != '\0';
+    for (const char *p = e->name + n + 1; *p; p++) {
+      if (*p < '0' || *p > '9')
+        digits = false;
+      else if (*p - '0' < lo || *p - '0' > hi)
+        outside = true;
+    }
+    if (digits && outside && !strstr(text_str(found), e->name))
+      text_printf(found, "%s%s", found->len ? ", " : "", e->name);
+  }
+  for (int i = 0; i < e->n_args; i++) out_of_range(found, e->args[i], letter, lo, hi);
+}
+
+static bool range_ends(int *lo, int *hi, const char *text) {
+  return text && sscanf(text, "%d %d", lo, hi) == 2;
+}
+
+bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *id = claim_get(c, "statement"), *letter = claim_get(c, "letter");
+  const struct statement_record *r = id ? view_record(&view, id) : NULL;
+  int lo, hi;
+  if (!r || !letter) return claim_error(j, c, "statement", "a record and a letter are needed");
+  if (!range_ends(&lo, &hi, claim_get(c, "range"))) return claim_error(j, c, "range", "a range reads LOW HIGH");
+  struct text found;
+  text_init(&found);
+  for (int k = 0; k < r->n_stmts; k++)
+    for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
+      out_of_range(&found, r->stmts[k]->sides[i], letter, lo, hi);
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "diagnostic";
+  e->layer = "printed";
+  e->result = found.len ? "differs" : "agrees";
+  e->trials = 1;
+  e->note = found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
+                      : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
+  f->verdict = found.len ? VERDICT_REFUTED : VERDICT_PROVED;
+  const char *repaired = claim_get(c, "repaired-range");
+  if (found.len && repaired && range_ends(&lo, &hi, repaired)) {
+    struct text again;
+    text_init(&again);
+    for (int k = 0; k < r->n_stmts; k++)
+      for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
+        out_of_range(&again, r->stmts[k]->sides[i], letter, lo, hi);
+    f->correction = result_str(j->out, "indices %d..%d", lo, hi);
+    f->correction_verdict = again.len ? VERDICT_REFUTED : VERDICT_PROVED;
+    text_clear(&again);
+  }
+  text_clear(&found);
+  return true;
+}
+
+bool judge_definition(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  (void)j;
+  (void)c;
+  (void)view;
+  f->verdict = VERDICT_DEFINITION;
+  return true;
+}

@@ -1,0 +1,121 @@
+/* Inequalities at the scene's own numbers.  The domain is one set of exact parameters, so an enclosure that settles it
+   is a proof. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "stickslip/work.h"
+
+static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct statement_record *r,
+                       const struct stmt *st, int k, struct view view, const struct point *p) {
+  struct elaboration el;
+  struct tape tape = {.n = 0};
+  struct matrix a, b;
+  elaboration_init(&el, view, NULL, 0);
+  bool ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, j->d);
+  if (ok && a.rows * a.cols != 1) {
+    diag_at(j->d, r->src, st->span.begin, "an inequality needs scalars");
+    ok = false;
+  }
+  bool first = false;
+  *holds = TRUTH_UNKNOWN;
+  *unbound = NULL;
+  if (ok) {
+    const struct expr *both[] = {a.e[0], b.e[0]};
+    ok = elaboration_tape(&tape, &el, both, 2, j->d);
+  }
+  for (slong prec = FIRST_PREC; ok && *holds == TRUTH_UNKNOWN && !*unbound && prec <= LAST_PREC; prec *= 2) {
+    struct values v;
+    struct num_ctx ctx = num_ctx_arb(prec);
+    struct num_vec in, out;
+    int s = values_init(&v, p, VARIANT_CLOSED, ctx, j->cache);
+    num_vec_init(&in, tape.n_inputs, ctx);
+    num_vec_init(&out, 2, ctx);
+    for (slong i = 0; s == SS_OK && i < tape.n_inputs; i++) {
+      const char *name = tape.inputs[i];
+      bool known, is_u_r = strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0;
+      int key = strcmp(name, "u_r1") == 0 ? KEY_U_R1 : KEY_U_R2;
+      if (is_u_r && !j->scene->given[key]) *unbound = result_str(j->out, "%s", name);
+      if (is_u_r)
+        s |= ctx.type->set_q(num_vec_at(&in, i), &j->scene->value[key], prec);
+      else
+        s |= values_bind(num_vec_at(&in, i), &known, &v, name);
+    }
+    if (s == SS_OK) s |= tape_eval(&out, NULL, &tape, &in);
+    const void *x = num_vec_at(&out, 0), *y = num_vec_at(&out, 1);
+    if (s == SS_OK && !*unbound) *holds = inequality_holds(ctx.type, st->ops[k], x, y);
+    first = first || (prec == FIRST_PREC && *holds != TRUTH_UNKNOWN);
+    num_vec_clear(&out);
+    num_vec_clear(&in);
+    values_clear(&v);
+  }
+  if (ok && !*unbound) work_precision_raise(LADDER_INEQUALITY, first);
+  tape_clear(&tape);
+  elaboration_clear(&el);
+  return ok;
+}
+
+/* All steps of the record at one point: what it says, and a list of what failed and what could not be tried. */
+static bool try_inequalities(struct route_result *w, struct finding *f, struct judge *j,
+                             const struct statement_record *r, struct view view, const struct point *p,
+                             const char *where) {
+  struct text note;
+  text_init(&note);
+  long tried = 0, failed = 0, unknown = 0;
+  bool ok = true;
+  for (int i = 0; ok && i < r->n_stmts; i++)
+    for (int k = 0; ok && k + 1 < r->stmts[i]->n_sides; k++) {
+      truth holds;
+      const char *unbound;
+      ok = holds_step(&holds, &unbound, j, r, r->stmts[i], k, view, p);
+      struct text step;
+      text_init(&step);
+      expr_print(&step, r->stmts[i]->sides[k]);
+      text_add(&step, r->stmts[i]->ops[k] == REL_LT ? " < " : r->stmts[i]->ops[k] == REL_GT ? " > " : " ? ");
+      expr_print(&step, r->stmts[i]->sides[k + 1]);
+      if (unbound) {
+        text_printf(&note, "%s: not tried, %s is not given. ", text_str(&step), unbound);
+        f->condition = "only for what does not contain u_r1 or u_r2, which are not given";
+      } else {
+        tried++;
+        failed += holds == TRUTH_FALSE;
+        unknown += holds == TRUTH_UNKNOWN;
+        if (holds != TRUTH_TRUE)
+          text_printf(&note, "%s: %s. ", text_str(&step), holds == TRUTH_FALSE ? "false" : "undecided");
+      }
+      text_clear(&step);
+    }
+  *w = (struct route_result){"balls",
+                             failed              ? ROUTE_DIFFERS
+                             : unknown || !tried ? ROUTE_UNDECIDED
+                                                 : ROUTE_AGREES,
+                             true, tried};
+  while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
+  finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
+                    note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);
+  text_clear(&note);
+  return ok;
+}
+
+bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *id = claim_get(c, "statement");
+  const struct statement_record *r = id ? view_record(&view, id) : NULL;
+  if (!r) return claim_error(j, c, "statement", "there is no such record in the equation files");
+  struct point printed, orbit;
+  point_init(&printed);
+  point_init(&orbit);
+  struct route_result w[2];
+  int n = 0;
+  bool ok = true;
+  if (printed_point(&printed, j->scene)) ok = try_inequalities(&w[n++], f, j, r, view, &printed, "the printed numbers");
+  if (ok && nearest_orbit_point(&orbit, j->scene, j->cache))
+    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, "the orbit nearest to the printed numbers");
+  if (ok && n == 0)
+    finding_skip(f, j, "the scene prints no solution and has no orbit");
+  else if (ok)
+    f->verdict = verdict_of(w, n, true);
+  point_clear(&orbit);
+  point_clear(&printed);
+  return ok;
+}

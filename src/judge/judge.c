@@ -1,0 +1,213 @@
+/* One claim: it is judged with its own text as printed and everything it uses corrected; a refuted one is
+   judged again as corrected and under restrictions; every control beside it must be noticed.  run.c says which are. */
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "judge.h"
+#include "proof/exact_proof.h"
+#include "record/routes.h"
+#include "stickslip/work.h"
+#include "value/orbit_pool.h"
+
+#define JUDGE(name, word, fn, tried, asked, scene, parts, balls) fn,
+static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
+#undef JUDGE
+
+kind_fn judge_of(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind < N_KINDS ? judges[kind] : NULL;
+}
+
+/* --- Corrections --- */
+
+bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
+  struct text t;
+  text_init(&t);
+  bool ok = true;
+  if (erratum_text(&t, j->model, c)) {
+    struct finding again = *f;
+    again.evidence = NULL;
+    again.n_evidence = 0;
+    ok = judge_of(c)(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
+    f->correction = result_str(j->out, "%s", text_str(&t));
+    f->correction_verdict = again.verdict;
+    erratum_typeset(f, j, c);
+    for (int i = 0; ok && i < again.n_evidence; i++) {
+      struct evidence *e = finding_add(f, j->out);
+      *e = again.evidence[i];
+    }
+  }
+  text_clear(&t);
+  return ok;
+}
+
+/* --- One claim --- */
+
+/* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
+static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
+  const char *quote = claim_get(c, "quote");
+  struct text tex, parsed;
+  text_init(&tex);
+  text_init(&parsed);
+  for (size_t i = 0; i < j->model->n_records; i++) {
+    const struct statement_record *r = &j->model->records[i];
+    if (!claim_is_about(r, c)) continue;
+    if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
+    for (int k = 0; k < r->n_stmts; k++) {
+      text_add(&parsed, parsed.len ? ", \\quad " : "");
+      stmt_latex(&parsed, r->stmts[k]);
+    }
+  }
+  if (quote)
+    f->quote = result_str(j->out, "%s", quote);
+  else if (tex.len)
+    f->quote = result_str(j->out, "%s", text_str(&tex));
+  if (parsed.len) f->printed = result_str(j->out, "%s", text_str(&parsed));
+  text_clear(&parsed);
+  text_clear(&tex);
+}
+
+static const char *copy(struct audit_result *out, const char *s) {
+  return s ? result_str(out, "%s", s) : NULL;
+}
+
+enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
+  const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
+  return record && (!only || scene_is(s, only)) ? verdict_parse(record) : N_VERDICTS;
+}
+
+bool finding_describe(struct finding *f, struct judge *j, const struct claim *c) {
+  struct audit_result *out = j->out;
+  *f = (struct finding){.id = copy(out, c->id),
+                        .equation = copy(out, claim_get(c, "equation")),
+                        .section = copy(out, claim_get(c, "section")),
+                        .title = copy(out, claim_get(c, "title")),
+                        .verdict = VERDICT_UNKNOWN,
+                        .recorded = N_VERDICTS};
+  if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
+  quote_and_formula(f, j, c);
+  if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
+  f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->command, c->id);
+  const char *record = claim_get(c, "record");
+  if (record && verdict_parse(record) == N_VERDICTS) return claim_error(j, c, "record", "not a verdict");
+  f->recorded = claim_recorded(c, j->scene);
+  return true;
+}
+
+static bool known_fault(const char *s) {
+  static const char *const faults[] = {"notation", "formula", "number", "argument"};
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+    if (strcmp(faults[i], s) == 0) return true;
+  return false;
+}
+
+/* Does the diagnostic point into a file that counts as the paper's text? */
+static bool about_paper(const struct judge *j) {
+  for (size_t i = 0; i < j->model->n_records; i++) {
+    const struct statement_record *r = &j->model->records[i];
+    size_t n = strlen(r->src->name);
+    if (r->rank <= RANK_USER && strncmp(j->d->message, r->src->name, n) == 0 && j->d->message[n] == ':') return true;
+  }
+  return false;
+}
+
+/* A sentence that cannot be read (an undefined symbol, a wrong shape) is refuted by the diagnostic itself; one that the
+   claim, a control or an erratum spoils is an error of ours. */
+static bool notation_fault(struct finding *f, struct judge *j) {
+  if (j->claim_at_fault || !about_paper(j)) return false;
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "diagnostic";
+  e->layer = "own text printed, the rest corrected";
+  e->result = "differs";
+  e->trials = 1;
+  e->note = result_str(j->out, "%s", j->d->message);
+  f->verdict = VERDICT_REFUTED;
+  f->fault = "notation";
+  diag_init(j->d);
+  return true;
+}
+
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
+  const struct claim_kind *kind = claim_kind_of(c);
+  if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
+  return finding_describe(f, j, c) && (judge_of(c)(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+}
+
+/* The findings after the one at `at` are those of its restrictions. */
+static bool take_condition(struct audit_result *out, size_t at) {
+  struct finding *f = &out->findings[at];
+  for (size_t i = at + 1; i < out->n_findings && f->verdict == VERDICT_REFUTED; i++) {
+    f->verdict = verdict_under_condition(f->verdict, out->findings[i].verdict);
+    if (f->verdict == VERDICT_CONDITIONAL) f->condition = out->findings[i].condition;
+  }
+  return true;
+}
+
+bool judge_claim(struct judge *j, const struct claim *c) {
+  struct finding f;
+  if (!judge_verdict(&f, j, c)) return false;
+  keep_asked_routes(&f, j, c);
+  const struct claim_kind *k = claim_kind_of(c);
+  if (f.verdict == VERDICT_REFUTED) {
+    const char *fault = claim_get(c, "fault");
+    if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
+    if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
+    if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c)) return false;
+  }
+  struct audit_result *out = j->out;
+  out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
+  if (f.verdict == VERDICT_SUPPORTED && j->effort == EFFORT_FULL && route_is_asked(j->scene, "exact"))
+    finding_why_not(&f, out, c);
+  size_t at = out->n_findings++;
+  out->findings[at] = f;
+  bool readable = f.n_evidence == 0 || strcmp(f.evidence[0].route, "diagnostic") != 0;
+  if (f.verdict != VERDICT_REFUTED || !k->tried_at_points || !readable) return true;
+  return judge_restrictions(j, c, claim_view(j->model, c), &f) && take_condition(out, at);
+}
+
+/* --- Controls --- */
+
+static bool is_found(const struct audit_result *out, const char *id, enum verdict verdict) {
+  for (size_t i = 0; i < out->n_findings; i++)
+    if (strcmp(out->findings[i].id, id) == 0) return out->findings[i].verdict == verdict;
+  return false;
+}
+
+/* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
+   those of the control's own record. */
+bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
+  struct claim c = *claim;
+  c.control = control->record;
+  const struct claim_kind *k = claim_kind_of(&c);
+  struct finding f;
+  if (!k || !finding_describe(&f, j, &c)) return false;
+  struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
+  struct audit_result *out = j->out;
+  j->effort = EFFORT_VERDICT;
+  bool readable = judge_of(&c)(&f, j, &c, view);
+  j->effort = EFFORT_FULL;
+  if (!readable) {
+    if (!notation_fault(&f, j)) return false;
+    audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
+    return true;
+  }
+  if (f.verdict == VERDICT_SKIPPED) return true;
+  bool narrowed = j->scene->asked.routes.n > 0;
+  if (f.verdict == VERDICT_UNKNOWN && narrowed) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "undecided by the routes that the scene asks for");
+    return true;
+  }
+  if (f.verdict == VERDICT_UNKNOWN && is_found(out, claim->id, VERDICT_UNKNOWN)) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim is undecided here without damage");
+    return true;
+  }
+  bool off_record = f.recorded == N_VERDICTS; /* whether the claim holds in this scene was not known */
+  if (f.verdict != VERDICT_REFUTED && off_record && is_found(out, claim->id, VERDICT_REFUTED)) {
+    audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");
+    return true;
+  }
+  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
+  return true;
+}

@@ -1,0 +1,193 @@
+/* Coulomb's law as the text states it, branch by branch, for one mass: at random exact states just one branch may apply, and
+   its force must be the law's.
+
+   The law here: a slipping mass is dragged towards the belt's velocity by u_s; one that has it sticks while the restoring
+   force is below u_r in size, and else breaks away on the side to which that force pulls it.  The second route asks the
+   simulation of coulomb.h for mode and force at the start of a motion. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "proof/condition.h"
+
+enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };
+static const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
+
+struct law {
+  struct judge *j;
+  struct conditions branch[N_BRANCHES];
+  int mass;
+  long as_said[2], against[2]; /* balls, integration */
+  const char *where;
+};
+
+/* A state: exact in double. */
+struct state {
+  double chi, eta, belt, x[2], limit[2], slide[2]; /* limit u_r, slide u_s */
+  int speed;                                       /* sign of V - x_i' of the mass in question */
+};
+
+static double pull(const struct state *s, int mass) {
+  return mass ? s->chi * (s->x[1] - s->x[0]) : s->x[0] - s->chi * s->x[1];
+}
+
+/* u of the mass, and which branch with which eps. */
+static double law_force(enum branch *b, int *eps, const struct state *s, int mass) {
+  double f = pull(s, mass);
+  *eps = s->speed ? s->speed : f > 0 ? 1 : -1;
+  *b = s->speed ? SLIPS : fabs(f) < s->limit[mass] ? STICKS : BREAKS;
+  return *b == STICKS ? f : *eps * s->slide[mass];
+}
+
+/* The same as the simulation has it; NaN when it does not start. */
+static double simulated_force(enum branch *b, int *eps, const struct state *s, int mass) {
+  const double params[N_COULOMB] = {s->chi, s->eta, s->belt, s->slide[0], s->slide[1], s->limit[0], s->limit[1]};
+  double start[N_STATE] = {s->x[0], s->x[1], 0.5 * s->belt, 0.5 * s->belt};
+  start[2 + mass] = s->belt * (1 - 0.25 * s->speed);
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result end;
+  plan.duration = 0;
+  if (coulomb_simulate_ode(&end, params, start, &plan, NULL) != SS_OK) return NAN;
+  enum coulomb_mode m = end.at.mode[mass];
+  *b = m == MODE_STICK ? STICKS : s->speed ? SLIPS : BREAKS;
+  *eps = m == MODE_ABOVE ? -1 : 1;
+  return end.at.u[mass];
+}
+
+/* The law knows the forces, their limits and where the masses are; any other symbol may have any value. */
+static double symbol(const struct state *s, const char *name, int mass, double force, int eps) {
+  const struct {
+    const char *name;
+    double value;
+  } known[] = {{mass ? "u_2" : "u_1", force}, {"eps", eps},          {"chi", s->chi},       {"x_1(t)", s->x[0]},
+               {"x_2(t)", s->x[1]},           {"u_r1", s->limit[0]}, {"u_r2", s->limit[1]}, {"u_s1", s->slide[0]},
+               {"u_s2", s->slide[1]},         {"V", s->belt},        {"eta", s->eta}};
+  unsigned h = 7;
+  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
+    if (strcmp(known[i].name, name) == 0) return known[i].value;
+  for (; *name; name++) h = 31 * h + (unsigned char)*name;
+  return 0.37890625 + (h % 1024) / 256.0;
+}
+
+/* A condition's margin as a ball. */
+static int margin(arb_t z, const struct condition *c, const struct state *s, int mass, double force, int eps) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct num_vec in, out;
+  num_vec_init(&in, c->s.tape.n_inputs, ctx);
+  num_vec_init(&out, 1, ctx);
+  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(s, c->s.tape.inputs[i], mass, force, eps));
+  int status = tape_eval(&out, NULL, &c->s.tape, &in);
+  arb_set(z, num_vec_at(&out, 0));
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+  return status;
+}
+
+/* Whether all inequalities of a branch hold, or all its equations. */
+static truth all_hold(const struct conditions *list, bool equations, const struct state *s, int mass, double force,
+                      int eps, double tolerance) {
+  truth all = TRUTH_TRUE;
+  arb_t m;
+  arb_init(m);
+  for (int k = 0; k < list->n; k++) {
+    if (list->at[k].equality != equations) continue;
+    truth holds = TRUTH_UNKNOWN;
+    if (margin(m, &list->at[k], s, mass, force, eps) == SS_OK && equations)
+      holds = fabs(num_arb.get_d(m)) <= tolerance ? TRUTH_TRUE : TRUTH_FALSE;
+    else if (arb_is_positive(m))
+      holds = TRUTH_TRUE;
+    else if (arb_is_nonpositive(m))
+      holds = TRUTH_FALSE;
+    all = truth_and(all, holds);
+  }
+  arb_clear(m);
+  return all;
+}
+
+/* Do the branches of the text that begin at the belt's velocity hold just as the law says, and is the force of the one that
+   applies the law's? */
+static truth text_agrees(const struct law *l, const struct state *s, enum branch b, int eps, double force,
+                         double tolerance) {
+  truth ok = all_hold(&l->branch[b], true, s, l->mass, force, eps, tolerance);
+  if (b == SLIPS) return ok;
+  for (int sign = -1; sign <= 1; sign++) {
+    const struct conditions *list = &l->branch[sign ? BREAKS : STICKS];
+    truth holds = all_hold(list, false, s, l->mass, force, sign ? sign : 1, tolerance);
+    bool applies = sign ? b == BREAKS && sign == eps : b == STICKS;
+    ok = truth_and(ok, applies ? holds : truth_not(holds));
+  }
+  return ok;
+}
+
+/* Limits a sixteenth and less above or below the restoring force where the mass has the belt's velocity. */
+static void draw(struct state *s, uint64_t *state, int nth, int mass) {
+  double u[8];
+  for (int i = 0; i < 8; i++) {
+    *state = *state * 6364136223846793005U + 1442695040888963407U;
+    u[i] = (double)(1 + (*state >> 33) % 61);
+  }
+  *s = (struct state){
+      .chi = u[0] / 64, .eta = u[1] / 16, .belt = u[2] / 16, .x = {(u[3] - 30.5) / 8, (u[4] - 31.5) / 4}};
+  s->speed = nth % 4 < 2 ? 0 : nth % 4 == 2 ? 1 : -1;
+  double off = ldexp(1, -4 - 10 * (nth / 4 % 3));
+  for (int i = 0; i < 2; i++) {
+    double f = fabs(pull(s, i)) + 0.0625 * (pull(s, i) == 0);
+    s->limit[i] = f * (nth % 4 == 0 || i != mass ? 1 + off : 1 - off);
+    s->slide[i] = s->limit[i] * u[5 + i] / 64;
+  }
+}
+
+static void try_states(struct law *l) {
+  enum { STATES = 32 };
+  uint64_t state = 1;
+  for (int i = 0; i < STATES; i++) {
+    struct state s;
+    enum branch b;
+    int eps;
+    draw(&s, &state, i, l->mass);
+    for (int route = 0; route < (l->j->effort == EFFORT_REFUTE ? 1 : 2); route++) {
+      double force = route ? simulated_force(&b, &eps, &s, l->mass) : law_force(&b, &eps, &s, l->mass);
+      truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, eps, force, ldexp(1 + fabs(force), -44));
+      l->as_said[route] += ok == TRUTH_TRUE;
+      l->against[route] += ok == TRUTH_FALSE;
+      if (ok == TRUTH_FALSE && !l->where)
+        l->where =
+            result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
+                       s.x[0], s.x[1], l->mass + 1, s.limit[l->mass], l->mass + 1, s.slide[l->mass], branch_name[b]);
+    }
+  }
+}
+
+bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  static const char *const route[2] = {"balls", "integration"};
+  struct law l = {.j = j};
+  const char *mass = claim_get(c, "mass");
+  bool ok = (mass && (strcmp(mass, "1") == 0 || strcmp(mass, "2") == 0)) || claim_error(j, c, "mass", "1 or 2");
+  l.mass = ok && mass[0] == '2';
+  for (int b = 0; ok && b < N_BRANCHES; b++) {
+    ok = conditions_read(&l.branch[b], j, c, branch_name[b], view);
+    if (ok && l.branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
+  }
+  if (ok) {
+    struct route_result w[2];
+    try_states(&l);
+    for (int i = 0; i < 2; i++) {
+      long trials = l.as_said[i] + l.against[i];
+      w[i] = (struct route_result){route[i],
+                                   !trials        ? ROUTE_NOTHING
+                                   : l.against[i] ? ROUTE_DIFFERS
+                                                  : ROUTE_AGREES,
+                                   i == 0, trials};
+      finding_add_route(
+          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
+          result_str(j->out,
+                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies, and "
+                     "gives the friction of the law",
+                     l.as_said[i], trials));
+    }
+    f->verdict = verdict_of(w, 2, false);
+  }
+  for (int b = 0; b < N_BRANCHES; b++) conditions_clear(&l.branch[b]);
+  return ok;
+}

@@ -1,0 +1,166 @@
+/* Sentences about symbols.
+
+   A printed text that cannot be right as it stands is read by the parser in the paper's own definitions; the diagnostic is
+   the certificate.  A letter is right when it and its meaning determine each other: each use names the symbol, what the
+   paper lets it stand for there, and the place, in whose text the symbol must be found. */
+#include "judge.h"
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Reading --- */
+
+/* Parses a statement or an expression and elaborates it; false with d set. */
+static bool read_text(const char *text, const char *name, const char *section, struct view view, struct diag *d) {
+  struct source src;
+  struct arena a;
+  struct elaboration el;
+  struct matrix lhs, rhs;
+  source_from_string(&src, name, text);
+  arena_init(&a);
+  elaboration_init(&el, view, NULL, 0);
+  const struct stmt *s = stmt_parse(&a, &src, (struct span){0, src.len}, d);
+  bool ok = s != NULL;
+  for (int k = 0; ok && s->kind == STMT_RELATION && k + 1 < s->n_sides; k++)
+    ok = elaborate_sides(&lhs, &rhs, &el, s, k, &src, section, d);
+  if (ok && s->kind == STMT_DEFINE) ok = elaborate(&lhs, &el, s->sides[0], &src, section, d);
+  elaboration_clear(&el);
+  arena_clear(&a);
+  source_clear(&src);
+  return ok;
+}
+
+/* --- Uses of symbols --- */
+
+enum { MAX_USES = 8 };
+struct use {
+  char symbol[64], meaning[128], place[64];
+};
+
+/* The n-th item of a list separated by ";", trimmed. */
+static bool item(char *out, size_t size, const char *list, int n) {
+  for (; list && n > 0; n--) {
+    list = strchr(list, ';');
+    if (list) list++;
+  }
+  if (!list) return false;
+  while (*list == ' ') list++;
+  size_t len = strcspn(list, ";");
+  while (len && list[len - 1] == ' ') len--;
+  snprintf(out, size, "%.*s", (int)(len < size ? len : size - 1), list);
+  return len > 0;
+}
+
+static int read_uses(struct use u[MAX_USES], const struct claim *c, const char *symbols) {
+  int n = 0;
+  const char *meanings = claim_get(c, "stands-for"), *places = claim_get(c, "found-in");
+  while (n < MAX_USES && item(u[n].symbol, sizeof u[n].symbol, symbols, n) &&
+         item(u[n].meaning, sizeof u[n].meaning, meanings, n) && item(u[n].place, sizeof u[n].place, places, n))
+    n++;
+  return n;
+}
+
+/* The symbol as a token of the text: no letter goes on where it ends in one. */
+static bool occurs(const char *text, const char *symbol) {
+  size_t n = strlen(symbol);
+  for (const char *p = text ? strstr(text, symbol) : NULL; p; p = strstr(p + 1, symbol)) {
+    bool goes_on = char_is_letter(symbol[n - 1]) && char_is_letter(p[n]);
+    bool began = p > text && char_is_letter(symbol[0]) && (char_is_letter(p[-1]) || p[-1] == '\\');
+    if (!goes_on && !began) return true;
+  }
+  return false;
+}
+
+/* Whether the place, the claim's quotation or a record of the equation files, prints the symbol. */
+static bool found_in_place(const struct use *u, const struct claim *c, const struct view *view) {
+  if (strcmp(u->place, "quote") == 0) return occurs(claim_get(c, "quote"), u->symbol);
+  const struct statement_record *r = view_record(view, u->place);
+  return r && occurs(r->tex, u->symbol);
+}
+
+/* Appends each pair of uses that contradicts the rule. */
+static void clashes(struct text *out, const struct use *u, int n) {
+  for (int i = 0; i < n; i++)
+    for (int k = i + 1; k < n; k++) {
+      bool same_symbol = strcmp(u[i].symbol, u[k].symbol) == 0, same_meaning = strcmp(u[i].meaning, u[k].meaning) == 0;
+      if (same_symbol == same_meaning) continue;
+      const char *sep = out->len ? "; " : "";
+      if (same_symbol)
+        text_printf(out, "%s$%s$ stands for %s (%s) and for %s (%s)", sep, u[i].symbol, u[i].meaning, u[i].place,
+                    u[k].meaning, u[k].place);
+      else
+        text_printf(out, "%s%s is written $%s$ (%s) and $%s$ (%s)", sep, u[i].meaning, u[i].symbol, u[i].place,
+                    u[k].symbol, u[k].place);
+    }
+}
+
+/* "$m_1$ for the first mass", each use once. */
+static const char *uses_text(struct judge *j, const struct use *u, int n) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < n; i++) {
+    bool again = false;
+    for (int k = 0; k < i; k++)
+      again = again || (strcmp(u[k].symbol, u[i].symbol) == 0 && strcmp(u[k].meaning, u[i].meaning) == 0);
+    if (!again) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
+  }
+  const char *said = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return said;
+}
+
+/* --- The kind --- */
+
+static void settle(struct finding *f, struct judge *j, const char *fault, long trials) {
+  struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, trials};
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "diagnostic";
+  e->layer = "printed";
+  e->result = fault ? "differs" : "agrees";
+  e->trials = trials;
+  e->note = fault;
+  f->verdict = verdict_of(&w, 1, true);
+}
+
+static bool judge_symbols(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct use u[MAX_USES];
+  struct text found;
+  int n = read_uses(u, c, claim_get(c, "symbols"));
+  if (n < 2) return claim_error(j, c, "symbols", "symbols, stands-for and found-in list at least two uses, with \";\"");
+  for (int i = 0; i < n; i++)
+    if (!found_in_place(&u[i], c, &view)) return claim_error(j, c, "found-in", "a symbol is not printed at its place");
+  text_init(&found);
+  clashes(&found, u, n);
+  settle(f, j, found.len ? result_str(j->out, "%s", text_str(&found)) : NULL, n);
+  const char *repaired = claim_get(c, "repaired");
+  if (found.len && repaired && !view.control) {
+    int m = read_uses(u, c, repaired);
+    text_reset(&found);
+    clashes(&found, u, m);
+    f->correction = uses_text(j, u, m);
+    struct route_result w = {"diagnostic", m < n || found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, m};
+    f->correction_verdict = verdict_of(&w, 1, true);
+  }
+  text_clear(&found);
+  return true;
+}
+
+static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *reads = claim_get(c, "reads"), *section = claim_get(c, "section"), *repaired = claim_get(c, "repaired");
+  struct diag d;
+  diag_init(&d);
+  bool ok = read_text(reads, c->id, section ? section : "", view, &d);
+  settle(f, j, ok ? NULL : result_str(j->out, "%s", d.message), 1);
+  if (!ok && repaired && !view.control) {
+    diag_init(&d);
+    bool again = read_text(repaired, c->id, section ? section : "", view, &d);
+    struct route_result w = {"diagnostic", again ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
+    f->correction = result_str(j->out, "%s", repaired);
+    f->correction_verdict = verdict_of(&w, 1, true);
+  }
+  return true;
+}
+
+bool judge_notation(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  if (claim_get(c, "reads")) return judge_reading(f, j, c, view);
+  return judge_symbols(f, j, c, view);
+}

@@ -1,0 +1,293 @@
+/* Printed decimals: the quantity on the nearest orbit, what other readings of the data would give, and what the other
+   printed numbers give. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "stability/precision.h"
+#include "stickslip/work.h"
+#include "value/expression.h"
+
+enum { BITS_SHOWN = 34 }; /* ten digits */
+
+/* (x - printed)/unit, to three digits. */
+static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
+  arb_t d, u;
+  arb_init(d);
+  arb_init(u);
+  arb_set_fmpq(d, &p->value, LAST_PREC);
+  arb_sub(d, x, d, LAST_PREC);
+  arb_set_fmpq(u, &p->unit, LAST_PREC);
+  arb_div(d, d, u, LAST_PREC);
+  struct text t;
+  text_init(&t);
+  if (num_print(&t, d, 3) != SS_OK) num_print_ball(&t, d, 3);
+  const char *s = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  arb_clear(u);
+  arb_clear(d);
+  return s;
+}
+
+struct number_job {
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+  const struct printed_number *p;
+  const char *formula, *section, *relation;
+};
+
+/* To the digits that are shown, and well enough to say whether it prints so. */
+static bool known_well(const arb_t x, const struct printed_number *p) {
+  enum reading how;
+  return arb_rel_accuracy_bits(x) >= BITS_SHOWN && printed_fits(x, p, &how) != TRUTH_UNKNOWN;
+}
+
+/* *bits becomes the precision that it took, if that is more. */
+static int number_at(arb_t x, slong *bits, const struct number_job *n, const struct point *p) {
+  struct expression e;
+  arb_ptr v = _arb_vec_init(EXPRESSION_MOST);
+  int s = SS_UNABLE;
+  if (expression_open(&e, n->view, n->formula, n->section, n->j->d)) {
+    slong first = precision_planned(&e.tape, p, BITS_SHOWN, FIRST_PREC, n->j->cache);
+    first = FLINT_MIN(FLINT_MAX(first, FIRST_PREC), LAST_PREC);
+    for (slong prec = first; prec <= LAST_PREC; prec *= 2) {
+      s = expression_value(v, &e, p, prec, n->j->cache);
+      *bits = FLINT_MAX(*bits, prec);
+      bool well = s == SS_OK && known_well(v, n->p);
+      if (well || 2 * prec > LAST_PREC) work_precision_raise(LADDER_NUMBER, well && prec == first);
+      if (well || (s & SS_DOMAIN)) break;
+    }
+  }
+  arb_set(x, v);
+  expression_close(&e);
+  _arb_vec_clear(v, EXPRESSION_MOST);
+  return s;
+}
+
+/* k / 10^decimals in plain notation. */
+static void decimal_text(struct text *out, const fmpz_t k, slong decimals) {
+  fmpz_t a;
+  fmpz_init(a);
+  fmpz_abs(a, k);
+  char *s = fmpz_get_str(NULL, 10, a);
+  slong len = (slong)strlen(s), whole = len > decimals ? len - decimals : 0;
+  if (fmpz_sgn(k) < 0) text_add_char(out, '-');
+  if (whole == 0) text_add_char(out, '0');
+  text_add_n(out, s, (size_t)whole);
+  if (decimals > 0) text_add_char(out, '.');
+  for (slong i = len; i < decimals; i++) text_add_char(out, '0');
+  text_add(out, s + whole);
+  flint_free(s);
+  fmpz_clear(a);
+}
+
+/* The quantity in units of the last printed digit, rounded to nearest: proved by its enclosure. */
+static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
+  arb_t units;
+  fmpz_t k;
+  arb_init(units);
+  fmpz_init(k);
+  arb_set_fmpq(units, &n->p->unit, LAST_PREC);
+  arb_div(units, x, units, LAST_PREC);
+  arb_mul_2exp_si(units, units, 1);
+  arb_add_si(units, units, 1, LAST_PREC);
+  arb_mul_2exp_si(units, units, -1);
+  arb_floor(units, units, LAST_PREC);
+  if (arb_get_unique_fmpz(k, units)) {
+    struct text digits, latex;
+    text_init(&digits);
+    text_init(&latex);
+    fmpz_mul(k, k, fmpq_numref(&n->p->unit));
+    decimal_text(&digits, k, (slong)fmpz_sizeinbase(fmpq_denref(&n->p->unit), 10) - 1);
+    name_latex(&latex, n->p->name);
+    f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
+    f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
+    f->correction_verdict = VERDICT_PROVED;
+    text_clear(&latex);
+    text_clear(&digits);
+  }
+  fmpz_clear(k);
+  arb_clear(units);
+}
+
+/* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
+static truth number_on_orbits(struct route_result *w, struct finding *f, const struct number_job *n) {
+  struct judge *j = n->j;
+  struct point p;
+  point_init(&p);
+  arb_t x;
+  arb_init(x);
+  truth t = TRUTH_UNKNOWN;
+  struct text note;
+  text_init(&note);
+  struct evidence *e = finding_add(f, j->out);
+  e->route = "balls";
+  e->layer = "corrected";
+  slong bits = FIRST_PREC;
+  e->trials = 0;
+  if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
+    enum reading how;
+    t = printed_fits(x, n->p, &how);
+    e->bits = bits;
+    e->trials = 1;
+    e->worst =
+        result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
+    text_printf(&note, "On the orbit nearest to the printed numbers it is %s", ball_text(j, x, 10));
+    if (t == TRUTH_TRUE)
+      text_printf(&note, ", which prints as %s when %s. ", n->p->decimal, reading_name[how]);
+    else
+      text_printf(&note, ", %s units of the last printed digit away. ", units_off(j, x, n->p));
+    if (t == TRUTH_FALSE) correct_number(f, n, x);
+    if (t == TRUTH_FALSE)
+      f->effect = result_str(j->out, "printed %s, computed %s: off by %s units of the last printed digit",
+                             n->p->decimal, ball_text(j, x, 10), units_off(j, x, n->p));
+    slong nearest = p.orbit;
+    for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
+      if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
+        text_printf(&note, "On orbit %ld it is %s. ", (long)p.orbit + 1, ball_text(j, x, 6));
+  }
+  if (!e->trials) e->bits = bits;
+  e->result = t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided";
+  while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
+  e->note = note.len ? result_str(j->out, "%s", text_str(&note))
+                     : "no orbit was found, or the quantity could not be evaluated on it";
+  *w = (struct route_result){"balls",
+                             t == TRUTH_TRUE    ? ROUTE_AGREES
+                             : t == TRUTH_FALSE ? ROUTE_DIFFERS
+                                                : ROUTE_UNDECIDED,
+                             true, e->trials};
+  text_clear(&note);
+  arb_clear(x);
+  point_clear(&p);
+  return t;
+}
+
+/* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at the
+   corners of their box. */
+static void number_rescue(struct finding *f, const struct number_job *n) {
+  struct judge *j = n->j;
+  const struct printed_number *pe[2] = {scene_printed(j->scene, "e1"), scene_printed(j->scene, "e2")};
+  if (!pe[0] || !pe[1] || !scene_has_forces(j->scene)) return;
+  struct scene at_corner = *j->scene; /* shares everything but the two values, which are restored below */
+  fmpq_t shift;
+  fmpq_init(shift);
+  arb_t x, lo, hi;
+  arb_init(x);
+  arb_init(lo);
+  arb_init(hi);
+  long found = 0, fit = 0;
+  slong bits = FIRST_PREC;
+  for (int corner = 0; corner < 4; corner++) {
+    struct point p;
+    point_init(&p);
+    for (int k = 0; k < 2; k++) {
+      fmpq_init(&at_corner.value[KEY_E1 + k]);
+      if (corner >> k & 1)
+        fmpq_set(shift, &pe[k]->unit);
+      else {
+        fmpq_div_2exp(shift, &pe[k]->unit, 1);
+        fmpq_neg(shift, shift);
+      }
+      fmpq_add(&at_corner.value[KEY_E1 + k], &pe[k]->value, shift);
+    }
+    enum reading how;
+    if (nearest_orbit_point(&p, &at_corner, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
+      fit += printed_fits(x, n->p, &how) == TRUTH_TRUE;
+      if (found == 0 || arf_cmp(arb_midref(x), arb_midref(lo)) < 0) arb_set(lo, x);
+      if (found == 0 || arf_cmp(arb_midref(x), arb_midref(hi)) > 0) arb_set(hi, x);
+      found++;
+    }
+    for (int k = 0; k < 2; k++) fmpq_clear(&at_corner.value[KEY_E1 + k]);
+    point_clear(&p);
+  }
+  const char *note =
+      !found ? NULL
+             : result_str(j->out,
+                          "At the corners of what the printed digits of e1 and e2 allow (from half a unit below to one "
+                          "unit above) it runs from %s to %s: %s.",
+                          ball_text(j, lo, 6), ball_text(j, hi, 6),
+                          fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
+  finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
+  arb_clear(hi);
+  arb_clear(lo);
+  arb_clear(x);
+  fmpq_clear(shift);
+}
+
+/* What the other printed numbers give through the same formula. */
+static truth number_from_printed(struct route_result *w, struct finding *f, const struct number_job *n) {
+  struct judge *j = n->j;
+  struct point p;
+  point_init(&p);
+  arb_t x;
+  arb_init(x);
+  truth t = TRUTH_UNKNOWN;
+  enum reading how = READ_ROUNDED;
+  slong bits = FIRST_PREC;
+  bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
+  if (have) t = printed_fits(x, n->p, &how);
+  if (have) {
+    struct evidence *e = finding_add(f, j->out);
+    e->route = "balls";
+    e->layer = "printed numbers";
+    e->result = w ? (t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided") : "states";
+    e->bits = bits;
+    e->trials = 1;
+    e->worst = "the printed numbers";
+    e->note =
+        t == TRUTH_TRUE
+            ? result_str(j->out, "From the other printed numbers, taken exactly, it is %s, which prints as %s when %s.",
+                         ball_text(j, x, 8), n->p->decimal, reading_name[how])
+            : result_str(
+                  j->out,
+                  "From the other printed numbers, taken exactly, it is %s, %s units of the last printed digit away.",
+                  ball_text(j, x, 8), units_off(j, x, n->p));
+  }
+  if (w)
+    *w = (struct route_result){"balls",
+                               t == TRUTH_TRUE    ? ROUTE_AGREES
+                               : t == TRUTH_FALSE ? ROUTE_DIFFERS
+                                                  : ROUTE_UNDECIDED,
+                               true, have};
+  arb_clear(x);
+  point_clear(&p);
+  return t;
+}
+
+bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *name = claim_get(c, "number"), *from = claim_get(c, "from");
+  const char *relation = claim_get(c, "relation");
+  struct number_job n = {j, c, view, NULL, claim_get(c, "formula"), claim_get(c, "section"), relation ? relation : "="};
+  n.view.layer = LAYER_CORRECTED;
+  if (!name || !n.formula || !from) return claim_error(j, c, "kind", "number, formula and from are needed");
+  if (relation && strcmp(relation, "<") != 0 && strcmp(relation, ">") != 0)
+    return claim_error(j, c, "relation", "\"<\" or \">\", for a bound");
+  n.p = scene_printed(j->scene, name);
+  if (!n.p) {
+    finding_skip(f, j, result_str(j->out, "the scene prints no %s", name));
+    return true;
+  }
+  struct printed_number own;
+  bool owned = printed_replace(&own, &n.p, c);
+  struct text latex;
+  text_init(&latex);
+  name_latex(&latex, name);
+  f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
+  text_clear(&latex);
+  struct route_result w;
+  if (strcmp(from, "orbit") == 0) {
+    truth t = number_on_orbits(&w, f, &n);
+    if (t == TRUTH_FALSE) number_rescue(f, &n);
+    if (claim_get(c, "also-printed")) number_from_printed(NULL, f, &n);
+  } else {
+    number_from_printed(&w, f, &n);
+  }
+  f->verdict = verdict_of(&w, 1, true);
+  if (owned) {
+    fmpq_clear(&own.value);
+    fmpq_clear(&own.unit);
+  }
+  return !j->d->set;
+}

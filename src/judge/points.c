@@ -1,0 +1,470 @@
+/* Sentences tried at points: matrices against the model's, equations between the paper's own expressions.
+   Every route sees the same points; the decisive one works in balls. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "proof/exact_proof.h"
+#include "value/expression.h"
+
+enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
+
+/* How a route tries a sentence. */
+struct route {
+  const char *name;
+  enum variant variant;
+  const struct num_type *type; /* NULL: balls */
+  double log_tol;              /* rounded types: log2 of the tolerance of agreement */
+  long most;                   /* trials per kind of point; the decisive route takes all */
+};
+static const struct route routes[] = {{"balls", VARIANT_CLOSED, NULL, 0, 1000000},
+                                      {"oracle", VARIANT_CLOSED, NULL, 0, 1000000},
+                                      {"exponential", VARIANT_EXPONENTIAL, NULL, 0, 8},
+                                      {"newton", VARIANT_CLOSED, NULL, 0, 1000000},
+                                      {"ode", VARIANT_CLOSED, NULL, 0, 8},
+                                      {"saltation", VARIANT_SALTATION, NULL, 0, 8},
+                                      {"fd", VARIANT_FD, &num_mpfr, -0.5 * FD_PREC, 4},
+                                      {"taylor", VARIANT_CLOSED, &num_mpfr, -200, 8},
+                                      {"gsl", VARIANT_CLOSED, &num_double, -30, 8}};
+
+/* What a route has seen so far. */
+struct tally {
+  const struct route *route;
+  struct sentence sentence;
+  bool ready;
+  long trials, agrees, differs, undecided, rejected;
+  long bits;
+  double worst_log;
+  const char *worst, *certificate;
+};
+
+/* One claim on its points. */
+struct point_trials {
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+  const struct restriction *restriction;
+  struct tally tally[MAX_ROUTES];
+  int n_routes;
+  struct point_spec spec[MAX_SPECS];
+  int n_specs;
+  struct exact_proof proof;
+  bool proof_tried;
+  struct point example; /* the first point at which the sentence fails, else the last accepted */
+  bool have_example;
+};
+
+/* --- Reading the claim --- */
+
+/* Names that route oracle replaces, as overrides of the model's shapes. */
+static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
+  const char *list = claim_get(r->c, "oracle");
+  *n = 0;
+  if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
+  while (*n < MAX_ROUTES && (list = claim_next_item(names[*n], 16, list)) != NULL) {
+    const struct oracle *q = oracle_find(names[*n]);
+    if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
+    o[*n] = (struct override){names[*n], oracle_rows(q), oracle_cols(q)};
+    ++*n;
+  }
+  return true;
+}
+
+static bool build_sentence(struct tally *t, struct point_trials *r, struct override *o, char names[][16]) {
+  const char *value = claim_get(r->c, "value");
+  int n_overrides = 0;
+  if (strcmp(t->route->name, "oracle") == 0 && !read_overrides(o, &n_overrides, names, r)) return false;
+  t->ready = true;
+  if (!sentence_from_claim(&t->sentence, r->view, r->c, o, n_overrides, r->j->d)) return false;
+  if (strcmp(t->route->name, "newton") == 0) {
+    char name[32];
+    snprintf(name, sizeof name, "%s newton", value ? value : "");
+    t->sentence.oracle = oracle_find(name);
+    if (!t->sentence.oracle) return claim_error(r->j, r->c, "routes", "route newton is for K, K_1 and K_2");
+  }
+  return true;
+}
+
+static bool read_routes(struct point_trials *r) {
+  char item[32];
+  const char *list = claim_get(r->c, "routes");
+  r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
+  if (r->j->effort == EFFORT_REFUTE) return true;
+  while (list && (list = claim_next_item(item, sizeof item, list)) != NULL) {
+    const struct route *found = NULL;
+    for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
+      if (strcmp(routes[i].name, item) == 0) found = &routes[i];
+    if (found && !route_is_asked(r->j->scene, item)) continue;
+    if (!found || r->n_routes == MAX_ROUTES)
+      return claim_error(r->j, r->c, "routes", "not a route of this kind of claim");
+    r->tally[r->n_routes++] = (struct tally){.route = found};
+  }
+  return true;
+}
+
+/* --- Route ode: the paper's matrix against its own differential equation --- */
+
+/* value is NAME(t): its derivative minus A times it, and its value at 0 minus the identity, as balls. */
+static struct trial try_ode(struct point_trials *r, const char *value, const struct point *p) {
+  static const struct {
+    const char *value;
+    enum phase phase;
+  } matrices[] = {{"D(t)", PHASE_D}, {"Gamma(t)", PHASE_GAMMA}, {"H(t)", PHASE_H}, {"C(t)", PHASE_C}};
+  struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC, .log_diff = -INFINITY};
+  int phase = -1;
+  for (int i = 0; i < N_PHASES; i++)
+    if (strcmp(matrices[i].value, value) == 0) phase = (int)matrices[i].phase;
+  const char *section = claim_get(r->c, "section");
+  char name[32], text[64];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
+  int n;
+  arb_ptr m = _arb_vec_init(48);
+  arb_ptr dm = m + 16, m0 = m + 32;
+  snprintf(text, sizeof text, "%s'(t)", name);
+  int s = expression_at(m, &n, r->view, value, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  s |= expression_at(dm, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  snprintf(text, sizeof text, "%s(0)", name);
+  s |= expression_at(m0, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  struct values v;
+  struct num_vec a;
+  s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
+  num_vec_init(&a, 16, v.ctx);
+  if (s == SS_OK && phase >= 0) s |= dyn_system(&a, (enum phase)phase, &v.params);
+  if (s == SS_OK && phase >= 0 && n == 16) {
+    arb_t d, term;
+    arb_init(d);
+    arb_init(term);
+    bool apart = false;
+    for (int k = 0; k < 32; k++) {
+      int i = k % 16 / 4, jj = k % 4;
+      if (k < 16) {
+        arb_set(d, dm + k);
+        for (int l = 0; l < 4; l++) {
+          arb_mul(term, num_vec_at(&a, 4 * i + l), m + 4 * l + jj, FIRST_PREC);
+          arb_sub(d, d, term, FIRST_PREC);
+        }
+      } else {
+        arb_sub_si(d, m0 + (k - 16), i == jj, FIRST_PREC);
+      }
+      apart = apart || !arb_contains_zero(d);
+      mag_t bound;
+      mag_init(bound);
+      arb_get_mag(bound, d);
+      if (!mag_is_zero(bound)) t.log_diff = fmax(t.log_diff, mag_get_d_log2_approx(bound));
+      mag_clear(bound);
+    }
+    t.outcome = apart ? OUTCOME_DIFFERS : t.log_diff < -0.5 * FIRST_PREC ? OUTCOME_AGREES : OUTCOME_UNDECIDED;
+    arb_clear(term);
+    arb_clear(d);
+  }
+  num_vec_clear(&a);
+  values_clear(&v);
+  _arb_vec_clear(m, 48);
+  return t;
+}
+
+/* --- Trying --- */
+
+static struct trial try_route(struct point_trials *r, struct tally *t, const struct point *p) {
+  const struct route *q = t->route;
+  if (strcmp(q->name, "ode") == 0) return try_ode(r, claim_get(r->c, "value"), p);
+  if (!q->type) return sentence_try_balls(&t->sentence, p, q->variant, r->j->cache);
+  struct num_ctx ctx = q->type == &num_double ? num_ctx_double() : num_ctx_mpfr(FD_PREC);
+  return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
+}
+
+static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
+  const char *place = entry_place(out, s->n, s->cols, entry);
+  return *place ? result_str(out, "entry %s: ", place) : "";
+}
+
+/* Books a trial; false when the claim itself cannot be evaluated. */
+static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
+  struct audit_result *out = r->j->out;
+  if (tr->outcome == OUTCOME_UNBOUND) {
+    char what[128];
+    snprintf(what, sizeof what, "%s has no value at such points", tr->unbound);
+    return claim_error(r->j, r->c, "points", what);
+  }
+  if (tr->outcome == OUTCOME_REJECTED) {
+    t->rejected++;
+    return true;
+  }
+  struct text where;
+  text_init(&where);
+  point_print(&where, p);
+  t->trials++;
+  t->agrees += tr->outcome == OUTCOME_AGREES;
+  t->undecided += tr->outcome == OUTCOME_UNDECIDED;
+  if (tr->bits > t->bits) t->bits = tr->bits;
+  if (tr->outcome == OUTCOME_DIFFERS && t->differs++ == 0 && strcmp(t->route->name, "ode") != 0)
+    t->certificate = result_str(out, "%s%s on the left, %s on the right, at %s",
+                                entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, text_str(&where));
+  if (t->trials == 1 || tr->log_diff > t->worst_log) {
+    t->worst_log = tr->log_diff;
+    t->worst = result_str(out, "%s", text_str(&where));
+  }
+  text_clear(&where);
+  return true;
+}
+
+static bool try_point(bool *accepted, struct point_trials *r, const struct point *p, long nth) {
+  struct tally *first = &r->tally[0];
+  long before = first->trials, failures = first->differs;
+  for (int i = 0; i < r->n_routes; i++) {
+    struct tally *t = &r->tally[i];
+    if (i > 0 && nth >= t->route->most) continue;
+    struct trial tr = try_route(r, t, p);
+    if (r->j->d->set || !book(r, t, &tr, p)) return false;
+    if (i == 0 && first->trials == before) break; /* the point is not accepted */
+  }
+  *accepted = first->trials > before;
+  if (*accepted && (!r->have_example || (first->differs > failures && failures == 0))) {
+    for (int i = 0; i < N_Q; i++) fmpq_set(&r->example.q[i], &p->q[i]);
+    r->example.kind = p->kind;
+    r->example.phase = p->phase;
+    r->example.finite = p->finite;
+    r->example.admissible = p->admissible;
+    r->example.realistic = p->realistic;
+    r->example.orbit = p->orbit;
+    r->have_example = true;
+  }
+  return true;
+}
+
+/* A proof is tried once a point has not refuted the sentence; then a quarter of the points is left to speak for the
+   transcription of the model's side. */
+static long points_wanted(struct point_trials *r, const struct point_spec *spec, long done) {
+  bool wants_proof =
+      (r->j->effort == EFFORT_FULL || r->j->effort == EFFORT_DIFFERENCE) && route_is_asked(r->j->scene, "exact");
+  if (done == 1 && wants_proof && !r->proof_tried && !r->tally[0].differs) {
+    r->proof_tried = true;
+    r->proof = exact_prove(r->j, r->c, r->view, r->restriction);
+  }
+  return r->proof.proved ? (spec->n + 3) / 4 : spec->n;
+}
+
+/* Nothing that further points could say is asked for. */
+static bool enough(const struct point_trials *r) {
+  enum effort effort = r->j->effort;
+  bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
+  for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
+    settled = settled && r->tally[i].differs + r->tally[i].undecided > 0;
+  return settled;
+}
+
+static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
+  struct sampler s;
+  struct point p;
+  char seed[128];
+  snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
+  sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
+  const char *perturbation = claim_get(r->c, "perturbation");
+  s.admissible = spec->admissible;
+  s.realistic = spec->realistic;
+  s.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  point_init(&p);
+  bool ok = true;
+  long done = 0;
+  for (long draws = 0; ok && done < points_wanted(r, spec, done) && draws < DRAWS_PER_POINT * spec->n; draws++) {
+    if (enough(r)) break;
+    bool accepted = false;
+    sampler_next(&p, &s);
+    if (point_settle(&p, r->j->cache)) ok = try_point(&accepted, r, &p, done);
+    done += accepted;
+  }
+  point_clear(&p);
+  return ok;
+}
+
+/* --- Summing up --- */
+
+static enum route_outcome outcome(const struct tally *t) {
+  if (t->trials == 0) return ROUTE_NOTHING;
+  if (t->differs) return ROUTE_DIFFERS;
+  return t->undecided ? ROUTE_UNDECIDED : ROUTE_AGREES;
+}
+
+static const char *layer_of(const struct point_trials *r) {
+  return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
+                                                         : layer_name[r->view.layer];
+}
+
+static void add_evidence(struct finding *f, struct point_trials *r, const struct tally *t, struct route_result w) {
+  struct audit_result *out = r->j->out;
+  bool is_double = t->route->type == &num_double;
+  struct evidence *e =
+      finding_add_route(f, out, w, layer_of(r), is_double ? 53 : t->bits, is_double ? NULL : t->worst, NULL);
+  if (is_double && t->trials) e->machine_residual = exp2(t->worst_log);
+  if (t->trials)
+    e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
+  struct text note;
+  text_init(&note);
+  if (t->trials == 0) text_add(&note, "no accepted point");
+  if (t->differs && t->certificate && !is_double)
+    text_printf(&note, "differs at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
+  if (t->rejected)
+    text_printf(&note, "%s%ld further point%s not accepted", note.len ? "; " : "", t->rejected,
+                t->rejected == 1 ? "" : "s");
+  if (note.len) e->note = result_str(out, "%s", text_str(&note));
+  text_clear(&note);
+}
+
+static void conclude(struct finding *f, struct point_trials *r) {
+  struct route_result w[MAX_ROUTES];
+  for (int i = 0; i < r->n_routes; i++) {
+    const struct tally *t = &r->tally[i];
+    w[i] = (struct route_result){t->route->name, outcome(t), i == 0, t->trials};
+    add_evidence(f, r, t, w[i]);
+  }
+  finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
+  f->verdict = verdict_of(w, r->n_routes, r->proof.proved);
+}
+
+static bool run_init(struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
+                     const struct restriction *restriction, struct override *o, char names[][16]) {
+  *r = (struct point_trials){.j = j, .c = c, .view = view, .restriction = restriction};
+  point_init(&r->example);
+  r->n_specs = claim_points(r->spec, MAX_SPECS, j, c);
+  if (r->n_specs < 0 || !read_routes(r)) return false;
+  for (int i = 0; i < r->n_routes; i++)
+    if (strcmp(r->tally[i].route->name, "ode") != 0 && !build_sentence(&r->tally[i], r, o, names)) return false;
+  return true;
+}
+
+static void run_clear(struct point_trials *r) {
+  for (int i = 0; i < r->n_routes; i++)
+    if (r->tally[i].ready) sentence_clear(&r->tally[i].sentence);
+  point_clear(&r->example);
+}
+
+static bool run_all(struct finding *f, struct point_trials *r, struct judge *j, const struct claim *c, struct view view,
+                    const struct restriction *restriction) {
+  struct override o[MAX_ROUTES];
+  char names[MAX_ROUTES][16];
+  bool ok = run_init(r, j, c, view, restriction, o, names);
+  for (int i = 0; ok && i < r->n_specs; i++) ok = try_spec(r, &r->spec[i]);
+  if (ok) conclude(f, r);
+  return ok;
+}
+
+/* --- What a refutation means --- */
+
+bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache) {
+  out->scene = s;
+  out->kind = p->kind == POINT_ARC ? POINT_ORBIT : p->kind;
+  out->phase = p->phase;
+  out->finite = p->finite;
+  out->admissible = p->admissible;
+  out->realistic = p->realistic;
+  out->orbit = 0;
+  for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
+  return point_settle(out, cache);
+}
+
+static void describe_effect(struct finding *f, struct point_trials *r) {
+  struct text t;
+  struct point p;
+  text_init(&t);
+  point_init(&p);
+  struct tally *first = &r->tally[0];
+  const char *size = order_of_magnitude(r->j->out, first->worst_log);
+  text_printf(&t, "At the points tried the two sides differ by less than %s, relative to their size. ",
+              strcmp(size, "1e0") == 0 ? "1" : size);
+  bool have = scene_point(&p, &r->example, r->j->scene, r->j->cache);
+  if (have) {
+    struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
+    if (tr.outcome == OUTCOME_AGREES) text_add(&t, "At the scene's own parameters they agree. ");
+    if (tr.outcome == OUTCOME_DIFFERS)
+      text_printf(&t, "At the scene's own parameters: %s%s against %s. ",
+                  entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
+  }
+  while (t.len && t.data[t.len - 1] == ' ') t.data[--t.len] = '\0';
+  f->effect = result_str(r->j->out, "%s", text_str(&t));
+  point_clear(&p);
+  text_clear(&t);
+}
+
+/* Controls whose routes are "exact" are left to the algebra: a difference with a rational point refutes. */
+static bool judge_by_algebra(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct point_trials r = {.j = j, .c = c, .view = view, .proof = exact_prove(j, c, view, NULL)};
+  struct route_result w = {"exact",
+                           r.proof.proved    ? ROUTE_AGREES
+                           : r.proof.differs ? ROUTE_DIFFERS
+                                             : ROUTE_UNDECIDED,
+                           true, 1};
+  finding_add_proof(f, j->out, &r.proof, layer_of(&r), false);
+  f->verdict = verdict_of(&w, 1, true);
+  return true;
+}
+
+bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct point_trials r;
+  const char *routes_asked = claim_get(c, "routes");
+  bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
+  if (algebra || !route_is_asked(j->scene, "balls")) {
+    if (route_is_asked(j->scene, "exact")) return judge_by_algebra(f, j, c, view);
+    f->verdict = VERDICT_UNKNOWN; /* nothing that decides is asked for */
+    return true;
+  }
+  bool ok = run_all(f, &r, j, c, view, NULL);
+  bool explained = view.own && j->effort == EFFORT_FULL;
+  if (ok && f->verdict == VERDICT_REFUTED && explained) {
+    describe_effect(f, &r);
+    if (strcmp(view.own, claim_own(c)) == 0 && route_is_asked(j->scene, "exact"))
+      r.proof = exact_prove(j, c, view, NULL);
+    finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);
+  }
+  run_clear(&r);
+  return ok;
+}
+
+/* The item "V = 1: supported: eq-10b" of the attribute restricted: the verdict on record and the id of the claim that the
+   restriction makes.  Without one, nothing is on record and the id is the claim's with the restriction's text. */
+static enum verdict recorded_restriction(const char **id, struct judge *j, const struct claim *c, const char *text) {
+  const char *list = claim_get(c, "restricted");
+  const char *p = list ? strstr(list, text) : NULL;
+  char word[16], name[32];
+  *id = NULL;
+  if (p && sscanf(p + strlen(text), ": %15[a-z]: %31[a-z0-9-]", word, name) == 2) {
+    *id = result_str(j->out, "%s", name);
+    return verdict_parse(word);
+  }
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s-if-", c->id);
+  for (; *text; text++)
+    if (*text != ' ' && *text != '=') text_add_char(&t, *text);
+  *id = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return N_VERDICTS;
+}
+
+bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
+  for (int i = 0; i < n_restrictions; i++) {
+    struct point_trials r;
+    struct finding f = *refuted;
+    f.evidence = NULL;
+    f.n_evidence = 0;
+    f.correction = f.effect = f.fault = NULL;
+    f.recorded = recorded_restriction(&f.id, j, c, restrictions[i].text);
+    struct judge as_wanted = *j; /* unless it is on record, only support counts */
+    if (f.recorded == N_VERDICTS) as_wanted.effort = EFFORT_DIFFERENCE;
+    bool ok = run_all(&f, &r, &as_wanted, c, view, &restrictions[i]);
+    run_clear(&r);
+    if (!ok) return false;
+    if (f.verdict != VERDICT_SUPPORTED && f.verdict != VERDICT_PROVED && f.recorded == N_VERDICTS) continue;
+    f.title = result_str(j->out, "%s, when %s", refuted->title, restrictions[i].text);
+    f.condition = restrictions[i].text;
+    const char **dep = arena_alloc(&j->out->arena, sizeof *dep);
+    dep[0] = refuted->id;
+    f.depends_on = dep;
+    f.n_depends_on = 1;
+    j->out->findings = ss_grow(j->out->findings, j->out->n_findings, &j->out->cap_findings, sizeof f);
+    j->out->findings[j->out->n_findings++] = f;
+  }
+  return true;
+}

@@ -1,0 +1,255 @@
+/* Scaling: (1)-(2) keep their form when V, the friction forces and all displacements are multiplied by one number, times,
+   chi and eta staying as they are; so every formula must be homogeneous.  Degrees are inferred on the trees themselves,
+   without values and without the model: terms added must have one degree, arguments of functions none.  A formula without
+   degrees is wrong whatever it was to say; the two terms that do not fit are the certificate. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
+
+/* Twice the degree; any: of a literal zero. */
+struct degree {
+  bool any;
+  int twice;
+};
+
+/* A scalar is shared by all that contain it: its degree is kept. */
+struct known {
+  const struct expr *e;
+  struct degree degree;
+};
+
+struct scaling {
+  const char *scaled; /* prefixes of the names of degree 1, separated by blanks */
+  const struct elaboration *el;
+  struct text *fault; /* the first one */
+  struct known *known;
+  size_t n_slots, n_known; /* of an open hash table, never more than half full */
+};
+
+static struct known *slot(struct known *table, size_t n, const struct expr *e) {
+  size_t i = ((uintptr_t)e >> 4) * 0x9E3779B97F4A7C15U % n;
+  while (table[i].e && table[i].e != e) i = (i + 1) % n;
+  return &table[i];
+}
+
+static void keep(struct scaling *s, const struct expr *e, struct degree d) {
+  if (2 * s->n_known >= s->n_slots) {
+    size_t n = s->n_slots ? 2 * s->n_slots : 1024;
+    struct known *bigger = ss_malloc(n * sizeof *bigger);
+    for (size_t i = 0; i < n; i++) bigger[i] = (struct known){.e = NULL};
+    for (size_t i = 0; i < s->n_slots; i++)
+      if (s->known[i].e) *slot(bigger, n, s->known[i].e) = s->known[i];
+    free(s->known);
+    s->known = bigger;
+    s->n_slots = n;
+  }
+  struct known *k = slot(s->known, s->n_slots, e);
+  s->n_known += !k->e;
+  *k = (struct known){e, d};
+}
+
+static bool starts(const char *name, const char *prefixes) {
+  for (const char *p = prefixes; *p;) {
+    size_t n = strcspn(p, " ");
+    if (n && strncmp(name, p, n) == 0) return true;
+    p += n;
+    while (*p == ' ') p++;
+  }
+  return false;
+}
+
+/* "a (degree 1) is what b (degree 2)"; without b, "a (degree 1) is what". */
+static bool complain(struct scaling *s, const char *what, const struct expr *a, struct degree da, const struct expr *b,
+                     struct degree db) {
+  enum { CLIP = 90 };
+  if (s->fault->len) return false;
+  struct text x, y;
+  text_init(&x);
+  text_init(&y);
+  expr_print(&x, a);
+  if (b) expr_print(&y, b);
+  text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", 0.5 * da.twice,
+              what);
+  if (b) text_printf(s->fault, " %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", 0.5 * db.twice);
+  text_clear(&y);
+  text_clear(&x);
+  return false;
+}
+
+static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e);
+
+/* A root has degree 0 when all coefficients share theirs. */
+static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct expr *e) {
+  *d = (struct degree){false, starts(e->name, s->scaled) ? 2 : 0};
+  for (size_t i = 0; i < s->el->n_roots; i++) {
+    const struct tape_root *r = &s->el->roots[i];
+    if (strcmp(r->name, e->name) != 0) continue;
+    *d = (struct degree){false, 0};
+    struct degree first = {true, 0}, next;
+    for (int k = 0; k < r->n_coeff; k++) {
+      if (!degree_of(&next, s, r->coeff[k])) return false;
+      if (!first.any && !next.any && first.twice != next.twice)
+        return complain(s, "a coefficient beside", r->coeff[0], first, r->coeff[k], next);
+      if (first.any) first = next;
+    }
+  }
+  return true;
+}
+
+static bool degree_of_sum(struct degree *d, struct scaling *s, const struct expr *e) {
+  struct degree a, b;
+  if (!degree_of(&a, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
+  if (!a.any && !b.any && a.twice != b.twice) return complain(s, "added to", e->args[0], a, e->args[1], b);
+  *d = a.any ? b : a;
+  return true;
+}
+
+static bool degree_of_form(struct degree *d, struct scaling *s, const struct expr *e) {
+  struct degree b = {false, 0};
+  switch (e->kind) {
+  case EXPR_NUM:
+    *d = (struct degree){strcmp(e->name, "0") == 0, 0};
+    return true;
+  case EXPR_SYM:
+    return degree_of_symbol(d, s, e);
+  case EXPR_ADD:
+  case EXPR_SUB:
+  case EXPR_HYPOT:
+    return degree_of_sum(d, s, e);
+  case EXPR_MUL:
+  case EXPR_DIV:
+    if (!degree_of(d, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
+    d->any = d->any || (e->kind == EXPR_MUL && b.any);
+    d->twice += e->kind == EXPR_MUL ? b.twice : -b.twice;
+    return true;
+  default:
+    break;
+  }
+  if (!degree_of(d, s, e->args[0])) return false;
+  if (e->kind == EXPR_POW) d->twice *= e->exponent;
+  if (e->kind == EXPR_SQRT) d->twice /= 2;
+  bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_SINC ||
+                  e->kind == EXPR_STUMPFF;
+  if (function || e->kind == EXPR_CALL) {
+    if (!d->any && d->twice) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
+    *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 2 : 0};
+  }
+  return true;
+}
+
+/* The degree of an elaborated scalar; false with the fault set when it has none. */
+static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e) {
+  const struct known *k = s->n_slots ? slot(s->known, s->n_slots, e) : NULL;
+  if (k && k->e) {
+    *d = k->degree;
+    return true;
+  }
+  work_add(UNITS_OF_DEGREE);
+  if (!degree_of_form(d, s, e)) return false;
+  keep(s, e, *d);
+  return true;
+}
+
+static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b) {
+  struct degree da, db = {true, 0};
+  if (!degree_of(&da, s, a) || (b && !degree_of(&db, s, b))) return false;
+  if (b && !da.any && !db.any && da.twice != db.twice) return complain(s, "set equal to", a, da, b, db);
+  return true;
+}
+
+/* Every statement of a record; true also when the fault is set.  false: it cannot be read. */
+static bool check_record(struct text *fault, const struct statement_record *r, struct view view, const char *scaled,
+                         struct diag *d) {
+  struct elaboration el;
+  struct matrix a, b;
+  work_add(UNITS_OF_READING);
+  elaboration_init(&el, view, NULL, 0);
+  struct scaling s = {.scaled = scaled, .el = &el, .fault = fault};
+  bool ok = true;
+  for (int i = 0; ok && i < r->n_stmts; i++) {
+    const struct stmt *st = r->stmts[i];
+    if (st->kind == STMT_DEFINE) {
+      ok = elaborate(&a, &el, st->sides[0], r->src, r->section, d);
+      for (int k = 0; ok && k < a.rows * a.cols; k++) check_pair(&s, a.e[k], NULL);
+    }
+    for (int k = 0; ok && st->kind == STMT_RELATION && k + 1 < st->n_sides; k++) {
+      ok = elaborate_sides(&a, &b, &el, st, k, r->src, r->section, d);
+      for (int e = 0; ok && e < a.rows * a.cols; e++) check_pair(&s, a.e[e], b.e[e]);
+    }
+  }
+  free(s.known);
+  elaboration_clear(&el);
+  return ok;
+}
+
+/* All records of the paper, or the one that is named, each with its own text printed (or corrected: own is false). */
+static void check_all(struct text *faults, long *checked, struct judge *j, struct view view, bool own,
+                      const char *scaled, const char *only) {
+  *checked = 0;
+  for (size_t i = 0; i < j->model->n_records; i++) {
+    const struct statement_record *r = &j->model->records[i];
+    if ((only && strcmp(r->id, only) != 0) || (j->touched && !j->touched[i])) continue;
+    if (r->rank > RANK_USER && !(view.control && strcmp(r->record->id_name, view.control) == 0)) continue;
+    struct view v = {j->model, LAYER_CORRECTED, own ? r->equation : NULL, view.control};
+    const struct statement_record *seen = own ? r : view_record(&v, r->id);
+    struct text fault;
+    struct diag unread; /* a text that cannot be read has its own claim */
+    diag_init(&unread);
+    text_init(&fault);
+    if (seen && check_record(&fault, seen, v, scaled, &unread)) ++*checked;
+    if (fault.len) text_printf(faults, "%s%s: %s", faults->len ? ". " : "", r->id, text_str(&fault));
+    text_clear(&fault);
+  }
+}
+
+/* Of the prefixes "F_ u_": every F_... or u_... has the unit. */
+static const char *names_with_unit(struct judge *j, const char *prefixes) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "every ");
+  for (const char *c = prefixes; *c; c++) {
+    if (*c == ' ')
+      text_add(&t, "... or ");
+    else
+      text_add_char(&t, *c);
+  }
+  const char *said = result_str(j->out, "%s... has the unit", text_str(&t));
+  text_clear(&t);
+  return said;
+}
+
+bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
+  if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
+  if (only && !view_record(&view, only)) return claim_error(j, c, "statement", "there is no such record");
+  struct text faults;
+  text_init(&faults);
+  bool corrected_alone =
+      view.control || j->effort == EFFORT_REFUTE; /* controls and mutants damage the corrected text */
+  for (int pass = corrected_alone ? 1 : 0; pass < 2; pass++) {
+    long checked;
+    bool own = pass == 0;
+    text_reset(&faults);
+    check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
+    struct route_result w = {"algebra", faults.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, checked};
+    finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
+                      NULL,
+                      faults.len ? result_str(j->out, "%s", text_str(&faults))
+                      : only     ? "the record is homogeneous"
+                                 : "every record is homogeneous");
+    if (own || corrected_alone)
+      f->verdict = verdict_of(&w, 1, true);
+    else if (f->verdict == VERDICT_REFUTED) {
+      f->correction = repaired ? names_with_unit(j, repaired)
+                               : "the same formulas with the corrections that this report has for them";
+      f->correction_verdict = verdict_of(&w, 1, true);
+    }
+    if (f->verdict != VERDICT_REFUTED) break;
+  }
+  text_clear(&faults);
+  return true;
+}

@@ -1,0 +1,225 @@
+/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under the
+   Coulomb law; and whether motions with given times exist at all. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "proof/condition.h"
+#include "stickslip/given.h"
+#include "stickslip/work.h"
+#include "value/coulomb_setup.h"
+
+enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */
+
+static struct route_result add(struct finding *f, struct judge *j, const char *route, enum route_outcome outcome,
+                               bool decisive, long trials, const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(f, j->out, w, "model", decisive ? FIRST_PREC : -1, NULL, note);
+  return w;
+}
+
+/* --- The order of the phases --- */
+
+/* The letters of one period of the Coulomb simulation from the orbit's start; false when it cannot be simulated. */
+static bool simulated_word(struct text *word, const struct scene *s, slong orbit) {
+  struct coulomb_setup sim;
+  struct coulomb_log log;
+  struct coulomb_result end;
+  struct coulomb_plan plan = coulomb_plan_default;
+  if (!coulomb_setup_listed(&sim, s, orbit, NULL)) return false;
+  plan.returns = 1;
+  plan.duration = 4 * sim.period;
+  coulomb_log_init(&log);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  int status = coulomb_simulate_ode(&end, sim.params, sim.start, &plan, &sink);
+  text_add_char(word, 'D');
+  coulomb_log_word(word, &log);
+  coulomb_log_clear(&log);
+  return status == SS_OK;
+}
+
+/* "D Gamma H C" as the simulation spells it, with the phase that begins anew. */
+static bool letters_of(char out[16], const char *word) {
+  static const char letter[N_PHASES] = {'D', 'G', 'H', 'C'};
+  char name[16];
+  size_t n = 0;
+  int used;
+  for (; n < 14 && sscanf(word, " %15s%n", name, &used) == 1; word += used) {
+    int ph = 0;
+    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    if (ph == N_PHASES) return false;
+    out[n++] = letter[ph];
+  }
+  if (n == 0) return false;
+  out[n++] = out[0];
+  out[n] = '\0';
+  return true;
+}
+
+static enum route_outcome hold_all(const char **note, struct judge *j, struct conditions *list, const struct point *p) {
+  arb_t value;
+  enum route_outcome outcome = ROUTE_AGREES;
+  arb_init(value);
+  for (int k = 0; k < list->n && outcome == ROUTE_AGREES; k++) {
+    double where;
+    truth holds = condition_holds(&where, value, &list->at[k], p, FIRST_PREC, j->cache);
+    if (holds == TRUTH_TRUE) continue;
+    outcome = holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
+    *note = result_str(j->out, "%s: %s", list->at[k].text, holds == TRUTH_FALSE ? "false" : "undecided");
+  }
+  arb_clear(value);
+  return outcome;
+}
+
+bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  char letters[16];
+  const char *word = claim_get(c, "word");
+  struct conditions list = {.n = 0};
+  struct point p;
+  if (!word || !letters_of(letters, word)) return claim_error(j, c, "word", "the names of phases are needed");
+  bool ok = conditions_read(&list, j, c, "conditions", view);
+  point_init(&p);
+  if (ok && !nearest_orbit_point(&p, j->scene, j->cache)) {
+    finding_skip(f, j, "the scene has no orbit, or does not give e1 and e2");
+  } else if (ok) {
+    struct route_result w[2];
+    struct text got;
+    const char *note = NULL;
+    text_init(&got);
+    enum route_outcome balls = hold_all(&note, j, &list, &p);
+    w[0] = add(f, j, "balls", balls, true, list.n, note);
+    bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
+    bool same = done && strcmp(text_str(&got), letters) == 0;
+    note = done ? result_str(j->out, "phases of one period: %s", text_str(&got))
+                : "the simulation did not come to its end";
+    w[1] = add(f, j, "integration", !done ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, false, 1, note);
+    /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the comparison */
+    if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
+    f->verdict = verdict_of(w, 2, false);
+    text_clear(&got);
+  }
+  point_clear(&p);
+  conditions_clear(&list);
+  return ok;
+}
+
+/* --- Motions of given times --- */
+
+/* "t_a = 0, t_b = 2". */
+static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
+  for (int i = 0; i < 2; i++) {
+    char name[8], number[24];
+    int used, k = 0;
+    if (!text || sscanf(text, " %7[a-z_0-9] = %23[0-9./]%n", name, number, &used) != 2) return false;
+    text += used;
+    while (*text == ',' || *text == ' ') text++;
+    while (k < N_QUANTITIES && strcmp(dyn_quantity_id[k], name) != 0) k++;
+    if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
+    which[i] = (enum dyn_quantity)k;
+  }
+  return true;
+}
+
+/* Does the state return, carried through the given phases over the orbit's times?  By closed forms or exponentials. */
+static truth returns(const struct judge *j, const struct dyn_orbit *o, const enum phase *through, int n, bool closed) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct num_vec params, m, z, start;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&m, 16, ctx);
+  num_vec_init(&z, 4, ctx);
+  num_vec_init(&start, 4, ctx);
+  int s = SS_OK;
+  for (int i = 0; i < 3; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &j->scene->value[i], ctx.prec);
+  arb_set(num_vec_at(&params, P_E1), o->e1);
+  arb_set(num_vec_at(&params, P_E2), o->e2);
+  arb_set(num_vec_at(&start, 0), o->z10);
+  arb_set(num_vec_at(&start, 1), o->z20);
+  for (int i = 2; i < 4; i++) arb_set(num_vec_at(&start, i), num_vec_at(&params, P_V));
+  num_vec_set(&z, &start);
+  for (int i = 0; i < n; i++) {
+    if (closed) {
+      s |= dyn_flow(&z, through[i], &params, &z, o->t + (int)through[i]);
+    } else {
+      s |= dyn_propagator(&m, through[i], &params, o->t + (int)through[i]);
+      s |= num_mat_mul(&z, &m, &z, 4, 4, 1);
+    }
+  }
+  truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  for (int i = 0; s == SS_OK && i < 4; i++)
+    if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
+  num_vec_clear(&start);
+  num_vec_clear(&z);
+  num_vec_clear(&m);
+  num_vec_clear(&params);
+  return back;
+}
+
+static int read_phases(enum phase through[N_PHASES], const char *text) {
+  char name[16];
+  int n = 0, used;
+  for (; text && n < N_PHASES && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
+    int ph = 0;
+    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    if (ph == N_PHASES) return 0;
+    through[n++] = (enum phase)ph;
+  }
+  return n;
+}
+
+static struct route_result add_returns(struct finding *f, struct judge *j, const struct dyn_orbits *list,
+                                       const enum phase *through, int n, bool closed) {
+  long back[3] = {0};
+  for (slong i = 0; i < list->n; i++) back[returns(j, &list->orbit[i], through, n, closed)]++;
+  const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
+  const char *note =
+      o ? result_str(j->out,
+                     "%ld found at the scene's chi, eta, V, %sproved to exist; the state returns on %ld of %ld; "
+                     "%s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
+                     (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
+                     list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                     ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
+        : "none was found; the search is not exhaustive";
+  enum route_outcome outcome = back[TRUTH_FALSE]           ? ROUTE_DIFFERS
+                               : back[TRUTH_UNKNOWN] || !o ? ROUTE_UNDECIDED
+                                                           : ROUTE_AGREES;
+  return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
+}
+
+bool judge_existence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  (void)view;
+  enum dyn_quantity which[2];
+  enum phase through[N_PHASES];
+  fmpq value[2];
+  struct dyn_orbits list;
+  if (scene_is_box(j->scene)) {
+    finding_skip(f, j, "the scene gives intervals");
+    return true;
+  }
+  for (int i = 0; i < 2; i++) fmpq_init(&value[i]);
+  int n = read_phases(through, claim_get(c, "through"));
+  bool ok = n > 0 || claim_error(j, c, "through", "the names of phases are needed");
+  ok = ok && (read_given(which, value, claim_get(c, "given")) ||
+              claim_error(j, c, "given", "reads NAME = VALUE, NAME = VALUE"));
+  if (ok) {
+    struct route_result w[2];
+    work_add(UNITS_OF_EXISTENCE);
+    dyn_orbits_given(&list, j->scene->value, which, value, FIRST_PREC, &dyn_given_limits);
+    w[0] = add_returns(f, j, &list, through, n, true);
+    w[1] = add_returns(f, j, &list, through, n, false);
+    f->verdict = verdict_of(w, 2, true); /* one enclosed solution proves that there is one */
+    dyn_orbits_clear(&list);
+  }
+  for (int i = 0; i < 2; i++) fmpq_clear(&value[i]);
+  return ok;
+}
+
+/* What cannot be decided from the paper: unknown, with the reason. */
+bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  (void)view;
+  const char *why = claim_get(c, "needs");
+  if (!why) return claim_error(j, c, "kind", "the attribute needs is missing");
+  struct route_result w = add(f, j, "reading", ROUTE_UNDECIDED, false, 0, result_str(j->out, "needs %s", why));
+  f->verdict = verdict_of(&w, 1, false);
+  return true;
+}

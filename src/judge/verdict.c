@@ -1,0 +1,53 @@
+/* From evidence to verdict, in one place.  Nothing else in the program assigns a verdict to a claim that was tried. */
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "record/routes.h"
+#include "verdict.h"
+
+int independent_routes(const struct route_result *w, int n) {
+  int count = 0;
+  for (int i = 0; i < n; i++) {
+    if (w[i].outcome != ROUTE_AGREES) continue;
+    bool fresh = true;
+    for (int k = 0; k < i; k++)
+      if (w[k].outcome == ROUTE_AGREES && !routes_independent(w[k].route, w[i].route)) fresh = false;
+    count += fresh;
+  }
+  return count;
+}
+
+/*  decisive route | other routes            | whole domain enclosed | verdict
+    ---------------+-------------------------+-----------------------+----------
+    differs        | none agrees             | -                     | refuted
+    differs        | one agrees              | -                     | unknown (the oracles contradict each other)
+    agrees         | none differs, undecided | yes                   | proved
+    agrees         | two independent agree   | no                    | supported
+    anything else                                                    | unknown                                      */
+enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain) {
+  bool certificate = false, agrees = false, agrees_besides = false, differs_besides = false, undecided = false;
+  for (int i = 0; i < n; i++) {
+    if (w[i].trials == 0)
+      undecided = true;
+    else if (w[i].outcome == ROUTE_DIFFERS)
+      *(w[i].decisive ? &certificate : &differs_besides) = true;
+    else if (w[i].outcome == ROUTE_AGREES)
+      *(w[i].decisive ? &agrees : &agrees_besides) = true;
+    else
+      undecided = true;
+  }
+  if (certificate) return agrees_besides ? VERDICT_UNKNOWN : VERDICT_REFUTED;
+  if (!agrees || differs_besides || undecided) return VERDICT_UNKNOWN;
+  if (whole_domain) return VERDICT_PROVED;
+  return independent_routes(w, n) >= 2 ? VERDICT_SUPPORTED : VERDICT_UNKNOWN;
+}
+
+/*  on the whole domain | under a condition | verdict
+    --------------------+-------------------+------------
+    refuted             | proved            | conditional
+    anything else                           | that of the whole domain */
+enum verdict verdict_under_condition(enum verdict whole, enum verdict under) {
+  return whole == VERDICT_REFUTED && under == VERDICT_PROVED ? VERDICT_CONDITIONAL : whole;
+}

@@ -1,0 +1,119 @@
+/* One pass through the word, phase after phase.
+
+   A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
+#include <math.h>
+
+#include "motion_impl.h"
+
+void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx) {
+  num_vec_init(&a->t, N_PHASES, ctx);
+  num_vec_init(&a->z, (N_PHASES + 1) * N_STATE, ctx);
+}
+
+void dyn_arc_clear(struct dyn_arc *a) {
+  num_vec_clear(&a->t);
+  num_vec_clear(&a->z);
+}
+
+/* Row i of the states, as a vector of its own that borrows the elements. */
+static struct num_vec state_row(const struct dyn_arc *a, slong i) {
+  return (struct num_vec){a->z.ctx, N_STATE, num_vec_at(&a->z, i * N_STATE)};
+}
+
+static void to_doubles(double *out, const struct num_vec *v) {
+  for (slong i = 0; i < v->len; i++) out[i] = v->ctx.type->get_d(num_vec_at(v, i));
+}
+
+/* The event near the given time, an element of the arc's type. */
+static int event_near(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, val near) {
+  if (ph == PHASE_D || params->ctx.type == &num_arb) return dyn_event(t, ph, params, in, params->ctx.type->get_d(near));
+  struct calc c;
+  val p[N_PARAMS], z[N_STATE];
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  c.ctx.type->set(t, event_newton(&c, ph, p, z, near));
+  calc_clear(&c);
+  return c.status;
+}
+
+static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const val z[N_STATE]) {
+  const struct num_type *type = c->ctx.type;
+  val chi = p[P_CHI], r = calc_sub(c, z[Z_2], z[Z_1]), v[2] = {z[DZ_1], z[DZ_2]};
+  struct event_view x = {.r = type->get_d(r),
+                         .w = type->get_d(calc_sub(c, z[Z_1], calc_mul(c, chi, z[Z_2]))),
+                         .dw = type->get_d(calc_sub(c, v[0], calc_mul(c, chi, v[1]))),
+                         .rise = type->get_d(calc_sub(c, calc_mul(c, chi, r), p[P_E2])),
+                         .slip = type->get_d(calc_sub(c, v[1], v[0]))};
+  for (int i = 0; i < 2; i++) {
+    x.v[i] = type->get_d(v[i]);
+    x.over[i] = type->get_d(calc_sub(c, v[i], p[P_V]));
+  }
+  return x;
+}
+
+static int first_event(double *t, enum phase ph, const struct num_vec *params, const struct num_vec *in) {
+  struct calc c;
+  val p[N_PARAMS], z[N_STATE];
+  double params_d[N_PARAMS];
+  bool grazing;
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  to_doubles(params_d, params);
+  struct event_view view = view_of(&c, p, z);
+  int status = c.status ? SS_UNABLE : event_first_d(t, &grazing, ph, params_d, &view, NULL);
+  calc_clear(&c);
+  return status;
+}
+
+/* The times come from near, from guess, or, when both are NULL, from searches for first events. */
+static int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+                   const double guess[4]) {
+  const struct num_type *type = a->z.ctx.type;
+  const void *V = num_vec_at(params, P_V);
+  int status = SS_OK;
+  struct num_vec in = state_row(a, 0);
+  type->set(num_vec_at(&in, Z_1), z10);
+  type->set(num_vec_at(&in, Z_2), z20);
+  type->set(num_vec_at(&in, DZ_1), V);
+  type->set(num_vec_at(&in, DZ_2), V);
+  for (int ph = PHASE_D; ph < N_PHASES && !status; ph++) {
+    struct num_vec from = state_row(a, ph), to = state_row(a, ph + 1);
+    void *t = num_vec_at(&a->t, ph);
+    if (near) {
+      status |= event_near(t, (enum phase)ph, params, &from, num_vec_at(near, ph));
+    } else {
+      double t0 = 0;
+      if (guess)
+        t0 = guess[ph];
+      else
+        status |= first_event(&t0, (enum phase)ph, params, &from);
+      if (!status) status |= dyn_event(t, (enum phase)ph, params, &from, t0);
+    }
+    if (status) break;
+    status |= dyn_flow(&to, (enum phase)ph, params, &from, t);
+    if (ph == PHASE_H) type->set(num_vec_at(&to, DZ_1), V);
+    if (ph == PHASE_C) type->set(num_vec_at(&to, DZ_2), V);
+  }
+  return status;
+}
+
+/* The quick way does not know every case; what it cannot do is done phase by phase. */
+static bool by_map(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+                   const double guess[4]) {
+  const struct num_type *type = params->ctx.type;
+  if (type != &num_mpfr && type != &num_arb) return false;
+  return map_run(a, params, z10, z20, near, guess) == SS_OK;
+}
+
+int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near) {
+  if (by_map(a, params, z10, z20, near, NULL)) return SS_OK;
+  return arc_run(a, params, z10, z20, near, NULL);
+}
+
+int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
+                const double guess[4]) {
+  if (by_map(a, params, z10, z20, NULL, guess)) return SS_OK;
+  return arc_run(a, params, z10, z20, NULL, guess);
+}

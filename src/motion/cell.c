@@ -1,0 +1,225 @@
+/* What can be said of the common zeros of p and H_k = r^2 + q^2/omega^2 - (base - k turn)^2 in a cell.
+
+   Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
+   bounded.  Two facts keep cells large: H is r_end^2 - r_0^2 and has no root in it, so nothing is singular where the
+   radius vanishes; and H_t = -2 r p, so H stands still in time where p = 0. */
+#include "complete_impl.h"
+
+enum { MOST_TURNS = 4 }; /* with more k than that a cell is left to be divided */
+
+/* Over the box of half widths d and e around the cell's middle: half widths of p, q, r, the largest absolute values,
+   and the squared radius G = r^2 + q^2/omega^2 with its derivatives. */
+struct range {
+  double d, e, p, q, r;
+  double most_p, most_q, most_r, most_w, most_pf, most_qf, most_rf;
+  struct disk g, gf, gt;
+  double gff, gft, gtt, g_width;
+};
+
+static double width_of(struct disk x, double xf, double xt, double ff, double ft, double tt, const struct range *g) {
+  double d = g->d, e = g->e;
+  return disk_up(x.rad + xf * d + xt * e + 0.5 * (ff * d * d + 2 * ft * d * e + tt * e * e));
+}
+
+static double width_by(struct disk x, struct disk xf, double xt, const struct bend *b, const struct range *g) {
+  return width_of(x, disk_mag(xf), xt, b->ff, b->ft, b->tt, g);
+}
+
+static void range_p(struct range *g, const struct cell *c, const struct strip *p) {
+  g->p = width_by(c->p, c->pf, disk_mag(c->w), &p->p, g);
+  g->most_p = disk_up(fabs(c->p.mid) + g->p);
+  g->most_w = disk_up(disk_mag(c->w) + p->p.ft * g->d + p->p.tt * g->e); /* w = -p_t */
+}
+
+static void range_radius(struct range *g, const struct cell *c, const struct strip *p, const struct stage *s) {
+  double d = g->d, e = g->e, soft = disk_mag(s->soft);
+  g->q = width_by(c->q, c->qf, disk_mag(s->stiff) * disk_mag(c->r), &p->q, g);
+  g->r = width_by(c->r, c->rf, disk_mag(c->q) + disk_mag(c->p), &p->r, g);
+  g->most_q = disk_up(fabs(c->q.mid) + g->q);
+  g->most_r = disk_up(fabs(c->r.mid) + g->r);
+  g->most_pf = disk_up(disk_mag(c->pf) + p->p.ff * d + p->p.ft * e);
+  g->most_qf = disk_up(disk_mag(c->qf) + p->q.ff * d + p->q.ft * e);
+  g->most_rf = disk_up(disk_mag(c->rf) + p->r.ff * d + p->r.ft * e);
+
+  struct disk q = disk_mul(s->soft, c->q);
+  g->g = disk_dot(c->r, c->r, q, c->q);
+  g->gf = disk_scale(disk_dot(c->r, c->rf, q, c->qf), 2);
+  g->gt = disk_scale(disk_mul(c->r, c->p), -2);
+  g->gtt = disk_up(2 * ((g->most_q + g->most_p) * g->most_p + g->most_r * g->most_w));
+  g->gft = disk_up(2 * (g->most_rf * g->most_p + g->most_r * g->most_pf));
+  g->gff = disk_up(
+      2 * (g->most_rf * g->most_rf + g->most_r * p->r.ff + soft * (g->most_qf * g->most_qf + g->most_q * p->q.ff)));
+  g->g_width = width_of(g->g, disk_mag(g->gf), disk_mag(g->gt), g->gff, g->gft, g->gtt, g);
+}
+
+/* H for one k: base' = pb, base'' = -w at t_b, which rho bounds. */
+struct goal {
+  struct disk h, hf;
+  double hff, width;
+};
+
+static struct goal goal_of(const struct range *g, const struct strip *p, const struct stage *s, double k) {
+  struct goal o;
+  double rho = disk_mag(s->rho), pb = disk_up(disk_mag(p->pb) + rho * g->d);
+  struct disk r0 = disk_sub(p->base, disk_mul((struct disk){k, 0}, s->turn));
+  double most = disk_up(disk_mag(r0) + pb * g->d);
+  o.h = disk_sub(g->g, disk_mul(r0, r0));
+  o.hf = disk_sub(g->gf, disk_scale(disk_mul(r0, p->pb), 2));
+  o.hff = disk_up(g->gff + 2 * (pb * pb + most * rho));
+  o.width = width_of(o.h, disk_mag(o.hf), disk_mag(g->gt), o.hff, g->gft, g->gtt, g);
+  return o;
+}
+
+/* Krawczyk's operator on the box of g: its image is m - shift +- size. */
+struct image {
+  double shift[2], size[2];
+};
+
+static bool krawczyk(struct image *im, const struct cell *c, const struct range *g, const struct goal *o,
+                     const struct strip *p) {
+  struct disk pt = disk_scale(c->w, -1), f[2] = {c->p, o->h};
+  struct disk j[2][2] = {
+      {disk_widen(c->pf, p->p.ff * g->d + p->p.ft * g->e), disk_widen(pt, p->p.ft * g->d + p->p.tt * g->e)},
+      {disk_widen(o->hf, o->hff * g->d + g->gft * g->e), disk_widen(g->gt, g->gft * g->d + g->gtt * g->e)}};
+  double det = c->pf.mid * g->gt.mid - pt.mid * o->hf.mid, half[2] = {g->d, g->e};
+  if (!(fabs(det) > 0)) return false;
+  struct disk y[2][2] = {{{g->gt.mid / det, 0}, {-pt.mid / det, 0}}, {{-o->hf.mid / det, 0}, {c->pf.mid / det, 0}}};
+  for (int i = 0; i < 2; i++) {
+    struct disk shift = disk_dot(y[i][0], f[0], y[i][1], f[1]);
+    double size = shift.rad;
+    for (int l = 0; l < 2; l++) {
+      struct disk rest = disk_dot(y[i][0], j[0][l], y[i][1], j[1][l]);
+      if (i == l) rest = disk_sub(rest, (struct disk){1, 0});
+      size += disk_mag(rest) * half[l];
+    }
+    im->shift[i] = shift.mid;
+    im->size[i] = disk_up(size);
+  }
+  return true;
+}
+
+/* One k, in the cell of half widths g->d, g->e; the operator works on the box twice as large, so that a zero on the
+   edge of two cells is seen from both. */
+static enum look look_at(struct common *zero, const struct cell *c, const struct range *g, const struct range *twice,
+                         const struct strip *p, const struct stage *s, double k) {
+  struct goal o = goal_of(g, p, s, k);
+  if (fabs(o.h.mid) > o.width) return LOOK_CLEAR;
+  struct image im;
+  struct goal wide = goal_of(twice, p, s, k);
+  if (!krawczyk(&im, c, twice, &wide, p)) return LOOK_OPEN;
+  const double half[2] = {g->d, g->e}, room[2] = {twice->d, twice->e};
+  bool inside = true;
+  for (int i = 0; i < 2; i++) {
+    if (fabs(im.shift[i]) - im.size[i] > half[i] * (1 + 0x1p-40)) return LOOK_CLEAR;
+    inside = inside && disk_up(fabs(im.shift[i]) + im.size[i]) < room[i] * (1 - 0x1p-20);
+  }
+  if (!inside) return LOOK_OPEN;
+  *zero = (struct common){k, {-im.shift[0], -im.shift[1]}, {im.size[0], im.size[1]}, {room[0], room[1]}};
+  return LOOK_ZERO;
+}
+
+static struct range range_at(double d, double e, const struct cell *c, const struct strip *p, const struct stage *s) {
+  struct range g = {.d = d, .e = e};
+  range_p(&g, c, p);
+  range_radius(&g, c, p, s);
+  return g;
+}
+
+enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct stage *s,
+                    const struct turns *k, double dir) {
+  struct range g = {.d = p->half, .e = c->early};
+  range_p(&g, c, p);
+  if (dir * c->p.mid + g.p < 0) return LOOK_CLEAR;
+  /* dir p is not above zero at t_b, and falls where dir w > 0 */
+  if (c->first && dir * c->w.mid - disk_up(c->w.rad + p->p.ft * g.d + p->p.tt * g.e) > 0) return LOOK_CLEAR;
+
+  range_radius(&g, c, p, s);
+  /* q is zero at t_b, and falls where r > 0 */
+  bool falls = c->first && c->r.mid - g.r > 0;
+  bool negative = c->q.mid - g.q <= 0, positive = c->q.mid + g.q >= 0 && !falls;
+  struct disk base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * g.d) * g.d);
+  struct disk radius = disk_sqrt((struct disk){g.g.mid, g.g_width});
+  struct turns can = turns_of(k, s, base, radius, negative, positive);
+  double count = turns_count(&can);
+  if (count == 0) return LOOK_CLEAR;
+  zero->k = -1;
+  if (!(count <= MOST_TURNS)) return LOOK_OPEN;
+
+  struct range twice = range_at(2 * g.d, 2 * g.e, c, p, s);
+  int zeros = 0, open = 0;
+  double left = -1;
+  for (int sign = 0; sign < 2; sign++)
+    for (double i = can.from[sign]; i <= can.to[sign]; i++) {
+      if (sign == 1 && i >= can.from[0] && i <= can.to[0]) continue; /* seen */
+      struct common one;
+      enum look here = look_at(&one, c, &g, &twice, p, s, i);
+      if (here == LOOK_ZERO && zeros++ == 0) *zero = one;
+      if (here == LOOK_OPEN && open++ == 0) left = i;
+    }
+  if (zeros + open == 0) return LOOK_CLEAR;
+  if (zeros == 1 && open == 0) return LOOK_ZERO;
+  zero->k = zeros == 0 && open == 1 ? left : -1;
+  return LOOK_OPEN;
+}
+
+bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir) {
+  /* dir p >= level + slope x at the distance x from the strip's midpoint */
+  double noise = c->p.rad + (c->pf.rad + 0x1p-48 * fabs(c->pf.mid)) * p->half;
+  double level = dir * c->p.mid - disk_up(noise + 0.5 * p->p.ff * p->half * p->half), slope = dir * c->pf.mid,
+         slack = 1e-9 * p->half + 0x1p-50 * p->angle;
+  bool left = level - slope * p->half > 0, right = level + slope * p->half > 0;
+  *low = -p->half;
+  *high = p->half;
+  if (left && right) return false;
+  if (left) *low = fmax(-p->half, -level / slope - slack);
+  if (right) *high = fmin(p->half, -level / slope + slack);
+  return true;
+}
+
+bool cell_wide_in_angle(const struct cell *c, const struct strip *p) {
+  double along = hypot(c->pf.mid, c->rf.mid) + p->p.ff * p->half, across = fabs(c->w.mid) + p->p.tt * c->early;
+  return p->half * along > c->early * across;
+}
+
+/* r and q twice differentiated by the angle: minus the motion of what turns with t_b. */
+static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p, const struct stage *s,
+                       const struct clock *t) {
+  struct disk v[2], f[2];
+  for (int i = 0; i < 2; i++) {
+    struct disk a = disk_mul(s->x[i], p->u), b = disk_mul(s->inverse[i], disk_mul(s->x[i], p->w));
+    v[i] = disk_cross(a, t->cosine[i], b, t->sine[i]);
+    f[i] = disk_dot(a, t->sine[i], b, t->cosine[i]);
+  }
+  *qff = disk_scale(disk_dot(s->y[0], v[0], s->y[1], v[1]), -1);
+  *rff = disk_scale(disk_dot(s->force2[0], f[0], s->force2[1], f[1]), -1);
+}
+
+/* Between two zeros in the box the curve p = 0 is a graph t(angle), since w is not zero, and does not leave a box twice as
+   tall: its slope p_f/w is bounded in that one.  Along it H has the derivative H_f, for H_t = -2 r p = 0, and the second
+   derivative
+
+     H_ff - 2 r p_f^2/w = 2 (r_f^2 + r r_ff + (q_f^2 + q q_ff)/omega^2 - pb^2 + r_0 w_b - r p_f^2/w).
+
+   Where that is not zero, H has at most two zeros. */
+bool cell_folds_once(const struct cell *c, const struct strip *p, const struct stage *s, const struct clock *t,
+                     double k, const double half[2]) {
+  double d = half[0], e = 2 * half[1], rho = disk_mag(s->rho);
+  struct range g = range_at(d, e, c, p, s);
+  struct disk w = disk_widen(c->w, p->p.ft * d + p->p.tt * e), rff, qff;
+  double least = (fabs(w.mid) - w.rad) * (1 - 0x1p-20);
+  if (!(least > 0) || !(disk_up(half[1] + 2 * d * g.most_pf / least) * (1 + 0x1p-20) < e)) return false;
+  cell_bends(&rff, &qff, p, s, t);
+  rff = disk_widen(rff, p->r.fff * d + p->r.fft * e);
+  qff = disk_widen(qff, p->q.fff * d + p->q.fft * e);
+  struct disk r = {c->r.mid, g.r}, q = disk_mul(s->soft, (struct disk){c->q.mid, g.q});
+  struct disk rf = disk_widen(c->rf, p->r.ff * d + p->r.ft * e), qf = disk_widen(c->qf, p->q.ff * d + p->q.ft * e);
+  struct disk pf = disk_widen(c->pf, p->p.ff * d + p->p.ft * e), pb = disk_widen(p->pb, rho * d);
+  struct disk r0 = disk_sub(p->base, disk_mul((struct disk){k, 0}, s->turn)), wb = disk_widen(p->w, rho * d);
+  r0 = disk_widen(r0, disk_mag(pb) * d);
+  double sign = w.mid > 0 ? 1 : -1; /* times |w|, which is positive */
+  struct disk size = disk_scale(w, sign);
+  struct disk sum = disk_dot(rf, rf, r, rff);
+  sum = disk_add(sum, disk_add(disk_mul(disk_mul(s->soft, qf), qf), disk_mul(q, qff)));
+  sum = disk_add(sum, disk_cross(r0, wb, pb, pb));
+  return disk_nonzero(disk_sub(disk_mul(size, sum), disk_scale(disk_mul(r, disk_mul(pf, pf)), sign)));
+}

@@ -1,0 +1,315 @@
+/* What is proved of a periodic orbit, and at which precision.
+
+   One box is proved once to hold exactly one solution.  Then, at a precision that doubles while anything is undecided,
+   the solution is enclosed anew inside that box and everything else is asked of the enclosures: nothing is taken from
+   the search but the place to look at.  What two routes decide counts only when they agree. */
+#include "stickslip/certify.h"
+
+#include <math.h>
+
+#include "motion_impl.h"
+
+enum { MAX_STEPS = 100000, BOX_FIRST = -8, BOX_STEP = 3, BOX_TRIES = 60, BOX_SAFETY = 16 };
+
+void dyn_certificate_init(struct dyn_certificate *z) {
+  *z = (struct dyn_certificate){.certified = false};
+  for (int i = 0; i < N_QUANTITIES; i++) arb_init(z->box[i]);
+  arb_init(z->box_z10);
+  arb_init(z->box_z20);
+  for (int i = 0; i < N_CONDITIONS; i++) arb_init(z->breach[i]);
+}
+
+void dyn_certificate_clear(struct dyn_certificate *z) {
+  for (int i = 0; i < N_QUANTITIES; i++) arb_clear(z->box[i]);
+  arb_clear(z->box_z10);
+  arb_clear(z->box_z20);
+  for (int i = 0; i < N_CONDITIONS; i++) arb_clear(z->breach[i]);
+}
+
+/* --- The root --- */
+
+/* The orbit's value of a quantity of given.h. */
+static arb_srcptr quantity_of(const struct dyn_orbit *o, int i) {
+  return i == QUANTITY_E1 ? o->e1 : i == QUANTITY_E2 ? o->e2 : o->t[i - QUANTITY_TA];
+}
+
+static struct word_data data_of(const struct dyn_question *q) {
+  struct word_data d = {q->model, q->value, q->which, {0}};
+  int n = 0;
+  for (int i = 0; i < N_QUANTITIES; i++)
+    if ((int)q->which[0] != i && (int)q->which[1] != i) d.unknown[n++] = i;
+  return d;
+}
+
+/* The solution near the orbit, enclosed at prec bits in a box of its own. */
+static int enclose_near(struct word_root *s, const struct word_data *d, const struct dyn_orbit *o, slong prec) {
+  struct num_vec x;
+  int status = SS_OK;
+  num_vec_init(&x, N_QUANTITIES, num_ctx_mpfr(prec));
+  for (int i = 0; i < N_QUANTITIES; i++) status |= num_mpfr.set_arb(num_vec_at(&x, i), quantity_of(o, i), prec);
+  if (!status) status = word_refine(&x, d);
+  if (!status) status = word_enclose(s, &x, d);
+  num_vec_clear(&x);
+  return status;
+}
+
+/* Half widths 2^shift times the sum of all times, or of both limits. */
+static void make_box(struct word_root *s, const val at[N_QUANTITIES], const struct word_data *d, slong shift) {
+  double sum[2] = {0, 0};
+  for (int i = 0; i < N_QUANTITIES; i++) sum[i >= QUANTITY_TA] += fabs(num_arb.get_d(at[i]));
+  for (int k = 0; k < WORD_FREE; k++) {
+    int i = d->unknown[k];
+    arb_set(s->box[i], at[i]);
+    mag_set_d(arb_radref(s->box[i]), sum[i >= QUANTITY_TA]);
+    mag_mul_2exp_si(arb_radref(s->box[i]), arb_radref(s->box[i]), shift);
+  }
+}
+
+/* A box around the solution's enclosures s->x, far wider than these, in which it is the only one: the first that
+   Krawczyk's operator proves, made narrower by 2^-BOX_SAFETY so that another program's operator can prove it too. */
+static int widen(struct word_root *s, const struct word_data *d, slong prec) {
+  struct calc c;
+  struct ball_params m;
+  struct word w;
+  struct num_vec y, step;
+  struct word_root image;
+  val at[N_QUANTITIES], mid[WORD_FREE];
+  calc_init(&c, num_ctx_arb(prec));
+  word_params(&m, &c, d->model);
+  num_vec_init(&y, WORD_FREE * WORD_FREE, c.ctx);
+  num_vec_init(&step, WORD_FREE, c.ctx);
+  word_root_init(&image);
+  for (int i = 0; i < N_QUANTITIES; i++) {
+    arb_ptr point = calc_new(&c);
+    arb_set(point, s->x[i]); /* a known quantity keeps its radius, which is that of its rounding */
+    if (i != (int)d->which[0] && i != (int)d->which[1]) arb_get_mid_arb(point, point);
+    at[i] = point;
+    arb_set(image.box[i], point);
+  }
+  for (int k = 0; k < WORD_FREE; k++) mid[k] = at[d->unknown[k]];
+  word_make(&w, &c, &m, at);
+  int status = c.status | word_precondition(&y, &step, &w, d->unknown);
+  bool proved = false, safe = false;
+  slong mark = calc_mark(&c), shift = BOX_FIRST;
+  for (int i = 0; i < BOX_TRIES && !safe && !status; i++) {
+    shift -= proved ? BOX_SAFETY : BOX_STEP;
+    make_box(&image, at, d, shift);
+    c.status = SS_OK;
+    bool inside = word_krawczyk(&image, &c, &m, mid, &y, &step, d->unknown);
+    safe = proved && inside;
+    proved = inside;
+    calc_release(&c, mark);
+  }
+  for (int i = 0; i < N_QUANTITIES && safe; i++) arb_set(s->box[i], image.box[i]);
+  word_root_clear(&image);
+  num_vec_clear(&y);
+  num_vec_clear(&step);
+  calc_clear(&c);
+  return safe ? SS_OK : SS_UNABLE;
+}
+
+/* z10 and z20 of every solution whose quantities lie in the box, and somewhat more. */
+static int box_of_start(struct dyn_certificate *z, const struct word_data *d, slong prec) {
+  struct calc c;
+  struct ball_params m;
+  struct word w;
+  val at[N_QUANTITIES];
+  calc_init(&c, num_ctx_arb(prec));
+  word_params(&m, &c, d->model);
+  for (int i = 0; i < N_QUANTITIES; i++) at[i] = z->box[i];
+  word_make(&w, &c, &m, at);
+  val chi = m.p[P_CHI], ease = calc_sub(&c, m.one, chi);
+  val force = calc_sub(&c, at[QUANTITY_E1], calc_mul(&c, m.a, at[QUANTITY_TA])); /* w at the start of the period */
+  arb_set(z->box_z10, calc_div(&c, calc_add(&c, force, calc_mul(&c, chi, w.end)), ease));
+  arb_set(z->box_z20, calc_div(&c, calc_add(&c, force, w.end), ease));
+  mag_mul_2exp_si(arb_radref(z->box_z10), arb_radref(z->box_z10), 2);
+  mag_mul_2exp_si(arb_radref(z->box_z20), arb_radref(z->box_z20), 2);
+  calc_clear(&c);
+  return c.status;
+}
+
+/* The box, once and for all. */
+static bool prove_box(struct dyn_certificate *z, struct word_root *s, const struct word_data *d, slong prec) {
+  if (widen(s, d, prec)) return false;
+  for (int i = 0; i < N_QUANTITIES; i++) arb_set(z->box[i], s->box[i]);
+  return box_of_start(z, d, prec) == SS_OK;
+}
+
+static bool is_inside(const struct dyn_certificate *z, const struct word_data *d, const struct word_root *s,
+                      const struct dyn_orbit *o) {
+  bool inside = true;
+  for (int k = 0; k < WORD_FREE; k++) {
+    int i = d->unknown[k];
+    inside = inside && arb_contains(z->box[i], s->x[i]) && arb_contains(z->box[i], quantity_of(o, i));
+  }
+  return inside;
+}
+
+/* --- What is asked of the enclosures --- */
+
+static truth both(truth x, truth y) {
+  return x == y ? x : TRUTH_UNKNOWN;
+}
+
+/* e1, e2, t_b, t_c positive and t_d within half a turn. */
+static truth in_domain(struct calc *c, const struct ball_params *m, const struct word_root *s) {
+  static const enum dyn_quantity positive[] = {QUANTITY_E1, QUANTITY_E2, QUANTITY_TB, QUANTITY_TC, QUANTITY_TD};
+  truth t = TRUTH_TRUE;
+  for (size_t i = 0; i < sizeof positive / sizeof *positive; i++)
+    t = truth_and(t, num_arb.lt(m->zero, s->x[positive[i]]));
+  arb_ptr pi = calc_new(c);
+  arb_const_pi(pi, c->ctx.prec);
+  return truth_and(t, num_arb.lt(calc_mul(c, m->omega, s->x[QUANTITY_TD]), pi));
+}
+
+/* The time since the start of the phase at which a broken condition is surely broken; false when the margin's place
+   cannot be told. */
+static bool find_breach(struct dyn_certificate *z, int i, const struct dyn_margin *k, const struct dyn_orbit *o,
+                        slong prec) {
+  z->where[i] = k->where == WHERE_THROUGHOUT ? WHERE_START : k->where;
+  arb_set(z->breach[i], k->time);
+  for (int ph = 0; ph < (int)k->phase; ph++) arb_sub(z->breach[i], z->breach[i], o->t[ph], prec);
+  arb_get_mid_arb(z->breach[i], z->breach[i]);
+  return k->where != WHERE_OPEN;
+}
+
+static truth friction_exceeds(const fmpq *u, arb_srcptr least, slong prec) {
+  if (!u) return TRUTH_TRUE; /* some u_r does */
+  arb_t x;
+  arb_init(x);
+  arb_set_fmpq(x, u, prec);
+  truth t = num_arb.lt(least, x);
+  arb_clear(x);
+  return t;
+}
+
+/* Every condition by both routes.  o: described and judged. */
+static void conclude(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *o, slong prec) {
+  struct dyn_margins m;
+  dyn_margins_init(&m);
+  bool any = dyn_margins_find(&m, q->model, o, NULL, NULL, prec) == SS_OK;
+  z->spent = m.spent;
+  z->stable = o->stable;
+  z->admissible = TRUTH_TRUE;
+  for (int i = 0; i < N_PHASES; i++) z->first[i] = o->first[i];
+  for (int i = 0; i < N_CONDITIONS; i++) {
+    z->holds[i] = any ? both(o->holds[i], m.at[i].holds) : TRUTH_UNKNOWN;
+    if (z->holds[i] == TRUTH_FALSE && !find_breach(z, i, &m.at[i], o, prec)) z->holds[i] = TRUTH_UNKNOWN;
+    z->admissible = truth_and(z->admissible, z->holds[i]);
+  }
+  arb_srcptr least[2] = {o->u_r1_min, o->u_r2_min}, again[2] = {m.u_r1_min, m.u_r2_min};
+  for (int i = 0; i < 2; i++) {
+    z->u_r[i] = any ? both(friction_exceeds(q->u_r[i], least[i], prec), friction_exceeds(q->u_r[i], again[i], prec))
+                    : TRUTH_UNKNOWN;
+    if (any && !arb_overlaps(least[i], again[i])) z->u_r[i] = TRUTH_UNKNOWN;
+    z->admissible = truth_and(z->admissible, z->u_r[i]);
+  }
+  dyn_margins_clear(&m);
+}
+
+static unsigned still_open(const struct dyn_certificate *z) {
+  unsigned open = z->stable == TRUTH_UNKNOWN ? OPEN_STABLE : 0;
+  for (int i = 0; i < N_PHASES; i++)
+    if (z->first[i] != TRUTH_TRUE) open |= (unsigned)OPEN_FIRST << i;
+  for (int i = 0; i < 2; i++)
+    if (z->u_r[i] == TRUTH_UNKNOWN) open |= (unsigned)OPEN_U_R << i;
+  for (int i = 0; i < N_CONDITIONS; i++)
+    if (z->holds[i] == TRUTH_UNKNOWN) open |= (unsigned)OPEN_HOLDS << i;
+  return open;
+}
+
+/* Everything but existence, at one precision. */
+static void decide(struct dyn_certificate *z, const struct dyn_question *q, const struct word_root *s, slong prec) {
+  struct calc c;
+  struct ball_params m;
+  struct word w;
+  struct dyn_orbit o;
+  val at[N_QUANTITIES];
+  calc_init(&c, num_ctx_arb(prec));
+  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->x[i];
+  val p[N_PARAMS] = {calc_q(&c, q->model), calc_q(&c, q->model + 1), calc_q(&c, q->model + 2), at[QUANTITY_E1],
+                     at[QUANTITY_E2]};
+  ball_params_make(&m, &c, p);
+  word_make(&w, &c, &m, at);
+  bool up = num_arb.get_d(w.end) > 0; /* if not, phase C's direction is not proved */
+  dyn_orbit_init(&o);
+  z->open = OPEN_DOMAIN;
+  if (!c.status && in_domain(&c, &m, s) == TRUTH_TRUE &&
+      dyn_orbit_describe(&o, &c, &m, at[QUANTITY_TB], at[QUANTITY_TC], up) == SS_OK) {
+    for (int i = 0; i < N_PHASES; i++) arb_set(o.t[i], s->x[QUANTITY_TA + i]);
+    dyn_orbit_judge(&o, &c, &m, at[QUANTITY_TB], at[QUANTITY_TC], up, MAX_STEPS);
+    o.holds[COND_TA] = num_arb.lt(m.zero, o.t[PHASE_D]);
+    conclude(z, q, &o, prec);
+    z->open = still_open(z);
+  }
+  dyn_orbit_clear(&o);
+  calc_clear(&c);
+}
+
+void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit) {
+  struct word_data d = data_of(q);
+  struct word_root s;
+  bool boxed = false;
+  word_root_init(&s);
+  z->open = OPEN_ROOT;
+  z->spent = false;
+  for (slong prec = DYN_CERTIFY_FIRST; prec <= DYN_CERTIFY_LAST && z->open && !z->spent; prec *= 2) {
+    z->bits = prec;
+    if (enclose_near(&s, &d, orbit, prec)) continue;
+    if (!boxed) boxed = prove_box(z, &s, &d, prec);
+    if (!boxed) continue;
+    if (is_inside(z, &d, &s, orbit))
+      decide(z, q, &s, prec);
+    else
+      z->open = OPEN_SAME;
+  }
+  z->certified = z->open == 0;
+  word_root_clear(&s);
+}
+
+/* --- What is told about it --- */
+
+static void numbers_of(arb_srcptr x[12], const struct dyn_orbit *o) {
+  arb_srcptr all[12] = {o->z10, o->z20, o->t[0],   o->t[1],  o->t[2],     o->t[3],
+                        o->e1,  o->e2,  o->period, o->trace, o->u_r1_min, o->u_r2_min};
+  for (int i = 0; i < 12; i++) x[i] = all[i];
+}
+
+void dyn_orbit_radius(mag_t radius, const struct dyn_orbit *orbit) {
+  arb_srcptr x[12];
+  numbers_of(x, orbit);
+  mag_zero(radius);
+  for (int i = 0; i < 12; i++) mag_max(radius, radius, arb_radref(x[i]));
+}
+
+void dyn_certificate_why(struct text *out, const struct dyn_certificate *z) {
+  static const struct {
+    unsigned bit;
+    const char *what;
+  } single[] = {{OPEN_ROOT, "no box is proved to hold exactly one solution"},
+                {OPEN_SAME, "the enclosures do not lie in one box of a single solution"},
+                {OPEN_DOMAIN, "the signs of the limits and times"},
+                {OPEN_STABLE, "the sign of |tr J| - 1"},
+                {OPEN_U_R, "u_r1"},
+                {OPEN_U_R << 1, "u_r2"}};
+  const char *sep = "";
+  for (size_t i = 0; i < sizeof single / sizeof *single; i++)
+    if (z->open & single[i].bit) {
+      text_printf(out, "%s%s", sep, single[i].what);
+      sep = ", ";
+    }
+  for (int i = 0; i < N_PHASES; i++)
+    if (z->open & (unsigned)OPEN_FIRST << i) {
+      text_printf(out, "%sthe first event of phase %s", sep, phase_name[i]);
+      sep = ", ";
+    }
+  for (int i = 0; i < N_CONDITIONS; i++)
+    if (z->open & (unsigned)OPEN_HOLDS << i) {
+      text_printf(out, "%s%s", sep, dyn_condition_id[i]);
+      sep = ", ";
+    }
+  if (z->spent)
+    text_add(out, " (phase H has too many oscillations to look through)");
+  else
+    text_printf(out, " (at %ld bits)", (long)z->bits);
+}

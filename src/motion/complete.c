@@ -1,0 +1,124 @@
+/* The zeros of the sweep are held against a list of orbits: complete.h says what is proved and how. */
+#include "stickslip/complete.h"
+
+#include <stdlib.h>
+
+#include "complete_impl.h"
+#include "stickslip/arena.h"
+
+const char *const dyn_gap_text[N_GAPS] = {
+    [GAP_UNTRIED] = "not looked into",
+    [GAP_BUDGET] = "the budget ran out before t_c was bounded everywhere",
+    [GAP_DOUBLE] = "a double zero, or two zeros too close to be told apart",
+    [GAP_GRAZING] = "it is undecided whether an event is the first of its phase",
+    [GAP_CONFLICT] = "an orbit of the list was not met again",
+    [GAP_RANGE] = "the parameters are outside what double precision can hold",
+    [GAP_GIVEN] = "no complete search for this pair of given quantities",
+};
+
+/* The zero that an orbit is after k full periods of phase Gamma. */
+static struct known known_of(const struct dyn_orbit *o, double k) {
+  struct known z = {.k = k};
+  struct disk angle = disk_less_turns(o->t[1], z.k), time = disk_less_turns(o->t[2], 0);
+  z.at[0] = angle.mid;
+  z.at[1] = time.mid;
+  z.near[0] = angle.rad;
+  z.near[1] = time.rad;
+  return z;
+}
+
+static double full_turns(const struct dyn_orbit *o) {
+  return floor(o->guess[1] / (2 * PI));
+}
+
+/* The known zero lies where the other one is the only one. */
+static bool is_common(const struct known *o, const struct common *z) {
+  bool same = o->k == z->k;
+  for (int l = 0; l < 2; l++)
+    same = same && disk_up(fabs(o->at[l] - z->at[l]) + o->near[l]) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
+  return same;
+}
+
+static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
+  if (list->gap != GAP_UNTRIED) return;
+  list->gap = (int)why;
+  list->gap_at[0] = tb;
+  list->gap_at[1] = tc;
+}
+
+/* A zero that is no orbit of the list. */
+static void settle(struct dyn_orbits *list, const struct common *z, const struct stage *g, const fmpq *params,
+                   slong prec, const struct dyn_limits *lim) {
+  struct dyn_orbit o;
+  struct strip p;
+  truth first;
+  strip_make(&p, g, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
+  double tb = z->at[0] + 2 * PI * z->k, r0 = p.base.mid - z->k * g->turn.mid;
+  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], r0 > 0, prec, lim);
+  struct known found = known_of(&o, z->k);
+  bool settled = status == SS_OK && is_common(&found, z), before = settled && arb_is_negative(o.t[1]); /* t_b < 0 */
+  if (settled && (before || first != TRUTH_UNKNOWN)) {
+    if (first == TRUTH_TRUE && !before) {
+      list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
+      list->orbit[list->n++] = o;
+      return;
+    }
+  } else {
+    leave_gap(list, settled ? GAP_GRAZING : GAP_DOUBLE, tb, z->at[1]);
+  }
+  dyn_orbit_clear(&o);
+}
+
+static bool in_domain(const fmpq *params) {
+  for (int i = 0; i < N_PARAMS; i++)
+    if (fmpq_sgn(params + i) <= 0) return false;
+  return fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) < 0;
+}
+
+/* Every zero is an orbit of the list, and every orbit of the list a zero; known tells which were met as such. */
+static void compare(struct dyn_orbits *list, const struct sweep *s, const struct known *known, const fmpq *params,
+                    slong prec, const struct dyn_limits *lim) {
+  slong listed = list->n;
+  bool *seen = ss_malloc((size_t)listed + 1);
+  for (slong i = 0; i < listed; i++) seen[i] = known[i].met;
+  for (size_t k = 0; k < s->n; k++) {
+    bool taken = false;
+    for (slong i = 0; i < listed && !taken; i++)
+      if (is_common(&known[i], &s->zeros[k])) taken = seen[i] = true;
+    for (slong i = listed; i < list->n && !taken; i++) { /* added for the same zero, proved in two cells */
+      struct known z = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
+      taken = is_common(&z, &s->zeros[k]);
+    }
+    if (!taken) settle(list, &s->zeros[k], &s->stage, params, prec, lim);
+  }
+  for (slong i = 0; i < listed; i++) {
+    const struct dyn_orbit *o = &list->orbit[i];
+    if (o->grazing) leave_gap(list, GAP_GRAZING, o->guess[1], o->guess[2]);
+    if (!seen[i]) leave_gap(list, GAP_CONFLICT, o->guess[1], o->guess[2]);
+  }
+  free(seen);
+}
+
+int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
+                        long budget) {
+  struct sweep s;
+  if (!in_domain(params)) return SS_DOMAIN;
+  if (!lim) lim = &dyn_limits_default;
+  list->complete = false;
+  list->gap = GAP_UNTRIED;
+  struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
+  for (slong i = 0; i < list->n; i++) known[i] = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
+  if (!sweep_run(&s, params, known, (size_t)list->n, budget)) {
+    leave_gap(list, GAP_RANGE, 0, 0);
+  } else {
+    list->cells = s.cells;
+    if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
+    if (s.stuck) leave_gap(list, s.crest ? GAP_GRAZING : GAP_DOUBLE, s.where[0], s.where[1]);
+    compare(list, &s, known, params, prec, lim);
+    list->complete = list->gap == GAP_UNTRIED;
+    if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
+  }
+  sweep_clear(&s);
+  free(known);
+  return SS_OK;
+}

@@ -1,0 +1,189 @@
+/* Where a phase ends.
+
+   The first event is found in double precision from the wave that the phase shows to its switching function.  A known
+   event is refined by Newton's iteration at a precision that doubles; in balls one interval Newton step then proves
+   that the enclosure holds exactly one root, for every point of the balls of parameters and state. */
+#include <math.h>
+
+#include "motion_impl.h"
+
+/* The switching function of a phase other than D as a wave. */
+static struct trig_sum phase_wave(enum phase ph, const struct return_map_double *k, const struct event_view *z) {
+  if (ph == PHASE_GAMMA)
+    return (struct trig_sum){
+        z->rise, k->chi * (1 - k->chi) * z->v[1], {1, 0}, {-k->chi * z->w, 0}, {-k->chi * z->dw, 0}};
+  double pull = k->omc * k->omc * z->r;
+  if (ph == PHASE_H) return return_map_double_wave(k, z->v[0], z->v[1], z->w, pull, z->over[0]);
+  return (struct trig_sum){z->over[1], 0, {k->omc, 0}, {z->slip, 0}, {-pull / k->omc, 0}};
+}
+
+int event_first_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const struct event_view *z,
+                  const struct dyn_limits *lim) {
+  struct return_map_double k;
+  const double all[] = {z->w, z->r, z->dw, z->rise, z->v[0], z->v[1], z->over[0], z->over[1], z->slip};
+  *grazing = false;
+  *t = 0;
+  if (return_map_double_init(&k, params)) return SS_DOMAIN;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (!isfinite(all[i])) return SS_UNABLE;
+  if (ph == PHASE_D) {
+    if (z->dw == 0) return SS_DOMAIN;
+    *t = (k.e1 - z->w) / z->dw;
+    return isfinite(*t) ? SS_OK : SS_UNABLE;
+  }
+  struct trig_sum wave = phase_wave(ph, &k, z);
+  struct trig_sum_root root;
+  int status = trig_sum_first_root(&root, &wave, NULL, lim ? lim : &dyn_limits_default);
+  *t = root.t;
+  *grazing = root.grazing;
+  return status;
+}
+
+int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
+                      const struct dyn_limits *lim) {
+  double chi = params[P_CHI], r = in[Z_2] - in[Z_1];
+  const struct event_view z = {.w = fma(-chi, in[Z_2], in[Z_1]),
+                               .r = r,
+                               .dw = fma(-chi, in[DZ_2], in[DZ_1]),
+                               .rise = fma(chi, r, -params[P_E2]),
+                               .v = {in[DZ_1], in[DZ_2]},
+                               .over = {in[DZ_1] - params[P_V], in[DZ_2] - params[P_V]},
+                               .slip = in[DZ_2] - in[DZ_1]};
+  return event_first_d(t, grazing, ph, params, &z, lim);
+}
+
+/* One Newton step from t for the state in: *step = -f/f'. */
+static val newton_step(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val t) {
+  val z[N_STATE];
+  struct blocks b = flow_blocks(c, ph, p, t);
+  flow_apply(z, c, &b, in);
+  return calc_neg(c, calc_div(c, flow_switching(c, ph, p, z), flow_switching_rate(c, ph, p, z)));
+}
+
+val event_newton(struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], val start) {
+  const struct num_type *type = c->ctx.type;
+  void *t = calc_new(c);
+  type->set(t, start);
+  val small = calc_two_to(c, -c->ctx.prec / 2 - 6);
+  slong mark = calc_mark(c);
+  for (int i = 0; i < 60 && !c->status; i++) {
+    val step = newton_step(c, ph, p, in, t);
+    c->status |= type->add(t, t, step, c->ctx.prec);
+    bool settled = !calc_lt(c, calc_mul(c, small, calc_abs(c, t)), calc_abs(c, step));
+    calc_release(c, mark);
+    if (settled) return t;
+  }
+  c->status |= SS_UNABLE;
+  return t;
+}
+
+/* The root near t0 for exact mpfr data, with guard bits over the precision of *t. */
+static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
+  struct num_vec start;
+  int status = SS_OK;
+  prec += 32;
+  slong ladder[FLINT_BITS], n = 0;
+  for (slong bits = prec; bits > 128; bits = bits / 2 + 16) ladder[n++] = bits;
+  ladder[n++] = FLINT_MIN(prec, 128);
+  num_vec_init(&start, 1, num_ctx_mpfr(prec));
+  status |= num_mpfr.set_d(num_vec_at(&start, 0), t0, prec);
+  while (n > 0 && !status) {
+    struct calc c;
+    calc_init(&c, num_ctx_mpfr(ladder[--n]));
+    num_mpfr.set(num_vec_at(&start, 0), event_newton(&c, ph, p, in, num_vec_at(&start, 0)));
+    status |= c.status;
+    calc_clear(&c);
+  }
+  num_mpfr.set(t, num_vec_at(&start, 0));
+  num_vec_clear(&start);
+  return status;
+}
+
+static int event_double(double *t, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
+  struct calc c;
+  calc_init(&c, num_ctx_double());
+  *t = *(const double *)event_newton(&c, ph, p, in, &t0);
+  calc_clear(&c);
+  return c.status;
+}
+
+/* Interval Newton on balls of growing radius around mid: mid - f(mid)/f'(ball) inside the ball proves one root. */
+static int prove_event(arb_t t, struct calc *c, enum phase ph, const val p[N_PARAMS], const val in[N_STATE],
+                       const arb_t mid) {
+  val z[N_STATE];
+  struct blocks b = flow_blocks(c, ph, p, mid);
+  flow_apply(z, c, &b, in);
+  val f = flow_switching(c, ph, p, z), rough = calc_div(c, f, flow_switching_rate(c, ph, p, z));
+  arb_t ball;
+  mag_t radius;
+  arb_init(ball);
+  mag_init(radius);
+  arb_get_mag(radius, rough);
+  mag_mul_2exp_si(radius, radius, 1);
+  bool proved = false;
+  for (int i = 0; i < 12 && !proved && !c->status; i++) {
+    arb_set(ball, mid);
+    mag_set(arb_radref(ball), radius);
+    b = flow_blocks(c, ph, p, ball);
+    flow_apply(z, c, &b, in);
+    val root = calc_sub(c, mid, calc_div(c, f, flow_switching_rate(c, ph, p, z)));
+    if (!c->status && arb_contains_interior(ball, root)) {
+      arb_set(t, root);
+      proved = true;
+    }
+    mag_mul_2exp_si(radius, radius, 2);
+  }
+  arb_clear(ball);
+  mag_clear(radius);
+  return proved ? SS_OK : SS_UNABLE;
+}
+
+static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                     double t0) {
+  struct num_vec mid;
+  val all[N_PARAMS + N_STATE], p[N_PARAMS], z[N_STATE];
+  struct calc c;
+  arb_t start;
+  int status = SS_OK;
+  num_vec_init(&mid, N_PARAMS + N_STATE + 1, num_ctx_mpfr(prec + 32));
+  calc_init(&c, num_ctx_arb(prec + 32));
+  arb_init(start);
+  flow_vals(all, params, 0, N_PARAMS);
+  flow_vals(all + N_PARAMS, in, 0, N_STATE);
+  for (slong i = 0; i < N_PARAMS + N_STATE; i++) status |= num_mpfr.set_arb(num_vec_at(&mid, i), all[i], prec + 32);
+  flow_vals(p, &mid, 0, N_PARAMS);
+  flow_vals(z, &mid, N_PARAMS, N_STATE);
+  void *root = num_vec_at(&mid, N_PARAMS + N_STATE);
+  if (!status) status = event_mpfr(root, prec, ph, p, z, t0);
+  num_mpfr.get_arb(start, root);
+  if (!status) status = prove_event(t, &c, ph, all, all + N_PARAMS, start);
+  if (!status) arb_set_round(t, t, prec);
+  arb_clear(start);
+  calc_clear(&c);
+  num_vec_clear(&mid);
+  return status;
+}
+
+/* Phase D is linear: w has a constant speed. */
+static int event_stick(void *t, const struct num_vec *params, const struct num_vec *in) {
+  struct calc c;
+  val p[N_PARAMS], z[N_STATE];
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  val f = flow_switching(&c, PHASE_D, p, z);
+  c.ctx.type->set(t, calc_neg(&c, calc_div(&c, f, flow_switching_rate(&c, PHASE_D, p, z))));
+  calc_clear(&c);
+  return c.status;
+}
+
+int dyn_event(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, double t0) {
+  val p[N_PARAMS], z[N_STATE];
+  if (ph == PHASE_D) return event_stick(t, params, in);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(z, in, 0, N_STATE);
+  const struct num_type *type = params->ctx.type;
+  if (type == &num_mpfr) return event_mpfr(t, params->ctx.prec, ph, p, z, t0);
+  if (type == &num_double) return event_double(t, ph, p, z, t0);
+  return event_arb(t, params->ctx.prec, ph, params, in, t0);
+}

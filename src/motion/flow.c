@@ -1,0 +1,254 @@
+/* The closed form of each phase.
+
+   The forces are linear in w = z_1 - chi z_2 and r = z_2 - z_1.  In phase Gamma w oscillates with frequency 1, in
+   phase C r with frequency sqrt(chi eta), in phase H both together with the two frequencies of K.  Each phase is kept
+   as the 2x2 blocks C = cos(sqrt(K) t), S = sin(sqrt(K) t)/sqrt(K) and N = -K S = C', which a flow applies and a
+   derivative reuses. */
+#include "motion_impl.h"
+
+const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
+
+void flow_vals(val *out, const struct num_vec *v, slong from, slong n) {
+  for (slong i = 0; i < n; i++) out[i] = num_vec_at(v, from + i);
+}
+
+struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]) {
+  /* The eigenvalues of K are 1 + above and 1 - below: above * below = chi^2 eta, above - below = chi eta - 1.  The one
+     without cancellation comes first; the smaller eigenvalue is the product, chi eta (1 - chi), over the larger. */
+  val one = calc_d(c, 1), half = calc_d(c, 0.5), zero = calc_d(c, 0);
+  val stiff = calc_mul(c, p[P_CHI], p[P_ETA]), couple = calc_mul(c, p[P_CHI], stiff);
+  val lead = calc_sub(c, stiff, one);
+  val gap = calc_sqrt(c, calc_add(c, calc_mul(c, lead, lead), calc_mul(c, calc_d(c, 4), couple)));
+  val above, below;
+  if (calc_lt(c, zero, lead)) {
+    above = calc_mul(c, half, calc_add(c, gap, lead));
+    below = calc_div(c, couple, above);
+  } else {
+    below = calc_mul(c, half, calc_sub(c, gap, lead));
+    above = calc_div(c, couple, below);
+  }
+  val large = calc_add(c, one, above);
+  val small = calc_div(c, calc_mul(c, stiff, calc_sub(c, one, p[P_CHI])), large);
+  return (struct spectrum){{calc_sqrt(c, small), calc_sqrt(c, large)},
+                           calc_div(c, above, gap),
+                           calc_div(c, below, gap),
+                           calc_div(c, p[P_CHI], gap),
+                           calc_div(c, stiff, gap)};
+}
+
+/* lead = f1 - f2. */
+static void function_of(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2, val lead) {
+  out[0] = calc_dot(c, s->above, f1, s->below, f2);
+  out[1] = calc_mul(c, s->couple, lead);
+  out[2] = calc_mul(c, s->back, lead);
+  out[3] = calc_dot(c, s->below, f1, s->above, f2);
+}
+
+void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2) {
+  function_of(out, c, s, f1, f2, calc_sub(c, f1, f2));
+}
+
+/* sin x, cos x, 1 - cos x and x - sin x; the last two cancel where x is small. */
+struct circular {
+  val sine, cosine, versine, lag;
+  bool small;
+};
+
+static struct circular circular_at(struct calc *c, val x) {
+  struct circular r = {.small = calc_exponent(c, x) <= -2};
+  val one = calc_d(c, 1);
+  if (r.small) {
+    val sine, cosine, two = calc_d(c, 2);
+    calc_sin_cos(c, &sine, &cosine, calc_div(c, x, two));
+    r.sine = calc_mul(c, two, calc_mul(c, sine, cosine));
+    r.versine = calc_mul(c, two, calc_mul(c, sine, sine));
+    r.cosine = calc_sub(c, one, r.versine);
+    r.lag = calc_mul(c, x, calc_mul(c, calc_mul(c, x, x), calc_stumpff(c, x)));
+  } else {
+    calc_sin_cos(c, &r.sine, &r.cosine, x);
+    r.versine = calc_sub(c, one, r.cosine);
+    r.lag = calc_sub(c, x, r.sine);
+  }
+  return r;
+}
+
+static void set_block(val out[4], val a, val b, val c, val d) {
+  out[0] = a;
+  out[1] = b;
+  out[2] = c;
+  out[3] = d;
+}
+
+static void blocks_stick(struct blocks *b, struct calc *c, val t) {
+  val zero = calc_d(c, 0), one = calc_d(c, 1);
+  set_block(b->c, one, zero, zero, one);
+  set_block(b->s, t, zero, zero, t);
+  set_block(b->n, zero, zero, zero, zero);
+}
+
+/* m2 keeps its velocity, w oscillates, z_1 = w + chi z_2. */
+static void blocks_gamma(struct blocks *b, struct calc *c, val chi, val t) {
+  val zero = calc_d(c, 0), one = calc_d(c, 1);
+  struct circular x = circular_at(c, t);
+  set_block(b->c, x.cosine, calc_mul(c, chi, x.versine), zero, one);
+  set_block(b->s, x.sine, calc_mul(c, chi, x.lag), zero, t);
+  set_block(b->n, calc_neg(c, x.sine), calc_mul(c, chi, x.sine), zero, zero);
+}
+
+/* m1 keeps its velocity, r oscillates, z_2 = z_1 + r. */
+static void blocks_c(struct blocks *b, struct calc *c, val omega, val t) {
+  val zero = calc_d(c, 0), one = calc_d(c, 1);
+  struct circular x = circular_at(c, calc_mul(c, omega, t));
+  val slow = calc_div(c, x.sine, omega), fast = calc_mul(c, x.sine, omega);
+  val behind = x.small ? calc_div(c, x.lag, omega) : calc_sub(c, t, slow);
+  set_block(b->c, one, zero, x.versine, x.cosine);
+  set_block(b->s, t, zero, behind, slow);
+  set_block(b->n, zero, zero, fast, calc_neg(c, fast));
+}
+
+static void blocks_h(struct blocks *b, struct calc *c, const struct spectrum *s, val t) {
+  struct circular x[2];
+  val slow[2], fast[2];
+  for (int i = 0; i < 2; i++) {
+    x[i] = circular_at(c, calc_mul(c, s->om[i], t));
+    slow[i] = calc_div(c, x[i].sine, s->om[i]);
+    fast[i] = calc_neg(c, calc_mul(c, x[i].sine, s->om[i]));
+  }
+  bool small = x[0].small && x[1].small;
+  val turned = small ? calc_sub(c, x[1].versine, x[0].versine) : calc_sub(c, x[0].cosine, x[1].cosine);
+  val moved = small ? calc_sub(c, calc_div(c, x[1].lag, s->om[1]), calc_div(c, x[0].lag, s->om[0]))
+                    : calc_sub(c, slow[0], slow[1]);
+  function_of(b->c, c, s, x[0].cosine, x[1].cosine, turned);
+  function_of(b->s, c, s, slow[0], slow[1], moved);
+  flow_function(b->n, c, s, fast[0], fast[1]);
+}
+
+struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t) {
+  struct blocks b;
+  if (ph == PHASE_D) {
+    blocks_stick(&b, c, t);
+  } else if (ph == PHASE_GAMMA) {
+    blocks_gamma(&b, c, p[P_CHI], t);
+  } else if (ph == PHASE_H) {
+    struct spectrum s = flow_spectrum(c, p);
+    blocks_h(&b, c, &s, t);
+  } else {
+    blocks_c(&b, c, calc_sqrt(c, calc_mul(c, p[P_CHI], p[P_ETA])), t);
+  }
+  return b;
+}
+
+void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const val in[N_STATE]) {
+  for (int i = 0; i < 2; i++) {
+    val near = calc_dot(c, b->c[2 * i], in[Z_1], b->c[2 * i + 1], in[Z_2]);
+    val speed = calc_dot(c, b->c[2 * i], in[DZ_1], b->c[2 * i + 1], in[DZ_2]);
+    out[Z_1 + i] = calc_add(c, near, calc_dot(c, b->s[2 * i], in[DZ_1], b->s[2 * i + 1], in[DZ_2]));
+    out[DZ_1 + i] = calc_add(c, speed, calc_dot(c, b->n[2 * i], in[Z_1], b->n[2 * i + 1], in[Z_2]));
+  }
+}
+
+static val force_w(struct calc *c, const val p[N_PARAMS], val z1, val z2) {
+  return calc_sub(c, z1, calc_mul(c, p[P_CHI], z2));
+}
+
+val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
+  switch (ph) {
+  case PHASE_D:
+    return calc_sub(c, force_w(c, p, z[Z_1], z[Z_2]), p[P_E1]);
+  case PHASE_GAMMA:
+    return calc_sub(c, calc_mul(c, p[P_CHI], calc_sub(c, z[Z_2], z[Z_1])), p[P_E2]);
+  case PHASE_H:
+    return calc_sub(c, z[DZ_1], p[P_V]);
+  default:
+    return calc_sub(c, z[DZ_2], p[P_V]);
+  }
+}
+
+val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
+  switch (ph) {
+  case PHASE_D:
+    return force_w(c, p, z[DZ_1], z[DZ_2]);
+  case PHASE_GAMMA:
+    return calc_mul(c, p[P_CHI], calc_sub(c, z[DZ_2], z[DZ_1]));
+  case PHASE_H:
+    return calc_neg(c, force_w(c, p, z[Z_1], z[Z_2]));
+  default:
+    return calc_mul(c, calc_mul(c, p[P_CHI], p[P_ETA]), calc_sub(c, z[Z_1], z[Z_2]));
+  }
+}
+
+static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                    const void *t) {
+  struct calc c;
+  val p[N_PARAMS], from[N_STATE], to[N_STATE];
+  calc_init(&c, out->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(from, in, 0, N_STATE);
+  struct blocks b = flow_blocks(&c, ph, p, t);
+  flow_apply(to, &c, &b, from);
+  for (slong i = 0; i < N_STATE; i++) out->ctx.type->set(num_vec_at(out, i), to[i]);
+  calc_clear(&c);
+  return c.status;
+}
+
+static int matrix_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                      const void *t) {
+  struct calc c;
+  val p[N_PARAMS];
+  (void)in;
+  calc_init(&c, out->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  struct blocks b = flow_blocks(&c, ph, p, t);
+  for (int i = 0; i < N_STATE; i++)
+    for (int j = 0; j < N_STATE; j++) {
+      const val *block = (i < 2) == (j < 2) ? b.c : i < 2 ? b.s : b.n;
+      out->ctx.type->set(num_vec_at(out, N_STATE * i + j), block[2 * (i % 2) + j % 2]);
+    }
+  calc_clear(&c);
+  return c.status;
+}
+
+typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+
+static int value_run(struct num_vec *out, switching f, enum phase ph, const struct num_vec *params,
+                     const struct num_vec *z) {
+  struct calc c;
+  val p[N_PARAMS], at[N_STATE];
+  calc_init(&c, out->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  flow_vals(at, z, 0, N_STATE);
+  c.ctx.type->set(num_vec_at(out, 0), f(&c, ph, p, at));
+  calc_clear(&c);
+  return c.status;
+}
+
+static int switching_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                         const void *t) {
+  (void)t;
+  return value_run(out, flow_switching, ph, params, z);
+}
+
+static int rate_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *z,
+                    const void *t) {
+  (void)t;
+  return value_run(out, flow_switching_rate, ph, params, z);
+}
+
+int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+             const void *t) {
+  return rounded_run(out, flow_run, ph, params, in, t);
+}
+
+int dyn_flow_matrix(struct num_vec *out, enum phase ph, const struct num_vec *params, const void *t) {
+  return rounded_run(out, matrix_run, ph, params, NULL, t);
+}
+
+int dyn_switching(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, switching_run, ph, params, z, NULL);
+}
+
+int dyn_switching_rate(void *value, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
+  struct num_vec out = {params->ctx, 1, value};
+  return rounded_run(&out, rate_run, ph, params, z, NULL);
+}

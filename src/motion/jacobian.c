@@ -1,0 +1,318 @@
+/* Derivatives of event-located maps, by implicit differentiation and by central differences, in MPFR and in double.
+
+   A phase that ends at its own event maps Z to (I - f n^T/(n.f)) exp(A t) dZ, with f the phase's vector field and n the
+   gradient of its switching function at the end.  The differences share nothing with that but the event-located map
+   itself; their step 2^(-prec/3) balances truncation and rounding, and a second step measures the truncation. */
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#include "motion_impl.h"
+
+/* f = Z' at the state z. */
+static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {
+  val zero = calc_d(c, 0);
+  f[Z_1] = z[DZ_1];
+  f[Z_2] = z[DZ_2];
+  f[DZ_1] = ph == PHASE_GAMMA || ph == PHASE_H ? flow_switching_rate(c, PHASE_H, p, z) : zero;
+  f[DZ_2] = ph == PHASE_H || ph == PHASE_C ? flow_switching_rate(c, PHASE_C, p, z) : zero;
+}
+
+static void switching_gradient(val n[N_STATE], struct calc *c, enum phase ph, val chi) {
+  for (int i = 0; i < N_STATE; i++) n[i] = calc_d(c, 0);
+  switch (ph) {
+  case PHASE_D:
+    n[Z_1] = calc_d(c, 1);
+    n[Z_2] = calc_neg(c, chi);
+    break;
+  case PHASE_GAMMA:
+    n[Z_1] = calc_neg(c, chi);
+    n[Z_2] = chi;
+    break;
+  case PHASE_H:
+    n[DZ_1] = calc_d(c, 1);
+    break;
+  default:
+    n[DZ_2] = calc_d(c, 1);
+    break;
+  }
+}
+
+static val entry(const struct blocks *b, int i, int j) {
+  if (i < 2) return j < 2 ? b->c[2 * i + j] : b->s[2 * i + j - 2];
+  return j < 2 ? b->n[2 * (i - 2) + j] : b->c[2 * (i - 2) + j - 2];
+}
+
+/* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of the
+   switching function there. */
+struct phase_end {
+  struct blocks b;
+  val z[N_STATE], f[N_STATE], n[N_STATE], rate;
+};
+
+static struct phase_end phase_end(struct calc *c, enum phase ph, const struct num_vec *params, const val in[N_STATE],
+                                  val t) {
+  struct phase_end e;
+  val p[N_PARAMS];
+  flow_vals(p, params, 0, N_PARAMS);
+  e.b = flow_blocks(c, ph, p, t);
+  flow_apply(e.z, c, &e.b, in);
+  vector_field(e.f, c, ph, p, e.z);
+  switching_gradient(e.n, c, ph, p[P_CHI]);
+  e.rate = flow_switching_rate(c, ph, p, e.z);
+  return e;
+}
+
+static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                     const void *t) {
+  struct calc c;
+  val from[N_STATE], out[N_STATE][N_STATE];
+  calc_init(&c, j->ctx);
+  flow_vals(from, in, 0, N_STATE);
+  const struct phase_end e = phase_end(&c, ph, params, from, t);
+  for (int col = 0; col < N_STATE; col++) {
+    val lead = calc_d(&c, 0);
+    for (int k = 0; k < N_STATE; k++) lead = calc_add(&c, lead, calc_mul(&c, e.n[k], entry(&e.b, k, col)));
+    val delay = calc_div(&c, lead, e.rate); /* minus the derivative of the time */
+    for (int row = 0; row < N_STATE; row++)
+      out[row][col] = calc_sub(&c, entry(&e.b, row, col), calc_mul(&c, e.f[row], delay));
+  }
+  for (int i = 0; i < N_STATE * N_STATE; i++) j->ctx.type->set(num_vec_at(j, i), out[i / N_STATE][i % N_STATE]);
+  calc_clear(&c);
+  return c.status;
+}
+
+int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
+                       const void *t) {
+  return rounded_run(j, local_run, ph, params, in, t);
+}
+
+int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
+  struct num_ctx ctx = params->ctx;
+  struct num_vec local, product;
+  int status = SS_OK;
+  num_vec_init(&local, N_STATE * N_STATE, ctx);
+  num_vec_init(&product, N_STATE * 2, ctx);
+  for (slong i = 0; i < 2; i++) status |= ctx.type->set_d(num_vec_at(&product, 3 * i), 1, ctx.prec);
+  for (int ph = PHASE_D; ph < N_PHASES; ph++) {
+    struct num_vec in = {ctx, N_STATE, num_vec_at(&arc->z, ph * N_STATE)};
+    status |= dyn_local_jacobian(&local, (enum phase)ph, params, &in, num_vec_at(&arc->t, ph));
+    status |= num_mat_mul(&product, &local, &product, N_STATE, N_STATE, 2);
+  }
+  for (slong i = 0; i < 4; i++) ctx.type->set(num_vec_at(j, i), num_vec_at(&product, i));
+  num_vec_clear(&local);
+  num_vec_clear(&product);
+  return status;
+}
+
+/* --- Central differences. --- */
+
+/* A map of n numbers whose events lie near those of the unperturbed point. */
+struct event_map {
+  int (*run)(struct num_vec *out, const struct num_vec *x, const struct event_map *map);
+  const struct num_vec *params;
+  enum phase ph;
+  struct num_vec near; /* unperturbed times */
+  slong n;
+};
+
+static val scale_of(struct calc *c, const struct num_vec *x, val at_least) {
+  val scale = at_least;
+  for (slong i = 0; i < x->len; i++) {
+    val size = calc_abs(c, num_vec_at(x, i));
+    if (calc_lt(c, scale, size)) scale = size;
+  }
+  return scale;
+}
+
+/* Column col of the derivative with step h. */
+static void difference(val *out, struct calc *c, const struct event_map *map, const struct num_vec *x, slong col,
+                       val h) {
+  const struct num_type *type = c->ctx.type;
+  struct num_vec moved, value[2];
+  num_vec_init(&moved, map->n, c->ctx);
+  for (int side = 0; side < 2; side++) {
+    num_vec_init(&value[side], map->n, c->ctx);
+    num_vec_set(&moved, x);
+    void *entry_moved = num_vec_at(&moved, col);
+    type->set(entry_moved, side == 0 ? calc_add(c, entry_moved, h) : calc_sub(c, entry_moved, h));
+    if (!c->status) c->status |= map->run(&value[side], &moved, map);
+  }
+  val width = calc_add(c, h, h);
+  for (slong i = 0; i < map->n; i++)
+    out[i] = calc_div(c, calc_sub(c, num_vec_at(&value[0], i), num_vec_at(&value[1], i)), width);
+  num_vec_clear(&moved);
+  num_vec_clear(&value[0]);
+  num_vec_clear(&value[1]);
+}
+
+/* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
+   to 2h, plus a few units in the last place of the scale over h. */
+static int differentiate(struct num_vec *j, void *err, const struct event_map *map, const struct num_vec *x) {
+  struct calc c;
+  slong prec = x->ctx.prec;
+  calc_init(&c, x->ctx);
+  val scale = scale_of(&c, x, num_vec_at(map->params, P_V));
+  val h = calc_mul(&c, scale, calc_two_to(&c, -prec / 3)), twice = calc_add(&c, h, h);
+  val rounding = calc_div(&c, calc_mul(&c, scale, calc_two_to(&c, 3 - prec)), h), worst = calc_d(&c, 0);
+  for (slong col = 0; col < map->n && !c.status; col++) {
+    val fine[N_STATE], coarse[N_STATE];
+    difference(fine, &c, map, x, col, h);
+    if (err) difference(coarse, &c, map, x, col, twice);
+    for (slong i = 0; i < map->n; i++) {
+      j->ctx.type->set(num_vec_at(j, i * map->n + col), fine[i]);
+      if (!err) continue;
+      val change = calc_div(&c, calc_abs(&c, calc_sub(&c, fine[i], coarse[i])), calc_d(&c, 3));
+      val error = calc_add(&c, change, calc_mul(&c, rounding, calc_add(&c, calc_d(&c, 1), calc_abs(&c, fine[i]))));
+      if (calc_lt(&c, worst, error)) worst = error;
+    }
+  }
+  if (err) c.ctx.type->set(err, worst);
+  calc_clear(&c);
+  return c.status;
+}
+
+static int run_phase(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
+  struct calc c;
+  val p[N_PARAMS], in[N_STATE], z[N_STATE];
+  calc_init(&c, x->ctx);
+  flow_vals(p, map->params, 0, N_PARAMS);
+  flow_vals(in, x, 0, N_STATE);
+  val t = event_newton(&c, map->ph, p, in, num_vec_at(&map->near, 0));
+  struct blocks b = flow_blocks(&c, map->ph, p, t);
+  flow_apply(z, &c, &b, in);
+  for (slong i = 0; i < N_STATE; i++) c.ctx.type->set(num_vec_at(out, i), z[i]);
+  calc_clear(&c);
+  return c.status;
+}
+
+/* What the rounding of a phase's switching function, on the scale of its terms, moves the end of the phase by in double: where
+   the function is flat, a Newton step from the unperturbed time ends where it began, and no noise is seen between neighbours. */
+static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
+                        val t) {
+  struct calc c;
+  val in[N_STATE];
+  double terms = 0, speed = 0;
+  calc_init(&c, params->ctx);
+  double (*const size)(const void *) = c.ctx.type->get_d;
+  flow_vals(in, from, 0, N_STATE);
+  const struct phase_end e = phase_end(&c, ph, params, in, t);
+  for (int k = 0; k < N_STATE; k++) {
+    for (int i = 0; i < N_STATE; i++) terms += fabs(size(calc_mul(&c, e.n[k], calc_mul(&c, entry(&e.b, k, i), in[i]))));
+    speed = fmax(speed, fabs(size(e.f[k])));
+  }
+  *jitter = 4 * DBL_EPSILON * terms / fabs(size(e.rate)) * speed;
+  int status = c.status;
+  calc_clear(&c);
+  return status;
+}
+
+static int run_word(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
+  struct dyn_arc arc;
+  dyn_arc_init(&arc, x->ctx);
+  int status = arc_run_near(&arc, map->params, num_vec_at(x, 0), num_vec_at(x, 1), &map->near);
+  for (slong i = 0; i < 2; i++) x->ctx.type->set(num_vec_at(out, i), num_vec_at(&arc.z, N_PHASES * N_STATE + i));
+  dyn_arc_clear(&arc);
+  return status;
+}
+
+int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const struct num_vec *params,
+                          const struct num_vec *in, double t0) {
+  struct event_map map = {run_phase, params, ph, {.len = 0}, N_STATE};
+  if (params->ctx.type->rigorous) return SS_UNABLE;
+  num_vec_init(&map.near, 1, params->ctx);
+  int status = dyn_event(num_vec_at(&map.near, 0), ph, params, in, t0);
+  if (!status) status = differentiate(j, err, &map, in);
+  num_vec_clear(&map.near);
+  return status;
+}
+
+int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
+                           const double guess[4]) {
+  struct dyn_arc arc;
+  struct num_vec x;
+  if (params->ctx.type->rigorous) return SS_UNABLE;
+  dyn_arc_init(&arc, params->ctx);
+  num_vec_init(&x, 2, params->ctx);
+  params->ctx.type->set(num_vec_at(&x, 0), z10);
+  params->ctx.type->set(num_vec_at(&x, 1), z20);
+  int status = dyn_arc_run(&arc, params, z10, z20, guess);
+  struct event_map map = {run_word, params, PHASE_D, arc.t, 2};
+  if (!status) status = differentiate(j, err, &map, &x);
+  num_vec_clear(&x);
+  dyn_arc_clear(&arc);
+  return status;
+}
+
+/* --- In hardware arithmetic. --- */
+
+/* The event map on doubles, which are the elements of num_double. */
+static int run_doubles(double *out, const double *x, const void *self) {
+  const struct event_map *map = self;
+  struct num_vec in, end;
+  num_vec_init(&in, map->n, num_ctx_double());
+  num_vec_init(&end, map->n, num_ctx_double());
+  memcpy(in.data, x, (size_t)map->n * sizeof *x);
+  int status = map->run(&end, &in, map);
+  memcpy(out, end.data, (size_t)map->n * sizeof *out);
+  num_vec_clear(&end);
+  num_vec_clear(&in);
+  return status;
+}
+
+static void doubles_of(struct num_vec *v, const double *x, slong n) {
+  num_vec_init(v, n, num_ctx_double());
+  memcpy(v->data, x, (size_t)n * sizeof *x);
+}
+
+/* Columns k of out: the derivatives along the directions; err: the accuracy of each column. */
+static int differentiate_doubles(double *out, double *err, const struct event_map *map, const double *x, double jitter,
+                                 const double (*dir)[N_STATE], int n_dir) {
+  double scale = *(const double *)num_vec_at(map->params, P_V);
+  for (slong i = 0; i < map->n; i++) scale = fmax(scale, fabs(x[i]));
+  struct double_map doubles = {run_doubles, map, (int)map->n, (int)map->n, scale, 4 * DBL_EPSILON, jitter};
+  int status = SS_OK;
+  for (int k = 0; k < n_dir && !status; k++) status = differences_along(out + map->n * k, err + k, &doubles, x, dir[k]);
+  return status;
+}
+
+int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
+                            const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
+  struct num_vec p, from;
+  doubles_of(&p, params, N_PARAMS);
+  doubles_of(&from, in, N_STATE);
+  struct event_map map = {run_phase, &p, ph, {.len = 0}, N_STATE};
+  num_vec_init(&map.near, 1, num_ctx_double());
+  double jitter = 0;
+  int status = dyn_event(num_vec_at(&map.near, 0), ph, &p, &from, t);
+  if (!status) status = phase_jitter(&jitter, ph, &p, &from, num_vec_at(&map.near, 0));
+  if (!status) status = differentiate_doubles(out, err, &map, in, jitter, dir, n_dir);
+  num_vec_clear(&map.near);
+  num_vec_clear(&from);
+  num_vec_clear(&p);
+  return status;
+}
+
+int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
+                          const double guess[4]) {
+  static const double unit[2][N_STATE] = {{1, 0}, {0, 1}};
+  struct num_vec p;
+  struct dyn_arc arc;
+  double column[4], worst[2], jitter = 0;
+  doubles_of(&p, params, N_PARAMS);
+  dyn_arc_init(&arc, num_ctx_double());
+  int status = dyn_arc_run(&arc, &p, start, start + 1, guess);
+  struct event_map map = {run_word, &p, PHASE_D, arc.t, 2};
+  for (int ph = PHASE_GAMMA; ph < N_PHASES && !status; ph++) {
+    double more = 0;
+    struct num_vec from = {p.ctx, N_STATE, num_vec_at(&arc.z, ph * N_STATE)};
+    status = phase_jitter(&more, (enum phase)ph, &p, &from, num_vec_at(&arc.t, ph));
+    jitter = fmax(jitter, more);
+  }
+  if (!status) status = differentiate_doubles(column, worst, &map, start, jitter, unit, 2);
+  for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
+  if (!status) *err = fmax(worst[0], worst[1]);
+  dyn_arc_clear(&arc);
+  num_vec_clear(&p);
+  return status;
+}

@@ -1,0 +1,95 @@
+/* Derivatives from the integration of the original equations: differences of the motion's return to the global stick
+   phase, and of one phase alone up to the event that ends it.  They share nothing with the model in (w, r): neither
+   phases nor closed forms.  The price is accuracy: the integrator's error over the step. */
+#include <math.h>
+#include <string.h>
+
+#include "motion_impl.h"
+#include "stickslip/coulomb.h"
+
+/* Error of one integration that is assumed at least, relative to the state, at the tightest tolerance. */
+static const double integration_error = 1e-13;
+
+/* Where the masses come to stick both for the first time after the start; the phases must be the paper's. */
+static int first_return(double *x, const double *start, const void *params) {
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result r;
+  struct coulomb_log log;
+  struct text word;
+  coulomb_log_init(&log);
+  text_init(&word);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  plan.returns = 1;
+  plan.max_events = 64; /* the word has four */
+  int s = coulomb_simulate_ode(&r, params, start, &plan, &sink);
+  coulomb_log_word(&word, &log);
+  if (s == SS_OK && strcmp(text_str(&word), "GHCD") != 0) s = SS_DOMAIN;
+  for (int i = 0; i < 2; i++) x[i] = r.at.x[i];
+  text_clear(&word);
+  coulomb_log_clear(&log);
+  return s;
+}
+
+/* One phase: what it is simulated with, and the event that ended it. */
+struct stretch {
+  const double *params;
+  enum phase phase;
+  double longest;
+};
+
+static bool end_at_event(void *self, const struct coulomb_event *e) {
+  *(struct coulomb_event *)self = *e;
+  return false;
+}
+
+/* The state at the event that ends the phase; any other first event is a motion of another kind. */
+static int phase_end(double *z, const double *start, const void *self) {
+  static const int mass[N_PHASES] = {0, 1, 0, 1};
+  static const enum coulomb_mode from[N_PHASES] = {MODE_STICK, MODE_STICK, MODE_BELOW, MODE_BELOW};
+  static const char next[] = "GHCD";
+  const struct stretch *s = self;
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result r;
+  struct coulomb_event e = {.mass = -1};
+  plan.duration = s->longest;
+  int status = coulomb_simulate_ode(&r, s->params, start, &plan, &(struct coulomb_sink){&e, end_at_event, NULL});
+  if (status == SS_OK && (e.mass != mass[s->phase] || e.from != from[s->phase] || e.simultaneous ||
+                          coulomb_letter(e.at.mode) != next[s->phase]))
+    status = SS_DOMAIN;
+  for (int i = 0; i < 2 && !status; i++) {
+    z[Z_1 + i] = e.at.x[i];
+    z[DZ_1 + i] = e.at.v[i];
+  }
+  return status;
+}
+
+static struct double_map map_from(int (*run)(double *, const double *, const void *), const void *self,
+                                  const double *params, const double *start, int n_out) {
+  double scale = fabs(start[0]) + fabs(start[1]) + params[COULOMB_V];
+  return (struct double_map){run, self, N_STATE, n_out, scale, integration_error, 0};
+}
+
+int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]) {
+  struct double_map map = map_from(first_return, params, params, start, 2);
+  int s = SS_OK;
+  *err = 0;
+  for (int col = 0; col < 2 && !s; col++) {
+    double unit[N_STATE] = {0}, column[2], worst;
+    unit[col] = 1;
+    s = differences_along(column, &worst, &map, start, unit);
+    if (s) break;
+    for (int row = 0; row < 2; row++) j[2 * row + col] = column[row];
+    *err = fmax(*err, worst);
+  }
+  return s;
+}
+
+int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
+                              const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir) {
+  if (!(t > 0)) return SS_DOMAIN;
+  struct stretch stretch = {params, ph, 2 * t};
+  struct double_map map = map_from(phase_end, &stretch, params, start, N_STATE);
+  int s = SS_OK;
+  for (int k = 0; k < n_dir && !s; k++) s = differences_along(out + N_STATE * k, err + k, &map, start, dir[k]);
+  return s;
+}

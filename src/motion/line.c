@@ -1,0 +1,217 @@
+/* The common zeros of p and H along t_c where t_b and one of e1, e2 are given.
+
+   With the other one, e, everything at t_c is linear: p = p_0 + p_1 e, and so q, r and r_0.  So e = -p_0/p_1, and with
+   R = r_0 p_1 - r_1 p_0 and the like F = R^2 + Q^2/omega^2 - C^2, C from r at the stick phase, is zero where both
+   equations hold.  F and its derivative are known in closed form (p' = -w, q' = -chi eta r, r' = q - p); intervals of
+   t_c are excluded, proved to hold one zero (Newton's operator), or halved. */
+#include "complete_impl.h"
+
+#include <stdlib.h>
+
+#include "stickslip/arena.h"
+
+enum { CONSTANT, LINEAR, N_PARTS, FINEST_CELL = 30 };
+
+struct course {
+  struct stage stage;
+  struct disk a[N_PARTS][2], b[N_PARTS][2]; /* the modes, as those of a strip */
+  struct disk c[N_PARTS];                   /* r at the stick phase */
+  bool pull;                                /* the unknown is e2 */
+  bool never;                               /* t_b belongs to no orbit */
+};
+
+/* The start of phase H from velocities v, the force w on z_1 and the pull chi eta r on z_2. */
+static void set_modes(struct course *o, int part, struct disk v1, struct disk v2, struct disk w, struct disk pull) {
+  const struct stage *g = &o->stage;
+  for (int i = 0; i < 2; i++) {
+    o->a[part][i] = disk_dot(g->x[i], v1, g->y[i], v2);
+    o->b[part][i] = disk_mul(g->inverse[i], disk_dot(g->x[i], w, g->y[i], pull));
+  }
+}
+
+/* The rise is surely not at a record at t_b: no orbit has this e1 and t_b. */
+static bool overtaken(const struct stage *g, arb_srcptr tb) {
+  struct strip p;
+  double k = floor(arf_get_d(arb_midref(tb), ARF_RND_NEAR) / (2 * PI));
+  struct disk angle = disk_less_turns(tb, k);
+  if (disk_positive(disk_sub(angle, g->fall))) return true;
+  strip_make(&p, g, disk_low(angle), disk_high(angle), 0);
+  return k > 0 && !p.later;
+}
+
+static bool course_init(struct course *o, const fmpq *params, int unknown, const fmpq *tb) {
+  fmpq p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = params[i]; /* borrowed */
+  fmpq_t one;
+  fmpq_init(one);
+  fmpq_one(one);
+  p[unknown] = *one;
+  bool fits = stage_init(&o->stage, p);
+  fmpq_clear(one);
+  const struct stage *g = &o->stage;
+  arb_t t, s, c;
+  arb_init(t);
+  arb_init(s);
+  arb_init(c);
+  arb_set_fmpq(t, tb, 128);
+  arb_sin_cos(s, c, t, 64);
+  struct disk sine = disk_arb(s), cosine = disk_arb(c), time = disk_arb(t), zero = {0, 0}, unit = {1, 0};
+  o->pull = unknown == P_E2;
+  o->never = o->pull && overtaken(g, t);
+  arb_clear(c);
+  arb_clear(s);
+  arb_clear(t);
+  /* what e1, e2 and neither bring in */
+  struct disk v1 = disk_add(disk_sub(g->V, g->a), disk_mul(g->a, cosine)), w = disk_mul(g->a, sine);
+  struct disk r = disk_mul(g->a, disk_sub(sine, time)), pull = zero;
+  struct disk versine = disk_sub(unit, cosine);
+  if (o->pull) {
+    v1 = disk_sub(v1, disk_mul(g->e1, sine));
+    w = disk_add(w, disk_mul(g->e1, cosine));
+    r = disk_sub(r, disk_mul(g->e1, versine));
+    set_modes(o, LINEAR, zero, zero, zero, g->eta);
+    o->c[LINEAR] = g->span; /* of e2 = 1 */
+  } else {
+    pull = g->pull;
+    r = disk_add(r, g->span);
+    set_modes(o, LINEAR, disk_scale(sine, -1), zero, cosine, zero);
+    o->c[LINEAR] = disk_scale(versine, -1);
+  }
+  set_modes(o, CONSTANT, v1, g->V, w, pull);
+  o->c[CONSTANT] = r;
+  return fits;
+}
+
+/* p, q, r, w of both parts; F and its derivative. */
+struct course_at {
+  struct disk p[N_PARTS], q[N_PARTS], r[N_PARTS], w[N_PARTS], f, df;
+};
+
+/* x_0 y_1 - x_1 y_0 */
+static struct disk bracket(const struct disk x[N_PARTS], const struct disk y[N_PARTS]) {
+  return disk_cross(x[CONSTANT], y[LINEAR], x[LINEAR], y[CONSTANT]);
+}
+
+static void course_look(struct course_at *at, const struct course *o, const struct clock *t, double wide) {
+  const struct stage *g = &o->stage;
+  struct disk dp[N_PARTS], dq[N_PARTS], dr[N_PARTS];
+  for (int k = 0; k < N_PARTS; k++) {
+    struct disk v[2], f[2];
+    for (int i = 0; i < 2; i++) {
+      double turn = wide > 0 ? disk_mag(g->om[i]) * wide : 0;
+      struct disk sine = disk_widen(t->sine[i], turn), cosine = disk_widen(t->cosine[i], turn);
+      v[i] = disk_cross(o->a[k][i], cosine, o->b[k][i], sine);
+      f[i] = disk_dot(o->a[k][i], sine, o->b[k][i], cosine);
+    }
+    at->p[k] = disk_dot(g->back[0], v[0], g->back[1], v[1]);
+    at->q[k] = disk_dot(g->y[0], v[0], g->y[1], v[1]);
+    if (k == CONSTANT) at->p[k] = disk_sub(at->p[k], g->V);
+    if (k == CONSTANT) at->q[k] = disk_sub(at->q[k], g->V);
+    at->w[k] = disk_dot(g->force1[0], f[0], g->force1[1], f[1]);
+    at->r[k] = disk_dot(g->force2[0], f[0], g->force2[1], f[1]);
+    dp[k] = disk_scale(at->w[k], -1);
+    dq[k] = disk_scale(disk_mul(g->stiff, at->r[k]), -1);
+    dr[k] = disk_sub(at->q[k], at->p[k]);
+  }
+  struct disk r = bracket(at->r, at->p), q = bracket(at->q, at->p), c = bracket(o->c, at->p);
+  struct disk dR = disk_add(bracket(dr, at->p), bracket(at->r, dp));
+  struct disk dQ = disk_add(bracket(dq, at->p), bracket(at->q, dp)), dC = bracket(o->c, dp);
+  at->f = disk_add(disk_cross(r, r, c, c), disk_mul(g->soft, disk_mul(q, q)));
+  at->df = disk_scale(disk_add(disk_cross(r, dR, c, dC), disk_mul(g->soft, disk_mul(q, dQ))), 2);
+}
+
+static struct disk quotient(struct disk x, struct disk y) {
+  double least = (fabs(y.mid) - y.rad) * (1 - 0x1p-50);
+  return disk_mul(x, disk_widen(disk_between(1 / disk_high(y), 1 / disk_low(y)), 0x1p-40 / least));
+}
+
+/* e = -p_0/p_1 is not positive on the cell, but perhaps at t_c = 0 itself. */
+static bool not_positive(const struct course *o, const struct course_at *over, bool first) {
+  if (disk_positive(disk_mul(over->p[CONSTANT], over->p[LINEAR]))) return true;
+  if (!first || !o->pull || !disk_negative(over->p[CONSTANT])) return false;
+  /* the unknown's part starts at rest with w = 0, w' = 0: while w'' = chi^2 eta r - w > 0, p_1 = - int w falls */
+  struct disk lift = disk_mul(o->stage.chi, disk_mul(o->stage.stiff, over->r[LINEAR]));
+  return disk_positive(disk_sub(lift, over->w[LINEAR]));
+}
+
+/* Newton's operator on the cell twice as long. */
+static enum look line_look(struct line_zero *z, const struct course *o, const struct clock *t, double half,
+                           bool first) {
+  struct course_at middle, over;
+  course_look(&over, o, t, half);
+  if (not_positive(o, &over, first)) return LOOK_CLEAR;
+  course_look(&middle, o, t, 0);
+  if (fabs(middle.f.mid) > disk_up(middle.f.rad + disk_mag(over.df) * half)) return LOOK_CLEAR;
+  course_look(&over, o, t, 2 * half);
+  if (!disk_nonzero(over.df) || !disk_nonzero(over.p[LINEAR])) return LOOK_OPEN;
+  struct disk step = quotient(middle.f, over.df);
+  if (fabs(step.mid) - step.rad > half * (1 + 0x1p-40)) return LOOK_CLEAR;
+  if (!(disk_mag(step) < 2 * half * (1 - 0x1p-20))) return LOOK_OPEN;
+  *z = (struct line_zero){.at = t->t - step.mid, .near = disk_up(step.rad + 0x1p-50 * t->t), .room = 2 * half};
+  return LOOK_ZERO;
+}
+
+/* Newton's steps make the enclosure small; the unknown there. */
+static void line_refine(struct line_zero *z, const struct course *o) {
+  struct course_at middle, over;
+  struct clock t;
+  for (int i = 0; i < 8; i++) {
+    clock_set(&t, &o->stage, z->at);
+    course_look(&middle, o, &t, 0);
+    course_look(&over, o, &t, z->near);
+    if (!disk_nonzero(over.df)) break;
+    struct disk step = quotient(middle.f, over.df);
+    double near = disk_up(step.rad + 0x1p-50 * z->at);
+    if (!(near < z->near)) break;
+    z->room -= fabs(step.mid); /* of the new middle */
+    z->at -= step.mid;
+    z->near = near;
+  }
+  clock_set(&t, &o->stage, z->at);
+  course_look(&over, o, &t, z->near);
+  z->e = disk_scale(quotient(over.p[CONSTANT], over.p[LINEAR]), -1);
+}
+
+static void line_add(struct line *s, struct line_zero *z, const struct course *o) {
+  line_refine(z, o);
+  for (size_t i = 0; i < s->n; i++) {
+    double apart = fabs(s->zeros[i].at - z->at) * (1 + 0x1p-40);
+    if (apart + z->near < s->zeros[i].room || apart + s->zeros[i].near < z->room) return;
+  }
+  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
+  s->zeros[s->n++] = *z;
+}
+
+bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, double last, long budget) {
+  struct course o;
+  struct clock middle;
+  int power;
+  *s = (struct line){.n = 0};
+  bool fits = course_init(&o, params, unknown, tb);
+  frexp(o.stage.om[1].mid, &power);
+  double usual = ldexp(1, -power - 1), finest = ldexp(usual, -FINEST_CELL), h = usual, t = 0;
+  while (fits && !o.never && t < last) {
+    struct line_zero z;
+    if (s->cells++ >= budget) {
+      s->spent = true;
+      break;
+    }
+    clock_set(&middle, &o.stage, t + 0.5 * h);
+    enum look seen = line_look(&z, &o, &middle, 0.5 * h, t == 0);
+    if (seen == LOOK_OPEN && h > finest) {
+      h *= 0.5;
+      continue;
+    }
+    if (seen == LOOK_OPEN && !s->stuck) s->where = t;
+    if (seen == LOOK_OPEN) s->stuck = true;
+    if (seen == LOOK_ZERO) line_add(s, &z, &o);
+    t += h;
+    if (h < usual && fmod(t, 2 * h) == 0) h *= 2;
+  }
+  stage_clear(&o.stage);
+  return fits;
+}
+
+void line_clear(struct line *s) {
+  free(s->zeros);
+}

@@ -1,0 +1,253 @@
+/* The equations of the return map in balls, and the proof that a velocity stays below the belt's.
+
+   The unknowns are (t_b, t_c): z_1' = V at the end of phase H, and the radius that phase C ends at equals the r that
+   the stick phase must have.  Both stay smooth where an event grazes.  The proof walks along phase H as the search in
+   double precision does, with every bound rounded outwards. */
+#include <math.h>
+
+#include "motion_impl.h"
+#include "stickslip/work.h"
+
+enum { UNITS_OF_VELOCITY = 60 }; /* of work: the velocity of a mass at one time */
+
+void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params) {
+  val p[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) p[i] = calc_q(c, params + i);
+  ball_params_make(m, c, p);
+}
+
+void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]) {
+  for (int i = 0; i < N_PARAMS; i++) m->p[i] = p[i];
+  m->zero = calc_d(c, 0);
+  m->one = calc_d(c, 1);
+  m->two = calc_d(c, 2);
+  m->a = calc_mul(c, calc_sub(c, m->one, m->p[P_CHI]), m->p[P_V]);
+  m->stiff = calc_mul(c, m->p[P_CHI], m->p[P_ETA]);
+  m->omega = calc_sqrt(c, m->stiff);
+  m->spectrum = flow_spectrum(c, m->p);
+  m->kept = false;
+}
+
+void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc) {
+  m->kept = true;
+  m->near_tb = tb;
+  m->near_tc = tc;
+  calc_sin_cos(c, &m->turn_b.sine, &m->turn_b.cosine, tb);
+  for (int i = 0; i < 2; i++)
+    calc_sin_cos(c, &m->turn_c[i].sine, &m->turn_c[i].cosine, calc_mul(c, m->spectrum.om[i], tc));
+}
+
+static void turn_gamma(val *sine, val *cosine, struct calc *c, const struct ball_params *m, val tb) {
+  if (m->kept)
+    turn_by(sine, cosine, c, &m->turn_b, calc_sub(c, tb, m->near_tb));
+  else
+    calc_sin_cos(c, sine, cosine, tb);
+}
+
+static void turns_h(val sine[2], val cosine[2], struct calc *c, const struct ball_params *m, val tc) {
+  val move = m->kept ? calc_sub(c, tc, m->near_tc) : tc;
+  for (int i = 0; i < 2; i++) {
+    val angle = calc_mul(c, m->spectrum.om[i], move);
+    if (m->kept)
+      turn_by(&sine[i], &cosine[i], c, &m->turn_c[i], angle);
+    else
+      calc_sin_cos(c, &sine[i], &cosine[i], angle);
+  }
+}
+
+/* From velocities v and forces f = (w, chi eta r). */
+static struct ball_modes modes_from(struct calc *c, const struct spectrum *s, const val v[2], const val f[2]) {
+  struct ball_modes m;
+  val share[2][2] = {{s->above, s->couple}, {s->back, s->below}}; /* of the slow mode: rows of its projector */
+  for (int i = 0; i < 2; i++) {
+    m.a[i][0] = calc_dot(c, share[i][0], v[0], share[i][1], v[1]);
+    m.a[i][1] = calc_sub(c, v[i], m.a[i][0]);
+    val slow = calc_dot(c, share[i][0], f[0], share[i][1], f[1]);
+    m.b[i][0] = calc_div(c, slow, s->om[0]);
+    m.b[i][1] = calc_div(c, calc_sub(c, f[i], slow), s->om[1]);
+  }
+  return m;
+}
+
+/* Velocities and forces at the time with the given sines and cosines of om t. */
+static void modes_at(val v[2], val f[2], struct calc *c, const struct spectrum *s, const struct ball_modes *m,
+                     const val sine[2], const val cosine[2]) {
+  for (int i = 0; i < 2; i++) {
+    val speed[2], force[2];
+    for (int k = 0; k < 2; k++) {
+      speed[k] = calc_sub(c, calc_mul(c, m->a[i][k], cosine[k]), calc_mul(c, m->b[i][k], sine[k]));
+      force[k] = calc_mul(c, s->om[k], calc_dot(c, m->a[i][k], sine[k], m->b[i][k], cosine[k]));
+    }
+    v[i] = calc_add(c, speed[0], speed[1]);
+    f[i] = calc_add(c, force[0], force[1]);
+  }
+}
+
+void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc) {
+  val V = m->p[P_V], e1 = m->p[P_E1], e2 = m->p[P_E2], sine, cosine;
+  s->tb = tb;
+  s->tc = tc;
+  turn_gamma(&sine, &cosine, c, m, tb);
+  s->wb = calc_dot(c, e1, cosine, m->a, sine);
+  val dwb = calc_sub(c, calc_mul(c, m->a, cosine), calc_mul(c, e1, sine));
+  s->pb = calc_sub(c, dwb, m->a);
+  s->rise = calc_add(c, calc_sub(c, calc_mul(c, m->a, tb), s->wb), e1);
+  s->r = calc_sub(c, calc_div(c, e2, m->p[P_CHI]), s->rise);
+
+  val v[2] = {calc_add(c, V, s->pb), V}, f[2] = {s->wb, calc_mul(c, m->p[P_ETA], e2)};
+  val dv[2] = {calc_neg(c, s->wb), m->zero}, df[2] = {dwb, m->zero}; /* d/dt_b, r_b = e2/chi being fixed */
+  s->modes = modes_from(c, &m->spectrum, v, f);
+  struct ball_modes shift = modes_from(c, &m->spectrum, dv, df);
+  val sines[2], cosines[2];
+  turns_h(sines, cosines, c, m, tc);
+  modes_at(v, f, c, &m->spectrum, &s->modes, sines, cosines);
+  modes_at(dv, df, c, &m->spectrum, &shift, sines, cosines);
+
+  s->pc = calc_sub(c, v[0], V);
+  s->qc = calc_sub(c, v[1], V);
+  s->wc = f[0];
+  s->rc = calc_div(c, f[1], m->stiff);
+  s->pc_tb = dv[0];
+  s->qc_tb = dv[1];
+  s->pull_tb = df[1];
+}
+
+void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
+  ball_pass_slip(s, c, m, tb, tc);
+  val turned = calc_div(c, s->qc, m->omega);
+  val radius = calc_sqrt(c, calc_dot(c, s->rc, s->rc, turned, turned));
+  s->r_end = up ? radius : calc_neg(c, radius);
+  s->defect = calc_sub(c, s->r_end, s->r);
+  val turn = calc_div(c, calc_dot(c, s->rc, s->pull_tb, s->qc, s->qc_tb), m->stiff);
+  s->defect_tb = calc_sub(c, calc_div(c, turn, s->r_end), s->pb);
+  s->defect_tc = calc_neg(c, calc_div(c, calc_mul(c, s->rc, s->pc), s->r_end));
+}
+
+/* The rise grows strictly up to the first crest; later, t_b lies on the rising part of its period and above the crest
+   before. */
+truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest) {
+  arb_ptr pi = calc_new(c);
+  arb_const_pi(pi, c->ctx.prec);
+  val turn = calc_mul(c, m->two, pi);
+  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
+  *before_crest = num_arb.lt(s->tb, fall);
+  if (*before_crest == TRUTH_TRUE) return TRUTH_TRUE;
+  double whole = floor(arf_get_d(arb_midref((arb_srcptr)s->tb), ARF_RND_NEAR) / (2 * PI));
+  if (whole < 1) return *before_crest;
+  val local = calc_sub(c, s->tb, calc_mul(c, calc_d(c, whole), turn)), sine, cosine;
+  calc_sin_cos(c, &sine, &cosine, fall);
+  val crest =
+      calc_add(c, calc_mul(c, m->a, calc_sub(c, fall, sine)), calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine)));
+  val before = calc_add(c, crest, calc_mul(c, calc_mul(c, calc_d(c, whole - 1), turn), m->a));
+  return truth_and(num_arb.lt(local, fall), num_arb.lt(before, s->rise));
+}
+
+static double upper(val x) {
+  arf_t bound;
+  arf_init(bound);
+  arb_get_ubound_arf(bound, x, 64);
+  double d = arf_get_d(bound, ARF_RND_CEIL);
+  arf_clear(bound);
+  return d;
+}
+
+static double lower(val x) {
+  arf_t bound;
+  arf_init(bound);
+  arb_get_lbound_arf(bound, x, 64);
+  double d = arf_get_d(bound, ARF_RND_FLOOR);
+  arf_clear(bound);
+  return d;
+}
+
+/* The velocity over its start, f - start, and f' at t, for one mass. */
+static void velocity_at(val *f, val *rate, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
+                        int mass, val start, val t) {
+  val change = start, force = m->zero, half = calc_d(c, 0.5);
+  for (int k = 0; k < 2; k++) {
+    val s, co, a = modes->a[mass][k], b = modes->b[mass][k], om = m->spectrum.om[k];
+    calc_sin_cos(c, &s, &co, calc_mul(c, half, calc_mul(c, om, t)));
+    val sine = calc_mul(c, m->two, calc_mul(c, s, co)), versine = calc_mul(c, m->two, calc_mul(c, s, s));
+    change = calc_sub(c, change, calc_dot(c, a, versine, b, sine));
+    val turn = calc_dot(c, a, sine, b, calc_sub(c, m->one, versine));
+    force = calc_add(c, force, calc_mul(c, om, turn));
+  }
+  *f = change;
+  *rate = calc_neg(c, force);
+}
+
+/* An upper bound of |f''|: the sum of om^2 hypot(a, b). */
+static double bend_bound(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass) {
+  val sum = m->zero;
+  for (int k = 0; k < 2; k++) {
+    val a = modes->a[mass][k], b = modes->b[mass][k], om = m->spectrum.om[k];
+    val amplitude = calc_sqrt(c, calc_dot(c, a, a, b, b));
+    sum = calc_add(c, sum, calc_mul(c, calc_mul(c, om, om), amplitude));
+  }
+  return upper(sum) * (1 + 1e-9);
+}
+
+/* Whether the velocity is surely above zero somewhere after t, where the walk came to a stand, and before end. */
+static bool rises_above(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                        val start, double t, double end) {
+  slong mark = calc_mark(c);
+  bool above = false;
+  for (double h = 1e-15 * (t + end); !above && !c->status && t + h < end; h *= 4) {
+    val f, rate;
+    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, t + h));
+    above = arb_is_positive(f);
+    calc_release(c, mark);
+  }
+  return above;
+}
+
+/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no root. */
+enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
+
+/* To last, or to where a root is near.  *t: how far it came. */
+static enum walk_end walk_below(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes,
+                                int mass, val start, double last, long max_steps) {
+  slong mark = calc_mark(c);
+  double bound = bend_bound(c, m, modes, mass);
+  enum walk_end end = WALK_TIRED;
+  *t = 0;
+  for (long i = 0; i < max_steps && !c->status && end == WALK_TIRED; i++) {
+    val f, rate;
+    if (i % WORK_BLOCK == WORK_BLOCK - 1) work_add((unsigned long long)WORK_BLOCK * UNITS_OF_VELOCITY);
+    if (*t > last) {
+      end = WALK_PASSED;
+      break;
+    }
+    velocity_at(&f, &rate, c, m, modes, mass, start, calc_d(c, *t));
+    double y = *t == 0 ? fmin(upper(start), 0) : upper(f), d = upper(rate), root = sqrt(fmax(d * d - 2 * bound * y, 0));
+    double h = (d > 0 ? -2 * y / (d + root) : (root - d) / bound) * (1 - 1e-9);
+    if (y > 0 || !(h > 1e-15 * *t))
+      end = WALK_STANDS;
+    else
+      *t += h;
+    calc_release(c, mark);
+  }
+  return end;
+}
+
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
+                  val end, bool root_at_end, long max_steps) {
+  slong mark = calc_mark(c);
+  double t, last = root_at_end ? lower(end) : upper(end);
+  if (root_at_end) { /* f' > 0 from there to the root: f rises to zero */
+    val f, rate;
+    velocity_at(&f, &rate, c, m, modes, mass, start, end);
+    last -= fmax(lower(rate), 0) / bend_bound(c, m, modes, mass) * (1 - 1e-9);
+    last = nextafter(last, -INFINITY); /* the walk may end at last itself */
+  }
+  enum walk_end at = walk_below(&t, c, m, modes, mass, start, last, max_steps);
+  truth answer = at == WALK_PASSED ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  if (at == WALK_STANDS && rises_above(c, m, modes, mass, start, t, lower(end))) answer = TRUTH_FALSE;
+  calc_release(c, mark);
+  return answer;
+}
+
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                     val start, double t_max, long max_steps) {
+  return walk_below(t, c, m, modes, mass, start, t_max, max_steps) == WALK_STANDS && *t > 0;
+}

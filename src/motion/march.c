@@ -1,0 +1,187 @@
+/* Strips of t_b marched through phase H until every t_c lies behind them.
+
+   A strip advances cell by cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved,
+   or the strip is.  The part of a strip on which p is proved positive has met its first root, since p starts below zero,
+   and is cut off: this is what bounds t_c.  A strip that no time brings to a zero (strip_never, strip_turns,
+   strip_misses) is done with as well. */
+#include "complete_impl.h"
+
+#include <stdlib.h>
+
+#include "stickslip/arena.h"
+#include "stickslip/work.h"
+
+/* Of work: a cell; those that are looked at before any is counted, more than usual parameters ask for. */
+enum { UNITS_OF_CELL = 3, FREE_CELLS = 1 << 17 };
+
+enum {
+  STRIPS = 32,   /* at the start */
+  FINEST = 26,   /* halvings of a step or of a strip, after which a cell is stuck */
+  CROSSING = 18, /* halvings of a strip whose middle has crossed */
+  FOLDS = 6,     /* ... from which on an open cell is held against two known zeros */
+};
+
+/* What changes from strip to strip. */
+struct march {
+  struct clock now;
+  int level;
+  double check; /* the time of the next look at free phases */
+  double dir;
+};
+
+static void add_zero(struct sweep *s, const struct common *zero, const struct strip *p, double t) {
+  struct common z = *zero;
+  z.at[0] += p->angle;
+  z.at[1] += t;
+  for (size_t i = 0; i < s->n; i++) {
+    const struct common *old = &s->zeros[i];
+    bool same = old->k == z.k;
+    for (int l = 0; l < 2; l++) {
+      double apart = fabs(old->at[l] - z.at[l]) + 0x1p-40 * (1 + fabs(z.at[l]));
+      same = same && (apart + z.near[l] < old->room[l] || apart + old->near[l] < z.room[l]);
+    }
+    if (same) return;
+  }
+  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
+  s->zeros[s->n++] = z;
+}
+
+static void march(struct sweep *s, double low, double high, struct march m);
+
+static void halve(struct sweep *s, const struct strip *p, const struct march *m) {
+  march(s, p->angle - p->half, p->angle, *m);
+  march(s, p->angle, p->angle + p->half, *m);
+}
+
+static void note_stuck(struct sweep *s, const struct strip *p, const struct common *open, double t, double dir) {
+  if (dir < 0) s->crest = true;
+  if (s->stuck) return;
+  s->stuck = true;
+  s->where[0] = p->angle + 2 * PI * fmax(open->k, 0);
+  s->where[1] = t;
+}
+
+/* Two known zeros with the k that is open, and a proof that there are no more around them and the cell. */
+static bool folded(struct sweep *s, const struct cell *c, const struct strip *p, const struct clock *t, double k) {
+  for (size_t j = 1; j < s->n_known; j++)
+    for (size_t i = 0; i < j; i++) {
+      struct known *two[2] = {&s->known[i], &s->known[j]};
+      const double middle[2] = {p->angle, t->t}, size[2] = {p->half, c->early};
+      double half[2];
+      bool apart = false;
+      for (int l = 0; l < 2; l++) {
+        half[l] = size[l];
+        for (int z = 0; z < 2; z++) half[l] = fmax(half[l], fabs(two[z]->at[l] - middle[l]) + two[z]->near[l]);
+        half[l] *= 1 + 0x1p-20;
+        apart = apart || fabs(two[0]->at[l] - two[1]->at[l]) > (two[0]->near[l] + two[1]->near[l]) * (1 + 0x1p-20);
+      }
+      if (two[0]->k != k || two[1]->k != k || !apart || half[0] > ldexp(s->stage.fall.mid, -FOLDS)) continue;
+      struct strip wide = *p;
+      strip_reach(&wide, &s->stage, half[0]);
+      /* the taller, the easier for the curve to stay inside */
+      half[1] = fmax(half[1], 4 * half[0] * fabs(c->pf.mid / c->w.mid));
+      if (!cell_folds_once(c, &wide, &s->stage, t, k, half)) continue;
+      two[0]->met = two[1]->met = true;
+      return true;
+    }
+  return false;
+}
+
+/* No zero on the strip at any time. */
+static bool strip_done(const struct strip *p, const struct stage *g, const struct turns *k, double dir) {
+  return turns_count(k) == 0 || (dir > 0 && strip_never(p, g));
+}
+
+/* The cell around middle, known zeros and their folds taken in; what was proved or is stuck is noted.  LOOK_OPEN: to be
+   divided. */
+static enum look examine(struct sweep *s, struct cell *c, const struct strip *p, const struct turns *k,
+                         const struct march *m, const struct clock *middle) {
+  const struct stage *g = &s->stage;
+  struct common zero;
+  cell_at(c, p, g, middle);
+  c->early = s->step[m->level - 1].t;
+  c->first = m->now.t == 0;
+  enum look seen = cell_look(&zero, c, p, g, k, m->dir);
+  if (seen == LOOK_OPEN && m->dir > 0 && zero.k >= 0 && p->half < ldexp(g->fall.mid, -FOLDS) &&
+      folded(s, c, p, middle, zero.k))
+    return LOOK_CLEAR;
+  bool finest = p->half <= ldexp(g->fall.mid, -FINEST) && m->level <= s->level - FINEST;
+  if (seen == LOOK_OPEN && !finest) return LOOK_OPEN;
+  if (seen == LOOK_ZERO && m->dir > 0)
+    add_zero(s, &zero, p, middle->t);
+  else if (seen != LOOK_CLEAR)
+    note_stuck(s, p, &zero, middle->t, m->dir);
+  return LOOK_CLEAR;
+}
+
+/* One strip from the time m.now on. */
+static void march(struct sweep *s, double low, double high, struct march m) {
+  const struct stage *g = &s->stage;
+  double finest = ldexp(g->fall.mid, -FINEST), unhurried = ldexp(g->fall.mid, -CROSSING), from, to;
+  struct clock middle;
+  struct strip p;
+  struct cell c;
+  strip_make(&p, g, low, high, high - low);
+  struct turns k = strip_turns(&p, g);
+  while (!strip_done(&p, g, &k, m.dir)) {
+    if (s->cells++ >= s->budget) {
+      s->spent = true;
+      return;
+    }
+    if (s->cells % FREE_CELLS == 0) work_add((unsigned long long)FREE_CELLS * UNITS_OF_CELL);
+    const struct clock *half = &s->step[m.level - 1];
+    clock_turn(&middle, &m.now, half);
+    bool part = false; /* the strip into halves */
+    if (examine(s, &c, &p, &k, &m, &middle) == LOOK_OPEN) {
+      part = p.half > finest && (m.level <= s->level - FINEST || cell_wide_in_angle(&c, &p));
+      if (!part) {
+        m.level--;
+        continue;
+      }
+    } else {
+      if (!cell_waiting(&from, &to, &c, &p, m.dir)) return;
+      bool less = to - from < 1.5 * p.half;
+      part = !less && m.dir * c.p.mid > c.p.rad && p.half > unhurried;
+      if (less) {
+        strip_make(&p, g, p.angle + from, p.angle + to, to - from);
+        k = strip_turns(&p, g);
+      }
+    }
+    if (!part) {
+      clock_turn(&m.now, &middle, half);
+      if (m.now.sine[0].rad + m.now.sine[1].rad > 1e-13) clock_set(&m.now, g, m.now.t);
+      if (m.level < s->level && fmod(m.now.t, 2 * s->step[m.level].t) == 0) m.level++;
+      if (m.now.t <= m.check) continue;
+      if (strip_misses(&p, g, &k)) return;
+      m.check *= 2;
+      part = p.half > unhurried;
+    }
+    if (part) {
+      halve(s, &p, &m);
+      return;
+    }
+  }
+}
+
+bool sweep_run(struct sweep *s, const fmpq *params, struct known *known, size_t n_known, long budget) {
+  *s = (struct sweep){.budget = budget, .known = known, .n_known = n_known};
+  int power;
+  if (!stage_init(&s->stage, params)) return false;
+  frexp(s->stage.om[1].mid, &power);
+  s->level = SWEEP_LOWEST - power - 1;
+  if (s->level + 1 >= SWEEP_LEVELS || s->level <= FINEST + 1) return false;
+  for (int i = 0; i <= s->level; i++) clock_set(&s->step[i], &s->stage, ldexp(1, i - SWEEP_LOWEST));
+  struct march m = {.level = s->level, .check = 12 / s->stage.om[0].mid, .dir = 1};
+  clock_set(&m.now, &s->stage, 0);
+  double fall = disk_high(s->stage.fall);
+  for (int i = 0; i < STRIPS; i++) march(s, fall * i / STRIPS, i + 1 < STRIPS ? fall * (i + 1) / STRIPS : fall, m);
+  /* at the crest itself p starts at zero, with p' = e1 > 0: its first root is where it falls through zero */
+  m.dir = -1;
+  march(s, disk_low(s->stage.fall), fall, m);
+  return true;
+}
+
+void sweep_clear(struct sweep *s) {
+  stage_clear(&s->stage);
+  free(s->zeros);
+}

@@ -1,0 +1,130 @@
+/* The return map over balls: from rough times of its events, which is what the map in double precision falls back on where its
+   own roundings would show; and with first events found and proved in balls, which is what it is held against. */
+#include <math.h>
+#include <stdlib.h>
+
+#include "motion_impl.h"
+#include "stickslip/return_map.h"
+
+/* w = e1: z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r. */
+static void positions(val z[2], struct calc *c, const val p[N_PARAMS], val r) {
+  val pull = calc_add(c, p[P_E1], calc_mul(c, p[P_CHI], r));
+  z[0] = calc_div(c, pull, calc_sub(c, calc_d(c, 1), p[P_CHI]));
+  z[1] = calc_add(c, z[0], r);
+}
+
+/* The next stick phase takes w from its last value to e1 at the speed (1 - chi) V. */
+static val next_stick(struct calc *c, const val p[N_PARAMS], const struct dyn_arc *arc) {
+  const struct num_vec end = {arc->z.ctx, N_STATE, num_vec_at(&arc->z, N_PHASES * N_STATE)};
+  val z[N_STATE];
+  flow_vals(z, &end, 0, N_STATE);
+  return calc_neg(c, calc_div(c, flow_switching(c, PHASE_D, p, z), flow_switching_rate(c, PHASE_D, p, z)));
+}
+
+int dyn_return_near(struct num_vec *out, const struct num_vec *params, const void *r, const double guess[N_PHASES]) {
+  struct calc c;
+  struct dyn_arc arc;
+  val p[N_PARAMS], z[2];
+  const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
+  arb_ptr jet = _arb_vec_init(2);
+  calc_init(&c, params->ctx);
+  dyn_arc_init(&arc, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  positions(z, &c, p, r);
+  int status = c.status;
+  if (!status) status = dyn_arc_run(&arc, params, z[0], z[1], near);
+  if (!status) status = dyn_return_jet(jet, 2, params, &arc);
+  if (!status) {
+    arb_set(num_vec_at(out, RETURN_TA), next_stick(&c, p, &arc));
+    for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) arb_set(num_vec_at(out, RETURN_TA + ph), num_vec_at(&arc.t, ph));
+    arb_set(num_vec_at(out, RETURN_R), jet);
+    arb_set(num_vec_at(out, RETURN_SLOPE), jet + 1);
+    status = c.status;
+  }
+  dyn_arc_clear(&arc);
+  calc_clear(&c);
+  _arb_vec_clear(jet, 2);
+  return status;
+}
+
+/* --- First events. --- */
+
+enum { SEARCH = 256 };
+
+/* t_b and t_c of out. */
+static truth are_first(const struct num_vec *params, const struct num_vec *out, long max_steps) {
+  struct calc c;
+  struct ball_params m;
+  struct ball_pass s;
+  val p[N_PARAMS], tb = num_vec_at(out, RETURN_TB), tc = num_vec_at(out, RETURN_TC);
+  truth before_crest;
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  ball_params_make(&m, &c, p);
+  ball_pass_slip(&s, &c, &m, tb, tc);
+  truth positive = truth_and(num_arb.lt(m.zero, tb), num_arb.lt(m.zero, tc));
+  truth first = c.status ? TRUTH_UNKNOWN : truth_and(positive, ball_first_rise(&c, &m, &s, &before_crest));
+  if (first == TRUTH_TRUE) first = ball_slower(&c, &m, &s.modes, 0, s.pb, tc, true, max_steps);
+  calc_clear(&c);
+  return first;
+}
+
+/* Times near the first events: t_b from the middles of the balls, t_c by the walk in balls from there. */
+static int near_first(double t[N_PHASES], const struct num_vec *params, const void *r, long max_steps) {
+  struct calc c;
+  struct ball_params m;
+  struct ball_pass s;
+  struct return_map_double k;
+  val p[N_PARAMS];
+  double middle[N_PARAMS];
+  calc_init(&c, params->ctx);
+  flow_vals(p, params, 0, N_PARAMS);
+  for (int i = 0; i < N_PARAMS; i++) middle[i] = num_arb.get_d(p[i]);
+  ball_params_make(&m, &c, p);
+  val rise = calc_sub(&c, calc_div(&c, p[P_E2], p[P_CHI]), r);
+  int status = return_map_double_init(&k, middle) ? SS_UNABLE : c.status;
+  t[PHASE_D] = t[PHASE_H] = 0;
+  t[PHASE_GAMMA] = status ? 0 : return_map_double_time(&k, num_arb.get_d(rise));
+  if (!(t[PHASE_GAMMA] > 0 && t[PHASE_GAMMA] < INFINITY)) status = SS_UNABLE;
+  if (!status) {
+    val tb = calc_d(&c, t[PHASE_GAMMA]);
+    ball_pass_slip(&s, &c, &m, tb, tb);
+    if (!ball_first_root(&t[PHASE_H], &c, &m, &s.modes, 0, s.pb, INFINITY, max_steps)) status = SS_UNABLE;
+    ball_pass_slip(&s, &c, &m, tb, calc_d(&c, t[PHASE_H]));
+    double across = num_arb.get_d(calc_mul(&c, m.omega, s.rc)), q = num_arb.get_d(s.qc);
+    t[PHASE_C] = atan2(fabs(q), q > 0 ? across : -across) / k.omc;
+    status |= c.status;
+  }
+  calc_clear(&c);
+  return status;
+}
+
+/* Velocities and lengths over 2^size, which is exact.  Which events are first is told at SEARCH bits at most. */
+static int first_scaled(struct num_vec *out, const struct num_vec *params, const void *r, slong size, long max_steps) {
+  static const int of[] = {P_V, P_E1, P_E2};
+  struct num_vec p, rough;
+  double t[N_PHASES];
+  arb_t from;
+  num_vec_init(&p, N_PARAMS, params->ctx);
+  arb_init(from);
+  num_vec_set(&p, params);
+  for (int i = 0; i < 3; i++) arb_mul_2exp_si(num_vec_at(&p, of[i]), num_vec_at(&p, of[i]), -size);
+  arb_mul_2exp_si(from, r, -size);
+  rough = p;
+  rough.ctx.prec = FLINT_MIN(p.ctx.prec, SEARCH);
+  int status = near_first(t, &rough, from, max_steps);
+  if (!status) status = dyn_return_near(out, &p, from, t);
+  if (!status && are_first(&rough, out, max_steps) != TRUTH_TRUE) status = SS_UNABLE;
+  if (!status) arb_mul_2exp_si(num_vec_at(out, RETURN_R), num_vec_at(out, RETURN_R), size);
+  arb_clear(from);
+  num_vec_clear(&p);
+  return status;
+}
+
+int dyn_return_first(struct num_vec *out, const struct num_vec *params, const void *r, long max_steps) {
+  struct calc c;
+  calc_init(&c, params->ctx);
+  slong size = calc_exponent(&c, num_vec_at(params, P_V));
+  calc_clear(&c);
+  return labs(size) < -CALC_TINY ? first_scaled(out, params, r, size, max_steps) : SS_UNABLE;
+}

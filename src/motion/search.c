@@ -1,0 +1,153 @@
+/* Every zero of the return map's defect that double precision can see.
+
+   t_b runs over the intervals in which the rise of phase Gamma is at a record: one in each period, (rise, fall) after
+   its start, the first from 0.  Between two samples the defect is smooth when no root of phase H can have jumped
+   (pass.safe) and q_c keeps its sign.  A smooth interval is done with when its end values and slopes
+   leave room for no zero, or for exactly one; any other is halved.  So a jump is closed in on from both sides, and what
+   stays undecided when the halves get small is an extremum that almost touches zero: it is handed on as a fold. */
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+
+#include "motion_impl.h"
+#include "stickslip/arena.h"
+#include "stickslip/work.h"
+
+enum {
+  FIRST_SAMPLES = 96, /* of the first rise */
+  LATER_SAMPLES = 12, /* of each later one */
+  MAX_DEPTH = 56,
+  MAX_STEPS = 6000000, /* of all first-root searches together: below a second; half of it for the first rise */
+  FREE_STEPS =
+      1 << 20,   /* of a whole search, more than usual parameters ask for: counted as work when they are used up */
+  PASS_STEPS = 4 /* what a pass costs besides its search, in the same coin */
+};
+
+static void evaluate(struct search *s, struct pass *p, double tb) {
+  return_map_double_pass(p, &s->k, tb, &s->lim);
+  s->evaluations++;
+  long before = s->steps / FREE_STEPS;
+  s->steps += p->steps + PASS_STEPS;
+  if (s->steps / FREE_STEPS > before) work_add((unsigned long long)FREE_STEPS * UNITS_OF_STEP);
+}
+
+static void add_zero(struct search *s, const struct pass *p, double low, double high, bool fold) {
+  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
+  s->zeros[s->n++] = (struct zero){p->tb, p->tc, low, high, p->r_end > 0, fold, p->grazing};
+}
+
+/* Newton's iteration for the only zero between two samples of different sign, held by its bracket. */
+static void polish(struct search *s, const struct pass *from, const struct pass *to) {
+  struct pass a = *from, b = *to, m = fabs(a.defect) < fabs(b.defect) ? a : b;
+  for (int i = 0; i < 60; i++) {
+    double next = m.tb - m.defect / m.slope;
+    if (!(next >= a.tb && next <= b.tb)) next = 0.5 * (a.tb + b.tb);
+    if (m.defect == 0 || fabs(next - m.tb) <= 2 * DBL_EPSILON * next || !(next > a.tb && next < b.tb)) break;
+    evaluate(s, &m, next);
+    if (m.status) break;
+    if ((m.defect < 0) == (a.defect < 0))
+      a = m;
+    else
+      b = m;
+  }
+  add_zero(s, &m, from->tb, to->tb, false);
+}
+
+enum content { NO_ZERO, ONE_ZERO, UNDECIDED };
+
+/* What a smooth interval holds, from end values and slopes: a cubic strays from its chord by at most 4/27 of the
+   width times the sum of the slopes' deviations; here it may stray three times as far. */
+static enum content look_between(const struct pass *a, const struct pass *b) {
+  double w = b->tb - a->tb, chord = (b->defect - a->defect) / w;
+  double bend = fabs(a->slope - chord) + fabs(b->slope - chord);
+  if ((a->defect < 0) != (b->defect < 0)) return bend < 0.5 * fabs(chord) ? ONE_ZERO : UNDECIDED;
+  return fmin(fabs(a->defect), fabs(b->defect)) > 0.5 * w * bend ? NO_ZERO : UNDECIDED;
+}
+
+/* Whether q_c keeps away from zero, where phase C changes its direction; the same reasoning. */
+static bool same_direction(const struct pass *a, const struct pass *b) {
+  double w = b->tb - a->tb, chord = (b->qc - a->qc) / w;
+  double bend = fabs(a->dqc - chord) + fabs(b->dqc - chord);
+  return (a->qc < 0) == (b->qc < 0) && fmin(fabs(a->qc), fabs(b->qc)) > 0.5 * w * bend;
+}
+
+/* Whether the slope at p leads to no zero within w: a narrow interval with a jump can then hide none on p's side. */
+static bool far_from_zero(const struct pass *p, double w) {
+  return p->status || fabs(p->defect) > 16 * w * fabs(p->slope);
+}
+
+/* A narrow smooth interval that rounding leaves undecided: an extremum, or a zero near one of its ends.  Widths near
+   the resolution of t_b occur only beside a jump, where the two ends may even belong to different branches. */
+static void add_doubtful(struct search *s, const struct pass *a, const struct pass *b) {
+  double w = b->tb - a->tb;
+  if (a->slope * b->slope < 0 && w > 1e-12 * b->tb) {
+    add_zero(s, fabs(a->defect) < fabs(b->defect) ? a : b, a->tb, b->tb, true);
+    return;
+  }
+  if (!far_from_zero(a, w)) add_zero(s, a, a->tb, b->tb, false);
+  if (!far_from_zero(b, w)) add_zero(s, b, a->tb, b->tb, false);
+}
+
+static void scan(struct search *s, const struct pass *a, const struct pass *b, int depth) {
+  double w = b->tb - a->tb;
+  if (s->steps > s->allowed) {
+    s->cut = true;
+    return;
+  }
+  bool alike = (a->status == SS_OK) == (b->status == SS_OK);
+  bool joined = alike && a->safe + b->safe > w;
+  if (joined && a->status) return;
+  bool smooth = joined && same_direction(a, b), narrow = w < 1e-7 * b->tb;
+  if (smooth) {
+    enum content c = look_between(a, b);
+    if (c == ONE_ZERO) polish(s, a, b);
+    if (c == UNDECIDED && narrow) add_doubtful(s, a, b);
+    if (c != UNDECIDED || narrow) return;
+  }
+  double mid = 0.5 * (a->tb + b->tb);
+  if ((narrow && far_from_zero(a, w) && far_from_zero(b, w)) || depth == MAX_DEPTH || !(mid > a->tb && mid < b->tb))
+    return;
+  struct pass m;
+  evaluate(s, &m, mid);
+  scan(s, a, &m, depth + 1);
+  scan(s, &m, b, depth + 1);
+}
+
+static void scan_interval(struct search *s, double begin, double end, int n, double last, long share) {
+  struct pass a, b;
+  s->allowed = s->steps + share;
+  evaluate(s, &a, begin);
+  double stop = fmin(end, last);
+  for (int i = 1; i <= n; i++) {
+    if (s->steps > s->allowed) { /* scan would look at nothing more */
+      s->cut = true;
+      return;
+    }
+    double tb = i < n ? begin + (stop - begin) * i / n : stop;
+    if (i == n && stop == end) tb -= 4 * DBL_EPSILON * end; /* at the crest itself m1 is at the belt's speed already */
+    evaluate(s, &b, tb);
+    scan(s, &a, &b, 0);
+    a = b;
+  }
+}
+
+int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim) {
+  *s = (struct search){.lim = *lim};
+  if (return_map_double_init(&s->k, params)) return SS_DOMAIN;
+  return_map_double_records(&s->k);
+  const struct return_map_double *k = &s->k;
+  /* r at the stick phase is at least -reach: no t_b beyond this time leads to an orbit. */
+  double last =
+      fmin(1.001 * return_map_double_time(k, k->e2 / k->chi + 1.001 * return_map_double_reach(k)) + 1e-6, lim->t_max);
+  long later = (long)(last / (2 * PI)) + 1;
+  scan_interval(s, 0, k->fall, FIRST_SAMPLES, last, MAX_STEPS / 2);
+  for (long i = 1; 2 * PI * (double)i + k->rise < last; i++) {
+    double turn = 2 * PI * (double)i;
+    scan_interval(s, turn + k->rise, turn + k->fall, LATER_SAMPLES, last, MAX_STEPS / 2 / later);
+  }
+  return SS_OK;
+}
+
+void search_clear(struct search *s) {
+  free(s->zeros);
+}

@@ -1,0 +1,206 @@
+/* Phase H from a narrow interval of t_b, in disks, with bounds of its derivatives that hold for all time.
+
+   At t_b the velocity of z_1 and the force on it are constants plus u and w, where w = e1 cos t_b + a sin t_b and u = w'
+   turn about the origin; everything later is linear in them.  So every derivative by t_b is a motion of phase H again,
+   and the amplitudes of its two modes bound it for all time. */
+#include "complete_impl.h"
+
+static struct disk disk_of(val x) {
+  return disk_arb(x);
+}
+
+/* What depends on the parameters alone, in balls first. */
+static void stage_from(struct stage *s, struct calc *c, const struct ball_params *m) {
+  const struct spectrum *f = &m->spectrum;
+  arb_ptr pi = calc_new(c);
+  arb_const_pi(pi, c->ctx.prec);
+  val root = calc_sqrt(c, m->p[P_ETA]), share[2] = {calc_sqrt(c, f->above), calc_sqrt(c, f->below)};
+  val second[2] = {share[1], calc_neg(c, share[0])}, sine, cosine;
+  val fall = calc_add(c, pi, calc_mul(c, m->two, calc_atan2(c, m->a, m->p[P_E1])));
+  calc_sin_cos(c, &sine, &cosine, fall);
+  val drift = calc_mul(c, m->a, calc_sub(c, fall, sine)), sway = calc_mul(c, m->p[P_E1], calc_sub(c, m->one, cosine));
+  s->chi = disk_of(m->p[P_CHI]);
+  s->V = disk_of(m->p[P_V]);
+  s->a = disk_of(m->a);
+  s->e1 = disk_of(m->p[P_E1]);
+  s->e2 = disk_of(m->p[P_E2]);
+  s->span = disk_of(calc_div(c, m->p[P_E2], m->p[P_CHI]));
+  s->eta = disk_of(m->p[P_ETA]);
+  s->pull = disk_of(calc_mul(c, m->p[P_ETA], m->p[P_E2]));
+  s->stiff = disk_of(m->stiff);
+  s->soft = disk_of(calc_div(c, m->one, m->stiff));
+  s->omega = disk_of(m->omega);
+  s->rho = disk_of(calc_sqrt(c, calc_dot(c, m->a, m->a, m->p[P_E1], m->p[P_E1])));
+  s->turn = disk_of(calc_mul(c, m->two, calc_mul(c, pi, m->a)));
+  s->fall = disk_of(fall);
+  s->crest = disk_of(calc_add(c, drift, sway));
+  for (int i = 0; i < 2; i++) {
+    arb_set(s->exact[i], f->om[i]);
+    s->om[i] = disk_of(f->om[i]);
+    s->inverse[i] = disk_of(calc_div(c, m->one, f->om[i]));
+    s->x[i] = disk_of(calc_mul(c, root, share[i]));
+    s->y[i] = disk_of(second[i]);
+    s->back[i] = disk_of(calc_div(c, share[i], root));
+    s->force1[i] = disk_mul(s->om[i], s->back[i]);
+    s->force2[i] = disk_mul(s->soft, disk_mul(s->om[i], s->y[i]));
+  }
+}
+
+bool stage_init(struct stage *s, const fmpq *params) {
+  struct calc c;
+  struct ball_params m;
+  bool fits = true;
+  for (int i = 0; i < 2; i++) arb_init(s->exact[i]);
+  calc_init(&c, num_ctx_arb(128));
+  ball_params_init(&m, &c, params);
+  stage_from(s, &c, &m);
+  const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,        s->stiff,     s->turn,
+                             s->back[0], s->back[1], s->x[0], s->soft,      s->x[1],      s->force1[0],
+                             s->om[0],   s->om[1],   s->span, s->force2[0], s->inverse[0]};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    double size = fabs(all[i].mid);
+    fits = fits && size > 1e-40 && size < 1e40 && all[i].rad < 1e-14 * size;
+  }
+  calc_clear(&c);
+  return fits;
+}
+
+void stage_clear(struct stage *s) {
+  for (int i = 0; i < 2; i++) arb_clear(s->exact[i]);
+}
+
+/* --- Clocks. --- */
+
+static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate, double t) {
+  arb_t angle, s, c;
+  arb_init(angle);
+  arb_init(s);
+  arb_init(c);
+  arb_set_d(angle, t);
+  if (rate) arb_mul(angle, angle, rate, 128);
+  arb_sin_cos(s, c, angle, 64);
+  *sine = disk_arb(s);
+  *cosine = disk_arb(c);
+  arb_clear(c);
+  arb_clear(s);
+  arb_clear(angle);
+}
+
+void clock_set(struct clock *c, const struct stage *s, double t) {
+  c->t = t;
+  for (int i = 0; i < 2; i++) sine_cosine(&c->sine[i], &c->cosine[i], s->exact[i], t);
+}
+
+void clock_turn(struct clock *to, const struct clock *c, const struct clock *step) {
+  struct clock sum = {.t = c->t + step->t};
+  for (int i = 0; i < 2; i++) {
+    sum.sine[i] = disk_dot(c->sine[i], step->cosine[i], c->cosine[i], step->sine[i]);
+    sum.cosine[i] = disk_cross(c->cosine[i], step->cosine[i], c->sine[i], step->sine[i]);
+  }
+  *to = sum;
+}
+
+struct disk disk_less_turns(arb_srcptr t, double k) {
+  arb_t x, turns;
+  arb_init(x);
+  arb_init(turns);
+  arb_set_d(x, 2 * k);
+  arb_const_pi(turns, 128);
+  arb_mul(turns, turns, x, 128);
+  arb_sub(x, t, turns, 128);
+  struct disk d = disk_arb(x);
+  arb_clear(turns);
+  arb_clear(x);
+  return d;
+}
+
+/* --- Strips. --- */
+
+/* The sum over the modes of |weight| om^power amplitude. */
+static double bound_of(const struct stage *s, const struct disk weight[2], int power, const double amplitude[2]) {
+  double sum = 0;
+  for (int i = 0; i < 2; i++) {
+    double term = disk_mag(weight[i]) * amplitude[i];
+    for (int k = 0; k < power; k++) term *= disk_mag(s->om[i]);
+    sum += term;
+  }
+  return disk_up(sum);
+}
+
+static double hypotenuse(double x, double y) {
+  return disk_up(sqrt(disk_up(x * x + y * y)));
+}
+
+static struct bend bend_of(const struct stage *s, const struct disk weight[2], const double full[2],
+                           const double shift[2], const double bent[2]) {
+  return (struct bend){.f = bound_of(s, weight, 0, shift),
+                       .ff = bound_of(s, weight, 0, bent),
+                       .fff = bound_of(s, weight, 0, shift), /* the third derivative is minus the first */
+                       .ft = bound_of(s, weight, 1, shift),
+                       .tt = bound_of(s, weight, 2, full),
+                       .fft = bound_of(s, weight, 1, bent)};
+}
+
+void strip_reach(struct strip *p, const struct stage *s, double reach) {
+  double move = disk_up(disk_mag(s->rho) * reach);
+  double u = fmin(disk_mag(p->u) + move, disk_mag(s->rho)), w = fmin(disk_mag(p->w) + move, disk_mag(s->rho));
+  double shift[2], bent[2];
+  for (int i = 0; i < 2; i++) {
+    double enter = disk_mag(s->x[i]), slow = disk_mag(s->inverse[i]);
+    p->most[i] = hypotenuse(disk_mag(p->a[i]) + enter * move, disk_mag(p->b[i]) + enter * move * slow);
+    shift[i] = disk_up(enter * hypotenuse(w, u * slow));
+    bent[i] = disk_up(enter * hypotenuse(u, w * slow));
+  }
+  p->p = bend_of(s, s->back, p->most, shift, bent);
+  p->q = bend_of(s, s->y, p->most, shift, bent);
+  p->r = bend_of(s, s->force2, p->most, shift, bent);
+}
+
+void strip_make(struct strip *p, const struct stage *s, double low, double high, double reach) {
+  struct disk sine, cosine, pull[2];
+  p->angle = 0.5 * (low + high);
+  p->half = disk_up(fmax(high - p->angle, p->angle - low));
+  sine_cosine(&sine, &cosine, NULL, p->angle);
+  p->w = disk_dot(s->e1, cosine, s->a, sine);
+  p->u = disk_cross(s->a, cosine, s->e1, sine);
+  p->pb = disk_sub(p->u, s->a);
+  struct disk rise = disk_sub(disk_add(disk_mul(s->a, (struct disk){p->angle, 0}), s->e1), p->w);
+  p->base = disk_sub(s->span, rise);
+  double move = disk_up(disk_mag(s->rho) * p->half);
+  double climb = disk_up((disk_mag(p->pb) + move) * p->half);
+  p->later = !disk_negative(disk_add(disk_sub(disk_widen(rise, climb), s->crest), s->turn));
+  struct disk speed = disk_add(disk_sub(s->V, s->a), p->u);
+  for (int i = 0; i < 2; i++) {
+    pull[i] = disk_mul(s->y[i], s->pull);
+    p->a[i] = disk_dot(s->x[i], speed, s->y[i], s->V);
+    p->b[i] = disk_mul(s->inverse[i], disk_add(disk_mul(s->x[i], p->w), pull[i]));
+    p->da[i] = disk_scale(disk_mul(s->x[i], p->w), -1);
+    p->db[i] = disk_mul(s->inverse[i], disk_mul(s->x[i], p->u));
+  }
+  strip_reach(p, s, fmax(reach, p->half));
+}
+
+bool strip_never(const struct strip *p, const struct stage *s) {
+  double sum = 0;
+  for (int i = 0; i < 2; i++) sum += disk_mag(s->back[i]) * p->most[i];
+  return disk_up(sum) < disk_low(s->V);
+}
+
+/* --- Cells. --- */
+
+void cell_at(struct cell *c, const struct strip *p, const struct stage *s, const struct clock *t) {
+  struct disk v[2], f[2], dv[2], df[2];
+  for (int i = 0; i < 2; i++) {
+    v[i] = disk_cross(p->a[i], t->cosine[i], p->b[i], t->sine[i]);
+    f[i] = disk_dot(p->a[i], t->sine[i], p->b[i], t->cosine[i]);
+    dv[i] = disk_cross(p->da[i], t->cosine[i], p->db[i], t->sine[i]);
+    df[i] = disk_dot(p->da[i], t->sine[i], p->db[i], t->cosine[i]);
+  }
+  c->p = disk_sub(disk_dot(s->back[0], v[0], s->back[1], v[1]), s->V);
+  c->q = disk_sub(disk_dot(s->y[0], v[0], s->y[1], v[1]), s->V);
+  c->w = disk_dot(s->force1[0], f[0], s->force1[1], f[1]);
+  c->r = disk_dot(s->force2[0], f[0], s->force2[1], f[1]);
+  c->pf = disk_dot(s->back[0], dv[0], s->back[1], dv[1]);
+  c->qf = disk_dot(s->y[0], dv[0], s->y[1], dv[1]);
+  c->rf = disk_dot(s->force2[0], df[0], s->force2[1], df[1]);
+}

@@ -1,0 +1,286 @@
+/* The first root of a switching function in double precision.
+
+   Seen from inside one phase every switching function is a constant, a drift and at most two oscillations.  Its second
+   derivative has a bound that holds for all time, so from any point below zero a parabola tells how long it must stay
+   below zero.  Walking along those parabolas reaches the first root quadratically and steps over none.  Close to zero
+   the nearest maximum is solved for, which tells two close roots, a touching and a miss apart.  A walk that gets long
+   looks at envelopes too: with one oscillation, or both, at its crest all the time, what is left is slow, and where it
+   stays below zero so does the wave, however fast the oscillation left out. */
+#include <float.h>
+#include <math.h>
+
+#include "motion_impl.h"
+#include "stickslip/work.h"
+
+const struct dyn_limits dyn_limits_default = {1000, 100000};
+
+void trig_sum_at(double value[3], const struct trig_sum *w, double t) {
+  double f = w->start + w->drift * t, d = w->drift, dd = 0;
+  for (int i = 0; i < 2; i++) {
+    double om = w->om[i], s = sin(0.5 * om * t), c = cos(0.5 * om * t);
+    double sine = 2 * s * c, versine = 2 * s * s;
+    f += w->sn[i] * sine - w->cs[i] * versine;
+    d += om * (w->sn[i] * (1 - versine) - w->cs[i] * sine);
+    dd -= om * om * (w->sn[i] * sine + w->cs[i] * (1 - versine));
+  }
+  value[0] = f;
+  value[1] = d;
+  value[2] = dd;
+}
+
+double x_minus_sin(double x) {
+  if (fabs(x) > 0.5) return x - sin(x);
+  double term = x * x * x / 6, sum = 0;
+  for (int k = 4; fabs(term) > DBL_EPSILON / 8 * fabs(sum); k += 2) {
+    sum += term;
+    term *= -x * x / (k * (k + 1));
+  }
+  return sum;
+}
+
+/* A wave turned so that it starts below zero, with its bounds. */
+struct walk {
+  struct trig_sum w;
+  double amp[2], mean;
+  double bound;     /* of |f''| */
+  double speed;     /* of |f'| without drift */
+  double fastest;   /* the highest frequency that has an amplitude */
+  double top;       /* the highest value without drift */
+  double slack;     /* depth that a stretch must have to be jumped over unseen */
+  double window[2]; /* the phase angles around its crest in which a mode can help f to reach -slack; pi when all */
+};
+
+static double scale_of(const struct walk *k) {
+  return fabs(k->w.start) + fabs(k->mean) + k->amp[0] + k->amp[1];
+}
+
+static double tolerance(const struct walk *k, double t) {
+  return DBL_EPSILON * (2 * scale_of(k) + t * (fabs(k->w.drift) + k->speed));
+}
+
+/* The sign of the wave just after its start: that of its first derivative, from the 0th, that is not zero.
+   *first receives half of a time through which the sign surely lasts. */
+static double starting_sign(double *first, const struct trig_sum *w) {
+  *first = 0;
+  if (w->start != 0) return w->start > 0 ? 1 : -1;
+  double quad[2] = {1, 1}; /* om^k */
+  for (int k = 1; k <= 6; k++) {
+    double value = k == 1 ? w->drift : 0, size = fabs(value), next = 0;
+    for (int i = 0; i < 2; i++) {
+      quad[i] *= w->om[i];
+      double coefficient = k % 2 == 1 ? w->sn[i] : w->cs[i];
+      double sign = k % 4 == 1 || k % 4 == 0 ? 1 : -1;
+      value += sign * coefficient * quad[i];
+      size += hypot(w->sn[i], w->cs[i]) * quad[i];
+      next += hypot(w->sn[i], w->cs[i]) * quad[i] * w->om[i];
+    }
+    if (fabs(value) > 8 * DBL_EPSILON * size) {
+      *first = next > 0 ? 0.5 * (k + 1) * fabs(value) / next : INFINITY;
+      return value > 0 ? 1 : -1;
+    }
+  }
+  return 0;
+}
+
+static void walk_init(struct walk *k, const struct trig_sum *w, double sign) {
+  k->w = *w;
+  k->w.start *= -sign;
+  k->w.drift *= -sign;
+  k->bound = k->speed = k->fastest = 0;
+  k->mean = k->w.start;
+  for (int i = 0; i < 2; i++) {
+    k->w.cs[i] *= -sign;
+    k->w.sn[i] *= -sign;
+    k->amp[i] = hypot(k->w.cs[i], k->w.sn[i]);
+    k->bound += k->w.om[i] * k->w.om[i] * k->amp[i];
+    k->speed += k->w.om[i] * k->amp[i];
+    if (k->amp[i] > 0) k->fastest = fmax(k->fastest, k->w.om[i]);
+    k->mean -= k->w.cs[i];
+  }
+  k->top = k->mean + k->amp[0] + k->amp[1];
+  k->slack = 0.25 * fmax(k->top, 0) + 0.02 * (k->amp[0] + k->amp[1]);
+  for (int i = 0; i < 2; i++) {
+    double need = -k->slack - k->mean - k->amp[1 - i];
+    k->window[i] = k->w.drift == 0 && need > -k->amp[i] ? acos(fmin(need / k->amp[i], 1)) : (double)INFINITY;
+  }
+}
+
+/* How long f surely stays below -slack because one of the modes is too low; 0 when neither is. */
+static double wait_for_modes(const struct walk *k, double t) {
+  double longest = 0;
+  for (int i = 0; i < 2; i++) {
+    if (!(k->window[i] < INFINITY)) continue;
+    double s = sin(k->w.om[i] * t), c = cos(k->w.om[i] * t);
+    double angle = atan2(k->w.cs[i] * s - k->w.sn[i] * c, k->w.cs[i] * c + k->w.sn[i] * s); /* from the last crest */
+    if (fabs(angle) <= k->window[i]) continue;
+    double wait = ((angle < 0 ? 0 : 2 * PI) - k->window[i] - angle) / k->w.om[i];
+    longest = fmax(longest, wait * (1 - 1e-12) - 4 * DBL_EPSILON * t);
+  }
+  return longest;
+}
+
+/* A stretch through which an envelope proves that f stays below zero. */
+struct excluded {
+  double h;     /* its length; 0 when there is none */
+  double depth; /* f <= -depth in it; infinite when f has no maximum there */
+};
+
+/* How long y + d s + bend s^2/2 stays below zero, y < 0. */
+static double parabola(double y, double d, double bend) {
+  double disc = sqrt(d * d - 2 * bend * y);
+  return d > 0 ? -2 * y / (disc + d) : bend > 0 ? (disc - d) / bend : (double)INFINITY;
+}
+
+/* The longest stretch after t through which an envelope keeps below half of its present depth.  The half gives what a
+   moving parameter may eat up, and covers the rounding of both ends. */
+static struct excluded below_envelopes(const struct walk *k, double t) {
+  struct excluded best = {.h = 0};
+  double base = k->mean + k->w.drift * t, value[2], rate[2];
+  for (int i = 0; i < 2; i++) {
+    double s = sin(k->w.om[i] * t), c = cos(k->w.om[i] * t);
+    value[i] = k->w.cs[i] * c + k->w.sn[i] * s;
+    rate[i] = k->w.om[i] * (k->w.sn[i] * c - k->w.cs[i] * s);
+  }
+  for (int kept = 0; kept < 4; kept++) { /* a bit for each oscillation that is followed; 3 would be f itself */
+    if (kept == 3) continue;
+    double top = base, d = k->w.drift, bend = 0, speed = fabs(d), other = 0;
+    for (int i = 0; i < 2; i++) {
+      bool followed = kept & 1 << i;
+      top += followed ? value[i] : k->amp[i];
+      if (followed) d += rate[i];
+      if (followed) bend += k->w.om[i] * k->w.om[i] * k->amp[i];
+      *(followed ? &speed : &other) += k->w.om[i] * k->amp[i];
+    }
+    /* an oscillation left out has no angle that the rounding of t could spoil */
+    if (!(top < -4 * DBL_EPSILON * (2 * scale_of(k) + t * speed))) continue;
+    double h = parabola(0.5 * top, d, bend) * (1 - 1e-9);
+    if (!(h > best.h)) continue;
+    bool rises = d - bend * h > other, falls = d + bend * h < -other;
+    best = (struct excluded){h, rises || falls ? (double)INFINITY : -0.5 * top};
+  }
+  return best;
+}
+
+/* Minus the greatest value between two points of a walk on both sides of a crest, by the cubic through values and
+   slopes. */
+static double depth_between(const double from[3], const double to[3], double h) {
+  double s = from[1] / (from[1] - to[1]), r = 1 - s;
+  double cubic = from[0] * r * r * (1 + 2 * s) + to[0] * s * s * (1 + 2 * r) + h * s * r * (from[1] * r - to[1] * s);
+  return -cubic;
+}
+
+/* Newton's iteration for a root near t, or for a root of the derivative (order 1); both are known to be simple. */
+static double polish(const struct trig_sum *w, double t, int order) {
+  for (int i = 0; i < 4; i++) {
+    double v[3];
+    trig_sum_at(v, w, t);
+    double step = -v[order] / v[order + 1];
+    t += step;
+    if (fabs(step) <= DBL_EPSILON * t) break;
+  }
+  return t;
+}
+
+enum { LONG_WALK = 32 };
+static const double KNOWN_ANGLE = 0x1p50; /* beyond it rounding of the time leaves less than three bits of an angle */
+
+enum verdict { PASSING, CROSSING, TOUCHING };
+
+/* f is within tol of zero at *t: what happens there.  *t becomes the root. */
+static enum verdict look_closely(double *t, const struct walk *k, const double v[3], double tol) {
+  bool steep = v[1] * v[1] > 16 * k->bound * tol;
+  if (steep && v[1] < 0) return PASSING; /* on its way down, as at the start of a phase */
+  if (steep) {
+    *t = polish(&k->w, *t, 0);
+    return CROSSING;
+  }
+  double lie = v[1] / -v[2]; /* of the crest ahead */
+  if (!(fabs(lie) < 1e5 * sqrt(tol / k->bound))) return TOUCHING;
+  if (v[2] > 0) return v[1] > 0 ? TOUCHING : PASSING;
+  double crest = polish(&k->w, *t, 1), at[3];
+  trig_sum_at(at, &k->w, crest);
+  bool above = at[0] > fmax(tol, tolerance(k, crest));
+  *t = above ? polish(&k->w, crest - sqrt(2 * at[0] / -at[2]), 0) : crest;
+  return above ? CROSSING : TOUCHING;
+}
+
+/* How far the parameter can move before a maximum at t that is `clear` away from zero can reach it. */
+static double safe_move(const struct trig_sum_shift *shift, double t, double clear) {
+  if (!shift || !(clear > 0)) return 0;
+  double v[3];
+  trig_sum_at(v, &shift->rate, t);
+  double speed = 1.25 * fabs(v[0]), bend = 1.25 * shift->bend;
+  return fmax(2 * clear / (speed + sqrt(speed * speed + 4 * bend * clear)), clear / shift->most);
+}
+
+/* A wave without oscillations. */
+static int straight_root(struct trig_sum_root *root, const struct trig_sum *w) {
+  root->t = -w->start / w->drift;
+  root->rate = w->drift;
+  return isfinite(root->t) && root->t > 0 ? SS_OK : SS_DOMAIN;
+}
+
+int trig_sum_first_root(struct trig_sum_root *root, const struct trig_sum *w, const struct trig_sum_shift *shift,
+                        const struct dyn_limits *lim) {
+  struct walk k;
+  double first, sign = starting_sign(&first, w);
+  *root = (struct trig_sum_root){.t = 0, .safe = INFINITY};
+  if (sign == 0) return SS_DOMAIN;
+  walk_init(&k, w, sign);
+  if (k.bound == 0) return straight_root(root, w);
+  if (k.w.drift <= 0 && k.top < -4 * tolerance(&k, 0)) {
+    root->safe = shift ? -k.top / shift->most : 0;
+    return SS_DOMAIN;
+  }
+  double end = k.w.drift < 0 ? fmax(k.top, 0) / -k.w.drift : (double)INFINITY; /* below zero ever after */
+
+  double t = isfinite(first) ? first : 0, v[3], next[3];
+  long counted = 0;
+  trig_sum_at(v, &k.w, t);
+  for (root->steps = 1; root->steps <= lim->max_steps; root->steps++) {
+    double tol = tolerance(&k, t);
+    if (root->steps - counted >= WORK_BLOCK) {
+      work_add((unsigned long long)(root->steps - counted) * UNITS_OF_STEP);
+      counted = root->steps;
+    }
+    if (t > fmin(end, lim->t_max)) return end < lim->t_max ? SS_DOMAIN : SS_UNABLE;
+    if (t * k.fastest > KNOWN_ANGLE) return SS_UNABLE;
+    double h = 0;
+    if (v[0] >= -tol) {
+      double found = t;
+      enum verdict seen = look_closely(&found, &k, v, tol);
+      if (seen != PASSING && found > 0) {
+        trig_sum_at(next, &k.w, found);
+        root->t = found;
+        root->rate = -sign * next[1];
+        root->grazing = seen == TOUCHING;
+        double lie = next[1] / k.bound; /* the crest ahead is not nearer and not lower than this tells */
+        root->safe = fmin(root->safe, safe_move(shift, found + lie, 0.5 * next[1] * lie));
+        return SS_OK;
+      }
+      if (v[1] * v[1] <= 16 * k.bound * tol) h = sqrt(tol / k.bound); /* out of the reach of rounding */
+    }
+    double y = fmin(v[0], 0), disc = sqrt(v[1] * v[1] - 2 * k.bound * y);
+    h = fmax(h, v[1] > 0 ? -2 * y / (disc + v[1]) : (disc - v[1]) / k.bound);
+    double wait = root->steps > 4 ? wait_for_modes(&k, t) : 0;
+    if (wait > h) {
+      h = wait;
+      if (shift) root->safe = fmin(root->safe, k.slack / shift->most);
+    }
+    if (root->steps > LONG_WALK) {
+      struct excluded out = below_envelopes(&k, t);
+      root->steps++; /* it costs as much as the step */
+      if (out.h > h) {
+        wait = h = fmin(out.h, lim->t_max);
+        if (shift) root->safe = fmin(root->safe, out.depth / shift->most);
+      }
+    }
+    h = fmax(h, DBL_EPSILON * t);
+    trig_sum_at(next, &k.w, t + h);
+    if (h > wait && v[1] > 0 && next[1] < 0)
+      root->safe = fmin(root->safe, safe_move(shift, t + h * v[1] / (v[1] - next[1]), depth_between(v, next, h)));
+    t += h;
+    for (int i = 0; i < 3; i++) v[i] = next[i];
+  }
+  return SS_UNABLE;
+}

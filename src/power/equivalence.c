@@ -1,0 +1,538 @@
+/* Do two models say the same?  Decided by exact algebra where it reaches: both sides are elaborated in both models and
+   compared as rational functions in one field. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "claim/claim.h"
+#include "power/mutants.h"
+#include "proof/condition.h"
+#include "stickslip/exact.h"
+#include "value/sentence.h"
+
+/* What the domain of the claims keeps positive. */
+static const char *const positive[] = {"chi", "eta", "V", "e_1", "e_2"};
+enum { N_POSITIVE = sizeof positive / sizeof *positive };
+
+/* --- What holds on every motion --- */
+
+/* (9)-(18) as definitions of the states at the switching times, (21)-(41) as definitions of their perturbations. */
+const char *const motion_facts[][2] = {
+    {"z'_10", "V"},
+    {"z'_20", "V"},
+    {"z'_1a", "V"},
+    {"z'_2a", "V"},
+    {"z'_2b", "V"},
+    {"z'_1c", "V"},
+    {"z_1a", "e_1 + chi*z_2a"},
+    {"z_10", "e_1 + chi*z_2a - V*t_a"},
+    {"z_20", "z_2a - V*t_a"},
+    {"z_100", "e_1 + chi*z_2a - V*t_a"},
+    {"z_200", "z_2a - V*t_a"},
+    {"z_2b", "z_1b + e_2/chi"},
+    {"u_r1", "u_s1 + e_1"},
+    {"u_r2", "u_s2 + e_2"},
+    {"u", "0"},
+    {"v", "0"},
+    {"u_a", "0"},
+    {"v_a", "0"},
+    {"v_b", "0"},
+    {"u_c", "0"},
+    {"u_f", "0"},
+    {"v_f", "0"},
+    {"x_a", "chi*y_a"},
+    {"x", "chi*y_a - V*dt_a"},
+    {"y", "y_a - V*dt_a"},
+    {"x_b", "y_b"},
+    {"z_1(t_a)", "z_1a"},
+    {"z_2(t_a)", "z_2a"},
+    {"z_1'(t_a)", "V"},
+    {"z_2'(t_a)", "V"},
+    {"z_1(t_a + t_b)", "z_1b"},
+    {"z_2(t_a + t_b)", "z_2b"},
+    {"z_1'(t_a + t_b)", "z'_1b"},
+    {"z_2'(t_a + t_b)", "V"},
+    {"z_1(t_a + t_b + t_c)", "z_1c"},
+    {"z_2(t_a + t_b + t_c)", "z_2c"},
+    {"z_1'(t_a + t_b + t_c)", "V"},
+    {"z_2'(t_a + t_b + t_c)", "z'_2c"},
+    {"z_1'(t_a + t_b + t_c + t_d)", "V"},
+    {"z_2'(t_a + t_b + t_c + t_d)", "V"},
+    {"z_1'(t_a + dt_a)", "V"},
+    {"z_2'(t_a + dt_a)", "V"},
+    {"z_2'(t_a + dt_a + t_b + dt_b)", "V"},
+    {"z_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c)", "V"},
+    {"x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c)", "V"},
+    {"z_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"z_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+};
+const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
+/* At the time t, which lies in one phase for a claim: behind the others, and taken by phase. */
+static const struct {
+  const char *name;
+  bool rate; /* zero, not V */
+  bool holds[N_PHASES];
+} phase_facts[] = {{"z_1'(t)", false, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2'(t)", false, {[PHASE_D] = true, [PHASE_GAMMA] = true}},
+                   {"z_1''(t)", true, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2''(t)", true, {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
+enum {
+  N_MOTION_FACTS = sizeof motion_facts / sizeof *motion_facts,
+  N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
+};
+
+/* A definition that can be held as a matrix of unknowns where it does not read what is damaged: products of such matrices
+   can be compared where their entries written out are too large. */
+struct opaque {
+  struct override name;
+  struct model_use use;
+};
+
+struct facts {
+  struct exact_fact fact[N_MOTION_FACTS];
+  int n;
+  bool unused;
+  struct tape velocity, zero; /* V, 0 */
+  struct tape sign[2];        /* -1, 1: what a sign such as eps may be */
+  struct opaque *opaque;
+  size_t n_opaque, cap_opaque;
+};
+
+static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
+  struct elaboration el;
+  struct arena a;
+  struct source src;
+  struct matrix x;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  arena_init(&a);
+  source_from_string(&src, expression, expression);
+  *t = (struct tape){.n = 0};
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  bool ok = e && elaborate(&x, &el, e, &src, "", &d) && elaboration_tape(t, &el, x.e, 1, &d);
+  source_clear(&src);
+  arena_clear(&a);
+  elaboration_clear(&el);
+  return ok;
+}
+
+/* --- Matrices held as unknowns --- */
+
+static bool has_literal(const struct expr *e) {
+  for (;; e = e->args[0]) {
+    if (e->kind == EXPR_MATRIX) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (has_literal(e->args[i])) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+/* Does the statement take first orders in small symbols?  A matrix held as unknown would hide them. */
+static bool has_first_order(const struct expr *e) {
+  for (;; e = e->args[0]) {
+    if (e->kind == EXPR_FIRST_ORDER) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (has_first_order(e->args[i])) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+static bool linearizes(const struct stmt *s) {
+  for (int i = 0; s->kind != STMT_TRAJECTORY && i < s->n_sides; i++)
+    if (has_first_order(s->sides[i])) return true;
+  return false;
+}
+
+static bool record_linearizes(struct view v, const char *id) {
+  const struct statement_record *r = id ? view_record(&v, id) : NULL;
+  for (int k = 0; r && k < r->n_stmts; k++)
+    if (linearizes(r->stmts[k])) return true;
+  return false;
+}
+
+/* Is it the only definition of its name that the corrected view sees, written as a matrix, and no function? */
+static bool is_written_matrix(const struct model *m, size_t def) {
+  const struct definition *x = &m->defs[def];
+  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
+  if (x->rank == RANK_CONTROL || x->stmt->kind != STMT_DEFINE || x->stmt->param || !has_literal(x->stmt->sides[0]))
+    return false;
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (i != def && strcmp(m->defs[i].name, x->name) == 0 && view_sees(&v, &m->defs[i])) return false;
+  return true;
+}
+
+static void add_opaque(struct facts *f, const struct model *m, size_t def) {
+  struct model recording = *m;
+  struct opaque o = {.use = {ss_malloc(m->n_defs + 1), ss_malloc(m->n_records + 1)}};
+  memset(o.use.def, 0, m->n_defs);
+  memset(o.use.record, 0, m->n_records);
+  recording.use = &o.use;
+  struct elaboration el;
+  struct matrix x;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
+    o.name = (struct override){m->defs[def].name, x.rows, x.cols};
+    f->opaque = ss_grow(f->opaque, f->n_opaque, &f->cap_opaque, sizeof *f->opaque);
+    f->opaque[f->n_opaque++] = o;
+  } else {
+    free(o.use.def);
+    free(o.use.record);
+  }
+  elaboration_clear(&el);
+}
+
+/* Those that do not read the target; at most max. */
+static int unknowns(struct override *out, int max, const struct facts *f, const struct target *t) {
+  int n = 0;
+  for (size_t i = 0; !t->corrected && n < max && i < f->n_opaque; i++)
+    if (t->def < 0 || !f->opaque[i].use.def[t->def]) out[n++] = f->opaque[i].name;
+  return n;
+}
+
+struct facts *facts_new(const struct model *m) {
+  struct facts *f = ss_malloc(sizeof *f);
+  *f = (struct facts){.n = 0};
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (is_written_matrix(m, i)) add_opaque(f, m, i);
+  for (int i = 0; i < N_MOTION_FACTS; i++) {
+    struct exact_fact *x = &f->fact[f->n];
+    x->name = motion_facts[i][0];
+    if (tape_of(&x->tape, m, motion_facts[i][1])) /* a model without these symbols has no use for the fact */
+      f->n++;
+    else
+      tape_clear(&x->tape);
+  }
+  if (!tape_of(&f->velocity, m, "V") || !tape_of(&f->zero, m, "0")) f->n = 0;
+  for (int i = 0; i < 2; i++)
+    if (!tape_of(&f->sign[i], m, i ? "1" : "-1")) f->n = 0;
+  return f;
+}
+
+void facts_use(struct facts *f, bool use) {
+  f->unused = !use;
+}
+
+void facts_free(struct facts *f) {
+  for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
+  tape_clear(&f->velocity);
+  tape_clear(&f->zero);
+  for (int i = 0; i < 2; i++) tape_clear(&f->sign[i]);
+  for (size_t i = 0; i < f->n_opaque; i++) {
+    free(f->opaque[i].use.def);
+    free(f->opaque[i].use.record);
+  }
+  free(f->opaque);
+  free(f);
+}
+
+/* The phase in which the time t of a claim about arcs lies; -1 when there are several, or the motion is no arc. */
+static int phase_of(const struct claim *c) {
+  enum { MAX = 4 };
+  struct point_spec spec[MAX];
+  struct diag d;
+  diag_init(&d);
+  struct judge j = {.d = &d};
+  int n = claim_points(spec, MAX, &j, c), phase = -1;
+  for (int i = 0; i < n; i++) {
+    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT || spec[i].kind == POINT_PATCHED;
+    if (!arc || (i > 0 && (int)spec[i].phase != phase)) return -1;
+    phase = (int)spec[i].phase;
+  }
+  return phase;
+}
+
+static bool on_motions(const struct claim *c) {
+  const char *points = claim_get(c, "points");
+  return points && !strstr(points, "params") && !strstr(points, "flow");
+}
+
+/* The facts that hold where a claim is tried; c NULL: the statement itself, wherever it is read. */
+static int collect_facts(struct exact_fact *out, const struct facts *f, const struct claim *c) {
+  int n = 0, phase = c ? phase_of(c) : -1;
+  if (f->unused) return 0;
+  for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
+  for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
+    if (phase_facts[i].holds[phase])
+      out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
+  return n;
+}
+
+/* --- Comparing --- */
+
+static enum relop mirrored(enum relop op) {
+  static const enum relop other[] = {
+      [REL_EQ] = REL_EQ, [REL_LT] = REL_GT, [REL_LE] = REL_GE, [REL_GT] = REL_LT, [REL_GE] = REL_LE};
+  return other[op];
+}
+
+/* Entries i of a and k of b, of sentences without an oracle: their differences of sides, up to what is positive. */
+static bool same_relation(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a, slong i,
+                          const struct sentence *sb, const struct exact_vec *b, slong k) {
+  fmpz_mpoly_q_struct x, y;
+  exact_init(&x, f);
+  exact_init(&y, f);
+  int sign = 0;
+  if (exact_sub(&x, f, &a->x[i], &a->x[sa->n + i]) && exact_sub(&y, f, &b->x[k], &b->x[sb->n + k]))
+    sign = exact_ratio_sign(f, &x, &y, positive, N_POSITIVE);
+  bool both_zero = exact_is_zero(f, &x) && exact_is_zero(f, &y);
+  exact_clear(&y, f);
+  exact_clear(&x, f);
+  enum relop op_a = sa->ops[i], op_b = sb->ops[k];
+  if (sign == 0 || (both_zero && op_a != op_b)) return false;
+  return op_a == REL_EQ ? op_b == REL_EQ : op_b == (sign > 0 ? op_a : mirrored(op_a));
+}
+
+/* Is every relation of a one of b? */
+static bool has_relations(struct exact_field *f, const struct sentence *sa, const struct exact_vec *a,
+                          const struct sentence *sb, const struct exact_vec *b) {
+  for (slong i = 0; i < sa->n; i++) {
+    bool found = i < sb->n && same_relation(f, sa, a, i, sb, b, i);
+    for (slong k = 0; !found && k < sb->n; k++) found = same_relation(f, sa, a, i, sb, b, k);
+    if (!found) return false;
+  }
+  return true;
+}
+
+/* Whether both say the same (with a sign known, if given): of values, and of sentences with an oracle, that the left sides are equal; else that the sets
+   of relations are. */
+static bool same_sentences(const struct sentence *a, const struct sentence *b, bool values, const struct facts *facts,
+                           const struct claim *c, const struct exact_fact *sign) {
+  values = values || a->oracle;
+  if (a->oracle != b->oracle || (values && (a->n != b->n || a->cols != b->cols))) return false;
+  struct exact_fact fact[N_MOTION_FACTS + N_PHASE_FACTS + 1];
+  int n = collect_facts(fact, facts, c);
+  if (sign) fact[n++] = *sign;
+  struct exact_field *f = exact_field_new(fact, n);
+  struct exact_vec x, y;
+  int s = exact_eval(&x, f, &a->tape);
+  s |= exact_eval(&y, f, &b->tape);
+  bool same = s == SS_OK;
+  for (slong i = 0; same && values && i < a->n; i++) same = exact_equal(f, &x.x[i], &y.x[i]);
+  if (!values) same = same && has_relations(f, a, &x, b, &y) && has_relations(f, b, &y, a, &x);
+  exact_vec_clear(&y);
+  exact_vec_clear(&x);
+  exact_field_free(f);
+  return same;
+}
+
+bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f) {
+  struct sentence x, y;
+  struct diag d;
+  diag_init(&d);
+  bool ok = sentence_from_claim(&x, claim_view(a, c), c, NULL, 0, &d);
+  ok = sentence_from_claim(&y, (struct view){b, LAYER_CORRECTED, NULL, NULL}, c, NULL, 0, &d) && ok;
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
+  sentence_clear(&x);
+  sentence_clear(&y);
+  return ok;
+}
+
+/* --- What can be told apart --- */
+
+static bool same_end(const struct expr *x, const struct expr *y, const struct statement_record *r,
+                     const struct model *m) {
+  struct elaboration el;
+  struct tape tape = {.n = 0};
+  struct exact_vec v = {.len = 0};
+  struct matrix a, b;
+  struct diag d;
+  bool same = false;
+  diag_init(&d);
+  if (!x || !y || expr_same(x, y)) return !x == !y;
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  struct exact_field *f = exact_field_new(NULL, 0);
+  if (elaborate(&a, &el, x, r->src, r->section, &d) && elaborate(&b, &el, y, r->src, r->section, &d) &&
+      a.rows * a.cols == 1 && b.rows * b.cols == 1) {
+    const struct expr *both[] = {a.e[0], b.e[0]};
+    if (elaboration_tape(&tape, &el, both, 2, &d))
+      same = exact_eval(&v, f, &tape) == SS_OK && exact_equal(f, &v.x[0], &v.x[1]);
+    exact_vec_clear(&v);
+  }
+  exact_field_free(f);
+  tape_clear(&tape);
+  elaboration_clear(&el);
+  return same;
+}
+
+/* Whether the damaged statement speaks of the same times as before. */
+static bool same_range(const struct target *t, const struct model *a, const struct model *b) {
+  const struct statement_record *r = &a->records[t->record];
+  const struct stmt *x = r->stmts[t->stmt], *y = b->records[t->record].stmts[t->stmt];
+  return same_end(x->range_lo, y->range_lo, r, a) && same_end(x->range_hi, y->range_hi, r, a);
+}
+
+enum { MAX_UNKNOWNS = 32 };
+
+static bool same_in_views(const struct claim *c, struct view a, struct view b, const struct facts *f,
+                          const struct override *o, int n) {
+  struct sentence x, y;
+  struct diag d;
+  diag_init(&d);
+  bool ok = sentence_from_claim(&x, a, c, o, n, &d);
+  ok = sentence_from_claim(&y, b, c, o, n, &d) && ok;
+  ok = ok && same_sentences(&x, &y, false, f, c, NULL);
+  sentence_clear(&x);
+  sentence_clear(&y);
+  return ok;
+}
+
+static bool same_condition(const struct condition *x, const struct condition *y) {
+  struct exact_field *f = exact_field_new(NULL, 0);
+  struct exact_vec v, w;
+  bool same = x->equality == y->equality && x->phase == y->phase;
+  same = exact_eval(&v, f, &x->s.tape) == SS_OK && same;
+  same = exact_eval(&w, f, &y->s.tape) == SS_OK && same;
+  same = same && exact_equal(f, &v.x[0], &w.x[0]);
+  exact_vec_clear(&w);
+  exact_vec_clear(&v);
+  exact_field_free(f);
+  return same;
+}
+
+/* Whether an argument has the same premises and conclusions: it may name a part of the damaged record that is sound. */
+static bool argument_same_in(const struct claim *c, const struct model *a, const struct model *b) {
+  static const char *const part[] = {"premises", "conclusion", "repair"};
+  struct conditions *list = ss_malloc(2 * sizeof *list);
+  struct audit_result out;
+  bool same = true;
+  audit_result_init(&out);
+  for (int i = 0; same && i < 3; i++) {
+    for (int k = 0; k < 2; k++) {
+      struct diag d;
+      diag_init(&d);
+      struct judge j = {.out = &out, .d = &d};
+      same = conditions_read(&list[k], &j, c, part[i], claim_view(k ? b : a, c)) && same;
+    }
+    same = same && list[0].n == list[1].n;
+    for (int k = 0; same && k < list[0].n; k++) same = same_condition(&list[0].at[k], &list[1].at[k]);
+    for (int k = 0; k < 2; k++) conditions_clear(&list[k]);
+  }
+  audit_result_clear(&out);
+  free(list);
+  return same;
+}
+
+bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
+                   const struct facts *f) {
+  struct view whole_a = {a, LAYER_CORRECTED, NULL, NULL}, whole_b = {b, LAYER_CORRECTED, NULL, NULL};
+  struct override o[MAX_UNKNOWNS];
+  const char *id = claim_get(c, "statement");
+  bool written_out = claim_get(c, "value") || record_linearizes(whole_a, id) || record_linearizes(whole_b, id);
+  int most = written_out ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
+  if (claim_kind(c) == KIND_ARGUMENT) return argument_same_in(c, a, b);
+  if (!same_range(t, a, b)) return false;
+  for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
+    if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
+      return true;
+  return false;
+}
+
+/* The sentence "the definition's value", or the statement's relations. */
+static bool target_sentence(struct sentence *s, const struct target *t, const struct model *m, const struct override *o,
+                            int n) {
+  const struct statement_record *r = &m->records[t->record];
+  const struct stmt *st = r->stmts[t->stmt];
+  struct diag d;
+  diag_init(&d);
+  struct view v = {m, LAYER_CORRECTED, t->corrected ? r->equation : NULL, NULL};
+  const struct stmt *stmts[] = {st};
+  struct statement_record alone = *r;
+  alone.stmts = stmts;
+  alone.n_stmts = 1;
+  if (t->def < 0) return sentence_from_relations(s, v, &alone, o, n, &d);
+  const struct expr arg = {.kind = EXPR_SYM, .name = st->param}, *args[] = {&arg};
+  struct expr use = {
+      .kind = st->param ? EXPR_CALL : EXPR_SYM, .name = st->name, .n_args = st->param != NULL, .args = args};
+  struct matrix x;
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, o, n);
+  if (st->param && !model_is_symbol(m, st->param)) return false;
+  if (!elaborate(&x, &s->el, &use, r->src, r->section, &d)) return false;
+  s->n = x.rows * x.cols;
+  s->cols = x.cols;
+  return elaboration_tape(&s->tape, &s->el, x.e, s->n, &d);
+}
+
+/* Whether statement t says the same in both models, the damaged statement being `damaged`. */
+static bool statement_same_in(const struct target *t, const struct target *damaged, const struct model *a,
+                              const struct model *b, const struct facts *f) {
+  struct override o[MAX_UNKNOWNS];
+  bool written_out =
+      linearizes(a->records[t->record].stmts[t->stmt]) || linearizes(b->records[t->record].stmts[t->stmt]);
+  int most = written_out ? 0 : unknowns(o, MAX_UNKNOWNS, f, damaged);
+  bool ok = false;
+  if (t == damaged && !same_range(t, a, b)) return false;
+  for (int n = 0; !ok && n <= most; n += most ? most : 1) {
+    struct sentence x, y;
+    ok = target_sentence(&x, t, a, o, n);
+    ok = target_sentence(&y, t, b, o, n) && ok;
+    const struct stmt *st = a->records[t->record].stmts[t->stmt];
+    struct exact_fact sign[] = {{st->range_var, f->sign[0]}, {st->range_var, f->sign[1]}};
+    if (!st->range_signs) ok = ok && same_sentences(&x, &y, t->def >= 0, f, NULL, NULL);
+    for (int i = 0; ok && st->range_signs && i < 2; i++) ok = same_sentences(&x, &y, t->def >= 0, f, NULL, &sign[i]);
+    sentence_clear(&x);
+    sentence_clear(&y);
+  }
+  return ok;
+}
+
+/* --- How far a difference spreads --- */
+
+static bool names_it(const char *text, const char *name) {
+  static const char letters[] = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_'";
+  size_t n = strlen(name);
+  for (const char *p = text ? strstr(text, name) : NULL; p; p = strstr(p + 1, name))
+    if ((p == text || !strchr(letters, p[-1])) && (!p[n] || !strchr(letters, p[n]))) return true;
+  return false;
+}
+
+/* Does a claim name the definition itself, not through a statement? */
+static bool claim_names(const struct claims *claims, const char *name) {
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    enum kind kind = claim_kind(c);
+    bool by_chain = kind == KIND_CRITERION || kind == KIND_REPORT; /* tr(J) */
+    if (names_it(claim_get(c, "value"), name) || names_it(claim_get(c, "formula"), name) ||
+        (by_chain && strcmp(name, "J") == 0))
+      return true;
+  }
+  return false;
+}
+
+struct spread {
+  const struct target *damaged;
+  const struct model *a, *b;
+  const struct facts *f;
+  const struct claims *claims;
+  bool *seen; /* definitions already on the way */
+};
+
+static bool contained(struct spread *s, const struct target *t) {
+  if (statement_same_in(t, s->damaged, s->a, s->b, s->f)) return true;
+  if (s->damaged->corrected) return false; /* what uses it reads the errata in its place */
+  if (t->def < 0 || claim_names(s->claims, s->a->defs[t->def].name)) return false;
+  if (s->seen[t->def]) return true;
+  s->seen[t->def] = true;
+  for (size_t i = 0; i < s->a->n_records; i++) {
+    const struct statement_record *r = &s->a->records[i];
+    for (int k = 0; r->rank < RANK_STABLE && k < r->n_stmts; k++) {
+      struct target user = target_of(s->a, i, k);
+      if ((long)user.def == t->def || !stands_in_statement(r->stmts[k], s->a->defs[t->def].name)) continue;
+      if (!contained(s, &user)) return false;
+    }
+  }
+  return true;
+}
+
+bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
+                    const struct facts *f) {
+  struct spread s = {t, a, b, f, claims, ss_malloc(a->n_defs + 1)};
+  memset(s.seen, 0, a->n_defs);
+  bool same = contained(&s, t);
+  free(s.seen);
+  return same;
+}

@@ -1,0 +1,422 @@
+/* Would the audit have noticed?  Every claim is judged once as things stand, and what it reads is recorded; then each
+   mutant is put in place and the claims that read it are asked again: with the least effort that can refute; by exact
+   algebra, whether the mutant says anything else at all; in full; and last the kinds that take long, with the same little
+   effort with which they were asked as things stood.  Claims that simulate are not asked. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge/judge.h"
+#include "mutants.h"
+#include "run/workers.h"
+#include "value/orbit_pool.h"
+
+/* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */
+struct reader {
+  const struct claim *claim;
+  struct model_use use;
+  size_t weight; /* definitions read */
+  struct audit_result said;
+  bool asserts;
+};
+
+struct mutation_study {
+  const struct model *model;
+  const struct claims *claims;
+  const struct scene *scene;
+  struct orbit_cache *cache;
+  struct reader *reader; /* the lightest first */
+  size_t n_readers;
+  struct overlay overlay;
+  struct facts *facts;
+  struct orbit_pool *pool;
+  bool *touched; /* records */
+  struct mutants mutants;
+  size_t *drawn; /* indices of mutants, ascending */
+  size_t n_drawn;
+};
+
+static struct judge new_judge(struct mutation_study *r, const struct model *m, struct audit_result *out,
+                              enum effort effort, struct diag *d) {
+  audit_result_init(out);
+  diag_init(d);
+  return (struct judge){.out = out,
+                        .model = m,
+                        .claims = r->claims,
+                        .scene = r->scene,
+                        .cache = r->cache,
+                        .pool = r->pool,
+                        .d = d,
+                        .effort = effort};
+}
+
+/* --- As things stand --- */
+
+static bool asserts(const struct audit_result *said) {
+  enum verdict v = said->findings[0].verdict;
+  return v != VERDICT_DEFINITION && v != VERDICT_SKIPPED;
+}
+
+static bool read_claim(struct reader *rd, struct mutation_study *r, struct model *recording, const struct claim *c,
+                       struct diag *d) {
+  *rd = (struct reader){.claim = c};
+  rd->use.def = ss_malloc(r->model->n_defs + 1);
+  rd->use.record = ss_malloc(r->model->n_records + 1);
+  memset(rd->use.def, 0, r->model->n_defs);
+  memset(rd->use.record, 0, r->model->n_records);
+  recording->use = &rd->use;
+  if (claim_asked(c) == ASKED_NEVER) {
+    audit_result_init(&rd->said);
+    return true;
+  }
+  struct judge j = new_judge(r, recording, &rd->said, claim_asked(c) == ASKED_LATE ? EFFORT_REFUTE : EFFORT_FULL, d);
+  bool ok = judge_claim(&j, c);
+  r->pool = j.pool;
+  if (!ok) return false;
+  for (size_t i = 0; i < r->model->n_defs; i++) rd->weight += rd->use.def[i];
+  rd->asserts = asserts(&rd->said);
+  return true;
+}
+
+static int lightest_first(const void *a, const void *b) {
+  const struct reader *x = a, *y = b;
+  if (x->weight != y->weight) return x->weight < y->weight ? -1 : 1;
+  return x->claim < y->claim ? -1 : x->claim > y->claim;
+}
+
+static bool read_all(struct mutation_study *r, struct diag *d) {
+  struct model recording = *r->model;
+  r->reader = ss_malloc((r->claims->n + 1) * sizeof *r->reader);
+  for (size_t i = 0; i < r->claims->n; i++) {
+    r->n_readers++;
+    if (!read_claim(&r->reader[i], r, &recording, &r->claims->claim[i], d)) return false;
+  }
+  if (r->n_readers) qsort(r->reader, r->n_readers, sizeof *r->reader, lightest_first);
+  return true;
+}
+
+static bool reads(const struct reader *rd, const struct target *t) {
+  return rd->asserts && (rd->use.record[t->record] || (t->def >= 0 && rd->use.def[t->def]));
+}
+
+/* --- One claim, one mutant --- */
+
+enum notice { SAME, OPEN, LOST, CHANGED, BROKEN };
+
+static bool is_diagnostic(const struct finding *f, const struct claim *c) {
+  return claim_kind(c) != KIND_INDEX_RANGE && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
+}
+
+static const struct finding *same_id(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  return NULL;
+}
+
+static bool passes(enum verdict v) {
+  return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
+}
+
+/* That a proof fails, or succeeds, is not noticed by itself. */
+static bool alike(enum verdict a, enum verdict b) {
+  return a == b || (passes(a) && passes(b));
+}
+
+static bool same_findings(const struct audit_result *a, const struct audit_result *b) {
+  bool same = a->n_findings == b->n_findings;
+  for (size_t i = 0; same && i < a->n_findings; i++) {
+    const struct finding *x = &a->findings[i], *y = &b->findings[i];
+    same = strcmp(x->id, y->id) == 0 && alike(x->verdict, y->verdict) && !x->correction == !y->correction &&
+           (!x->correction || alike(x->correction_verdict, y->correction_verdict));
+  }
+  return same;
+}
+
+/* A refuted claim: whether what passed besides, its correction or a restricted claim, is refuted now. */
+static enum notice quick_besides(const struct reader *rd, const struct audit_result *now) {
+  const struct finding *was = &rd->said.findings[0], *is = &now->findings[0];
+  if (is->verdict != VERDICT_REFUTED) return OPEN;
+  if (is_diagnostic(is, rd->claim) && !is_diagnostic(was, rd->claim)) return BROKEN;
+  if (was->correction && is->correction && passes(was->correction_verdict) && is->correction_verdict == VERDICT_REFUTED)
+    return CHANGED;
+  for (size_t i = 1; i < rd->said.n_findings; i++) {
+    const struct finding *f = same_id(now, rd->said.findings[i].id);
+    if (passes(rd->said.findings[i].verdict) && f && f->verdict == VERDICT_REFUTED) return CHANGED;
+  }
+  return OPEN;
+}
+
+/* The least effort that can tell. */
+static enum notice ask_quickly(struct mutation_study *r, const struct reader *rd) {
+  enum verdict before = rd->said.findings[0].verdict;
+  struct audit_result out;
+  struct diag d;
+  struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
+  enum notice n = OPEN;
+  if (verdict_fails(before) && claim_tried_at_points(rd->claim)) {
+    n = judge_claim(&j, rd->claim) ? quick_besides(rd, &out) : BROKEN;
+  } else {
+    struct finding f;
+    if (!judge_verdict(&f, &j, rd->claim))
+      n = BROKEN;
+    else if (f.verdict == VERDICT_REFUTED && !verdict_fails(before))
+      n = is_diagnostic(&f, rd->claim) ? BROKEN : CHANGED;
+  }
+  audit_result_clear(&out);
+  return n;
+}
+
+static enum notice ask_in_full(struct mutation_study *r, const struct reader *rd) {
+  struct audit_result out;
+  struct diag d;
+  struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_FULL, &d);
+  enum notice n = BROKEN;
+  if (judge_claim(&j, rd->claim)) n = same_findings(&rd->said, &out) ? SAME : CHANGED;
+  audit_result_clear(&out);
+  return n;
+}
+
+/* Refuted or not, proved or not: what little effort says is compared with what the same effort said. */
+static enum notice compare(enum verdict was, enum verdict is) {
+  if ((was == VERDICT_REFUTED) != (is == VERDICT_REFUTED)) return CHANGED;
+  return (was == VERDICT_PROVED) != (is == VERDICT_PROVED) ? LOST : OPEN;
+}
+
+static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
+  const struct finding *was = &rd->said.findings[0];
+  struct audit_result out;
+  struct diag d;
+  struct judge j = new_judge(r, &r->overlay.model, &out, EFFORT_REFUTE, &d);
+  struct finding f;
+  j.touched = r->touched;
+  enum notice n = OPEN;
+  if (!judge_verdict(&f, &j, rd->claim) || (is_diagnostic(&f, rd->claim) && !is_diagnostic(was, rd->claim)))
+    n = BROKEN;
+  else if (!f.correction != !was->correction)
+    n = CHANGED;
+  else
+    n = compare(was->verdict, f.verdict);
+  if (n == OPEN && f.correction) n = compare(was->correction_verdict, f.correction_verdict);
+  r->pool = j.pool;
+  audit_result_clear(&out);
+  return n;
+}
+
+/* --- One mutant --- */
+
+/* Degrees and symbols: such a claim decides of itself whether it says the same, once it has been asked. */
+static bool decides_exactly(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind == KIND_SCALING || kind == KIND_NOTATION;
+}
+
+/* By exact algebra: the statement and what uses it, or every claim that reads it. */
+static bool says_the_same(struct mutation_study *r, const struct target *t) {
+  const struct model *damaged = &r->overlay.model;
+  bool all = true, any = false;
+  if (target_same_in(t, r->model, damaged, r->claims, r->facts)) return true;
+  for (size_t i = 0; all && i < r->n_readers; i++) {
+    if (!reads(&r->reader[i], t) || decides_exactly(r->reader[i].claim)) continue;
+    any = true;
+    all = claim_same_in(r->reader[i].claim, t, r->model, damaged, r->facts);
+  }
+  return all && any;
+}
+
+/* Asks the claims of one turn that read the target, until one notices: the fate then, else FATE_UNDECIDED. */
+static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t, enum asked turn,
+                                enum notice (*ask)(struct mutation_study *, const struct reader *)) {
+  enum mutant_fate fate = FATE_UNDECIDED;
+  for (size_t i = 0; i < r->n_readers; i++) {
+    if (!reads(&r->reader[i], t) || claim_asked(r->reader[i].claim) != turn) continue;
+    enum notice n = ask(r, &r->reader[i]);
+    if (n == BROKEN) return FATE_UNREADABLE;
+    if (n == CHANGED) return FATE_NOTICED;
+    if (n == LOST) fate = FATE_UNPROVED;
+  }
+  return fate;
+}
+
+static enum mutant_fate fate_in_place(struct mutation_study *r, const struct target *t) {
+  bool any = false;
+  for (size_t i = 0; !any && i < r->n_readers; i++) any = reads(&r->reader[i], t);
+  if (!any) return FATE_UNREAD;
+  enum mutant_fate f = ask_all(r, t, ASKED_EARLY, ask_quickly);
+  facts_use(r->facts, false);
+  target_reaches(r->touched, r->model, t);
+  if (f == FATE_UNDECIDED && target_same_in(t, r->model, &r->overlay.model, r->claims, r->facts)) f = FATE_EQUIVALENT;
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_EARLY, ask_in_full);
+  if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_LATE, ask_late);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_EQUIVALENT;
+  facts_use(r->facts, true);
+  if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_ON_MOTIONS;
+  return f;
+}
+
+static void try_mutant(void *result, size_t i, void *arg) {
+  struct mutation_study *r = arg;
+  const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
+  const struct target *t = &r->mutants.target[m->target];
+  overlay_set(&r->overlay, t, m->edit.stmt);
+  enum mutant_fate f = fate_in_place(r, t);
+  overlay_set(&r->overlay, t, NULL);
+  memcpy(result, &f, sizeof f);
+}
+
+/* --- Which mutants --- */
+
+/* splitmix64 */
+static unsigned long long next_random(unsigned long long *state) {
+  unsigned long long z = (*state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31);
+}
+
+/* Selection sampling: each subset of the size asked for is equally likely, and the order is kept. */
+static void draw(struct mutation_study *r, const struct mutation_options *opt) {
+  size_t n = r->mutants.n, wanted = opt->count > 0 && (size_t)opt->count < n ? (size_t)opt->count : n;
+  unsigned long long state = opt->seed;
+  r->drawn = ss_malloc((n + 1) * sizeof *r->drawn);
+  for (size_t i = 0; i < n && r->n_drawn < wanted; i++)
+    if (next_random(&state) % (n - i) < wanted - r->n_drawn) r->drawn[r->n_drawn++] = i;
+}
+
+/* --- The report --- */
+
+static const char *file_of(const struct statement_record *r) {
+  const char *slash = strrchr(r->src->name, '/');
+  return slash ? slash + 1 : r->src->name;
+}
+
+static struct mutation_row *file_row(struct mutation_result *out, const char *name) {
+  for (size_t i = 0; i < out->n_files; i++)
+    if (strcmp(out->file[i].name, name) == 0) return &out->file[i];
+  out->file = ss_grow(out->file, out->n_files, &out->cap_files, sizeof *out->file);
+  out->file[out->n_files] = (struct mutation_row){.name = arena_strndup(&out->arena, name, strlen(name))};
+  return &out->file[out->n_files++];
+}
+
+static const char *keep(struct mutation_result *out, const char *s) {
+  return arena_strndup(&out->arena, s, strlen(s));
+}
+
+static const char *keep_subject(struct mutation_result *out, const struct model *m, const struct scene *s) {
+  struct text subject;
+  text_init(&subject);
+  audit_fingerprint(&subject, m, s);
+  const char *kept = keep(out, text_str(&subject));
+  text_clear(&subject);
+  return kept;
+}
+
+static const char *readers_of(struct mutation_result *out, const struct mutation_study *r, const struct target *t) {
+  struct text list;
+  text_init(&list);
+  for (size_t c = 0; c < r->claims->n; c++)
+    for (size_t i = 0; i < r->n_readers; i++)
+      if (r->reader[i].claim == &r->claims->claim[c] && reads(&r->reader[i], t))
+        text_printf(&list, "%s%s", list.len ? ", " : "", r->claims->claim[c].id);
+  const char *s = keep(out, text_str(&list));
+  text_clear(&list);
+  return s;
+}
+
+static void add_survivor(struct mutation_result *out, const struct mutation_study *r, const struct mutant *m,
+                         enum mutant_fate fate) {
+  const struct target *t = &r->mutants.target[m->target];
+  const struct statement_record *rec = &r->model->records[t->record];
+  struct survivor s = {.fate = fate,
+                       .corrected = t->corrected,
+                       .file = keep(out, file_of(rec)),
+                       .record = keep(out, rec->record->id_name),
+                       .equation = *rec->equation ? keep(out, rec->equation) : NULL,
+                       .kind = edit_kind_name[m->edit.kind],
+                       .was = keep(out, m->edit.was),
+                       .now = keep(out, m->edit.now),
+                       .text = keep(out, m->edit.text),
+                       .read_by = readers_of(out, r, t)};
+  source_place(&s.line, &s.column, rec->src, m->edit.place.begin);
+  const struct survivor *last = out->n_survivors ? &out->survivor[out->n_survivors - 1] : NULL;
+  struct text original;
+  text_init(&original);
+  stmt_print(&original, rec->stmts[t->stmt]);
+  bool same = last && strcmp(last->record, s.record) == 0 && strcmp(last->original, text_str(&original)) == 0;
+  s.original = same ? last->original : keep(out, text_str(&original));
+  if (same) s.record = last->record;
+  text_clear(&original);
+  out->survivor = ss_grow(out->survivor, out->n_survivors, &out->cap_survivors, sizeof s);
+  out->survivor[out->n_survivors++] = s;
+}
+
+static void report(struct mutation_result *out, const struct mutation_study *r, const enum mutant_fate *fate) {
+  out->kind = arena_alloc(&out->arena, N_EDIT_KINDS * sizeof *out->kind);
+  out->n_kinds = N_EDIT_KINDS;
+  for (int k = 0; k < N_EDIT_KINDS; k++) out->kind[k].name = edit_kind_name[k];
+  out->population = (long)r->mutants.n;
+  out->tried = (long)r->n_drawn;
+  for (size_t i = 0; i < r->n_drawn; i++) {
+    const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
+    const struct target *t = &r->mutants.target[m->target];
+    if (fate[i] > FATE_UNPROVED) add_survivor(out, r, m, fate[i]);
+    if (t->corrected) {
+      out->printed.count[fate[i]]++;
+      continue;
+    }
+    out->total.count[fate[i]]++;
+    out->kind[m->edit.kind].count[fate[i]]++;
+    file_row(out, file_of(&r->model->records[t->record]))->count[fate[i]]++;
+  }
+}
+
+/* --- The run --- */
+
+static void run_clear(struct mutation_study *r) {
+  for (size_t i = 0; i < r->n_readers; i++) {
+    free(r->reader[i].use.def);
+    free(r->reader[i].use.record);
+    audit_result_clear(&r->reader[i].said);
+  }
+  free(r->reader);
+  free(r->drawn);
+  mutants_clear(&r->mutants);
+  overlay_clear(&r->overlay);
+  facts_free(r->facts);
+  free(r->touched);
+  orbit_pool_free(r->pool);
+  orbit_cache_free(r->cache);
+}
+
+bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
+                  const struct scene *scene, const struct mutation_options *opt, struct diag *d) {
+  struct mutation_study r = {
+      .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .facts = facts_new(m)};
+  r.touched = ss_malloc(m->n_records + 1);
+  overlay_init(&r.overlay, m);
+  mutants_init(&r.mutants, m, opt->only, opt->n_only);
+  out->scene = keep(out, scene->name);
+  out->subject = keep_subject(out, m, scene);
+  out->seed = opt->seed;
+  draw(&r, opt);
+  bool ok = true;
+  for (int i = 0; ok && i < opt->n_only; i++) {
+    ok = mutants_any(&r.mutants, m, opt->only[i]);
+    if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
+  }
+  enum mutant_fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
+  ok = ok && read_all(&r, d) && workers_run(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
+  if (ok) report(out, &r, fate);
+  free(fate);
+  run_clear(&r);
+  return ok;
+}
+
+void mutation_result_init(struct mutation_result *r) {
+  *r = (struct mutation_result){.total.name = "all", .printed.name = "printed text that the errata correct"};
+  arena_init(&r->arena);
+}
+
+void mutation_result_clear(struct mutation_result *r) {
+  free(r->file);
+  free(r->survivor);
+  arena_clear(&r->arena);
+}

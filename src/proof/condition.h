@@ -1,0 +1,56 @@
+/* Conditions: inequalities and equations of the paper as margins along a phase of a periodic orbit.
+
+   A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus the
+   left one of "<") or zero.  The margin is affine in Z(t), t and u_s1, u_s2, so along a phase Z' = A Z gives its
+   derivative too, and time is halved until an enclosure of the margin, or near an end where the margin vanishes by
+   definition one of its derivative, has a sign. */
+#ifndef STICKSLIP_CONDITION_H
+#define STICKSLIP_CONDITION_H
+
+#include "value/sentence.h"
+
+/* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, and x_1(t), x_2(t), x_1'(t), x_2'(t). */
+enum { MOVING_T = 4, MOVING_X = 5, N_MOVING = 9, MAX_CONDITIONS = 24 };
+
+struct condition {
+  struct sentence s;    /* its tape gives the margin */
+  const char *text;     /* as written */
+  const char *equation; /* the paper's number of it, or NULL */
+  bool equality;
+  bool moving; /* along `phase`; else at the switching times alone */
+  enum phase phase;
+  slong input[N_MOVING]; /* index among the tape's inputs, or -1 */
+  bool friction[2];      /* whether the margin depends on u_s1, on u_s2 (through u_r1, u_r2, or x = z + d) */
+  bool in_x;             /* some x_i(t) is among the inputs */
+};
+
+struct conditions {
+  struct condition at[MAX_CONDITIONS];
+  int n;
+};
+
+/* "eq-51, eq-52#1, eq-59#1.2, eq-56 D": records, the statement and the step of its chain (all without), and the phase of
+   a record that names the time t without a range.  false with j->d set. */
+bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
+                     struct view view);
+void conditions_clear(struct conditions *list);
+
+/* The least margin over samples of the open phase at u_s1 = u_s2 = 0 (of an equality minus the largest deviation), and its
+   slopes in them; in double, in units of V.  Status flags. */
+struct sampled {
+  double least, slope[2];
+};
+int conditions_sample(struct sampled *out, struct conditions *list, const struct point *p, struct orbit_cache *cache);
+
+/* Does the condition hold throughout its phase at the point?  In balls at prec; *where is the fraction of the phase at
+   which it certainly fails (FALSE), and value the margin there, or the least margin met (TRUE, of those away from ends
+   where it vanishes). */
+truth condition_holds(double *where, arb_t value, struct condition *c, const struct point *p, slong prec,
+                      struct orbit_cache *cache);
+/* The same at one fraction of the phase. */
+truth condition_holds_at(struct condition *c, const struct point *p, enum variant variant, double where, slong prec,
+                         struct orbit_cache *cache);
+/* The same at 15 inner fractions of the phase, the states carried by matrix exponentials. */
+truth condition_holds_at_samples(struct condition *c, const struct point *p, slong prec, struct orbit_cache *cache);
+
+#endif

@@ -1,0 +1,422 @@
+/* Proofs by exact algebra: both sides of a sentence as elements of one field, the paper's from its formulas, the model's
+   from exact_motion.h.  An entry is proved when the difference of its sides is zero; more of what holds on motions is used
+   only as far as needed.  What remains is said in words: why a sentence is not proved. */
+#include "exact_proof.h"
+
+#include "claim/kinds.h"
+#include "record/finding.h"
+#include "value/local_maps.h"
+#include <stdlib.h>
+#include <string.h>
+
+enum { MAX_ENTRIES = 64 };
+
+/* The sentence at one kind of point, and what has been found about its entries. */
+struct job {
+  struct judge *j;
+  const char *value; /* what the sentence's oracle is called */
+  const struct restriction *restriction;
+  struct point_spec spec;
+  bool finite, sharp, has_tangents;
+  struct sentence *s;
+  bool done[MAX_ENTRIES];  /* proved */
+  bool apart[MAX_ENTRIES]; /* the difference is an element other than zero, by the last attempt that could tell */
+  struct exact_attempt by[MAX_ENTRIES];
+  slong largest;
+  char unbound[64];
+  bool wants_modes, undefined, uses_matrices, independent;
+  struct text field, witness;
+  const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
+};
+
+/* --- One attempt --- */
+
+/* Both sides of entry i, as far as they could be computed. */
+struct sides {
+  struct exact_vec paper;
+  struct num_vec model;
+  int *status, model_status;
+};
+
+static void sides_make(struct sides *v, struct job *b, struct exact_motion *m) {
+  struct sentence *s = b->s;
+  v->status = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *v->status);
+  num_vec_init(&v->model, s->n, num_ctx_exact());
+  v->model_status = s->oracle ? exact_motion_oracle(&v->model, m, b->value) : SS_OK;
+  bool *wanted = ss_malloc((size_t)(s->tape.n_outputs + 1) * sizeof *wanted);
+  for (slong i = 0; i < s->tape.n_outputs; i++) wanted[i] = !b->done[i % s->n];
+  exact_eval_each(&v->paper, v->status, m->field, &s->tape, wanted);
+  free(wanted);
+}
+
+static void sides_clear(struct sides *v) {
+  exact_vec_clear(&v->paper);
+  num_vec_clear(&v->model);
+  free(v->status);
+}
+
+/* left - right of an entry; SS_OK when that is known. */
+static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion *m, struct sides *v, slong i) {
+  int s = v->status[i] | (b->s->oracle ? v->model_status : v->status[b->s->n + i]);
+  if (s != SS_OK) return s;
+  const fmpz_mpoly_q_struct *right = b->s->oracle ? num_vec_at(&v->model, i) : &v->paper.x[b->s->n + i];
+  return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
+}
+
+/* Does the step hold, an inequality because the difference of its sides is a product of what is positive? */
+static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
+  enum relop op = b->s->ops[i];
+  if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
+  struct num_vec positive;
+  num_vec_init(&positive, EXACT_POSITIVE, num_ctx_exact());
+  int n = exact_motion_positive(&positive, m);
+  int sign = exact_product_sign(d, num_vec_at(&positive, 0), n);
+  num_vec_clear(&positive);
+  return sign != 0 && (op == REL_LT ? sign < 0 : op == REL_GT && sign > 0);
+}
+
+static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
+  static const char *const names[] = {"chi", "eta", "V"};
+  fmpq_t value;
+  fmpq_init(value);
+  bool zero = r->quantity <= Q_V && num_parse_decimal(value, r->value, strlen(r->value)) == SS_OK &&
+              exact_vanishes_at(f, d, names[r->quantity - Q_CHI], value);
+  fmpq_clear(value);
+  return zero;
+}
+
+/* Books the difference of an entry that is not zero. */
+static void book_difference(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d, bool *keep) {
+  b->apart[i] = true;
+  for (int r = 0; r < n_restrictions; r++) keep[r] = keep[r] && vanishes(&restrictions[r], m->field, d);
+  if (b->witness.len) return;
+  const char *place = entry_place(b->j->out, b->s->n, b->s->cols, i);
+  long terms = (long)fmpz_mpoly_length(&d->num, num_exact_ctx());
+  text_printf(&b->witness, "the difference of the sides%s%s has %ld term%s and is ", *place ? " in entry " : "", place,
+              terms, terms == 1 ? "" : "s");
+  if (!exact_witness(&b->witness, m->field, d)) text_add(&b->witness, "not zero");
+}
+
+static void try_attempt(struct job *b, const struct exact_attempt *a) {
+  enum { MAX_RESTRICTIONS = 8 };
+  struct exact_motion m;
+  struct sides v;
+  bool keep[MAX_RESTRICTIONS], apart = false;
+  fmpz_mpoly_q_struct d;
+  for (int r = 0; r < n_restrictions; r++) keep[r] = true;
+  b->undefined = false;
+  exact_motion_init(&m, a, &b->spec, b->finite, b->restriction, &b->s->tape);
+  sides_make(&v, b, &m);
+  exact_init(&d, m.field);
+  text_reset(&b->witness);
+  for (slong i = 0; i < b->s->n; i++) {
+    if (b->done[i]) continue;
+    b->apart[i] = false;
+    int s = difference(&d, b, &m, &v, i);
+    if (s == SS_OK && step_holds(b, &m, i, &d)) {
+      b->done[i] = true;
+      b->by[i] = *a;
+    } else if (s == SS_OK && (b->sharp || b->s->ops[i] == REL_EQ)) {
+      book_difference(b, &m, i, &d, keep);
+    }
+    apart = apart || b->apart[i];
+    b->undefined = b->undefined || (s & SS_DOMAIN);
+  }
+  b->holds_at = NULL;
+  for (int r = n_restrictions; apart && r > 0; r--)
+    if (keep[r - 1]) b->holds_at = &restrictions[r - 1];
+  if (exact_largest(m.field) > b->largest) b->largest = exact_largest(m.field);
+  text_reset(&b->field);
+  exact_print_generators(&b->field, m.field);
+  b->wants_modes = m.wants_modes;
+  b->independent = exact_independent(m.field);
+  b->uses_matrices = b->uses_matrices || m.used_matrix;
+  memcpy(b->unbound, m.unbound, sizeof b->unbound);
+  exact_clear(&d, m.field);
+  sides_clear(&v);
+  exact_motion_clear(&m);
+}
+
+static bool all_done(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i]) return false;
+  return true;
+}
+
+static bool has_tangents(const struct tape *t) {
+  bool any = false;
+  int index;
+  for (slong i = 0; i < t->n_inputs; i++) any = any || name_of_tangent(t->inputs[i], &index);
+  return any;
+}
+
+static bool reads_last_state(const struct tape *t) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (strncmp(t->inputs[i], "S_c[", 4) == 0) return true;
+  return false;
+}
+
+static bool has_root(const struct tape *t) {
+  for (slong i = 0; i < t->n; i++)
+    if (t->code[i].op == TAPE_ROOT) return true;
+  return false;
+}
+
+/* Are inequalities all that is not proved? */
+static bool inequalities_left(const struct job *b) {
+  for (slong i = 0; i < b->s->n; i++)
+    if (!b->done[i] && (b->sharp || b->s->ops[i] == REL_EQ)) return false;
+  return true;
+}
+
+/* Once with the frequencies of phase H more when they are asked for; signs are not known there. */
+static void try_with_modes(struct job *b, struct exact_attempt *a) {
+  try_attempt(b, a);
+  if (!b->wants_modes || a->modes || inequalities_left(b)) return;
+  a->modes = true;
+  try_attempt(b, a);
+}
+
+static bool has_word(const struct job *b) {
+  return b->spec.kind == POINT_ARC || b->spec.kind == POINT_ORBIT || b->spec.kind == POINT_PATCHED;
+}
+
+/* How the states follow from each other, in the order of the attempts. */
+static int anchors(int list[5], const struct job *b) {
+  list[0] = b->value && b->value[0] == 'S' ? 0 : 4; /* the paper patches its states from the start */
+  if (!has_word(b) || list[0] == 0) return 1;
+  bool back = b->spec.kind == POINT_ORBIT && reads_last_state(&b->s->tape);
+  for (int n = 1; n < 5; n++) list[n] = back ? ANCHOR_BACK : 4 - n;
+  return back ? 2 : 5;
+}
+
+/* From little to all of what holds on motions. */
+static void try_all(struct job *b) {
+  bool word = has_word(b);
+  struct exact_attempt a = {.modes = has_root(&b->s->tape)};
+  int anchor[5], n = anchors(anchor, b);
+  for (int i = 0; i < n; i++)
+    for (int k = 0; k < (word ? N_EXACT_TANGENTS : 1); k++)
+      for (int time = b->sharp ? TIME_START : TIME_INSIDE; time <= (b->sharp ? TIME_END : TIME_INSIDE); time++) {
+        a.anchor = anchor[i];
+        a.tangents = (enum exact_tangents)k;
+        a.time = (enum exact_time)time;
+        bool useless = (b->finite && k == TANGENTS_LOCATED) || (k > 0 && !b->has_tangents);
+        if (!useless && !all_done(b)) try_with_modes(b, &a);
+      }
+}
+
+/* --- One claim --- */
+
+static void add_unknown(struct override *o, int *n, const char *name) {
+  const struct oracle *q = oracle_find(name);
+  if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
+}
+
+/* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of which
+   J is made. */
+static int choose_unknowns(struct override *o, const struct claim *c) {
+  const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
+  int n = 0;
+  if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
+  static const char *const states[] = {"S_a", "S_b", "S_c"};
+  for (size_t i = 0; list && i < sizeof states / sizeof *states; i++)
+    if (strstr(list, states[i])) add_unknown(o, &n, states[i]);
+  bool about = value ? strcmp(value, "J") == 0 : list && list[0] == 'J';
+  for (int ph = 0; about && ph < N_PHASES; ph++) add_unknown(o, &n, local_maps[ph].name);
+  return n;
+}
+
+/* Is a kind of point among others of which it is a special case? */
+static bool covered(const struct point_spec *spec, int n, int i) {
+  for (int k = 0; k < n; k++)
+    if (k != i && spec[i].kind == POINT_ORBIT && spec[k].kind == POINT_ARC && spec[k].phase == spec[i].phase)
+      return true;
+  return false;
+}
+
+static const char *why_open(struct job *b) {
+  struct audit_result *out = b->j->out;
+  slong open = 0, apart = 0, inequalities = 0;
+  for (slong i = 0; i < b->s->n; i++) {
+    open += !b->done[i];
+    inequalities += !b->done[i] && b->s->ops[i] != REL_EQ;
+    apart += b->apart[i];
+  }
+  if (inequalities && !b->sharp)
+    return "an inequality, which exact algebra does not decide unless it is a product of positive factors";
+  if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
+  if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
+  if (apart == open)
+    return result_str(out,
+                      "%ld of %ld entries differ as functions of the generators %s: more than exact algebra knows of "
+                      "these motions would be needed",
+                      (long)apart, (long)b->s->n, text_str(&b->field));
+  if (b->undefined) return "a divisor is zero for all parameters";
+  return result_str(out, "an expression outgrew the budget of exact algebra (%ld terms)", (long)b->largest);
+}
+
+/* Is what is free in an attempt really free, so that a difference refutes?  The parameters, the time and the start of a
+   motion are; of motions over the whole word not everything is used. */
+static bool is_complete(const struct job *b) {
+  return (b->spec.kind == POINT_PARAMS || b->spec.kind == POINT_FLOW) && b->independent;
+}
+
+/* The last part of the proof. */
+static void record_part(struct exact_proof *p, struct job *b, const struct exact_question *q, const struct override *o,
+                        int n) {
+  if (p->n_parts == EXACT_PARTS) abort();
+  struct exact_attempt *by = arena_alloc(&b->j->out->arena, (size_t)b->s->n * sizeof *by);
+  memcpy(by, b->by, (size_t)b->s->n * sizeof *by);
+  struct exact_part *part = &p->part[p->n_parts++];
+  *part = (struct exact_part){.question = q, .n_unknowns = n, .spec = b->spec, .n = b->s->n, .by = by};
+  if (n) memcpy(part->unknown, o, (size_t)n * sizeof *o);
+}
+
+static void prove_spec(struct exact_proof *p, struct job *b) {
+  text_init(&b->field);
+  text_init(&b->witness);
+  try_all(b);
+  if (b->largest > p->largest) p->largest = b->largest;
+  p->uses_matrices = p->uses_matrices || b->uses_matrices;
+  if (all_done(b)) {
+    p->field = result_str(b->j->out, "%s", text_str(&b->field));
+  } else {
+    p->proved = false;
+    p->why_not = why_open(b);
+    p->holds_at = b->holds_at;
+    if (is_complete(b) && b->witness.len) p->differs = result_str(b->j->out, "%s", text_str(&b->witness));
+  }
+  text_clear(&b->witness);
+  text_clear(&b->field);
+}
+
+bool exact_sentence(struct sentence *s, const struct exact_question *q, struct view view, const struct override *o,
+                    int n, struct diag *d) {
+  if (q->c) return sentence_from_claim(s, view, q->c, o, n, d);
+  return sentence_from_value(s, view, q->value, q->section, o, n, d);
+}
+
+/* With n matrices held as unknowns; adds to the proof, which stays one. */
+static void prove_with(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
+                       const struct restriction *r, const struct override *o, int n) {
+  struct sentence s;
+  struct diag d;
+  diag_init(&d);
+  if (!exact_sentence(&s, q, view, o, n, &d) || s.n > MAX_ENTRIES)
+    *p = (struct exact_proof){.why_not = "the sentence cannot be read"};
+  for (int i = 0; p->proved && i < q->n_specs; i++) {
+    if (covered(q->spec, q->n_specs, i)) continue;
+    struct job b = {.j = j,
+                    .value = q->value,
+                    .restriction = r,
+                    .spec = q->spec[i],
+                    .finite = q->finite,
+                    .sharp = q->sharp,
+                    .has_tangents = has_tangents(&s.tape) || q->finite,
+                    .s = &s};
+    prove_spec(p, &b);
+    if (p->proved) record_part(p, &b, q, o, n);
+    for (slong k = 0; k < s.n; k++) p->by_factors = p->by_factors || (!q->sharp && s.ops[k] != REL_EQ);
+  }
+  sentence_clear(&s);
+}
+
+static struct exact_question *keep_question(struct judge *j, const struct exact_question *q) {
+  struct exact_question *kept = arena_alloc(&j->out->arena, sizeof *kept);
+  *kept = *q;
+  return kept;
+}
+
+/* What a matrix held as unknowns is known to do is known of the model's: so the paper's must be the model's. */
+static void are_the_models(struct exact_proof *p, struct judge *j, const struct exact_question *q, struct view view,
+                           const struct restriction *r, const struct override *o, int n) {
+  const char *field = p->field;
+  for (int i = 0; p->proved && i < n; i++) {
+    struct exact_question *lemma = keep_question(j, q);
+    lemma->c = NULL;
+    lemma->value = o[i].name;
+    prove_with(p, j, lemma, view, r, NULL, 0);
+    if (!p->proved) p->why_not = result_str(j->out, "%s in it is not the model's", o[i].name);
+  }
+  p->field = field;
+}
+
+static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
+                            int unknowns) {
+  return result_str(
+      j->out, "%s in Q(%s)%s; the largest polynomial has %ld term%s",
+      p->by_factors
+          ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
+            "the "
+            "smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"
+      : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
+                   "the phase"
+      : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
+                 : "both sides, on motions made from the first-order systems, are equal",
+      p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest, p->largest == 1 ? "" : "s");
+}
+
+struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
+  struct model plain =
+      *view.model; /* stable forms are proved equal to the corrected ones (stable.h), which are shorter */
+  plain.stable = false;
+  view.model = &plain;
+  struct override o[EXACT_UNKNOWNS];
+  struct diag d;
+  diag_init(&d);
+  struct judge quiet = *j;
+  quiet.d = &d;
+  const char *perturbation = claim_get(c, "perturbation"), *section = claim_get(c, "section");
+  struct exact_question asked = {.c = c,
+                                 .value = claim_get(c, "value"),
+                                 .section = section ? section : "",
+                                 .finite = perturbation && strcmp(perturbation, "finite") == 0,
+                                 .sharp = claim_kind(c) == KIND_SHARP};
+  asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
+  if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
+  const struct exact_question *q = keep_question(j, &asked);
+  int n = choose_unknowns(o, c);
+  struct exact_proof p = {.proved = true};
+  prove_with(&p, j, q, view, r, o, n);
+  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
+  if (p.proved) p.note = describe(j, &p, q, n);
+  return p;
+}
+
+void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
+                       bool refuted) {
+  const char *where =
+      p->holds_at ? result_str(out, "every difference has a factor that is zero where %s", p->holds_at->text) : NULL;
+  if (p->proved || p->differs) {
+    struct evidence *e = finding_add(f, out);
+    e->route = "exact";
+    e->layer = layer;
+    e->result = p->proved ? "proved" : "differs";
+    e->note = p->proved ? p->note : where ? result_str(out, "%s; %s", p->differs, where) : p->differs;
+  } else if (refuted && where) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, where);
+  } else if (!refuted && p->why_not) {
+    finding_state(f, out, "exact", layer, -1, -1, NULL, result_str(out, "not proved: %s", p->why_not));
+  }
+}
+
+void finding_why_not(struct finding *f, struct audit_result *out, const struct claim *c) {
+  static const struct {
+    enum kind kind;
+    const char *why;
+  } reasons[] = {{KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
+                 {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
+                 {KIND_BEHAVIOUR, "about simulated motions"},
+                 {KIND_SEQUENCE, "about simulated motions"},
+                 {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
+                 {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+                 {KIND_EXISTENCE, "solutions are found at points"}};
+  enum kind kind = claim_kind(c);
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].route, "exact") == 0) return;
+  for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)
+    if (reasons[i].kind == kind)
+      finding_state(f, out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                    result_str(out, "not proved: %s", reasons[i].why));
+}

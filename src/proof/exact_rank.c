@@ -1,0 +1,161 @@
+/* Elimination over a field in which every symbol is free.  What holds of free symbols holds of those of a motion, so the
+   rank is the number of pivots wherever the entries are defined if each pivot is a number other than zero times powers of
+   symbols that are positive on the whole domain, and zeros are all that is left.  Of other pivots nothing is concluded:
+   they may be zero somewhere. */
+#include "exact_rank.h"
+
+#include <stdlib.h>
+
+#include "claim/claim.h"
+#include "stickslip/exact.h"
+
+typedef fmpz_mpoly_q_struct element;
+
+struct elimination {
+  struct exact_field *field;
+  struct exact_vec value; /* residuals, then entries */
+  int rows, cols, rank;
+  bool used[RANK_NAMES]; /* the row has had its pivot */
+  struct text pivots;
+};
+
+static element *entry(const struct elimination *e, int row, int col) {
+  return &e->value.x[e->rows + row * e->cols + col];
+}
+
+/* Not zero for any values of the symbols in it. */
+static bool is_unit(const struct elimination *e, const element *x) {
+  static const char *const positive[] = {"chi", "eta", "V"};
+  element one;
+  exact_init(&one, e->field);
+  num_exact.set_d(&one, 1, 0);
+  bool unit = exact_ratio_sign(e->field, x, &one, positive, sizeof positive / sizeof *positive) != 0;
+  exact_clear(&one, e->field);
+  return unit;
+}
+
+static bool find_pivot(int *row, int *col, const struct elimination *e) {
+  for (*row = 0; *row < e->rows; ++*row)
+    for (*col = 0; !e->used[*row] && *col < e->cols; ++*col)
+      if (is_unit(e, entry(e, *row, *col))) return true;
+  return false;
+}
+
+/* row -= (its entry below the pivot / the pivot) times the pivot's row. */
+static int clear_row(struct elimination *e, int row, int pivot, int col) {
+  element factor, term;
+  exact_init(&factor, e->field);
+  exact_init(&term, e->field);
+  int s = num_exact.div(&factor, entry(e, row, col), entry(e, pivot, col), 0);
+  if (s == SS_OK) s = exact_reduce(&factor, e->field);
+  for (int k = 0; s == SS_OK && k < e->cols; k++) {
+    s = num_exact.mul(&term, &factor, entry(e, pivot, k), 0);
+    if (s == SS_OK) s = num_exact.sub(entry(e, row, k), entry(e, row, k), &term, 0);
+    if (s == SS_OK) s = exact_reduce(entry(e, row, k), e->field);
+  }
+  exact_clear(&term, e->field);
+  exact_clear(&factor, e->field);
+  return s;
+}
+
+static int eliminate(struct elimination *e) {
+  int s = SS_OK, row, col;
+  while (s == SS_OK && find_pivot(&row, &col, e)) {
+    e->used[row] = true;
+    text_add(&e->pivots, e->rank++ ? ", " : "");
+    exact_print(&e->pivots, e->field, entry(e, row, col));
+    for (int i = 0; s == SS_OK && i < e->rows; i++)
+      if (!e->used[i]) s = clear_row(e, i, row, col);
+  }
+  return s;
+}
+
+/* An entry that is not known to be zero, in a row without a pivot; NULL: there is none. */
+static const element *left_over(const struct elimination *e) {
+  for (int i = 0; i < e->rows; i++)
+    for (int k = 0; !e->used[i] && k < e->cols; k++)
+      if (!exact_is_zero(e->field, entry(e, i, k))) return entry(e, i, k);
+  return NULL;
+}
+
+static struct exact_rank conclude(struct audit_result *out, const struct elimination *e) {
+  enum { LONG = 4 };
+  const element *rest = left_over(e);
+  struct exact_rank r = {rest ? -1 : e->rank, NULL};
+  struct text t;
+  text_init(&t);
+  if (rest) {
+    text_printf(&t, "beyond %d pivots (%s) every entry left might be zero somewhere on the domain", e->rank,
+                e->rank ? text_str(&e->pivots) : "none");
+    if (num_exact_terms(rest) <= LONG) text_add(&t, ", as ");
+    if (num_exact_terms(rest) <= LONG) exact_print(&t, e->field, rest);
+  } else {
+    text_printf(
+        &t, "for all values of the other symbols elimination meets %s%s%s and leaves zeros: the rank is %d everywhere",
+        e->rank == 0   ? "no pivot"
+        : e->rank == 1 ? "the pivot "
+                       : "the pivots ",
+        text_str(&e->pivots),
+        e->rank == 0   ? ""
+        : e->rank == 1 ? ", which is nowhere zero,"
+                       : ", which are nowhere zero,",
+        e->rank);
+  }
+  r.note = result_str(out, "%s", text_str(&t));
+  text_clear(&t);
+  return r;
+}
+
+struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y) {
+  const struct tape *t = &y->s.tape;
+  struct elimination e = {.field = exact_field_new(NULL, 0), .rows = y->rows, .cols = y->cols};
+  int *status = ss_malloc((size_t)t->n_outputs * sizeof *status);
+  bool *wanted = ss_malloc((size_t)t->n_outputs * sizeof *wanted);
+  text_init(&e.pivots);
+  for (slong i = 0; i < t->n_outputs; i++) wanted[i] = i >= y->rows;
+  exact_eval_each(&e.value, status, e.field, t, wanted);
+  int s = SS_OK;
+  for (slong i = y->rows; i < t->n_outputs; i++) s |= status[i];
+  if (s == SS_OK) s = eliminate(&e);
+  const char *why = s & SS_DOMAIN
+                        ? "a divisor in the matrix of derivatives is zero for all parameters"
+                        : "the matrix of derivatives outgrew the budget of exact algebra; besides, its pivots "
+                          "would have to be shown zero nowhere on the domain";
+  struct exact_rank r = s == SS_OK ? conclude(out, &e) : (struct exact_rank){-1, why};
+  text_clear(&e.pivots);
+  exact_vec_clear(&e.value);
+  exact_field_free(e.field);
+  free(wanted);
+  free(status);
+  return r;
+}
+
+bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view) {
+  const char *id = claim_get(c, "statement");
+  const struct statement_record *r = id ? view_record(&view, id) : NULL;
+  *y = (struct rank_system){.rows = 0};
+  y->cols = claim_names_listed(y->unknown, RANK_NAMES, claim_get(c, "unknowns"));
+  elaboration_init(&y->s.el, view, NULL, 0);
+  if (!r || y->cols == 0) return claim_error(j, c, "statement", "a record and its unknowns are needed");
+  const struct expr *out[RANK_NAMES * (RANK_NAMES + 1)];
+  for (int i = 0; i < r->n_stmts; i++)
+    for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
+      struct matrix a, b;
+      if (!elaborate_sides(&a, &b, &y->s.el, r->stmts[i], k, r->src, r->section, j->d)) return false;
+      for (int e = 0; e < a.rows * a.cols; e++) {
+        if (y->rows == RANK_NAMES) return claim_error(j, c, "statement", "too many equations");
+        out[y->rows++] = expr_op2(&y->s.el.pool, EXPR_SUB, a.e[e], b.e[e]);
+      }
+    }
+  for (int i = 0; i < y->rows; i++)
+    for (int k = 0; k < y->cols; k++) out[y->rows + i * y->cols + k] = expr_diff(&y->s.el.pool, out[i], y->unknown[k]);
+  if (!elaboration_tape(&y->s.tape, &y->s.el, out, y->rows * (1 + y->cols), j->d)) return false;
+  for (int k = 0; k < y->cols; k++) {
+    y->input[k] = -1;
+    for (slong i = 0; i < y->s.tape.n_inputs; i++)
+      if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
+    if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
+      return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
+  }
+  return true;
+}

@@ -1,0 +1,26 @@
+/* The rank of equations in some of their symbols, for all values of the others. */
+#ifndef STICKSLIP_AUDIT_EXACT_RANK_H
+#define STICKSLIP_AUDIT_EXACT_RANK_H
+
+#include "value/sentence.h"
+
+enum { RANK_NAMES = 16 };
+
+/* Residuals, then their derivatives by the unknowns, row by row. */
+struct rank_system {
+  struct sentence s; /* no more than its elaboration and its tape */
+  char unknown[RANK_NAMES][32];
+  slong input[RANK_NAMES]; /* of the tape; -1: the equations do not contain it */
+  int rows, cols;
+};
+
+/* Of a claim of kind rank; clear its sentence, also after false. */
+bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view);
+
+struct exact_rank {
+  int rank;         /* -1: not decided */
+  const char *note; /* the pivots, or why it is not decided */
+};
+struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_system *y);
+
+#endif

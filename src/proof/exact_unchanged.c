@@ -1,0 +1,120 @@
+/* Does a formula feel how another is read?  Both readings are put in full, but for local Jacobians that are the same in
+   both, which are held as unknowns: then a result that is proved equal is equal whatever they are. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact_proof.h"
+#include "value/local_maps.h"
+
+/* A formula under a view. */
+struct formula_read {
+  struct elaboration el;
+  struct tape tape;
+  bool ok;
+};
+
+static void read_formula(struct formula_read *r, struct view v, const char *formula, const char *section,
+                         const struct override *o, int n) {
+  struct arena a;
+  struct source src;
+  struct matrix m;
+  struct diag d;
+  diag_init(&d);
+  r->tape = (struct tape){.n = 0};
+  elaboration_init(&r->el, v, o, n);
+  arena_init(&a);
+  source_from_string(&src, formula, formula);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  r->ok =
+      e && elaborate(&m, &r->el, e, &src, section, &d) && elaboration_tape(&r->tape, &r->el, m.e, m.rows * m.cols, &d);
+  source_clear(&src);
+  arena_clear(&a);
+}
+
+static void formula_clear(struct formula_read *r) {
+  tape_clear(&r->tape);
+  elaboration_clear(&r->el);
+}
+
+static bool is_moved(const struct exact_change *c, const char *name) {
+  for (int i = 0; i < c->n_moved; i++)
+    if (strcmp(c->moved[i], name) == 0) return true;
+  return false;
+}
+
+/* The first reading's value of a quantity that the change moves is another unknown. */
+static int bind_moved(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *arg) {
+  char other[64];
+  if (!is_moved(arg, name)) return exact_symbol(z, f, name);
+  snprintf(other, sizeof other, "%s moved", name);
+  return exact_symbol(z, f, other);
+}
+
+static int bind_plain(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *arg) {
+  (void)arg;
+  return exact_symbol(z, f, name);
+}
+
+static bool reads_moved(const struct exact_change *c, const struct tape *t) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (is_moved(c, t->inputs[i])) return true;
+  return false;
+}
+
+static bool same_element(const struct exact_change *c, const struct formula_read *a, const struct formula_read *b) {
+  enum { TERMS = 1500 };
+  struct exact_field *f = exact_field_new(NULL, 0);
+  struct exact_vec x, y;
+  exact_field_limit(f, TERMS);
+  exact_field_bind(f, bind_moved, (void *)(uintptr_t)c);
+  int s = exact_eval(&x, f, &a->tape);
+  exact_field_bind(f, bind_plain, NULL);
+  s |= exact_eval(&y, f, &b->tape);
+  bool same = s == SS_OK && x.len == y.len;
+  for (slong i = 0; same && i < x.len; i++) same = exact_equal(f, &x.x[i], &y.x[i]);
+  exact_vec_clear(&y);
+  exact_vec_clear(&x);
+  exact_field_free(f);
+  return same;
+}
+
+/* The local Jacobians that are the same formulas in both readings, and do not feel what is moved. */
+static int common_jacobians(struct override *o, const struct exact_change *c) {
+  int n = 0;
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    const struct local_map *map = &local_maps[ph];
+    struct formula_read a, b;
+    read_formula(&a, c->first, map->name, "stability", NULL, 0);
+    read_formula(&b, c->second, map->name, "stability", NULL, 0);
+    if (a.ok && b.ok && tape_same(&a.tape, &b.tape) && !reads_moved(c, &a.tape))
+      o[n++] = (struct override){map->name, map->rows, map->cols};
+    formula_clear(&b);
+    formula_clear(&a);
+  }
+  return n;
+}
+
+static bool same_with(const struct exact_change *c, const char *formula, const char *section, const struct override *o,
+                      int n) {
+  struct formula_read a, b;
+  read_formula(&a, c->first, formula, section, o, n);
+  read_formula(&b, c->second, formula, section, o, n);
+  bool same = a.ok && b.ok && same_element(c, &a, &b);
+  formula_clear(&b);
+  formula_clear(&a);
+  return same;
+}
+
+bool exact_unchanged(const struct exact_change *c, const char *formula, const char *section) {
+  struct override o[N_PHASES];
+  int n = common_jacobians(o, c);
+  if (same_with(c, formula, section, o, n)) return true;
+  for (int i = 0; i < n; i++) { /* one of them in full */
+    struct override left[N_PHASES];
+    int m = 0;
+    for (int k = 0; k < n; k++)
+      if (k != i) left[m++] = o[k];
+    if (m == n - 1 && same_with(c, formula, section, left, m)) return true;
+  }
+  return false;
+}

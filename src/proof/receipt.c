@@ -1,0 +1,255 @@
+/* stickslip explain ID --receipt: a proof as a program for another computer algebra system.  The sentence is printed from
+   the tape of its parsed formulas, the model as the matrices of its first-order systems; what motions are is said again in
+   verify/receipt/model.py, which ends each receipt. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "claim/claim.h"
+#include "exact_proof.h"
+#include "exact_rank.h"
+
+/* --- The paper's side: each value when it is asked for --- */
+
+static void add_instruction(struct text *out, const struct tape *t, slong i) {
+  const struct tape_instr *in = &t->code[i];
+  static const char *const infix[] = {[TAPE_add] = "+", [TAPE_sub] = "-", [TAPE_mul] = "*", [TAPE_div] = "/"};
+  static const char *const functions[] = {[TAPE_sin] = "sin",   [TAPE_cos] = "cos",   [TAPE_cot] = "cot",
+                                          [TAPE_sqrt] = "sqrt", [TAPE_sinc] = "sinc", [TAPE_stumpff] = "stumpff"};
+  text_printf(out, "        %ld: lambda: ", (long)i);
+  switch (in->op) {
+  case TAPE_CONST:
+    text_add(out, "f.number(\"");
+    num_print_q(out, &t->consts[in->k]);
+    text_add(out, "\")");
+    break;
+  case TAPE_INPUT:
+    text_printf(out, "x(\"%s\")", t->inputs[in->k]);
+    break;
+  case TAPE_ROOT:
+    text_printf(out, "f.root(%s", in->k < 0 ? "True" : "False");
+    for (slong k = 0; k < in->b; k++) text_printf(out, ", v(%ld)", (long)t->links[in->a + k]);
+    text_add(out, ")");
+    break;
+  case TAPE_POW:
+    text_printf(out, "v(%ld) ** %ld", (long)in->a, (long)in->k);
+    break;
+  case TAPE_ROUNDED:
+    text_printf(out, "v(%ld)", (long)in->a);
+    break;
+  case TAPE_neg:
+    text_printf(out, "-v(%ld)", (long)in->a);
+    break;
+  case TAPE_sin:
+  case TAPE_cos:
+  case TAPE_cot:
+  case TAPE_sqrt:
+  case TAPE_sinc:
+  case TAPE_stumpff:
+    text_printf(out, "f.%s(v(%ld))", functions[in->op], (long)in->a);
+    break;
+  case TAPE_hypot:
+    text_printf(out, "f.hypot(v(%ld), v(%ld))", (long)in->a, (long)in->b);
+    break;
+  default:
+    text_printf(out, "v(%ld) %s v(%ld)", (long)in->a, infix[in->op], (long)in->b);
+    break;
+  }
+  text_add(out, ",\n");
+}
+
+static void add_sides(struct text *out, const struct tape *t, int part) {
+  text_printf(out, "\n\ndef values_%d(f, x, v):\n    return {\n", part);
+  for (slong i = 0; i < t->n; i++) add_instruction(out, t, i);
+  text_add(out, "    }\n");
+}
+
+/* --- The model's side --- */
+
+static void add_system(struct text *out) {
+  struct exact_field *f = exact_field_new(NULL, 0);
+  struct num_vec params, a;
+  num_vec_init(&params, N_PARAMS, num_ctx_exact());
+  num_vec_init(&a, N_STATE * N_STATE, num_ctx_exact());
+  exact_symbol(num_vec_at(&params, P_CHI), f, "chi");
+  exact_symbol(num_vec_at(&params, P_ETA), f, "eta");
+  text_add(out, "SYSTEM = {  # A of Z' = A Z in each phase, Z = (z_1, z_2, z_1', z_2')\n");
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    dyn_system(&a, (enum phase)ph, &params);
+    text_printf(out, "    \"%s\": [", phase_name[ph]);
+    for (int i = 0; i < N_STATE * N_STATE; i++) {
+      text_add(out, i % N_STATE ? ", \"" : i ? ", [\"" : "[\"");
+      exact_print(out, f, num_vec_at(&a, i));
+      text_add(out, i % N_STATE == N_STATE - 1 ? "\"]" : "\"");
+    }
+    text_add(out, "],\n");
+  }
+  text_add(out, "}\n");
+  num_vec_clear(&a);
+  num_vec_clear(&params);
+  exact_field_free(f);
+}
+
+static bool same_attempt(const struct exact_attempt *a, const struct exact_attempt *b) {
+  return a->modes == b->modes && a->anchor == b->anchor && a->tangents == b->tangents && a->time == b->time;
+}
+
+static const char *relation(const struct exact_part *p, const struct sentence *s, slong i) {
+  return p->question->sharp || s->ops[i] == REL_EQ ? "=" : s->ops[i] == REL_LT ? "<" : ">";
+}
+
+static void add_part(struct text *out, const struct exact_part *p, const struct sentence *s, int i,
+                     const struct restriction *r) {
+  const struct tape *t = &s->tape;
+  static const char *const kinds[] = {[POINT_PARAMS] = "params",
+                                      [POINT_FLOW] = "flow",
+                                      [POINT_ARC] = "arcs",
+                                      [POINT_ORBIT] = "orbits",
+                                      [POINT_PATCHED] = "patched"};
+  text_printf(out, "PARTS.append(dict(\n    values=values_%d,\n    sides=[", i);
+  for (slong k = 0; k < t->n_outputs; k++) text_printf(out, "%s%ld", k ? ", " : "", (long)t->outputs[k]);
+  text_add(out, "],\n    relations=\"");
+  for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
+  text_add(out, "\",\n    oracle=");
+  text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
+  text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    fixed={", kinds[p->spec.kind],
+              phase_name[p->spec.phase], p->question->finite ? "True" : "False");
+  if (r) text_printf(out, "\"%.*s\": %s", (int)strcspn(r->text, " "), r->text, r->value);
+  text_add(out, "},\n    reads=[");
+  for (slong k = 0; k < t->n_inputs; k++) text_printf(out, "%s\"%s\"", k ? ", " : "", t->inputs[k]);
+  text_add(out, "],\n    # each entry's proof: with phase H's frequencies; states chained; perturbations shifted (1), "
+                "located (2)\n"
+                "    by=");
+  for (slong k = 0, run = 1; k < p->n; k += run, run = 1) {
+    while (k + run < p->n && same_attempt(&p->by[k], &p->by[k + run])) run++;
+    text_printf(out, "%s[(%s, %d, %d, %d)] * %ld", k ? " + " : "", p->by[k].modes ? "True" : "False", p->by[k].anchor,
+                (int)p->by[k].tangents, (int)p->by[k].time, (long)run);
+  }
+  text_add(out, ",\n))\n");
+}
+
+static void add_numbers(struct text *out, const slong *k, slong n) {
+  for (slong i = 0; i < n; i++) text_printf(out, "%s%ld", i ? ", " : "", (long)k[i]);
+}
+
+/* The entries of the matrix of derivatives, and the rank that it is to have. */
+static void add_matrix(struct text *out, const struct rank_system *y, int rank) {
+  add_sides(out, &y->s.tape, 0);
+  text_add(out, "\n\nMATRICES.append(dict(\n    values=values_0,\n    rows=[\n");
+  for (int i = 0; i < y->rows; i++) {
+    text_add(out, "        [");
+    add_numbers(out, y->s.tape.outputs + y->rows + i * y->cols, y->cols);
+    text_add(out, "],\n");
+  }
+  text_printf(out, "    ],\n    rank=%d,\n))\n", rank);
+}
+
+static bool add_parts(struct text *out, const struct exact_proof *p, struct view view, const struct restriction *r,
+                      struct diag *d) {
+  bool ok = true;
+  for (int i = 0; ok && i < p->n_parts; i++) {
+    struct sentence s;
+    ok = exact_sentence(&s, p->part[i].question, view, p->part[i].unknown, p->part[i].n_unknowns, d);
+    if (ok) add_sides(out, &s.tape, i);
+    if (ok) text_add(out, "\n\n");
+    if (ok) add_part(out, &p->part[i], &s, i, r);
+    sentence_clear(&s);
+  }
+  return ok;
+}
+
+/* --- The script --- */
+
+/* The claim, or the one that makes it under a restriction. */
+static const struct claim *find(const struct claims *claims, const char *id, const struct restriction **r) {
+  *r = NULL;
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    if (strcmp(c->id, id) == 0) return c;
+    if (!claim_makes(c, id)) continue;
+    const char *list = claim_get(c, "restricted"), *at = strstr(list, id);
+    for (int k = 0; k < n_restrictions; k++) {
+      const char *p = strstr(list, restrictions[k].text);
+      if (p && p < at) *r = &restrictions[k];
+    }
+    return c;
+  }
+  return NULL;
+}
+
+static void add_head(struct text *out, const struct claim *c, const char *id, const struct model *m, bool corrected) {
+  const char *title = claim_get(c, "title");
+  text_printf(out, "#!/usr/bin/env python3\n# %s%s: %s\n#\n# Needs SymPy and nothing else.  As read:\n", id,
+              corrected ? ", as corrected" : "", title ? title : "");
+  struct view v = {m, LAYER_CORRECTED, claim_own(c), NULL};
+  if (corrected) text_add(out, "#   ");
+  if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
+  for (size_t i = 0; !corrected && i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    const struct statement_record *seen = claim_is_about(r, c) ? view_record(&v, r->id) : NULL;
+    for (int k = 0; seen && k < seen->n_stmts; k++) {
+      text_add(out, "#   ");
+      stmt_print(out, seen->stmts[k]);
+      text_add_char(out, '\n');
+    }
+  }
+  text_printf(out,
+              "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS, MATRICES = [], []\n", id,
+              corrected ? " as corrected" : "");
+}
+
+static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
+  struct rank_system y;
+  struct exact_rank r = {-1, NULL};
+  bool ok = rank_system_build(&y, j, c, claim_view(j->model, c));
+  if (ok) {
+    r = exact_rank_of(j->out, &y);
+    const char *said = claim_get(c, "rank");
+    ok = said && r.rank == (int)strtol(said, NULL, 10);
+    if (!ok)
+      diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
+               r.rank < 0 ? r.note : "the rank differs");
+  }
+  if (ok) add_head(out, c, c->id, j->model, false);
+  if (ok) add_system(out);
+  if (ok) add_matrix(out, &y, r.rank);
+  sentence_clear(&y.s);
+  return ok;
+}
+
+static bool equality_receipt(struct text *out, struct judge *j, const struct claim *c, const char *id,
+                             const struct restriction *r) {
+  struct view view = claim_view(j->model, c);
+  struct exact_proof p = exact_prove(j, c, view, r);
+  bool corrected = !p.proved && !r;
+  if (corrected) {
+    view.own = NULL;
+    p = exact_prove(j, c, view, NULL);
+  }
+  bool ok = p.proved;
+  if (!ok) diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
+  if (ok) add_head(out, c, id, j->model, corrected);
+  if (ok) add_system(out);
+  return ok && add_parts(out, &p, view, r, j->d);
+}
+
+bool audit_receipt(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
+                   const char *id, const char *model_py, struct diag *d) {
+  const struct restriction *r;
+  const struct claim *c = find(claims, id, &r);
+  if (!c) {
+    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    return false;
+  }
+  enum kind kind = claim_kind(c);
+  if (!claim_tried_at_points(c) && kind != KIND_SHARP && kind != KIND_RANK) {
+    diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
+    return false;
+  }
+  struct audit_result kept;
+  audit_result_init(&kept);
+  struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
+  bool ok = kind == KIND_RANK ? rank_receipt(out, &j, c) : equality_receipt(out, &j, c, id, r);
+  if (ok) text_printf(out, "\n\n%s", model_py);
+  audit_result_clear(&kept);
+  return ok;
+}

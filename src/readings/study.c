@@ -1,0 +1,344 @@
+/* How could inconsistent printed numbers have arisen?  The readings of the example are searched by how many equations
+   they drop, up to one number beyond the first at which some reading gives everything that is printed. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "readings.h"
+#include "value/printed.h"
+
+enum { MAX_DROPPED = 3, SHOW_FOUND = 10, SHOW_NEAR = 5 };
+
+/* The formulas of a layer with the equations in double and in balls. */
+struct engine {
+  struct formulas formulas;
+  struct system search, proof;
+  enum layer layer;
+};
+
+static bool engine_start(struct engine *g, const struct model *m, enum layer layer, const struct scene *s) {
+  g->layer = layer;
+  bool ok = formulas_read(&g->formulas, m, layer);
+  system_init(&g->search, &g->formulas, s, num_ctx_double());
+  system_init(&g->proof, &g->formulas, s, num_ctx_arb(FIRST_PREC));
+  return ok;
+}
+
+static void engine_stop(struct engine *g) {
+  system_clear(&g->proof);
+  system_clear(&g->search);
+  formulas_clear(&g->formulas);
+}
+
+/* Do both give the same matrices over the printed times? */
+static truth same_motion(struct engine *a, struct engine *b, const struct example *e) {
+  for (int i = 0; i < N_X; i++) {
+    arb_set_fmpq(num_vec_at(&a->proof.x, i), &e->printed[i]->value, FIRST_PREC);
+    arb_set_fmpq(num_vec_at(&b->proof.x, i), &e->printed[i]->value, FIRST_PREC);
+  }
+  if (system_propagators(&a->proof) != SS_OK || system_propagators(&b->proof) != SS_OK) return TRUTH_UNKNOWN;
+  for (int k = 0; k < 4; k++)
+    for (int i = 0; i < 16; i++)
+      if (!arb_overlaps(num_vec_at(&a->proof.p[k], i), num_vec_at(&b->proof.p[k], i))) return TRUTH_FALSE;
+  return TRUTH_TRUE;
+}
+
+/* --- Candidates proved and put on record --- */
+
+struct hunt {
+  struct audit_result *out;
+  struct readings *r;
+  const struct example *e;
+  struct engine *engine[N_LAYERS];
+  int n_engines;
+  struct system own; /* the model's equations in balls */
+};
+
+static struct engine *engine_of(const struct hunt *h, const struct candidate *c) {
+  for (int i = 0; i < h->n_engines; i++)
+    if (h->engine[i]->layer == c->layer) return h->engine[i];
+  abort();
+}
+
+/* Does the reading give every printed number but those that may be off? */
+static truth gives_printed(arb_srcptr x, const struct candidate *c, const struct example *e, int may_be_off) {
+  int off = 0, open = 0;
+  for (int i = 0; i < N_PRINTED; i++) {
+    if (!e->printed[i] || (i < N_X && !(c->unknown >> i & 1))) continue;
+    enum reading how;
+    truth t = printed_fits(x + i, e->printed[i], &how);
+    off += t == TRUTH_FALSE;
+    open += t == TRUTH_UNKNOWN;
+  }
+  if (open) return TRUTH_UNKNOWN;
+  return off == may_be_off ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
+/* The model's own equations at the same place: enclosed, and the same numbers. */
+static bool model_agrees(arb_srcptr x, const struct hunt *h, const struct candidate *c) {
+  arb_ptr y = _arb_vec_init(N_PRINTED);
+  struct system own = h->own;
+  bool same = candidate_enclose(y, c, &own, h->e);
+  for (int i = 0; same && i < N_PRINTED; i++) same = arb_overlaps(x + i, y + i);
+  _arb_vec_clear(y, N_PRINTED);
+  return same;
+}
+
+/* The candidates are in the order of their ranks. */
+static void record(struct example_reading *list, int *n, int most, struct hunt *h, const struct candidate *c,
+                   size_t count, int may_be_off) {
+  arb_ptr x = _arb_vec_init(N_PRINTED);
+  for (size_t i = 0; i < count && *n < most; i++) {
+    struct engine *g = engine_of(h, &c[i]);
+    if (bits_count(c[i].off) > may_be_off || !candidate_enclose(x, &c[i], &g->proof, h->e)) continue;
+    if (gives_printed(x, &c[i], h->e, may_be_off) != TRUTH_TRUE) continue;
+    struct example_reading *r = &list[(*n)++];
+    reading_describe(r, h->out, &c[i], x, h->e, &g->proof);
+    reading_answers(r, h->out, &c[i], x, h->e, &g->proof, &g->search);
+    if (c[i].layer == LAYER_CORRECTED && model_agrees(x, h, &c[i])) r->confirmed = "model";
+  }
+  _arb_vec_clear(x, N_PRINTED);
+}
+
+struct harvest {
+  struct candidate *c;
+  size_t n;
+};
+
+/* One number of dropped equations, in every layer; adds what is found and counts. */
+static void search_level(struct harvest *all, struct hunt *h, int dropped) {
+  struct readings_level *l = &h->r->level[h->r->n_levels++];
+  arb_ptr x = _arb_vec_init(N_PRINTED);
+  *l = (struct readings_level){.dropped = dropped};
+  for (int k = 0; k < h->n_engines; k++) {
+    struct engine *g = h->engine[k];
+    struct candidate *found;
+    size_t n;
+    long tried, undetermined;
+    readings_search(&found, &n, &tried, &undetermined, dropped, &g->search, g->layer, h->e);
+    l->tried += tried;
+    l->undetermined += undetermined;
+    for (size_t i = 0; i < n; i++) {
+      if (found[i].off) continue;
+      truth t = candidate_enclose(x, &found[i], &g->proof, h->e) ? gives_printed(x, &found[i], h->e, 0) : TRUTH_UNKNOWN;
+      l->reproduce += t == TRUTH_TRUE;
+      l->unrounded += t == TRUTH_TRUE && found[i].carry == CARRY_EXACT;
+      l->open += t == TRUTH_UNKNOWN;
+    }
+    all->c = ss_realloc(all->c, (all->n + n + 1) * sizeof *all->c);
+    if (n) memcpy(all->c + all->n, found, n * sizeof *found);
+    all->n += n;
+    free(found);
+  }
+  _arb_vec_clear(x, N_PRINTED);
+}
+
+/* --- In words --- */
+
+static void say(struct hunt *h, const char ***list, int *n, const char *sentence) {
+  const char **longer = arena_alloc(&h->out->arena, (size_t)(*n + 1) * sizeof *longer);
+  for (int i = 0; i < *n; i++) longer[i] = (*list)[i];
+  longer[(*n)++] = sentence;
+  *list = longer;
+}
+
+static void describe_space(struct hunt *h, const char *layers) {
+  struct readings *r = h->r;
+  struct form forms[MAX_FORMS];
+  const char *const sentences[] = {
+      result_str(
+          h->out,
+          "Eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) at the given chi, eta, V; six independent "
+          "equations: (12), (14) and four periodicity conditions, in %d selections: one by one as (16) and (18) "
+          "state them; with positions combined to the restoring forces; solved for z_0 by the positions (46) or by "
+          "the velocities of (44), with the rows of (45) as what makes the two agree.",
+          forms_list(forms)),
+      "For every selection of equations that hold, every choice of inputs, exactly as printed, that leaves as many "
+      "unknowns as equations.  A set of equations that cannot determine its unknowns, whatever its coefficients, is "
+      "counted and left.",
+      "Numbers go from one formula into the next at full precision, as printed, or rounded to 3 or to 2 decimals "
+      "wherever that changes something; the bounds (53) are computed from what was carried.",
+      layers,
+      result_str(
+          h->out,
+          "Solutions are looked for from the printed numbers by Newton's iteration, up to %d dropped equations, and "
+          "up to one more than the first number at which some reading gives everything.  Every number of a reading "
+          "that is reported is proved to lie in the bracket of the printed decimal, rounded or truncated.",
+          MAX_DROPPED),
+      "Rank: fewest dropped equations; then fewest assumptions, one for each input that is not named as data, each "
+      "datum "
+      "that is computed, each decimal by which a result is printed shorter than the longest, a form of (18) that is "
+      "not "
+      "in the paper, rounding in between, each result that is cut off where "
+      "most are rounded or the other way round; then most digits of results."};
+  for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);
+}
+
+static const char *inputs_of(struct hunt *h, const struct example_reading *r) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < r->n_inputs; i++) text_printf(&t, "%s%s", i ? ", " : "", r->inputs[i]);
+  const char *s = result_str(h->out, "%s", t.len ? text_str(&t) : "nothing");
+  text_clear(&t);
+  return s;
+}
+
+static void conclude_found(struct hunt *h) {
+  struct readings *r = h->r;
+  long before = 0;
+  const struct readings_level *first = NULL;
+  for (int k = 0; k < r->n_levels && !first; k++) {
+    if (r->level[k].reproduce && r->n_found)
+      first = &r->level[k];
+    else
+      before += r->level[k].tried;
+  }
+  const char *s;
+  if (!first)
+    s = result_str(h->out, "No reading of the %ld tried gives all printed numbers.", before);
+  else if (first->dropped == 0)
+    s = result_str(
+        h->out,
+        "The printed numbers are consistent%s: %ld of %ld readings in which every equation holds give all of "
+        "them; the first takes %s as inputs.",
+        strcmp(r->found[0].layer, layer_name[LAYER_PRINTED]) == 0 ? " with the matrices as printed" : "",
+        first->reproduce, first->tried, inputs_of(h, &r->found[0]));
+  else
+    s = result_str(
+        h->out,
+        "None of the %ld readings that drop fewer equations gives all printed numbers.  Of the %ld that drop %d, "
+        "%ld give%s all of them, %ld without rounding in between.",
+        before, first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
+  say(h, &r->conclusion, &r->n_conclusions, s);
+}
+
+/* What the first reading says. */
+static void conclude_first(struct hunt *h) {
+  struct readings *r = h->r;
+  if (r->n_found == 0 || r->found[0].n_dropped == 0) return;
+  const struct example_reading *f = &r->found[0];
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "The first of them takes %s exactly and does not solve ", inputs_of(h, f));
+  for (int i = 0; i < f->n_dropped; i++)
+    text_printf(&t, "%s%s, which it leaves off by %s", i ? "; " : "", f->dropped[i].equation, f->dropped[i].residual);
+  text_add(&t, ".");
+  if (f->n_shifts)
+    text_add(&t,
+             "  How far its results are from those of the whole procedure, and in brackets what the residual alone is "
+             "worth to first order:");
+  for (int i = 0; i < f->n_shifts; i++)
+    text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
+  if (f->n_shifts) text_add(&t, ".");
+  if (f->decimals >= 0)
+    text_printf(&t, "  To be sure of the printed digits, its inputs must be right to %d decimals.", f->decimals);
+  say(h, &r->conclusion, &r->n_conclusions, result_str(h->out, "%s", text_str(&t)));
+  text_clear(&t);
+}
+
+static void conclude_pairs(struct hunt *h) {
+  struct readings *r = h->r;
+  const struct readings_pair *best = NULL;
+  int solved = 0;
+  for (int i = 0; i < r->n_pairs; i++) {
+    solved += r->pair[i].missed != NULL;
+    if (r->pair[i].missed && (!best || r->pair[i].n_given > best->n_given)) best = &r->pair[i];
+  }
+  if (best)
+    say(h, &r->conclusion, &r->n_conclusions,
+        result_str(
+            h->out,
+            "With every equation solved and two printed numbers as exact inputs, %d of %d choices have a solution "
+            "near the printed numbers; the best (%s) gives %d of %d%s%s.",
+            solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and misses " : "",
+            best->missed));
+}
+
+static void conclude_rounding(struct hunt *h) {
+  struct readings *r = h->r;
+  struct text out, need;
+  text_init(&out);
+  text_init(&need);
+  int most = -1;
+  for (int i = 0; i < r->procedure.n_outputs; i++) {
+    const struct procedure_output *o = &r->procedure.output[i];
+    if (strcmp(o->within, "no") == 0)
+      text_printf(&out, "%s%s (%s to %s, printed %s)", out.len ? ", " : "", o->name, o->low, o->high, o->printed);
+    text_printf(&need, "%s%s %d", need.len ? ", " : "", o->name, o->decimals);
+    if (o->decimals > most) most = o->decimals;
+  }
+  if (out.len)
+    say(h, &r->conclusion, &r->n_conclusions,
+        result_str(h->out,
+                   "The rounding of the inputs %s does not explain it: over everything that their printed digits stand "
+                   "for, these results stay away from what is printed: %s.",
+                   r->procedure.inputs, text_str(&out)));
+  if (r->procedure.n_outputs)
+    say(h, &r->conclusion, &r->n_conclusions,
+        result_str(h->out,
+                   "Decimals of %s with which the whole procedure is sure of the printed digits of its results: %s.",
+                   r->procedure.inputs, text_str(&need)));
+  text_clear(&need);
+  text_clear(&out);
+}
+
+/* --- The whole --- */
+
+static void hunt_run(struct hunt *h) {
+  struct readings *r = h->r;
+  struct harvest all = {NULL, 0};
+  int last = MAX_DROPPED;
+  for (int dropped = 0; dropped <= last; dropped++) {
+    search_level(&all, h, dropped);
+    if (r->level[r->n_levels - 1].reproduce && dropped + 1 < last) last = dropped + 1;
+  }
+  if (all.n) qsort(all.c, all.n, sizeof *all.c, candidate_compare);
+  size_t whole = 0;
+  while (whole < all.n && all.c[whole].off == 0) whole++;
+  r->found = arena_alloc(&h->out->arena, SHOW_FOUND * sizeof *r->found);
+  r->near = arena_alloc(&h->out->arena, SHOW_NEAR * sizeof *r->near);
+  record(r->found, &r->n_found, SHOW_FOUND, h, all.c, whole, 0);
+  record(r->near, &r->n_near, SHOW_NEAR, h, all.c + whole, all.n - whole, 1);
+  free(all.c);
+  struct engine *g = h->engine[0];
+  readings_pairs(r, h->out, h->e, &g->proof, &g->search);
+  readings_procedure(r, h->out, h->e, &g->proof, &g->search);
+  conclude_found(h);
+  conclude_first(h);
+  conclude_pairs(h);
+  conclude_rounding(h);
+}
+
+const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s) {
+  struct example e;
+  struct engine corrected, printed;
+  struct formulas own;
+  const char *why = example_init(&e, s);
+  if (why) {
+    example_clear(&e);
+    return why;
+  }
+  bool ok = engine_start(&corrected, m, LAYER_CORRECTED, s), also = engine_start(&printed, m, LAYER_PRINTED, s);
+  truth same = ok && also ? same_motion(&corrected, &printed, &e) : TRUTH_UNKNOWN;
+  formulas_own(&own);
+  if (ok) {
+    out->readings = arena_alloc(&out->arena, sizeof *out->readings);
+    *out->readings = (struct readings){.n_space = 0};
+    struct hunt h = {.out = out, .r = out->readings, .e = &e, .engine = {&corrected, &printed}, .n_engines = 1};
+    if (same == TRUTH_FALSE) h.n_engines = 2;
+    system_init(&h.own, &own, s, num_ctx_arb(FIRST_PREC));
+    describe_space(&h, same == TRUTH_FALSE ? "The matrices are the paper's, in the corrected and in the printed layer."
+                       : same == TRUTH_TRUE
+                           ? "The matrices are the paper's, corrected; over the printed times the printed "
+                             "ones are the same, so that the layers cannot be told apart here."
+                           : "The matrices are the paper's, corrected; the printed ones cannot be "
+                             "evaluated.");
+    hunt_run(&h);
+    system_clear(&h.own);
+  } else {
+    why = "the paper's matrices cannot be evaluated";
+  }
+  engine_stop(&printed);
+  engine_stop(&corrected);
+  example_clear(&e);
+  return why;
+}

@@ -1,0 +1,307 @@
+/* Values and derivatives of the equations in any number type.
+
+   Given the four propagators and their derivatives by time, everything else is linear algebra: states are carried
+   through the word, tangents beside them.  The propagators are the paper's formulas on a tape, of either layer, or the
+   model's closed forms with P' = A P.
+
+   A row solved for z_0 is (N_1 - I)^-1 (or N_3^-1) times the rows of (44) at z_0, which is z_0 less the solution; its
+   derivative by a time is that inverse times the derivative of (44) along the motion that starts at the solution. */
+#include <string.h>
+
+#include "readings.h"
+
+static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)",  "C(t_d)",
+                                               "D'(t_a)", "Gamma'(t_b)", "H'(t_c)", "C'(t_d)"};
+
+/* --- The paper's formulas --- */
+
+static bool elaborate_text(struct matrix *m, struct elaboration *el, const char *text, struct diag *d) {
+  struct source src;
+  struct arena a;
+  source_from_string(&src, text, text);
+  arena_init(&a);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
+  bool ok = e && elaborate(m, el, e, &src, "validation", d) && m->rows == 4 && m->cols == 4;
+  arena_clear(&a);
+  source_clear(&src);
+  return ok;
+}
+
+static bool name_inputs(struct formulas *f) {
+  static const char *const names[] = {"chi", "eta", "V", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
+  for (slong i = 0; i < f->tape.n_inputs; i++) {
+    int k = 0;
+    while (k < (int)(sizeof names / sizeof *names) && strcmp(names[k], f->tape.inputs[i]) != 0) k++;
+    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == (int)(sizeof names / sizeof *names)) return false;
+    f->input[i] = k;
+  }
+  return true;
+}
+
+bool formulas_read(struct formulas *f, const struct model *m, enum layer layer) {
+  struct diag d;
+  diag_init(&d);
+  *f = (struct formulas){.own_model = false};
+  elaboration_init(&f->el, (struct view){m, layer, NULL, NULL}, NULL, 0);
+  const struct expr *entry[8 * 16];
+  for (int k = 0; k < 8; k++) {
+    struct matrix mat;
+    if (!elaborate_text(&mat, &f->el, propagator_text[k], &d)) return false;
+    for (int i = 0; i < 16; i++) entry[16 * k + i] = mat.e[i];
+  }
+  return elaboration_tape(&f->tape, &f->el, entry, 8 * 16, &d) && name_inputs(f);
+}
+
+void formulas_own(struct formulas *f) {
+  *f = (struct formulas){.own_model = true};
+}
+
+void formulas_clear(struct formulas *f) {
+  if (f->own_model) return;
+  tape_clear(&f->tape);
+  elaboration_clear(&f->el);
+}
+
+/* --- The system --- */
+
+static void motion_init(struct motion *m, struct num_ctx ctx) {
+  for (int k = 0; k < 5; k++) {
+    num_vec_init(&m->state[k], 4, ctx);
+    num_vec_init(&m->tangent[k], 24, ctx);
+  }
+}
+static void motion_clear(struct motion *m) {
+  for (int k = 0; k < 5; k++) {
+    num_vec_clear(&m->tangent[k]);
+    num_vec_clear(&m->state[k]);
+  }
+}
+
+void system_init(struct system *s, const struct formulas *f, const struct scene *scene, struct num_ctx ctx) {
+  s->ctx = ctx;
+  s->formulas = f;
+  s->have_in = false;
+  num_vec_init(&s->model, 3, ctx);
+  for (int i = 0; i < 3; i++) ctx.type->set_q(num_vec_at(&s->model, i), &scene->value[KEY_CHI + i], ctx.prec);
+  num_vec_init(&s->x, N_X, ctx);
+  num_vec_init(&s->in, f->own_model ? 0 : f->tape.n_inputs, ctx);
+  for (int k = 0; k < 4; k++) {
+    num_vec_init(&s->p[k], 16, ctx);
+    num_vec_init(&s->dp[k], 16, ctx);
+  }
+  motion_init(&s->own, ctx);
+  motion_init(&s->from_solved, ctx);
+  num_vec_init(&s->value, N_EQ, ctx);
+  num_vec_init(&s->slope, N_EQ * N_X, ctx);
+}
+
+void system_clear(struct system *s) {
+  num_vec_clear(&s->slope);
+  num_vec_clear(&s->value);
+  motion_clear(&s->from_solved);
+  motion_clear(&s->own);
+  for (int k = 0; k < 4; k++) {
+    num_vec_clear(&s->dp[k]);
+    num_vec_clear(&s->p[k]);
+  }
+  num_vec_clear(&s->in);
+  num_vec_clear(&s->x);
+  num_vec_clear(&s->model);
+}
+
+/* --- Propagators --- */
+
+static bool same_number(const struct num_type *t, const void *x, const void *y) {
+  arb_t a, b;
+  arb_init(a);
+  arb_init(b);
+  t->get_arb(a, x);
+  t->get_arb(b, y);
+  bool same = arb_equal(a, b);
+  arb_clear(b);
+  arb_clear(a);
+  return same;
+}
+
+/* What the tape reads, into s->in; whether it is what was read last. */
+static bool same_inputs(struct system *s) {
+  const struct formulas *f = s->formulas;
+  const struct num_type *t = s->ctx.type;
+  bool same = s->have_in;
+  for (slong i = 0; i < s->in.len; i++) {
+    const void *x = f->input[i] < 3 ? num_vec_at(&s->model, f->input[i]) : num_vec_at(&s->x, f->input[i] - 3);
+    same = same && same_number(t, x, num_vec_at(&s->in, i));
+    t->set(num_vec_at(&s->in, i), x);
+  }
+  return same;
+}
+
+static int from_tape(struct system *s) {
+  const struct num_type *t = s->ctx.type;
+  struct num_vec out;
+  if (same_inputs(s)) return SS_OK;
+  num_vec_init(&out, s->formulas->tape.n_outputs, s->ctx);
+  int status = tape_eval(&out, NULL, &s->formulas->tape, &s->in);
+  for (int k = 0; k < 8; k++)
+    for (int i = 0; i < 16; i++) t->set(num_vec_at(k < 4 ? &s->p[k] : &s->dp[k - 4], i), num_vec_at(&out, 16 * k + i));
+  s->have_in = status == SS_OK;
+  num_vec_clear(&out);
+  return status;
+}
+
+static int from_model(struct system *s) {
+  const struct num_type *t = s->ctx.type;
+  struct num_vec params, unit, a;
+  num_vec_init(&params, N_PARAMS, s->ctx);
+  num_vec_init(&unit, N_STATE, s->ctx);
+  num_vec_init(&a, 16, s->ctx);
+  for (int i = 0; i < 3; i++) t->set(num_vec_at(&params, i), num_vec_at(&s->model, i));
+  int status = t->set_d(num_vec_at(&params, P_E1), 1, s->ctx.prec); /* the motion does not depend on them */
+  status |= t->set_d(num_vec_at(&params, P_E2), 1, s->ctx.prec);
+  for (int k = 0; k < N_PHASES; k++) {
+    for (int j = 0; j < N_STATE; j++) {
+      for (int i = 0; i < N_STATE; i++) status |= t->set_d(num_vec_at(&unit, i), i == j, s->ctx.prec);
+      status |= dyn_flow(&unit, (enum phase)k, &params, &unit, num_vec_at(&s->x, X_TA + k));
+      for (int i = 0; i < N_STATE; i++) t->set(num_vec_at(&s->p[k], 4 * i + j), num_vec_at(&unit, i));
+    }
+    status |= dyn_system(&a, (enum phase)k, &params);
+    status |= num_mat_mul(&s->dp[k], &a, &s->p[k], 4, 4, 4);
+  }
+  num_vec_clear(&a);
+  num_vec_clear(&unit);
+  num_vec_clear(&params);
+  return status;
+}
+
+int system_propagators(struct system *s) {
+  return s->formulas->own_model ? from_model(s) : from_tape(s);
+}
+
+/* --- Motions --- */
+
+/* out = p in for the first n columns of 4x6 tangents; those for later times are still zero. */
+static int carry_tangents(struct num_vec *out, const struct num_vec *p, const struct num_vec *in, int n) {
+  const struct num_type *t = out->ctx.type;
+  struct num_vec part;
+  num_vec_init(&part, 4 * n, out->ctx);
+  for (int i = 0; i < 4; i++)
+    for (int c = 0; c < n; c++) t->set(num_vec_at(&part, n * i + c), num_vec_at(in, 6 * i + c));
+  int status = num_mat_mul(&part, p, &part, 4, 4, n);
+  for (int i = 0; i < 4; i++)
+    for (int c = 0; c < n; c++) t->set(num_vec_at(out, 6 * i + c), num_vec_at(&part, n * i + c));
+  num_vec_clear(&part);
+  return status;
+}
+
+/* From the positions in state[0], velocities V. */
+static int motion_run(struct motion *m, const struct system *s) {
+  const struct num_type *t = s->ctx.type;
+  struct num_vec rate;
+  num_vec_init(&rate, 4, s->ctx);
+  for (int i = 2; i < 4; i++) t->set(num_vec_at(&m->state[0], i), num_vec_at(&s->model, 2));
+  int status = SS_OK;
+  for (int i = 0; i < 24; i++) status |= t->set_d(num_vec_at(&m->tangent[0], i), i == 0 || i == 7, s->ctx.prec);
+  for (int k = 0; k < 4; k++) {
+    status |= num_mat_mul(&m->state[k + 1], &s->p[k], &m->state[k], 4, 4, 1);
+    status |= carry_tangents(&m->tangent[k + 1], &s->p[k], &m->tangent[k], 2 + k);
+    status |= num_mat_mul(&rate, &s->dp[k], &m->state[k], 4, 4, 1);
+    for (int i = 0; i < 4; i++) t->set(num_vec_at(&m->tangent[k + 1], 6 * i + 2 + k), num_vec_at(&rate, i));
+  }
+  num_vec_clear(&rate);
+  return status;
+}
+
+/* --- Rows --- */
+
+/* z += (one + with_chi chi) x */
+static int add_share(void *z, const struct system *s, const struct equation *e, int i, const void *x,
+                     struct num_vec *scratch) {
+  const struct num_type *t = s->ctx.type;
+  slong prec = s->ctx.prec;
+  void *c = num_vec_at(scratch, 0), *chi = num_vec_at(scratch, 1);
+  int status = t->set_d(c, e->with_chi[i], prec);
+  status |= t->mul(c, c, num_vec_at(&s->model, 0), prec);
+  status |= t->set_d(chi, e->one[i], prec);
+  status |= t->add(c, c, chi, prec);
+  status |= t->mul(c, c, x, prec);
+  return status | t->add(z, z, c, prec);
+}
+
+static int row_along(struct system *s, int eq) {
+  const struct equation *e = &equations[eq];
+  const struct num_type *t = s->ctx.type;
+  slong prec = s->ctx.prec;
+  struct num_vec w;
+  num_vec_init(&w, 3, s->ctx);
+  void *x = num_vec_at(&w, 2), *value = num_vec_at(&s->value, eq);
+  int status = t->set_d(value, 0, prec);
+  bool returns = e->right == RIGHT_START;
+  for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), 0, prec);
+  for (int i = 0; i < 4; i++) {
+    if (e->one[i] == 0 && e->with_chi[i] == 0) continue;
+    t->set(x, num_vec_at(&s->own.state[e->end], i));
+    if (returns) status |= t->sub(x, x, num_vec_at(&s->own.state[0], i), prec);
+    status |= add_share(value, s, e, i, x, &w);
+    for (int c = 0; c < 6; c++) {
+      t->set(x, num_vec_at(&s->own.tangent[e->end], 6 * i + c));
+      if (returns) status |= t->sub(x, x, num_vec_at(&s->own.tangent[0], 6 * i + c), prec);
+      status |= add_share(num_vec_at(&s->slope, eq * N_X + c), s, e, i, x, &w);
+    }
+  }
+  if (e->right == RIGHT_V) status |= t->sub(value, value, num_vec_at(&s->model, 2), prec);
+  if (e->right >= 0) {
+    status |= t->sub(value, value, num_vec_at(&s->x, e->right), prec);
+    status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, prec);
+  }
+  num_vec_clear(&w);
+  return status;
+}
+
+/* Both rows of z_0 solved from the positions (block 0) or the velocities (block 1) of (44). */
+static int rows_solved(struct system *s, int block) {
+  const struct num_type *t = s->ctx.type;
+  slong prec = s->ctx.prec;
+  struct num_vec a, gap, rate, one;
+  num_vec_init(&a, 4, s->ctx);
+  num_vec_init(&gap, 2, s->ctx);
+  num_vec_init(&rate, 8, s->ctx);
+  num_vec_init(&one, 1, s->ctx);
+  int status = t->set_d(num_vec_at(&one, 0), 1, prec);
+  for (int i = 0; i < 2; i++) {
+    int row = 2 * block + i;
+    for (int j = 0; j < 2; j++) t->set(num_vec_at(&a, 2 * i + j), num_vec_at(&s->own.tangent[4], 6 * row + j));
+    if (block == 0) status |= t->sub(num_vec_at(&a, 3 * i), num_vec_at(&a, 3 * i), num_vec_at(&one, 0), prec);
+    status |= t->sub(num_vec_at(&gap, i), num_vec_at(&s->own.state[4], row), num_vec_at(&s->own.state[0], row), prec);
+  }
+  status |= num_mat_solve(&gap, &a, &gap, 2, 1);
+  for (int i = 0; i < 2; i++)
+    status |=
+        t->sub(num_vec_at(&s->from_solved.state[0], i), num_vec_at(&s->own.state[0], i), num_vec_at(&gap, i), prec);
+  status |= motion_run(&s->from_solved, s);
+  for (int i = 0; i < 2; i++)
+    for (int c = 0; c < 4; c++)
+      t->set(num_vec_at(&rate, 4 * i + c), num_vec_at(&s->from_solved.tangent[4], 6 * (2 * block + i) + 2 + c));
+  status |= num_mat_solve(&rate, &a, &rate, 2, 4);
+  for (int i = 0; i < 2; i++) {
+    int eq = (block ? EQ_G1 : EQ_F1) + i;
+    t->set(num_vec_at(&s->value, eq), num_vec_at(&gap, i));
+    for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), c == X_Z10 + i, prec);
+    for (int c = 0; c < 4; c++) t->set(num_vec_at(&s->slope, eq * N_X + X_TA + c), num_vec_at(&rate, 4 * i + c));
+  }
+  num_vec_clear(&one);
+  num_vec_clear(&rate);
+  num_vec_clear(&gap);
+  num_vec_clear(&a);
+  return status;
+}
+
+int system_eval(struct system *s, unsigned eqs) {
+  int status = system_propagators(s);
+  for (int i = 0; i < 2; i++) s->ctx.type->set(num_vec_at(&s->own.state[0], i), num_vec_at(&s->x, X_Z10 + i));
+  status |= motion_run(&s->own, s);
+  for (int eq = 0; eq < N_EQ; eq++)
+    if (eqs >> eq & 1 && equations[eq].end > 0) status |= row_along(s, eq);
+  if (eqs & (1U << EQ_F1 | 1U << EQ_F2)) status |= rows_solved(s, 0);
+  if (eqs & (1U << EQ_G1 | 1U << EQ_G2)) status |= rows_solved(s, 1);
+  return status;
+}

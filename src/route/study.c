@@ -1,0 +1,572 @@
+/* Routes held against each other, quantity by quantity.
+
+   The points are fixed: random ones from one seed, orbits of parameters drawn likewise with V and eta different from 1,
+   and the scene's own orbits.  At each, every route of the table that applies is asked for the whole quantity, and every
+   two answers are compared, entry by entry, relative to max(1, the largest entry).  A route that applies and gives no
+   answer disagrees with all the others. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "jacobian.h"
+#include "record/finding.h"
+#include "record/routes.h"
+#include "studies.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
+#include "value/printed.h"
+#include "value/sentence.h"
+
+enum { PREC = FD_PREC, N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
+enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };
+
+/* A point of the study; the orbit is NULL elsewhere. */
+struct site {
+  struct point p;
+  const struct dyn_orbit *orbit;
+};
+
+struct tally {
+  long n;
+  bool within;
+  double worst; /* log2 of the largest disagreement */
+  const char *where;
+};
+
+struct study {
+  struct judge *j;
+  struct site site;
+  struct sentence propagator[N_PHASES], jacobian;
+  bool readable; /* the paper's corrected formulas */
+  struct tally tally[N_ROUTE_ROWS][N_ROUTE_ROWS];
+};
+
+static const int entries[N_STUDIED] = {MATRIX, 2 * MATRIX, N_PHASES *(1 + N_STATE), 4};
+static const char *const matrix_name[N_PHASES] = {"D", "Gamma", "H", "C"};
+
+static void get_all(arb_ptr out, const struct num_vec *v) {
+  for (slong i = 0; i < v->len; i++) v->ctx.type->get_arb(out + i, num_vec_at(v, i));
+}
+
+/* --- Propagators. --- */
+
+static int params_in(struct num_vec *params, void *t, const struct point *p) {
+  const struct num_type *type = params->ctx.type;
+  int s = type->set_q(t, &p->q[Q_T], params->ctx.prec);
+  for (int i = 0; i < N_PARAMS; i++) s |= type->set_q(num_vec_at(params, i), &p->q[Q_CHI + i], params->ctx.prec);
+  return s;
+}
+
+/* Column by column: the flow of the unit vectors. */
+static int flow_of_units(struct num_vec *m, enum phase ph, const struct num_vec *params, const void *t) {
+  struct num_vec z;
+  num_vec_init(&z, N_STATE, m->ctx);
+  int s = SS_OK;
+  for (int col = 0; col < N_STATE; col++) {
+    for (int i = 0; i < N_STATE; i++) s |= m->ctx.type->set_d(num_vec_at(&z, i), i == col, PREC);
+    s |= dyn_flow(&z, ph, params, &z, t);
+    for (int i = 0; i < N_STATE; i++) m->ctx.type->set(num_vec_at(m, i * N_STATE + col), num_vec_at(&z, i));
+  }
+  num_vec_clear(&z);
+  return s;
+}
+
+static int propagator(arb_ptr out, const struct study *s, struct num_ctx ctx, bool closed) {
+  struct num_vec params, t, m;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&t, 1, ctx);
+  num_vec_init(&m, MATRIX, ctx);
+  enum phase ph = s->site.p.phase;
+  int status = params_in(&params, num_vec_at(&t, 0), &s->site.p);
+  status |=
+      closed ? flow_of_units(&m, ph, &params, num_vec_at(&t, 0)) : dyn_propagator(&m, ph, &params, num_vec_at(&t, 0));
+  get_all(out, &m);
+  num_vec_clear(&m);
+  num_vec_clear(&t);
+  num_vec_clear(&params);
+  return status;
+}
+
+static int propagator_exponential(arb_ptr out, struct study *s) {
+  return propagator(out, s, num_ctx_arb(PREC), false);
+}
+static int propagator_closed(arb_ptr out, struct study *s) {
+  return propagator(out, s, num_ctx_arb(PREC), true);
+}
+static int propagator_taylor(arb_ptr out, struct study *s) {
+  return propagator(out, s, num_ctx_mpfr(PREC), false);
+}
+static int propagator_gsl(arb_ptr out, struct study *s) {
+  return propagator(out, s, num_ctx_double(), false);
+}
+
+/* The paper's side of a sentence. */
+static int paper_side(arb_ptr out, struct study *s, struct sentence *sentence) {
+  struct num_vec lhs, rhs;
+  num_vec_init(&lhs, sentence->n, num_ctx_arb(PREC));
+  num_vec_init(&rhs, sentence->n, num_ctx_arb(PREC));
+  int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
+  get_all(out, &lhs);
+  num_vec_clear(&rhs);
+  num_vec_clear(&lhs);
+  return status;
+}
+
+static int propagator_paper(arb_ptr out, struct study *s) {
+  return paper_side(out, s, &s->propagator[s->site.p.phase]);
+}
+
+/* --- Their derivatives, and their values at 0. --- */
+
+/* The paper's matrix of the phase, followed by the given suffix. */
+static int paper_matrix(arb_ptr out, const struct study *s, const char *suffix) {
+  struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
+  char text[32];
+  int n;
+  snprintf(text, sizeof text, "%s%s", matrix_name[s->site.p.phase], suffix);
+  int status = expression_at(out, &n, view, text, "", &s->site.p, PREC, s->j->cache, NULL);
+  return n == MATRIX ? status : status | SS_UNABLE;
+}
+
+static int rate_paper(arb_ptr out, struct study *s) {
+  return paper_matrix(out, s, "'(t)") | paper_matrix(out + MATRIX, s, "(0)");
+}
+
+static int rate_ode(arb_ptr out, struct study *s) {
+  struct num_ctx ctx = num_ctx_arb(PREC);
+  struct num_vec params, t, a, m;
+  num_vec_init(&params, N_PARAMS, ctx);
+  num_vec_init(&t, 1, ctx);
+  num_vec_init(&a, MATRIX, ctx);
+  num_vec_init(&m, MATRIX, ctx);
+  int status = paper_matrix(out, s, "(t)");
+  for (int i = 0; i < MATRIX; i++) arb_set(num_vec_at(&m, i), out + i);
+  status |= params_in(&params, num_vec_at(&t, 0), &s->site.p) | dyn_system(&a, s->site.p.phase, &params);
+  status |= num_mat_mul(&m, &a, &m, N_STATE, N_STATE, N_STATE);
+  get_all(out, &m);
+  for (int i = 0; i < MATRIX; i++) arb_set_si(out + MATRIX + i, i % (N_STATE + 1) == 0);
+  num_vec_clear(&m);
+  num_vec_clear(&a);
+  num_vec_clear(&t);
+  num_vec_clear(&params);
+  return status;
+}
+
+/* --- Times since the start and states at the four events. --- */
+
+static int events_of_model(arb_ptr out, struct study *s, enum variant variant) {
+  struct values v;
+  int status = values_init(&v, &s->site.p, variant, num_ctx_arb(PREC), s->j->cache);
+  for (int ph = 0; ph < N_PHASES && status == SS_OK; ph++) {
+    arb_set(out + ph, num_vec_at(&v.arc.t, ph));
+    if (ph > 0) arb_add(out + ph, out + ph, out + ph - 1, PREC);
+    for (int i = 0; i < N_STATE; i++)
+      arb_set(out + N_PHASES + ph * N_STATE + i, num_vec_at(&v.arc.z, (ph + 1) * N_STATE + i));
+  }
+  values_clear(&v);
+  return status;
+}
+
+static int events_closed(arb_ptr out, struct study *s) {
+  return events_of_model(out, s, VARIANT_CLOSED);
+}
+static int events_exponential(arb_ptr out, struct study *s) {
+  return events_of_model(out, s, VARIANT_EXPONENTIAL);
+}
+
+/* A sink that writes the first events of a motion of the word G H C D, positions relative to the given shift of the
+   origin. */
+struct catcher {
+  arb_ptr out;
+  arb_srcptr shift;
+  int n;
+  bool strayed;
+};
+
+static bool catch_event(void *self, const struct coulomb_event *e) {
+  static const char word[] = "GHCD";
+  struct catcher *c = self;
+  c->strayed = c->strayed || c->n == N_PHASES || coulomb_letter(e->at.mode) != word[c->n];
+  if (c->strayed) return false;
+  arb_ptr state = c->out + N_PHASES + c->n * N_STATE, t = c->out + c->n++;
+  const double plain[] = {e->at.t, e->at.x[0], e->at.x[1], e->at.v[0], e->at.v[1]};
+  for (int i = 0; i <= N_STATE; i++) {
+    arb_ptr to = i == 0 ? t : state + i - 1;
+    if (e->at.exact)
+      e->at.exact->ctx.type->get_arb(to, num_vec_at(e->at.exact, i));
+    else
+      arb_set_d(to, plain[i]);
+  }
+  for (int i = 0; i < 2; i++) arb_sub(state + i, state + i, c->shift + i, PREC);
+  return true;
+}
+
+/* The sum of the statuses of a simulation and of what it did. */
+static int simulated(int status, const struct catcher *c) {
+  return c->strayed || c->n < N_PHASES ? status | SS_DOMAIN : status;
+}
+
+static int events_integration(arb_ptr out, struct study *s) {
+  struct coulomb_setup sim;
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result result;
+  arb_ptr shift = _arb_vec_init(2);
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
+  for (int i = 0; i < 2; i++) {
+    arb_set_d(shift + i, sim.start[i]);
+    arb_sub(shift + i, shift + i, i == 0 ? s->site.orbit->z10 : s->site.orbit->z20, PREC);
+  }
+  struct catcher c = {out, shift, 0, false};
+  struct coulomb_sink sink = {&c, catch_event, NULL};
+  plan.returns = 1;
+  if (!status) status = simulated(coulomb_simulate_ode(&result, sim.params, sim.start, &plan, &sink), &c);
+  _arb_vec_clear(shift, 2);
+  return status;
+}
+
+/* The same law in MPFR, from the orbit as it is enclosed and the same static friction. */
+static int events_simulation(arb_ptr out, struct study *s) {
+  struct num_ctx ctx = num_ctx_mpfr(PREC);
+  struct coulomb_setup sim;
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result result;
+  struct num_vec model, limits, params, z, start;
+  arb_ptr shift = _arb_vec_init(2);
+  num_vec_init(&model, N_PARAMS, ctx);
+  num_vec_init(&limits, 2, ctx);
+  num_vec_init(&params, N_COULOMB, ctx);
+  num_vec_init(&z, 2, ctx);
+  num_vec_init(&start, N_STATE, ctx);
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
+  for (int i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&model, i), s->site.p.q + Q_CHI + i, PREC);
+  for (int i = 0; i < 2; i++) {
+    status |= num_mpfr.set_d(num_vec_at(&limits, i), sim.params[COULOMB_UR1 + i], PREC);
+    status |= num_mpfr.set_arb(num_vec_at(&z, i), i == 0 ? s->site.orbit->z10 : s->site.orbit->z20, PREC);
+  }
+  status |= coulomb_params_set(&params, &model, &limits);
+  status |= coulomb_start_set(&start, &params, num_vec_at(&z, 0), num_vec_at(&z, 1));
+  get_all(shift, &z);
+  for (int i = 0; i < 2; i++) {
+    arb_neg(shift + i, shift + i);
+    mpfr_ptr x = num_vec_at(&start, i);
+    arf_t exact;
+    arf_init(exact);
+    arf_set_mpfr(exact, x);
+    arb_add_arf(shift + i, shift + i, exact, PREC);
+    arf_clear(exact);
+  }
+  struct catcher c = {out, shift, 0, false};
+  struct coulomb_sink sink = {&c, catch_event, NULL};
+  plan.returns = 1;
+  if (!status) status = simulated(coulomb_simulate_exact(&result, NULL, &params, &start, &plan, &sink), &c);
+  num_vec_clear(&start);
+  num_vec_clear(&z);
+  num_vec_clear(&params);
+  num_vec_clear(&limits);
+  num_vec_clear(&model);
+  _arb_vec_clear(shift, 2);
+  return status;
+}
+
+/* --- The return Jacobian. --- */
+
+static int jacobian_paper(arb_ptr out, struct study *s) {
+  return paper_side(out, s, &s->jacobian);
+}
+static int jacobian_by(arb_ptr out, struct study *s, enum jacobian_method method) {
+  struct jacobian_job job = {.point = s->site.p, .cache = s->j->cache, .d = s->j->d};
+  return jacobian_route(out, &job, method, LAYER_CORRECTED, NULL, PREC);
+}
+static int jacobian_implicit(arb_ptr out, struct study *s) {
+  return jacobian_by(out, s, METHOD_IMPLICIT);
+}
+static int jacobian_saltation(arb_ptr out, struct study *s) {
+  return jacobian_by(out, s, METHOD_SALTATION);
+}
+static int jacobian_fd(arb_ptr out, struct study *s) {
+  return jacobian_by(out, s, METHOD_FD);
+}
+
+static int jacobian_integration(arb_ptr out, struct study *s) {
+  struct coulomb_setup sim;
+  double value[4] = {0}, err = 0;
+  int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
+  if (!status) status = coulomb_return_jacobian(value, &err, sim.params, sim.start);
+  for (int i = 0; i < 4; i++) {
+    arb_set_d(out + i, value[i]);
+    mag_set_d(arb_radref(out + i), err);
+  }
+  return status;
+}
+
+/* --- One point. --- */
+
+static int (*const compute[N_ROUTE_ROWS])(arb_ptr out, struct study *s) = {
+    [ROUTE_P_PAPER] = propagator_paper,
+    [ROUTE_P_EXPONENTIAL] = propagator_exponential,
+    [ROUTE_P_CLOSED] = propagator_closed,
+    [ROUTE_P_TAYLOR] = propagator_taylor,
+    [ROUTE_P_GSL] = propagator_gsl,
+    [ROUTE_R_PAPER] = rate_paper,
+    [ROUTE_R_ODE] = rate_ode,
+    [ROUTE_E_CLOSED] = events_closed,
+    [ROUTE_E_EXPONENTIAL] = events_exponential,
+    [ROUTE_E_SIMULATION] = events_simulation,
+    [ROUTE_E_INTEGRATION] = events_integration,
+    [ROUTE_J_PAPER] = jacobian_paper,
+    [ROUTE_J_IMPLICIT] = jacobian_implicit,
+    [ROUTE_J_SALTATION] = jacobian_saltation,
+    [ROUTE_J_FD] = jacobian_fd,
+    [ROUTE_J_INTEGRATION] = jacobian_integration,
+};
+
+/* Coulomb's law follows an orbit only where it breaks no condition; the paper's formulas may be beyond reading. */
+static bool applies(const struct study *s, enum route_row row) {
+  unsigned means = route_table[row].means;
+  if (means & MEANS_PAPER && !s->readable) return false;
+  return !(means & MEANS_COULOMB) || (s->site.orbit && s->site.orbit->admissible == TRUTH_TRUE);
+}
+
+/* Differences give a radius that is their own estimate of their error, no enclosure and no disagreement: it is taken
+   off, and answered. */
+static double take_estimate(arb_ptr x, int n, enum route_row row) {
+  mag_t most;
+  mag_init(most);
+  for (int i = 0; i < n && route_table[row].means & MEANS_DIFFERENCES; i++) {
+    mag_max(most, most, arb_radref(x + i));
+    arb_get_mid_arb(x + i, x + i);
+  }
+  double own = mag_is_zero(most) ? -INFINITY : mag_get_d_log2_approx(most);
+  mag_clear(most);
+  return own;
+}
+
+/* log2 of the largest difference, and of max(1, the largest entry), to which it is relative. */
+struct gap {
+  double off, scale;
+};
+
+static struct gap gap_between(arb_srcptr a, arb_srcptr b, int n) {
+  struct gap g = {-INFINITY, 0};
+  arb_t d;
+  arb_init(d);
+  for (int i = 0; i < n; i++) {
+    g.scale = fmax(g.scale, fmax(log2_upper(a + i), log2_upper(b + i)));
+    arb_sub(d, a + i, b + i, 2 * PREC);
+    g.off = fmax(g.off, log2_upper(d));
+  }
+  arb_clear(d);
+  g.off -= g.scale;
+  return g;
+}
+
+static int stated_digits(enum route_row a, enum route_row b) {
+  return route_table[a].digits < route_table[b].digits ? route_table[a].digits : route_table[b].digits;
+}
+
+/* Within the stated accuracy, or within the estimates (log2 of the larger) where these are larger, but at most half of the
+   digits may be given away so. */
+static bool keeps(enum route_row a, enum route_row b, struct gap gap, double estimate) {
+  double bits = stated_digits(a, b) * log2(10), allowed = fmin(1 + estimate - gap.scale, -bits / 2);
+  return gap.off <= fmax(-bits, allowed);
+}
+
+static void book(struct study *s, enum route_row a, enum route_row b, struct gap gap, double estimate) {
+  struct tally *t = &s->tally[a][b];
+  t->within = (t->n == 0 || t->within) && keeps(a, b, gap, estimate);
+  if (t->n++ > 0 && gap.off <= t->worst) return;
+  struct text where;
+  text_init(&where);
+  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", matrix_name[s->site.p.phase]);
+  point_print(&where, &s->site.p);
+  t->worst = gap.off;
+  t->where = result_str(s->j->out, "%s", text_str(&where));
+  text_clear(&where);
+}
+
+/* Every route to the quantity, and every two of them. */
+static void compare_at(struct study *s, enum route_quantity q) {
+  arb_ptr value = _arb_vec_init(N_ROUTE_ROWS * MOST_ENTRIES);
+  int status[N_ROUTE_ROWS];
+  double own[N_ROUTE_ROWS];
+  bool asked[N_ROUTE_ROWS];
+  for (int i = 0; i < N_ROUTE_ROWS; i++) {
+    asked[i] = route_table[i].quantity == q && applies(s, (enum route_row)i);
+    if (asked[i]) status[i] = compute[i](value + i * MOST_ENTRIES, s);
+    if (asked[i]) own[i] = take_estimate(value + i * MOST_ENTRIES, entries[q], (enum route_row)i);
+  }
+  for (int i = 0; i < N_ROUTE_ROWS; i++)
+    for (int k = i + 1; k < N_ROUTE_ROWS; k++) {
+      if (!asked[i] || !asked[k]) continue;
+      bool both = status[i] == SS_OK && status[k] == SS_OK;
+      struct gap gap = {INFINITY, 0};
+      if (both) gap = gap_between(value + i * MOST_ENTRIES, value + k * MOST_ENTRIES, entries[q]);
+      if (isnan(gap.off)) gap.off = INFINITY;
+      book(s, (enum route_row)i, (enum route_row)k, gap, fmax(own[i], own[k]));
+    }
+  _arb_vec_clear(value, N_ROUTE_ROWS * MOST_ENTRIES);
+}
+
+/* The control: the closed form a moment later must not pass for the exponential now. */
+static void control(struct study *s) {
+  enum { SHIFT = 150 };
+  arb_ptr now = _arb_vec_init(2 * MATRIX);
+  fmpq_t shift;
+  fmpq_init(shift);
+  int status = propagator_exponential(now, s);
+  fmpq_set_si(shift, 1, 1);
+  fmpq_div_2exp(shift, shift, SHIFT);
+  fmpq_add(&s->site.p.q[Q_T], &s->site.p.q[Q_T], shift);
+  status |= propagator_closed(now + MATRIX, s);
+  bool noticed =
+      status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
+  audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
+  fmpq_clear(shift);
+  _arb_vec_clear(now, 2 * MATRIX);
+}
+
+/* --- All points. --- */
+
+static void at_parameters(struct study *s) {
+  struct sampler sampler;
+  sampler_init(&sampler, "routes: parameters", POINT_PARAMS, PHASE_D, NULL);
+  for (int i = 0; i < N_POINTS; i++) {
+    sampler_next(&s->site.p, &sampler);
+    for (int ph = 0; ph < N_PHASES; ph++) {
+      s->site.p.phase = (enum phase)ph;
+      compare_at(s, QUANTITY_PROPAGATOR);
+      if (s->readable) compare_at(s, QUANTITY_RATE);
+    }
+  }
+  s->site.p.phase = PHASE_H;
+  control(s);
+}
+
+/* Passes that start anywhere in the global stick phase; without an orbit, Coulomb's law may leave the word. */
+static void on_arcs(struct study *s) {
+  struct sampler sampler;
+  struct values v;
+  sampler_init(&sampler, "routes: arcs", POINT_ARC, PHASE_D, NULL);
+  for (int i = 0, done = 0; i < MOST_DRAWS && done < N_POINTS; i++) {
+    sampler_next(&s->site.p, &sampler);
+    bool accepted = values_init(&v, &s->site.p, VARIANT_CLOSED, num_ctx_arb(PREC), s->j->cache) == SS_OK;
+    values_clear(&v);
+    if (!accepted) continue;
+    compare_at(s, QUANTITY_EVENTS);
+    done++;
+  }
+}
+
+static bool on_orbit(struct study *s) {
+  s->site.orbit = &orbit_cache_get(s->j->cache, s->site.p.q + Q_CHI, PREC + 64)->orbit[s->site.p.orbit];
+  bool clear = !s->site.orbit->grazing;
+  if (clear) compare_at(s, QUANTITY_EVENTS);
+  if (clear) compare_at(s, QUANTITY_JACOBIAN);
+  s->site.orbit = NULL;
+  return clear;
+}
+
+/* Different orbits of random parameters; the sampler repeats itself, since its pool of parameter sets is small. */
+static void on_random_orbits(struct study *s, int n, bool admissible) {
+  char *seen[N_ADMISSIBLE + N_FREE];
+  struct sampler sampler;
+  int done = 0;
+  sampler_init(&sampler, admissible ? "routes: admissible" : "routes: orbits", POINT_ORBIT, PHASE_D, NULL);
+  sampler.admissible = admissible;
+  for (int i = 0; i < MOST_DRAWS && done < n; i++) {
+    struct text name;
+    sampler_next(&s->site.p, &sampler);
+    if (fmpq_is_one(&s->site.p.q[Q_ETA]) || !point_settle(&s->site.p, s->j->cache)) continue;
+    text_init(&name);
+    point_print(&name, &s->site.p);
+    bool fresh = true;
+    for (int k = 0; k < done; k++) fresh = fresh && strcmp(seen[k], text_str(&name)) != 0;
+    if (fresh && on_orbit(s))
+      seen[done++] = name.data;
+    else
+      text_clear(&name);
+  }
+  while (done > 0) free(seen[--done]);
+}
+
+/* The routes take exact e1 and e2. */
+static void on_scene_orbits(struct study *s) {
+  if (!scene_has_forces(s->j->scene)) {
+    audit_leave_out(s->j->out, "the routes on the scene's own orbits", scene_lacks_forces(s->j->scene));
+    return;
+  }
+  slong n = scene_orbits(s->j->scene, s->j->cache)->n;
+  for (slong i = 0; i < n; i++) {
+    s->site.p.kind = POINT_ORBIT;
+    s->site.p.orbit = i;
+    for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&s->site.p.q[Q_CHI + k], &s->j->scene->value[k]);
+    on_orbit(s);
+  }
+}
+
+/* --- The paper's formulas, and the result. --- */
+
+/* A text of the paper that cannot be read is the business of the claims about it. */
+static void read_paper(struct study *s) {
+  struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
+  struct diag d;
+  diag_init(&d);
+  s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", NULL, 0, &d);
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    char name[16];
+    snprintf(name, sizeof name, "%s(t)", matrix_name[ph]);
+    if (!sentence_from_value(&s->propagator[ph], view, name, "", NULL, 0, &d)) s->readable = false;
+  }
+  if (!s->readable)
+    audit_leave_out(s->j->out, "the paper's formulas in the study of the routes", "corrected, they cannot be read");
+}
+
+static const char *size_of(struct audit_result *out, double log2x) {
+  return isinf(log2x) && log2x > 0 ? "no answer" : order_of_magnitude(out, log2x);
+}
+
+static void add_pair(struct study *s, enum route_row a, enum route_row b) {
+  struct audit_result *out = s->j->out;
+  const struct route_info *first = &route_table[a], *second = &route_table[b];
+  const struct tally *t = &s->tally[a][b];
+  struct text shared;
+  text_init(&shared);
+  route_means_print(&shared, route_means_shared(first, second));
+  bool shown = first->exact && second->exact && t->n > 0;
+  struct route_pair pair = {.quantity = route_quantity_name[first->quantity],
+                            .first = first->name,
+                            .second = second->name,
+                            .shared = result_str(out, "%s", text_str(&shared)),
+                            .comparisons = t->n,
+                            .stated = result_str(out, "1e-%d", stated_digits(a, b)),
+                            .within = t->within,
+                            .largest = shown ? size_of(out, t->worst) : NULL,
+                            .worst = shown ? t->where : NULL,
+                            .machine_largest = t->n > 0 ? exp2(t->worst) : (double)NAN,
+                            .machine_worst = t->where};
+  out->pairs = ss_grow(out->pairs, out->n_pairs, &out->cap_pairs, sizeof pair);
+  out->pairs[out->n_pairs++] = pair;
+  text_clear(&shared);
+}
+
+bool study_routes(struct judge *j) {
+  struct study s = {.j = j};
+  point_init(&s.site.p);
+  read_paper(&s);
+  at_parameters(&s);
+  on_arcs(&s);
+  on_random_orbits(&s, N_ADMISSIBLE, true);
+  on_random_orbits(&s, N_FREE, false);
+  on_scene_orbits(&s);
+  for (int i = 0; i < N_ROUTE_ROWS; i++)
+    for (int k = i + 1; k < N_ROUTE_ROWS; k++) {
+      const struct route_info *a = &route_table[i], *b = &route_table[k];
+      bool paper = (a->means | b->means) & MEANS_PAPER;
+      if (a->quantity == b->quantity && a->digits && (s.readable || !paper))
+        add_pair(&s, (enum route_row)i, (enum route_row)k);
+    }
+  for (int ph = 0; ph < N_PHASES; ph++) sentence_clear(&s.propagator[ph]);
+  sentence_clear(&s.jacobian);
+  point_clear(&s.site.p);
+  return !j->d->set;
+}

@@ -1,0 +1,397 @@
+/* What a failed formula does to what is derived from it.  The paper is read twice, corrected throughout and with only
+   the failed equation as printed.  Each result of the claim files is put in full in both readings: the same program means
+   that it cannot change; else both are evaluated in balls, on the scene's orbits and on orbits at random parameters.
+   The claims that reach the corrected text are judged again with the printed one. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "consequence.h"
+#include "judge/judge.h"
+#include "proof/exact_proof.h"
+#include "stickslip/work.h"
+
+enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
+
+/* One result in the two readings and in the all-printed one. */
+enum { READ_OWN, READ_CORRECTED, READ_PRINTED, N_READ };
+struct result {
+  const struct claim *c;
+  struct tape tape[N_READ];
+  bool readable[N_READ];
+  int rows, cols;
+  char *latex;
+  struct derived out;
+  long agrees, differs, undecided;
+  double worst_log;
+};
+
+/* One failure. */
+struct failure {
+  struct judge *j;
+  const struct claim *c;
+  const char *symbol, *alias; /* of a number: the symbols that take its printed value */
+  const struct printed_number *number;
+  struct result *result;
+  size_t n;
+};
+
+/* --- Reading the results --- */
+
+static bool read_result(struct result *r, int reading, struct view v) {
+  const char *formula = claim_get(r->c, "formula"), *section = claim_get(r->c, "section");
+  struct elaboration el;
+  struct arena a;
+  struct source src;
+  struct matrix m;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, v, NULL, 0);
+  arena_init(&a);
+  source_from_string(&src, formula, formula);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
+  bool ok = e && elaborate(&m, &el, e, &src, section ? section : "", &d) &&
+            elaboration_tape(&r->tape[reading], &el, m.e, m.rows * m.cols, &d);
+  if (ok) {
+    r->rows = m.rows;
+    r->cols = m.cols;
+  }
+  if (e && !r->latex) {
+    struct text t;
+    text_init(&t);
+    expr_latex(&t, e);
+    r->latex = t.data;
+  }
+  source_clear(&src);
+  arena_clear(&a);
+  elaboration_clear(&el);
+  return r->readable[reading] = ok;
+}
+
+static bool takes_printed(const struct failure *f, const char *symbol) {
+  return f->number && (strcmp(symbol, f->symbol) == 0 || (f->alias && strcmp(symbol, f->alias) == 0));
+}
+
+static bool has_printed(const struct failure *f, const struct tape *t) {
+  for (slong i = 0; i < t->n_inputs; i++)
+    if (takes_printed(f, t->inputs[i])) return true;
+  return false;
+}
+
+static void read_results(struct failure *f) {
+  const struct model *m = f->j->model;
+  const struct view views[N_READ] = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
+                                     {m, LAYER_CORRECTED, NULL, NULL},
+                                     {m, LAYER_PRINTED, NULL, NULL}};
+  for (size_t i = 0; i < f->n; i++) {
+    struct result *r = &f->result[i];
+    *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
+    for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
+    if (!r->readable[READ_OWN])
+      r->out.change = CHANGE_UNDEFINED;
+    else if (f->number ? !has_printed(f, &r->tape[READ_OWN]) : tape_same(&r->tape[READ_OWN], &r->tape[READ_CORRECTED]))
+      r->out.change = CHANGE_SAME_FORMULA;
+    else
+      r->out.change = CHANGE_UNDECIDED;
+  }
+}
+
+/* --- Trying them at points --- */
+
+/* Everything has its value at the point, but the quantity that f, unless NULL, found misprinted its printed one. */
+static int tape_at(struct num_vec *out, const struct tape *t, struct values *v, const struct failure *f) {
+  struct num_vec in;
+  num_vec_init(&in, t->n_inputs, v->ctx);
+  int s = SS_OK;
+  for (slong i = 0; s == SS_OK && i < t->n_inputs; i++) {
+    bool known;
+    if (f && takes_printed(f, t->inputs[i]))
+      s |= v->ctx.type->set_q(num_vec_at(&in, i), &f->number->value, v->ctx.prec);
+    else
+      s |= values_bind(num_vec_at(&in, i), &known, v, t->inputs[i]);
+  }
+  if (s == SS_OK) s |= tape_eval(out, NULL, t, &in);
+  num_vec_clear(&in);
+  return s;
+}
+
+static struct trial try_result(const struct failure *f, struct result *r, struct values *v) {
+  struct trial t = {.outcome = OUTCOME_REJECTED};
+  struct num_vec own, corrected;
+  num_vec_init(&own, r->rows * r->cols, v->ctx);
+  num_vec_init(&corrected, r->rows * r->cols, v->ctx);
+  int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v, NULL);
+  if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v, f);
+  if (s == SS_OK)
+    t = balls_compare(&own, &corrected);
+  else if (!(s & SS_DOMAIN))
+    t.outcome = OUTCOME_UNDECIDED;
+  num_vec_clear(&corrected);
+  num_vec_clear(&own);
+  return t;
+}
+
+/* The entry under the whole paper as printed. */
+static const char *chain_value(const struct failure *f, const struct result *r, struct values *v, slong entry) {
+  if (!r->readable[READ_PRINTED]) return "undefined";
+  struct num_vec x;
+  num_vec_init(&x, r->tape[READ_PRINTED].n_outputs, v->ctx);
+  bool ok = x.len > entry && tape_at(&x, &r->tape[READ_PRINTED], v, NULL) == SS_OK;
+  const char *s = ok ? ball_text(f->j, num_vec_at(&x, entry), 10) : "undefined";
+  num_vec_clear(&x);
+  return s;
+}
+
+static void book_result(struct failure *f, struct result *r, const struct trial *t, const struct point *p,
+                        struct values *v) {
+  struct audit_result *out = f->j->out;
+  r->agrees += t->outcome == OUTCOME_AGREES;
+  r->undecided += t->outcome == OUTCOME_UNDECIDED;
+  if (t->outcome != OUTCOME_DIFFERS) return;
+  r->worst_log = fmax(r->worst_log, t->log_diff);
+  if (r->differs++) return;
+  struct text where;
+  text_init(&where);
+  point_print(&where, p);
+  const char *place = entry_place(out, r->rows * r->cols, r->cols, t->entry);
+  r->out.entry = *place ? place : NULL;
+  r->out.printed = result_str(out, "%s", t->lhs);
+  r->out.corrected = result_str(out, "%s", t->rhs);
+  r->out.where = result_str(out, "%s", text_str(&where));
+  if (!f->number && !tape_same(&r->tape[READ_OWN], &r->tape[READ_PRINTED]))
+    r->out.chain = chain_value(f, r, v, t->entry);
+  text_clear(&where);
+}
+
+/* Every open result at one point; the precision rises for all while one of them is undecided.  false when the point is
+   not accepted. */
+static bool try_results(struct failure *f, const struct point *p) {
+  for (slong prec = FIRST_PREC; prec <= LAST_PREC; prec *= 2) {
+    struct values v;
+    struct trial *t = ss_malloc(f->n * sizeof *t);
+    bool accepted = values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(prec), f->j->cache) == SS_OK, open = false;
+    for (size_t i = 0; accepted && i < f->n; i++) {
+      t[i].outcome = OUTCOME_REJECTED;
+      if (f->result[i].out.change == CHANGE_UNDECIDED) t[i] = try_result(f, &f->result[i], &v);
+      open = open || t[i].outcome == OUTCOME_UNDECIDED;
+    }
+    bool last = !open || prec == LAST_PREC;
+    for (size_t i = 0; accepted && last && i < f->n; i++) book_result(f, &f->result[i], &t[i], p, &v);
+    free(t);
+    values_clear(&v);
+    if (last && accepted) work_precision_raise(LADDER_RESULT, prec == FIRST_PREC && !open);
+    if (last || !accepted) return accepted;
+  }
+  return false;
+}
+
+/* The scene's orbit nearest to the printed numbers, its others, and orbits at random parameters. */
+static void try_everywhere(struct failure *f) {
+  struct judge *j = f->j;
+  struct point p;
+  struct sampler s;
+  point_init(&p);
+  if (nearest_orbit_point(&p, j->scene, j->cache)) {
+    slong nearest = p.orbit, n = scene_orbits(j->scene, j->cache)->n;
+    fmpq_one(&p.q[Q_LAMBDA]);
+    try_results(f, &p);
+    for (p.orbit = 0; !f->number && p.orbit < n && p.orbit < MAX_SCENE_ORBITS; p.orbit++)
+      if (p.orbit != nearest) try_results(f, &p);
+  }
+  sampler_init(&s, f->c->id, POINT_ORBIT, PHASE_D, NULL);
+  int done = 0;
+  for (int i = 0; !f->number && i < DRAWS && done < RANDOM_ORBITS; i++) {
+    sampler_next(&p, &s);
+    if (point_settle(&p, j->cache)) done += try_results(f, &p);
+  }
+  point_clear(&p);
+}
+
+/* --- Summing up --- */
+
+/* By exact algebra, for every value that a misprinted number could have. */
+static bool proved_unchanged(const struct failure *f, const struct result *r) {
+  const struct model *m = f->j->model;
+  const char *section = claim_get(r->c, "section");
+  struct exact_change c = {{m, LAYER_CORRECTED, f->number ? NULL : claim_own(f->c), NULL},
+                           {m, LAYER_CORRECTED, NULL, NULL},
+                           {f->symbol, f->alias},
+                           f->number ? 1 + (f->alias != NULL) : 0};
+  return exact_unchanged(&c, claim_get(r->c, "formula"), section ? section : "");
+}
+
+static void conclude_result(struct failure *f, struct result *r) {
+  struct audit_result *out = f->j->out;
+  struct derived *d = &r->out;
+  long points = r->agrees + r->differs + r->undecided;
+  d->formula = result_str(out, "%s", claim_get(r->c, "formula"));
+  d->title = result_str(out, "%s", claim_get(r->c, "title"));
+  d->latex = r->latex ? result_str(out, "%s", r->latex) : NULL;
+  if (r->differs) {
+    d->change = CHANGE_CHANGES;
+    d->verdict = result_str(out, "changes at %ld of %ld point%s", r->differs, points, points == 1 ? "" : "s");
+    d->size = order_of_magnitude(out, r->worst_log);
+  } else if (d->change == CHANGE_SAME_FORMULA) {
+    d->verdict = "unchanged (same formula)";
+  } else if (d->change == CHANGE_UNDEFINED) {
+    d->verdict = "cannot be read with the printed form";
+  } else if (points && r->agrees == points) {
+    d->change = CHANGE_AGREES;
+    d->verdict = result_str(out, "%s at %ld point%s", proved_unchanged(f, r) ? "proved equal, and agrees" : "agrees",
+                            points, points == 1 ? "" : "s");
+  } else {
+    d->verdict = "undecided";
+  }
+}
+
+static void add_id(struct audit_result *out, struct id_list *list, const char *id) {
+  const char **ids = arena_alloc(&out->arena, (size_t)(list->n + 1) * sizeof *ids);
+  if (list->n) memcpy(ids, list->id, (size_t)list->n * sizeof *ids);
+  ids[list->n++] = result_str(out, "%s", id);
+  list->id = ids;
+}
+
+/* What judge_again said; two failures may be about one equation. */
+struct said {
+  const char *own;
+  size_t claim;
+  enum verdict verdict;
+};
+struct memory {
+  struct said *said;
+  size_t n, cap;
+};
+
+/* The claim judged with this equation as printed.  Routes that replace the paper's formulas by the model's say nothing
+   here: balls that differ are enough. */
+static enum verdict judge_again(struct judge *j, const struct claim *c, const char *own) {
+  struct finding f = {.id = c->id, .verdict = VERDICT_UNKNOWN};
+  struct diag d;
+  diag_init(&d);
+  struct judge again = *j;
+  again.d = &d;
+  again.effort = EFFORT_DIFFERENCE;
+  kind_fn judge = judge_of(c);
+  bool readable = judge && judge(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
+  bool differs = f.n_evidence && strcmp(f.evidence[0].route, "balls") == 0 && f.evidence[0].trials > 0 &&
+                 strcmp(f.evidence[0].result, "differs") == 0;
+  return !readable || differs ? VERDICT_REFUTED : f.verdict;
+}
+
+static enum verdict judge_again_once(struct memory *m, struct judge *j, size_t claim, const char *own) {
+  for (size_t i = 0; i < m->n; i++)
+    if (m->said[i].claim == claim && strcmp(m->said[i].own, own) == 0) return m->said[i].verdict;
+  m->said = ss_grow(m->said, m->n, &m->cap, sizeof *m->said);
+  m->said[m->n] = (struct said){own, claim, judge_again(j, &j->claims->claim[claim], own)};
+  return m->said[m->n++].verdict;
+}
+
+/* The verdict of this run, or what it would be. */
+static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
+  for (size_t i = 0; i < j->out->n_findings; i++)
+    if (strcmp(j->out->findings[i].id, c->id) == 0) return j->out->findings[i].verdict;
+  return judge_again(j, c, claim_own(c));
+}
+
+static bool asserts_nothing(const struct claim *c) {
+  const char *kind = claim_get(c, "kind");
+  return !kind || strcmp(kind, "definition") == 0 || strcmp(kind, "report") == 0;
+}
+
+/* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with the
+   printed one; what rests on a notation keeps its own formula, and its verdict. */
+static void judge_downstream(struct consequence *q, struct memory *m, struct failure *f, size_t at) {
+  struct judge *j = f->j;
+  const char *own = claim_own(f->c);
+  for (size_t i = 0; i < j->claims->n; i++) {
+    const struct claim *c = &j->claims->claim[i];
+    bool touched = !f->number && dependences_corrected(j->dependences, i, own);
+    bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
+    if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
+    enum verdict v = touched ? judge_again_once(m, j, i, own) : judge_as_is(j, c);
+    if (verdict_fails(v) && !touched && !f->number) continue; /* for a reason of its own */
+    bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
+    add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
+  }
+}
+
+/* What becomes of the derived results, after what the judge said of the claim itself. */
+static void describe_derived(struct finding *f, const struct consequence *q, struct audit_result *out) {
+  static const struct {
+    enum change change;
+    const char *words;
+  } rows[] = {{CHANGE_CHANGES, "Derived results that change: "},
+              {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
+              {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
+              {CHANGE_UNDECIDED, "Derived results left undecided: "}};
+  bool proved = true;
+  for (int i = 0; i < q->n_derived; i++)
+    proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);
+  struct text t;
+  text_init(&t);
+  f->size = f->effect;
+  if (f->effect) text_add(&t, f->effect);
+  for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
+    const char *words =
+        rows[k].change == CHANGE_AGREES && proved ? "Derived results proved to keep their value: " : rows[k].words;
+    const char *sep = words;
+    for (int i = 0; i < q->n_derived; i++) {
+      const struct derived *d = &q->derived[i];
+      if (d->change != rows[k].change) continue;
+      if (t.len && sep == words) text_add(&t, t.data[t.len - 1] == '.' ? " " : ". ");
+      text_printf(&t, "%s%s", sep, d->formula);
+      if (d->chain) text_printf(&t, " (%s with the whole paper as printed)", d->chain);
+      sep = ", ";
+    }
+    if (*sep == ',') text_add_char(&t, '.');
+  }
+  if (t.len) f->effect = result_str(out, "%s", text_str(&t));
+  text_clear(&t);
+}
+
+static void consequence_of(struct judge *j, struct memory *m, struct finding *finding, size_t at) {
+  const struct claim *c = &j->claims->claim[at];
+  struct audit_result *out = j->out;
+  struct failure f = {.j = j, .c = c, .n = j->claims->n_results};
+  const char *number = claim_get(c, "number");
+  if (number) {
+    f.symbol = claim_get(c, "formula");
+    f.alias = claim_get(c, "about");
+    f.number = scene_printed(j->scene, number);
+    if (!f.number || !model_is_symbol(j->model, f.symbol)) return;
+  }
+  f.result = ss_malloc(f.n * sizeof *f.result);
+  read_results(&f);
+  bool any = false;
+  for (size_t i = 0; i < f.n; i++) any = any || f.result[i].out.change == CHANGE_UNDECIDED;
+  if (any) try_everywhere(&f);
+  struct consequence q = {.failure = finding->id, .derived = arena_alloc(&out->arena, f.n * sizeof *q.derived)};
+  for (size_t i = 0; i < f.n; i++) {
+    struct result *r = &f.result[i];
+    conclude_result(&f, r);
+    if (r->readable[READ_CORRECTED]) q.derived[q.n_derived++] = r->out;
+    for (int k = 0; k < N_READ; k++) tape_clear(&r->tape[k]);
+    free(r->latex);
+  }
+  free(f.result);
+  judge_downstream(&q, m, &f, at);
+  describe_derived(finding, &q, out);
+  out->consequences = ss_grow(out->consequences, out->n_consequences, &out->cap_consequences, sizeof q);
+  out->consequences[out->n_consequences++] = q;
+}
+
+size_t consequence_claim(const struct judge *j, const struct finding *f) {
+  size_t k = verdict_fails(f->verdict) && f->correction ? 0 : j->claims->n;
+  while (k < j->claims->n && strcmp(j->claims->claim[k].id, f->id) != 0) k++;
+  return k;
+}
+
+bool judge_consequences(struct judge *j, const size_t *at, size_t n) {
+  struct memory m = {.n = 0};
+  for (size_t i = 0; i < n; i++) {
+    struct finding *f = &j->out->findings[at[i]];
+    consequence_of(j, &m, f, consequence_claim(j, f));
+  }
+  free(m.said);
+  return !j->d->set;
+}

@@ -1,0 +1,141 @@
+/* stickslip explain: one claim with all that a reader needs to check it by hand. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/stable.h"
+#include "value/sentence.h"
+
+static void add_line(struct text *out, const char *label, const char *value) {
+  if (value) text_printf(out, "%-11s %s\n", label, value);
+}
+
+static void add_verdict(struct text *out, const struct finding *f) {
+  text_printf(out, "%-11s %s", "verdict", verdict_name[f->verdict]);
+  if (f->recorded != N_VERDICTS) text_printf(out, " (on record: %s)", verdict_name[f->recorded]);
+  text_add_char(out, '\n');
+  add_line(out, "condition", f->condition);
+  add_line(out, "fault", f->fault);
+  if (f->correction)
+    text_printf(out, "%-11s %s (%s)\n", "correction", f->correction, verdict_name[f->correction_verdict]);
+  add_line(out, "effect", f->effect);
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    text_printf(out, "%-11s %s, %s: %s", i ? "" : "evidence", e->route, e->layer ? e->layer : "-", e->result);
+    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
+    if (e->residual) text_printf(out, ", residual %s", e->residual);
+    if (e->note) text_printf(out, "; %s", e->note);
+    text_add_char(out, '\n');
+  }
+}
+
+/* One side at the point in one number type. */
+/* A row of a matrix on each line, what is no matrix on one. */
+static void add_side(struct text *out, const struct num_vec *v, int cols) {
+  arb_t x;
+  arb_init(x);
+  for (slong i = 0; i < v->len; i++) {
+    text_add(out, i == 0 ? " " : cols > 1 && i % cols == 0 ? "\n             " : "  ");
+    v->ctx.type->get_arb(x, num_vec_at(v, i));
+    if (v->ctx.type->rigorous)
+      num_print_ball(out, x, 20);
+    else if (num_print(out, x, v->ctx.type == &num_double ? 17 : 30) != SS_OK)
+      text_add(out, "undefined");
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_values(struct text *out, struct sentence *s, const struct point *p, struct orbit_cache *cache) {
+  const struct num_ctx types[] = {num_ctx_double(), num_ctx_mpfr(128), num_ctx_arb(128)};
+  for (size_t i = 0; i < sizeof types / sizeof *types; i++) {
+    struct num_vec lhs, rhs;
+    num_vec_init(&lhs, s->n, types[i]);
+    num_vec_init(&rhs, s->n, types[i]);
+    int status = sentence_values(&lhs, &rhs, s, p, VARIANT_CLOSED, cache);
+    if (status) {
+      text_printf(out, "%-11s %s at this point\n", types[i].type->name,
+                  status & SS_DOMAIN ? "undefined" : "cannot be told");
+    } else {
+      text_printf(out, "%-6s left ", types[i].type->name);
+      add_side(out, &lhs, s->cols);
+      text_printf(out, "%-6s right", types[i].type->name);
+      add_side(out, &rhs, s->cols);
+    }
+    num_vec_clear(&rhs);
+    num_vec_clear(&lhs);
+  }
+}
+
+/* The sentence at a point: like the claim's own points, at the scene's parameters, changed by --at. */
+static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
+                          bool tape) {
+  struct point_spec spec[4];
+  if (!claim_get(c, "points")) {
+    if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
+    return !at;
+  }
+  if (claim_points(spec, 4, j, c) < 1) return false;
+  struct sentence s;
+  struct sampler sampler;
+  struct point drawn, p;
+  point_init(&drawn);
+  point_init(&p);
+  sampler_init(&sampler, c->id, spec[0].kind == POINT_ARC ? POINT_ORBIT : spec[0].kind, spec[0].phase, NULL);
+  const char *perturbation = claim_get(c, "perturbation");
+  sampler.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  sampler_next(&drawn, &sampler);
+  bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
+  scene_point(&p, &drawn, j->scene, j->cache);
+  if (at) p.scene = NULL; /* other data than the scene's */
+  ok = ok && point_set(&p, at, j->d);
+  if (ok && point_settle(&p, j->cache)) {
+    struct text where;
+    text_init(&where);
+    point_print(&where, &p);
+    add_line(out, "at", text_str(&where));
+    text_clear(&where);
+    add_values(out, &s, &p, j->cache);
+  } else if (ok) {
+    add_line(out, "at", "these parameters have no orbit");
+  }
+  if (ok && tape) tape_dump(out, &s.tape);
+  sentence_clear(&s);
+  point_clear(&p);
+  point_clear(&drawn);
+  return ok;
+}
+
+bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
+                   const char *id, const char *at, bool tape, struct diag *d) {
+  const struct claim *c = NULL;
+  for (size_t i = 0; i < claims->n; i++)
+    if (strcmp(claims->claim[i].id, id) == 0) c = &claims->claim[i];
+  if (!c) {
+    diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
+    return false;
+  }
+  const struct claims no_controls = {.n = 0};
+  struct audit_result r;
+  struct audit_options opt = {.only = &id, .n_only = 1};
+  audit_result_init(&r);
+  bool ok = audit_run(&r, m, claims, &no_controls, scene, &opt, d);
+  const struct finding *f = NULL;
+  for (size_t i = 0; ok && i < r.n_findings; i++)
+    if (strcmp(r.findings[i].id, id) == 0) f = &r.findings[i];
+  if (f) {
+    text_printf(out, "%s: %s\n", f->id, f->title);
+    add_line(out, "equation", f->equation);
+    add_line(out, "section", f->section);
+    add_line(out, "paper", f->quote);
+    add_line(out, "as read", f->printed);
+    add_line(out, "kind", claim_get(c, "kind"));
+    add_line(out, "tried at", claim_get(c, "points"));
+    add_line(out, "routes", claim_get(c, "routes"));
+    add_verdict(out, f);
+    stable_explain(out, m, f->equation, claim_get(c, "statement"));
+    struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};
+    ok = explain_point(out, &j, c, (struct view){m, LAYER_CORRECTED, claim_own(c), NULL}, at, tape);
+    orbit_cache_free(j.cache);
+  }
+  audit_result_clear(&r);
+  return ok;
+}

@@ -1,0 +1,260 @@
+/* From what is asked for back to what must be computed.  Points say which motions a claim is tried on, its kind what else it
+   looks at; the formulas say which matrices; costs are those of the table. */
+#include "stickslip/plan.h"
+
+#include <string.h>
+
+#include "judge/judge.h"
+#include "run.h"
+#include "stickslip/work.h"
+
+enum {
+  PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
+  SCENE = 1U << WORK_SCENE_ORBITS,
+  OTHER = 1U << WORK_OTHER_ORBITS,
+  ALGEBRA = 1U << WORK_ALGEBRA
+};
+
+struct planner {
+  struct audit_plan *out;
+  struct judge judge; /* nothing is judged with it */
+  const struct audit_options *opt;
+  struct dependences *rests;
+  const struct pieces *controls;
+  bool box; /* the scene is one */
+};
+
+static void add_item(struct planner *pl, struct plan_list *list, const char *fmt, const char *s, size_t len) {
+  struct text t;
+  struct arena *a = &pl->out->arena;
+  text_init(&t);
+  text_printf(&t, fmt, (int)len, s);
+  const char **item = arena_alloc(a, (size_t)(list->n + 1) * sizeof *item);
+  if (list->n) memcpy(item, list->item, (size_t)list->n * sizeof *item);
+  item[list->n++] = arena_strndup(a, text_str(&t), t.len);
+  list->item = item;
+  text_clear(&t);
+}
+
+static void add_name(struct planner *pl, struct plan_list *list, const char *name) {
+  add_item(pl, list, "%.*s", name, strlen(name));
+}
+
+/* --- A claim --- */
+
+static void plan_routes(struct planner *pl, struct planned_claim *p, const struct claim *c) {
+  char name[MOST_CLAIM_ROUTES][ROUTE_NAME];
+  int n = claim_routes(name, c);
+  for (int i = 0; i < n; i++)
+    if (route_is_asked(pl->judge.scene, name[i])) add_name(pl, &p->routes, name[i]);
+}
+
+/* The motions that the points are. */
+static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
+  enum { MOST = 8 };
+  struct point_spec spec[MOST];
+  struct diag d;
+  unsigned parts = 0;
+  diag_init(&d);
+  pl->judge.d = &d;
+  int n = claim_get(c, "points") ? claim_points(spec, MOST, &pl->judge, c) : 0;
+  for (int i = 0; i < n; i++) {
+    if (spec[i].kind == POINT_FLOW) parts |= 1U << (WORK_PHASE_D + (int)spec[i].phase);
+    if (spec[i].kind > POINT_FLOW) parts |= PHASES;
+    if (spec[i].kind == POINT_ORBIT) parts |= OTHER;
+  }
+  return parts;
+}
+
+static unsigned parts_of_names(const struct plan_list *matrices) {
+  static const char *const names[N_PHASES] = {"D(t)", "Gamma(t)", "H(t)", "C(t)"};
+  unsigned parts = 0;
+  for (int i = 0; i < matrices->n; i++)
+    for (int ph = 0; ph < N_PHASES; ph++)
+      if (strcmp(matrices->item[i], names[ph]) == 0) parts |= 1U << (WORK_PHASE_D + ph);
+  return parts;
+}
+
+/* Definitions that are matrices of the model under the paper's names, functions of the time with their argument. */
+static void plan_matrices(struct planner *pl, struct planned_claim *p, size_t a) {
+  for (size_t i = 0; i < dependences_n_used(pl->rests, a); i++) {
+    char name[64];
+    const char *reached = dependences_used(pl->rests, a, i)->name;
+    bool known = false;
+    snprintf(name, sizeof name, "%.56s", reached);
+    if (!oracle_find(name)) snprintf(name, sizeof name, "%.56s(t)", reached);
+    for (int k = 0; k < p->matrices.n; k++) known = known || strcmp(p->matrices.item[k], name) == 0;
+    if (!known && oracle_find(name)) add_name(pl, &p->matrices, name);
+  }
+}
+
+static void plan_parts(struct planner *pl, struct planned_claim *p, const struct claim *c) {
+  const struct claim_kind *kind = claim_kind_of(c);
+  unsigned parts = parts_of_points(pl, c);
+  if (kind) {
+    parts |= kind->parts;
+    if (kind->parts & ALGEBRA) parts |= parts_of_names(&p->matrices);
+    if (kind->parts & ALGEBRA && parts & (OTHER | SCENE) && p->matrices.n) parts |= PHASES;
+    p->first_bits = kind->balls ? FIRST_PREC : 0;
+    p->last_bits = kind->balls ? LAST_PREC : 0;
+  }
+  if (pl->box) parts &= ~(unsigned)SCENE;
+  for (int part = 0; part < WORK_BITS_128; part++)
+    if (parts >> part & 1U) add_name(pl, &p->parts, work_part_name[part]);
+}
+
+static void add_cost(struct planned_claim *p, const struct cost *c) {
+  if (!c) return;
+  p->units = (p->units < 0 ? 0 : p->units) + c->units;
+  p->ms = (p->ms < 0 ? 0 : p->ms) + c->ms;
+}
+
+static bool says(const struct claim *c, const char *attribute, const char *value) {
+  const char *text = claim_get(c, attribute);
+  return text && strcmp(text, value) == 0;
+}
+
+/* What is about the numbers of one scene has nothing to speak of in a box of parameters, and its controls neither. */
+static bool is_left_out(const struct planner *pl, const struct claim *c) {
+  const struct claim_kind *kind = claim_kind_of(c);
+  return pl->box && kind && (kind->of_scene || says(c, "over", "scene") || says(c, "check", "long-run"));
+}
+
+static void plan_claim(struct planner *pl, const struct claim *c) {
+  struct planned_claim *p = &pl->out->claim[pl->out->n_claims++];
+  *p = (struct planned_claim){
+      .id = c->id, .kind = claim_get(c, "kind"), .points = claim_get(c, "points"), .units = -1, .ms = -1};
+  p->left_out = is_left_out(pl, c);
+  if (p->left_out) {
+    p->units = p->ms = 0;
+    return;
+  }
+  plan_routes(pl, p, c);
+  plan_matrices(pl, p, (size_t)(c - pl->judge.claims->claim));
+  plan_parts(pl, p, c);
+  add_cost(p, cost_of(pl->opt->costs, "claim", c->id));
+  for (size_t i = 0; i < pl->controls->n; i++) {
+    if (pl->controls->item[i].claim != c) continue;
+    add_name(pl, &p->controls, pl->controls->item[i].name);
+    add_cost(p, cost_of(pl->opt->costs, "control", pl->controls->item[i].name));
+  }
+}
+
+/* --- What is shared --- */
+
+static struct planned_work *add_work(struct planner *pl, const char *what, const struct cost *c) {
+  struct planned_work *w = &pl->out->shared[pl->out->n_shared++];
+  *w = (struct planned_work){what, 0, c ? c->units : -1, c ? c->ms : -1};
+  return w;
+}
+
+static bool lists(const struct plan_list *l, const char *name) {
+  for (int i = 0; i < l->n; i++)
+    if (strcmp(l->item[i], name) == 0) return true;
+  return false;
+}
+
+/* A study or a search that needs the scene's own numbers does nothing in a box. */
+static bool does_nothing(const struct planner *pl, const struct piece *p) {
+  return pl->box && (p->kind == PIECE_TABLES || p->kind == PIECE_READINGS || p->kind == PIECE_VALUES);
+}
+
+/* Orbits and pool are paid for by the first claim that needs them. */
+static void plan_shared(struct planner *pl, const struct pieces *first) {
+  static const int kept[] = {WORK_SCENE_ORBITS, WORK_OTHER_ORBITS, WORK_ORBIT_POOL};
+  for (size_t k = 0; k < sizeof kept / sizeof *kept; k++) {
+    long n = 0;
+    for (int i = 0; i < pl->out->n_claims; i++) n += lists(&pl->out->claim[i].parts, work_part_name[kept[k]]);
+    if (n) add_work(pl, work_part_name[kept[k]], NULL)->claims = n;
+  }
+  for (size_t i = 0; i < first->n; i++) {
+    const struct piece *q = &first->item[i];
+    if (q->kind != PIECE_CLAIM && !does_nothing(pl, q))
+      add_work(pl, q->name, cost_of(pl->opt->costs, piece_what[q->kind], q->name));
+  }
+}
+
+/* --- Consequences --- */
+
+/* Whether a and b fail together: the same text is read as printed, once for both. */
+static bool fails_with(const struct claim *a, const struct claim *b) {
+  if (claim_get(a, "number") || claim_get(b, "number")) return a == b;
+  return strcmp(claim_own(a), claim_own(b)) == 0;
+}
+
+/* The row of the claim, or of another that fails together with it, since a run names the first of those that it judges. */
+static const struct cost *consequence_cost(const struct planner *pl, const struct claim *c) {
+  const struct claims *all = pl->judge.claims;
+  for (size_t i = 0; i < all->n; i++) {
+    const struct cost *row = cost_of(pl->opt->costs, "consequence", all->claim[i].id);
+    if (row && fails_with(&all->claim[i], c)) return row;
+  }
+  return NULL;
+}
+
+static bool fails_on_record(const struct planner *pl, const struct claim *c) {
+  return c && !is_left_out(pl, c) && verdict_fails(claim_recorded(c, pl->judge.scene));
+}
+
+/* What fails is not known before it is judged; what fails on record is expected to, and costs what it did: a failure without
+   a correction, which has no consequences, has no row either. */
+static void plan_consequences(struct planner *pl, const struct pieces *first) {
+  for (size_t i = 0; i < first->n; i++) {
+    const struct claim *c = first->item[i].claim;
+    if (!fails_on_record(pl, c)) continue;
+    bool seen = false;
+    for (size_t k = 0; k < i && !seen; k++)
+      seen = fails_on_record(pl, first->item[k].claim) && fails_with(first->item[k].claim, c);
+    const struct cost *row = seen ? NULL : consequence_cost(pl, c);
+    if (!row) continue;
+    struct text what;
+    text_init(&what);
+    text_printf(&what, "consequences of %s", c->id);
+    add_work(pl, arena_strndup(&pl->out->arena, text_str(&what), what.len), row);
+    text_clear(&what);
+  }
+}
+
+static void add_up(struct audit_plan *out) {
+  for (int i = 0; i < out->n_claims; i++) {
+    out->units += out->claim[i].units > 0 ? out->claim[i].units : 0;
+    out->ms += out->claim[i].ms > 0 ? out->claim[i].ms : 0;
+  }
+  for (int i = 0; i < out->n_shared; i++) {
+    out->units += out->shared[i].units > 0 ? out->shared[i].units : 0;
+    out->ms += out->shared[i].ms > 0 ? out->shared[i].ms : 0;
+  }
+}
+
+bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims *claims, const struct claims *controls,
+                const struct scene *scene, const struct audit_options *opt, struct diag *d) {
+  struct pieces first = {.n = 0}, beside = {.n = 0};
+  struct audit_result nothing;
+  *p = (struct audit_plan){.scene = scene->name};
+  arena_init(&p->arena);
+  audit_result_init(&nothing);
+  bool ok = run_check_selection(m, claims, opt, scene, d), box = scene_is_box(scene);
+  if (ok) pieces_first(&first, claims, scene, opt);
+  ok = ok && pieces_controls(&beside, claims, controls, scene, opt, d);
+  struct planner pl = {.out = p, .opt = opt, .controls = &beside, .box = box};
+  if (ok) {
+    pl.rests = dependences_new(m, claims);
+    pl.judge = (struct judge){.out = &nothing, .model = m, .claims = claims, .scene = scene};
+    p->claim = arena_alloc(&p->arena, (claims->n + 1) * sizeof *p->claim);
+    for (size_t i = 0; i < first.n; i++)
+      if (first.item[i].kind == PIECE_CLAIM) plan_claim(&pl, first.item[i].claim);
+    p->shared = arena_alloc(&p->arena, (2 * first.n + 3) * sizeof *p->shared);
+    plan_shared(&pl, &first);
+    plan_consequences(&pl, &first);
+    add_up(p);
+    dependences_free(pl.rests);
+  }
+  audit_result_clear(&nothing);
+  pieces_clear(&beside);
+  pieces_clear(&first);
+  return ok;
+}
+
+void audit_plan_clear(struct audit_plan *p) {
+  arena_clear(&p->arena);
+}

@@ -1,0 +1,393 @@
+/* The run: what is asked for becomes pieces, pieces become parts of the result.  First the claims and the studies, which
+   need nothing of each other; then, since they speak of verdicts, the consequences of failures and the controls.  Parts are put
+   together in the order of the report, so that the result is the same whoever did them. */
+#include "run.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "consequence.h"
+#include "judge/judge.h"
+#include "record/routes.h"
+#include "route/studies.h"
+#include "skipped.h"
+#include "stickslip/work.h"
+#include "value/orbit_pool.h"
+
+const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};
+
+/* --- What is selected --- */
+
+bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
+  return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;
+}
+
+bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c) {
+  bool asked = s->asked.claims.n == 0 && (s->asked.values.n == 0 || opt->n_only > 0);
+  for (size_t i = 0; i < s->asked.claims.n; i++) asked = asked || claim_asked_for(c, s->asked.claims.item[i]);
+  return asked && claims_selects(opt, c);
+}
+
+bool run_check_selection(const struct model *m, const struct claims *claims, const struct audit_options *opt,
+                         const struct scene *s, struct diag *d) {
+  if (!claims_check_selection(claims, opt, d) || !scene_check_asked(s, claims, m, d)) return false;
+  bool both = false;
+  for (size_t k = 0; k < claims->n; k++) both = both || run_selects(opt, s, &claims->claim[k]);
+  if (both || opt->n_only == 0 || s->asked.claims.n == 0) return true;
+  diag_set(d, "%s: error: --only names no claim that the scene asks for", s->path);
+  return false;
+}
+
+/* --- Pieces --- */
+
+static struct piece *add_piece(struct pieces *p, enum piece_kind kind, const char *name) {
+  p->item = ss_grow(p->item, p->n, &p->cap, sizeof *p->item);
+  p->item[p->n] = (struct piece){.kind = kind, .name = name};
+  return &p->item[p->n++];
+}
+
+/* The readings are about printed numbers: they are searched when some claim of such a kind is judged. */
+static bool wants_readings(const struct claim *c) {
+  const char *kind = claim_get(c, "kind");
+  return kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
+}
+
+void pieces_first(struct pieces *p, const struct claims *claims, const struct scene *s,
+                  const struct audit_options *opt) {
+  bool readings = false;
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    if (!run_selects(opt, s, c)) continue;
+    readings = readings || wants_readings(c);
+    add_piece(p, PIECE_CLAIM, c->id)->claim = c;
+  }
+  if (run_is_whole(opt, s)) {
+    add_piece(p, PIECE_LONG_RUNS, "long-runs");
+    add_piece(p, PIECE_ROUTES, "routes");
+    add_piece(p, PIECE_TABLES, "tables");
+  }
+  if (opt->readings && readings) add_piece(p, PIECE_READINGS, "readings");
+  if (s->asked.values.n) add_piece(p, PIECE_VALUES, "values");
+}
+
+bool pieces_controls(struct pieces *p, const struct claims *claims, const struct claims *controls,
+                     const struct scene *s, const struct audit_options *opt, struct diag *d) {
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *control = &controls->claim[i];
+    const struct claim *claim = claim_named(claims, record_get(control->record, "claim"));
+    if (!claim) {
+      struct judge nobody = {.d = d};
+      return claim_error(&nobody, control, "claim", "a control names the claim that it damages");
+    }
+    if (!run_selects(opt, s, claim)) continue;
+    struct piece *q = add_piece(p, PIECE_CONTROL, control->id);
+    q->claim = claim;
+    q->control = control;
+  }
+  return true;
+}
+
+/* Failures about one equation are a piece together, since claims are judged again with its text but once. */
+static void pieces_consequences(struct pieces *p, const struct judge *j) {
+  const struct audit_result *out = j->out;
+  for (size_t i = 0; i < out->n_findings; i++) {
+    size_t k = consequence_claim(j, &out->findings[i]);
+    if (k == j->claims->n) continue;
+    const struct claim *c = &j->claims->claim[k];
+    struct piece *q = NULL;
+    for (size_t g = 0; g < p->n && !claim_get(c, "number"); g++)
+      if (!claim_get(p->item[g].claim, "number") && strcmp(claim_own(p->item[g].claim), claim_own(c)) == 0)
+        q = &p->item[g];
+    if (!q) {
+      q = add_piece(p, PIECE_CONSEQUENCE, c->id);
+      q->claim = c;
+      q->at = ss_malloc(out->n_findings * sizeof *q->at);
+    }
+    q->at[q->n_at++] = i;
+  }
+}
+
+void pieces_clear(struct pieces *p) {
+  for (size_t i = 0; i < p->n; i++) free(p->item[i].at);
+  free(p->item);
+  *p = (struct pieces){.n = 0};
+}
+
+double piece_cost(const struct piece *p, const struct costs *costs) {
+  enum { UNKNOWN_MS = 5 };
+  const struct cost *c = cost_of(costs, piece_what[p->kind], p->name);
+  return c ? c->ms : UNKNOWN_MS;
+}
+
+/* --- Doing them --- */
+
+struct audit_work {
+  const struct judge *base; /* its cache and pool are those of this process */
+  const struct audit_options *opt;
+  const struct audit_result *findings; /* of the first pieces */
+  const struct pieces *pieces;
+  struct orbit_pool *pool;
+  struct work_raises raises; /* of all pieces */
+};
+
+static bool do_consequence(struct judge *j, const struct piece *p, const struct audit_result *all) {
+  struct audit_result *part = j->out;
+  struct finding *copy = ss_malloc(all->n_findings * sizeof *copy);
+  memcpy(copy, all->findings, all->n_findings * sizeof *copy);
+  part->findings = copy;
+  part->n_findings = all->n_findings;
+  bool ok = judge_consequences(j, p->at, p->n_at);
+  for (size_t i = 0; i < p->n_at; i++) copy[i] = copy[p->at[i]]; /* at[i] >= i */
+  part->n_findings = p->n_at;
+  return ok;
+}
+
+static bool do_control(struct judge *j, const struct piece *p, const struct audit_result *all) {
+  struct audit_result *part = j->out;
+  part->findings = all->findings;
+  part->n_findings = all->n_findings;
+  bool ok = judge_control(j, p->control, p->claim);
+  part->findings = NULL;
+  part->n_findings = 0;
+  return ok;
+}
+
+static void do_tables(struct judge *j) {
+  const char *why = study_tables(j);
+  if (why) audit_leave_out(j->out, "pictures of the orbit", why);
+}
+
+static void do_readings(struct judge *j) {
+  const char *why = audit_readings(j->out, j->model, j->scene);
+  if (why) audit_leave_out(j->out, "readings of the printed numbers", why);
+}
+
+static bool do_piece(struct audit_result *part, size_t i, void *arg, struct diag *d) {
+  struct audit_work *r = arg;
+  const struct piece *p = &r->pieces->item[i];
+  struct judge j = *r->base;
+  bool ok = true;
+  j.out = part;
+  j.d = d;
+  j.pool = r->pool;
+  part->scene = r->findings->scene;
+  switch (p->kind) {
+  case PIECE_CLAIM:
+    ok = judge_claim(&j, p->claim);
+    break;
+  case PIECE_CONSEQUENCE:
+    ok = do_consequence(&j, p, r->findings);
+    break;
+  case PIECE_CONTROL:
+    ok = do_control(&j, p, r->findings);
+    break;
+  case PIECE_LONG_RUNS:
+    study_long_runs(&j);
+    break;
+  case PIECE_ROUTES:
+    ok = study_routes(&j);
+    break;
+  case PIECE_TABLES:
+    do_tables(&j);
+    break;
+  case PIECE_READINGS:
+    do_readings(&j);
+    break;
+  case PIECE_VALUES:
+    ok = values_asked(&j);
+    break;
+  }
+  r->pool = j.pool;
+  if (r->opt->ended) r->opt->ended(r->opt->arg, piece_what[p->kind], p->name, work_units());
+  return ok;
+}
+
+/* --- Putting the parts together --- */
+
+/* A claim that ran out of its budget is undecided, and so is what a failure does; a control was not tried. */
+static void note_exhausted(struct audit_result *out, struct audit_work *r, const struct piece *p) {
+  struct judge j = *r->base;
+  struct diag d;
+  diag_init(&d);
+  j.out = out;
+  j.d = &d;
+  const char *why = result_str(out, "the budget of %llu units of work ran out", j.scene->asked.budget);
+  struct finding f;
+  if (p->kind != PIECE_CLAIM) {
+    audit_leave_out(out, result_str(out, "%s %s", piece_what[p->kind], p->name), why);
+  } else if (finding_describe(&f, &j, p->claim)) {
+    f.recorded = N_VERDICTS; /* the record knows of no budget */
+    finding_state(&f, out, "none", layer_name[LAYER_CORRECTED], -1, 0, NULL,
+                  result_str(out, "budget of %llu exhausted", j.scene->asked.budget));
+    out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
+    out->findings[out->n_findings++] = f;
+  }
+}
+
+/* The consequences have completed the findings that they are about. */
+static void take_consequence(struct audit_result *out, const struct piece *p, const struct task_result *t) {
+  struct audit_result part = t->part;
+  for (size_t i = 0; i < part.n_findings; i++) out->findings[p->at[i]] = part.findings[i];
+  part.n_findings = 0;
+  result_append(out, &part);
+}
+
+static bool take(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
+                 const struct task_result *t, enum piece_kind from, enum piece_kind to, struct diag *d) {
+  for (size_t i = 0; i < pieces->n; i++) {
+    const struct piece *p = &pieces->item[i];
+    if (p->kind < from || p->kind > to) continue;
+    if (t[i].end == TASK_FAILED) {
+      diag_again(d, t[i].error);
+      return false;
+    }
+    if (t[i].end == TASK_EXHAUSTED)
+      note_exhausted(out, r, p);
+    else if (p->kind == PIECE_CONSEQUENCE)
+      take_consequence(out, p, &t[i]);
+    else
+      result_append(out, &t[i].part);
+  }
+  return true;
+}
+
+struct teller {
+  const struct audit_options *opt;
+  size_t total, before;
+  double from, weight; /* of the whole cost: done before, and that of these tasks */
+};
+
+static void tell_share(void *arg, size_t done, double share) {
+  const struct teller *t = arg;
+  t->opt->progress(t->opt->arg, t->before + done, t->total, t->from + t->weight * share);
+}
+
+/* What came after the claims on other runs: what is known of controls, and a fifth of the rest for consequences. */
+static double expected(const struct pieces *p, const struct costs *costs) {
+  double ms = 0;
+  for (size_t i = 0; i < p->n; i++) ms += piece_cost(&p->item[i], costs);
+  return ms;
+}
+
+static struct task_result *do_pieces(struct audit_result *out, struct audit_work *r, const struct pieces *pieces,
+                                     struct teller *teller, unsigned *touched) {
+  double *cost = ss_malloc(pieces->n * sizeof *cost);
+  for (size_t i = 0; i < pieces->n; i++) cost[i] = piece_cost(&pieces->item[i], r->opt->costs);
+  r->pieces = pieces;
+  const struct tasks tasks = {.n = pieces->n,
+                              .run = do_piece,
+                              .arg = r,
+                              .cost = cost,
+                              .jobs = r->opt->jobs,
+                              .budget = r->base->scene->asked.budget,
+                              .seconds_now = r->opt->seconds_now,
+                              .tell = r->opt->progress ? tell_share : NULL,
+                              .teller = teller};
+  struct task_result *t = tasks_run(out, &tasks);
+  for (size_t i = 0; i < pieces->n; i++) {
+    const struct piece *p = &pieces->item[i];
+    *touched |= t[i].touched;
+    for (int k = 0; k < N_WORK_LADDERS; k++) {
+      r->raises.tried[k] += t[i].raises.tried[k];
+      r->raises.enough[k] += t[i].raises.enough[k];
+    }
+    out->spent = ss_grow(out->spent, out->n_spent, &out->cap_spent, sizeof *out->spent);
+    out->spent[out->n_spent++] =
+        (struct piece_spent){piece_what[p->kind], result_str(out, "%s", p->name), t[i].units, 1e3 * t[i].seconds};
+  }
+  free(cost);
+  return t;
+}
+
+static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pieces *first, struct pieces *second,
+                       unsigned *touched, struct diag *d) {
+  double all = expected(first, r->opt->costs), controls = expected(second, r->opt->costs);
+  double share = all > 0 ? all / (1.2 * all + controls) : 1;
+  struct teller teller = {r->opt, first->n + second->n, 0, 0, share};
+  struct task_result *t = do_pieces(out, r, first, &teller, touched), *u = NULL;
+  bool ok = take(out, r, first, t, PIECE_CLAIM, PIECE_CLAIM, d);
+  for (size_t i = 0; ok && i < first->n; i++) {
+    ok = t[i].end != TASK_FAILED;
+    if (!ok) diag_again(d, t[i].error);
+  }
+  if (ok) {
+    struct pieces both = {.n = 0};
+    struct judge j = *r->base;
+    j.out = out;
+    pieces_consequences(&both, &j);
+    for (size_t i = 0; i < second->n; i++) {
+      struct piece *q = add_piece(&both, PIECE_CONTROL, second->item[i].name);
+      q->claim = second->item[i].claim;
+      q->control = second->item[i].control;
+    }
+    teller = (struct teller){r->opt, first->n + both.n, first->n, share, 1 - share};
+    u = do_pieces(out, r, &both, &teller, touched);
+    ok = take(out, r, &both, u, PIECE_CONSEQUENCE, PIECE_CONTROL, d);
+    pieces_clear(&both);
+  }
+  ok = ok && take(out, r, first, t, PIECE_LONG_RUNS, PIECE_VALUES, d);
+  free(u);
+  free(t);
+  return ok;
+}
+
+static void add_raises(struct audit_result *out, const struct work_raises *r) {
+  for (int k = 0; k < N_WORK_LADDERS; k++) {
+    if (!r->tried[k]) continue;
+    out->precision = ss_grow(out->precision, out->n_precision, &out->cap_precision, sizeof *out->precision);
+    out->precision[out->n_precision++] = (struct precision_use){work_ladder_name[k], r->tried[k], r->enough[k]};
+  }
+}
+
+/* What the claims see of a box of parameters: no parameters and no printed numbers, so that each says that it is about one
+   set of them, or does with random points. */
+static struct scene without_data(const struct scene *s) {
+  struct scene bare = *s;
+  for (int k = 0; k < N_KEYS; k++) bare.given[k] = false;
+  bare.n_printed = 0;
+  return bare;
+}
+
+static void name_subject(struct audit_result *out, const struct model *m, const struct scene *scene) {
+  struct text subject;
+  text_init(&subject);
+  audit_fingerprint(&subject, m, scene);
+  out->subject = result_str(out, "%s", text_str(&subject));
+  out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
+  text_clear(&subject);
+}
+
+bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
+               const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
+               struct diag *d) {
+  if (!run_check_selection(m, claims, opt, scene, d)) return false;
+  name_subject(out, m, scene);
+  struct scene bare = without_data(scene);
+  if (scene_is_box(scene)) scene = &bare;
+  struct dependences *rests = dependences_new(m, claims);
+  struct judge base = {.model = m,
+                       .claims = claims,
+                       .dependences = rests,
+                       .scene = scene,
+                       .cache = orbit_cache_new(),
+                       .out = out,
+                       .d = d};
+  struct audit_work r = {.base = &base, .opt = opt, .findings = out};
+  struct pieces first = {.n = 0}, second = {.n = 0};
+  unsigned touched = 0;
+  out->scene = result_str(out, "%s", scene->name);
+  out->title = scene->title ? result_str(out, "%s", scene->title) : NULL;
+  out->jobs = opt->jobs > 1 ? opt->jobs : 1;
+  routes_describe(out);
+  pieces_first(&first, claims, scene, opt);
+  bool ok =
+      pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
+  if (ok) add_raises(out, &r.raises);
+  if (ok) skipped_describe(out, claims, controls, scene, opt, &first, &second, touched);
+  pieces_clear(&second);
+  pieces_clear(&first);
+  orbit_pool_free(r.pool);
+  orbit_cache_free(base.cache);
+  dependences_free(rests);
+  return ok;
+}

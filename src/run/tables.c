@@ -1,0 +1,49 @@
+/* The tables behind the pictures: which there are, and how their numbers are printed. */
+#include "tables.h"
+
+#include "judge/judge.h"
+
+/* NULL, or why there is nothing to be drawn. */
+static const char *source_init(struct table_source *s, struct judge *j, struct point *p) {
+  *s = (struct table_source){.j = j, .point = p};
+  num_vec_init(&s->params, N_PARAMS, num_ctx_arb(FIRST_PREC));
+  if (scene_is_box(j->scene)) return "the scene gives intervals";
+  if (!nearest_orbit_point(p, j->scene, j->cache)) return "the scene has no orbit";
+  s->list = scene_orbits(j->scene, j->cache);
+  s->orbit = &s->list->orbit[p->orbit];
+  if (s->orbit->grazing) return "two events of the orbit coincide, or one is double";
+  if (scene_numbers(&s->params, j) != SS_OK) return "its parameters cannot be enclosed";
+  const struct printed_number *z10 = scene_printed(j->scene, "z10"), *z20 = scene_printed(j->scene, "z20");
+  if (z10 && z20) {
+    s->printed[0] = z10;
+    s->printed[1] = z20;
+  }
+  return NULL;
+}
+
+const char *study_tables(struct judge *j) {
+  struct table_source s;
+  struct point p;
+  point_init(&p);
+  const char *why = source_init(&s, j, &p);
+  if (!why) {
+    tables_of_motion(&s);
+    table_of_return_map(&s);
+    table_of_long_runs(&s);
+    table_of_differences(&s);
+  }
+  num_vec_clear(&s.params);
+  point_clear(&p);
+  return why;
+}
+
+const char *audit_tables(struct audit_result *out, const struct scene *scene) {
+  struct diag d;
+  diag_init(&d);
+  struct judge j = {.out = out, .scene = scene, .cache = orbit_cache_new(), .d = &d};
+  out->scene = result_str(out, "%s", scene->name);
+  out->title = result_str(out, "%s", scene->title);
+  const char *why = study_tables(&j);
+  orbit_cache_free(j.cache);
+  return why;
+}

@@ -1,0 +1,41 @@
+/* Tables of numbers that pictures are drawn from: one text for each, tab-separated, with a heading in comment lines.
+
+   Every number is printed to fixed few decimals of an enclosure, or of a number that MPFR rounds the same way on every
+   machine, so that a table is the same bytes everywhere. */
+#ifndef STICKSLIP_AUDIT_TABLES_H
+#define STICKSLIP_AUDIT_TABLES_H
+
+#include "judge/behaviour.h"
+
+/* What a table is made from. */
+struct table_source {
+  struct judge *j;
+  const struct point *point;               /* the orbit below */
+  const struct dyn_orbits *list;           /* the scene's orbits, at least one */
+  const struct dyn_orbit *orbit;           /* nearest to the printed numbers */
+  const struct printed_number *printed[2]; /* z10, z20; NULL both where the scene prints no start */
+  struct num_vec params;                   /* enclosed; where e1 and e2 are not given, those of the orbit */
+};
+
+/* The tables of the scene, into out->tables; NULL, or why there are none. */
+const char *study_tables(struct judge *j);
+
+/* Appends a tab, and x to so many decimals; "-" where they are not known. */
+void table_number(struct text *out, const arb_t x, int decimals);
+/* Adds a table to the result. */
+void table_finish(struct table_source *s, const char *name, const struct text *body);
+
+/* From what dyn_return_near returned at r to the next period: r becomes its middle, so that enclosures do not grow by
+   themselves, and error, how far that may be from the true iterate, by little more than the slope; false once that could be seen. */
+bool table_go_on(arb_t r, mag_t error, const struct num_vec *returned);
+
+/* figure-3.tsv, figure-4.tsv, margins.tsv: along the orbit, and from the printed start. */
+void tables_of_motion(struct table_source *s);
+/* return-map.tsv: the map, its fixed points, and the iterates of the printed start. */
+void table_of_return_map(struct table_source *s);
+/* long-run.tsv: how far from an orbit, period by period. */
+void table_of_long_runs(struct table_source *s);
+/* differences.tsv: the error of tr J by central differences against their step. */
+void table_of_differences(struct table_source *s);
+
+#endif

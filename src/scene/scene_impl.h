@@ -1,0 +1,43 @@
+/* What the files that read scenes share. */
+#ifndef STICKSLIP_AUDIT_SCENE_IMPL_H
+#define STICKSLIP_AUDIT_SCENE_IMPL_H
+
+#include "stickslip/expr.h"
+#include "stickslip/scene.h"
+
+/* A constant expression under evaluation.  symbol gives the value of a name, or reports why it has none; NULL where names
+   have no place.  depth and work are shared by expressions that refer to each other. */
+struct constant {
+  const struct source *src;
+  struct diag *d;
+  int *depth;
+  size_t *work;
+  bool (*symbol)(fmpq_t z, void *arg, const struct constant *c, const struct expr *e);
+  void *arg;
+};
+bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e);
+/* Reports at the expression; false. */
+bool constant_complain(const struct constant *c, const struct expr *e, const char *what);
+
+static inline bool scene_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\n';
+}
+
+/* name, file, command, folder and path. */
+void scene_set_names(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o);
+
+/* A line of a scene, from its file or an override. */
+struct scene_line {
+  enum scene_key key;
+  const struct source *src;
+  struct span value;
+  const char *text; /* the value with its lines joined */
+};
+/* ask, values, routes, digits and budget. */
+bool scene_read_asked(struct scene_asked *a, const struct scene_line *l, struct diag *d);
+void scene_asked_clear(struct scene_asked *a);
+/* An item of the list of values as a tree: a name, a function of an argument, an entry of one of them, a trace or a
+   determinant; NULL with d set. */
+const struct expr *scene_quantity(struct arena *a, const struct scene_list *list, size_t i, struct diag *d);
+
+#endif

@@ -1,0 +1,71 @@
+/* What a formula of the stable layer is made of: the records of stable.eq that are met on the way to it, as the look-ups of
+   one elaboration tell, and whether each was proved equal to what it replaces. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "stability.h"
+
+static const struct definition *definition_of(const struct view *v, const struct digits_formula *f) {
+  const struct model *m = v->model;
+  size_t len = strcspn(f->id, "[@");
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (strlen(m->defs[i].name) == len && strncmp(m->defs[i].name, f->id, len) == 0 &&
+        strcmp(m->defs[i].section, f->section) == 0 && view_lookup(v, m->defs[i].name, f->section, NULL) == &m->defs[i])
+      return &m->defs[i];
+  return NULL;
+}
+
+/* Elaborates the formula, so that the model notes what is looked up. */
+static void look_up(const struct view *v, const struct digits_formula *f) {
+  struct elaboration el;
+  struct diag d;
+  struct matrix left, right;
+  diag_init(&d);
+  elaboration_init(&el, *v, NULL, 0);
+  const struct definition *def = definition_of(v, f);
+  const struct statement_record *r = def ? NULL : view_record(v, f->record);
+  if (def) elaborate(&left, &el, def->stmt->sides[0], def->src, def->section, &d);
+  for (int k = 0; r && k < r->n_stmts; k++)
+    for (int i = 0; i + 1 < r->stmts[k]->n_sides; i++)
+      elaborate_sides(&left, &right, &el, r->stmts[k], i, r->src, r->section, &d);
+  elaboration_clear(&el);
+}
+
+/* Of the proofs of a record: none at all, or each of them. */
+static bool has_proofs(bool *all, const struct stable_proofs *p, const struct statement_record *r) {
+  bool any = false;
+  *all = true;
+  for (size_t i = 0; i < p->n; i++) {
+    if (p->item[i].record != r) continue;
+    any = true;
+    *all = *all && !p->item[i].why_not;
+  }
+  return any;
+}
+
+static bool is_used(const struct model *m, size_t record) {
+  bool used = m->use->record[record];
+  for (size_t i = 0; !used && i < m->n_defs; i++)
+    used = m->use->def[i] && m->defs[i].record == m->records[record].record;
+  return used;
+}
+
+bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
+                        const struct digits_formula *f) {
+  struct model noting = *m;
+  struct model_use use = {ss_malloc((m->n_defs + 1) * sizeof *use.def),
+                          ss_malloc((m->n_records + 1) * sizeof *use.record)};
+  memset(use.def, 0, m->n_defs * sizeof *use.def);
+  memset(use.record, 0, m->n_records * sizeof *use.record);
+  noting.use = &use;
+  look_up(&(struct view){.model = &noting, .layer = LAYER_STABLE}, f);
+  bool proved = true, all;
+  for (size_t i = 0; i < m->n_records; i++) {
+    if (m->records[i].rank != RANK_STABLE || !is_used(&noting, i) || !has_proofs(&all, p, &m->records[i])) continue;
+    text_printf(out, "%s%s", out->len ? ", " : "", m->records[i].id);
+    proved = proved && all;
+  }
+  free(use.def);
+  free(use.record);
+  return proved && out->len > 0;
+}

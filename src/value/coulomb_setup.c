@@ -1,0 +1,124 @@
+/* From a scene to the Coulomb simulation: friction, and a start on an orbit or at the printed numbers. */
+#include "coulomb_setup.h"
+#include "printed.h"
+#include <math.h>
+#include <string.h>
+
+enum { SETUP_PREC = 128 };
+
+/* e_i of the scene, at printed numbers the printed one, or else that of the orbit. */
+static double limit_above_sliding(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
+  const fmpq *e = printed || s->given[KEY_E1 + i] ? scene_number(s, (enum scene_key)(KEY_E1 + i)) : NULL;
+  if (e) return fmpq_get_d(e);
+  return o ? num_arb.get_d(i == 0 ? o->e1 : o->e2) : 0;
+}
+
+/* Friction enough for a limit e above sliding and for the orbit, unless NULL: factor max(e_i, u_ri_min). */
+static double own_friction(double factor, double e, int i, const struct dyn_orbit *o) {
+  return factor * fmax(e, o ? num_arb.get_d(i == 0 ? o->u_r1_min : o->u_r2_min) : 0);
+}
+
+static double static_friction(const struct scene *s, int i, const struct dyn_orbit *o, bool printed) {
+  if (s->given[KEY_U_R1 + i]) return fmpq_get_d(&s->value[KEY_U_R1 + i]);
+  return own_friction(OWN_FRICTION, limit_above_sliding(s, i, o, printed), i, o);
+}
+
+/* Friction and the belt: what the orbit needs, or off the orbits, as at printed numbers, the most that any of them
+   needs. */
+static void set_params(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list,
+                       const struct dyn_orbit *o, bool printed) {
+  *sim = (struct coulomb_setup){.own_friction = false};
+  for (int i = 0; i < 2; i++) {
+    double e = limit_above_sliding(s, i, o, printed), u_r = 0;
+    for (slong k = 0; printed && k < list->n; k++) u_r = fmax(u_r, static_friction(s, i, &list->orbit[k], printed));
+    if (!printed || list->n == 0) u_r = static_friction(s, i, o, printed);
+    sim->params[COULOMB_UR1 + i] = u_r;
+    sim->params[COULOMB_US1 + i] = u_r - e;
+    sim->own_friction = sim->own_friction || !s->given[KEY_U_R1 + i];
+  }
+  for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(&s->value[KEY_CHI + i]);
+  sim->period = o ? num_arb.get_d(o->period) : 0;
+  sim->trace = printed || !o ? (double)NAN : num_arb.get_d(o->trace);
+}
+
+int coulomb_setup_on_orbit(struct coulomb_setup *sim, const fmpq params[N_PARAMS], const struct dyn_orbit *o,
+                           double factor) {
+  *sim = (struct coulomb_setup){
+      .own_friction = true, .period = num_arb.get_d(o->period), .trace = num_arb.get_d(o->trace)};
+  for (int i = 0; i < 3; i++) sim->params[COULOMB_CHI + i] = fmpq_get_d(params + P_CHI + i);
+  for (int i = 0; i < 2; i++) {
+    double e = fmpq_get_d(params + P_E1 + i);
+    sim->params[COULOMB_UR1 + i] = own_friction(factor, e, i, o);
+    sim->params[COULOMB_US1 + i] = sim->params[COULOMB_UR1 + i] - e;
+  }
+  return coulomb_start_set_d(sim->start, sim->params, num_arb.get_d(o->z10), num_arb.get_d(o->z20));
+}
+
+/* Friction and start; the orbit is the one asked for, at printed numbers the first, for its bounds and period. */
+static bool setup_from(struct coulomb_setup *sim, const struct scene *s, const struct dyn_orbits *list, slong orbit,
+                       bool printed, struct diag *d) {
+  const struct dyn_orbit *o = orbit < list->n ? &list->orbit[orbit] : NULL;
+  const struct printed_number *z[2] = {scene_printed(s, "z10"), scene_printed(s, "z20")};
+  bool ok = printed ? z[0] && z[1] : o != NULL;
+  if (!ok && printed)
+    diag_set(d, "%s: error: --at printed needs printed z10 and z20", s->path);
+  else if (!ok)
+    diag_set(d, "%s: error: there is no orbit %ld; the scene has %ld", s->path, (long)orbit + 1, (long)list->n);
+  if (!ok) return false;
+  set_params(sim, s, list, o, printed);
+  double z10 = printed ? fmpq_get_d(&z[0]->value) : num_arb.get_d(o->z10);
+  double z20 = printed ? fmpq_get_d(&z[1]->value) : num_arb.get_d(o->z20);
+  ok = coulomb_start_set_d(sim->start, sim->params, z10, z20) == SS_OK;
+  if (!ok) diag_set(d, "%s: error: these parameters cannot be simulated", s->path);
+  return ok;
+}
+
+bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d) {
+  struct dyn_orbits list;
+  audit_orbits(&list, s, SETUP_PREC);
+  if (!printed) audit_orbits_complete(&list, s, SETUP_PREC);
+  bool ok = setup_from(sim, s, &list, orbit, printed, d);
+  dyn_orbits_clear(&list);
+  return ok;
+}
+
+bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d) {
+  struct dyn_orbits list;
+  audit_orbits(&list, s, SETUP_PREC);
+  bool ok = setup_from(sim, s, &list, orbit, false, d);
+  dyn_orbits_clear(&list);
+  return ok;
+}
+
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d) {
+  struct dyn_orbits list;
+  fmpq_t x;
+  bool ok = true;
+  fmpq_init(x);
+  audit_orbits(&list, s, SETUP_PREC);
+  const struct dyn_orbit *o = list.n ? &list.orbit[0] : NULL;
+  if (!o && !scene_has_forces(s)) {
+    diag_set(d, "%s: error: without an orbit the scene must give e1 and e2 to be simulated", s->path);
+    ok = false;
+  }
+  set_params(sim, s, &list, o, true);
+  for (int i = 0; ok && i < N_STATE; i++) {
+    size_t n = strcspn(start, ",");
+    bool last = i + 1 == N_STATE;
+    if ((start[n] == '\0') != last) {
+      diag_set(d, "error: --start takes four constant expressions, x1,x2,v1,v2");
+      ok = false;
+    } else {
+      ok = scene_constant(x, start, n, "--start", d);
+    }
+    sim->start[i] = fmpq_get_d(x);
+    if (ok && !(fabs(sim->start[i]) <= 1e100)) {
+      diag_set(d, "error: --start takes numbers of at most 1e100");
+      ok = false;
+    }
+    start += n + !last;
+  }
+  dyn_orbits_clear(&list);
+  fmpq_clear(x);
+  return ok;
+}

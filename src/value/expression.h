@@ -1,0 +1,33 @@
+/* An expression in the paper's notation, made ready to be evaluated at points. */
+#ifndef STICKSLIP_AUDIT_EXPRESSION_H
+#define STICKSLIP_AUDIT_EXPRESSION_H
+
+#include "stickslip/model.h"
+#include "stickslip/tape.h"
+#include "values.h"
+enum { EXPRESSION_MOST = 16 }; /* entries */
+
+struct expression {
+  struct elaboration el;
+  struct arena arena;
+  struct source src;
+  struct tape tape;
+  int n; /* entries */
+};
+/* false with d set, or when it has too many entries; close it all the same. */
+bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
+                     struct diag *d);
+void expression_close(struct expression *x);
+/* Its entries at a point, enclosed at prec bits. */
+int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,
+                     struct orbit_cache *cache);
+
+/* The entries of an expression at a point, enclosed at prec bits; count of them in *n (at most EXPRESSION_MOST). */
+int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
+                  const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
+
+/* The outputs of a tape at a point, in the context of out; *known is false where a symbol has no value at such a point. */
+int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
+                  struct orbit_cache *cache);
+
+#endif

@@ -1,0 +1,32 @@
+/* Periodic orbits all over the parameter space, drawn once for every claim that searches among them: at exact chi, eta, V,
+   t_b, t_c there are at most two, in closed form, so that thousands of draws cost little. */
+#ifndef STICKSLIP_ORBIT_POOL_H
+#define STICKSLIP_ORBIT_POOL_H
+
+#include "claim/judging.h"
+#include "point.h"
+
+/* What a draw fixes, in this order. */
+enum { DRAW_CHI, DRAW_ETA, DRAW_V, DRAW_TB, DRAW_TC, N_DRAW };
+
+struct pool_item {
+  fmpq q[N_DRAW];
+  struct dyn_orbits list; /* not empty */
+};
+struct orbit_pool {
+  struct pool_item **item;
+  size_t n, cap;
+  long draws, orbits, admissible;
+};
+
+/* The pool of a run, drawn when first asked for; it dies with the run. */
+const struct orbit_pool *orbit_pool_get(struct judge *j);
+void orbit_pool_free(struct orbit_pool *p);
+
+/* One draw with the orbits it has, which may be none. */
+void pool_item_init(struct pool_item *item, const fmpq q[N_DRAW]);
+void pool_item_clear(struct pool_item *item);
+/* The draw as a point, its orbit `index` at hand. */
+void pool_point(struct point *p, const struct pool_item *item, slong index);
+
+#endif

@@ -1,0 +1,201 @@
+/* The orbits of a scene or of a set of parameters, searched once for each precision that is asked for. */
+#include <stdlib.h>
+
+#include "printed.h"
+#include "stickslip/complete.h"
+#include "stickslip/work.h"
+
+/* chi, eta, V and two of e1 ... t_d decide which orbits there are. */
+enum { N_DATA = KEY_TD + 1 };
+
+/* What is given exactly, by scene_key; a value that is not given is not looked at. */
+struct data {
+  const fmpq *value;
+  const bool *given;
+};
+
+/* The two that are given besides chi, eta, V, borrowed; how many there are. */
+static int given_pair(enum dyn_quantity which[2], fmpq value[2], struct data data) {
+  int n = 0;
+  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
+    if (!data.given[k]) continue;
+    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
+    value[n++] = data.value[k]; /* neither changed nor cleared */
+  }
+  return n;
+}
+
+/* A search counts as this: its steps in double precision need not be the same in number everywhere. */
+enum { UNITS_OF_SEARCH = 15000, UNITS_OF_GIVEN = 2000 };
+
+static int find_orbits(struct dyn_orbits *list, struct data data, slong prec) {
+  work_add(data.given[KEY_E1] && data.given[KEY_E2] ? UNITS_OF_SEARCH : UNITS_OF_GIVEN);
+  if (data.given[KEY_E1] && data.given[KEY_E2])
+    return dyn_orbits_find(list, data.value + KEY_CHI, prec, &dyn_limits_default);
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  if (given_pair(which, value, data) < 2) { /* a box of parameters has no orbits of its own */
+    *list = (struct dyn_orbits){.n = 0};
+    return SS_OK;
+  }
+  return dyn_orbits_given(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits);
+}
+
+int audit_orbits(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  return find_orbits(list, (struct data){s->value, s->given}, prec);
+}
+
+static void complete_orbits(struct dyn_orbits *list, struct data data, slong prec) {
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  if (given_pair(which, value, data) < 2) return;
+  dyn_given_complete(list, data.value + KEY_CHI, which, value, prec, &dyn_given_limits, DYN_CELLS);
+}
+
+void audit_orbits_complete(struct dyn_orbits *list, const struct scene *s, slong prec) {
+  complete_orbits(list, (struct data){s->value, s->given}, prec);
+}
+
+/* --- Found once --- */
+
+struct cached {
+  fmpq value[N_DATA];
+  bool given[N_DATA];
+  slong prec;
+  struct dyn_orbits list;
+};
+/* An orbit followed in one number type at one precision. */
+struct followed {
+  const struct dyn_orbit *orbit;
+  int status;
+  struct dyn_arc arc;
+};
+struct orbit_cache {
+  bool completes;
+  struct cached **item;
+  size_t n, cap;
+  struct followed *followed;
+  size_t n_followed, cap_followed;
+  struct orbit_slope *slope;
+  size_t n_slopes, cap_slopes;
+};
+
+struct orbit_cache *orbit_cache_new(void) {
+  struct orbit_cache *c = ss_malloc(sizeof *c);
+  *c = (struct orbit_cache){.n = 0};
+  return c;
+}
+
+void orbit_cache_complete(struct orbit_cache *c) {
+  c->completes = true;
+}
+
+void orbit_cache_free(struct orbit_cache *c) {
+  for (size_t i = 0; i < c->n; i++) {
+    for (int k = 0; k < N_DATA; k++) fmpq_clear(&c->item[i]->value[k]);
+    dyn_orbits_clear(&c->item[i]->list);
+    free(c->item[i]);
+  }
+  for (size_t i = 0; i < c->n_followed; i++) dyn_arc_clear(&c->followed[i].arc);
+  free(c->slope);
+  free(c->followed);
+  free(c->item);
+  free(c);
+}
+
+static bool is_of(const struct cached *e, struct data data) {
+  for (int k = 0; k < N_DATA; k++) {
+    if (e->given[k] != data.given[k]) return false;
+    if (e->given[k] && !fmpq_equal(&e->value[k], &data.value[k])) return false;
+  }
+  return true;
+}
+
+static const struct dyn_orbits *cached_orbits(struct orbit_cache *c, struct data data, slong prec) {
+  for (size_t i = 0; i < c->n; i++)
+    if (c->item[i]->prec == prec && is_of(c->item[i], data)) return &c->item[i]->list;
+  c->item = ss_grow(c->item, c->n, &c->cap, sizeof *c->item);
+  struct cached *e = ss_malloc(sizeof *e);
+  c->item[c->n++] = e;
+  e->prec = prec;
+  for (int k = 0; k < N_DATA; k++) {
+    fmpq_init(&e->value[k]);
+    e->given[k] = data.given[k];
+    if (e->given[k]) fmpq_set(&e->value[k], &data.value[k]);
+  }
+  find_orbits(&e->list, data, prec);
+  if (c->completes) complete_orbits(&e->list, data, prec);
+  return &e->list;
+}
+
+const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec) {
+  static const bool forces[N_DATA] = {true, true, true, true, true};
+  return cached_orbits(c, (struct data){params, forces}, prec);
+}
+
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec) {
+  static const bool times[N_DATA] = {
+      [KEY_CHI] = true, [KEY_ETA] = true, [KEY_V] = true, [KEY_TB] = true, [KEY_TC] = true};
+  const fmpq value[N_DATA] = {[KEY_CHI] = q[Q_CHI],
+                              [KEY_ETA] = q[Q_ETA],
+                              [KEY_V] = q[Q_V],
+                              [KEY_TB] = q[Q_TB],
+                              [KEY_TC] = q[Q_TC]}; /* borrowed */
+  return cached_orbits(c, (struct data){value, times}, prec);
+}
+
+/* One enclosure serves every precision up to FD_PREC, so that an orbit is searched once. */
+static slong orbit_prec(slong prec) {
+  return (prec > FD_PREC ? prec : FD_PREC) + 64;
+}
+
+const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec) {
+  work_touch(p->scene ? WORK_SCENE_ORBITS : WORK_OTHER_ORBITS);
+  if (p->kind == POINT_GIVEN) return orbit_cache_given(c, p->q, orbit_prec(prec));
+  if (!p->scene) return orbit_cache_get(c, p->q, orbit_prec(prec));
+  return cached_orbits(c, (struct data){p->scene->value, p->scene->given}, orbit_prec(prec));
+}
+
+const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache) {
+  work_touch(WORK_SCENE_ORBITS);
+  return cached_orbits(cache, (struct data){s->value, s->given}, orbit_prec(FIRST_PREC));
+}
+
+static const struct followed *find_followed(const struct orbit_cache *c, const struct dyn_orbit *o,
+                                            struct num_ctx ctx) {
+  for (size_t i = 0; i < c->n_followed; i++) {
+    const struct followed *f = &c->followed[i];
+    if (f->orbit == o && f->arc.t.ctx.type == ctx.type && f->arc.t.ctx.prec == ctx.prec) return f;
+  }
+  return NULL;
+}
+
+/* Many claims are tried on the same orbits. */
+int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params) {
+  struct num_ctx ctx = params->ctx;
+  const struct followed *known = find_followed(c, o, ctx);
+  if (!known) {
+    struct num_vec z;
+    num_vec_init(&z, 2, ctx);
+    c->followed = ss_grow(c->followed, c->n_followed, &c->cap_followed, sizeof *c->followed);
+    struct followed *f = &c->followed[c->n_followed++];
+    f->orbit = o;
+    dyn_arc_init(&f->arc, ctx);
+    f->status = ctx.type->set_arb(num_vec_at(&z, 0), o->z10, ctx.prec);
+    f->status |= ctx.type->set_arb(num_vec_at(&z, 1), o->z20, ctx.prec);
+    f->status |= dyn_arc_run(&f->arc, params, num_vec_at(&z, 0), num_vec_at(&z, 1), o->guess);
+    num_vec_clear(&z);
+    known = f;
+  }
+  num_vec_set(&arc->t, &known->arc.t);
+  num_vec_set(&arc->z, &known->arc.z);
+  return known->status;
+}
+
+struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o) {
+  for (size_t i = 0; i < c->n_slopes; i++)
+    if (c->slope[i].orbit == o) return &c->slope[i];
+  c->slope = ss_grow(c->slope, c->n_slopes, &c->cap_slopes, sizeof *c->slope);
+  c->slope[c->n_slopes] = (struct orbit_slope){.orbit = o};
+  return &c->slope[c->n_slopes++];
+}

@@ -1,0 +1,181 @@
+/* Printed numbers as brackets, the points they stand for, and the orbit they are nearest to.
+   A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit of the last digit wide. */
+#include "printed.h"
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+const char *const reading_name[N_READINGS] = {"rounded", "truncated"};
+
+/* The ends of the bracket of a decimal under a reading. */
+static void bracket(arb_t lo, arb_t hi, const struct printed_number *p, enum reading how) {
+  fmpq_t below, above; /* distances of the ends from the printed value, in units */
+  fmpq_init(below);
+  fmpq_init(above);
+  bool negative = p->decimal[0] == '-';
+  fmpq_set_si(below, how == READ_ROUNDED ? 1 : negative ? 2 : 0, 2);
+  fmpq_set_si(above, how == READ_ROUNDED ? 1 : negative ? 0 : 2, 2);
+  fmpq_mul(below, below, &p->unit);
+  fmpq_mul(above, above, &p->unit);
+  fmpq_sub(below, &p->value, below);
+  fmpq_add(above, &p->value, above);
+  arb_set_fmpq(lo, below, LAST_PREC);
+  arb_set_fmpq(hi, above, LAST_PREC);
+  fmpq_clear(above);
+  fmpq_clear(below);
+}
+
+static truth in_bracket(const arb_t x, const struct printed_number *p, enum reading how) {
+  arb_t lo, hi;
+  arb_init(lo);
+  arb_init(hi);
+  bracket(lo, hi, p, how);
+  truth t = TRUTH_UNKNOWN;
+  if (arb_ge(x, lo) && arb_le(x, hi))
+    t = TRUTH_TRUE;
+  else if (arb_lt(x, lo) || arb_gt(x, hi))
+    t = TRUTH_FALSE;
+  arb_clear(hi);
+  arb_clear(lo);
+  return t;
+}
+
+/* TRUE under some reading, FALSE under none; *how is the reading. */
+truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how) {
+  truth t = TRUTH_FALSE;
+  for (int r = 0; r < N_READINGS && t != TRUTH_TRUE; r++) {
+    t = truth_or(t, in_bracket(x, p, (enum reading)r));
+    *how = (enum reading)r;
+  }
+  return t;
+}
+
+/* A ball over both readings of a printed decimal. */
+void printed_ball(arb_t x, const struct printed_number *p) {
+  arb_t lo, hi;
+  arb_init(lo);
+  arb_init(hi);
+  arb_zero(x);
+  for (int r = 0; r < N_READINGS; r++) {
+    bracket(lo, hi, p, (enum reading)r);
+    arb_union(lo, lo, hi, LAST_PREC);
+    if (r == 0)
+      arb_set(x, lo);
+    else
+      arb_union(x, x, lo, LAST_PREC);
+  }
+  arb_clear(hi);
+  arb_clear(lo);
+}
+
+/* A control moves the printed decimal by some units of its last digit. */
+bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c) {
+  const char *shift = claim_get(c, "shift");
+  if (!shift || !*p) return false;
+  fmpq_init(&own->value);
+  fmpq_init(&own->unit);
+  own->name = (*p)->name;
+  own->decimal = (*p)->decimal;
+  fmpq_set(&own->unit, &(*p)->unit);
+  fmpq_set_si(&own->value, strtol(shift, NULL, 10), 1);
+  fmpq_mul(&own->value, &own->value, &own->unit);
+  fmpq_add(&own->value, &own->value, &(*p)->value);
+  *p = own;
+  return true;
+}
+
+const fmpq *scene_number(const struct scene *s, enum scene_key key) {
+  if (s->given[key]) return &s->value[key];
+  const struct printed_number *p = scene_printed(s, scene_key_name[key]);
+  return p ? &p->value : NULL;
+}
+
+bool printed_point(struct point *out, const struct scene *s) {
+  static const char *const start[] = {"z10", "z20"};
+  static const int q[] = {Q_CHI, Q_ETA, Q_V, Q_E1, Q_E2, Q_TA, Q_TB, Q_TC, Q_TD}; /* by scene_key */
+  out->kind = POINT_PRINTED;
+  for (int k = KEY_CHI; k <= KEY_TD; k++) {
+    const fmpq *x = scene_number(s, (enum scene_key)k);
+    if (!x) return false;
+    fmpq_set(&out->q[q[k]], x);
+  }
+  for (int i = 0; i < 2; i++) {
+    const struct printed_number *p = scene_printed(s, start[i]);
+    if (!p) return false;
+    fmpq_set(&out->q[Q_Z1 + i], &p->value);
+  }
+  return true;
+}
+
+/* Relative squared distance of an orbit from the printed numbers. */
+static double distance(const struct dyn_orbit *o, const struct scene *s) {
+  const struct {
+    const char *name;
+    arb_srcptr value;
+  } of[] = {{"z10", o->z10}, {"z20", o->z20}, {"t_a", o->t[0]}, {"t_b", o->t[1]}, {"t_c", o->t[2]}, {"t_d", o->t[3]}};
+  double sum = 0;
+  for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
+    const struct printed_number *p = scene_printed(s, of[i].name);
+    if (!p) continue;
+    double want = fmpq_get_d(&p->value), unit = fmpq_get_d(&p->unit);
+    double rel = (num_arb.get_d(of[i].value) - want) / fmax(fabs(want), unit);
+    sum += rel * rel;
+  }
+  return sum;
+}
+
+bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache) {
+  const struct dyn_orbits *list = scene_orbits(s, cache);
+  out->kind = POINT_ORBIT;
+  out->scene = s;
+  for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
+  double best = INFINITY;
+  for (slong i = 0; i < list->n; i++) {
+    double dist = distance(&list->orbit[i], s);
+    if (dist < best) {
+      best = dist;
+      out->orbit = i;
+    }
+  }
+  return list->n > 0;
+}
+
+const char *scene_lacks_forces(const struct scene *s) {
+  return scene_is_box(s) ? "the scene gives intervals" : "the scene does not give e1 and e2";
+}
+
+void finding_skip(struct finding *f, struct judge *j, const char *why) {
+  f->verdict = VERDICT_SKIPPED;
+  if (scene_is_box(j->scene)) { /* of which no record speaks */
+    why = "the scene gives intervals, and this is about one set of parameters";
+    f->recorded = N_VERDICTS;
+  }
+  f->condition = result_str(j->out, "%s", why);
+}
+
+const char *ball_text(struct judge *j, const arb_t x, slong n) {
+  struct text t;
+  text_init(&t);
+  if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
+  const char *s = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return s;
+}
+
+int scene_numbers(struct num_vec *params, struct judge *j) {
+  const struct num_type *t = params->ctx.type;
+  struct point p;
+  int s = SS_OK;
+  for (int k = 0; k < N_PARAMS; k++) s |= t->set_q(num_vec_at(params, k), &j->scene->value[k], params->ctx.prec);
+  if (scene_has_forces(j->scene)) return s;
+  point_init(&p);
+  if (nearest_orbit_point(&p, j->scene, j->cache)) {
+    const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
+    if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
+    if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
+  } else {
+    s |= SS_DOMAIN;
+  }
+  point_clear(&p);
+  return s;
+}

@@ -1,0 +1,348 @@
+/* Two sides of a sentence, evaluated on a tape at a point and compared.  The paper's side comes from its formulas; the
+   other side is the paper's too (an equation) or the model's (an oracle).  In balls a difference is a certificate: the
+   two enclosures are disjoint at exact parameters. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sentence.h"
+#include "stickslip/work.h"
+
+/* --- Building --- */
+
+static bool finish(struct sentence *s, const struct expr **e, slong n, struct diag *d) {
+  return elaboration_tape(&s->tape, &s->el, e, n, d);
+}
+
+/* The mistake is the formula's, so the diagnostic points at its definition. */
+static void wrong_shape(const struct view *v, const char *value, const char *section, const struct matrix *m,
+                        const struct oracle *o, struct diag *d) {
+  char name[32];
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
+  const struct definition *def = view_lookup(v, name, section, d);
+  if (def)
+    diag_at(d, def->src, def->stmt->span.begin, "%s is %dx%d where the model has a %dx%d matrix", value, m->rows,
+            m->cols, oracle_rows(o), oracle_cols(o));
+}
+
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
+                         const struct override *overrides, int n_overrides, struct diag *d) {
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, overrides, n_overrides);
+  s->oracle = oracle_find(value);
+  if (!s->oracle) abort(); /* the callers look first */
+  struct source src;
+  source_from_string(&src, value, value);
+  struct arena a;
+  arena_init(&a);
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
+  struct matrix m;
+  bool ok = e && elaborate(&m, &s->el, e, &src, section, d);
+  if (ok && (m.rows != oracle_rows(s->oracle) || m.cols != oracle_cols(s->oracle))) {
+    wrong_shape(&v, value, section, &m, s->oracle, d);
+    ok = false;
+  }
+  if (ok) {
+    s->n = m.rows * m.cols;
+    s->cols = m.cols;
+    s->ops = ss_malloc((size_t)s->n * sizeof *s->ops);
+    for (slong i = 0; i < s->n; i++) s->ops[i] = REL_EQ;
+    ok = finish(s, m.e, s->n, d);
+  }
+  arena_clear(&a);
+  source_clear(&src);
+  return ok;
+}
+
+/* All steps of the record's relations, entry by entry. */
+static bool collect(const struct expr ***lhs, const struct expr ***rhs, slong *n, struct sentence *s,
+                    const struct statement_record *r, struct diag *d) {
+  size_t cap_l = 0, cap_r = 0, cap_o = 0;
+  for (int k = 0; k < r->n_stmts; k++) {
+    const struct stmt *st = r->stmts[k];
+    for (int i = 0; st->kind == STMT_RELATION && i + 1 < st->n_sides; i++) {
+      struct matrix a, b;
+      if (!elaborate_sides(&a, &b, &s->el, st, i, r->src, r->section, d)) return false;
+      s->cols = a.cols;
+      for (int e = 0; e < a.rows * a.cols; e++) {
+        *lhs = ss_grow(*lhs, (size_t)*n, &cap_l, sizeof **lhs);
+        *rhs = ss_grow(*rhs, (size_t)*n, &cap_r, sizeof **rhs);
+        s->ops = ss_grow(s->ops, (size_t)*n, &cap_o, sizeof *s->ops);
+        s->ops[*n] = st->ops[i];
+        (*lhs)[*n] = a.e[e];
+        (*rhs)[(*n)++] = b.e[e];
+      }
+    }
+  }
+  return *n > 0;
+}
+
+bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
+                             const struct override *overrides, int n_overrides, struct diag *d) {
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, overrides, n_overrides);
+  const struct expr **lhs = NULL, **rhs = NULL;
+  bool ok = collect(&lhs, &rhs, &s->n, s, r, d);
+  if (ok) {
+    const struct expr **both = ss_malloc(2 * (size_t)s->n * sizeof *both);
+    memcpy(both, lhs, (size_t)s->n * sizeof *both);
+    memcpy(both + s->n, rhs, (size_t)s->n * sizeof *both);
+    ok = finish(s, both, 2 * s->n, d);
+    free(both);
+  }
+  free(lhs);
+  free(rhs);
+  return ok;
+}
+
+const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
+                                            struct diag *d) {
+  const struct statement_record *r = view_record(&v, id);
+  for (int k = 0; r && k < r->n_stmts; k++)
+    if (r->stmts[k]->kind == STMT_RELATION) return r;
+  diag_at(d, &c->file->src, record_field(c->record, attribute)->value.begin,
+          r ? "%s: record %s has no relation to be judged" : "%s: there is no record %s in the equation files", c->id,
+          id);
+  return NULL;
+}
+
+static bool claim_value_known(const struct claim *c, const char *value, struct diag *d) {
+  if (value && oracle_find(value)) return true;
+  if (value)
+    diag_at(d, &c->file->src, record_field(c->record, "value")->value.begin, "%s: the model has no quantity named %s",
+            c->id, value);
+  else
+    diag_at(d, &c->file->src, c->record->id.begin, "%s: a value or a statement is missing", c->id);
+  return false;
+}
+
+bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
+                         int n_overrides, struct diag *d) {
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  const struct statement_record *r = statement ? claim_record(v, c, "statement", statement, d) : NULL;
+  if (r) return sentence_from_relations(s, v, r, overrides, n_overrides, d);
+  if (!statement && claim_value_known(c, value, d))
+    return sentence_from_value(s, v, value, section ? section : "", overrides, n_overrides, d);
+  *s = (struct sentence){.n = 0};
+  elaboration_init(&s->el, v, NULL, 0);
+  return false;
+}
+
+void sentence_clear(struct sentence *s) {
+  tape_clear(&s->tape);
+  elaboration_clear(&s->el);
+  free(s->ops);
+}
+
+/* --- Evaluating --- */
+
+/* Both sides into lhs and rhs (n each). */
+static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
+  struct num_vec in, out;
+  num_vec_init(&in, s->tape.n_inputs, v->ctx);
+  num_vec_init(&out, s->tape.n_outputs, v->ctx);
+  int status = SS_OK;
+  for (slong i = 0; status == SS_OK && i < s->tape.n_inputs; i++) {
+    bool known;
+    status |= values_bind(num_vec_at(&in, i), &known, v, s->tape.inputs[i]);
+    if (!known) {
+      t->outcome = OUTCOME_UNBOUND;
+      snprintf(t->unbound, sizeof t->unbound, "%s", s->tape.inputs[i]);
+    }
+  }
+  if (status == SS_OK) status |= tape_eval(&out, NULL, &s->tape, &in);
+  for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
+  if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);
+  for (slong i = 0; !s->oracle && i < s->n; i++) v->ctx.type->set(num_vec_at(rhs, i), num_vec_at(&out, s->n + i));
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+  return status;
+}
+
+double log2_upper(const arb_t x) {
+  mag_t m;
+  mag_init(m);
+  arb_get_mag(m, x);
+  double r = mag_is_zero(m) ? -INFINITY : mag_get_d_log2_approx(m);
+  mag_clear(m);
+  return r;
+}
+
+static void describe(char *out, size_t size, const struct num_vec *v, slong i) {
+  arb_t x;
+  arb_init(x);
+  struct text t;
+  text_init(&t);
+  v->ctx.type->get_arb(x, num_vec_at(v, i));
+  if (num_print(&t, x, 10) != SS_OK) num_print_ball(&t, x, 10);
+  snprintf(out, size, "%s", text_str(&t));
+  text_clear(&t);
+  arb_clear(x);
+}
+
+/* The largest entry of either side of an equality, at least 1, as log2. */
+static double log2_scale(const struct sentence *s, const struct num_vec *lhs, const struct num_vec *rhs) {
+  arb_t x;
+  arb_init(x);
+  double best = 0;
+  for (slong i = 0; i < s->n; i++) {
+    if (s->ops[i] != REL_EQ) continue;
+    lhs->ctx.type->get_arb(x, num_vec_at(lhs, i));
+    best = fmax(best, log2_upper(x));
+    rhs->ctx.type->get_arb(x, num_vec_at(rhs, i));
+    best = fmax(best, log2_upper(x));
+  }
+  arb_clear(x);
+  return best;
+}
+
+/* Two sides of one sentence, compared. */
+struct comparison {
+  bool apart; /* some entry is certainly wrong */
+  bool open;  /* some inequality is neither proved nor disproved */
+};
+
+/* The equality with the largest difference relative to the scale; of those certainly wrong, if there are any. */
+static void compare_equalities(struct trial *t, struct comparison *c, const struct sentence *s,
+                               const struct num_vec *lhs, const struct num_vec *rhs) {
+  arb_t a, b, diff;
+  arb_init(a);
+  arb_init(b);
+  arb_init(diff);
+  double scale = log2_scale(s, lhs, rhs);
+  for (slong i = 0; i < s->n; i++) {
+    if (s->ops[i] != REL_EQ) continue;
+    lhs->ctx.type->get_arb(a, num_vec_at(lhs, i));
+    rhs->ctx.type->get_arb(b, num_vec_at(rhs, i));
+    bool disjoint = !arb_overlaps(a, b);
+    arb_sub(diff, a, b, 2 * LAST_PREC);
+    double d = log2_upper(diff) - scale;
+    if (disjoint == c->apart ? d > t->log_diff : disjoint) {
+      t->log_diff = d;
+      t->entry = i;
+    }
+    c->apart = c->apart || disjoint;
+  }
+  arb_clear(diff);
+  arb_clear(b);
+  arb_clear(a);
+}
+
+truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y) {
+  switch (op) {
+  case REL_LT:
+    return type->lt(x, y);
+  case REL_GT:
+    return type->lt(y, x);
+  case REL_LE:
+    return truth_not(type->lt(y, x));
+  case REL_GE:
+    return truth_not(type->lt(x, y));
+  case REL_EQ:
+    break;
+  }
+  return TRUTH_UNKNOWN;
+}
+
+static void compare(struct trial *t, struct comparison *c, const struct sentence *s, const struct num_vec *lhs,
+                    const struct num_vec *rhs) {
+  *c = (struct comparison){false, false};
+  t->log_diff = -INFINITY;
+  t->entry = 0;
+  compare_equalities(t, c, s, lhs, rhs);
+  for (slong i = 0; i < s->n; i++) {
+    if (s->ops[i] == REL_EQ) continue;
+    truth holds = inequality_holds(lhs->ctx.type, s->ops[i], num_vec_at(lhs, i), num_vec_at(rhs, i));
+    if (holds == TRUTH_UNKNOWN) c->open = true;
+    if (holds != TRUTH_FALSE) continue;
+    c->apart = true;
+    t->entry = i;
+  }
+  describe(t->lhs, sizeof t->lhs, lhs, t->entry);
+  describe(t->rhs, sizeof t->rhs, rhs, t->entry);
+}
+
+/* What balls at this precision say. */
+static void decide(struct trial *t, const struct comparison *c, slong prec) {
+  if (c->apart)
+    t->outcome = OUTCOME_DIFFERS;
+  else if (!c->open && t->log_diff < -0.5 * (double)prec)
+    t->outcome = OUTCOME_AGREES;
+}
+
+struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs) {
+  struct trial t = {.outcome = OUTCOME_UNDECIDED, .bits = (long)lhs->ctx.prec};
+  struct comparison c;
+  struct sentence s = {.n = lhs->len, .ops = ss_malloc((size_t)lhs->len * sizeof *s.ops)};
+  for (slong i = 0; i < s.n; i++) s.ops[i] = REL_EQ;
+  compare(&t, &c, &s, lhs, rhs);
+  decide(&t, &c, lhs->ctx.prec);
+  free(s.ops);
+  return t;
+}
+
+static struct trial try_once(struct sentence *s, struct comparison *c, const struct point *p, enum variant variant,
+                             struct num_ctx ctx, struct orbit_cache *cache) {
+  struct trial t = {.outcome = OUTCOME_REJECTED, .bits = (long)ctx.prec};
+  struct values v;
+  *c = (struct comparison){false, false};
+  t.status = values_init(&v, p, variant, ctx, cache);
+  if (t.status == SS_OK) {
+    struct num_vec lhs, rhs;
+    num_vec_init(&lhs, s->n, ctx);
+    num_vec_init(&rhs, s->n, ctx);
+    t.status = evaluate(&lhs, &rhs, &t, s, &v);
+    if (t.status == SS_OK) {
+      t.outcome = OUTCOME_UNDECIDED;
+      compare(&t, c, s, &lhs, &rhs);
+    }
+    num_vec_clear(&rhs);
+    num_vec_clear(&lhs);
+  }
+  values_clear(&v);
+  return t;
+}
+
+int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
+                    enum variant variant, struct orbit_cache *cache) {
+  struct trial t = {.outcome = OUTCOME_REJECTED};
+  struct values v;
+  int status = values_init(&v, p, variant, lhs->ctx, cache);
+  if (status == SS_OK) status = evaluate(lhs, rhs, &t, s, &v);
+  values_clear(&v);
+  return status;
+}
+
+struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
+                                struct orbit_cache *cache) {
+  struct trial t = {.outcome = OUTCOME_REJECTED};
+  for (slong prec = FIRST_PREC; prec <= LAST_PREC; prec *= 2) {
+    struct comparison c;
+    t = try_once(s, &c, p, variant, num_ctx_arb(prec), cache);
+    if (t.outcome == OUTCOME_UNBOUND || (t.outcome == OUTCOME_REJECTED && (t.status & SS_DOMAIN))) return t;
+    if (t.outcome != OUTCOME_UNDECIDED) continue;
+    decide(&t, &c, prec);
+    if (t.outcome != OUTCOME_UNDECIDED) break;
+  }
+  work_precision_raise(LADDER_SIDES, t.bits == FIRST_PREC);
+  return t;
+}
+
+struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enum variant variant, struct num_ctx ctx,
+                                  double log_tol, struct orbit_cache *cache) {
+  struct comparison c;
+  struct trial t = try_once(s, &c, p, variant, ctx, cache);
+  if (t.outcome != OUTCOME_UNDECIDED) return t;
+  bool inequality_fails = c.apart && s->ops[t.entry] != REL_EQ;
+  if (inequality_fails || t.log_diff >= 0.5 * log_tol)
+    t.outcome = OUTCOME_DIFFERS;
+  else if (!c.open && t.log_diff <= log_tol)
+    t.outcome = OUTCOME_AGREES;
+  return t;
+}
+
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry) {
+  if (n == 1) return "";
+  if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
+  return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
+}
