@@ -12,15 +12,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/crew.h"
 #include "judge/judge.h"
 #include "paper_model.h"
 #include "power/mutants.h"
 #include "process.h"
-#include "run/workers.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"
 #include "suites.h"
+#include "value/expression.h"
 #include "value/orbit_pool.h"
 
 static struct model model;
@@ -57,29 +58,23 @@ static unsigned below(unsigned n) {
   return (unsigned)(random_state >> 33) % n;
 }
 
-static void build(struct tape *t, struct elaboration *el, struct arena *a, struct source *src, const char *text) {
+static void build(struct tape *t, struct elaboration *el, const char *text) {
   struct diag d;
   struct matrix m;
   diag_init(&d);
-  source_from_string(src, "test", text);
   elaboration_init(el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  const struct expr *e = expr_parse(a, src, (struct span){0, src->len}, &d);
-  ck_assert_msg(e && elaborate(&m, el, e, src, "appendix_a", &d) && elaboration_tape(t, el, m.e, m.rows * m.cols, &d),
-                "%s", d.message);
+  ck_assert_msg(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d), "%s", d.message);
 }
 
 /* Whether the two texts are proved equal; status: of both evaluations together. */
 static bool proved_equal(const char *x, const char *y, int *status) {
   struct tape t[2];
   struct elaboration el[2];
-  struct source src[2];
-  struct arena a;
   struct exact_vec v[2];
-  arena_init(&a);
   struct exact_field *f = exact_field_new(NULL, 0);
   *status = SS_OK;
   for (int i = 0; i < 2; i++) {
-    build(&t[i], &el[i], &a, &src[i], i ? y : x);
+    build(&t[i], &el[i], i ? y : x);
     *status |= exact_eval(&v[i], f, &t[i]);
   }
   bool equal = *status == SS_OK && v[0].len == v[1].len;
@@ -88,10 +83,8 @@ static bool proved_equal(const char *x, const char *y, int *status) {
     exact_vec_clear(&v[i]);
     tape_clear(&t[i]);
     elaboration_clear(&el[i]);
-    source_clear(&src[i]);
   }
   exact_field_free(f);
-  arena_clear(&a);
   return equal;
 }
 
@@ -315,7 +308,7 @@ START_TEST(work_is_shared_in_order) {
     for (size_t n = 0; n <= 20; n += 5) {
       diag_init(&d);
       memset(a, 0, sizeof a);
-      ck_assert_msg(workers_run(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
+      ck_assert_msg(crew_results(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
       for (size_t i = 0; i < n; i++) ck_assert(a[i].item == i && a[i].twice == 20 + (int)i);
       no_child_is_left();
     }
@@ -323,14 +316,14 @@ START_TEST(work_is_shared_in_order) {
 END_TEST
 
 START_TEST(a_process_that_ends_early_is_noticed) {
-  static work_fn *const bad[] = {die_at_seven, leave_at_seven};
+  static crew_make *const bad[] = {die_at_seven, leave_at_seven};
   struct answer a[20];
   int ten = 10;
   for (int k = 0; k < 2; k++)
     for (int jobs = 1; jobs <= 4; jobs++) {
       struct diag d;
       diag_init(&d);
-      ck_assert(!workers_run(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
+      ck_assert(!crew_results(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
       ck_assert_msg(strstr(d.message, "a worker process ended before its time: "), "%s", d.message);
       no_child_is_left();
     }

@@ -43,11 +43,12 @@ void join_path(struct text *out, const char *folder, const char *name) {
 }
 
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
+  const char *paper = option(o, OPT_PAPER), *overlay = option(o, OPT_OVERLAY);
   struct text path;
   text_init(&path);
   join_path(&path, data, "paper");
-  bool ok = model_add_folder(m, o->paper ? o->paper : text_str(&path), RANK_PAPER, d);
-  ok = ok && (!o->overlay || model_add_file(m, o->overlay, RANK_USER, d));
+  bool ok = model_add_folder(m, paper ? paper : text_str(&path), RANK_PAPER, d);
+  ok = ok && (!overlay || model_add_file(m, overlay, RANK_USER, d));
   join_path(&path, data, "errata.eq");
   ok = ok && model_add_file(m, text_str(&path), RANK_ERRATA, d);
   join_path(&path, data, "stable.eq");

@@ -263,22 +263,22 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
 }
 
 int run_orbit(const struct options *o, const char *data) {
+  const char *method = option(o, OPT_METHOD), *certificate = option(o, OPT_CERTIFICATE);
   enum { ATTEMPTS = 4 };
   slong digits;
-  if (o->basin && o->method) return usage("--basin goes with no %s", "--method");
-  if (o->method && strcmp(o->method, "paper") == 0) {
-    if (o->certificate) return usage("--certificate is of the model's orbits, not of --method %s", o->method);
+  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
+  if (method && strcmp(method, "paper") == 0) {
+    if (certificate) return usage("--certificate is of the model's orbits, not of --method %s", method);
     return run_orbit_paper(o, data);
   }
-  if (o->method && strcmp(o->method, "model") != 0)
-    return usage("--method takes model or paper, not %.200s", o->method);
+  if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!load_scene(&s, o->operand[0], data, o, true, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, true, &d)) {
     scene_clear(&s);
     return bad_input(&d);
   }
@@ -287,17 +287,17 @@ int run_orbit(const struct options *o, const char *data) {
     scene_clear(&s);
     return status;
   }
-  if (o->basin && (scene_is_box(&s) || !scene_has_forces(&s))) {
+  if (option(o, OPT_BASIN) && (scene_is_box(&s) || !scene_has_forces(&s))) {
     diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
-  if (o->certificate && scene_is_box(&s)) {
+  if (certificate && scene_is_box(&s)) {
     diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
-  if (o->certificate && scene_solution_ii(&s)) {
+  if (certificate && scene_solution_ii(&s)) {
     diag_set(&d, "%s: error: --certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C", s.path);
     scene_clear(&s);
     return bad_input(&d);
@@ -327,13 +327,13 @@ int run_orbit(const struct options *o, const char *data) {
     if (scene_solution_ii(&s)) judge_three_phases(&list, proof);
     struct text out;
     text_init(&out);
-    if (o->json)
-      orbits_json(&out, &list, proof, &s, digits, o->basin);
+    if (option(o, OPT_JSON))
+      orbits_json(&out, &list, proof, &s, digits, option(o, OPT_BASIN));
     else
-      orbits_text(&out, &list, proof, &s, digits, o->basin);
-    if (o->certificate && !write_certificate(o->certificate, &s, &list, proof, &d))
+      orbits_text(&out, &list, proof, &s, digits, option(o, OPT_BASIN));
+    if (certificate && !write_certificate(certificate, &s, &list, proof, &d))
       status = bad_input(&d);
-    else if (o->json)
+    else if (option(o, OPT_JSON))
       fputs(text_str(&out), stdout);
     else
       terminal_print(text_str(&out));

@@ -3,13 +3,13 @@
    trig_sum  a motion seen through one switching function: constant, drift and two oscillations
    return_map_double  the one-dimensional return map in double precision, with the modes of phase H worked out once
    search  the zeros of the return map's defect, in double precision
-   calc    formulas over any number type, written as nested calls
    flow    the closed form of each phase, as four 2x2 blocks */
 #ifndef STICKSLIP_DYN_IMPL_H
 #define STICKSLIP_DYN_IMPL_H
 
 #include <stdbool.h>
 
+#include "num/calc.h"
 #include "stickslip/given.h"
 #include "stickslip/warm.h"
 
@@ -104,49 +104,6 @@ struct search {
 };
 int search_run(struct search *s, const double params[N_PARAMS], const struct dyn_limits *lim);
 void search_clear(struct search *s);
-
-/* --- calc.c: every operation gives a new element and gathers its status; elements live until the calc is released to
-   a mark or cleared.  Operands may have another precision (mpfr) than the calc. --- */
-
-typedef const void *val;
-
-struct calc {
-  struct num_ctx ctx;
-  int status;
-  slong used, made, cap; /* elements in use, initialised ones, chunks */
-  size_t stride;         /* from element to element: an mpfr number has its limbs behind it */
-  char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
-};
-void calc_init(struct calc *c, struct num_ctx ctx);
-void calc_clear(struct calc *c);
-slong calc_mark(const struct calc *c);
-void calc_release(struct calc *c, slong mark);
-void *calc_new(struct calc *c);
-val calc_d(struct calc *c, double x);
-val calc_q(struct calc *c, const fmpq *x);
-val calc_two_to(struct calc *c, slong n);
-val calc_neg(struct calc *c, val x);
-val calc_abs(struct calc *c, val x);
-val calc_sqrt(struct calc *c, val x);
-val calc_stumpff(struct calc *c, val x); /* (x - sin x)/x^3 */
-val calc_add(struct calc *c, val x, val y);
-val calc_sub(struct calc *c, val x, val y);
-val calc_mul(struct calc *c, val x, val y);
-val calc_div(struct calc *c, val x, val y);
-val calc_atan2(struct calc *c, val y, val x);
-val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
-/* start + a x + b y, or start + a x - b y; start may be NULL for 0. */
-val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, val y);
-val calc_round(struct calc *c, val x); /* to the calc's precision */
-void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
-bool calc_lt(const struct calc *c, val x, val y); /* surely */
-val calc_div_ui(struct calc *c, val x, ulong n);
-val calc_middle(struct calc *c, val x); /* of a ball, as an exact one; else x */
-/* About log2 |x|, for a ball of its largest point: |x| < 2^(e+1), and 2^(e-2) <= |x|; CALC_TINY of zero, -CALC_TINY of
-   what is not finite. */
-enum { CALC_TINY = -(1 << 28) };
-slong calc_exponent(const struct calc *c, val x);
-val calc_within(struct calc *c, val x, val bound); /* in balls: every point within |bound| of x; else x */
 
 /* --- turn.c --- */
 
@@ -273,9 +230,17 @@ struct word {
 /* Of the model; e1 and e2 are among the quantities and stand for nothing here. */
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model);
 void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]);
-/* One Newton step on x; *settled when it is below 2^-bits. */
-int word_newton(bool *settled, struct num_vec *x, struct calc *c, const struct ball_params *m,
-                const int unknown[WORD_FREE], slong bits);
+/* The equations as a system of num/solve.h in the unknown quantities; self is a struct word_system. */
+struct word_system {
+  struct calc *c;
+  const struct ball_params *m;
+  const int *unknown;
+  slong mark;              /* what lies above it in the calc belongs to one evaluation */
+  val known[N_QUANTITIES]; /* those of the unknown ones are not read */
+};
+int word_values(const void **f, const void **j, const struct num_vec *x, void *self);
+/* Whether each part of a step is at most 2^-bits of all times together, or of both limits. */
+bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits);
 /* Newton's iteration in mpfr from x, the precision doubling up to that of x; the known ones are rounded once. */
 int word_refine(struct num_vec *x, const struct word_data *q);
 
@@ -285,13 +250,7 @@ struct word_root {
 };
 void word_root_init(struct word_root *s);
 void word_root_clear(struct word_root *s);
-/* The rounded inverse y of the derivative at the midpoint, and the Newton step there. */
-int word_precondition(struct num_vec *y, struct num_vec *step, const struct word *w, const int unknown[WORD_FREE]);
-/* One application of Krawczyk's operator to s->box around the points mid: s->x, and whether it lies inside, which proves
-   that the box holds exactly one solution, and s->x it. */
-bool word_krawczyk(struct word_root *s, struct calc *c, const struct ball_params *m, const val mid[WORD_FREE],
-                   const struct num_vec *y, const struct num_vec *step, const int unknown[WORD_FREE]);
-/* Proves one solution near x (of mpfr), on boxes that grow until one is mapped into its interior. */
+/* Proves one solution near x (of mpfr) by Krawczyk's operator. */
 int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q);
 
 /* --- event.c --- */
