@@ -15,7 +15,9 @@ DATADIR  ?= $(PREFIX)/share/stickslip
 COMPDIR  ?= $(PREFIX)/share/bash-completion/completions
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
-STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread -fvisibility=hidden
+# the public headers; what they mark with SS_API is all that the libraries export
+API   = api
 SO    = libstickslip.so.0
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
@@ -50,15 +52,15 @@ PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
-all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
+all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
-$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/libstickslip.a
+$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
-$(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/libstickslip.a
+$(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/internal.a
 	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/%.o: %.c Makefile
@@ -70,18 +72,26 @@ $(B)/stickslip-checker: verify/checker/check.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $< $(ARB) -lflint -lmpfr -lgmp -lm
 
-$(B)/libstickslip.a: $(OBJ)
+# what the program and the tests are linked with
+$(B)/internal.a: $(OBJ)
 	@rm -f $@
 	ar qcs $@ $^
+
+# the static library: one object, in which every name but the public ones is local
+$(B)/libstickslip.a: $(OBJ)
+	@rm -f $@
+	$(CC) -r -nostdlib -o $(B)/libstickslip.o $^
+	objcopy --localize-hidden $(B)/libstickslip.o
+	ar qcs $@ $(B)/libstickslip.o
 
 $(B)/$(SO): $(OBJ)
 	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
 
-$(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
+$(B)/check: $(TOBJ) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)
 
 # a fuzz target on the files of its corpus, and under libFuzzer
-FUZZ_ON = $(B)/tests/fuzz/file.o $(B)/src/cli/options.o $(B)/src/cli/range.o $(B)/libstickslip.a
+FUZZ_ON = $(B)/tests/fuzz/file.o $(B)/src/cli/options.o $(B)/src/cli/range.o $(B)/internal.a
 $(B)/replay-%: $(B)/tests/fuzz/%.o $(B)/tests/fuzz/replay.o $(FUZZ_ON)
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
 

@@ -9,7 +9,7 @@
 #include "stickslip/dynamics.h"
 
 static const char help[] =
-    "stickslip " VERSION ": audits a paper on periodic stick-slip orbits of two masses on a moving belt\n"
+    "stickslip " SS_VERSION ": audits a paper on periodic stick-slip orbits of two masses on a moving belt\n"
     "\n"
     "usage:\n"
     "  stickslip verify [SCENE...] [--only ID[,ID...]] [--paper DIR] [--overlay FILE] [--digits N] [--out DIR]\n"
@@ -250,7 +250,7 @@ int main(int argc, char **argv) {
     return finish(EXIT_AS_RECORDED);
   }
   if (strcmp(argv[1], "--version") == 0) {
-    puts("stickslip " VERSION);
+    puts("stickslip " SS_VERSION);
     return finish(EXIT_AS_RECORDED);
   }
   for (size_t i = 0; i < sizeof commands / sizeof *commands; i++)

@@ -11,7 +11,11 @@ bool expression_open(struct expression *x, struct view view, const char *express
   const struct expr *e = expr_parse(&x->arena, &x->src, (struct span){0, x->src.len}, d);
   bool ok = e && elaborate(&m, &x->el, e, &x->src, section ? section : "", d) && m.rows * m.cols <= EXPRESSION_MOST &&
             elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
-  if (ok) x->n = m.rows * m.cols;
+  x->tree = e;
+  if (ok) {
+    x->rows = m.rows;
+    x->n = m.rows * m.cols;
+  }
   return ok;
 }
 

@@ -11,7 +11,8 @@ struct expression {
   struct arena arena;
   struct source src;
   struct tape tape;
-  int n; /* entries */
+  const struct expr *tree; /* as written */
+  int n, rows;             /* entries, and rows of them */
 };
 /* false with d set, or when it has too many entries; close it all the same. */
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,
