@@ -19,6 +19,7 @@ STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread -fvi
 # the public headers; what they mark with SS_API is all that the libraries export
 API   = api
 SO    = libstickslip.so.0
+VERSION = $(shell sed -n 's/^.define SS_VERSION  *"\(.*\)"/\1/p' $(API)/stickslip/status.h)
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
 # Calcium too (rational functions over Q in several variables)
@@ -28,7 +29,7 @@ CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
 # threads of the batch kernel; without OpenMP it uses one
 OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_threads() < 1;}\n' | $(CC) $(CFLAGS) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
-LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
+LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
 ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
@@ -188,11 +189,13 @@ install: all ## install program, library, headers, man pages, completion and dat
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
-	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
+	install -m 644 $(API)/stickslip.h $(DESTDIR)$(INCDIR)/
+	install -m 644 $(API)/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
 	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
 	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(OPENMP) $(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@VERSION@|$(VERSION)|' tools/stickslip.pc.in \
+	  | sed 's|@PRIVATE@|$(OPENMP) $(CALCIUM) $(ARB) -lflint -lgmp -ldl|' \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 
@@ -200,7 +203,7 @@ uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
 	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1 \
 	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(DESTDIR)$(COMPDIR)/stickslip
-	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(DATADIR)
+	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(INCDIR)/stickslip.h $(DESTDIR)$(DATADIR)
 
 clean: ## remove build/
 	rm -rf $(B)
