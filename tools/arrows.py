@@ -30,6 +30,7 @@ ALLOWED = {
     "result": {"base", "result"},
     "audit": {"base", "num", "expr", "tape", "model", "dynamics", "result", "audit"},
     "report": {"base", "result", "report"},
+    "library": {"base", "num", "expr", "tape", "model", "dynamics", "result", "audit", "report"},
     "bench": {"base", "num", "expr", "tape", "model", "dynamics", "result", "audit", "bench"},
 }
 ROOM = {r: "audit" for r in "scene claim value proof judge route power stability readings run".split()}
