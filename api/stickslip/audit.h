@@ -8,7 +8,8 @@
      refuted      a certificate: exact parameters at which the two sides are disjoint, or a form that cannot be right
      unknown, skipped, definition
 
-   An audit makes processes (fork) when jobs > 1 or the scene has a budget; a program with threads of its own should say 1. */
+   An audit makes processes (fork) when jobs > 1 or the scene has a budget; a program with threads of its own says 1.  One audit
+   runs at a time in a process, a second one waits. */
 #ifndef SS_AUDIT_H
 #define SS_AUDIT_H
 

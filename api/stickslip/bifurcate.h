@@ -16,7 +16,7 @@ extern "C" {
 
 typedef struct ss_changes ss_changes;
 /* The changes while chi, eta, V, e1 or e2 runs from one end to the other ("0.5", "3"), each in a bracket of about one unit of so
-   many significant digits (1 to 1000) of the parameter.  The scene gives e1 and e2.  Seconds.  Not proved complete: a branch
+   many significant digits (1 to 1000) of the parameter.  The scene gives e1 and e2.  About a second.  Not proved complete: a branch
    between two of the 257 values searched at can be missing. */
 SS_API int ss_changes_find(ss_changes **out, const ss_scene *s, const char *parameter, const char *from, const char *to,
                            size_t digits);

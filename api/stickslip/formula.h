@@ -12,7 +12,7 @@
 extern "C" {
 #endif
 
-/* The paper's equations, their corrections, the claims about them and the controls; a second of loading, read only after. */
+/* The paper's equations, their corrections, the claims about them and the controls; milliseconds of loading, read only after. */
 typedef struct ss_paper ss_paper;
 /* data: the data folder, NULL for the usual one. */
 SS_API int ss_paper_open(ss_paper **out, const char *data);

@@ -35,8 +35,8 @@ enum ss_orbit_number {
 SS_API const char *ss_orbit_number_name(int number);
 
 /* Every orbit, by increasing z10, each number known to at least so many significant digits (1 to 100000), each orbit proved as
-   far as that is possible, and the list held against a search that proves itself complete.  Milliseconds for fifteen digits,
-   about a second for ten thousand; up to two seconds more where completeness is hard to tell.  SS_OK with an empty list: there is
+   far as that is possible, and the list held against a search that proves itself complete.  Two milliseconds for fifty
+   digits of the paper's orbits, a tenth of a second for ten thousand; up to two seconds more where completeness is hard to tell.  SS_OK with an empty list: there is
    none, or (ss_orbits_complete) none was found.  SS_UNABLE: a number could not be had to so many digits.  SS_INPUT: the scene
    has an interval or names another word. */
 SS_API int ss_orbits_find(ss_orbits **out, const ss_scene *s, size_t digits);

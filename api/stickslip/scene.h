@@ -26,7 +26,7 @@ typedef struct ss_scene ss_scene;
 
 /* Where the scenes on file, the paper's equations and the claims are, unless a function is told otherwise: $STICKSLIP_DATA; or
    the folder share/stickslip of the installation that the shared library is in; or the one that the library was built for.
-   NULL when there is none. */
+   NULL when there is none.  Looked for once in a process. */
 SS_API const char *ss_data_folder(void);
 /* Tells f the name of each scene on file, in alphabetical order, until it returns 0 (SS_STOPPED).  data: the data folder, NULL
    for the usual one. */

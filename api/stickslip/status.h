@@ -12,9 +12,8 @@
    nothing of what they were made from: a scene may be freed while its orbits are in use.
 
    Threads.  Any number of threads may call the library at a time, each on handles of its own; several may read one handle as
-   long as none changes or frees it.  Exceptions: one audit at a time in a process (audit.h); functions that use GSL (the
-   methods ode, fd-double and eigenvalues of jacobian.h, and simulate.h's integration) put a quiet error handler in the place of
-   GSL's, which is one for the process, while they run.  A thread that has used the library may call ss_cleanup() at its end.
+   long as none changes or frees it.  Audits wait for each other (audit.h), and change GSL's error handler, which is one for the
+   process, while they run.  A thread that has used the library may call ss_cleanup() at its end.
 
    Memory.  When it runs out the process ends with status 5 and a message, since GMP, on which everything stands, knows no other
    end.
@@ -52,7 +51,7 @@ enum ss_status {
       8, /* a file or a text is wrong, or asks for what cannot be had; the error has its place where it has one */
   SS_STOPPED = 16 /* a function of the caller's said so */
 };
-/* A few words for a status, those of its codes joined by "; ". */
+/* A few words for a status. */
 SS_API const char *ss_status_text(int status);
 /* About the last call of this thread that failed: one line, or three with the line of a file and a caret under the place,
    "FILE:LINE:COLUMN: error: ..."; "" when none has.  Valid until the thread's next failure. */

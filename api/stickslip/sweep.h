@@ -30,7 +30,7 @@ typedef struct ss_swept {
 typedef int (*ss_on_orbit)(void *self, const ss_swept *row);
 
 /* Tells f of every orbit at every value in order.  from, to: constant expressions, "0.8", "4/5".  n: 1 (then from = to) to 10^9.
-   every: points from one anchor to the next, 1 to 65536, or 0 for the usual.  About 4 us a point by one thread.
+   every: points from one anchor to the next, 1 to 65536, or 0 for the usual.  About two microseconds a point.
    SS_ARGUMENT: no such parameter, n or every out of range.  SS_INPUT: an end cannot be read or lies outside the domain.
    SS_STOPPED: f said so. */
 SS_API int ss_sweep(const ss_scene *s, const char *parameter, const char *from, const char *to, size_t n, size_t every,

@@ -1,5 +1,6 @@
 /* The paper's files, and formulas over them. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "library.h"
 #include "stickslip/arena.h"
@@ -94,6 +95,16 @@ int ss_formula_latex(char **out, const ss_formula *f) {
   return SS_OK;
 }
 
+/* What else has a value there.  The program's option for it is --at. */
+static bool set_values(struct point *p, const char *values, struct diag *d) {
+  struct diag of_option;
+  diag_init(&of_option);
+  if (point_set(p, values, &of_option)) return true;
+  const char *at = strstr(of_option.message, "--at ");
+  diag_set(d, "error: values %s", at ? at + strlen("--at ") : of_option.message);
+  return false;
+}
+
 /* The place as a point; false with d set. */
 static bool place(struct point *p, const struct scene *s, long at, const char *values, struct orbit_cache *cache,
                   struct diag *d) {
@@ -114,7 +125,7 @@ static bool place(struct point *p, const struct scene *s, long at, const char *v
     p->scene = s;
     p->orbit = at;
   }
-  return !values || point_set(p, values, d);
+  return !values || set_values(p, values, d);
 }
 
 static bool all_known(arb_srcptr x, slong n, slong digits) {
