@@ -3,8 +3,9 @@
 #include <stdlib.h>
 
 #include "bench/jobs.h"
-#include "run/audit_impl.h"
+#include "claim/claim.h"
 #include "stickslip/arena.h"
+#include "value/sentence.h"
 
 enum { DRAWS = 200, SPARE = 64, ATTEMPTS = 4, SETUP_DIGITS = 15 };
 

@@ -8,11 +8,11 @@
 
 #include "paper_model.h"
 #include "proof/condition.h"
-#include "scene/orbit_pool.h"
 #include "scratch.h"
 #include "stickslip/margins.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/orbit_pool.h"
 
 static struct model model;
 static struct scene paper;

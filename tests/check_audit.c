@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge/judge.h"
 #include "paper_model.h"
-#include "run/audit_impl.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"

@@ -11,7 +11,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
-#include "run/audit_impl.h"
+#include "claim/claim.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"

@@ -7,6 +7,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "judge/judge.h"
 #include "laws_num.h"
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
@@ -651,7 +652,7 @@ START_TEST(ranks_of_damaged_equations) {
     for (size_t k = 0; k < claims.n; k++) {
       const struct claim *c = &claims.claim[k];
       const char *own = claim_get(c, "equation");
-      if (claim_kind(claim_get(c, "kind")) != judge_rank || !own || strcmp(own, equation) != 0) continue;
+      if (claim_kind(c) != KIND_RANK || !own || strcmp(own, equation) != 0) continue;
       overlay_set(&o, t, all.mutant[i].edit.stmt);
       struct audit_result out;
       struct finding f;

@@ -11,8 +11,8 @@
 #include <sys/wait.h>
 
 #include "report/html.h"
-#include "run/audit_impl.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "stickslip/report.h"
 #include "suites.h"
 

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "paper_model.h"
-#include "run/audit_impl.h"
+#include "route/jacobian.h"
 #include "scratch.h"
 #include "suites.h"
 

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "suites.h"
+#include "value/values.h"
 
 static struct scene paper;
 static struct orbit_cache *cache;

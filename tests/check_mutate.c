@@ -12,14 +12,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "judge/judge.h"
 #include "power/mutants.h"
 #include "process.h"
 #include "run/workers.h"
-#include "scene/orbit_pool.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"
 #include "suites.h"
+#include "value/orbit_pool.h"
 
 static struct model model;
 static struct claims claims;
@@ -530,7 +531,7 @@ START_TEST(little_effort_proves_what_the_full_one_proves) {
   long proved = 0;
   for (size_t i = 0; i < claims.n; i++) {
     const struct claim *c = &claims.claim[i];
-    if (claim_asked(c) != ASKED_LATE || claim_kind(claim_get(c, "kind")) == judge_scaling) continue;
+    if (claim_asked(c) != ASKED_LATE || claim_kind(c) == KIND_SCALING) continue;
     struct verdicts little = verdicts_of(c, &model, EFFORT_REFUTE, &few, NULL);
     struct verdicts full = verdicts_of(c, &model, EFFORT_FULL, &all, NULL);
     const char *over = claim_get(c, "over");

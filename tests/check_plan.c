@@ -13,16 +13,18 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "claim/claim.h"
 #include "process.h"
-#include "route/routes.h"
+#include "record/finding.h"
+#include "record/routes.h"
 #include "run/tasks.h"
 #include "scratch.h"
+#include "stability/precision.h"
 #include "stickslip/plan.h"
 #include "stickslip/report.h"
 #include "stickslip/work.h"
 #include "suites.h"
 #include "value/expression.h"
-#include "value/precision.h"
 
 static struct model model;
 static struct claims claims, controls;

@@ -12,8 +12,8 @@
 #include <sys/wait.h>
 
 #include "report/audit_shape.h"
-#include "run/audit_impl.h"
 #include "scratch.h"
+#include "stickslip/audit.h"
 #include "stickslip/report.h"
 #include "suites.h"
 

@@ -6,7 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "route/routes.h"
+#include "record/routes.h"
+#include "value/coulomb_setup.h"
 #include "scratch.h"
 #include "stickslip/long_run.h"
 #include "stickslip/report.h"

@@ -11,6 +11,7 @@
 #include <sys/stat.h>
 #include <sys/wait.h>
 
+#include "base/random.h"
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stickslip/report_stability.h"

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim.h"
 #include "stickslip/audit.h"
 
 /* One more record at the end of a list in which ids are unique. */
@@ -94,4 +95,86 @@ bool claim_selected(const char *id, const char *item) {
   bool numbered = item[n - 1] >= '0' && item[n - 1] <= '9';
   if (numbered && *rest >= 'a' && *rest <= 'z') rest++;
   return *rest == '\0' || *rest == '-';
+}
+
+bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
+  const struct field *f = record_field(c->record, key);
+  size_t at = f ? f->value.begin : c->record->id.begin;
+  diag_at(j->d, &c->file->src, at, "%s: %s", c->id, what);
+  j->claim_at_fault = true;
+  return false;
+}
+
+bool claim_makes(const struct claim *c, const char *id) {
+  const char *list = claim_get(c, "restricted");
+  size_t n = strlen(id);
+  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
+    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
+  return false;
+}
+
+const struct claim *claim_named(const struct claims *claims, const char *id) {
+  for (size_t i = 0; id && i < claims->n; i++)
+    if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
+  return NULL;
+}
+
+bool claim_is_about(const struct statement_record *r, const struct claim *c) {
+  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
+             *equation = claim_get(c, "equation");
+  if (r->rank > RANK_USER) return false;
+  if (statement) return strcmp(r->id, statement) == 0;
+  return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
+}
+
+struct view claim_view(const struct model *m, const struct claim *c) {
+  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
+}
+
+static bool selects(const char *item, const struct claim *c) {
+  return claim_selected(c->id, item) || claim_makes(c, item);
+}
+
+bool claims_selects(const struct audit_options *opt, const struct claim *c) {
+  if (opt->n_only == 0) return true;
+  for (int i = 0; i < opt->n_only; i++)
+    if (selects(opt->only[i], c)) return true;
+  return false;
+}
+
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
+  for (int i = 0; i < opt->n_only; i++) {
+    bool any = false;
+    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
+    if (!any) {
+      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
+      return false;
+    }
+  }
+  return true;
+}
+
+/* Items of a list separated by commas, into names. */
+int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list) {
+  int n = 0;
+  for (const char *p = list; p && *p && n < max;) {
+    while (*p == ' ' || *p == ',') p++;
+    size_t len = strcspn(p, ", ");
+    if (len == 0) break;
+    snprintf(names[n++], CLAIM_NAME, "%.*s", (int)(len < CLAIM_NAME ? len : CLAIM_NAME - 1), p);
+    p += len;
+  }
+  return n;
+}
+
+const char *claim_next_item(char *buf, size_t size, const char *list) {
+  while (*list == ' ' || *list == ',') list++;
+  if (!*list) return NULL;
+  size_t n = strcspn(list, ",");
+  size_t len = n;
+  while (len && list[len - 1] == ' ') len--;
+  if (len >= size) len = size - 1;
+  memcpy(buf, list, len);
+  buf[len] = '\0';
+  return list + n;
 }

@@ -1,10 +1,9 @@
 /* What rests on what.  A claim is about a definition (its value, or what it names by "about") or about a record (its
    statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
    that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
+#include "claim.h"
 #include <stdlib.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 /* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked up. */
 struct reach {

@@ -1,8 +1,7 @@
 /* A correction set beside what it replaces: both typeset from the parsed statements, and the places where their trees
    differ, so that a report can say "replace this by that" without anybody having written it. */
+#include "claim.h"
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 enum { MAX_REPLACEMENTS = 4, MAX_LEVELS = 1000 };
 
@@ -155,4 +154,28 @@ void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) 
   f->correction_latex = keep(j->out, &b.corrected);
   f->printed_part = keep(j->out, &b.printed);
   f->quote_part = keep(j->out, &b.quote);
+}
+
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
+  const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
+  if (r->rank != RANK_ERRATA) return false;
+  if (by_statement) return statement && strcmp(r->id, statement) == 0;
+  return strcmp(r->record->kind_name, "define") == 0 && equation && strcmp(r->equation, equation) == 0;
+}
+
+bool erratum_text(struct text *out, const struct model *m, const struct claim *c) {
+  const char *sep = "";
+  bool found = false;
+  for (int pass = 0; pass < 2 && !found; pass++)
+    for (size_t i = 0; i < m->n_records; i++) {
+      const struct statement_record *r = &m->records[i];
+      if (!erratum_is_about(r, c, pass == 0)) continue;
+      for (int k = 0; k < r->n_stmts; k++) {
+        text_add(out, sep);
+        stmt_print(out, r->stmts[k]);
+        sep = "; ";
+      }
+      found = true;
+    }
+  return found;
 }

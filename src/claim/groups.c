@@ -1,7 +1,6 @@
 /* Groups of claims, by what their files say about them: one table of tests on attributes. */
+#include "claim.h"
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 enum test {
   ALWAYS,

@@ -9,9 +9,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/combination.h"
 #include "proof/condition.h"
-#include "scene/orbit_pool.h"
+#include "value/orbit_pool.h"
 
 enum { PREMISES, CONCLUSION, N_PARTS, STRATA = 5, MAX_TRIED = 12 };
 

@@ -3,8 +3,10 @@
 #ifndef STICKSLIP_BEHAVIOUR_H
 #define STICKSLIP_BEHAVIOUR_H
 
-#include "run/audit_impl.h"
+#include "claim/judging.h"
+#include "record/finding.h"
 #include "stickslip/coulomb.h"
+#include "value/point.h"
 
 /* A claim being judged by simulation. */
 struct behaviour {

@@ -3,6 +3,7 @@
 
 #include "behaviour.h"
 #include "stickslip/chain.h"
+#include "verdict.h"
 
 static double drawn(struct sampler *s, int quantity) {
   struct point p;

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "judge.h"
 #include "stickslip/bifurcate.h"
+#include "value/coulomb_setup.h"
 
 /* Parameters of which one runs from one value to another. */
 struct family {

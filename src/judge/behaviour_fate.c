@@ -6,6 +6,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "value/coulomb_setup.h"
+#include "verdict.h"
 
 /* --- Perturbed motions --- */
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "value/expression.h"
 
 enum { ARCS_PER_LETTER = 4 };
 struct arcs {

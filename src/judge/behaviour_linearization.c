@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "value/values.h"
+#include "verdict.h"
 
 /* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
 static truth has_growth(const struct num_vec *m) {

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "judge.h"
+#include "value/coulomb_setup.h"
 
 /* Friction, and the printed start under it; factor times what the orbits need where the scene does not give it. */
 static bool long_run_motion(struct motion *m, struct behaviour *b, double factor) {

@@ -4,6 +4,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "value/coulomb_setup.h"
+#include "verdict.h"
 
 /* --- Nine pairs of modes, four kinds of phase --- */
 

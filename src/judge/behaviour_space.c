@@ -5,6 +5,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "value/coulomb_setup.h"
+#include "verdict.h"
 
 enum { STATES = 24 };
 

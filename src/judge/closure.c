@@ -1,27 +1,8 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
+#include "judge.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
-
-int scene_numbers(struct num_vec *params, struct judge *j) {
-  const struct num_type *t = params->ctx.type;
-  struct point p;
-  int s = SS_OK;
-  for (int k = 0; k < N_PARAMS; k++) s |= t->set_q(num_vec_at(params, k), &j->scene->value[k], params->ctx.prec);
-  if (scene_has_forces(j->scene)) return s;
-  point_init(&p);
-  if (nearest_orbit_point(&p, j->scene, j->cache)) {
-    const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
-    if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
-    if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
-  } else {
-    s |= SS_DOMAIN;
-  }
-  point_clear(&p);
-  return s;
-}
 
 /* Positions after one pass through the word less those at its start, and the derivative of that: gap[0] for
    r = z_2 - z_1 (which alone fixes the state at the end of the stick phase), gap[1], gap[2] for z_1, z_2; slope[0],

@@ -8,8 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/condition.h"
-#include "scene/orbit_pool.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
+#include "value/orbit_pool.h"
 
 enum { EACH = 8, SIMULATED = 3 };
 

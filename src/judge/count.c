@@ -3,30 +3,19 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/exact_rank.h"
 #include "stickslip/work.h"
 
 enum { MAX_NAMES = RANK_NAMES };
-
-/* Items of a list separated by commas, into names. */
-static int split(char names[MAX_NAMES][32], const char *list) {
-  int n = 0;
-  for (const char *p = list; p && *p && n < MAX_NAMES;) {
-    while (*p == ' ' || *p == ',') p++;
-    size_t len = strcspn(p, ", ");
-    if (len == 0) break;
-    snprintf(names[n++], 32, "%.*s", (int)(len < 32 ? len : 31), p);
-    p += len;
-  }
-  return n;
-}
 
 /* --- What a set of equations contains --- */
 
 /* Symbols of the records that are on the list of absent ones, and all symbols there are. */
 static bool symbols_of(struct text *found, struct text *all, struct judge *j, const struct claim *c, struct view view) {
   char ids[MAX_NAMES][32], absent[MAX_NAMES][32];
-  int n = split(ids, claim_get(c, "statements")), m = split(absent, claim_get(c, "absent"));
+  int n = claim_names_listed(ids, MAX_NAMES, claim_get(c, "statements")),
+      m = claim_names_listed(absent, MAX_NAMES, claim_get(c, "absent"));
   if (n == 0 || m == 0) return claim_error(j, c, "kind", "statements and absent are needed");
   for (int i = 0; i < n; i++) {
     struct sentence s;
@@ -67,36 +56,6 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
 }
 
 /* --- How many equations it is worth --- */
-
-bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view) {
-  const char *id = claim_get(c, "statement");
-  const struct statement_record *r = id ? view_record(&view, id) : NULL;
-  *y = (struct rank_system){.rows = 0};
-  y->cols = split(y->unknown, claim_get(c, "unknowns"));
-  elaboration_init(&y->s.el, view, NULL, 0);
-  if (!r || y->cols == 0) return claim_error(j, c, "statement", "a record and its unknowns are needed");
-  const struct expr *out[MAX_NAMES * (MAX_NAMES + 1)];
-  for (int i = 0; i < r->n_stmts; i++)
-    for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
-      struct matrix a, b;
-      if (!elaborate_sides(&a, &b, &y->s.el, r->stmts[i], k, r->src, r->section, j->d)) return false;
-      for (int e = 0; e < a.rows * a.cols; e++) {
-        if (y->rows == MAX_NAMES) return claim_error(j, c, "statement", "too many equations");
-        out[y->rows++] = expr_op2(&y->s.el.pool, EXPR_SUB, a.e[e], b.e[e]);
-      }
-    }
-  for (int i = 0; i < y->rows; i++)
-    for (int k = 0; k < y->cols; k++) out[y->rows + i * y->cols + k] = expr_diff(&y->s.el.pool, out[i], y->unknown[k]);
-  if (!elaboration_tape(&y->s.tape, &y->s.el, out, y->rows * (1 + y->cols), j->d)) return false;
-  for (int k = 0; k < y->cols; k++) {
-    y->input[k] = -1;
-    for (slong i = 0; i < y->s.tape.n_inputs; i++)
-      if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
-    if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
-      return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
-  }
-  return true;
-}
 
 /* The derivative of the residuals at a point: symbolic in balls, central differences in MPFR. */
 static int system_matrix(struct num_vec *m, struct rank_system *y, const struct point *p, struct orbit_cache *cache) {

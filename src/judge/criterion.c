@@ -7,6 +7,9 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "judge.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
 
 enum { NEAR_BELOW, NEAR_ABOVE, N_NEAR };
 enum { INSIDE, OUTSIDE, N_SIDES };

@@ -1,8 +1,7 @@
 /* Sentences about form: thresholds that two inequalities share, ranges of indices, definitions. */
+#include "judge.h"
 #include <stdlib.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 /* --- Thresholds --- */
 

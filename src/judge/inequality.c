@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
+#include "judge.h"
 #include "stickslip/work.h"
 
 static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct statement_record *r,

@@ -5,172 +5,24 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "judge.h"
 #include "proof/exact_proof.h"
-#include "route/routes.h"
-#include "scene/orbit_pool.h"
+#include "record/routes.h"
 #include "stickslip/work.h"
+#include "value/orbit_pool.h"
 
-enum {
-  PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
-  SCENE = 1U << WORK_SCENE_ORBITS,
-  OTHER = 1U << WORK_OTHER_ORBITS,
-  POOL = 1U << WORK_ORBIT_POOL,
-  MOTION = 1U << WORK_SIMULATION,
-  ALGEBRA = 1U << WORK_ALGEBRA
-};
+#define JUDGE(name, word, fn, tried, asked, scene, parts, balls) fn,
+static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
+#undef JUDGE
 
-/* name, judge, tried at points, asked when, of the scene alone, parts besides its points', in balls */
-static const struct claim_kind kinds[] = {
-    {"definition", judge_definition, false, ASKED_EARLY, false, 0, false},
-    {"matrix", judge_points, true, ASKED_EARLY, false, SCENE | ALGEBRA, true},
-    {"identity", judge_points, true, ASKED_EARLY, false, SCENE | ALGEBRA, true},
-    {"threshold", judge_threshold, false, ASKED_EARLY, false, 0, true},
-    {"sharp", judge_sharp, false, ASKED_EARLY, false, ALGEBRA, true},
-    {"inequality", judge_inequality, false, ASKED_EARLY, true, PHASES | SCENE, true},
-    {"index-range", judge_index_range, false, ASKED_EARLY, false, 0, false},
-    {"number", judge_number, false, ASKED_EARLY, true, PHASES | SCENE, true},
-    {"closure", judge_closure, false, ASKED_EARLY, true, PHASES | SCENE, true},
-    {"criterion", judge_criterion, false, ASKED_LATE, false, PHASES | SCENE | OTHER | MOTION, true},
-    {"behaviour", judge_behaviour, false, ASKED_NEVER, false, PHASES | SCENE | OTHER | MOTION, true},
-    {"report", judge_report, false, ASKED_NEVER, false, PHASES | SCENE, true},
-    {"argument", judge_argument, false, ASKED_LATE, false, PHASES | SCENE | OTHER | POOL | ALGEBRA, true},
-    {"notation", judge_notation, false, ASKED_EARLY, false, 0, false},
-    {"scaling", judge_scaling, false, ASKED_LATE, false, 0, false},
-    {"reach", judge_reach, false, ASKED_LATE, false, 0, false},
-    {"rank", judge_rank, false, ASKED_LATE, false, PHASES | OTHER | ALGEBRA, true},
-    {"constraints", judge_constraints, false, ASKED_LATE, false, PHASES | SCENE | OTHER | POOL | MOTION, true},
-    {"sequence", judge_sequence, false, ASKED_LATE, true, PHASES | SCENE | OTHER | MOTION, true},
-    {"existence", judge_existence, false, ASKED_NEVER, true, PHASES | SCENE, true},
-    {"law", judge_law, false, ASKED_EARLY, false, MOTION, true},
-    {"outside", judge_outside, false, ASKED_NEVER, false, 0, false}};
-
-static const struct claim_kind *kind_named(const char *name) {
-  for (size_t i = 0; name && i < sizeof kinds / sizeof *kinds; i++)
-    if (strcmp(kinds[i].name, name) == 0) return &kinds[i];
-  return NULL;
-}
-
-const struct claim_kind *claim_kind_of(const struct claim *c) {
-  return kind_named(claim_get(c, "kind"));
-}
-
-kind_fn claim_kind(const char *name) {
-  const struct claim_kind *k = kind_named(name);
-  return k ? k->judge : NULL;
-}
-
-bool claim_tried_at_points(const struct claim *c) {
-  const struct claim_kind *k = claim_kind_of(c);
-  return k && k->tried_at_points;
-}
-
-enum asked claim_asked(const struct claim *c) {
-  const struct claim_kind *k = claim_kind_of(c);
-  return k ? k->asked : ASKED_EARLY;
-}
-
-/* --- The result record --- */
-
-void audit_result_init(struct audit_result *r) {
-  *r = (struct audit_result){.n_findings = 0};
-  arena_init(&r->arena);
-}
-
-struct result_pages {
-  struct result_pages *next;
-  void *at;
-  size_t size;
-};
-
-void result_keep_pages(struct audit_result *r, void *pages, size_t size) {
-  struct result_pages *p = ss_malloc(sizeof *p);
-  *p = (struct result_pages){r->pages, pages, size};
-  r->pages = p;
-}
-
-void audit_result_clear(struct audit_result *r) {
-  free(r->findings);
-  free(r->consequences);
-  free(r->skipped);
-  free(r->controls);
-  free(r->pairs);
-  free(r->long_runs);
-  free(r->values);
-  free(r->precision);
-  free(r->spent);
-  while (r->pages) {
-    struct result_pages *p = r->pages;
-    r->pages = p->next;
-    munmap(p->at, p->size);
-    free(p);
-  }
-  free(r->tables);
-  arena_clear(&r->arena);
-}
-
-const char *result_str(struct audit_result *r, const char *fmt, ...) {
-  va_list ap, again;
-  va_start(ap, fmt);
-  va_copy(again, ap);
-  int n = vsnprintf(NULL, 0, fmt, ap);
-  va_end(ap);
-  char *s = arena_alloc(&r->arena, (size_t)(n > 0 ? n : 0) + 1);
-  vsnprintf(s, (size_t)n + 1, fmt, again);
-  va_end(again);
-  return s;
-}
-
-const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
-  for (size_t i = 0; i < r->n_consequences; i++)
-    if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
-  return NULL;
-}
-
-void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
-  long total = 0;
-  for (int i = 0; i < N_VERDICTS; i++) count[i] = 0;
-  for (size_t i = 0; i < r->n_findings; i++) count[r->findings[i].verdict]++;
-  for (int i = 0; i < N_VERDICTS; i++) total += count[i];
-  if (total != (long)r->n_findings) abort();
-}
-
-long audit_result_unexpected(const struct audit_result *r) {
-  long n = 0;
-  for (size_t i = 0; i < r->n_findings; i++)
-    n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
-  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
-  for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
-  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
-  return n;
+kind_fn judge_of(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind < N_KINDS ? judges[kind] : NULL;
 }
 
 /* --- Corrections --- */
 
-bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement) {
-  const char *statement = claim_get(c, "statement"), *equation = claim_get(c, "equation");
-  if (r->rank != RANK_ERRATA) return false;
-  if (by_statement) return statement && strcmp(r->id, statement) == 0;
-  return strcmp(r->record->kind_name, "define") == 0 && equation && strcmp(r->equation, equation) == 0;
-}
-
-bool erratum_text(struct text *out, const struct model *m, const struct claim *c) {
-  const char *sep = "";
-  bool found = false;
-  for (int pass = 0; pass < 2 && !found; pass++)
-    for (size_t i = 0; i < m->n_records; i++) {
-      const struct statement_record *r = &m->records[i];
-      if (!erratum_is_about(r, c, pass == 0)) continue;
-      for (int k = 0; k < r->n_stmts; k++) {
-        text_add(out, sep);
-        stmt_print(out, r->stmts[k]);
-        sep = "; ";
-      }
-      found = true;
-    }
-  return found;
-}
-
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c, kind_fn kind) {
+bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t;
   text_init(&t);
   bool ok = true;
@@ -178,7 +30,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
     struct finding again = *f;
     again.evidence = NULL;
     again.n_evidence = 0;
-    ok = kind(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
+    ok = judge_of(c)(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
@@ -192,14 +44,6 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c,
 }
 
 /* --- One claim --- */
-
-bool claim_is_about(const struct statement_record *r, const struct claim *c) {
-  const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value"),
-             *equation = claim_get(c, "equation");
-  if (r->rank > RANK_USER) return false;
-  if (statement) return strcmp(r->id, statement) == 0;
-  return value && equation && strcmp(r->record->kind_name, "define") == 0 && strcmp(r->equation, equation) == 0;
-}
 
 /* The paper's own text, and beside it the formula as it was parsed, so that the transcription can be checked by eye. */
 static void quote_and_formula(struct finding *f, struct judge *j, const struct claim *c) {
@@ -285,14 +129,10 @@ static bool notation_fault(struct finding *f, struct judge *j) {
   return true;
 }
 
-struct view claim_view(const struct model *m, const struct claim *c) {
-  return (struct view){m, LAYER_CORRECTED, claim_own(c), NULL};
-}
-
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
   if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
-  return finding_describe(f, j, c) && (kind->judge(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+  return finding_describe(f, j, c) && (judge_of(c)(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
 }
 
 /* The findings after the one at `at` are those of its restrictions. */
@@ -314,7 +154,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
     const char *fault = claim_get(c, "fault");
     if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
     if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
-    if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c, k->judge)) return false;
+    if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c)) return false;
   }
   struct audit_result *out = j->out;
   out->findings = ss_grow(out->findings, out->n_findings, &out->cap_findings, sizeof f);
@@ -328,22 +168,6 @@ bool judge_claim(struct judge *j, const struct claim *c) {
 }
 
 /* --- Controls --- */
-
-void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
-  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
-  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
-}
-
-const struct claim *claim_named(const struct claims *claims, const char *id) {
-  for (size_t i = 0; id && i < claims->n; i++)
-    if (strcmp(claims->claim[i].id, id) == 0) return &claims->claim[i];
-  return NULL;
-}
-
-void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
-  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
-}
 
 static bool is_found(const struct audit_result *out, const char *id, enum verdict verdict) {
   for (size_t i = 0; i < out->n_findings; i++)
@@ -362,7 +186,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
   struct audit_result *out = j->out;
   j->effort = EFFORT_VERDICT;
-  bool readable = k->judge(&f, j, &c, view);
+  bool readable = judge_of(&c)(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {
     if (!notation_fault(&f, j)) return false;

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/condition.h"
 
 enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };

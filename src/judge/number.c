@@ -4,9 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
+#include "stability/precision.h"
 #include "stickslip/work.h"
 #include "value/expression.h"
-#include "value/precision.h"
 
 enum { BITS_SHOWN = 34 }; /* ten digits */
 

@@ -4,7 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge.h"
 #include "proof/exact_proof.h"
+#include "value/expression.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
 
@@ -55,77 +57,12 @@ struct point_trials {
 
 /* --- Reading the claim --- */
 
-bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
-  const struct field *f = record_field(c->record, key);
-  size_t at = f ? f->value.begin : c->record->id.begin;
-  diag_at(j->d, &c->file->src, at, "%s: %s", c->id, what);
-  j->claim_at_fault = true;
-  return false;
-}
-
-/* The next comma-separated item of a list, trimmed, into buf; NULL at the end. */
-static const char *next_item(char *buf, size_t size, const char *list) {
-  while (*list == ' ' || *list == ',') list++;
-  if (!*list) return NULL;
-  size_t n = strcspn(list, ",");
-  size_t len = n;
-  while (len && list[len - 1] == ' ') len--;
-  if (len >= size) len = size - 1;
-  memcpy(buf, list, len);
-  buf[len] = '\0';
-  return list + n;
-}
-
-static bool parse_spec(struct point_spec *s, const char *item) {
-  char word[16], phase[16];
-  long n;
-  *s = (struct point_spec){.n = 0};
-  if (sscanf(item, "%15s %15s %ld", word, phase, &n) == 3) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
-    if (ph == N_PHASES) return false;
-    s->phase = (enum phase)ph;
-  } else if (sscanf(item, "%15s %ld", word, &n) != 2) {
-    return false;
-  }
-  if (n <= 0) return false;
-  s->n = n;
-  if (strcmp(word, "flow") == 0)
-    s->kind = POINT_FLOW;
-  else if (strcmp(word, "params") == 0)
-    s->kind = POINT_PARAMS;
-  else if (strcmp(word, "arcs") == 0)
-    s->kind = POINT_ARC;
-  else if (strcmp(word, "patched") == 0)
-    s->kind = POINT_PATCHED;
-  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
-    s->kind = POINT_ORBIT;
-  else
-    return false;
-  s->realistic = strcmp(word, "realistic") == 0;
-  s->admissible = s->realistic || strcmp(word, "admissible") == 0;
-  return true;
-}
-
-int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
-  const char *list = claim_get(c, "points");
-  char item[64];
-  int n = 0;
-  bool ok = list || claim_error(j, c, "kind", "the attribute points is missing");
-  while (ok && (list = next_item(item, sizeof item, list)) != NULL)
-    ok = (n < max && parse_spec(&spec[n++], item)) ||
-         claim_error(j, c, "points",
-                     "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
-                     "or \"admissible [PHASE] N\"");
-  return ok ? n : -1;
-}
-
 /* Names that route oracle replaces, as overrides of the model's shapes. */
 static bool read_overrides(struct override *o, int *n, char names[][16], const struct point_trials *r) {
   const char *list = claim_get(r->c, "oracle");
   *n = 0;
   if (!list) return claim_error(r->j, r->c, "routes", "route oracle needs the attribute oracle");
-  while (*n < MAX_ROUTES && (list = next_item(names[*n], 16, list)) != NULL) {
+  while (*n < MAX_ROUTES && (list = claim_next_item(names[*n], 16, list)) != NULL) {
     const struct oracle *q = oracle_find(names[*n]);
     if (!q) return claim_error(r->j, r->c, "oracle", "the model has no matrix of that name");
     o[*n] = (struct override){names[*n], oracle_rows(q), oracle_cols(q)};
@@ -154,7 +91,7 @@ static bool read_routes(struct point_trials *r) {
   const char *list = claim_get(r->c, "routes");
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
   if (r->j->effort == EFFORT_REFUTE) return true;
-  while (list && (list = next_item(item, sizeof item, list)) != NULL) {
+  while (list && (list = claim_next_item(item, sizeof item, list)) != NULL) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
       if (strcmp(routes[i].name, item) == 0) found = &routes[i];
@@ -235,12 +172,6 @@ static struct trial try_route(struct point_trials *r, struct tally *t, const str
   if (!q->type) return sentence_try_balls(&t->sentence, p, q->variant, r->j->cache);
   struct num_ctx ctx = q->type == &num_double ? num_ctx_double() : num_ctx_mpfr(FD_PREC);
   return sentence_try_rounded(&t->sentence, p, q->variant, ctx, q->log_tol, r->j->cache);
-}
-
-const char *entry_place(struct audit_result *out, slong n, int cols, slong entry) {
-  if (n == 1) return "";
-  if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
-  return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
 }
 
 static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
@@ -510,14 +441,6 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
   *id = result_str(j->out, "%s", text_str(&t));
   text_clear(&t);
   return N_VERDICTS;
-}
-
-bool claim_makes(const struct claim *c, const char *id) {
-  const char *list = claim_get(c, "restricted");
-  size_t n = strlen(id);
-  for (const char *p = list ? strstr(list, id) : NULL; p; p = strstr(p + 1, id))
-    if (p > list && p[-1] == ' ' && (p[n] == '\0' || p[n] == ';')) return true;
-  return false;
 }
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
+#include "judge.h"
 #include "stickslip/work.h"
 
 enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */

@@ -3,6 +3,7 @@
    this one. */
 #include <string.h>
 
+#include "judge.h"
 #include "proof/exact_proof.h"
 
 /* What a route saw: points at which every step becomes an equality, at which some step stays apart, and neither. */

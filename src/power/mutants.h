@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_MUTANTS_H
 #define STICKSLIP_MUTANTS_H
 
-#include "run/audit_impl.h"
+#include "stickslip/audit.h"
 #include "stickslip/edit.h"
 
 /* A statement of the equation files that can be damaged. */

@@ -5,12 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge/judge.h"
 #include "mutants.h"
 #include "run/workers.h"
-#include "scene/orbit_pool.h"
-
-#define FATE_STRING(upper, lower) #lower,
-const char *const mutant_fate_name[N_MUTANT_FATES] = {FATES(FATE_STRING)};
+#include "value/orbit_pool.h"
 
 /* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */
 struct reader {
@@ -105,8 +103,7 @@ static bool reads(const struct reader *rd, const struct target *t) {
 enum notice { SAME, OPEN, LOST, CHANGED, BROKEN };
 
 static bool is_diagnostic(const struct finding *f, const struct claim *c) {
-  return claim_kind(claim_get(c, "kind")) != judge_index_range && f->n_evidence > 0 &&
-         strcmp(f->evidence[0].route, "diagnostic") == 0;
+  return claim_kind(c) != KIND_INDEX_RANGE && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
 }
 
 static const struct finding *same_id(const struct audit_result *r, const char *id) {
@@ -208,8 +205,8 @@ static enum notice ask_late(struct mutation_study *r, const struct reader *rd) {
 
 /* Degrees and symbols: such a claim decides of itself whether it says the same, once it has been asked. */
 static bool decides_exactly(const struct claim *c) {
-  kind_fn kind = claim_kind(claim_get(c, "kind"));
-  return kind == judge_scaling || kind == judge_notation;
+  enum kind kind = claim_kind(c);
+  return kind == KIND_SCALING || kind == KIND_NOTATION;
 }
 
 /* By exact algebra: the statement and what uses it, or every claim that reads it. */
@@ -422,14 +419,4 @@ void mutation_result_clear(struct mutation_result *r) {
   free(r->file);
   free(r->survivor);
   arena_clear(&r->arena);
-}
-
-long mutation_row_total(const struct mutation_row *r) {
-  long n = 0;
-  for (int i = 0; i < N_MUTANT_FATES; i++) n += r->count[i];
-  return n;
-}
-
-long mutation_row_noticed(const struct mutation_row *r) {
-  return r->count[FATE_NOTICED] + r->count[FATE_UNREADABLE] + r->count[FATE_UNPROVED];
 }

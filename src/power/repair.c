@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "judge/judge.h"
 #include "mutants.h"
 #include "run/workers.h"
 
@@ -382,8 +383,8 @@ static void search_clear(struct search *s) {
 /* Why there is nothing to search; NULL when there is. */
 static const char *no_search(const struct claim *c, enum verdict v) {
   if (!verdict_fails(v)) return "it is not refuted";
-  const kind_fn kind = claim_kind(claim_get(c, "kind"));
-  if (kind == judge_index_range) return "it is about the range of an index, not about a formula";
+  enum kind kind = claim_kind(c);
+  if (kind == KIND_INDEX_RANGE) return "it is about the range of an index, not about a formula";
   if (!claim_tried_at_points(c)) return "it is about numbers, or about more than one formula";
   return NULL;
 }

@@ -8,6 +8,7 @@
 #ifndef STICKSLIP_CERTIFICATE_H
 #define STICKSLIP_CERTIFICATE_H
 
+#include "claim/judging.h"
 #include "condition.h"
 
 /* Appends the proof of every condition of the conclusion; false when one has none (j->d set when the claim is at fault). */

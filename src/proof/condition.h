@@ -7,7 +7,7 @@
 #ifndef STICKSLIP_CONDITION_H
 #define STICKSLIP_CONDITION_H
 
-#include "run/audit_impl.h"
+#include "value/sentence.h"
 
 /* What moves along a phase: z_1(t), z_2(t), z_1'(t), z_2'(t), t, and x_1(t), x_2(t), x_1'(t), x_2'(t). */
 enum { MOVING_T = 4, MOVING_X = 5, N_MOVING = 9, MAX_CONDITIONS = 24 };

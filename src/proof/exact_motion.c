@@ -4,6 +4,8 @@
 
 #include "stickslip/work.h"
 
+#include "claim/kinds.h"
+#include "value/local_maps.h"
 #include <stdlib.h>
 #include <string.h>
 

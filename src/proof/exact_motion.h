@@ -6,8 +6,8 @@
 #ifndef STICKSLIP_AUDIT_EXACT_MOTION_H
 #define STICKSLIP_AUDIT_EXACT_MOTION_H
 
-#include "run/audit_impl.h"
 #include "stickslip/exact.h"
+#include "value/sentence.h"
 
 enum exact_tangents {
   TANGENTS_FREE,    /* each perturbation free, but for its event */

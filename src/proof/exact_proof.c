@@ -3,6 +3,9 @@
    only as far as needed.  What remains is said in words: why a sentence is not proved. */
 #include "exact_proof.h"
 
+#include "claim/kinds.h"
+#include "record/finding.h"
+#include "value/local_maps.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -369,7 +372,7 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
                                  .value = claim_get(c, "value"),
                                  .section = section ? section : "",
                                  .finite = perturbation && strcmp(perturbation, "finite") == 0,
-                                 .sharp = claim_kind(claim_get(c, "kind")) == judge_sharp};
+                                 .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
   const struct exact_question *q = keep_question(j, &asked);
@@ -400,16 +403,16 @@ void finding_add_proof(struct finding *f, struct audit_result *out, const struct
 
 void finding_why_not(struct finding *f, struct audit_result *out, const struct claim *c) {
   static const struct {
-    kind_fn kind;
+    enum kind kind;
     const char *why;
-  } reasons[] = {{judge_threshold, "the bounds are held against the inequalities at points"},
-                 {judge_criterion, "about where motions beside an orbit go, which is tried on orbits"},
-                 {judge_behaviour, "about simulated motions"},
-                 {judge_sequence, "about simulated motions"},
-                 {judge_argument, "no counterexample was found, and no combination of the premises that proves it"},
-                 {judge_constraints, "inequalities along whole phases are held against each other on orbits"},
-                 {judge_existence, "solutions are found at points"}};
-  const kind_fn kind = claim_kind(claim_get(c, "kind"));
+  } reasons[] = {{KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
+                 {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
+                 {KIND_BEHAVIOUR, "about simulated motions"},
+                 {KIND_SEQUENCE, "about simulated motions"},
+                 {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
+                 {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+                 {KIND_EXISTENCE, "solutions are found at points"}};
+  enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].route, "exact") == 0) return;
   for (size_t i = 0; i < sizeof reasons / sizeof *reasons; i++)

@@ -6,6 +6,7 @@
 
 #include <stdlib.h>
 
+#include "claim/claim.h"
 #include "stickslip/exact.h"
 
 typedef fmpz_mpoly_q_struct element;
@@ -127,4 +128,34 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   free(wanted);
   free(status);
   return r;
+}
+
+bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view) {
+  const char *id = claim_get(c, "statement");
+  const struct statement_record *r = id ? view_record(&view, id) : NULL;
+  *y = (struct rank_system){.rows = 0};
+  y->cols = claim_names_listed(y->unknown, RANK_NAMES, claim_get(c, "unknowns"));
+  elaboration_init(&y->s.el, view, NULL, 0);
+  if (!r || y->cols == 0) return claim_error(j, c, "statement", "a record and its unknowns are needed");
+  const struct expr *out[RANK_NAMES * (RANK_NAMES + 1)];
+  for (int i = 0; i < r->n_stmts; i++)
+    for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
+      struct matrix a, b;
+      if (!elaborate_sides(&a, &b, &y->s.el, r->stmts[i], k, r->src, r->section, j->d)) return false;
+      for (int e = 0; e < a.rows * a.cols; e++) {
+        if (y->rows == RANK_NAMES) return claim_error(j, c, "statement", "too many equations");
+        out[y->rows++] = expr_op2(&y->s.el.pool, EXPR_SUB, a.e[e], b.e[e]);
+      }
+    }
+  for (int i = 0; i < y->rows; i++)
+    for (int k = 0; k < y->cols; k++) out[y->rows + i * y->cols + k] = expr_diff(&y->s.el.pool, out[i], y->unknown[k]);
+  if (!elaboration_tape(&y->s.tape, &y->s.el, out, y->rows * (1 + y->cols), j->d)) return false;
+  for (int k = 0; k < y->cols; k++) {
+    y->input[k] = -1;
+    for (slong i = 0; i < y->s.tape.n_inputs; i++)
+      if (strcmp(y->s.tape.inputs[i], y->unknown[k]) == 0) y->input[k] = i;
+    if (y->input[k] < 0 && !model_is_symbol(view.model, y->unknown[k]))
+      return claim_error(j, c, "unknowns", "an unknown that the equations do not contain, and no symbol either");
+  }
+  return true;
 }

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_AUDIT_EXACT_RANK_H
 #define STICKSLIP_AUDIT_EXACT_RANK_H
 
-#include "run/audit_impl.h"
+#include "value/sentence.h"
 
 enum { RANK_NAMES = 16 };
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "exact_proof.h"
+#include "value/local_maps.h"
 
 /* A formula under a view. */
 struct formula_read {

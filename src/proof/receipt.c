@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim/claim.h"
 #include "exact_proof.h"
 #include "exact_rank.h"
 
@@ -239,15 +240,15 @@ bool audit_receipt(struct text *out, const struct model *m, const struct claims 
     diag_set(d, "error: no claim is named %.200s; \"stickslip list\" names them all", id);
     return false;
   }
-  const kind_fn kind = claim_kind(claim_get(c, "kind"));
-  if (!claim_tried_at_points(c) && kind != judge_sharp && kind != judge_rank) {
+  enum kind kind = claim_kind(c);
+  if (!claim_tried_at_points(c) && kind != KIND_SHARP && kind != KIND_RANK) {
     diag_set(d, "error: %.200s is not of a kind that exact algebra proves", id);
     return false;
   }
   struct audit_result kept;
   audit_result_init(&kept);
   struct judge j = {.out = &kept, .model = m, .claims = claims, .scene = scene, .d = d};
-  bool ok = kind == judge_rank ? rank_receipt(out, &j, c) : equality_receipt(out, &j, c, id, r);
+  bool ok = kind == KIND_RANK ? rank_receipt(out, &j, c) : equality_receipt(out, &j, c, id, r);
   if (ok) text_printf(out, "\n\n%s", model_py);
   audit_result_clear(&kept);
   return ok;

@@ -2,6 +2,7 @@
 #include <string.h>
 
 #include "readings.h"
+#include "value/point.h"
 
 static const char *const bound_name[N_BOUNDS] = {"u_r1", "u_r2"};
 static const int decimals_fed[N_CARRIES] = {[CARRY_3] = 3, [CARRY_2] = 2};

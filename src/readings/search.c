@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "readings.h"
+#include "value/point.h"
 
 /* --- Equations in an order in which they can be solved --- */
 

@@ -1,7 +1,7 @@
 /* The Jacobian of one period to the digits that are asked for, and phase by phase by every method side by side. */
+#include "jacobian.h"
+#include "value/printed.h"
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 enum { ATTEMPTS = 4, GUARD_BITS = 64 };
 

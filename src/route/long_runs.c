@@ -4,8 +4,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
+#include "record/finding.h"
 #include "stickslip/long_run.h"
+#include "studies.h"
+#include "value/coulomb_setup.h"
+#include "value/printed.h"
 
 /* Parameters beside the scene's own, to cover the other kinds of multipliers with V and eta different from 1. */
 static const struct {

@@ -8,7 +8,14 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "routes.h"
+#include "jacobian.h"
+#include "record/finding.h"
+#include "record/routes.h"
+#include "studies.h"
+#include "value/coulomb_setup.h"
+#include "value/expression.h"
+#include "value/printed.h"
+#include "value/sentence.h"
 
 enum { PREC = FD_PREC, N_POINTS = 8, N_ADMISSIBLE = 12, N_FREE = 4, MOST_DRAWS = 400 };
 enum { MOST_ENTRIES = 2 * N_STATE * N_STATE, MATRIX = N_STATE * N_STATE };

@@ -1,7 +1,6 @@
 /* stickslip check: reads a file as its suffix says and reports the first thing wrong with it. */
+#include "claim/kinds.h"
 #include <string.h>
-
-#include "audit_impl.h"
 
 static bool has_suffix(const char *path, const char *suffix) {
   size_t n = strlen(path), k = strlen(suffix);
@@ -72,7 +71,7 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   }
   if (control) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
   if (!kind || !claim_get(c, "title")) return complain(c, head, d, "a claim has a kind and a title");
-  if (!claim_kind(kind)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
+  if (!claim_kind_of(c)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
   if (record && verdict_parse(record) == N_VERDICTS)
     return complain(c, record_field(c->record, "record")->value.begin, d, "not a verdict");
   return true;

@@ -6,6 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "consequence.h"
+#include "judge/judge.h"
 #include "proof/exact_proof.h"
 #include "stickslip/work.h"
 
@@ -269,7 +271,7 @@ static enum verdict judge_again(struct judge *j, const struct claim *c, const ch
   struct judge again = *j;
   again.d = &d;
   again.effort = EFFORT_DIFFERENCE;
-  kind_fn judge = claim_kind(claim_get(c, "kind"));
+  kind_fn judge = judge_of(c);
   bool readable = judge && judge(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
   bool differs = f.n_evidence && strcmp(f.evidence[0].route, "balls") == 0 && f.evidence[0].trials > 0 &&
                  strcmp(f.evidence[0].result, "differs") == 0;

@@ -2,68 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "audit_impl.h"
 #include "stickslip/stable.h"
-
-/* Quantities that --at can set, and the point's quantity they are. */
-static const struct {
-  const char *name;
-  int q;
-} settable[] = {{"chi", Q_CHI},  {"eta", Q_ETA}, {"V", Q_V},     {"e1", Q_E1},   {"e2", Q_E2},    {"u_s1", Q_US1},
-                {"u_s2", Q_US2}, {"t", Q_T},     {"s", Q_S},     {"x", Q_X},     {"y", Q_Y},      {"lambda", Q_LAMBDA},
-                {"z_1", Q_Z1},   {"z_2", Q_Z2},  {"z_10", Q_Z1}, {"z_20", Q_Z2}, {"z_1'", Q_DZ1}, {"z_2'", Q_DZ2}};
-
-/* p/q or a decimal with a sign. */
-static bool parse_value(fmpq *z, const char *s, size_t len) {
-  bool negative = len > 0 && *s == '-';
-  if (negative) s++, len--;
-  const char *slash = memchr(s, '/', len);
-  fmpq_t den;
-  fmpq_init(den);
-  fmpq_one(den);
-  bool ok = num_parse_decimal(z, s, slash ? (size_t)(slash - s) : len) == SS_OK;
-  if (ok && slash) ok = num_parse_decimal(den, slash + 1, len - (size_t)(slash + 1 - s)) == SS_OK && !fmpq_is_zero(den);
-  if (ok) fmpq_div(z, z, den);
-  if (ok && negative) fmpq_neg(z, z);
-  fmpq_clear(den);
-  return ok;
-}
-
-static bool in_domain(const struct point *p) {
-  fmpq_t one;
-  fmpq_init(one);
-  fmpq_one(one);
-  bool ok = fmpq_cmp(&p->q[Q_CHI], one) < 0;
-  fmpq_clear(one);
-  for (int q = Q_CHI; q <= Q_E2; q++) ok = ok && fmpq_sgn(&p->q[q]) > 0;
-  return ok;
-}
-
-bool point_set(struct point *p, const char *at, struct diag *d) {
-  bool given[sizeof settable / sizeof *settable] = {false};
-  for (const char *s = at; s && *s;) {
-    size_t n = strcspn(s, ","), name = strcspn(s, "=");
-    bool ok = false;
-    for (size_t i = 0; name < n && i < sizeof settable / sizeof *settable; i++)
-      if (strlen(settable[i].name) == name && strncmp(settable[i].name, s, name) == 0) {
-        if (given[i]) {
-          diag_set(d, "error: --at gives %s twice", settable[i].name);
-          return false;
-        }
-        given[i] = true;
-        ok = parse_value(&p->q[settable[i].q], s + name + 1, n - name - 1);
-      }
-    if (!ok) {
-      diag_set(d, "error: --at takes NAME=VALUE,..., values like 1/2 or 0.8, not %.*s", (int)(n > 80 ? 80 : n), s);
-      return false;
-    }
-    s += n;
-    if (*s == ',') s++;
-  }
-  if (in_domain(p)) return true;
-  diag_set(d, "error: --at leaves the domain 0 < chi < 1, eta, V, e1, e2 > 0");
-  return false;
-}
+#include "value/sentence.h"
 
 static void add_line(struct text *out, const char *label, const char *value) {
   if (value) text_printf(out, "%-11s %s\n", label, value);

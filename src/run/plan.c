@@ -4,6 +4,7 @@
 
 #include <string.h>
 
+#include "judge/judge.h"
 #include "run.h"
 #include "stickslip/work.h"
 

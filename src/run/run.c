@@ -6,37 +6,17 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "route/routes.h"
-#include "scene/orbit_pool.h"
+#include "consequence.h"
+#include "judge/judge.h"
+#include "record/routes.h"
+#include "route/studies.h"
 #include "skipped.h"
 #include "stickslip/work.h"
+#include "value/orbit_pool.h"
 
 const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};
 
 /* --- What is selected --- */
-
-static bool selects(const char *item, const struct claim *c) {
-  return claim_selected(c->id, item) || claim_makes(c, item);
-}
-
-bool claims_selects(const struct audit_options *opt, const struct claim *c) {
-  if (opt->n_only == 0) return true;
-  for (int i = 0; i < opt->n_only; i++)
-    if (selects(opt->only[i], c)) return true;
-  return false;
-}
-
-bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
-  for (int i = 0; i < opt->n_only; i++) {
-    bool any = false;
-    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
-    if (!any) {
-      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
-      return false;
-    }
-  }
-  return true;
-}
 
 bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
   return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;

@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_AUDIT_RUN_H
 #define STICKSLIP_AUDIT_RUN_H
 
+#include "claim/judging.h"
 #include "tasks.h"
 
 /* In the order in which the report has them. */
@@ -44,7 +45,7 @@ bool pieces_controls(struct pieces *p, const struct claims *claims, const struct
 void pieces_clear(struct pieces *p);
 /* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
 bool value_is_named(const struct model *m, const char *name);
-/* The values that the scene asks for, into the result (value/asked.c); false with j->d set, at the scene's line, where they
+/* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where they
    are more than an audit.json may hold. */
 bool values_asked(struct judge *j);
 /* What the piece is expected to take, in milliseconds. */

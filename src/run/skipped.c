@@ -4,7 +4,9 @@
 
 #include <string.h>
 
-#include "route/routes.h"
+#include "claim/kinds.h"
+#include "record/finding.h"
+#include "record/routes.h"
 #include "stickslip/work.h"
 
 static size_t count(const struct pieces *p, enum piece_kind kind) {

@@ -17,6 +17,9 @@ struct table_source {
   struct num_vec params;                   /* enclosed; where e1 and e2 are not given, those of the orbit */
 };
 
+/* The tables of the scene, into out->tables; NULL, or why there are none. */
+const char *study_tables(struct judge *j);
+
 /* Appends a tab, and x to so many decimals; "-" where they are not known. */
 void table_number(struct text *out, const arb_t x, int decimals);
 /* Adds a table to the result. */

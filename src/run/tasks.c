@@ -7,14 +7,18 @@
 #include <errno.h>
 #include <signal.h>
 #include <stdatomic.h>
+#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
 #include <sys/wait.h>
+#include <time.h>
 #include <unistd.h>
 
 #include "stickslip/work.h"
+
+#include "stickslip/audit.h"
 
 /* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the paper
    says a few million. */

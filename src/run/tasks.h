@@ -7,7 +7,8 @@
 #ifndef STICKSLIP_AUDIT_TASKS_H
 #define STICKSLIP_AUDIT_TASKS_H
 
-#include "audit_impl.h"
+#include "stickslip/result.h"
+#include "stickslip/text.h"
 #include "stickslip/work.h"
 
 enum task_end { TASK_OPEN, TASK_DONE, TASK_FAILED, TASK_EXHAUSTED };

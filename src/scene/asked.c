@@ -3,10 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "route/routes.h"
-#include "run/audit_impl.h"
-#include "run/run.h"
+#include "record/routes.h"
 #include "scene_impl.h"
+#include "stickslip/audit.h"
 
 /* --- Lists --- */
 
@@ -142,7 +141,7 @@ static bool check_routes(const struct scene_list *list, struct diag *d) {
 }
 
 /* The quantity as a tree: a name, a function of an argument, an entry of one of them, a trace or a determinant. */
-static const struct expr *parse_quantity(struct arena *a, const struct scene_list *list, size_t i, struct diag *d) {
+const struct expr *scene_quantity(struct arena *a, const struct scene_list *list, size_t i, struct diag *d) {
   const struct expr *e = expr_parse(a, list->source, list->place[i], d);
   const struct expr *inner = e;
   if (inner && (inner->kind == EXPR_TR || inner->kind == EXPR_DET)) inner = inner->args[0];
@@ -160,7 +159,7 @@ static bool check_quantities(const struct scene_list *list, struct diag *d) {
   for (size_t i = 0; ok && i < list->n; i++) {
     struct arena a;
     arena_init(&a);
-    ok = parse_quantity(&a, list, i, d) != NULL;
+    ok = scene_quantity(&a, list, i, d) != NULL;
     arena_clear(&a);
   }
   return ok;
@@ -192,51 +191,4 @@ bool scene_read_asked(struct scene_asked *a, const struct scene_line *l, struct 
   default:
     abort();
   }
-}
-
-/* --- What needs the claims and the paper's definitions --- */
-
-static bool check_asked_claims(const struct scene_list *list, const struct claims *c, struct diag *d) {
-  for (size_t i = 0; i < list->n; i++) {
-    bool any = false;
-    for (size_t k = 0; k < c->n && !any; k++) any = claim_asked_for(&c->claim[k], list->item[i]);
-    if (any) continue;
-    struct text groups;
-    text_init(&groups);
-    claim_groups_print(&groups);
-    diag_at(d, list->source, list->place[i].begin,
-            "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",
-            list->item[i], text_str(&groups));
-    text_clear(&groups);
-    return false;
-  }
-  return true;
-}
-
-/* Every name in the quantity is one of the paper's, or a number of an orbit. */
-static bool check_names(const struct model *m, const struct scene_list *list, const struct expr *e, struct diag *d) {
-  bool named = e->kind == EXPR_SYM || e->kind == EXPR_CALL;
-  if (named && !value_is_named(m, e->name)) {
-    diag_at(d, list->source, e->span.begin,
-            "the paper has no quantity %.100s; names are those of its equations and the numbers of an orbit, as in "
-            "z10, trace, J_a, trace_J, H(t_c)[1,3]",
-            e->name);
-    return false;
-  }
-  for (int i = 0; i < e->n_args; i++)
-    if (!check_names(m, list, e->args[i], d)) return false;
-  return true;
-}
-
-bool scene_check_asked(const struct scene *s, const struct claims *c, const struct model *m, struct diag *d) {
-  const struct scene_list *values = &s->asked.values;
-  bool ok = check_asked_claims(&s->asked.claims, c, d);
-  for (size_t i = 0; ok && i < values->n; i++) {
-    struct arena a;
-    arena_init(&a);
-    const struct expr *e = parse_quantity(&a, values, i, d);
-    ok = e && check_names(m, values, e, d);
-    arena_clear(&a);
-  }
-  return ok;
 }

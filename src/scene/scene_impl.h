@@ -36,5 +36,8 @@ struct scene_line {
 /* ask, values, routes, digits and budget. */
 bool scene_read_asked(struct scene_asked *a, const struct scene_line *l, struct diag *d);
 void scene_asked_clear(struct scene_asked *a);
+/* An item of the list of values as a tree: a name, a function of an argument, an entry of one of them, a trace or a
+   determinant; NULL with d set. */
+const struct expr *scene_quantity(struct arena *a, const struct scene_list *list, size_t i, struct diag *d);
 
 #endif

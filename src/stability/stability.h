@@ -2,7 +2,8 @@
 #ifndef STICKSLIP_STABILITY_IMPL_H
 #define STICKSLIP_STABILITY_IMPL_H
 
-#include "run/audit_impl.h"
+#include "base/random.h"
+#include "stickslip/audit.h"
 #include "stickslip/stability.h"
 #include "stickslip/stable.h"
 

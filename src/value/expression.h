@@ -2,8 +2,9 @@
 #ifndef STICKSLIP_AUDIT_EXPRESSION_H
 #define STICKSLIP_AUDIT_EXPRESSION_H
 
-#include "run/audit_impl.h"
-
+#include "stickslip/model.h"
+#include "stickslip/tape.h"
+#include "values.h"
 enum { EXPRESSION_MOST = 16 }; /* entries */
 
 struct expression {
@@ -21,6 +22,10 @@ void expression_close(struct expression *x);
 /* Its entries at a point, enclosed at prec bits. */
 int expression_value(arb_ptr out, const struct expression *x, const struct point *p, slong prec,
                      struct orbit_cache *cache);
+
+/* The entries of an expression at a point, enclosed at prec bits; count of them in *n (at most EXPRESSION_MOST). */
+int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
+                  const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
 
 /* The outputs of a tape at a point, in the context of out; *known is false where a symbol has no value at such a point. */
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,

@@ -1,7 +1,8 @@
 /* The model's own quantities under the names that the paper gives its formulas. */
-#include <string.h>
+#include "oracle.h"
+#include "local_maps.h"
 
-#include "run/audit_impl.h"
+#include <string.h>
 
 struct oracle {
   const char *name;

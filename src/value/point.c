@@ -3,7 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
+#include "claim/kinds.h"
+#include "local_maps.h"
+#include "oracle.h"
 #include "stickslip/work.h"
 
 const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ETA, "1"}};
@@ -87,20 +89,6 @@ bool point_settle(struct point *p, struct orbit_cache *c) {
 }
 
 /* --- Sampling --- */
-
-/* splitmix64, and FNV-1a to seed it from an id. */
-uint64_t random_next(uint64_t *state) {
-  uint64_t z = (*state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
-uint64_t random_seed(const char *id) {
-  uint64_t h = 0xCBF29CE484222325U;
-  for (; *id; id++) h = (h ^ (unsigned char)*id) * 0x100000001B3U;
-  return h;
-}
 
 /* k/den with k uniform in [lo, hi]. */
 static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {

@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/audit_impl.h"
+#include "sentence.h"
 #include "stickslip/work.h"
 
 /* --- Building --- */
@@ -339,4 +339,10 @@ struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enu
   else if (!c.open && t.log_diff <= log_tol)
     t.outcome = OUTCOME_AGREES;
   return t;
+}
+
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry) {
+  if (n == 1) return "";
+  if (cols <= 1) return result_str(out, "%ld", (long)entry + 1);
+  return result_str(out, "[%ld,%ld]", (long)(entry / cols) + 1, (long)(entry % cols) + 1);
 }

@@ -2,9 +2,9 @@
    the stiffness of all springs and the mass of the second block are free; here they are 1 + e_1 and 3 + e_2, numbers that
    no symbol of the paper has.  Newton's law for the blocks, m_1 X_1'' + (k_1 + k_2) X_1 - k_2 X_2 = F_1 and
    m_2 X_2'' + k_2 (X_2 - X_1) = F_2, must become (1) when time is counted in units of 1/omega_3. */
-#include <string.h>
+#include "values.h"
 
-#include "run/audit_impl.h"
+#include <string.h>
 
 /* Where a mass slips in a phase, slower than the belt, its friction is u_si; where it sticks, the restoring force. */
 static int friction(void *z, struct values *v, int mass) {

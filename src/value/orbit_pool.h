@@ -3,7 +3,8 @@
 #ifndef STICKSLIP_ORBIT_POOL_H
 #define STICKSLIP_ORBIT_POOL_H
 
-#include "run/audit_impl.h"
+#include "claim/judging.h"
+#include "point.h"
 
 /* What a draw fixes, in this order. */
 enum { DRAW_CHI, DRAW_ETA, DRAW_V, DRAW_TB, DRAW_TC, N_DRAW };

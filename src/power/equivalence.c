@@ -3,9 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "condition.h"
+#include "claim/claim.h"
 #include "power/mutants.h"
+#include "proof/condition.h"
 #include "stickslip/exact.h"
+#include "value/sentence.h"
 
 /* What the domain of the claims keeps positive. */
 static const char *const positive[] = {"chi", "eta", "V", "e_1", "e_2"};
@@ -421,7 +423,7 @@ bool claim_same_in(const struct claim *c, const struct target *t, const struct m
   const char *id = claim_get(c, "statement");
   bool written_out = claim_get(c, "value") || record_linearizes(whole_a, id) || record_linearizes(whole_b, id);
   int most = written_out ? 0 : unknowns(o, MAX_UNKNOWNS, f, t);
-  if (claim_kind(claim_get(c, "kind")) == judge_argument) return argument_same_in(c, a, b);
+  if (claim_kind(c) == KIND_ARGUMENT) return argument_same_in(c, a, b);
   if (!same_range(t, a, b)) return false;
   for (int n = 0; claim_tried_at_points(c) && n <= most; n += most ? most : 1)
     if (same_in_views(c, claim_view(a, c), claim_view(b, c), f, o, n) && same_in_views(c, whole_a, whole_b, f, o, n))
@@ -492,8 +494,8 @@ static bool names_it(const char *text, const char *name) {
 static bool claim_names(const struct claims *claims, const char *name) {
   for (size_t i = 0; i < claims->n; i++) {
     const struct claim *c = &claims->claim[i];
-    const kind_fn kind = claim_kind(claim_get(c, "kind"));
-    bool by_chain = kind == judge_criterion || kind == judge_report; /* tr(J) */
+    enum kind kind = claim_kind(c);
+    bool by_chain = kind == KIND_CRITERION || kind == KIND_REPORT; /* tr(J) */
     if (names_it(claim_get(c, "value"), name) || names_it(claim_get(c, "formula"), name) ||
         (by_chain && strcmp(name, "J") == 0))
       return true;

@@ -4,6 +4,7 @@
 
 #include <stdlib.h>
 
+#include "claim/kinds.h"
 #include "stickslip/given.h"
 #include "stickslip/work.h"
 

@@ -1,7 +1,6 @@
 /* A scene that asks for some routes only: what is said without the others, and that they are missing. */
+#include "judge.h"
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 bool route_is_asked(const struct scene *s, const char *route) {
   for (size_t i = 0; s && i < s->asked.routes.n; i++)

@@ -7,8 +7,8 @@
 #ifndef STICKSLIP_AUDIT_ROUTES_H
 #define STICKSLIP_AUDIT_ROUTES_H
 
-#include "run/audit_impl.h"
-
+#include "stickslip/result.h"
+#include "stickslip/text.h"
 #define ROUTE_MEANS(X)                                                                                                 \
   X(PAPER, "the paper's formulas")                                                                                     \
   X(SYMBOLIC, "symbolic differentiation")                                                                              \

@@ -1,10 +1,9 @@
 /* Printed numbers as brackets, the points they stand for, and the orbit they are nearest to.
    A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit of the last digit wide. */
+#include "printed.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 const char *const reading_name[N_READINGS] = {"rounded", "truncated"};
 
@@ -160,5 +159,23 @@ const char *ball_text(struct judge *j, const arb_t x, slong n) {
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
   const char *s = result_str(j->out, "%s", text_str(&t));
   text_clear(&t);
+  return s;
+}
+
+int scene_numbers(struct num_vec *params, struct judge *j) {
+  const struct num_type *t = params->ctx.type;
+  struct point p;
+  int s = SS_OK;
+  for (int k = 0; k < N_PARAMS; k++) s |= t->set_q(num_vec_at(params, k), &j->scene->value[k], params->ctx.prec);
+  if (scene_has_forces(j->scene)) return s;
+  point_init(&p);
+  if (nearest_orbit_point(&p, j->scene, j->cache)) {
+    const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p.orbit];
+    if (!j->scene->given[KEY_E1]) s |= t->set_arb(num_vec_at(params, P_E1), o->e1, params->ctx.prec);
+    if (!j->scene->given[KEY_E2]) s |= t->set_arb(num_vec_at(params, P_E2), o->e2, params->ctx.prec);
+  } else {
+    s |= SS_DOMAIN;
+  }
+  point_clear(&p);
   return s;
 }

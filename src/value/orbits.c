@@ -1,7 +1,7 @@
 /* The orbits of a scene or of a set of parameters, searched once for each precision that is asked for. */
 #include <stdlib.h>
 
-#include "run/audit_impl.h"
+#include "printed.h"
 #include "stickslip/complete.h"
 #include "stickslip/work.h"
 

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "expression.h"
 #include "stability/stability.h"
+#include "value/expression.h"
 
 /* Of the pilot, doubled while it does not know an entry to SURE bits; bits beyond what the pilot lost. */
 enum { PILOT_FIRST = 64, PILOT_LAST = 256, SURE = 8, SPARE = 16, WORD = 64, STEPS = 16 };

@@ -2,11 +2,14 @@
    these are enough, else at each of the scene's orbits; the precision doubles until every digit asked for is certain. */
 #include <math.h>
 #include <stddef.h>
+#include <stdlib.h>
 #include <string.h>
 
-#include "expression.h"
-#include "precision.h"
-#include "run/run.h"
+#include "judge/judge.h"
+#include "run.h"
+#include "scene/scene_impl.h"
+#include "stability/precision.h"
+#include "value/expression.h"
 
 /* What still surrounds zero with MOST_BITS_OF_ZERO is not told from it. */
 enum { DIGITS = 15, TO_ROUND = 16, MOST_BITS = 1 << 16, MOST_BITS_OF_ZERO = 1 << 11, MOST_ORBITS = 64 };
@@ -271,4 +274,51 @@ bool values_asked(struct judge *j) {
   for (size_t i = 0; i < asked->values.n && !j->d->set; i++)
     one_value(j, i, &bytes, asked->digits > 0 ? asked->digits : DIGITS);
   return !j->d->set;
+}
+
+/* --- Is what the scene asks for among the claims and the paper's definitions? --- */
+
+static bool check_asked_claims(const struct scene_list *list, const struct claims *c, struct diag *d) {
+  for (size_t i = 0; i < list->n; i++) {
+    bool any = false;
+    for (size_t k = 0; k < c->n && !any; k++) any = claim_asked_for(&c->claim[k], list->item[i]);
+    if (any) continue;
+    struct text groups;
+    text_init(&groups);
+    claim_groups_print(&groups);
+    diag_at(d, list->source, list->place[i].begin,
+            "no claim is called, and no group holds, %.100s; \"stickslip list\" names them all, and groups are %s",
+            list->item[i], text_str(&groups));
+    text_clear(&groups);
+    return false;
+  }
+  return true;
+}
+
+/* Every name in the quantity is one of the paper's, or a number of an orbit. */
+static bool check_names(const struct model *m, const struct scene_list *list, const struct expr *e, struct diag *d) {
+  bool named = e->kind == EXPR_SYM || e->kind == EXPR_CALL;
+  if (named && !value_is_named(m, e->name)) {
+    diag_at(d, list->source, e->span.begin,
+            "the paper has no quantity %.100s; names are those of its equations and the numbers of an orbit, as in "
+            "z10, trace, J_a, trace_J, H(t_c)[1,3]",
+            e->name);
+    return false;
+  }
+  for (int i = 0; i < e->n_args; i++)
+    if (!check_names(m, list, e->args[i], d)) return false;
+  return true;
+}
+
+bool scene_check_asked(const struct scene *s, const struct claims *c, const struct model *m, struct diag *d) {
+  const struct scene_list *values = &s->asked.values;
+  bool ok = check_asked_claims(&s->asked.claims, c, d);
+  for (size_t i = 0; ok && i < values->n; i++) {
+    struct arena a;
+    arena_init(&a);
+    const struct expr *e = scene_quantity(&a, values, i, d);
+    ok = e && check_names(m, values, e, d);
+    arena_clear(&a);
+  }
+  return ok;
 }

@@ -3,7 +3,7 @@
    orbits, moved, stand in for a guess that somebody had. */
 #include <stdlib.h>
 
-#include "run/audit_impl.h"
+#include "stickslip/audit.h"
 
 static bool printed_times(double guess[4], const struct scene *s) {
   for (int i = 0; i < 4; i++) {

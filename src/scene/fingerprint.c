@@ -1,8 +1,9 @@
 /* One number for what is audited.  Formulas count as they are read, so that comments and blanks do not; the hash is for telling
    what stands beside each other by honest mistake, not for defence. */
-#include <inttypes.h>
+#include "base/random.h"
 
-#include "audit_impl.h"
+#include "stickslip/audit.h"
+#include <inttypes.h>
 
 static void add_word(struct text *out, const char *word) {
   text_printf(out, "%s\n", word);

@@ -1,8 +1,8 @@
 /* From a scene to the Coulomb simulation: friction, and a start on an orbit or at the printed numbers. */
+#include "coulomb_setup.h"
+#include "printed.h"
 #include <math.h>
 #include <string.h>
-
-#include "run/audit_impl.h"
 
 enum { SETUP_PREC = 128 };
 

@@ -1,0 +1,54 @@
+/* What a claim's file says of it: its kind, what it is about, what it makes, what corrects it, what rests on it. */
+#ifndef STICKSLIP_CLAIM_H
+#define STICKSLIP_CLAIM_H
+
+#include "judging.h"
+#include "kinds.h"
+
+/* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
+   select some claim? */
+bool claims_selects(const struct audit_options *opt, const struct claim *c);
+bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d);
+
+enum { CLAIM_NAME = 32 };
+/* Items of a list separated by commas or blanks, at most max; how many there are. */
+int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
+/* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at the
+   end. */
+const char *claim_next_item(char *buf, size_t size, const char *list);
+/* The claim of that id, or NULL. */
+const struct claim *claim_named(const struct claims *claims, const char *id);
+/* Is the id that of a claim which a restriction of this one makes? */
+bool claim_makes(const struct claim *c, const char *id);
+/* How a claim is read: its own text as printed, the rest corrected. */
+struct view claim_view(const struct model *m, const struct claim *c);
+/* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
+   equation number, since a formula is printed together with its parts? */
+bool claim_is_about(const struct statement_record *r, const struct claim *c);
+/* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
+   the claim's equation number. */
+bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);
+/* The correction of a claim and what it replaces as LaTeX, and where they differ. */
+void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
+/* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
+bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
+
+/* --- What rests on what (depends.c) --- */
+
+/* Of all the claims, each with its own text as printed and all else corrected; model and claims must stay.  What a claim
+   reaches is found when it is first asked for. */
+struct dependences *dependences_new(const struct model *m, const struct claims *claims);
+void dependences_free(struct dependences *d);
+/* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
+bool dependences_on(struct dependences *d, size_t a, size_t b);
+/* The definitions that the formulas of claim a reach. */
+size_t dependences_n_used(struct dependences *d, size_t a);
+const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
+/* Whether they reach a definition that is corrected under this equation number. */
+bool dependences_corrected(struct dependences *d, size_t a, const char *equation);
+/* Whether the claim names the id by hand. */
+bool dependences_named(const struct claim *c, const char *id);
+/* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
+bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
+
+#endif

@@ -1,0 +1,32 @@
+/* What the table of kinds says of a claim. */
+#include "kinds.h"
+
+#include <string.h>
+
+const struct claim_kind claim_kinds[N_KINDS] = {
+#define KIND_ROW(name, word, judge, tried, asked, scene, parts, balls) {word, tried, asked, scene, parts, balls},
+    CLAIM_KINDS(KIND_ROW)
+#undef KIND_ROW
+};
+
+enum kind claim_kind(const struct claim *c) {
+  const char *word = claim_get(c, "kind");
+  int i = 0;
+  while (i < N_KINDS && (!word || strcmp(claim_kinds[i].word, word) != 0)) i++;
+  return (enum kind)i;
+}
+
+const struct claim_kind *claim_kind_of(const struct claim *c) {
+  enum kind kind = claim_kind(c);
+  return kind < N_KINDS ? &claim_kinds[kind] : NULL;
+}
+
+bool claim_tried_at_points(const struct claim *c) {
+  const struct claim_kind *k = claim_kind_of(c);
+  return k && k->tried_at_points;
+}
+
+enum asked claim_asked(const struct claim *c) {
+  const struct claim_kind *k = claim_kind_of(c);
+  return k ? k->asked : ASKED_EARLY;
+}

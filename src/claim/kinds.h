@@ -1,0 +1,83 @@
+/* The kinds of claims, a row for each: what a claim of that kind is judged by, and how.
+
+     tried at points  it can be restricted, corrected by an erratum, and refuted with little effort
+     asked            when it is asked about a damaged formula
+     of scene         it is about the numbers of one scene, and of a box of parameters says nothing
+     parts            those of work.h that it may need besides what its points are
+     balls            it works in them
+
+   The judge of a row is a function of judge/judge.h, which alone looks at that column. */
+#ifndef STICKSLIP_KINDS_H
+#define STICKSLIP_KINDS_H
+
+#include "stickslip/audit.h"
+#include "stickslip/work.h"
+
+enum {
+  NEEDS_PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,
+  NEEDS_SCENE = 1U << WORK_SCENE_ORBITS,
+  NEEDS_OTHER = 1U << WORK_OTHER_ORBITS,
+  NEEDS_POOL = 1U << WORK_ORBIT_POOL,
+  NEEDS_MOTION = 1U << WORK_SIMULATION,
+  NEEDS_ALGEBRA = 1U << WORK_ALGEBRA
+};
+
+/* Asked about a damaged formula at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates and reads
+   no formula that others do not read, or asserts nothing. */
+enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
+
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls) */
+#define CLAIM_KINDS(K)                                                                                                 \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false)                                   \
+  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true)                       \
+  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true)                   \
+  K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true)                                       \
+  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true)                                       \
+  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)            \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false)                                \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)                        \
+  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)                     \
+  K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
+  K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
+  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true)                       \
+  K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true)                                       \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false)                                         \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false)                                             \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false)                                                   \
+  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true)              \
+  K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true)                                        \
+  K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
+  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true)               \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true)                                              \
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false)
+
+enum kind {
+#define KIND_ENUM(name, word, judge, tried, asked, scene, parts, balls) KIND_##name,
+  CLAIM_KINDS(KIND_ENUM)
+#undef KIND_ENUM
+      N_KINDS
+};
+
+struct claim_kind {
+  const char *word;
+  bool tried_at_points;
+  enum asked asked;
+  bool of_scene;
+  unsigned parts;
+  bool balls;
+};
+extern const struct claim_kind claim_kinds[N_KINDS];
+
+/* N_KINDS: its file names none that there is. */
+enum kind claim_kind(const struct claim *c);
+/* NULL likewise. */
+const struct claim_kind *claim_kind_of(const struct claim *c);
+bool claim_tried_at_points(const struct claim *c);
+enum asked claim_asked(const struct claim *c);
+
+#endif

@@ -1,0 +1,201 @@
+/* Motions under Coulomb's law by both routes, and what is said of them: what the checks of kind behaviour share.
+   Whatever depends on rounding (a flat contact, routes that part) is left out and counted, so that a verdict
+   is the same on every machine. */
+#include "behaviour.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge.h"
+#include "value/coulomb_setup.h"
+
+const char *const motion_route_name[N_MOTION_ROUTES] = {"integration", "motion"};
+
+static bool keep_event(void *self, const struct coulomb_event *e) {
+  struct trajectory *t = self;
+  struct coulomb_sink log = coulomb_log_sink(&t->log);
+  return log.event(log.self, e);
+}
+
+static bool keep_row(void *self, const struct coulomb_row *row) {
+  struct trajectory *t = self;
+  t->row = ss_grow(t->row, t->n_rows, &t->cap_rows, sizeof *t->row);
+  t->row[t->n_rows] = *row;
+  t->row[t->n_rows++].exact = NULL;
+  return true;
+}
+
+struct trajectory motion_simulate(enum motion_route route, const struct motion *m, const struct coulomb_plan *plan) {
+  struct trajectory t = {.status = SS_OK};
+  struct coulomb_sink sink = {&t, keep_event, keep_row};
+  coulomb_log_init(&t.log);
+  t.status = (route == BY_INTEGRATION ? coulomb_simulate_ode : coulomb_simulate_d)(&t.result, m->params, m->start, plan,
+                                                                                   &sink);
+  return t;
+}
+
+void trajectory_clear(struct trajectory *t) {
+  coulomb_log_clear(&t->log);
+  free(t->row);
+}
+
+bool trajectories_agree(const struct trajectory *a, const struct trajectory *b) {
+  size_t shared;
+  double size = 1, apart = coulomb_log_compare(&shared, &a->log, &b->log);
+  for (int i = 0; i < 2; i++) {
+    size = fmax(size, fabs(a->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.x[i] - b->result.at.x[i]));
+    apart = fmax(apart, fabs(a->result.at.v[i] - b->result.at.v[i]));
+  }
+  return a->status == SS_OK && b->status == SS_OK && a->log.n == shared && b->log.n == shared &&
+         a->result.touches == 0 && b->result.touches == 0 && apart < 1e-6 * size;
+}
+
+/* The shortest piece that the word's tail repeats often enough to believe it. */
+static size_t tail_period(const char *word, size_t len) {
+  enum { LONGEST = 40, TIMES = 4 };
+  for (size_t p = 1; p <= LONGEST && TIMES * p <= len; p++) {
+    size_t k = 1;
+    while (k < TIMES && strncmp(word + len - p, word + len - (k + 1) * p, p) == 0) k++;
+    if (k == TIMES) return p;
+  }
+  return 0;
+}
+
+const char *trajectory_ending(struct behaviour *b, const struct trajectory *t) {
+  struct text word;
+  text_init(&word);
+  coulomb_log_word(&word, &t->log);
+  const char *s = text_str(&word), *out = "no piece that repeats";
+  size_t p = tail_period(s, word.len), last = word.len;
+  while (p && last > word.len - p && s[last - 1] != 'D') last--;
+  if (last <= word.len - p) last = word.len; /* no D in it: as it stands */
+  if (p) out = result_str(b->j->out, "(%.*s)", (int)p, s + last - p);
+  text_clear(&word);
+  return out;
+}
+
+const char mode_letters[N_MODE_PAIRS + 1] = "DGHCghcXx";
+
+int mode_index(const enum coulomb_mode mode[2]) {
+  return (int)(strchr(mode_letters, coulomb_letter(mode)) - mode_letters);
+}
+
+static double nearest_dyadic(double x) {
+  return nearbyint(64 * x) / 64;
+}
+
+void motion_params(struct motion *m, struct sampler *s) {
+  struct point p;
+  point_init(&p);
+  sampler_next(&p, s);
+  static const int from[] = {Q_CHI, Q_ETA, Q_V, Q_US1, Q_US2};
+  for (int i = 0; i < 5; i++) m->params[COULOMB_CHI + i] = fmpq_get_d(&p.q[from[i]]);
+  for (int i = 0; i < 2; i++) m->params[COULOMB_UR1 + i] = m->params[COULOMB_US1 + i] + fmpq_get_d(&p.q[Q_E1 + i]);
+  point_clear(&p);
+}
+
+void motion_start(struct motion *m, struct sampler *s, bool sticking) {
+  struct point p;
+  double f[2];
+  point_init(&p);
+  sampler_next(&p, s);
+  for (int i = 0; i < 2; i++) {
+    double pull = fmpq_get_d(&p.q[Q_Z1 + i]), speed = fmpq_get_d(&p.q[Q_DZ1 + i]); /* both in eighths, up to 4 */
+    bool sticks = sticking || nearbyint(8 * pull) / 2 == floor(nearbyint(8 * pull) / 2);
+    f[i] = m->params[COULOMB_UR1 + i] * pull / (sticking ? 4.5 : 2);
+    m->start[DZ_1 + i] = m->params[COULOMB_V] * (sticks ? 1 : 1 + speed);
+  }
+  m->start[Z_1] = nearest_dyadic((f[0] + f[1]) / (1 - m->params[COULOMB_CHI]));
+  m->start[Z_2] = nearest_dyadic(m->start[Z_1] + f[1] / m->params[COULOMB_CHI]);
+  point_clear(&p);
+}
+
+void motion_print(struct text *out, const struct motion *m) {
+  const double *p = m->params;
+  text_printf(out, "chi = %.12g, eta = %.12g, V = %.12g, e1 = %.12g, e2 = %.12g, u_r1 = %.12g, u_r2 = %.12g; ",
+              p[COULOMB_CHI], p[COULOMB_ETA], p[COULOMB_V], p[COULOMB_UR1] - p[COULOMB_US1],
+              p[COULOMB_UR2] - p[COULOMB_US2], p[COULOMB_UR1], p[COULOMB_UR2]);
+  text_printf(out, "--start %.12g,%.12g,%.12g,%.12g", m->start[0], m->start[1], m->start[2], m->start[3]);
+}
+
+bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor) {
+  struct coulomb_setup sim;
+  bool ok = coulomb_setup_on_orbit(&sim, params->q + Q_CHI, o, factor) == SS_OK;
+  memcpy(m->params, sim.params, sizeof m->params);
+  memcpy(m->start, sim.start, sizeof m->start);
+  return ok;
+}
+
+bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o) {
+  for (int i = 0; i < set->n; i++)
+    if (set->at[i] == o) return false;
+  if (set->n == (int)(sizeof set->at / sizeof *set->at)) return false;
+  set->at[set->n++] = o;
+  return true;
+}
+
+/* --- Evidence --- */
+
+struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
+                                    enum route_outcome outcome, bool decisive, long trials, const char *where,
+                                    const char *note) {
+  struct route_result w = {route, outcome, decisive, trials};
+  finding_add_route(b->f, b->j->out, w, layer, -1, where, note);
+  return w;
+}
+
+bool behaviour_params(struct point *p, struct behaviour *b, const char *at) {
+  struct text packed;
+  struct diag d;
+  text_init(&packed);
+  diag_init(&d);
+  for (const char *s = at; s && *s && *s != ';'; s++)
+    if (*s != ' ') text_add_char(&packed, *s);
+  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
+  bool ok = at && point_set(p, text_str(&packed), &d);
+  text_clear(&packed);
+  p->kind = POINT_ORBIT;
+  p->orbit = 0;
+  return ok ||
+         claim_error(b->j, b->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+}
+
+/* --- Random motions watched --- */
+
+struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
+                               void *self) {
+  struct watched w = {0, 0};
+  struct sampler s;
+  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
+  for (long i = 0; i < n; i++) {
+    struct motion m;
+    struct trajectory trajectory[N_MOTION_ROUTES];
+    struct coulomb_plan plan = coulomb_plan_default;
+    motion_params(&m, &s);
+    motion_start(&m, &s, sticking);
+    plan.duration = duration;
+    plan.sample = sample;
+    for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory[r] = motion_simulate((enum motion_route)r, &m, &plan);
+    bool same = trajectories_agree(&trajectory[0], &trajectory[1]);
+    w.motions += same;
+    w.apart += !same;
+    if (same) fn(self, &m, trajectory);
+    for (int r = 0; r < N_MOTION_ROUTES; r++) trajectory_clear(&trajectory[r]);
+  }
+  return w;
+}
+
+void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
+                        const char *where, const char *note) {
+  struct route_result w[N_MOTION_ROUTES];
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
+                           r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+}
+
+enum route_outcome behaviour_count(long good, long bad) {
+  return bad ? ROUTE_DIFFERS : good ? ROUTE_AGREES : ROUTE_NOTHING;
+}

@@ -1,0 +1,46 @@
+/* Judges: one for each kind of claim, and what is done with what they find. */
+#ifndef STICKSLIP_JUDGE_H
+#define STICKSLIP_JUDGE_H
+
+#include "claim/claim.h"
+#include "record/finding.h"
+#include "value/printed.h"
+#include "value/sentence.h"
+#include "verdict.h"
+
+/* Fills verdict, evidence, condition, correction, effect of f.  false with j->d set when the claim cannot be read. */
+typedef bool (*kind_fn)(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+
+/* The routes by which the claim is tried, the decisive one first; none where its kind has its own. */
+enum { MOST_CLAIM_ROUTES = 16, ROUTE_NAME = 32 };
+int claim_routes(char name[MOST_CLAIM_ROUTES][ROUTE_NAME], const struct claim *c);
+/* Whether the scene asks for this route, or for all of them. */
+bool route_is_asked(const struct scene *s, const char *route);
+/* Of a claim that was judged: evidence by other routes goes, and with it what rested on it; says so. */
+void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c);
+
+#define JUDGE(name, word, fn, tried, asked, scene, parts, balls)                                                       \
+  bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+CLAIM_KINDS(JUDGE)
+#undef JUDGE
+/* That of the claim's kind; NULL when there is none. */
+kind_fn judge_of(const struct claim *c);
+
+/* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
+bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
+
+/* The verdict on record in that scene; N_VERDICTS: none. */
+enum verdict claim_recorded(const struct claim *c, const struct scene *s);
+/* What stands in the claim's file and in the paper, before anything is judged. */
+bool finding_describe(struct finding *f, struct judge *j, const struct claim *c);
+/* The claim's own finding, without its correction and restrictions. */
+bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c);
+/* All findings of a claim, added to the result: its own, with the correction, and those that its restrictions make. */
+bool judge_claim(struct judge *j, const struct claim *c);
+/* A control beside its claim, whose own verdict may be among the findings of the result: what became of it is added there. */
+bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
+
+/* Judges the sentence again with everything corrected and fills f->correction. */
+bool judge_correction(struct finding *f, struct judge *j, const struct claim *c);
+
+#endif

@@ -1,0 +1,14 @@
+/* From evidence to verdict. */
+#ifndef STICKSLIP_VERDICT_H
+#define STICKSLIP_VERDICT_H
+
+#include "record/finding.h"
+
+/* The one table from evidence to verdict. */
+enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
+/* Of a sentence with that verdict, judged again under a condition. */
+enum verdict verdict_under_condition(enum verdict whole, enum verdict under);
+/* How many of the routes agree and are pairwise independent by the table of routes.h. */
+int independent_routes(const struct route_result *w, int n);
+
+#endif

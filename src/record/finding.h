@@ -1,0 +1,33 @@
+/* How findings, controls and what was left out come into the result record. */
+#ifndef STICKSLIP_FINDING_H
+#define STICKSLIP_FINDING_H
+
+#include "stickslip/result.h"
+
+/* An empty row of evidence at the end of the finding's. */
+struct evidence *finding_add(struct finding *f, struct audit_result *out);
+
+/* What one route says of a claim, as the table reads it. */
+enum route_outcome { ROUTE_NOTHING, ROUTE_AGREES, ROUTE_DIFFERS, ROUTE_UNDECIDED };
+struct route_result {
+  const char *route;
+  enum route_outcome outcome;
+  bool decisive; /* its difference is a certificate */
+  long trials;
+};
+/* The word as evidence.  bits is -1, where and note are NULL, when they do not apply. */
+struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                   const char *layer, long bits, const char *where, const char *note);
+/* Evidence that only states something. */
+void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
+                   long trials, const char *where, const char *note);
+
+/* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
+const char *order_of_magnitude(struct audit_result *r, double log2x);
+
+/* What became of a control; it is noticed when it is refuted. */
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
+/* Other work left out, with the reason. */
+void audit_leave_out(struct audit_result *out, const char *what, const char *why);
+
+#endif

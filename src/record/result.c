@@ -1,0 +1,145 @@
+/* The result record: what an audit has found, with every string in its own arena. */
+#include "stickslip/result.h"
+
+#include <math.h>
+#include <stdarg.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/mman.h>
+
+#include "finding.h"
+#include "stickslip/text.h"
+
+#define VERDICT_STRING(upper, lower) #lower,
+const char *const verdict_name[N_VERDICTS] = {VERDICTS(VERDICT_STRING)};
+
+void audit_result_init(struct audit_result *r) {
+  *r = (struct audit_result){.n_findings = 0};
+  arena_init(&r->arena);
+}
+
+struct result_pages {
+  struct result_pages *next;
+  void *at;
+  size_t size;
+};
+
+void result_keep_pages(struct audit_result *r, void *pages, size_t size) {
+  struct result_pages *p = ss_malloc(sizeof *p);
+  *p = (struct result_pages){r->pages, pages, size};
+  r->pages = p;
+}
+
+void audit_result_clear(struct audit_result *r) {
+  free(r->findings);
+  free(r->consequences);
+  free(r->skipped);
+  free(r->controls);
+  free(r->pairs);
+  free(r->long_runs);
+  free(r->values);
+  free(r->precision);
+  free(r->spent);
+  while (r->pages) {
+    struct result_pages *p = r->pages;
+    r->pages = p->next;
+    munmap(p->at, p->size);
+    free(p);
+  }
+  free(r->tables);
+  arena_clear(&r->arena);
+}
+
+const char *result_str(struct audit_result *r, const char *fmt, ...) {
+  va_list ap, again;
+  va_start(ap, fmt);
+  va_copy(again, ap);
+  int n = vsnprintf(NULL, 0, fmt, ap);
+  va_end(ap);
+  char *s = arena_alloc(&r->arena, (size_t)(n > 0 ? n : 0) + 1);
+  vsnprintf(s, (size_t)n + 1, fmt, again);
+  va_end(again);
+  return s;
+}
+
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
+  for (size_t i = 0; i < r->n_consequences; i++)
+    if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
+  return NULL;
+}
+
+void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
+  long total = 0;
+  for (int i = 0; i < N_VERDICTS; i++) count[i] = 0;
+  for (size_t i = 0; i < r->n_findings; i++) count[r->findings[i].verdict]++;
+  for (int i = 0; i < N_VERDICTS; i++) total += count[i];
+  if (total != (long)r->n_findings) abort();
+}
+
+long audit_result_unexpected(const struct audit_result *r) {
+  long n = 0;
+  for (size_t i = 0; i < r->n_findings; i++)
+    n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
+  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
+  for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  return n;
+}
+
+void audit_leave_out(struct audit_result *out, const char *what, const char *why) {
+  out->skipped = ss_grow(out->skipped, out->n_skipped, &out->cap_skipped, sizeof *out->skipped);
+  out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
+}
+
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
+  out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
+  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
+}
+
+enum verdict verdict_parse(const char *name) {
+  int i = 0;
+  while (i < N_VERDICTS && strcmp(verdict_name[i], name) != 0) i++;
+  return (enum verdict)i;
+}
+
+bool verdict_fails(enum verdict v) {
+  return v == VERDICT_REFUTED || v == VERDICT_CONDITIONAL;
+}
+
+struct evidence *finding_add(struct finding *f, struct audit_result *out) {
+  struct evidence *e = arena_alloc(&out->arena, (size_t)(f->n_evidence + 1) * sizeof *e);
+  if (f->n_evidence) memcpy(e, f->evidence, (size_t)f->n_evidence * sizeof *e);
+  f->evidence = e;
+  e += f->n_evidence++;
+  *e = (struct evidence){.bits = -1, .trials = -1, .machine_residual = NAN};
+  return e;
+}
+
+const char *order_of_magnitude(struct audit_result *r, double log2x) {
+  if (isinf(log2x) && log2x < 0) return "0";
+  return result_str(r, "1e%d", (int)ceil(log2x * 0.30102999566398120));
+}
+
+static struct evidence *put(struct finding *f, struct audit_result *out, const char *route, const char *layer,
+                            const char *result, long bits, long trials, const char *where, const char *note) {
+  struct evidence *e = finding_add(f, out);
+  e->route = route;
+  e->layer = layer;
+  e->result = result;
+  e->bits = bits;
+  e->trials = trials;
+  e->worst = where;
+  e->note = note;
+  return e;
+}
+
+struct evidence *finding_add_route(struct finding *f, struct audit_result *out, struct route_result w,
+                                   const char *layer, long bits, const char *where, const char *note) {
+  static const char *const words[] = {"undecided", "agrees", "differs", "undecided"};
+  return put(f, out, w.route, layer, words[w.outcome], bits, w.trials, where, note);
+}
+
+void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
+                   long trials, const char *where, const char *note) {
+  put(f, out, route, layer, "states", bits, trials, where, note);
+}

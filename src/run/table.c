@@ -1,0 +1,39 @@
+/* How the numbers of a table are printed, and where a finished table goes. */
+#include "tables.h"
+
+#include <string.h>
+
+void table_number(struct text *out, const arb_t x, int decimals) {
+  arb_t unit, y;
+  fmpz_t n;
+  arb_init(unit);
+  arb_init(y);
+  fmpz_init(n);
+  arb_set_ui(unit, 10);
+  arb_pow_ui(unit, unit, (ulong)decimals, LAST_PREC);
+  arb_mul(y, x, unit, LAST_PREC);
+  text_add_char(out, '\t');
+  if (!arb_is_finite(y) || mag_cmp_2exp_si(arb_radref(y), -2) >= 0) {
+    text_add_char(out, '-');
+  } else {
+    arf_get_fmpz(n, arb_midref(y), ARF_RND_NEAR);
+    char *digits = fmpz_get_str(NULL, 10, n);
+    const char *d = digits + (digits[0] == '-');
+    int len = (int)strlen(d), whole = len > decimals ? len - decimals : 0;
+    text_printf(out, "%s%.*s", digits[0] == '-' ? "-" : "", whole, d);
+    if (whole == 0) text_add_char(out, '0');
+    text_add_char(out, '.');
+    for (int i = len; i < decimals; i++) text_add_char(out, '0');
+    text_add(out, d + whole);
+    flint_free(digits);
+  }
+  fmpz_clear(n);
+  arb_clear(y);
+  arb_clear(unit);
+}
+
+void table_finish(struct table_source *s, const char *name, const struct text *body) {
+  struct audit_result *out = s->j->out;
+  out->tables = ss_grow(out->tables, out->n_tables, &out->cap_tables, sizeof *out->tables);
+  out->tables[out->n_tables++] = (struct data_table){name, result_str(out, "%s", text_str(body))};
+}

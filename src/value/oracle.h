@@ -1,0 +1,14 @@
+/* The model's quantities under the paper's names. */
+#ifndef STICKSLIP_ORACLE_H
+#define STICKSLIP_ORACLE_H
+
+#include "values.h"
+
+struct oracle;
+/* The oracle of a name such as J_a, H(t), N, K_1; NULL when the model has no such quantity. */
+const struct oracle *oracle_find(const char *name);
+int oracle_rows(const struct oracle *o);
+int oracle_cols(const struct oracle *o);
+int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v);
+
+#endif

@@ -1,0 +1,122 @@
+/* Points: exact data at which a sentence is tried, and the orbits found at them so far. */
+#ifndef STICKSLIP_POINT_H
+#define STICKSLIP_POINT_H
+
+#include "base/random.h"
+#include "stickslip/dynamics.h"
+#include "stickslip/scene.h"
+
+/* Precision of the first trial in balls, and where raising it stops; bits. */
+enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };
+
+enum point_kind {
+  POINT_PARAMS,  /* parameters and a time */
+  POINT_FLOW,    /* a motion of one phase from an exact state over an exact time */
+  POINT_ARC,     /* one pass through the word from an exact state, with its events */
+  POINT_ORBIT,   /* a periodic orbit */
+  POINT_PRINTED, /* the printed state carried over the printed times, events or not */
+  POINT_GIVEN,   /* a periodic orbit of exact t_b and t_c, with the e1 and e2 that it needs, and exact u_r1 and u_r2 */
+  POINT_PATCHED /* any exact state carried by the linear systems of the four phases over any exact times, no events; its
+                    perturbations are any numbers, but for the velocities that (25), (30) and (38) leave alone */
+};
+
+/* Exact quantities of a point. */
+enum {
+  Q_CHI,
+  Q_ETA,
+  Q_V,
+  Q_E1,
+  Q_E2,
+  Q_US1,
+  Q_US2,
+  Q_X,
+  Q_Y,
+  Q_LAMBDA,
+  Q_T,
+  Q_S,  /* arcs: how far into its phase the time t lies, as a fraction */
+  Q_Z1, /* start of an arc or a flow: z_1, z_2, z_1', z_2' */
+  Q_Z2,
+  Q_DZ1,
+  Q_DZ2,
+  Q_TA, /* POINT_PRINTED, POINT_PATCHED */
+  Q_TB,
+  Q_TC,
+  Q_TD,
+  N_Q
+};
+
+struct point {
+  enum point_kind kind;
+  enum phase phase; /* of the time t: POINT_FLOW, and arcs */
+  bool admissible;  /* POINT_ORBIT: only orbits that break no condition */
+  bool realistic;   /* and u_s1, u_s2 for which each u_ri is 5/4 of what they ask of it, or a little more */
+  bool finite;      /* arcs: the perturbation is (x, y)/1024, carried by the motion itself, not by its derivative */
+  fmpq q[N_Q];
+  slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
+  const struct dyn_orbit *known; /* POINT_GIVEN: that orbit at hand, or NULL to find it through the cache */
+  const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
+};
+
+void point_init(struct point *p);
+void point_clear(struct point *p);
+/* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
+void point_print(struct text *out, const struct point *p);
+/* Applies "chi=1/2,V=2" to the point. */
+bool point_set(struct point *p, const char *at, struct diag *d);
+
+/* A condition that narrows the domain, tried when a sentence fails on the whole of it. */
+struct restriction {
+  const char *text; /* "V = 1" */
+  int quantity;
+  const char *value;
+};
+extern const struct restriction restrictions[];
+extern const int n_restrictions;
+
+/* Orbits found so far, by what is given and precision. */
+struct orbit_cache;
+struct orbit_cache *orbit_cache_new(void);
+void orbit_cache_free(struct orbit_cache *c);
+/* From now on lists hold what the search misses too, as those that `orbit` shows: for who is told a number by it. */
+void orbit_cache_complete(struct orbit_cache *c);
+/* The orbits at five exact parameters, enclosed at prec bits. */
+const struct dyn_orbits *orbit_cache_get(struct orbit_cache *c, const fmpq params[N_PARAMS], slong prec);
+/* The orbits among which a POINT_ORBIT is one, enclosed for work at prec bits. */
+const struct dyn_orbits *point_orbits(const struct point *p, struct orbit_cache *c, slong prec);
+
+/* The orbits at exact chi, eta, V (of q) with exact t_b and t_c. */
+const struct dyn_orbits *orbit_cache_given(struct orbit_cache *c, const fmpq q[N_Q], slong prec);
+
+/* The orbit's arc in the context of arc and params; params are the orbit's own. */
+int orbit_arc(struct dyn_arc *arc, struct orbit_cache *c, const struct dyn_orbit *o, const struct num_vec *params);
+
+/* What the return map and motions do beside an orbit, whatever a sentence says of it (judge/criterion.c). */
+struct orbit_slope {
+  const struct dyn_orbit *orbit;
+  bool have_slope, have_iterates, have_motion;
+  int status; /* of the slope */
+  double slope, margin;
+  int iterates, motion; /* fates */
+};
+/* What is known so far, at first nothing; lives until another is asked for. */
+struct orbit_slope *orbit_cache_slope(struct orbit_cache *c, const struct dyn_orbit *o);
+
+/* Reduces an orbit point's number to one of the orbits there are; false when there is none. */
+bool point_settle(struct point *p, struct orbit_cache *c);
+
+/* A stream of random points of one kind, seeded from an id. */
+struct sampler {
+  uint64_t state;
+  enum point_kind kind;
+  enum phase phase;
+  bool admissible, realistic, finite;
+  const struct restriction *restriction;
+};
+void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
+                  const struct restriction *restriction);
+void sampler_next(struct point *p, struct sampler *s);
+
+/* The point at the scene's own parameters that is like p in everything else; false when the scene has no orbit. */
+bool scene_point(struct point *out, const struct point *p, const struct scene *s, struct orbit_cache *cache);
+
+#endif

@@ -1,0 +1,49 @@
+/* Where a claim is tried: its attribute "points". */
+#include "claim/claim.h"
+#include "sentence.h"
+#include <stdio.h>
+#include <string.h>
+
+static bool parse_spec(struct point_spec *s, const char *item) {
+  char word[16], phase[16];
+  long n;
+  *s = (struct point_spec){.n = 0};
+  if (sscanf(item, "%15s %15s %ld", word, phase, &n) == 3) {
+    int ph = 0;
+    while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
+    if (ph == N_PHASES) return false;
+    s->phase = (enum phase)ph;
+  } else if (sscanf(item, "%15s %ld", word, &n) != 2) {
+    return false;
+  }
+  if (n <= 0) return false;
+  s->n = n;
+  if (strcmp(word, "flow") == 0)
+    s->kind = POINT_FLOW;
+  else if (strcmp(word, "params") == 0)
+    s->kind = POINT_PARAMS;
+  else if (strcmp(word, "arcs") == 0)
+    s->kind = POINT_ARC;
+  else if (strcmp(word, "patched") == 0)
+    s->kind = POINT_PATCHED;
+  else if (strcmp(word, "orbits") == 0 || strcmp(word, "admissible") == 0 || strcmp(word, "realistic") == 0)
+    s->kind = POINT_ORBIT;
+  else
+    return false;
+  s->realistic = strcmp(word, "realistic") == 0;
+  s->admissible = s->realistic || strcmp(word, "admissible") == 0;
+  return true;
+}
+
+int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
+  const char *list = claim_get(c, "points");
+  char item[64];
+  int n = 0;
+  bool ok = list || claim_error(j, c, "kind", "the attribute points is missing");
+  while (ok && (list = claim_next_item(item, sizeof item, list)) != NULL)
+    ok = (n < max && parse_spec(&spec[n++], item)) ||
+         claim_error(j, c, "points",
+                     "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
+                     "or \"admissible [PHASE] N\"");
+  return ok ? n : -1;
+}

@@ -1,0 +1,48 @@
+/* Printed numbers as brackets, the points they stand for, and the scene's orbit that is nearest to them. */
+#ifndef STICKSLIP_PRINTED_H
+#define STICKSLIP_PRINTED_H
+
+#include "claim/judging.h"
+#include "point.h"
+
+/* What the scene gives, else prints, under a key's name; NULL when it does neither. */
+const fmpq *scene_number(const struct scene *s, enum scene_key key);
+/* The printed state and times of the scene as a point, with what the scene gives in place of what it does not print;
+   false when some are neither printed nor given. */
+bool printed_point(struct point *out, const struct scene *s);
+/* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
+bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
+
+/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to the
+   printed numbers.  Status flags. */
+int scene_numbers(struct num_vec *params, struct judge *j);
+
+/* The orbits at the scene's parameters. */
+const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache);
+
+/* The two ways in which a decimal may have been printed. */
+enum reading { READ_ROUNDED, READ_TRUNCATED, N_READINGS };
+extern const char *const reading_name[N_READINGS];
+/* Does x print as p?  TRUE under some reading (*how), FALSE under none. */
+truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
+/* A ball over every value that prints as p. */
+void printed_ball(arb_t x, const struct printed_number *p);
+/* A control's attribute "shift", in units of the last digit, applied to a printed number: *p then points at own, whose
+   values the caller clears. */
+bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
+
+/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to the
+   printed numbers.  Status flags. */
+int scene_numbers(struct num_vec *params, struct judge *j);
+
+/* The orbits at the scene's parameters. */
+const struct dyn_orbits *scene_orbits(const struct scene *s, struct orbit_cache *cache);
+
+/* Why a scene for which scene_has_forces is false has none: also a box, of which an audit keeps no data. */
+const char *scene_lacks_forces(const struct scene *s);
+/* Marks the claim as skipped, with the reason. */
+void finding_skip(struct finding *f, struct judge *j, const char *why);
+/* x to n digits, or as a ball when it is not known that well. */
+const char *ball_text(struct judge *j, const arb_t x, slong n);
+
+#endif

@@ -1,0 +1,83 @@
+/* Two sides of a sentence at points. */
+#ifndef STICKSLIP_SENTENCE_H
+#define STICKSLIP_SENTENCE_H
+
+#include "claim/judging.h"
+#include "oracle.h"
+#include "stickslip/model.h"
+#include "stickslip/tape.h"
+#include "values.h"
+
+/* A sentence ready to be tried: paper's expressions on one or both sides, the model's quantity perhaps on the other.
+   It must be cleared whether or not it could be made. */
+struct sentence {
+  struct elaboration el;
+  struct tape tape;
+  slong n; /* entries of a side */
+  int cols;
+  enum relop *ops;             /* of each entry */
+  const struct oracle *oracle; /* the right side, or NULL when it is on the tape */
+};
+
+/* value = oracle of the same name, which there is, with names in it replaced by the model's quantities. */
+bool sentence_from_value(struct sentence *s, struct view v, const char *value, const char *section,
+                         const struct override *overrides, int n_overrides, struct diag *d);
+/* The record that an attribute of a claim names, which has a relation to be judged; NULL with d set. */
+const struct statement_record *claim_record(struct view v, const struct claim *c, const char *attribute, const char *id,
+                                            struct diag *d);
+/* The entries of a record (every step of its relations, of which there are some), with names replaced by the model's
+   quantities. */
+bool sentence_from_relations(struct sentence *s, struct view v, const struct statement_record *r,
+                             const struct override *overrides, int n_overrides, struct diag *d);
+/* What a matrix or identity claim says: by its statement or its value. */
+bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
+                         int n_overrides, struct diag *d);
+void sentence_clear(struct sentence *s);
+/* Both sides (s->n each, in the context of lhs and rhs). */
+int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
+                    enum variant variant, struct orbit_cache *cache);
+
+enum outcome { OUTCOME_AGREES, OUTCOME_DIFFERS, OUTCOME_UNDECIDED, OUTCOME_REJECTED, OUTCOME_UNBOUND };
+
+struct trial {
+  enum outcome outcome;
+  int status; /* of a rejected point */
+  long bits;
+  double log_diff; /* log2 of the largest difference over max(1, scale); -inf for none */
+  slong entry;     /* where */
+  char lhs[64], rhs[64];
+  char unbound[64];
+};
+
+/* Both sides in balls, from 128 bits, doubled while undecided up to 1024.  Differs when the balls of an equality are
+   disjoint, or those of an inequality are ordered the other way; agrees when every inequality is proved, and the sides of
+   every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
+struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
+                                struct orbit_cache *cache);
+/* Two vectors of balls (as long as each other, in one context) as the sides of equalities, decided in the same way at
+   their precision alone. */
+struct trial balls_compare(const struct num_vec *lhs, const struct num_vec *rhs);
+/* In a rounded type: agrees below tol max(1, scale), differs above sqrt(tol) max(1, scale). */
+struct trial sentence_try_rounded(struct sentence *s, const struct point *p, enum variant variant, struct num_ctx ctx,
+                                  double log_tol, struct orbit_cache *cache);
+
+/* Does x op y hold?  UNKNOWN for an equality. */
+truth inequality_holds(const struct num_type *type, enum relop op, const void *x, const void *y);
+
+/* log2 of an upper bound of |x|; -inf for zero. */
+double log2_upper(const arb_t x);
+
+/* "[2,3]" for an entry of a matrix, counted from 0 by rows; "2" in a column, "" in a scalar. */
+const char *entry_place(struct audit_result *out, slong n, int cols, slong entry);
+
+/* One kind of point that a claim names. */
+struct point_spec {
+  enum point_kind kind;
+  enum phase phase;
+  bool admissible, realistic;
+  long n;
+};
+/* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
+int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);
+
+#endif

@@ -1,0 +1,55 @@
+/* Values of the paper's symbols at a point, in one number type. */
+#ifndef STICKSLIP_VALUES_H
+#define STICKSLIP_VALUES_H
+
+#include "point.h"
+
+/* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
+   differences; the return Jacobian by saltation matrices. */
+enum variant { VARIANT_CLOSED, VARIANT_EXPONENTIAL, VARIANT_FD, VARIANT_SALTATION };
+
+struct values {
+  struct num_ctx ctx;
+  const struct point *point;
+  enum variant variant;
+  struct num_vec q;         /* N_Q */
+  struct num_vec params;    /* N_PARAMS */
+  struct dyn_arc arc;       /* POINT_ARC, POINT_ORBIT */
+  struct dyn_arc perturbed; /* finite perturbations */
+  struct num_vec t;         /* the time t; on arcs made when first asked for, as the next two */
+  struct num_vec zt, azt;   /* Z(t) and its derivative */
+  bool have_t;
+  struct num_vec phi; /* the matrix exponentials over the arc's four phases, 16 each; each made when first asked for */
+  bool have_phi[N_PHASES];
+  struct num_vec local; /* four local Jacobians, 16 each; each made when first asked for */
+  bool have_local[N_PHASES];
+  struct num_vec tangent; /* dZ_0, dZ_a, dZ_b, dZ_c, dZ_f, 4 each */
+  struct num_vec dt;      /* dt_a, dt_b, dt_c, dt_d */
+  bool have_tangent;
+  struct oracle_matrix *matrices; /* whose entries were asked for */
+  size_t n_matrices, cap_matrices;
+};
+
+/* Status flags; anything but SS_OK means that the point is not accepted in this type. */
+int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
+                struct orbit_cache *cache);
+void values_clear(struct values *v);
+/* exp(A t) of a phase over its time on the arc. */
+int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
+/* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
+int values_bind(void *z, bool *known, struct values *v, const char *name);
+/* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
+bool springs_bind(int *status, void *z, struct values *v, const char *name);
+int springs_square_of_omega_3(void *z, struct values *v);
+
+/* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
+   "t_a" ... "t_d": 100 and more; -1 for another name. */
+int name_of_arc(const char *name);
+/* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
+bool name_of_tangent(const char *name, int *index);
+/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
+bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
+/* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
+int name_of_switching_time(const char *argument);
+
+#endif
