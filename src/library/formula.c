@@ -5,6 +5,7 @@
 #include "library.h"
 #include "stickslip/arena.h"
 #include "value/expression.h"
+#include "value/printed.h"
 
 enum { MOST_DIGITS = 10000, MOST_BITS = 1 << 16 };
 
