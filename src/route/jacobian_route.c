@@ -1,5 +1,6 @@
 /* One Jacobian by one method: of the whole period, or of one phase in the paper's corner of it, at one precision. */
 #include "jacobian.h"
+#include "value/expression.h"
 #include "value/values.h"
 #include <string.h>
 

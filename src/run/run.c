@@ -11,6 +11,7 @@
 #include "record/routes.h"
 #include "route/studies.h"
 #include "skipped.h"
+#include "tables.h"
 #include "stickslip/work.h"
 #include "value/orbit_pool.h"
 
