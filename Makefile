@@ -27,9 +27,7 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
-# threads of the batch kernel; without OpenMP it uses one
-OPENMP = $(shell printf '\043include <omp.h>\nint main(void){return omp_get_max_threads() < 1;}\n' | $(CC) $(CFLAGS) -fopenmp -x c - -o /dev/null 2>/dev/null && echo -fopenmp)
-LIBS  = $(OPENMP) $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
+LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
 ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
@@ -115,7 +113,7 @@ $(B)/cvode.%:
 
 $(B)/src/cli/%.o: EXTRA_INCLUDE = -I.
 # vectorised: no flag here may change a bit of a result
-$(B)/src/explore/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math $(OPENMP)
+$(B)/src/explore/batch.o: EXTRA_INCLUDE = -O3 -fno-math-errno -fno-trapping-math
 $(B)/bench/%.o: EXTRA_INCLUDE = -I. $(if $(PEERS),-DSTICKSLIP_SUNDIALS)
 $(B)/%.o: %.c Makefile
 	@mkdir -p $(@D)
@@ -195,7 +193,7 @@ install: all ## install program, library, headers, man pages, completion and dat
 	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
 	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
 	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@VERSION@|$(VERSION)|' tools/stickslip.pc.in \
-	  | sed 's|@PRIVATE@|$(OPENMP) $(CALCIUM) $(ARB) -lflint -lgmp -ldl|' \
+	  | sed 's|@PRIVATE@|$(CALCIUM) $(ARB) -lflint -lgmp -ldl|' \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 

@@ -195,6 +195,9 @@ bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, 
                      const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void));
 /* Appends a row; which of them are on the front is decided anew. */
 void bench_add_row(struct bench_table *t, const struct bench_method *m, const struct bench_row *row);
+/* log10 of the errors that the guide gives a method for. */
+extern const int bench_targets[];
+extern const int n_bench_targets;
 /* The fastest method whose worst error is at most 10^log_error; rigorous: among balls.  Bare methods do not count.
    NULL: none. */
 const struct bench_row *bench_best(const struct bench_table *t, double log_error, bool rigorous);
@@ -232,10 +235,6 @@ void bench_add_error(struct text *out, double log);                  /* an error
 void bench_add_setting(struct text *out, const struct bench_row *r); /* "128", "1e-06"; nothing without one */
 void bench_add_state(struct text *out, const struct bench_row *r);   /* "ok", or why not and how often */
 const char *bench_outcome_name(enum bench_outcome o);                /* "met", "not met", ... */
-
-/* log10 of the errors that the guide gives a method for. */
-extern const int bench_targets[];
-extern const int n_bench_targets;
 
 void bench_tsv(struct text *out, const struct bench_table *t);
 void bench_verdicts_tsv(struct text *out, const struct bench_verdicts *v);

@@ -99,7 +99,6 @@ struct bench_lanes {
   int n;
   const char *set[MOST_SETS]; /* instruction sets that the machine has, the widest first; on one core, */
   double gain[MOST_SETS];     /* the scalar solver's time over the lanes' */
-  double two;                 /* the widest on one thread over two */
   double bare;                /* dyn_orbit_bare, which has no digits to spare and judges nothing, over the widest */
 };
 void bench_lanes(struct bench_lanes *b);

@@ -77,12 +77,12 @@ static double time_bare(struct sweep *s) {
   return bench_now() - begin;
 }
 
-static double time_lanes(struct sweep *s, int set, int jobs) {
+static double time_lanes(struct sweep *s, int set) {
   const double *params[N_PARAMS], *guess[2] = {s->guess[0], s->guess[1]};
   for (int i = 0; i < N_PARAMS; i++) params[i] = s->params[i];
   batch_set_use(set);
   double begin = bench_now();
-  dyn_orbits_batch(s->out, s->violations, s->status, params, guess, s->n, jobs);
+  dyn_orbits_batch(s->out, s->violations, s->status, params, guess, s->n);
   for (slong j = 0; j < s->n; j++)
     if (s->status[j] == SS_UNABLE) one_by_one(s, j);
   double took = bench_now() - begin;
@@ -93,11 +93,11 @@ static double time_lanes(struct sweep *s, int set, int jobs) {
 void bench_lanes(struct bench_lanes *b) {
   struct search found;
   struct sweep s;
-  double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, two = INFINITY, best[MOST_SETS];
+  double p[N_PARAMS], scalar = INFINITY, bare = INFINITY, best[MOST_SETS];
   int widest = -1;
   for (int k = 0; k < N_PARAMS; k++) p[k] = bench_example[k];
   p[P_E2] = low;
-  *b = (struct bench_lanes){.two = NAN, .bare = NAN};
+  *b = (struct bench_lanes){.bare = NAN};
   if (search_run(&found, p, &dyn_limits_default) == SS_OK) {
     sweep_init(&s, LINE * found.n + 1);
     for (size_t i = 0; i < found.n; i++) add_branch(&s, found.zeros[i].tb, found.zeros[i].tc);
@@ -106,8 +106,7 @@ void bench_lanes(struct bench_lanes *b) {
       scalar = fmin(scalar, time_scalar(&s));
       bare = fmin(bare, time_bare(&s));
       for (int set = 0; set < MOST_SETS && batch_set_name(set); set++)
-        if (batch_set_here(set)) best[set] = fmin(best[set], time_lanes(&s, set, 1));
-      two = fmin(two, time_lanes(&s, -1, 2)); /* both cores must be free at once */
+        if (batch_set_here(set)) best[set] = fmin(best[set], time_lanes(&s, set));
     }
     for (int set = 0; set < MOST_SETS && batch_set_name(set); set++) {
       if (!batch_set_here(set)) continue;
@@ -115,10 +114,7 @@ void bench_lanes(struct bench_lanes *b) {
       b->set[b->n] = batch_set_name(set);
       b->gain[b->n++] = scalar / best[set];
     }
-    if (widest >= 0) {
-      b->two = best[widest] / two;
-      b->bare = bare / best[widest];
-    }
+    if (widest >= 0) b->bare = bare / best[widest];
     sweep_clear(&s);
   }
   search_clear(&found);

@@ -8,9 +8,6 @@
 #include "bench/bench.h"
 #include "stickslip/arena.h"
 
-const int bench_targets[] = {-6, -12, -30, -100, -300};
-const int n_bench_targets = sizeof bench_targets / sizeof *bench_targets;
-
 /* A time with three digits and its unit. */
 static void add_time(struct text *out, double ns) {
   static const struct {

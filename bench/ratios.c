@@ -271,7 +271,6 @@ static void sweep_ratios(struct bench_result *r) {
         "sweep, one core: dyn_orbit_warm / orbits in lanes (%s)", b.set[i]);
   add(r, b.bare, false, NAN,
       "sweep, one core: dyn_orbit_bare, in double precision and without conditions / orbits in lanes");
-  add(r, b.two, false, 1.8, "sweep in lanes: one thread / two");
 }
 
 void bench_ratios(struct bench_result *r) {

@@ -43,6 +43,9 @@ void bench_add_row(struct bench_table *t, const struct bench_method *m, const st
   find_front(t);
 }
 
+const int bench_targets[] = {-6, -12, -30, -100, -300};
+const int n_bench_targets = sizeof bench_targets / sizeof *bench_targets;
+
 const struct bench_row *bench_best(const struct bench_table *t, double log_error, bool rigorous) {
   const struct bench_row *best = NULL;
   for (int i = 0; i < t->n; i++) {

@@ -12,6 +12,7 @@
 #include "stickslip/margins.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/expression.h"
 #include "value/orbit_pool.h"
 
 static struct model model;

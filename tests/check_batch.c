@@ -74,7 +74,7 @@ static void any_params(double p[N_PARAMS]) {
 static void run(struct table *t) {
   const double *params[N_PARAMS], *guess[2] = {t->guess[0], t->guess[1]};
   for (int i = 0; i < N_PARAMS; i++) params[i] = t->params[i];
-  dyn_orbits_batch(t->out, t->violations, t->status, params, guess, t->n, 1);
+  dyn_orbits_batch(t->out, t->violations, t->status, params, guess, t->n);
 }
 
 /* --- Truth. --- */
@@ -405,25 +405,6 @@ START_TEST(same_bits_alone_and_among_others) {
 }
 END_TEST
 
-START_TEST(same_bits_in_threads) {
-  struct table t, other;
-  table_init(&t, 5000);
-  table_init(&other, 5000);
-  mixture(&t);
-  mixture(&other);
-  run(&t);
-  for (int jobs = -1; jobs <= 3; jobs += 2) {
-    const double *params[N_PARAMS], *guess[2] = {other.guess[0], other.guess[1]};
-    for (int i = 0; i < N_PARAMS; i++) params[i] = other.params[i];
-    int all = dyn_orbits_batch(other.out, other.violations, other.status, params, guess, other.n, jobs);
-    ck_assert_int_eq(all, SS_DOMAIN | SS_UNABLE);
-    ck_assert(same_bits(&t, &other, 0, t.n));
-  }
-  table_clear(&t);
-  table_clear(&other);
-}
-END_TEST
-
 START_TEST(outside_the_domain) {
   static const double bad[] = {0, -1, NAN, INFINITY, -INFINITY};
   enum { N_BAD = sizeof bad / sizeof *bad };
@@ -464,7 +445,6 @@ Suite *batch_suite(void) {
   tcase_add_test(c, as_the_scalar_solver);
   tcase_add_test(c, same_bits_on_every_instruction_set);
   tcase_add_test(c, same_bits_alone_and_among_others);
-  tcase_add_test(c, same_bits_in_threads);
   tcase_add_test(c, outside_the_domain);
   suite_add_tcase(s, c);
   return s;

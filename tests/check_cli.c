@@ -1422,6 +1422,8 @@ static const struct {
     {{NULL}, 2, "a command is needed"},
     {{"audit"}, 2, "unknown command audit"},
     {{"--digits"}, 2, "unknown command --digits"},
+    {{"help", "audit"}, 2, "unknown command audit"},
+    {{"help", "orbit", "plot"}, 2, "help takes one command, not plot too"},
     {{"orbit"}, 2, "orbit takes one SCENE"},
     {{"orbit", "paper", "paper"}, 2, "orbit takes one SCENE"},
     {{"orbit", "paper", "--speed"}, 2, "unknown option --speed"},
@@ -1782,70 +1784,173 @@ static bool mentions(const char *text, const char *word) {
   return false;
 }
 
-/* How many rows {"word", FOR_... the table in a source file has; each word stands in the help. */
-static int table_rows(const char *help, const char *file) {
-  char *source = slurp(file);
-  ck_assert_msg(source != NULL, "%s", file);
-  int known = 0;
-  for (const char *p = strstr(source, "{\""); p; p = strstr(p + 1, "{\"")) {
-    char word[40];
-    int n = 0;
-    if (sscanf(p, "{\"%39[a-z-]\",%n", word, &n) != 1 || n == 0) continue;
-    p += n + (int)strspn(p + n, " \n");
-    if (strncmp(p, "FOR_", 4) != 0 && strncmp(p, "~0U", 3) != 0) continue;
-    ck_assert_msg(mentions(help, word), "the help says nothing of %s", word);
-    known++;
+/* The rows of help --table, their four fields. */
+enum { MOST_ROWS = 400, ROW_FIELDS = 4 };
+struct rows {
+  struct job j;
+  char *field[MOST_ROWS][ROW_FIELDS];
+  int n;
+};
+
+static void rows_read(struct rows *r) {
+  run_well(&r->j, "help", "--table", NULL);
+  r->n = 0;
+  char *end = NULL;
+  for (char *line = strtok_r(r->j.out, "\n", &end); line; line = strtok_r(NULL, "\n", &end), r->n++) {
+    ck_assert_int_lt(r->n, MOST_ROWS);
+    char *at = NULL, **field = r->field[r->n];
+    int k = 0;
+    for (char *f = strtok_r(line, "\t", &at); f && k < ROW_FIELDS; f = strtok_r(NULL, "\t", &at)) field[k++] = f;
+    ck_assert_msg(k == ROW_FIELDS && (at == NULL || !*at), "row %d of help --table", r->n + 1);
   }
-  free(source);
-  return known;
 }
 
-START_TEST(help_mentions_what_the_parser_knows) {
-  struct job j;
+static void lines_fit(const char *what, const char *text, int most) {
+  int n = 0;
+  for (const char *p = text; *p; p += strcspn(p, "\n") + 1, n++)
+    ck_assert_msg(strcspn(p, "\n") <= 80, "%s: %.200s", what, p);
+  ck_assert_msg(n <= most, "%s has %d lines", what, n);
+}
+
+START_TEST(help_fits_a_screen) {
+  static const char *const asked[] = {"-h", "help", "--help"};
+  struct job j, other;
+  struct rows r;
   run_well(&j, "--help", NULL);
-  ck_assert_int_ge(table_rows(j.out, "src/main.c"), 7);         /* commands */
-  ck_assert_int_ge(table_rows(j.out, "src/cli/options.c"), 16); /* options */
+  lines_fit("--help", j.out, 24);
+  ck_assert(mentions(j.out, "stickslip COMMAND --help") && mentions(j.out, "0 as recorded"));
+  for (int i = 0; i < 3; i++) {
+    run_well(&other, asked[i], NULL);
+    ck_assert_str_eq(other.out, j.out);
+    discard(&other);
+  }
+  rows_read(&r);
+  int commands = 0;
+  for (int i = 0; i < r.n; i++) {
+    char line[100];
+    if (strcmp(r.field[i][1], "usage") != 0) continue;
+    snprintf(line, sizeof line, "\n  %-10s %.80s\n", r.field[i][0], r.field[i][3]);
+    ck_assert_msg(strstr(j.out, line) != NULL, "no line for %s", r.field[i][0]);
+    commands++;
+  }
+  ck_assert_int_ge(commands, 18);
+  discard(&r.j);
   discard(&j);
 }
 END_TEST
 
-/* Every option in the help is one the parser knows, for some command. */
-START_TEST(the_parser_knows_what_help_mentions) {
-  static const char *const commands[] = {"verify", "orbit",     "jacobian", "simulate", "explain", "bifurcate",
-                                         "bench",  "stability", "sweep",    "mutate",   "list"};
-  struct job help;
-  run_well(&help, "--help", NULL);
-  for (const char *p = strstr(help.out, " --"); p; p = strstr(p + 1, " --")) {
-    char option[40], with_value[60];
-    bool known = false;
-    if (sscanf(p, " %39[a-z-]", option) != 1 || strcmp(option, "--help") == 0 || strcmp(option, "--version") == 0)
-      continue;
-    /* an unknown option ends the run before anything is done */
-    snprintf(with_value, sizeof with_value, "%s=1=1", option);
-    for (size_t i = 0; !known && i < sizeof commands / sizeof *commands; i++) {
-      struct job j;
-      run(&j, commands[i], with_value, "--no-such-option", NULL);
-      ck_assert_int_eq(j.status, 2);
-      known = strstr(j.err, "takes no value") || strstr(j.err, "unknown option --no-such-option");
-      discard(&j);
-    }
-    ck_assert_msg(known, "%s is no option of any command", option);
+/* Less all that is blank; lines of a page are broken at blanks. */
+static char *squeezed(const char *s) {
+  char *out = strdup(s), *to = out;
+  for (const char *p = out; *p; p++)
+    if (*p != ' ' && *p != '\n') *to++ = *p;
+  *to = '\0';
+  return out;
+}
+
+/* How many options the page describes. */
+static int options_of(const char *page) {
+  const char *p = strstr(page, "\noptions:\n"), *end = strstr(page, "\nexamples:\n");
+  int n = 0;
+  ck_assert(p && end);
+  while ((p = strstr(p + 1, "\n  --")) != NULL && p < end) n++;
+  return n;
+}
+
+/* The page of the command holds its rows, and no more options than these. */
+static void check_page(const struct rows *r, const char *command) {
+  struct job page, same;
+  char *flat;
+  int n_options = 0, n_examples = 0;
+  run_well(&page, command, "--help", NULL);
+  run_well(&same, "help", command, NULL);
+  ck_assert_str_eq(page.out, same.out);
+  lines_fit(command, page.out, 100);
+  flat = squeezed(page.out);
+  for (int i = 0; i < r->n; i++) {
+    char *const *field = r->field[i], *text = squeezed(field[3]), head[120];
+    bool option = strncmp(field[1], "--", 2) == 0;
+    bool own = strcmp(field[0], command) == 0 && strcmp(field[1], "usage") != 0;
+    snprintf(head, sizeof head, "\n  %s%s%s\n", field[1], *field[2] == '-' ? "" : " ",
+             *field[2] == '-' ? "" : field[2]);
+    if (own) ck_assert_msg(strstr(flat, text) && (!option || strstr(page.out, head)), "%s: %s", command, field[3]);
+    n_options += own && option;
+    n_examples += own && strcmp(field[1], "example") == 0;
+    free(text);
   }
+  ck_assert_int_eq(n_options, options_of(page.out));
+  ck_assert_int_eq(n_examples, 2);
+  free(flat);
+  discard(&same);
+  discard(&page);
+}
+
+START_TEST(each_command_has_its_page) {
+  struct rows r;
+  rows_read(&r);
+  for (int i = 0; i < r.n; i++)
+    if (strcmp(r.field[i][1], "usage") == 0) check_page(&r, r.field[i][0]);
+  discard(&r.j);
+}
+END_TEST
+
+/* With an option that nobody has behind them nothing is done, and nothing else is wrong with them. */
+START_TEST(examples_of_the_help_are_commands) {
+  struct rows r;
+  int n = 0;
+  rows_read(&r);
+  for (int i = 0; i < r.n; i++) {
+    const char *args[MAX_ARGS + 1];
+    int argc = 0;
+    struct job j;
+    if (strcmp(r.field[i][1], "example") != 0) continue;
+    char *end = NULL, *word = strtok_r(r.field[i][3], " ", &end);
+    ck_assert_str_eq(word, "stickslip");
+    while ((word = strtok_r(NULL, " ", &end)) != NULL) args[argc++] = word;
+    ck_assert_str_eq(args[0], r.field[i][0]);
+    args[argc++] = "--no-such-option";
+    args[argc] = NULL;
+    start(&j, NULL, program(), args);
+    finish(&j);
+    ck_assert_msg(j.status == 2 && strstr(j.err, "unknown option --no-such-option"), "%s: %s", args[0], j.err);
+    discard(&j);
+    n++;
+  }
+  ck_assert_int_ge(n, 36);
+  discard(&r.j);
+}
+END_TEST
+
+/* The jobs that --job takes are those that the help names. */
+START_TEST(help_names_every_job) {
+  struct job help, refused;
+  run_well(&help, "help", "bench", NULL);
+  run(&refused, "bench", "--job", "nobody", NULL);
+  char *p = strstr(refused.err, "--job takes one of "), *end = NULL;
+  ck_assert_msg(refused.status == 2 && p, "%s", refused.err);
+  p += strlen("--job takes one of ");
+  *strstr(p, ", not nobody") = '\0';
+  char *says = strstr(help.out, "JOB is ");
+  says[strcspn(says, ".") + 1] = '\0'; /* what follows describes them */
+  int n = 0;
+  for (char *job = strtok_r(p, ", ", &end); job; job = strtok_r(NULL, ", ", &end), n++) {
+    if (strcmp(job, "or") == 0) continue;
+    ck_assert_msg(mentions(says, job), "the help says nothing of %s", job);
+  }
+  ck_assert_int_ge(n, 10);
+  discard(&refused);
   discard(&help);
 }
 END_TEST
 
 START_TEST(help_and_version) {
-  struct job j, of_command;
-  run_well(&j, "--help", NULL);
-  ck_assert(strstr(j.out, "exit status: 0 ") && strstr(j.out, "1 to 100000"));
-  run_well(&of_command, "orbit", "paper", "--help", NULL);
-  ck_assert_str_eq(j.out, of_command.out);
+  struct job j;
+  run_well(&j, "orbit", "--help", NULL);
+  ck_assert(strstr(j.out, "rounded to nearest: 1\n      to 100000"));
   /* the ids that the data of orbits.tsv finds broken */
   static const char *const violations[] = {"t_a", "gamma_v1", "h_v2", "c_v2", "c_w", "u_r1", "u_r2"};
   for (size_t i = 0; i < sizeof violations / sizeof *violations; i++)
     ck_assert_msg(mentions(strstr(j.out, "violations"), violations[i]), "the help says nothing of %s", violations[i]);
-  discard(&of_command);
   discard(&j);
   run_well(&j, "--version", NULL);
   ck_assert(strncmp(j.out, "stickslip ", 10) == 0 && strchr(j.out, '\n') == j.out + strlen(j.out) - 1);
@@ -1937,8 +2042,10 @@ Suite *cli_suite(void) {
   c = tcase_create("help");
   tcase_set_timeout(c, TIME_LIMIT);
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
-  tcase_add_test(c, help_mentions_what_the_parser_knows);
-  tcase_add_test(c, the_parser_knows_what_help_mentions);
+  tcase_add_test(c, help_fits_a_screen);
+  tcase_add_test(c, each_command_has_its_page);
+  tcase_add_test(c, examples_of_the_help_are_commands);
+  tcase_add_test(c, help_names_every_job);
   tcase_add_test(c, help_and_version);
   suite_add_tcase(s, c);
   return s;

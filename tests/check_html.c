@@ -10,6 +10,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "report/escape.h"
+#include "report/formula.h"
 #include "report/html.h"
 #include "scratch.h"
 #include "stickslip/audit.h"
@@ -39,7 +41,7 @@
 static void set(struct text *out, const char *tex) {
   struct text t;
   text_init(&t);
-  ck_assert_msg(mathml_add(&t, tex, strlen(tex), NULL), "%s", tex);
+  ck_assert_msg(formula_mathml(&t, tex, strlen(tex), NULL), "%s", tex);
   static const char head[] = "<math displaystyle=\"true\"><semantics>";
   const char *end = strstr(t.data, "<annotation encoding=\"application/x-tex\">");
   ck_assert_msg(strncmp(t.data, head, sizeof head - 1) == 0 && end, "%s", t.data);
@@ -149,7 +151,7 @@ START_TEST(what_is_no_formula_is_shown_as_typed) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct text t;
     text_init(&t);
-    ck_assert_msg(!mathml_add(&t, cases[i], strlen(cases[i]), NULL) && t.len == 0, "%s", cases[i]);
+    ck_assert_msg(!formula_mathml(&t, cases[i], strlen(cases[i]), NULL) && t.len == 0, "%s", cases[i]);
     html_math(&t, cases[i], NULL);
     ck_assert_msg(strncmp(t.data, "<code class=\"raw\">", 18) == 0, "%s", t.data);
     text_clear(&t);
@@ -166,7 +168,7 @@ START_TEST(deep_formulas) {
     for (int i = 0; i < depth; i++) text_add(&tex, "{");
     text_add(&tex, "x");
     for (int i = 0; i < depth; i++) text_add(&tex, "}");
-    ck_assert_int_eq(mathml_add(&t, tex.data, tex.len, NULL), depth < 64);
+    ck_assert_int_eq(formula_mathml(&t, tex.data, tex.len, NULL), depth < 64);
     text_clear(&t);
     text_clear(&tex);
   }
@@ -177,7 +179,7 @@ END_TEST
 static void pieces(struct text *out, const char *tex) {
   struct text t;
   text_init(&t);
-  mathml_add(&t, tex, strlen(tex), NULL);
+  formula_mathml(&t, tex, strlen(tex), NULL);
   for (const char *p = t.data; (p = strstr(p, "x-tex\">")) != NULL;) {
     p += 7;
     if (out->len) text_add(out, "|");
@@ -242,7 +244,7 @@ START_TEST(what_differs_is_marked) {
   };
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     bool a[100], b[100];
-    math_changes(a, cases[i].a, b, cases[i].b);
+    formula_changes(a, cases[i].a, b, cases[i].b);
     ck_assert_str_eq(marked(cases[i].a, a), cases[i].in_a);
     ck_assert_str_eq(marked(cases[i].b, b), cases[i].in_b);
   }
@@ -255,8 +257,8 @@ START_TEST(marks_are_carried_to_the_quotation) {
   static const char a[] = "D = \\begin{pmatrix} I & V \\, t \\, I \\\\ 0 & I \\end{pmatrix}";
   static const char b[] = "D = \\begin{pmatrix} I & t \\, I \\\\ 0 & I \\end{pmatrix}";
   bool in_a[sizeof a], in_b[sizeof b], in_text[sizeof text];
-  ck_assert(math_changes(in_a, a, in_b, b));
-  math_changes_in_text(in_text, text, a, in_a);
+  ck_assert(formula_changes(in_a, a, in_b, b));
+  formula_changes_in_text(in_text, text, a, in_a);
   for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert_int_eq(in_text[i], text + i == strstr(text, "V tI"));
   struct text t;
   text_init(&t);
@@ -270,8 +272,8 @@ END_TEST
 START_TEST(no_mark_where_the_place_is_not_clear) {
   static const char text[] = "$J_b y_b$ and $J_b y_b$", a[] = "J_b y_b", b[] = "J_b y_a";
   bool in_a[sizeof a], in_b[sizeof b], in_text[sizeof text];
-  ck_assert(math_changes(in_a, a, in_b, b));
-  math_changes_in_text(in_text, text, a, in_a);
+  ck_assert(formula_changes(in_a, a, in_b, b));
+  formula_changes_in_text(in_text, text, a, in_a);
   for (size_t i = 0; i + 1 < sizeof text; i++) ck_assert(!in_text[i]);
 }
 END_TEST
@@ -472,7 +474,7 @@ START_TEST(broken_bytes_are_replaced) {
   for (size_t i = 0; i < sizeof bytes / sizeof *bytes; i++) {
     struct text t;
     text_init(&t);
-    html_plain(&t, bytes[i]);
+    escape_html(&t, bytes[i]);
     ck_assert(strstr(t.data, "\xef\xbf\xbd") && text_valid_prefix(t.data, t.len) == t.len);
     text_clear(&t);
   }

@@ -365,19 +365,18 @@ START_TEST(many_orbits_at_once) {
   for (int j = 0; j < N; j++)
     for (int i = 0; i < 2; i++) from[i][j] = near_it[i];
   for (int i = 0; i < SS_OUTPUTS; i++) out[i] = to[i];
-  ck_assert_int_eq(ss_orbits_batch(out, violations, status, p, guess, N, 2), SS_OK);
+  ck_assert_int_eq(ss_orbits_batch(out, violations, status, p, guess, N), SS_OK);
   for (int j = 0; j < N; j++) {
     double one[SS_OUTPUTS], at[SS_PARAMS];
     for (int i = 0; i < SS_PARAMS; i++) at[i] = in[i][j];
     ck_assert_int_eq(ss_orbit_warm(one, NULL, NULL, at, near_it), SS_OK);
     for (int i = 0; i < SS_OUTPUTS; i++) ck_assert_double_eq_tol(to[i][j], one[i], 4e-15);
   }
-  ck_assert_int_eq(ss_orbits_batch(NULL, NULL, NULL, NULL, NULL, 0, 1), SS_OK);
-  FAILS(ss_orbits_batch(out, violations, status, p, guess, N, 0), SS_ARGUMENT);
-  FAILS(ss_orbits_batch(out, NULL, status, p, guess, N, 1), SS_ARGUMENT);
-  FAILS(ss_orbits_batch(NULL, violations, status, p, guess, N, 1), SS_ARGUMENT);
+  ck_assert_int_eq(ss_orbits_batch(NULL, NULL, NULL, NULL, NULL, 0), SS_OK);
+  FAILS(ss_orbits_batch(out, NULL, status, p, guess, N), SS_ARGUMENT);
+  FAILS(ss_orbits_batch(NULL, violations, status, p, guess, N), SS_ARGUMENT);
   out[3] = NULL;
-  FAILS(ss_orbits_batch(out, violations, status, p, guess, N, 1), SS_ARGUMENT);
+  FAILS(ss_orbits_batch(out, violations, status, p, guess, N), SS_ARGUMENT);
 }
 END_TEST
 

@@ -14,6 +14,7 @@ int main(void) {
   bool chosen = getenv("CK_INCLUDE_TAGS") || getenv("CK_EXCLUDE_TAGS"); /* tests by their tags: perhaps none */
   if (!getenv("CK_INCLUDE_TAGS")) setenv("CK_EXCLUDE_TAGS", "exhaustive", 0);
   SRunner *r = srunner_create(base_suite());
+  srunner_add_suite(r, tex_suite());
   srunner_add_suite(r, num_suite());
   srunner_add_suite(r, expr_suite());
   srunner_add_suite(r, edit_suite());

@@ -12,14 +12,15 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/crew.h"
 #include "judge/judge.h"
 #include "power/mutants.h"
 #include "process.h"
-#include "run/workers.h"
 #include "scratch.h"
 #include "stickslip/exact.h"
 #include "stickslip/report_mutation.h"
 #include "suites.h"
+#include "value/expression.h"
 #include "value/orbit_pool.h"
 
 static struct model model;
@@ -321,7 +322,7 @@ START_TEST(work_is_shared_in_order) {
     for (size_t n = 0; n <= 20; n += 5) {
       diag_init(&d);
       memset(a, 0, sizeof a);
-      ck_assert_msg(workers_run(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
+      ck_assert_msg(crew_results(a, sizeof *a, n, jobs[k], double_it, &ten, NULL, &d), "%s", d.message);
       for (size_t i = 0; i < n; i++) ck_assert(a[i].item == i && a[i].twice == 20 + (int)i);
       no_child_is_left();
     }
@@ -329,14 +330,14 @@ START_TEST(work_is_shared_in_order) {
 END_TEST
 
 START_TEST(a_process_that_ends_early_is_noticed) {
-  static work_fn *const bad[] = {die_at_seven, leave_at_seven};
+  static crew_make *const bad[] = {die_at_seven, leave_at_seven};
   struct answer a[20];
   int ten = 10;
   for (int k = 0; k < 2; k++)
     for (int jobs = 1; jobs <= 4; jobs++) {
       struct diag d;
       diag_init(&d);
-      ck_assert(!workers_run(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
+      ck_assert(!crew_results(a, sizeof *a, 20, jobs, bad[k], &ten, NULL, &d));
       ck_assert_msg(strstr(d.message, "a worker process ended before its time: "), "%s", d.message);
       no_child_is_left();
     }

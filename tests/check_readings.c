@@ -13,6 +13,7 @@
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/expression.h"
 #include "value/point.h"
 
 /* --- The independent data --- */

@@ -346,11 +346,6 @@ START_TEST(static_friction_counts) {
 }
 END_TEST
 
-static int asked;
-static bool after_three(void) {
-  return ++asked > 3;
-}
-
 START_TEST(points_say_why_they_failed) {
   struct line l;
   struct dyn_family f;
@@ -366,13 +361,8 @@ START_TEST(points_say_why_they_failed) {
   dyn_family_clear(&f);
   line_clear(&l);
   line_init(&l, example, P_E2, "0.8", "1", 300);
-  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1, .stop = after_three};
-  ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_OK);
-  ck_assert_int_eq(f.point[2].status, FAMILY_OK);
-  ck_assert_int_eq(f.point[299].status, FAMILY_STOPPED);
-  dyn_family_clear(&f);
+  struct dyn_family_request q = {.params = l.params, .axis = &l.axis, .every = 1};
   set_decimal(&l.params[P_V], "0");
-  q.stop = NULL;
   ck_assert_int_eq(dyn_family_find(&f, &q, 0, 300), SS_DOMAIN);
   dyn_family_clear(&f);
   line_clear(&l);
@@ -648,6 +638,31 @@ START_TEST(signals_leave_a_file_to_resume) {
 }
 END_TEST
 
+/* One of its processes; 0: none is there. */
+static pid_t child_of(pid_t pid) {
+  char path[64];
+  int child = 0;
+  snprintf(path, sizeof path, "/proc/%d/task/%d/children", (int)pid, (int)pid);
+  FILE *f = fopen(path, "r");
+  if (f && fscanf(f, "%d", &child) != 1) child = 0;
+  if (f) fclose(f);
+  return child;
+}
+
+/* What it had cannot be told from what the others have: the run ends, and another goes on. */
+START_TEST(a_process_that_is_killed_is_noticed) {
+  int s;
+  pid_t pid = start_long(false, 100000), child = child_of(pid);
+  ck_assert_int_gt(child, 0);
+  kill(child, SIGKILL);
+  ck_assert(waitpid(pid, &s, 0) == pid);
+  ck_assert_msg(WIFEXITED(s) && WEXITSTATUS(s) == 5, "ended with %x", (unsigned)s);
+  says("err", "a worker process ended before its time");
+  says("err", "long.part holds ");
+  interrupt(start_long(true, 200000), SIGINT);
+}
+END_TEST
+
 static bool has_shown_enough(pid_t pid) {
   struct stat st;
   (void)pid;
@@ -856,6 +871,7 @@ Suite *sweep_suite(void) {
   tcase_add_test(program_case, long_heads_are_resumed);
   tcase_add_test(program_case, a_second_signal_ends_at_once);
   tcase_add_test(program_case, signals_leave_a_file_to_resume);
+  tcase_add_test(program_case, a_process_that_is_killed_is_noticed);
   tcase_add_test(program_case, what_cannot_be_written_is_said);
   tcase_add_test(program_case, hostile_options);
   tcase_add_test(program_case, hostile_parameters);

@@ -285,6 +285,7 @@ START_TEST(bash_completes) {
                {"jacobian paper --layer=s", "stable\n"},
                {"orbit --method ", "model\npaper\n"},
                {"list ", "scenes\n"},
+               {"help st", "stability\n"},
                {"bench --job m", "map\n"},
                {"orbit verify/scenes/near-t", "verify/scenes/near-ta.scene\n"},
                {"nonsense --x", "\n"}};
@@ -310,7 +311,7 @@ START_TEST(what_is_offered_is_known) {
     char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
       int status;
-      char *said = shell(&status, "%s %s %s=x --no-such 2>&1 >/dev/null", program(), c, o);
+      char *said = shell(&status, "%s %s %s=x=y --no-such 2>&1 >/dev/null", program(), c, o);
       ck_assert_msg(status == 2 && !strstr(said, "belong") &&
                         (strstr(said, o) == NULL || strstr(said, "takes no value")),
                     "%s %s: %s", c, o, said);
@@ -421,6 +422,15 @@ START_TEST(man_pages_are_sound) {
 }
 END_TEST
 
+/* What it says of commands and options is what the program says. */
+START_TEST(the_man_page_is_made_from_the_table) {
+  int status;
+  char *out = shell(&status, "%s tools/manual.py %s --check", python(), program());
+  ck_assert_msg(status == 0, "%s", out);
+  free(out);
+}
+END_TEST
+
 START_TEST(every_kind_of_claim_is_in_the_manual) {
   int status;
   char *out =
@@ -451,6 +461,7 @@ Suite *terminal_suite(void) {
   tcase_add_test(c, documents_show_what_happens);
   tcase_add_test(c, another_paper_is_audited);
   tcase_add_test(c, man_pages_are_sound);
+  tcase_add_test(c, the_man_page_is_made_from_the_table);
   tcase_add_test(c, every_kind_of_claim_is_in_the_manual);
   suite_add_tcase(s, c);
   return s;

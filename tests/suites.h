@@ -5,6 +5,7 @@
 #include <check.h>
 
 Suite *base_suite(void);
+Suite *tex_suite(void);
 Suite *num_suite(void);
 Suite *expr_suite(void);
 Suite *edit_suite(void);

@@ -1,18 +1,16 @@
 # Completion of stickslip in bash (not zsh, which has no mapfile).  It knows no command, option, scene or claim of its own: the
-# program that is being typed says them, by --help, list and list scenes.
+# program that is being typed says them, by help --table, list and list scenes.
 
-# The part of --help about one command.
-_stickslip_block() {
-  "$1" --help 2>/dev/null | awk -v name="$2" '
-    $1 == "stickslip" { on = $2 == name }
-    /^$/ { on = 0 }
-    on'
+# Fields $4 (from 1) of the rows of help --table whose first two fields are $2 and $3; "*" is any.
+_stickslip_rows() {
+  "$1" help --table 2>/dev/null | awk -F '\t' -v name="$2" -v what="$3" -v field="$4" '
+    (name == "*" || $1 == name) && (what == "*" || $2 == what) { print $field }' | sort
 }
 
-# The words of --NAME a|b|c, where the help gives a choice.
+# The words that an option takes: its value a|b|c, or the text "VALUE is a, b or c."
 _stickslip_choice() {
-  _stickslip_block "$1" "$2" | tr -s ' \n[]' '    ' | sed 's/ --/\n--/g' |
-    sed -n "s/^$3 \\([a-z][a-zA-Z0-9:-]*|[a-zA-Z0-9:|-]*\\).*/\\1/p" | tr '|' '\n' | sed 's/:K$/:/' | sort -u
+  _stickslip_rows "$1" "$2" "$3" 3 | grep '|' | tr '|' '\n' | sed 's/:K$/:/' | grep '^[a-z]'
+  _stickslip_rows "$1" "$2" "$3" 4 | sed -n 's/^[A-Z]* is \([^.]*\)\..*/\1/p' | sed 's/,\| or / /g' | tr -s ' ' '\n'
 }
 
 _stickslip_claims() {
@@ -24,7 +22,7 @@ _stickslip_scenes() {
 }
 
 _stickslip() {
-  local program=${COMP_WORDS[0]/#\~/$HOME} command=${COMP_WORDS[1]} word previous words=
+  local program=${COMP_WORDS[0]/#\~/$HOME} command=${COMP_WORDS[1]} word previous operands words=
   COMPREPLY=()
   word=${COMP_LINE:0:COMP_POINT}
   word=${word##*[[:space:]]}
@@ -34,8 +32,11 @@ _stickslip() {
     previous=${word%%=*}
     word=${word#*=}
   fi
+  operands=$(_stickslip_rows "$program" "$command" usage 3)
   if ((COMP_CWORD == 1)); then
-    words="$("$program" --help 2>/dev/null | awk '$1 == "stickslip" && $2 ~ /^[a-z]+$/ { print $2 }' | sort -u) --help --version"
+    words="$(_stickslip_rows "$program" "*" usage 1) help --help --version"
+  elif [[ $command == help ]] && ((COMP_CWORD == 2)); then
+    words=$(_stickslip_rows "$program" "*" usage 1)
   elif [[ $previous == --only ]]; then
     local before=
     [[ $word == *,* ]] && before=${word%,*},
@@ -43,20 +44,19 @@ _stickslip() {
   elif [[ $previous == --* && -n $(_stickslip_choice "$program" "$command" "$previous") ]]; then
     words=$(_stickslip_choice "$program" "$command" "$previous")
   elif [[ $word == -* ]]; then
-    words="$(_stickslip_block "$program" "$command" | grep -o -e '--[a-z][a-z-]*' | sort -u) --help"
-  elif [[ $previous == --@(out|paper|overlay|certificate|peers|inputs|csv) || $command == @(check|diff|report) ]]; then
+    words=$(_stickslip_rows "$program" "$command" "*" 2 | grep '^--')
+  elif [[ $previous == --* && $(_stickslip_rows "$program" "$command" "$previous" 3) == @(FILE|DIR) ||
+    $operands == @(FILE...|DIR|A.json B.json) ]]; then
     compopt -o filenames 2>/dev/null
     mapfile -t COMPREPLY < <(compgen -f -- "$word")
     return
-  elif [[ $previous == --job ]]; then
-    words=$(_stickslip_block "$program" "$command" | sed -n 's/^ *jobs: \([a-z, ]*\);.*/\1/p' | tr ',' ' ')
-  elif _stickslip_block "$program" "$command" | grep -q "^  stickslip $command.* \[*SCENE"; then
+  elif [[ $operands == *SCENE* ]]; then
     words=$(_stickslip_scenes "$program")
     mapfile -t COMPREPLY < <(compgen -f -X '!*.scene' -- "$word"; compgen -d -S / -- "$word")
-  elif _stickslip_block "$program" "$command" | grep -q "^  stickslip $command \[*ID"; then
+  elif [[ $operands == @(ID|\[ID...\]) ]]; then
     words=$(_stickslip_claims "$program")
-  else
-    words=$(_stickslip_block "$program" "$command" | sed -n "s/^  stickslip $command \[\([a-z]*\)[] ].*/\1/p")
+  elif [[ $operands =~ ^\[([a-z]+)\]$ ]]; then
+    words=${BASH_REMATCH[1]}
   fi
   mapfile -t -O ${#COMPREPLY[@]} COMPREPLY < <(compgen -W "$words" -- "$word")
   # what stands before a ":" is no part of the word that bash replaces

@@ -4,9 +4,9 @@
 usage: digests.py PROGRAM [--quick] [--record]
 
 A row of the file is: digest, scope, command line.  The digest is that of the exit status, standard output, standard error
-and every file that the command writes into its --out folder but run.json, which holds times.  A row of scope `libm` rests
-on the last bits of the C library's functions; it is left out, and said to be, where these differ from those recorded
-with.  --quick asks for the rows marked so alone.  --record writes the file anew: only for a change that is meant."""
+(this checkout's own path as ".") and every file that the command writes into its --out folder but run.json, which holds
+times.  A row of scope `libm` rests on the last bits of the C library's functions; it is left out, and said to be, where
+these differ from those recorded with.  --quick asks for the rows marked so alone.  --record writes the file anew: only for a change that is meant."""
 import concurrent.futures
 import hashlib
 import math
@@ -89,7 +89,7 @@ def digest(program, line):
         p = subprocess.run([program, *words], stdin=subprocess.DEVNULL, capture_output=True, check=False)
         d = hashlib.sha256(str(p.returncode).encode())
         for text in (p.stdout, p.stderr):
-            d.update(b"\0" + text.replace(out.encode(), OUT.encode()))
+            d.update(b"\0" + text.replace(out.encode(), OUT.encode()).replace(os.getcwd().encode(), b"."))
         for path in sorted(pathlib.Path(out).rglob("*")) if os.path.isdir(out) else []:
             if path.is_file() and path.name != "run.json":
                 d.update(path.name.encode() + b"\0" + path.read_bytes())

@@ -63,11 +63,11 @@ SS_API int ss_orbit_warm(double out[SS_OUTPUTS], unsigned *violations, unsigned 
 /* The same without conditions, without the proof that the roots are the first, and in plain double precision: what a solver of
    equations gives, in a few hundred nanoseconds.  The last two of out are NaN. */
 SS_API int ss_orbit_bare(double out[SS_OUTPUTS], const double params[SS_PARAMS], const double guess[2]);
-/* ss_orbit_warm for n points at once, in lanes and by at most jobs threads (1 to 1024).  Arrays of structure: row i of params,
+/* ss_orbit_warm for n points at once, in lanes of vectors.  Arrays of structure: row i of params,
    guess and out holds quantity i of all points.  status[j] = SS_OK: the point is as ss_orbit_warm gives it with nothing unsure.
    SS_UNABLE: ask ss_orbit_warm; out[.][j] is NaN.  A point's bits depend on its own row alone.  Returns the statuses OR-ed. */
 SS_API int ss_orbits_batch(double *const out[SS_OUTPUTS], unsigned *violations, int *status,
-                           const double *const params[SS_PARAMS], const double *const guess[2], size_t n, int jobs);
+                           const double *const params[SS_PARAMS], const double *const guess[2], size_t n);
 
 /* The 2x2 Jacobian, row by row, of (z10, z20) -> one pass of the word, by central differences that are extrapolated; about eleven
    digits, about two milliseconds.  guess: times t_a, t_b, t_c, t_d near which the events are taken, or NULL for the first ones.

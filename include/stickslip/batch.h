@@ -3,7 +3,7 @@
    Arrays of structure: row i of params, guess and out holds one quantity of all n points.  A fixed number of Newton's
    steps goes from the guess, every output is formed after the last one, and what cannot be decided in straight-line code
    is left open with a status.  A point's result depends on its own row alone, and its bits neither on the machine's
-   vectors nor on n, its place or the number of threads. */
+   vectors nor on n or its place. */
 #ifndef STICKSLIP_BATCH_H
 #define STICKSLIP_BATCH_H
 
@@ -16,10 +16,10 @@
    SS_UNABLE: ask dyn_orbit_warm; this alone says nothing about the point (the guess was too far off for the steps, or a
    condition needs a closer look).
    Without SS_OK the outputs are NaN and violations[j] = 0.
-   jobs: threads at most (one where the library was built without OpenMP).  Returns the statuses OR-ed.
+   Returns the statuses OR-ed.
 
    Error of an output: that of dyn_orbit_warm, and like it measured, not proved (check_batch.c). */
 int dyn_orbits_batch(double *const out[N_DYN_OUT], unsigned *violations, int *status,
-                     const double *const params[N_PARAMS], const double *const guess[2], slong n, int jobs);
+                     const double *const params[N_PARAMS], const double *const guess[2], slong n);
 
 #endif

@@ -53,7 +53,6 @@ enum dyn_family_status {
   FAMILY_CONVERGENCE, /* what the search saw could not be enclosed */
   FAMILY_BUDGET,      /* the search ran out of its budget of steps */
   FAMILY_RANGE,       /* the parameters are in the domain, but not in that of double precision */
-  FAMILY_STOPPED,     /* not looked at: the run was told to stop */
   N_FAMILY_STATUS
 };
 extern const char *const dyn_family_status_name[N_FAMILY_STATUS];
@@ -78,7 +77,6 @@ struct dyn_family_request {
   const fmpq *u_r[2]; /* static friction or NULL */
   slong every;        /* points from one anchor to the next, at least 1 */
   bool late;          /* also orbits with t_b beyond the first crest of phase Gamma, which are never admissible */
-  bool (*stop)(void); /* asked before each search; or NULL */
 };
 
 /* The points begin .. end - 1.  SS_DOMAIN when parameters lie outside the domain of dynamics.h. */

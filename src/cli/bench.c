@@ -13,28 +13,31 @@ static const char studies[] = "studies";   /* all but those apart; only run when
 
 static int parse_job(const struct options *o) {
   struct text names;
-  bool known = !o->job || strcmp(o->job, verdicts) == 0 || strcmp(o->job, studies) == 0;
+  const char *job = option(o, OPT_JOB);
+  bool known = !job || strcmp(job, verdicts) == 0 || strcmp(job, studies) == 0;
   text_init(&names);
   for (int i = 0; i < n_bench_jobs; i++) {
-    known = known || strcmp(o->job, bench_jobs[i]->id) == 0;
+    known = known || strcmp(job, bench_jobs[i]->id) == 0;
     text_printf(&names, "%s, ", bench_jobs[i]->id);
   }
   for (int i = 0; i < n_bench_studies; i++) {
-    known = known || strcmp(o->job, bench_studies[i]->id) == 0;
+    known = known || strcmp(job, bench_studies[i]->id) == 0;
     text_printf(&names, "%s, ", bench_studies[i]->id);
   }
-  if (!known) text_printf(&names, "%s, %s, not %.200s", studies, verdicts, o->job);
+  if (!known) text_printf(&names, "%s, %s, not %.200s", studies, verdicts, job);
   int status = known ? EXIT_AS_RECORDED : usage("--job takes one of %s", text_str(&names));
   text_clear(&names);
   return status;
 }
 
 static bool asked_for(const struct options *o, const char *job) {
-  return !o->job || strcmp(o->job, job) == 0;
+  const char *only = option(o, OPT_JOB);
+  return !only || strcmp(only, job) == 0;
 }
 
 static bool study_asked_for(const struct options *o, const struct study *study) {
-  return o->job && ((strcmp(o->job, studies) == 0 && !study->apart) || strcmp(o->job, study->id) == 0);
+  const char *only = option(o, OPT_JOB);
+  return only && ((strcmp(only, studies) == 0 && !study->apart) || strcmp(only, study->id) == 0);
 }
 
 /* Whether there is anything besides studies. */
@@ -232,17 +235,18 @@ static int run_jobs(struct bench_result *r, const struct options *o, const struc
 
 static bool deliver(const struct bench_result *r, const struct options *o, struct diag *d) {
   struct text body;
-  if (o->out && !write_files(o->out, r, d)) return false;
+  const char *folder = option(o, OPT_OUT);
+  if (folder && !write_files(folder, r, d)) return false;
   text_init(&body);
-  if (o->json)
+  if (option(o, OPT_JSON))
     bench_json(&body, r);
   else if (has_jobs(r))
     bench_markdown(&body, r, false, false);
-  for (int i = 0; i < r->n && !o->json; i++) {
+  for (int i = 0; i < r->n && !option(o, OPT_JSON); i++) {
     text_add(&body, "\n");
     bench_job_markdown(&body, &r->table[i], false);
   }
-  for (int i = 0; i < r->n_pages && !o->json; i++) bench_study_markdown(&body, &r->page[i], false);
+  for (int i = 0; i < r->n_pages && !option(o, OPT_JSON); i++) bench_study_markdown(&body, &r->page[i], false);
   fputs(text_str(&body), stdout);
   text_clear(&body);
   return true;
@@ -272,7 +276,8 @@ static void inputs_clear(struct inputs *in) {
 
 /* JOB-inputs.tsv for whoever wants to try a method of his own, or to recheck an error. */
 static int write_inputs(const struct options *o, struct diag *d) {
-  struct files f = {.folder = o->inputs, .d = d, .ok = folder_make(o->inputs, d)};
+  const char *folder = option(o, OPT_INPUTS);
+  struct files f = {.folder = folder, .d = d, .ok = folder_make(folder, d)};
   struct text body;
   int status = EXIT_AS_RECORDED;
   text_init(&f.written);
@@ -280,7 +285,7 @@ static int write_inputs(const struct options *o, struct diag *d) {
   for (int i = 0; i < n_bench_jobs && f.ok; i++) {
     if (!asked_for(o, bench_jobs[i]->id)) continue;
     text_reset(&body);
-    if (!bench_inputs(&body, bench_jobs[i], o->quick)) status = no_inputs(bench_jobs[i]);
+    if (!bench_inputs(&body, bench_jobs[i], option(o, OPT_QUICK))) status = no_inputs(bench_jobs[i]);
     put(&f, bench_jobs[i]->id, "-inputs.tsv", &body);
   }
   text_clear(&body);
@@ -290,10 +295,11 @@ static int write_inputs(const struct options *o, struct diag *d) {
 
 static int measure(const struct options *o, const char *data, struct diag *d) {
   struct inputs in;
-  struct bench_result r = {.quick = o->quick};
+  struct bench_result r = {.quick = option(o, OPT_QUICK)};
   int status = EXIT_AS_RECORDED;
-  bool ok = inputs_load(&in, data, o, d) && (!o->peers || bench_peers_read(&r.peers, o->peers, d)) &&
-            (!o->out || folder_make(o->out, d));
+  const char *peers = option(o, OPT_PEERS), *folder = option(o, OPT_OUT);
+  bool ok = inputs_load(&in, data, o, d) && (!peers || bench_peers_read(&r.peers, peers, d)) &&
+            (!folder || folder_make(folder, d));
   if (ok) {
     status = run_jobs(&r, o, &(struct bench_env){&in.model, &in.claims, &in.controls, &in.scene, data});
     ok = deliver(&r, o, d);
@@ -308,8 +314,11 @@ int run_bench(const struct options *o, const char *data) {
   struct diag d;
   diag_init(&d);
   if (status) return status;
-  if (o->n_operands) return usage("bench takes no operand, not %.200s", o->operand[0]);
-  if (o->inputs && o->job && strcmp(o->job, verdicts) == 0) return usage("--inputs: the job %s has none", verdicts);
-  if (o->inputs && (o->out || o->json || o->peers)) return usage("--inputs goes with --job and --quick alone%s", "");
-  return o->inputs ? write_inputs(o, &d) : measure(o, data, &d);
+  if (o->operands.n) return usage("bench takes no operand, not %.200s", o->operands.word[0]);
+  bool inputs = option(o, OPT_INPUTS);
+  if (inputs && option(o, OPT_JOB) && strcmp(option(o, OPT_JOB), verdicts) == 0)
+    return usage("--inputs: the job %s has none", verdicts);
+  if (inputs && (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_PEERS)))
+    return usage("--inputs goes with --job and --quick alone%s", "");
+  return inputs ? write_inputs(o, &d) : measure(o, data, &d);
 }

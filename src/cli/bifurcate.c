@@ -199,17 +199,17 @@ static int show(const struct scene *s, const struct range *a, const struct optio
   int found = dyn_bifurcations_find(&list, s->value, a->vary, a->from, a->to, u, digits, STARTS);
   if (found & SS_DOMAIN) {
     dyn_bifurcations_clear(&list);
-    return usage("the ends of --along %.200s cannot be told apart or held in double precision", o->along);
+    return usage("the ends of --along %.200s cannot be told apart or held in double precision", option(o, OPT_ALONG));
   }
   if (found != SS_OK || list.missed)
     fprintf(stderr, "%s: warning: a search or a branch ran into its limits; there may be more changes\n", s->path);
   struct text out;
   text_init(&out);
-  if (o->json)
+  if (option(o, OPT_JSON))
     all_json(&out, &list, s, a, digits);
   else
     all_text(&out, &list, s, a, digits);
-  if (o->json)
+  if (option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
   else
     terminal_print(text_str(&out));
@@ -219,18 +219,19 @@ static int show(const struct scene *s, const struct range *a, const struct optio
 }
 
 static int with_line(const struct options *o, const char *data, struct range *a, slong digits) {
-  int status = parse_along(a, o->along);
+  const char *along = option(o, OPT_ALONG);
+  int status = parse_along(a, along);
   if (status) return status;
   struct scene s;
   struct diag d;
   diag_init(&d);
-  if (!load_scene(&s, o->operand[0], data, o, false, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, false, &d)) {
     status = bad_input(&d);
   } else if (!scene_has_forces(&s)) {
     diag_set(&d, "%s: error: bifurcate needs a scene that gives e1 and e2", s.path);
     status = bad_input(&d);
   } else {
-    status = range_check_friction(a, &s, "--along", o->along);
+    status = range_check_friction(a, &s, "--along", along);
     if (!status) status = show(&s, a, o, digits);
   }
   scene_clear(&s);
@@ -242,9 +243,9 @@ int run_bifurcate(const struct options *o, const char *data) {
   struct range a;
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", o->digits);
-  if (o->n_operands != 1) return usage("bifurcate takes one %s", "SCENE");
-  if (!o->along) return usage("bifurcate needs --along %s", "NAME=A:B");
+  if (digits > MOST_DIGITS) return usage("bifurcate takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
+  if (o->operands.n != 1) return usage("bifurcate takes one %s", "SCENE");
+  if (!option(o, OPT_ALONG)) return usage("bifurcate needs --along %s", "NAME=A:B");
   range_init(&a);
   status = with_line(o, data, &a, digits);
   range_clear(&a);

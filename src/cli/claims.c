@@ -32,11 +32,12 @@ static int list_scenes(const char *data) {
 }
 
 int run_list(const struct options *o, const char *data) {
-  if (o->scene_keys && o->n_operands) return usage("list --scene-keys takes no operand, not %.200s", o->operand[0]);
-  if (o->scene_keys) return list_scene_keys(o->json);
-  if (o->json) return usage("list writes JSON with %s only", "--scene-keys");
-  if (o->n_operands == 1 && strcmp(o->operand[0], "scenes") == 0) return list_scenes(data);
-  if (o->n_operands) return usage("list takes no operand but scenes, not %.200s", o->operand[0]);
+  bool keys = option(o, OPT_SCENE_KEYS), as_json = option(o, OPT_JSON);
+  if (keys && o->operands.n) return usage("list --scene-keys takes no operand, not %.200s", o->operands.word[0]);
+  if (keys) return list_scene_keys(as_json);
+  if (as_json) return usage("list writes JSON with %s only", "--scene-keys");
+  if (o->operands.n == 1 && strcmp(o->operands.word[0], "scenes") == 0) return list_scenes(data);
+  if (o->operands.n) return usage("list takes no operand but scenes, not %.200s", o->operands.word[0]);
   struct diag d;
   struct claims c = {.n = 0};
   diag_init(&d);
@@ -55,13 +56,13 @@ int run_list(const struct options *o, const char *data) {
 }
 
 int run_check(const struct options *o, const char *data) {
-  if (o->n_operands == 0) return usage("check takes at least one %s", "FILE");
+  if (o->operands.n == 0) return usage("check takes at least one %s", "FILE");
   int status = EXIT_AS_RECORDED;
-  for (int i = 0; i < o->n_operands; i++) {
+  for (int i = 0; i < o->operands.n; i++) {
     struct diag d;
     diag_init(&d);
-    if (audit_check_file(o->operand[i], data, &d))
-      printf("%s: ok\n", o->operand[i]);
+    if (audit_check_file(o->operands.word[i], data, &d))
+      printf("%s: ok\n", o->operands.word[i]);
     else
       status = bad_input(&d);
   }
@@ -84,8 +85,10 @@ static bool print_receipt(struct text *out, const struct model *m, const struct 
 }
 
 int run_explain(const struct options *o, const char *data) {
-  if (o->n_operands != 1) return usage("explain takes one %s", "claim id");
-  if (o->receipt && (o->at || o->tape)) return usage("--receipt stands alone, not with %s", o->at ? "--at" : "--tape");
+  const char *at = option(o, OPT_AT);
+  bool receipt = option(o, OPT_RECEIPT), tape = option(o, OPT_TAPE);
+  if (o->operands.n != 1) return usage("explain takes one %s", "claim id");
+  if (receipt && (at || tape)) return usage("--receipt stands alone, not with %s", at ? "--at" : "--tape");
   struct diag d;
   struct model m;
   struct scene s;
@@ -96,10 +99,10 @@ int run_explain(const struct options *o, const char *data) {
   text_init(&out);
   bool ok = load_scene(&s, "paper", data, o, false, &d) && load_model(&m, data, o, &d) &&
             claims_load_data(&c, data, "claims", "claim", &d) &&
-            (o->receipt ? print_receipt(&out, &m, &c, &s, o->operand[0], data, &d)
-                        : audit_explain(&out, &m, &c, &s, o->operand[0], o->at, o->tape, &d));
+            (receipt ? print_receipt(&out, &m, &c, &s, o->operands.word[0], data, &d)
+                     : audit_explain(&out, &m, &c, &s, o->operands.word[0], at, tape, &d));
   int status = ok ? EXIT_AS_RECORDED : bad_input(&d);
-  if (ok && o->receipt)
+  if (ok && receipt)
     fputs(text_str(&out), stdout);
   else if (ok)
     terminal_print(text_str(&out));

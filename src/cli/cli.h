@@ -15,69 +15,90 @@ enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, E
 enum {
   DEFAULT_DIGITS = 15,
   MAX_DIGITS = 100000,
-  MAX_ONLY = 256,
   MAX_OPERANDS = 64,
   MAX_OVER = 2,
   MAX_SET = 64,
-  MAX_JOBS = 64
+  MAX_JOBS = 64,
+  MAX_WORDS = 256 /* of one option, or operands */
 };
 
-/* Commands as bits, for the table of options. */
-enum {
-  FOR_VERIFY = 1,
-  FOR_ORBIT = 2,
-  FOR_JACOBIAN = 4,
-  FOR_LIST = 8,
-  FOR_CHECK = 16,
-  FOR_EXPLAIN = 32,
-  FOR_SIMULATE = 64,
-  FOR_READINGS = 128,
-  FOR_MUTATE = 256,
-  FOR_REPAIR = 512,
-  FOR_BIFURCATE = 1024,
-  FOR_DIFF = 2048,
-  FOR_BENCH = 4096,
-  FOR_SWEEP = 8192,
-  FOR_STABILITY = 16384,
-  FOR_WORDS = 32768,
-  FOR_PLOT = 65536,
-  FOR_REPORT = 131072,
-  FOR_JSON = FOR_ORBIT | FOR_JACOBIAN | FOR_READINGS | FOR_MUTATE | FOR_REPAIR | FOR_BIFURCATE | FOR_DIFF | FOR_BENCH |
-             FOR_SWEEP | FOR_STABILITY | FOR_LIST | FOR_WORDS,
-  FOR_SET = FOR_VERIFY | FOR_ORBIT | FOR_JACOBIAN | FOR_SIMULATE | FOR_READINGS | FOR_EXPLAIN | FOR_BIFURCATE |
-            FOR_SWEEP | FOR_REPAIR | FOR_WORDS | FOR_PLOT
+/* --- The command line, by the rows of options.def --- */
+
+struct options;
+
+/* One function a command; each returns its exit status. */
+#define COMMAND(name, ...) int run_##name(const struct options *o, const char *data);
+#include "cli/options.def"
+
+enum option {
+#define OPTION(id, ...) OPT_##id,
+#include "cli/options.def"
+  N_OPTIONS
 };
 
+struct command {
+  const char *name;
+  bool data; /* it reads the data folder */
+  const char *operands, *purpose, *text, *example[2];
+  int (*run)(const struct options *o, const char *data);
+};
+extern const struct command command_table[];
+extern const int n_commands;
+
+enum option_kind {
+  KIND_FLAG,
+  KIND_TEXT,
+  KIND_LIST,    /* values that hold names between commas */
+  KIND_TWICE,   /* one or two values */
+  KIND_SETTINGS /* NAME=VALUE, as often as wanted */
+};
+struct option_row {
+  enum option id;
+  const char *name, *commands, *value;
+  enum option_kind kind;
+  const char *text;
+};
+extern const struct option_row option_table[];
+extern const int n_option_rows;
+/* Whether the command has the option of this row. */
+bool option_belongs(const struct option_row *row, const char *command);
+
+struct words {
+  const char *word[MAX_WORDS];
+  int n;
+};
+/* The words of a command line: its operands and what is given for each option. */
 struct options {
-  const char *operand[MAX_OPERANDS];
-  int n_operands;
-  const char *only[MAX_ONLY];
-  int n_only;
-  const char *over[MAX_OVER];
-  int n_over;
-  const char *set[MAX_SET];
-  int n_set;
-  const char *paper, *overlay, *out, *at, *method, *layer, *digits, *periods, *samples, *start, *seed, *count, *jobs,
-      *certificate, *along, *job, *inputs, *peers, *csv_file, *search_every, *after, *timeout, *longest;
-  bool strict, quiet, json, tape, receipt, csv, compare, phases, basin, quick, all, resume, plan, scene_keys, help;
+  struct words operands, given[N_OPTIONS];
 };
+/* What is given for an option: its value, for a flag the flag itself; NULL where it is not given. */
+const char *option(const struct options *o, enum option id);
 
 /* Says what is wrong with the command line and returns EXIT_USAGE; fmt holds one %s. */
 int usage(const char *fmt, const char *what);
 /* Prints the diagnostic and returns EXIT_INPUT. */
 int bad_input(const struct diag *d);
 
-/* The words after the command.  Splits lists in place: they live in argv.  An exit status. */
-int parse_options(struct options *o, unsigned command, int argc, char **argv);
+/* The words after the command of that name.  Splits lists in place: they live in argv.  An exit status. */
+int parse_options(struct options *o, const char *command, int argc, char **argv);
+/* --digits; DEFAULT_DIGITS without it. */
 int parse_digits(slong *digits, const struct options *o);
 /* A whole number from 1 (or 0) to most; false otherwise. */
 bool parse_whole(unsigned long long *n, const char *text, bool zero, unsigned long long most);
-/* --jobs; all processors (at most 64) when text is NULL. */
-int parse_jobs(int *jobs, const char *text);
-/* --timeout; 0 when text is NULL. */
-int parse_timeout(double *seconds, const char *text);
+/* --jobs; all processors (at most 64) without it. */
+int parse_jobs(int *jobs, const struct options *o);
+/* --timeout; 0 without it. */
+int parse_timeout(double *seconds, const struct options *o);
 /* --at orbit:K (as K - 1; the first without --at) or printed. */
-int parse_start(slong *orbit, bool *printed, const char *at);
+int parse_start(slong *orbit, bool *printed, const struct options *o);
+
+/* The command of that name; NULL after a message. */
+const struct command *find_command(const char *name);
+/* stickslip help, with the words behind it: the overview, the page of a command, or with --table every row of options.def, its
+   fields between tabs.  An exit status. */
+int help(int argc, char **argv);
+/* stickslip COMMAND --help. */
+void help_page(const struct command *c);
 
 /* What one parameter runs through, exactly. */
 struct range {
@@ -98,6 +119,8 @@ int range_check_friction(const struct range *r, const struct scene *s, const cha
 bool terminal_has_colours(void);
 /* Its columns; 0 where standard output is no terminal. */
 int terminal_width(void);
+/* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays whole. */
+void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent);
 /* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no terminal. */
 void terminal_print(const char *s);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
@@ -141,17 +164,13 @@ void print_radius(struct text *out, const struct dyn_orbit *o);
 /* true, false or null. */
 void json_truth(struct json *j, const char *key, truth t);
 
-/* One function a command; each returns its exit status. */
 /* verify --plan. */
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,
               const struct audit_options *opt, bool json, struct diag *d);
-int run_verify(const struct options *o, const char *data);
-int run_orbit(const struct options *o, const char *data);
 /* orbit --method paper. */
 int run_orbit_paper(const struct options *o, const char *data);
 /* orbit on a scene with intervals. */
 int show_box(const struct options *o, const struct scene *s, slong digits);
-int run_jacobian(const struct options *o, const char *data);
 /* orbit and jacobian on a scene that names another word than the paper's. */
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
@@ -160,20 +179,11 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
 int compare_routes(const struct coulomb_setup *setup, const struct scene *s, long periods, double duration);
 /* Says that a simulation ended before it was to; the exit status. */
 int ended_early(enum coulomb_end end, const char *route, double t);
-int run_list(const struct options *o, const char *data);
-int run_check(const struct options *o, const char *data);
 int run_simulate(const struct options *o, const char *data);
-int run_readings(const struct options *o, const char *data);
-int run_explain(const struct options *o, const char *data);
-int run_mutate(const struct options *o, const char *data);
-int run_repair(const struct options *o, const char *data);
 int run_bifurcate(const struct options *o, const char *data);
-int run_diff(const struct options *o, const char *data);
 int run_bench(const struct options *o, const char *data);
 int run_sweep(const struct options *o, const char *data);
-int run_stability(const struct options *o, const char *data);
 int run_plot(const struct options *o, const char *data);
 int run_report(const struct options *o, const char *data);
-int run_words(const struct options *o, const char *data);
 
 #endif

@@ -43,5 +43,5 @@ void join_path(struct text *out, const char *folder, const char *name) {
 }
 
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
-  return model_load(m, data, o->paper, o->overlay, d);
+  return model_load(m, data, option(o, OPT_PAPER), option(o, OPT_OVERLAY), d);
 }

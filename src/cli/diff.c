@@ -225,16 +225,16 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
 
 int run_diff(const struct options *o, const char *data) {
   (void)data;
-  if (o->n_operands != 2) return usage("diff takes two files, as %s", "stickslip diff A.json B.json");
+  if (o->operands.n != 2) return usage("diff takes two files, as %s", "stickslip diff A.json B.json");
   struct diag d;
   struct audit_file a, b;
   diag_init(&d);
-  bool ok = audit_file_read(&a, o->operand[0], &d);
-  bool both = ok && audit_file_read(&b, o->operand[1], &d);
+  bool ok = audit_file_read(&a, o->operands.word[0], &d);
+  bool both = ok && audit_file_read(&b, o->operands.word[1], &d);
   int status = EXIT_AS_RECORDED;
   if (!both)
     status = bad_input(&d);
-  else if (o->json ? print_json(&a, &b) : print_diff(&a, &b))
+  else if (option(o, OPT_JSON) ? print_json(&a, &b) : print_diff(&a, &b))
     status = EXIT_DIFFERS;
   if (ok) audit_file_clear(&b);
   audit_file_clear(&a);

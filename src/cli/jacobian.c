@@ -7,27 +7,28 @@
 #include "stickslip/json.h"
 
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
+  const char *method = option(o, OPT_METHOD), *layer = option(o, OPT_LAYER);
   enum { TABLE_DIGITS = 8 };
   *q = (struct jacobian_request){.method = METHOD_ANALYTIC, .layer = LAYER_CORRECTED};
   int status = parse_digits(&q->digits, o);
   if (status) return status;
-  if (o->phases && (o->method || o->layer))
-    return usage("--phases shows every method and takes no %s", o->method ? "--method" : "--layer");
-  if (o->phases && !o->digits && !o->json) q->digits = TABLE_DIGITS;
-  if (o->method) {
+  if (option(o, OPT_PHASES) && (method || layer))
+    return usage("--phases shows every method and takes no %s", method ? "--method" : "--layer");
+  if (option(o, OPT_PHASES) && !option(o, OPT_DIGITS) && !option(o, OPT_JSON)) q->digits = TABLE_DIGITS;
+  if (method) {
     int k = 0;
-    while (k < N_METHODS && strcmp(o->method, method_name[k]) != 0) k++;
+    while (k < N_METHODS && strcmp(method, method_name[k]) != 0) k++;
     if (k == N_METHODS)
-      return usage("--method takes analytic, implicit, saltation, fd, fd-double or ode, not %.200s", o->method);
+      return usage("--method takes analytic, implicit, saltation, fd, fd-double or ode, not %.200s", method);
     q->method = (enum jacobian_method)k;
   }
-  if (o->layer) {
+  if (layer) {
     int k = 0;
-    while (k < N_LAYERS && strcmp(o->layer, layer_name[k]) != 0) k++;
-    if (k == N_LAYERS) return usage("--layer takes printed, corrected or stable, not %.200s", o->layer);
+    while (k < N_LAYERS && strcmp(layer, layer_name[k]) != 0) k++;
+    if (k == N_LAYERS) return usage("--layer takes printed, corrected or stable, not %.200s", layer);
     q->layer = (enum layer)k;
   }
-  return parse_start(&q->orbit, &q->at_printed, o->at);
+  return parse_start(&q->orbit, &q->at_printed, o);
 }
 
 /* A whole number of which n digits are known, from `from` on: 212766240 as 2.1276624e+8, since a zero that only fills up would be
@@ -189,7 +190,7 @@ static bool show_jacobian(const struct options *o, const struct model *m, const 
              method_name[q->method]);
     ok = false;
   }
-  if (ok) print_jacobian(x, q, s, o->json);
+  if (ok) print_jacobian(x, q, s, option(o, OPT_JSON));
   _arb_vec_clear(x, N_NUMBERS);
   return ok;
 }
@@ -198,16 +199,17 @@ int run_jacobian(const struct options *o, const char *data) {
   struct jacobian_request q;
   int status = parse_jacobian(&q, o);
   if (status) return status;
-  if (o->n_operands != 1) return usage("jacobian takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("jacobian takes one %s", "SCENE");
   struct diag d;
   struct model m;
   struct scene s;
   diag_init(&d);
   model_init(&m);
-  bool ok = load_scene(&s, o->operand[0], data, o, true, &d) && scene_one_point(&s, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, true, &d) && scene_one_point(&s, &d);
   if (ok && scene_other_word(&s))
     status = run_word_jacobian(o, &s, &q, &d);
-  else if (!ok || !load_model(&m, data, o, &d) || !(o->phases ? show_phases : show_jacobian)(o, &m, &s, &q, &d))
+  else if (!ok || !load_model(&m, data, o, &d) ||
+           !(option(o, OPT_PHASES) ? show_phases : show_jacobian)(o, &m, &s, &q, &d))
     status = bad_input(&d);
   scene_clear(&s);
   model_clear(&m);

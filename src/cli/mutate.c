@@ -13,16 +13,17 @@ static void show_progress(size_t n, size_t of) {
 }
 
 static int parse_mutation(struct mutation_options *q, const struct options *o) {
+  const char *seed = option(o, OPT_SEED), *count = option(o, OPT_COUNT);
   unsigned long long n = DEFAULT_COUNT;
-  *q = (struct mutation_options){.seed = 1, .only = o->only, .n_only = o->n_only};
-  if (o->seed && !parse_whole(&q->seed, o->seed, true, ~0ULL))
-    return usage("--seed takes a whole number from 0 to 18446744073709551615, not %.200s", o->seed);
-  if (o->count && strcmp(o->count, "all") == 0)
+  *q = (struct mutation_options){.seed = 1, .only = o->given[OPT_ONLY].word, .n_only = o->given[OPT_ONLY].n};
+  if (seed && !parse_whole(&q->seed, seed, true, ~0ULL))
+    return usage("--seed takes a whole number from 0 to 18446744073709551615, not %.200s", seed);
+  if (count && strcmp(count, "all") == 0)
     n = 0;
-  else if (o->count && !parse_whole(&n, o->count, false, MAX_COUNT))
-    return usage("--count takes a whole number from 1 to 1000000, or all, not %.200s", o->count);
+  else if (count && !parse_whole(&n, count, false, MAX_COUNT))
+    return usage("--count takes a whole number from 1 to 1000000, or all, not %.200s", count);
   q->count = (long)n;
-  return parse_jobs(&q->jobs, o->jobs);
+  return parse_jobs(&q->jobs, o);
 }
 
 /* Both files or neither. */
@@ -41,8 +42,9 @@ static bool write_pair(const char *folder, const char *const name[2], const stru
 
 /* body: JSON, Markdown, text. */
 static bool deliver(const struct text body[3], const char *const name[2], const struct options *o, struct diag *d) {
-  if (o->out && !write_pair(o->out, name, body, d)) return false;
-  fputs(text_str(&body[o->json ? 0 : 2]), stdout);
+  const char *folder = option(o, OPT_OUT);
+  if (folder && !write_pair(folder, name, body, d)) return false;
+  fputs(text_str(&body[option(o, OPT_JSON) ? 0 : 2]), stdout);
   return true;
 }
 
@@ -67,11 +69,12 @@ static void inputs_clear(struct inputs *in) {
 }
 
 int run_mutate(const struct options *o, const char *data) {
+  const char *folder = option(o, OPT_OUT);
   static const char *const names[] = {"mutation.json", "mutation.md"};
   struct mutation_options q;
   int status = parse_mutation(&q, o);
   if (status) return status;
-  if (o->n_operands) return usage("mutate takes no operand, not %.200s", o->operand[0]);
+  if (o->operands.n) return usage("mutate takes no operand, not %.200s", o->operands.word[0]);
   struct diag d;
   struct inputs in;
   struct mutation_result r;
@@ -81,7 +84,7 @@ int run_mutate(const struct options *o, const char *data) {
   for (int i = 0; i < 3; i++) text_init(&body[i]);
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
-  bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_possible(o->out, &d)) &&
+  bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
             audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok) {
@@ -98,8 +101,9 @@ int run_mutate(const struct options *o, const char *data) {
   return status;
 }
 int run_repair(const struct options *o, const char *data) {
+  const char *folder = option(o, OPT_OUT);
   static const char *const names[] = {"repairs.json", "repairs.md"};
-  int jobs, status = parse_jobs(&jobs, o->jobs);
+  int jobs, status = parse_jobs(&jobs, o);
   if (status) return status;
   struct diag d;
   struct inputs in;
@@ -108,8 +112,8 @@ int run_repair(const struct options *o, const char *data) {
   diag_init(&d);
   repair_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  struct audit_options opt = {.only = o->operand, .n_only = o->n_operands};
-  bool ok = inputs_load(&in, data, o, &d) && (!o->out || folder_possible(o->out, &d)) &&
+  struct audit_options opt = {.only = o->operands.word, .n_only = o->operands.n};
+  bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
             audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
   if (ok) {
     report_repairs_json(&body[0], &r);

@@ -238,11 +238,11 @@ static bool write_certificate(const char *path, const struct scene *s, const str
 static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
   struct text out;
   text_init(&out);
-  if (o->json)
-    orbits_json(&out, &z->list, z->proof, s, digits, o->basin);
+  if (option(o, OPT_JSON))
+    orbits_json(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
   else
-    orbits_text(&out, &z->list, z->proof, s, digits, o->basin);
-  if (o->json)
+    orbits_text(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
+  if (option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
   else
     terminal_print(text_str(&out));
@@ -252,13 +252,14 @@ static void print_orbits(const struct options *o, const struct solved *z, const 
 static int show_orbits(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   struct solved z;
   int status = EXIT_AS_RECORDED;
+  const char *certificate = option(o, OPT_CERTIFICATE);
   bool good = solved_find(&z, s, digits);
   if (z.found != SS_OK && !z.list.complete)
     fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s->path);
   if (!good)
     diag_set(d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
              s->path, (long)digits);
-  if (!good || (o->certificate && !write_certificate(o->certificate, s, &z, d)))
+  if (!good || (certificate && !write_certificate(certificate, s, &z, d)))
     status = bad_input(d);
   else
     print_orbits(o, &z, s, digits);
@@ -267,21 +268,21 @@ static int show_orbits(const struct options *o, const struct scene *s, slong dig
 }
 
 int run_orbit(const struct options *o, const char *data) {
+  const char *method = option(o, OPT_METHOD), *certificate = option(o, OPT_CERTIFICATE);
   slong digits;
-  if (o->basin && o->method) return usage("--basin goes with no %s", "--method");
-  if (o->method && strcmp(o->method, "paper") == 0) {
-    if (o->certificate) return usage("--certificate is of the model's orbits, not of --method %s", o->method);
+  if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
+  if (method && strcmp(method, "paper") == 0) {
+    if (certificate) return usage("--certificate is of the model's orbits, not of --method %s", method);
     return run_orbit_paper(o, data);
   }
-  if (o->method && strcmp(o->method, "model") != 0)
-    return usage("--method takes model or paper, not %.200s", o->method);
+  if (method && strcmp(method, "model") != 0) return usage("--method takes model or paper, not %.200s", method);
   int status = parse_digits(&digits, o);
   if (status) return status;
-  if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!load_scene(&s, o->operand[0], data, o, true, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, true, &d)) {
     scene_clear(&s);
     return bad_input(&d);
   }
@@ -290,17 +291,17 @@ int run_orbit(const struct options *o, const char *data) {
     scene_clear(&s);
     return status;
   }
-  if (o->basin && (scene_is_box(&s) || !scene_has_forces(&s))) {
+  if (option(o, OPT_BASIN) && (scene_is_box(&s) || !scene_has_forces(&s))) {
     diag_set(&d, "%s: error: --basin needs a scene that gives e1 and e2, and no interval", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
-  if (o->certificate && scene_is_box(&s)) {
+  if (certificate && scene_is_box(&s)) {
     diag_set(&d, "%s: error: --certificate needs a scene without an interval", s.path);
     scene_clear(&s);
     return bad_input(&d);
   }
-  if (o->certificate && scene_solution_ii(&s)) {
+  if (certificate && scene_solution_ii(&s)) {
     diag_set(&d, "%s: error: --certificate is of the word D-Gamma-H-C, and the scene names Gamma-H-C", s.path);
     scene_clear(&s);
     return bad_input(&d);

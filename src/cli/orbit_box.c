@@ -176,18 +176,19 @@ static void box_text(struct text *out, const struct dyn_box *box, const struct s
 int show_box(const struct options *o, const struct scene *s, slong digits) {
   struct dyn_box box;
   fmpq high[N_SCENE_PARAMS];
-  if (digits > MOST_BOX_DIGITS) return usage("intervals are shown with at most 20 --digits, not %.200s", o->digits);
+  if (digits > MOST_BOX_DIGITS)
+    return usage("intervals are shown with at most 20 --digits, not %.200s", option(o, OPT_DIGITS));
   for (int k = 0; k < N_SCENE_PARAMS; k++) high[k] = s->interval[k] ? s->high[k] : s->value[k]; /* borrowed */
   if (dyn_box_find(&box, s->value, high) != SS_OK)
     fprintf(stderr, "%s: warning: the search at the middle of the box ran into its limits; there may be more orbits\n",
             s->path);
   struct text out;
   text_init(&out);
-  if (o->json)
+  if (option(o, OPT_JSON))
     box_json(&out, &box, s, digits);
   else
     box_text(&out, &box, s, digits);
-  if (o->json)
+  if (option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
   else
     terminal_print(text_str(&out));

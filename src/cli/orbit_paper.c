@@ -146,7 +146,7 @@ int run_orbit_paper(const struct options *o, const char *data) {
   int status = parse_digits(&digits, o);
   if (status) return status;
   if (digits > MAX_PAPER_DIGITS) return usage("--digits takes at most 1000 with %s", "--method paper");
-  if (o->n_operands != 1) return usage("orbit takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("orbit takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   struct paper_orbits list = {.n = 0};
@@ -154,13 +154,13 @@ int run_orbit_paper(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&out);
   slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
-  if (load_scene(&s, o->operand[0], data, o, false, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
-    if (o->json)
+  if (load_scene(&s, o->operands.word[0], data, o, false, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+    if (option(o, OPT_JSON))
       write_json(&out, &list, &s, digits);
     else
       text_printf(&out, "%s: the paper's equations (44)-(46) by Newton's iteration\n", s.name);
-    for (size_t i = 0; i < list.n && !o->json; i++) add_solution(&out, &list.item[i], digits);
-    if (o->json)
+    for (size_t i = 0; i < list.n && !option(o, OPT_JSON); i++) add_solution(&out, &list.item[i], digits);
+    if (option(o, OPT_JSON))
       fputs(text_str(&out), stdout);
     else
       terminal_print(text_str(&out));

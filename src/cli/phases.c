@@ -340,8 +340,8 @@ bool show_phases(const struct options *o, const struct model *m, const struct sc
   jacobian_phases_init(&p);
   text_init(&out);
   bool ok = audit_phases(&p, m, s, q, d);
-  if (ok && o->json) phases_json(&out, &p, s, q);
-  if (ok && !o->json) {
+  if (ok && option(o, OPT_JSON)) phases_json(&out, &p, s, q);
+  if (ok && !option(o, OPT_JSON)) {
     phases_text(&out, &p, s, q);
     add_eigenvalues(&out, &p, q->digits);
   }

@@ -22,7 +22,8 @@ static bool write_pictures(const char *folder, const struct audit_result *r, str
 }
 
 int run_plot(const struct options *o, const char *data) {
-  if (o->n_operands != 1) return usage("plot takes one scene%s", "");
+  const char *out = option(o, OPT_OUT);
+  if (o->operands.n != 1) return usage("plot takes one scene%s", "");
   struct diag d;
   struct scene s;
   struct audit_result r;
@@ -30,12 +31,12 @@ int run_plot(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&folder);
   audit_result_init(&r);
-  bool ok = load_scene(&s, o->operand[0], data, o, false, &d) && scene_four_phases(&s, &d) &&
-            (!o->out || folder_possible(o->out, &d));
+  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d) && scene_four_phases(&s, &d) &&
+            (!out || folder_possible(out, &d));
   const char *why = ok ? audit_tables(&r, &s) : NULL;
   if (why) diag_set(&d, "%s: error: nothing to draw: %s", s.path, why);
-  if (ok && o->out)
-    text_add(&folder, o->out);
+  if (ok && out)
+    text_add(&folder, out);
   else if (ok)
     text_printf(&folder, "reports/%s", s.folder);
   ok = ok && !why && write_pictures(text_str(&folder), &r, &d);

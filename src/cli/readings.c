@@ -3,7 +3,7 @@
 #include "stickslip/report.h"
 
 int run_readings(const struct options *o, const char *data) {
-  if (o->n_operands != 1) return usage("readings takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("readings takes one %s", "SCENE");
   struct diag d;
   struct model m;
   struct scene s;
@@ -13,14 +13,14 @@ int run_readings(const struct options *o, const char *data) {
   model_init(&m);
   audit_result_init(&r);
   text_init(&out);
-  bool ok = load_scene(&s, o->operand[0], data, o, false, &d) && load_model(&m, data, o, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d) && load_model(&m, data, o, &d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {
     diag_set(&d, "%s: error: no readings: %s", s.path, why);
     ok = false;
   }
   r.scene = s.name;
-  if (ok && o->json)
+  if (ok && option(o, OPT_JSON))
     report_readings_json(&out, &r);
   else if (ok)
     report_readings_markdown(&out, r.readings);

@@ -49,16 +49,16 @@ static bool read_report(struct audit_result *r, const char *folder, struct diag 
 
 int run_report(const struct options *o, const char *data) {
   (void)data;
-  if (o->n_operands != 1) return usage("report takes one folder, as %s", "stickslip report reports/paper");
+  if (o->operands.n != 1) return usage("report takes one folder, as %s", "stickslip report reports/paper");
   struct diag d;
   struct audit_result r;
   struct output out;
   diag_init(&d);
   audit_result_init(&r);
-  output_init(&out, o->operand[0]);
-  bool ok = read_report(&r, o->operand[0], &d);
+  output_init(&out, o->operands.word[0]);
+  bool ok = read_report(&r, o->operands.word[0], &d);
   struct mutation_score score;
-  if (ok) output_add_views(&out, &r, score_beside(&score, o->operand[0], &r) ? &score : NULL);
+  if (ok) output_add_views(&out, &r, score_beside(&score, o->operands.word[0], &r) ? &score : NULL);
   ok = ok && output_write(&out, &d);
   if (ok) verify_line(&r);
   output_clear(&out);

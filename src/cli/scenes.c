@@ -5,7 +5,7 @@
 
 bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, bool box,
                 struct diag *d) {
-  struct scene_overrides set = {o->set, o->n_set, "--set"};
+  struct scene_overrides set = {o->given[OPT_SET].word, o->given[OPT_SET].n, "--set"};
   return scene_load_with(s, spec, data, &set, box, d);
 }
 

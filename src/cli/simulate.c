@@ -99,35 +99,38 @@ static int simulate_table(const struct simulation *run, const struct scene *s) {
 }
 
 int run_simulate(const struct options *o, const char *data) {
+  const char *start = option(o, OPT_START);
   enum { SLACK = 4 };
   long periods = 1, samples = DEFAULT_SAMPLES;
   slong orbit;
   bool printed;
-  int status = parse_count(&periods, o->periods, MAX_PERIODS, "--periods");
-  if (!status) status = parse_count(&samples, o->samples, MAX_SAMPLES, "--samples");
-  if (!status) status = parse_start(&orbit, &printed, o->at);
-  if (!status && o->at && o->start) status = usage("%s", "--at and --start exclude each other");
+  int status = parse_count(&periods, option(o, OPT_PERIODS), MAX_PERIODS, "--periods");
+  if (!status) status = parse_count(&samples, option(o, OPT_SAMPLES), MAX_SAMPLES, "--samples");
+  if (!status) status = parse_start(&orbit, &printed, o);
+  if (!status && option(o, OPT_AT) && start) status = usage("%s", "--at and --start exclude each other");
   if (status) return status;
-  if (o->compare && (o->csv || o->samples)) return usage("--compare goes with neither %s", "--csv nor --samples");
-  if (o->compare && periods > MAX_COMPARED) return usage("--periods takes at most 10000 with %s", "--compare");
-  if (o->n_operands != 1) return usage("simulate takes one %s", "SCENE");
+  if (option(o, OPT_COMPARE) && (option(o, OPT_CSV) || option(o, OPT_SAMPLES)))
+    return usage("--compare goes with neither %s", "--csv nor --samples");
+  if (option(o, OPT_COMPARE) && periods > MAX_COMPARED)
+    return usage("--periods takes at most 10000 with %s", "--compare");
+  if (o->operands.n != 1) return usage("simulate takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   struct simulation run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  bool ok = load_scene(&s, o->operand[0], data, o, false, &d);
-  ok = ok && (o->start ? audit_coulomb_setup_from(&run.setup, &s, o->start, &d)
-                       : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
+  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d);
+  ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
+                    : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {
     double period = run.setup.period > 0 ? run.setup.period : 100;
     run.plan.returns = periods;
     run.plan.max_steps = MAX_STEPS;
     run.plan.duration = SLACK * (double)periods * period; /* a motion that never sticks again ends all the same */
-    if (o->csv) run.plan.sample = period / (double)samples;
-    if (o->compare)
+    if (option(o, OPT_CSV)) run.plan.sample = period / (double)samples;
+    if (option(o, OPT_COMPARE))
       status = compare_routes(&run.setup, &s, periods, run.plan.duration);
     else
-      status = o->csv ? simulate_csv(&run) : simulate_table(&run, &s);
+      status = option(o, OPT_CSV) ? simulate_csv(&run) : simulate_table(&run, &s);
   } else {
     status = bad_input(&d);
   }

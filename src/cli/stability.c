@@ -27,21 +27,23 @@ static int parse_layer(int *layer, const char *option, const char *name) {
 }
 
 static int parse_study(struct stability_options *q, const struct options *o) {
+  const char *over = option(o, OPT_LAYER), *against = option(o, OPT_AFTER);
+  bool at = option(o, OPT_AT);
   int layer = LAYER_PRINTED, after = -1;
-  int status = o->layer ? parse_layer(&layer, "--layer", o->layer) : EXIT_AS_RECORDED;
-  if (!status && o->after) status = parse_layer(&after, "--after", o->after);
-  if (!status && o->after && after == layer)
-    status = usage("--after takes another layer than --layer, not %s", o->after);
-  if (!status && o->at && o->n_operands == 0) status = usage("%s needs the name of a formula", "--at");
-  if (!status && o->at && (o->out || o->json || o->quick || o->after || o->jobs))
+  int status = over ? parse_layer(&layer, "--layer", over) : EXIT_AS_RECORDED;
+  if (!status && against) status = parse_layer(&after, "--after", against);
+  if (!status && against && after == layer) status = usage("--after takes another layer than --layer, not %s", against);
+  if (!status && at && o->operands.n == 0) status = usage("%s needs the name of a formula", "--at");
+  if (!status && at &&
+      (option(o, OPT_OUT) || option(o, OPT_JSON) || option(o, OPT_QUICK) || against || option(o, OPT_JOBS)))
     status = usage("%s shows one point: no --out, --json, --quick, --after, --jobs", "--at");
   *q = (struct stability_options){.layer = (enum layer)layer,
                                   .after = after,
-                                  .only = o->operand,
-                                  .n_only = o->n_operands,
-                                  .quick = o->quick,
+                                  .only = o->operands.word,
+                                  .n_only = o->operands.n,
+                                  .quick = option(o, OPT_QUICK),
                                   .progress = isatty(STDERR_FILENO) ? show_progress : NULL};
-  return status ? status : parse_jobs(&q->jobs, o->jobs);
+  return status ? status : parse_jobs(&q->jobs, o);
 }
 
 static bool put(const char *folder, const char *name, const struct text *body, struct diag *d) {
@@ -132,23 +134,24 @@ static void add_source(struct text *out, const char *option, const char *file) {
 static void set_sources(struct stability_result *r, const struct options *o) {
   struct text t;
   text_init(&t);
-  add_source(&t, "--paper", o->paper);
-  add_source(&t, "--overlay", o->overlay);
+  add_source(&t, "--paper", option(o, OPT_PAPER));
+  add_source(&t, "--overlay", option(o, OPT_OVERLAY));
   if (t.len > 0) r->sources = arena_strndup(&r->arena, text_str(&t), t.len);
   text_clear(&t);
 }
 
 static bool study(const struct model *m, const struct stability_options *q, const struct options *o, struct diag *d) {
+  const char *folder = option(o, OPT_OUT);
   struct stability_result r;
   struct text body;
   stability_result_init(&r);
   text_init(&body);
-  bool ok = (!o->out || folder_make(o->out, d)) && audit_stability(&r, m, q, d);
+  bool ok = (!folder || folder_make(folder, d)) && audit_stability(&r, m, q, d);
   if (q->progress) fputs("\r\033[K", stderr);
   set_sources(&r, o);
-  ok = ok && (!o->out || write_files(o->out, &r, d));
-  if (ok && o->json) report_stability_json(&body, &r);
-  if (ok && !o->json) report_stability_text(&body, &r);
+  ok = ok && (!folder || write_files(folder, &r, d));
+  if (ok && option(o, OPT_JSON)) report_stability_json(&body, &r);
+  if (ok && !option(o, OPT_JSON)) report_stability_text(&body, &r);
   if (ok) fputs(text_str(&body), stdout);
   text_clear(&body);
   stability_result_clear(&r);
@@ -165,6 +168,7 @@ static bool show_point(const struct model *m, const struct stability_options *q,
 }
 
 int run_stability(const struct options *o, const char *data) {
+  const char *at = option(o, OPT_AT);
   struct stability_options q;
   int status = parse_study(&q, o);
   if (status) return status;
@@ -172,7 +176,7 @@ int run_stability(const struct options *o, const char *data) {
   struct model m;
   diag_init(&d);
   model_init(&m);
-  bool ok = load_model(&m, data, o, &d) && (o->at ? show_point(&m, &q, o->at, &d) : study(&m, &q, o, &d));
+  bool ok = load_model(&m, data, o, &d) && (at ? show_point(&m, &q, at, &d) : study(&m, &q, o, &d));
   if (!ok) status = bad_input(&d);
   model_clear(&m);
   return status;

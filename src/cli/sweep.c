@@ -47,50 +47,40 @@ static int plan(struct sweep *q) {
 }
 
 static int parse_request(struct sweep *q, const struct options *o) {
+  const char *csv = option(o, OPT_CSV), *search = option(o, OPT_SEARCH_EVERY);
+  bool json = option(o, OPT_JSON);
+  const struct words *over = &o->given[OPT_OVER];
   unsigned long long every = 0;
   int status = parse_digits(&q->digits, o);
   if (status) return status;
   if (q->digits > MOST_SWEEP_DIGITS)
-    return usage("sweep computes in double precision: --digits takes 1 to 15, not %.200s", o->digits);
-  if (o->n_operands != 1) return usage("sweep takes one %s", "SCENE");
-  if (o->n_over == 0) return usage("sweep needs --over %s", "NAME=A:B:N");
-  if (o->json && o->csv_file) return usage("--json goes with no %s", "--csv");
-  if (o->resume && !o->csv_file) return usage("--resume continues a file: it needs %s", "--csv FILE");
-  if (o->search_every && !parse_whole(&every, o->search_every, false, MOST_EVERY))
-    return usage("--search-every takes a whole number from 1 to 65536, not %.200s", o->search_every);
+    return usage("sweep computes in double precision: --digits takes 1 to 15, not %.200s", option(o, OPT_DIGITS));
+  if (o->operands.n != 1) return usage("sweep takes one %s", "SCENE");
+  if (over->n == 0) return usage("sweep needs --over %s", "NAME=A:B:N");
+  if (json && csv) return usage("--json goes with no %s", "--csv");
+  if (option(o, OPT_RESUME) && !csv) return usage("--resume continues a file: it needs %s", "--csv FILE");
+  if (search && !parse_whole(&every, search, false, MOST_EVERY))
+    return usage("--search-every takes a whole number from 1 to 65536, not %.200s", search);
   q->every = (slong)every;
-  q->json = o->json;
-  q->all = o->all || o->json;
-  for (int i = 0; i < o->n_over && !status; i++) status = parse_axis(q, i, o->over[i]);
+  q->json = json;
+  q->all = option(o, OPT_ALL) || json;
+  for (int i = 0; i < over->n && !status; i++) status = parse_axis(q, i, over->word[i]);
   return status ? status : plan(q);
 }
 
 static int load_swept(struct sweep *q, const struct options *o, const char *data) {
   struct diag d;
   diag_init(&d);
-  if (!load_scene(&q->scene, o->operand[0], data, o, false, &d)) return bad_input(&d);
+  if (!load_scene(&q->scene, o->operands.word[0], data, o, false, &d)) return bad_input(&d);
   if (!scene_has_forces(&q->scene)) {
     diag_set(&d, "%s: error: sweep needs a scene that gives e1 and e2", q->scene.path);
     return bad_input(&d);
   }
   int status = EXIT_AS_RECORDED;
   for (int i = 0; i < q->n_axes && !status; i++)
-    status = range_check_friction(&q->range[i], &q->scene, "--over", o->over[i]);
+    status = range_check_friction(&q->range[i], &q->scene, "--over", o->given[OPT_OVER].word[i]);
   return status;
 }
-
-#ifdef STICKSLIP_MPI
-static int serve(const struct sweep *q, int jobs) {
-  struct diag d;
-  diag_init(&d);
-  struct pool *p = pool_open(q, jobs, &d);
-  if (!p) return bad_input(&d);
-  int status = ranks_serve(q, p, jobs);
-  sweep_stop();
-  pool_close(p);
-  return status;
-}
-#endif
 
 static int write_all_rows(const struct sweep *q, const struct options *o, int jobs) {
   struct sink s;
@@ -102,14 +92,14 @@ static int write_all_rows(const struct sweep *q, const struct options *o, int jo
 }
 
 static int sweep_with(struct sweep *q, const struct options *o, const char *data) {
-  int jobs, status = parse_jobs(&jobs, o->jobs);
+  int jobs, status = parse_jobs(&jobs, o);
   if (!status) status = parse_request(q, o);
   if (!status) status = load_swept(q, o, data);
   if (status) return status;
   sweep_listen(true);
 #ifdef STICKSLIP_MPI
-  if (!o->jobs) jobs = ranks_jobs();
-  status = ranks_number() > 0 ? serve(q, jobs) : write_all_rows(q, o, jobs);
+  if (!option(o, OPT_JOBS)) jobs = ranks_jobs();
+  status = ranks_number() > 0 ? ranks_serve(q, jobs) : write_all_rows(q, o, jobs);
 #else
   status = write_all_rows(q, o, jobs);
 #endif

@@ -3,12 +3,12 @@
    sweep       the command line, and which points are asked for
    sweep_rows  the rows of a unit of work
    sweep_file  where the rows go; taking up an interrupted file
-   sweep_pool  threads
    sweep_run   handing out units, and putting them in order
-   sweep_mpi   the same over processes (make MPI=1 only) */
+   sweep_mpi   the same over the ranks of an MPI job (make MPI=1 only) */
 #ifndef STICKSLIP_SWEEP_H
 #define STICKSLIP_SWEEP_H
 
+#include "base/crew.h"
 #include "cli.h"
 #include "stickslip/family.h"
 #include "stickslip/part.h"
@@ -35,10 +35,8 @@ static inline const struct dyn_axis *sweep_line_axis(const struct sweep *q) {
 /* What stands before the first row and after the last. */
 void sweep_head(struct text *out, const struct sweep *q);
 void sweep_tail(struct text *out, const struct sweep *q);
-/* The rows of a unit; false when the run was told to stop before they were done. */
-bool sweep_rows(struct text *out, const struct sweep *q, slong unit);
-/* Set by SIGINT and SIGTERM. */
-bool sweep_stopped(void);
+/* The rows of a unit. */
+void sweep_rows(struct text *out, const struct sweep *q, slong unit);
 
 /* --- sweep_file.c --- */
 
@@ -52,24 +50,13 @@ bool sink_write(struct sink *s, const struct text *rows, struct diag *d);
 bool sink_finish(struct sink *s, const struct sweep *q, struct diag *d);
 void sink_clear(struct sink *s);
 
-/* --- sweep_pool.c --- */
-
-struct pool;
-enum { POOL_ROOM = 2 * MAX_JOBS };
-/* NULL with d set when no thread can be made. */
-struct pool *pool_open(const struct sweep *q, int jobs, struct diag *d);
-/* Units under way are given up; sweep_stopped must be true unless there are none. */
-void pool_close(struct pool *p);
-/* At most POOL_ROOM units may be given and not taken. */
-void pool_give(struct pool *p, slong unit);
-/* A unit that is done, if there is one within so many milliseconds; its rows are appended to out. */
-bool pool_take(struct pool *p, slong *unit, struct text *rows, int wait);
-
 /* --- sweep_run.c --- */
 
 /* From here SIGINT and SIGTERM set sweep_stopped, or no longer do. */
 void sweep_listen(bool on);
-void sweep_stop(void);
+bool sweep_stopped(void);
+/* A crew whose items are units. */
+struct crew *sweep_crew(const struct sweep *q, int jobs, struct diag *d);
 /* An exit status. */
 int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs);
 
@@ -85,7 +72,7 @@ int ranks_count(void);
 /* --jobs where none is given: the processors of this machine shared among its ranks. */
 int ranks_jobs(void);
 /* Ranks other than 0: computes what rank 0 asks for until it asks for no more; an exit status. */
-int ranks_serve(const struct sweep *q, struct pool *p, int jobs);
+int ranks_serve(const struct sweep *q, int jobs);
 
 /* The other ranks, as rank 0 sees them. */
 struct helpers;

@@ -134,12 +134,13 @@ static bool open_file(struct sink *s, const struct sweep *q, bool resume, const 
 }
 
 bool sink_open(struct sink *s, const struct sweep *q, const struct options *o, struct diag *d) {
+  const char *file = option(o, OPT_CSV);
   struct text head;
-  *s = (struct sink){.to_file = o->csv_file != NULL};
-  part_init(&s->part, o->csv_file ? o->csv_file : "");
+  *s = (struct sink){.to_file = file != NULL};
+  part_init(&s->part, file ? file : "");
   text_init(&head);
   sweep_head(&head, q);
-  bool ok = s->to_file ? open_file(s, q, o->resume, &head, d) : sink_write(s, &head, d);
+  bool ok = s->to_file ? open_file(s, q, option(o, OPT_RESUME), &head, d) : sink_write(s, &head, d);
   text_clear(&head);
   return ok;
 }

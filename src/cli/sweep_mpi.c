@@ -1,7 +1,7 @@
 /* A sweep over the processes of an MPI job.
 
-   Rank 0 writes, and computes with its own threads; each other rank says how many units it has room for, and gets one
-   whenever it has room.  Only first threads talk, by probing, so that nobody blocks: a rank says every second that it
+   Rank 0 writes, and computes with a crew of its own; each other rank says how many units it has room for, and gets one
+   whenever it has room.  Ranks talk by probing, so that nobody blocks: a rank says every second that it
    lives, and one that is silent for half a minute, whether it died or its machine did, is lost: its units are handed out
    again.  Rows that come after all are the same bytes, and ignored.
 
@@ -19,6 +19,7 @@
 
 enum { TAG_HELLO = 1, TAG_ALIVE, TAG_ROWS, TAG_UNIT };
 enum { ALIVE_EVERY = 1, LOST_AFTER = 30, ORPHAN_AFTER = 120 }; /* seconds */
+enum { MOST_UNITS = 2 * MAX_JOBS };                            /* that a rank has at a time */
 
 static bool anyone_lost;
 static int neighbours = 1; /* ranks on this machine, this one among them */
@@ -127,7 +128,14 @@ static bool send_rows(struct text *message, slong unit, const struct text *rows)
   return send_bytes(message->data, message->len, 0, TAG_ROWS);
 }
 
-int ranks_serve(const struct sweep *q, struct pool *p, int jobs) {
+/* Whether it goes on. */
+static bool send_done(struct crew *crew, struct text *rows, struct text *message) {
+  size_t unit;
+  enum crew_news news = crew_take(crew, &unit, rows, 1);
+  return news == CREW_ITEM ? send_rows(message, (slong)unit, rows) : news == CREW_NOTHING;
+}
+
+static bool serve(const struct sweep *q, struct crew *crew, int jobs) {
   MPI_Status s;
   struct text rows, message;
   text_init(&rows);
@@ -141,10 +149,10 @@ int ranks_serve(const struct sweep *q, struct pool *p, int jobs) {
       ok = receive(&message, &s);
       if (!ok || s.MPI_TAG != TAG_UNIT) continue;
       memcpy(&unit, message.data, sizeof unit);
-      if (unit >= 0) pool_give(p, unit);
+      if (unit >= 0) crew_give(crew, (size_t)unit);
     }
     if (unit < 0) break;
-    if (ok && pool_take(p, &unit, &rows, 1)) ok = send_rows(&message, unit, &rows);
+    ok = ok && send_done(crew, &rows, &message);
     if (now() - said >= ALIVE_EVERY) {
       said = now();
       ok = ok && send_bytes(&ok, 0, 0, TAG_ALIVE) && said - heard < ORPHAN_AFTER;
@@ -152,14 +160,24 @@ int ranks_serve(const struct sweep *q, struct pool *p, int jobs) {
   }
   text_clear(&rows);
   text_clear(&message);
+  return ok;
+}
+
+int ranks_serve(const struct sweep *q, int jobs) {
+  struct diag d;
+  diag_init(&d);
+  struct crew *crew = sweep_crew(q, jobs, &d);
+  if (!crew) return bad_input(&d);
+  bool ok = serve(q, crew, jobs);
+  crew_close(crew);
   return ok ? EXIT_AS_RECORDED : EXIT_INTERNAL;
 }
 
 /* --- Rank 0. --- */
 
 struct helper {
-  int room;             /* 0 until its hello */
-  slong has[POOL_ROOM]; /* units */
+  int room;              /* 0 until its hello */
+  slong has[MOST_UNITS]; /* units */
   int n;
   double heard;
   bool lost;
@@ -219,7 +237,7 @@ static void welcome(struct helpers *h, int rank) {
   sweep_head(&head, h->q);
   bool same = h->body.len == sizeof room + head.len && memcmp(h->body.data + sizeof room, head.data, head.len) == 0;
   if (same) memcpy(&room, h->body.data, sizeof room);
-  h->rank[rank].room = room < 1 ? 0 : room > POOL_ROOM ? POOL_ROOM : room;
+  h->rank[rank].room = room < 1 ? 0 : room > MOST_UNITS ? MOST_UNITS : room;
   if (!same) lose(h, rank, "understands another request");
   text_clear(&head);
 }

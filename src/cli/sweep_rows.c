@@ -219,11 +219,11 @@ static void unit_text(struct text *out, const struct sweep *q, const struct dyn_
   }
 }
 
-bool sweep_rows(struct text *out, const struct sweep *q, slong unit) {
+void sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   const struct dyn_axis *axis = sweep_line_axis(q);
   slong line = unit / q->per_line, begin = unit % q->per_line * q->unit;
   slong end = begin + q->unit < axis->n ? begin + q->unit : axis->n;
-  struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all, .stop = sweep_stopped};
+  struct dyn_family_request r = {.axis = axis, .every = q->every, .late = q->all};
   struct dyn_family f;
   fmpq params[N_PARAMS];
   for (int i = 0; i < N_PARAMS; i++) {
@@ -233,11 +233,9 @@ bool sweep_rows(struct text *out, const struct sweep *q, slong unit) {
   if (q->n_axes > 1) dyn_axis_q(&params[q->range[0].vary], &q->axis[0], line);
   r.params = params;
   for (int i = 0; i < 2; i++) r.u_r[i] = q->scene.given[KEY_U_R1 + i] ? &q->scene.value[KEY_U_R1 + i] : NULL;
-  bool ok = dyn_family_find(&f, &r, begin, end) == SS_OK;
-  if (!ok) abort(); /* the ends of each axis are in the domain, and so is what lies between */
-  for (slong i = 0; i < f.n_points; i++) ok &= f.point[i].status != FAMILY_STOPPED;
-  if (ok) unit_text(out, q, &f, unit, begin);
+  if (dyn_family_find(&f, &r, begin, end) != SS_OK)
+    abort(); /* the ends of each axis are in the domain, and so is what lies between */
+  unit_text(out, q, &f, unit, begin);
   dyn_family_clear(&f);
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&params[i]);
-  return ok;
 }

@@ -1,7 +1,8 @@
-/* Units are handed out in order, to threads and to other processes, and written in order whoever is done first.  So many
+/* Units are handed out in order, to a crew and to other ranks, and written in order whoever is done first.  So many
    may be ahead of the one that is waited for that nobody stands idle, and no more, nor more rows than HELD bytes, so that
    memory stays bounded. */
 #include <signal.h>
+#include <stdint.h>
 #include <stdlib.h>
 #include <time.h>
 #include <unistd.h>
@@ -19,10 +20,6 @@ bool sweep_stopped(void) {
 
 static void on_signal(int number) {
   (void)number;
-  stopped = 1;
-}
-
-void sweep_stop(void) {
   stopped = 1;
 }
 
@@ -44,9 +41,9 @@ struct waiting {
 struct sweep_course {
   const struct sweep *q;
   struct sink *sink;
-  struct pool *pool;
-  int room;     /* units that the threads may have at a time */
-  int busy;     /* that they have */
+  struct crew *crew;
+  int room;     /* units that the crew may have at a time */
+  int busy;     /* that it has */
   slong *again; /* units that are to be handed out once more */
   size_t n_again, cap_again;
   slong next, written; /* units handed out, and units in the sink */
@@ -97,7 +94,7 @@ static void advance(struct sweep_course *r) {
 
 static void give(struct sweep_course *r) {
   for (slong unit; r->busy < r->room && (unit = next_unit(r)) >= 0; r->busy++) {
-    pool_give(r->pool, unit);
+    crew_give(r->crew, (size_t)unit);
     advance(r);
   }
 #ifdef STICKSLIP_MPI
@@ -130,18 +127,22 @@ static void take_from_ranks(struct sweep_course *r, struct text *rows) {
 }
 #endif
 
-static void take(struct sweep_course *r, struct text *rows) {
-  slong unit;
+/* What is done; false when a process ended before its time. */
+static bool take(struct sweep_course *r, struct text *rows) {
+  enum crew_news news;
+  size_t unit;
   int wait = WAIT;
 #ifdef STICKSLIP_MPI
   take_from_ranks(r, rows);
   if (helpers_waiting(r->helpers)) wait = 1;
 #endif
-  while (pool_take(r->pool, &unit, rows, wait)) {
+  while ((news = crew_take(r->crew, &unit, rows, wait)) == CREW_ITEM) {
     r->busy--;
-    put(r, unit, rows);
+    put(r, (slong)unit, rows);
     wait = 0;
   }
+  if (news == CREW_EXHAUSTED) ss_out_of_memory();
+  return news == CREW_NOTHING;
 }
 
 static bool write_ready(struct sweep_course *r) {
@@ -154,7 +155,8 @@ static bool write_ready(struct sweep_course *r) {
   return true;
 }
 
-static int say_interrupted(const struct sweep_course *r) {
+static int say_interrupted(const struct sweep_course *r, bool lost) {
+  if (lost) fputs("stickslip: error: a worker process ended before its time\n", stderr);
   if (r->sink->to_file)
     fprintf(stderr, "stickslip: interrupted; %s holds %ld of %ld units of work: --resume continues it\n",
             text_str(&r->sink->part.path), (long)r->written, (long)r->q->units);
@@ -166,18 +168,28 @@ static int say_interrupted(const struct sweep_course *r) {
 static int loop(struct sweep_course *r) {
   struct text rows;
   text_init(&rows);
-  bool ok = true;
-  while (ok && r->written < r->q->units && !stopped) {
+  bool ok = true, lost = false;
+  while (ok && r->written < r->q->units && !stopped && !lost) {
     give(r);
-    take(r, &rows);
+    lost = !take(r, &rows);
     ok = write_ready(r);
     show_progress(r);
   }
   text_clear(&rows);
   if (r->terminal) fputs("\r\033[K", stderr);
-  if (ok && r->written < r->q->units) return say_interrupted(r);
+  if (ok && r->written < r->q->units) return say_interrupted(r, lost && !stopped);
   ok = ok && sink_finish(r->sink, r->q, &r->d);
   return ok ? EXIT_AS_RECORDED : bad_input(&r->d);
+}
+
+static bool do_unit(struct text *rows, size_t unit, int place, void *arg) {
+  (void)place;
+  sweep_rows(rows, arg, (slong)unit);
+  return true;
+}
+
+struct crew *sweep_crew(const struct sweep *q, int jobs, struct diag *d) {
+  return crew_open(do_unit, (void *)(uintptr_t)q, jobs, false, d);
 }
 
 int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
@@ -187,13 +199,12 @@ int sweep_carry_out(const struct sweep *q, struct sink *s, int jobs) {
   diag_init(&r->d);
   r->terminal = isatty(STDERR_FILENO);
   clock_gettime(CLOCK_MONOTONIC, &r->begun);
-  r->pool = pool_open(q, jobs, &r->d);
+  r->crew = sweep_crew(q, jobs, &r->d);
 #ifdef STICKSLIP_MPI
   r->helpers = helpers_open(q);
 #endif
-  int status = r->pool ? loop(r) : bad_input(&r->d);
-  sweep_stop(); /* what is under way is not wanted any more */
-  if (r->pool) pool_close(r->pool);
+  int status = r->crew ? loop(r) : bad_input(&r->d);
+  if (r->crew) crew_close(r->crew);
 #ifdef STICKSLIP_MPI
   helpers_close(r->helpers);
 #endif

@@ -30,9 +30,8 @@ static size_t hanging(const char *line, size_t len, size_t width) {
   return at;
 }
 
-/* One line, broken at single blanks; a word that is wider than the terminal stays whole. */
-static void add_fitted(struct text *out, const char *line, size_t len, size_t width) {
-  size_t indent = hanging(line, len, width), used = 0;
+void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent) {
+  size_t used = 0;
   while (used + len > width) {
     size_t cut = width - used, least = used ? 1 : indent + 1;
     while (cut > least && line[cut] != ' ') cut--;
@@ -58,7 +57,7 @@ void terminal_print(const char *s) {
   text_init(&out);
   for (size_t len; width >= NARROWEST && *s; s += len + (s[len] == '\n')) {
     len = strcspn(s, "\n");
-    add_fitted(&out, s, len, (size_t)width);
+    text_fit(&out, s, len, (size_t)width, hanging(s, len, (size_t)width));
     if (s[len]) text_add_char(&out, '\n');
   }
   fputs(width >= NARROWEST ? text_str(&out) : s, stdout);

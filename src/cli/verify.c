@@ -87,12 +87,12 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
   ok = ok && write_reports(folder, &r, now() - start, d);
   int status = ok ? EXIT_AS_RECORDED : bad_input(d);
   if (ok) {
-    print_result(&r, o->quiet);
+    print_result(&r, option(o, OPT_QUIET));
     long count[N_VERDICTS];
     audit_result_count(&r, count);
     if (audit_result_unexpected(&r))
       status = EXIT_DIFFERS;
-    else if (o->strict && (count[VERDICT_REFUTED] || count[VERDICT_CONDITIONAL] || count[VERDICT_UNKNOWN]))
+    else if (option(o, OPT_STRICT) && (count[VERDICT_REFUTED] || count[VERDICT_CONDITIONAL] || count[VERDICT_UNKNOWN]))
       status = EXIT_STRICT;
   }
   audit_result_clear(&r);
@@ -101,10 +101,11 @@ static int audit_scene(const struct verify_data *v, const struct scene *s, const
 
 /* Where a scene's reports go: the folder of --out, or one in it where there are several. */
 static void print_folder(struct text *out, const struct options *o, const char *folder) {
-  if (o->out && o->n_operands <= 1)
-    text_add(out, o->out);
+  const char *out_folder = option(o, OPT_OUT);
+  if (out_folder && o->operands.n <= 1)
+    text_add(out, out_folder);
   else
-    text_printf(out, "%s/%s", o->out ? o->out : "reports", folder);
+    text_printf(out, "%s/%s", out_folder ? out_folder : "reports", folder);
 }
 
 static int verify_scene(const struct verify_data *v, const char *spec, const char *data, const struct options *o,
@@ -114,9 +115,9 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
   text_init(&folder);
   double start = now();
   interrupt_next();
-  bool terminal = isatty(STDERR_FILENO) && !o->quiet;
-  struct audit_options opt = {.only = o->only,
-                              .n_only = o->n_only,
+  bool terminal = isatty(STDERR_FILENO) && !option(o, OPT_QUIET);
+  struct audit_options opt = {.only = o->given[OPT_ONLY].word,
+                              .n_only = o->given[OPT_ONLY].n,
                               .progress = terminal ? show_progress : NULL,
                               .arg = &start,
                               .readings = true,
@@ -126,10 +127,10 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
   int status;
   if (!load_scene(&s, spec, data, o, true, d) || !scene_four_phases(&s, d)) {
     status = bad_input(d);
-  } else if (o->plan) {
-    status = show_plan(&v->model, &v->claims, &v->controls, &s, &opt, o->json, d);
+  } else if (option(o, OPT_PLAN)) {
+    status = show_plan(&v->model, &v->claims, &v->controls, &s, &opt, option(o, OPT_JSON), d);
   } else {
-    if (o->digits) s.asked.digits = v->digits; /* of the values that the scene asks for */
+    if (option(o, OPT_DIGITS)) s.asked.digits = v->digits; /* of the values that the scene asks for */
     print_folder(&folder, o, s.folder);
     status = audit_scene(v, &s, o, text_str(&folder), &opt, start, d);
   }
@@ -140,16 +141,16 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
 
 /* Of two scenes whose reports would stand in one folder, only the last would leave any. */
 static int check_folders(const struct options *o) {
-  const struct scene_overrides set = {o->set, o->n_set, "--set"};
+  const struct scene_overrides set = {o->given[OPT_SET].word, o->given[OPT_SET].n, "--set"};
   int status = EXIT_AS_RECORDED;
-  for (int i = 1; i < o->n_operands && !o->plan && !status; i++) {
-    char *mine = scene_folder(o->operand[i], &set);
+  for (int i = 1; i < o->operands.n && !option(o, OPT_PLAN) && !status; i++) {
+    char *mine = scene_folder(o->operands.word[i], &set);
     for (int k = 0; k < i && !status; k++) {
-      char *other = scene_folder(o->operand[k], &set);
+      char *other = scene_folder(o->operands.word[k], &set);
       if (strcmp(mine, other) == 0) {
         struct text t;
         text_init(&t);
-        text_printf(&t, "%.200s and %.200s would both write to ", o->operand[k], o->operand[i]);
+        text_printf(&t, "%.200s and %.200s would both write to ", o->operands.word[k], o->operands.word[i]);
         print_folder(&t, o, mine);
         status = usage("%.800s; verify them one at a time, each with an --out of its own", text_str(&t));
         text_clear(&t);
@@ -186,26 +187,29 @@ static bool load_all(struct verify_data *v, const struct options *o, const char 
 }
 
 int run_verify(const struct options *o, const char *data) {
+  const char *out = option(o, OPT_OUT);
+  bool plan = option(o, OPT_PLAN);
   int jobs;
   double seconds;
   struct verify_data v = {.claims = {.n = 0}};
   int status = parse_digits(&v.digits, o);
-  if (!status) status = parse_jobs(&jobs, o->jobs);
-  if (!status) status = parse_timeout(&seconds, o->timeout);
+  if (!status) status = parse_jobs(&jobs, o);
+  if (!status) status = parse_timeout(&seconds, o);
   if (status) return status;
-  if (o->json && !o->plan) return usage("%s", "verify takes --json with --plan alone; audit.json is always written");
+  if (option(o, OPT_JSON) && !plan)
+    return usage("%s", "verify takes --json with --plan alone; audit.json is always written");
   status = check_folders(o);
   if (status) return status;
   struct diag d;
   diag_init(&d);
   model_init(&v.model);
-  if (!interrupt_begin(seconds)) return usage("--timeout %.200s: the clock cannot be set", o->timeout);
-  bool ok = (!o->out || o->plan || folder_possible(o->out, &d)) && load_all(&v, o, data, &d);
+  if (!interrupt_begin(seconds)) return usage("--timeout %.200s: the clock cannot be set", option(o, OPT_TIMEOUT));
+  bool ok = (!out || plan || folder_possible(out, &d)) && load_all(&v, o, data, &d);
   if (!ok) status = bad_input(&d);
   if (ok) load_costs(&v.costs, data);
   static const char *const standard[] = {"paper"};
-  const char *const *scene = o->n_operands ? o->operand : standard;
-  int n = o->n_operands ? o->n_operands : 1;
+  const char *const *scene = o->operands.n ? o->operands.word : standard;
+  int n = o->operands.n ? o->operands.n : 1;
   for (int i = 0; ok && i < n; i++) {
     diag_init(&d);
     status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));

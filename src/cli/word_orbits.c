@@ -261,16 +261,16 @@ static bool check_digits(slong digits, const struct scene *s, struct diag *d) {
 
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
   struct word_orbits list = {.n = 0};
-  if (o->basin || o->certificate)
+  if (option(o, OPT_BASIN) || option(o, OPT_CERTIFICATE))
     diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
-             o->basin ? "--basin" : "--certificate");
+             option(o, OPT_BASIN) ? "--basin" : "--certificate");
   if (d->set || !check_digits(digits, s, d) || !find_orbits(&list, s, digits, d)) return bad_input(d);
   struct text out, why;
   text_init(&out);
   text_init(&why);
   enum word_fate fate = phase_word_fate(&why, &s->word);
-  (o->json ? orbits_json : orbits_text)(&out, &list, fate, text_str(&why), s, digits);
-  if (o->json)
+  (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, fate, text_str(&why), s, digits);
+  if (option(o, OPT_JSON))
     fputs(text_str(&out), stdout);
   else
     terminal_print(text_str(&out));
@@ -345,12 +345,12 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
                       struct diag *d) {
   struct jacobian_request q = *asked;
   struct word_orbits list = {.n = 0};
-  if (!o->method) q.method = METHOD_SALTATION;
-  if (o->phases || q.at_printed || o->layer) {
+  if (!option(o, OPT_METHOD)) q.method = METHOD_SALTATION;
+  if (option(o, OPT_PHASES) || q.at_printed || option(o, OPT_LAYER)) {
     diag_set(d, "%s: error: %s is of the word D-Gamma-H-C, and the scene names another", s->path,
-             o->phases      ? "--phases"
-             : q.at_printed ? "--at printed"
-                            : "--layer");
+             option(o, OPT_PHASES) ? "--phases"
+             : q.at_printed        ? "--at printed"
+                                   : "--layer");
   } else if (q.method != METHOD_SALTATION && q.method != METHOD_FD_DOUBLE && q.method != METHOD_ODE) {
     diag_set(d, "%s: error: --method %s is of the word D-Gamma-H-C; another takes saltation, fd-double or ode", s->path,
              method_name[q.method]);
@@ -362,7 +362,7 @@ int run_word_jacobian(const struct options *o, const struct scene *s, const stru
     diag_set(d, "%s: error: %ld orbit%s of the scene's word found, so there is no orbit:%ld", s->path, (long)list.n,
              list.n == 1 ? "" : "s", (long)q.orbit + 1);
   else if (fill_jacobian(x, orbit, s, &q, d))
-    show_matrix(orbit, x, s, &q, o->json);
+    show_matrix(orbit, x, s, &q, option(o, OPT_JSON));
   _arb_vec_clear(x, WORD_FREE_MOST * WORD_FREE_MOST);
   word_orbits_clear(&list);
   return d->set ? bad_input(d) : EXIT_AS_RECORDED;

@@ -282,28 +282,29 @@ static void show_survey(struct survey *v, bool as_json) {
 }
 
 int run_words(const struct options *o, const char *data) {
+  const char *most = option(o, OPT_LONGEST);
   struct survey v = {.longest = LONGEST};
   unsigned long long longest;
   int status = parse_digits(&v.digits, o);
   if (status) return status;
-  if (v.digits > WORD_DIGITS) return usage("words takes at most 1000 --digits, not %.200s", o->digits);
-  if (o->longest) {
-    if (!parse_whole(&longest, o->longest, false, MOST_PHASES))
-      return usage("--longest takes a whole number from 1 to 8, not %.200s", o->longest);
+  if (v.digits > WORD_DIGITS) return usage("words takes at most 1000 --digits, not %.200s", option(o, OPT_DIGITS));
+  if (most) {
+    if (!parse_whole(&longest, most, false, MOST_PHASES))
+      return usage("--longest takes a whole number from 1 to 8, not %.200s", most);
     v.longest = (int)longest;
   }
-  if (o->n_operands != 1) return usage("words takes one %s", "SCENE");
+  if (o->operands.n != 1) return usage("words takes one %s", "SCENE");
   struct diag d;
   struct scene s;
   diag_init(&d);
   v.scene = &s;
-  if (!load_scene(&s, o->operand[0], data, o, true, &d) || !scene_one_point(&s, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, true, &d) || !scene_one_point(&s, &d)) {
     status = bad_input(&d);
   } else if (!scene_has_forces(&s)) {
     diag_set(&d, "%s: error: words needs a scene that gives e1 and e2", s.path);
     status = bad_input(&d);
   } else {
-    show_survey(&v, o->json);
+    show_survey(&v, option(o, OPT_JSON));
   }
   scene_clear(&s);
   return status;

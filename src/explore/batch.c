@@ -1,5 +1,5 @@
 /* Orbits in lanes: points are packed into blocks, each block is solved by the kernel of the widest instruction set that
-   the machine has, and threads share the blocks.
+   the machine has.
 
    The last block is filled up with copies of its first point, so that every point is solved by the same loop.  Points
    with a long phase H are gathered from the blocks of a tile to be looked at together. */
@@ -91,7 +91,7 @@ static const struct set *set_to_use(void) {
   return &sets[set];
 }
 
-/* --- Tiles: what a thread takes at a time. --- */
+/* --- Tiles: blocks whose open points are looked at together. --- */
 
 enum { TILE = 16 * LANES };
 
@@ -192,14 +192,10 @@ static int run_tile(const struct points *p, slong first, slong end, const struct
 }
 
 int dyn_orbits_batch(double *const out[N_DYN_OUT], unsigned *violations, int *status,
-                     const double *const params[N_PARAMS], const double *const guess[2], slong n, int jobs) {
+                     const double *const params[N_PARAMS], const double *const guess[2], slong n) {
   const struct points p = {out, violations, status, params, guess};
   const struct set *set = set_to_use();
   int all = SS_OK;
-  (void)jobs;
-#ifdef _OPENMP
-#pragma omp parallel for num_threads(jobs > 1 ? jobs : 1) schedule(dynamic) reduction(| : all) if (jobs > 1)
-#endif
   for (slong first = 0; first < n; first += TILE) all |= run_tile(&p, first, FLINT_MIN(n, first + TILE), set);
   return all;
 }

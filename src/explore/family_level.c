@@ -38,7 +38,7 @@ void lanes_clear(struct lanes *a) {
 static void lanes_solve(struct lanes *a, slong n) {
   const double *params[N_PARAMS], *guess[2] = {a->guess[0], a->guess[1]};
   for (int i = 0; i < N_PARAMS; i++) params[i] = a->params[i];
-  dyn_orbits_batch(a->out, a->violations, a->status, params, guess, n, 1);
+  dyn_orbits_batch(a->out, a->violations, a->status, params, guess, n);
 }
 
 /* --- Prediction. --- */

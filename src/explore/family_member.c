@@ -13,10 +13,9 @@ enum { PREC = 64 };
 static const double narrow = 1e-6; /* of |trace| - 1, and of a static friction over its bound */
 
 const char *const dyn_family_status_name[N_FAMILY_STATUS] = {
-    [FAMILY_OK] = "ok",          [FAMILY_UNDECIDED] = "undecided",
-    [FAMILY_FOLD] = "fold",      [FAMILY_CONVERGENCE] = "no convergence",
-    [FAMILY_BUDGET] = "budget",  [FAMILY_RANGE] = "range",
-    [FAMILY_STOPPED] = "stopped"};
+    [FAMILY_OK] = "ok",         [FAMILY_UNDECIDED] = "undecided",
+    [FAMILY_FOLD] = "fold",     [FAMILY_CONVERGENCE] = "no convergence",
+    [FAMILY_BUDGET] = "budget", [FAMILY_RANGE] = "range"};
 
 truth dyn_member_admissible(const struct dyn_member *m) {
   return m->violations ? TRUTH_FALSE : m->unsure || m->word != TRUTH_TRUE ? TRUTH_UNKNOWN : TRUTH_TRUE;
@@ -217,10 +216,6 @@ static struct dyn_member *list_balls(slong *n, enum dyn_family_status *status, s
 void family_search(struct family_line *l, struct dyn_family_point *p) {
   struct search s;
   *p = (struct dyn_family_point){.x = l->params[l->q->axis->vary], .status = FAMILY_OK};
-  if (l->q->stop && l->q->stop()) {
-    p->status = FAMILY_STOPPED;
-    return;
-  }
   l->f->searched++;
   if (search_run(&s, l->params, &dyn_limits_default)) {
     p->status = FAMILY_RANGE;

@@ -55,14 +55,12 @@ static bool all_there(const void *const *row, int n) {
 }
 
 int ss_orbits_batch(double *const out[SS_OUTPUTS], unsigned *violations, int *status,
-                    const double *const params[SS_PARAMS], const double *const guess[2], size_t n, int jobs) {
-  enum { MOST_JOBS = 1024 };
-  if (jobs < 1 || jobs > MOST_JOBS) return library_argument(__func__, "from 1 to 1024 threads");
+                    const double *const params[SS_PARAMS], const double *const guess[2], size_t n) {
   if (n == 0) return SS_OK;
   if (!all_there((const void *const *)out, SS_OUTPUTS) || !all_there((const void *const *)params, SS_PARAMS) ||
       !all_there((const void *const *)guess, 2) || !violations || !status || n > WORD_MAX)
     return library_argument(__func__, "an array is NULL, or there are too many points");
-  return dyn_orbits_batch(out, violations, status, params, guess, (slong)n, jobs);
+  return dyn_orbits_batch(out, violations, status, params, guess, (slong)n);
 }
 
 static bool in_domain(const double params[SS_PARAMS]) {

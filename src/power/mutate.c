@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "judge/judge.h"
 #include "mutants.h"
-#include "run/workers.h"
 #include "value/orbit_pool.h"
 
 /* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */
@@ -403,7 +403,8 @@ bool audit_mutate(struct mutation_result *out, const struct model *m, const stru
     if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
   }
   enum mutant_fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
-  ok = ok && read_all(&r, d) && workers_run(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
+  ok =
+      ok && read_all(&r, d) && crew_results(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
   if (ok) report(out, &r, fate);
   free(fate);
   run_clear(&r);

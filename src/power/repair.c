@@ -5,9 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/crew.h"
 #include "judge/judge.h"
 #include "mutants.h"
-#include "run/workers.h"
 
 enum { PAIR_BUDGET = 20000 };
 
@@ -291,7 +291,7 @@ static bool passes(enum verdict v) {
 
 static bool try_all(struct repairs *found, struct repair_result *out, struct search *s, int jobs, struct diag *d) {
   enum verdict *v = ss_malloc((s->n + 1) * sizeof *v);
-  bool ok = workers_run(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
+  bool ok = crew_results(v, sizeof *v, s->n, jobs, try_candidate, s, NULL, d);
   out->broken = !ok;
   for (size_t i = 0; ok && i < s->n; i++) {
     if (!passes(v[i])) continue;

@@ -2,14 +2,11 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "report_impl.h"
+#include "graph.h"
+#include "stickslip/arena.h"
 
 static size_t node_of(struct claim_graph *g, const char *id) {
-  for (size_t i = 0; i < g->n; i++)
-    if (strcmp(g->id[i], id) == 0) return i;
-  g->id = ss_grow(g->id, g->n, &g->cap, sizeof *g->id);
-  g->id[g->n] = id;
-  return g->n++;
+  return names_index(&g->ids, id);
 }
 
 static void add_list(struct claim_graph *g, const struct id_list *list) {
@@ -22,35 +19,35 @@ void claim_graph_init(struct claim_graph *g, const struct audit_result *r) {
   for (size_t i = 0; i < r->n_findings; i++)
     for (int k = 0; k < r->findings[i].n_depends_on; k++) node_of(g, r->findings[i].depends_on[k]);
   for (size_t i = 0; i < r->n_consequences; i++) add_list(g, &r->consequences[i].falls);
-  size_t bytes = g->n * g->n * sizeof *g->rests;
+  size_t bytes = g->ids.n * g->ids.n * sizeof *g->rests;
   g->rests = ss_malloc(bytes);
   g->reach = ss_malloc(bytes);
   memset(g->rests, 0, bytes);
   for (size_t i = 0; i < r->n_findings; i++)
     for (int k = 0; k < r->findings[i].n_depends_on; k++)
-      g->rests[node_of(g, r->findings[i].id) * g->n + node_of(g, r->findings[i].depends_on[k])] = true;
+      g->rests[node_of(g, r->findings[i].id) * g->ids.n + node_of(g, r->findings[i].depends_on[k])] = true;
   memcpy(g->reach, g->rests, bytes);
-  for (size_t k = 0; k < g->n; k++)
-    for (size_t i = 0; i < g->n; i++)
-      for (size_t j = 0; g->reach[i * g->n + k] && j < g->n; j++)
-        g->reach[i * g->n + j] = g->reach[i * g->n + j] || g->reach[k * g->n + j];
+  for (size_t k = 0; k < g->ids.n; k++)
+    for (size_t i = 0; i < g->ids.n; i++)
+      for (size_t j = 0; g->reach[i * g->ids.n + k] && j < g->ids.n; j++)
+        g->reach[i * g->ids.n + j] = g->reach[i * g->ids.n + j] || g->reach[k * g->ids.n + j];
 }
 
 void claim_graph_clear(struct claim_graph *g) {
   free(g->reach);
   free(g->rests);
-  free(g->id);
+  free(g->ids.name);
 }
 
 bool claim_graph_implied(const struct claim_graph *g, size_t a, size_t b) {
-  for (size_t c = 0; c < g->n; c++)
-    if (c != a && c != b && g->rests[a * g->n + c] && g->reach[c * g->n + b] && !g->reach[b * g->n + c] &&
-        !g->reach[c * g->n + a])
+  for (size_t c = 0; c < g->ids.n; c++)
+    if (c != a && c != b && g->rests[a * g->ids.n + c] && g->reach[c * g->ids.n + b] && !g->reach[b * g->ids.n + c] &&
+        !g->reach[c * g->ids.n + a])
       return true;
   return false;
 }
 
-bool report_falls(const struct audit_result *r, const char *id, const char *failure) {
+bool claim_falls(const struct audit_result *r, const char *id, const char *failure) {
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
     if (failure && strcmp(q->failure, failure) != 0) continue;

@@ -1,7 +1,9 @@
 /* The pictures of a record: the section of the page, and each as a document of its own. */
 #include "picture.h"
-
-#include <string.h>
+#include "escape.h"
+#include "html.h"
+#include "sections.h"
+#include "stickslip/report.h"
 
 static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
                                                  &picture_return_map, &picture_long_run, &picture_steps};
@@ -43,9 +45,9 @@ static void add_svg(struct text *out, const struct picture *q, const struct rows
               " font-size=\"12\" class=\"plot\" viewBox=\"0 0 %d %.0f\" role=\"img\" "
               "aria-labelledby=\"t-%s d-%s\">\n<title id=\"t-%s\">",
               PLOT_WIDTH, p.bottom, q->id, q->id, q->id);
-  html_plain(out, title);
+  escape_html(out, title);
   text_printf(out, "</title>\n<desc id=\"d-%s\">", q->id);
-  html_plain(out, text_str(&told));
+  escape_html(out, text_str(&told));
   text_add(out, "</desc>\n");
   if (style)
     text_printf(out, "<style>\n%s%s</style>\n<rect width=\"%d\" height=\"%.0f\" style=\"fill: var(--bg)\" />\n", style,
@@ -90,7 +92,7 @@ static void add_figure(const struct page *p, const struct picture *q, const stru
   text_printf(p->out, "<figure id=\"g-%s\">\n", q->id);
   add_svg(p->out, q, t, q->title, NULL);
   text_add(p->out, "<figcaption><strong>");
-  html_plain(p->out, q->title);
+  escape_html(p->out, q->title);
   text_add(p->out, ".</strong> ");
   html_text(p->out, text_str(&said), NULL);
   text_printf(p->out, " Numbers: <a href=\"%s\">%s</a>.</figcaption></figure>\n", q->table, q->table);
@@ -103,16 +105,16 @@ static void add_neighbours(const struct page *p) {
   text_add(p->out, "<p>More pictures, of the methods behind all this: ");
   for (size_t i = 0; i < p->r->n_neighbours; i++) {
     text_add(p->out, i ? ", <a href=\"" : "<a href=\"");
-    html_plain(p->out, p->r->neighbours[i].path);
+    escape_html(p->out, p->r->neighbours[i].path);
     text_add(p->out, "\">");
-    html_plain(p->out, p->r->neighbours[i].says);
+    escape_html(p->out, p->r->neighbours[i].says);
     text_add(p->out, "</a>");
   }
   text_add(p->out, ".</p>\n");
 }
 
 void page_pictures(const struct page *p) {
-  text_add(p->out, "<section id=\"s-pictures\" aria-labelledby=\"h-pictures\">\n<h2 id=\"h-pictures\">Pictures</h2>\n");
+  page_begin_section(p, "pictures", "Pictures");
   if (p->r->n_tables == 0)
     text_add(p->out, "<p>None: they are made by the whole audit of a scene that has a periodic orbit.</p>\n");
   else

@@ -7,6 +7,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "escape.h"
+
 /* --- Tables --- */
 
 static void read_row(struct rows *t, const char *line, size_t len) {
@@ -92,7 +94,7 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       bool below = *c == '_';
       size_t n = below ? 1 : strcspn(c + 2, "}");
       text_printf(p->out, "<tspan dy=\"%s\" font-size=\"9\">", below ? "3" : "-4");
-      html_plain_n(p->out, below ? c + 1 : c + 2, n);
+      escape_html_n(p->out, below ? c + 1 : c + 2, n);
       text_add(p->out, "</tspan>");
       back = below ? "\"-3\"" : "\"4\"";
       c += below ? 1 : n + 2;
@@ -100,7 +102,7 @@ void plot_text(struct plot *p, double x, double y, const char *anchor, const cha
       size_t n = strcspn(c, "*_^");
       if (n == 0) n = 1;
       if (back) text_printf(p->out, "<tspan dy=%s>", back);
-      html_plain_n(p->out, c, n);
+      escape_html_n(p->out, c, n);
       if (back) text_add(p->out, "</tspan>");
       back = NULL;
       c += n - 1;

@@ -3,7 +3,9 @@
 #ifndef STICKSLIP_REPORT_PLOT_H
 #define STICKSLIP_REPORT_PLOT_H
 
-#include "html.h"
+#include "stickslip/arena.h"
+#include "stickslip/result.h"
+#include "stickslip/text.h"
 
 /* --- Tables --- */
 

@@ -88,7 +88,6 @@ void stability_add_cause(struct text *out, const struct stability_row *row, cons
   if (row->source) text_printf(out, ", %s", row->source);
 }
 
-/* Rows of a table that people read; ledger.tsv has them all. */
 void stability_add_confusion(struct text *out, const struct stability_result *r) {
   text_add(out, "| predicted \\ observed |");
   for (int b = 0; b < N_LOSS_BINS; b++) text_printf(out, " %s |", loss_bin_name[b]);

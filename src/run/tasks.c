@@ -1,52 +1,31 @@
-/* The parent maps the pages, forks, and takes tasks itself from the same shared counter; nobody waits for an answer, so that
-   nothing can fill up or block.  It kills what is left when it is told to go
-   (audit_abandon), and when its memory is exhausted. */
+/* The parent maps the pages, has a crew made, and takes tasks itself from the same queue; what the crew leaves open is done by
+   the parent in the end. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "tasks.h"
 
-#include <errno.h>
-#include <signal.h>
-#include <stdatomic.h>
-#include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/mman.h>
-#include <sys/wait.h>
-#include <time.h>
 #include <unistd.h>
 
-#include "stickslip/work.h"
-
+#include "base/crew.h"
+#include "stickslip/arena.h"
 #include "stickslip/audit.h"
 
 /* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the paper
    says a few million. */
-enum { MOST_PROCESSES = 64, ROOM = 32 << 20, EXIT_INTERNAL = 5, TELL_EVERY = 100000000 };
+enum { ROOM = 32 << 20, EXIT_INTERNAL = 5, TELL_EVERY = 100 }; /* milliseconds */
 
-/* In shared pages. */
-struct board {
-  atomic_size_t next; /* place in the order */
-  struct task_result result[];
-};
-
-struct crew {
+struct team {
   const struct tasks *t;
-  struct board *board;
-  size_t board_size;
-  const size_t *order;
-  unsigned char *room; /* NULL: the parent is alone */
-  pid_t parent;
-  bool exhausted; /* the memory of some process */
+  struct task_result *result; /* in shared pages, */
+  unsigned char *room;        /* as is this, unless the parent is alone */
+  struct arena arena;         /* of a process of the crew: its part of the room */
 };
-
-static volatile pid_t alive[MOST_PROCESSES]; /* 0: none */
 
 void audit_abandon(void) {
-  for (int k = 0; k < MOST_PROCESSES; k++)
-    if (alive[k] > 0) kill(alive[k], SIGKILL);
-  for (int k = 0; k < MOST_PROCESSES; k++)
-    if (alive[k] > 0) waitpid(alive[k], NULL, 0);
+  crew_abandon();
 }
 
 /* --- One task --- */
@@ -97,11 +76,10 @@ static void out_of_budget(void) {
   _exit(0);
 }
 
-/* Leaves the task open when its arena outgrew the room. */
-static void do_task(struct crew *c, size_t i, struct arena *arena) {
-  struct task_result *slot = &c->board->result[i];
+/* false, with the task left open, when the arena outgrew the block that it must not; NULL: it may. */
+static bool do_task(const struct team *c, size_t i, struct arena *arena, const struct arena_block *block) {
+  struct task_result *slot = &c->result[i];
   struct audit_result part = {.arena = *arena};
-  struct arena_block *room = c->room && arena->head ? arena->head : NULL;
   struct diag d;
   diag_init(&d);
   current = slot;
@@ -111,7 +89,7 @@ static void do_task(struct crew *c, size_t i, struct arena *arena) {
   pack_result(&part);
   const char *error = ok ? NULL : result_str(&part, "%s", d.message);
   *arena = part.arena;
-  if (room && getpid() != c->parent && arena->head != room) return;
+  if (block && arena->head != block) return false;
   slot->part = part;
   slot->part.arena.head = NULL;
   slot->error = error;
@@ -120,129 +98,10 @@ static void do_task(struct crew *c, size_t i, struct arena *arena) {
   slot->units = work_units();
   slot->seconds = c->t->seconds_now ? c->t->seconds_now() - start : 0;
   slot->end = ok ? TASK_DONE : TASK_FAILED;
+  return true;
 }
 
-/* --- Processes --- */
-
-static void end_quietly(int number) {
-  (void)number;
-  _exit(EXIT_FAILURE);
-}
-
-/* Signals end it, but for those that the parent ignores; what goes wrong here goes wrong again in the parent, or is all right
-   there, and it is the parent that says so. */
-static void leave_it_to_the_parent(void) {
-  struct sigaction now;
-  sigset_t all;
-  for (int i = 0; i < N_ENDING_SIGNALS; i++)
-    if (sigaction(ending_signals[i], NULL, &now) == 0 && now.sa_handler != SIG_IGN) signal(ending_signals[i], SIG_DFL);
-  signal(SIGABRT, end_quietly);
-  ss_exhausted_quietly();
-  sigfillset(&all);
-  sigprocmask(SIG_UNBLOCK, &all, NULL);
-}
-
-/* Never returns.  One task, or as many as there are. */
-static void be_worker(struct crew *c, int which, size_t only) {
-  struct arena arena;
-  leave_it_to_the_parent();
-  arena_resume(&arena, c->room + (size_t)which * ROOM);
-  const struct arena_block *room = arena.head;
-  if (only < c->t->n) {
-    do_task(c, only, &arena);
-    _exit(0);
-  }
-  for (size_t k = atomic_fetch_add(&c->board->next, 1); k < c->t->n; k = atomic_fetch_add(&c->board->next, 1)) {
-    if (getppid() != c->parent) _exit(1);
-    do_task(c, c->order[k], &arena);
-    if (arena.head != room) _exit(1);
-  }
-  _exit(0);
-}
-
-/* Signals wait until the process is known to whoever would have to end it. */
-static bool start(struct crew *c, int which, size_t only) {
-  sigset_t all, before;
-  sigfillset(&all);
-  sigprocmask(SIG_BLOCK, &all, &before);
-  pid_t pid = fork();
-  if (pid == 0) be_worker(c, which, only);
-  if (pid > 0) alive[which] = pid;
-  sigprocmask(SIG_SETMASK, &before, NULL);
-  return pid > 0;
-}
-
-static void tell(const struct crew *c) {
-  double all = 0, share = 0;
-  size_t done = 0;
-  if (!c->t->tell) return;
-  for (size_t i = 0; i < c->t->n; i++) {
-    bool ended = c->board->result[i].end != TASK_OPEN;
-    all += c->t->cost[i];
-    share += ended ? c->t->cost[i] : 0;
-    done += ended;
-  }
-  c->t->tell(c->t->teller, done, all > 0 ? share / all : 0);
-}
-
-/* The number of a process that has ended, -1 when there is none left. */
-static int wait_for_one(struct crew *c) {
-  for (bool any = true; any;) {
-    any = false;
-    for (int k = 0; k < MOST_PROCESSES; k++) {
-      if (alive[k] <= 0) continue;
-      any = true;
-      int how = 0;
-      pid_t ended = waitpid(alive[k], &how, WNOHANG);
-      if (ended > 0 && WIFEXITED(how) && WEXITSTATUS(how) == EXIT_EXHAUSTED) c->exhausted = true;
-      if (ended == alive[k] || (ended < 0 && errno == ECHILD)) {
-        alive[k] = 0;
-        return k;
-      }
-    }
-    tell(c);
-    struct timespec pause = {0, c->t->tell ? TELL_EVERY : TELL_EVERY / 100};
-    if (any) nanosleep(&pause, NULL);
-  }
-  return -1;
-}
-
-/* The parent works too. */
-static void do_shared(struct crew *c, struct arena *own, int jobs) {
-  for (int k = 1; k < jobs; k++)
-    if (!start(c, k, c->t->n)) break;
-  for (size_t k = atomic_fetch_add(&c->board->next, 1); k < c->t->n; k = atomic_fetch_add(&c->board->next, 1)) {
-    tell(c);
-    do_task(c, c->order[k], own);
-    if (!c->room && c->board->result[c->order[k]].end == TASK_FAILED) return; /* alone, in order: it is the first */
-  }
-  while (wait_for_one(c) >= 0) continue;
-  for (size_t i = 0; i < c->t->n; i++)
-    if (c->board->result[i].end == TASK_OPEN) do_task(c, i, own);
-}
-
-static void give_up(const char *why) {
-  audit_abandon();
-  fprintf(stderr, "stickslip: error: %s\n", why);
-  exit(EXIT_INTERNAL);
-}
-
-/* A process for each task. */
-static void do_apart(struct crew *c, int jobs) {
-  size_t k = 0;
-  for (int which = 0; which < jobs && k < c->t->n; which++, k++)
-    if (!start(c, which, c->order[k])) give_up("no process could be made");
-  for (int which = wait_for_one(c); which >= 0; which = wait_for_one(c))
-    if (k < c->t->n && !start(c, which, c->order[k++])) give_up("no process could be made");
-  if (c->exhausted) ss_out_of_memory();
-  for (size_t i = 0; i < c->t->n; i++)
-    if (c->board->result[i].end == TASK_OPEN) give_up("a process ended before its task was done");
-}
-
-static void *map(size_t size) {
-  void *p = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
-  return p == MAP_FAILED ? NULL : p;
-}
+/* --- In which order --- */
 
 struct expected {
   size_t i;
@@ -255,58 +114,131 @@ static int longest_first(const void *a, const void *b) {
   return x->i < y->i ? -1 : x->i > y->i;
 }
 
-/* A process more for every 30 ms of work expected: what is done sooner than one is made stays here. */
-static int worth(const struct tasks *t) {
-  double all = 0;
-  for (size_t i = 0; i < t->n; i++) all += t->cost[i];
-  size_t most = t->n < MOST_PROCESSES ? t->n : MOST_PROCESSES;
-  if (t->jobs < (int)most) most = t->jobs > 1 ? (size_t)t->jobs : 1;
-  if (!t->budget && all / 30 + 1 < (double)most) most = (size_t)(all / 30) + 1;
-  return most > 0 ? (int)most : 1;
-}
-
-static const size_t *put_in_order(const struct tasks *t, bool alone) {
+static size_t *put_in_order(const struct tasks *t) {
   struct expected *e = ss_malloc(t->n * sizeof *e);
   size_t *order = ss_malloc(t->n * sizeof *order);
   for (size_t i = 0; i < t->n; i++) e[i] = (struct expected){i, t->cost[i]};
-  if (t->n && !alone) qsort(e, t->n, sizeof *e, longest_first);
+  if (t->n) qsort(e, t->n, sizeof *e, longest_first);
   for (size_t i = 0; i < t->n; i++) order[i] = e[i].i;
   free(e);
   return order;
 }
 
+/* --- By whom --- */
+
+/* It gives no bytes: all is in the shared pages. */
+static bool do_in_crew(struct text *bytes, size_t i, int place, void *arg) {
+  struct team *c = arg;
+  (void)bytes;
+  if (!c->arena.head) arena_resume(&c->arena, c->room + (size_t)place * ROOM);
+  return do_task(c, i, &c->arena, c->arena.head);
+}
+
+static void tell(const struct team *c) {
+  double all = 0, share = 0;
+  size_t done = 0;
+  if (!c->t->tell) return;
+  for (size_t i = 0; i < c->t->n; i++) {
+    bool ended = c->result[i].end != TASK_OPEN;
+    all += c->t->cost[i];
+    share += ended ? c->t->cost[i] : 0;
+    done += ended;
+  }
+  c->t->tell(c->t->teller, done, all > 0 ? share / all : 0);
+}
+
+static void give_up(const char *why) {
+  crew_abandon();
+  fprintf(stderr, "stickslip: error: %s\n", why);
+  exit(EXIT_INTERNAL);
+}
+
+static enum crew_news wait_for_news(const struct team *c, struct crew *crew) {
+  size_t item;
+  struct text none;
+  text_init(&none);
+  enum crew_news news = crew_take(crew, &item, &none, c->t->tell ? TELL_EVERY : -1);
+  text_clear(&none);
+  tell(c);
+  return news;
+}
+
+/* The longest are begun first. */
+static void give_all(struct crew *crew, const struct tasks *t) {
+  size_t *order = put_in_order(t);
+  for (size_t k = 0; k < t->n; k++) crew_give(crew, order[k]);
+  crew_complete(crew);
+  free(order);
+}
+
+/* The parent works too; where there is no crew, in order. */
+static void do_shared(struct team *c, struct arena *own, int jobs) {
+  struct crew *crew = jobs > 1 ? crew_open(do_in_crew, c, jobs - 1, false, NULL) : NULL;
+  if (crew) {
+    give_all(crew, c->t);
+    for (size_t i; crew_next(crew, &i); tell(c)) do_task(c, i, own, NULL);
+    while (wait_for_news(c, crew) != CREW_OVER) continue;
+    crew_close(crew);
+  }
+  for (size_t i = 0; i < c->t->n; i++) {
+    if (c->result[i].end != TASK_OPEN) continue;
+    tell(c);
+    do_task(c, i, own, NULL);
+    if (!crew && c->result[i].end == TASK_FAILED) return; /* it is the first */
+  }
+}
+
+/* A process for each task. */
+static void do_apart(struct team *c, int jobs) {
+  struct crew *crew = crew_open(do_in_crew, c, jobs, true, NULL);
+  if (!crew) give_up("no process could be made");
+  give_all(crew, c->t);
+  for (enum crew_news news = CREW_NOTHING; news != CREW_OVER; news = wait_for_news(c, crew))
+    if (news == CREW_EXHAUSTED) ss_out_of_memory();
+  crew_close(crew);
+  for (size_t i = 0; i < c->t->n; i++)
+    if (c->result[i].end == TASK_OPEN) give_up("a process ended before its task was done");
+}
+
+static void *map(size_t size) {
+  void *p = mmap(NULL, size, PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  return p == MAP_FAILED ? NULL : p;
+}
+
+/* A process more for every 30 ms of work expected: what is done sooner than one is made stays here. */
+static int worth(const struct tasks *t) {
+  double all = 0;
+  for (size_t i = 0; i < t->n; i++) all += t->cost[i];
+  size_t most = t->n < CREW_MOST ? t->n : CREW_MOST;
+  if (t->jobs < (int)most) most = t->jobs > 1 ? (size_t)t->jobs : 1;
+  if (!t->budget && all / 30 + 1 < (double)most) most = (size_t)(all / 30) + 1;
+  return most > 0 ? (int)most : 1;
+}
+
+/* Pages for the results and for what they say; without them the parent is alone. */
+static bool share(struct team *c, size_t jobs) {
+  c->result = map((c->t->n + 1) * sizeof *c->result);
+  c->room = c->result ? map(jobs * ROOM) : NULL;
+  if (c->result && !c->room) munmap(c->result, (c->t->n + 1) * sizeof *c->result);
+  for (size_t k = 0; c->room && k < jobs; k++) arena_in(c->room + k * ROOM, ROOM);
+  return c->room != NULL;
+}
+
 struct task_result *tasks_run(struct audit_result *out, const struct tasks *t) {
   int jobs = worth(t);
-  bool alone = jobs == 1 && !t->budget;
-  struct crew c = {.t = t, .board_size = sizeof(struct board) + t->n * sizeof(struct task_result), .parent = getpid()};
-  c.board = alone ? NULL : map(c.board_size);
-  if (c.board) c.room = map((size_t)jobs * ROOM);
-  if (t->budget && !c.room) give_up("no memory for the processes that a budget asks for");
-  if (c.board && !c.room) {
-    munmap(c.board, c.board_size);
-    c.board = NULL;
-  }
-  bool shared = c.board != NULL;
-  if (!shared) {
-    c.board = ss_malloc(c.board_size);
-    memset(c.board, 0, c.board_size);
-    jobs = 1;
-  }
-  for (int k = 0; shared && k < jobs; k++) arena_in(c.room + (size_t)k * ROOM, ROOM);
+  size_t size = (t->n + 1) * sizeof(struct task_result);
+  struct team c = {.t = t};
+  struct task_result *results = ss_malloc(size);
+  bool shared = (jobs > 1 || t->budget) && share(&c, (size_t)jobs);
+  if (t->budget && !shared) give_up("no memory for the processes that a budget asks for");
   if (shared) result_keep_pages(out, c.room, (size_t)jobs * ROOM);
-  c.order = put_in_order(t, !shared);
-  ss_exhausted_calls(audit_abandon);
-  fflush(NULL);
+  if (!shared) c.result = memset(results, 0, size);
   if (t->budget)
     do_apart(&c, jobs);
   else
-    do_shared(&c, &out->arena, jobs);
-  struct task_result *results = ss_malloc(t->n * sizeof *results);
-  if (t->n) memcpy(results, c.board->result, t->n * sizeof *results);
-  free((void *)(uintptr_t)c.order);
-  if (shared)
-    munmap(c.board, c.board_size);
-  else
-    free(c.board);
+    do_shared(&c, &out->arena, shared ? jobs : 1);
+  if (!shared) return results;
+  memcpy(results, c.result, size);
+  munmap(c.result, size);
   return results;
 }

@@ -3,7 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "run/workers.h"
+#include "base/crew.h"
 #include "stability.h"
 
 enum { MAPS = 4, SCALE = 16, LOOKS = 17 };
@@ -149,7 +149,7 @@ bool digits_draw_maps(struct digits_study *st, const struct digits_found *found,
   int n = plan_maps(&mw, found);
   if (n == 0) return true;
   struct map_line *line = ss_malloc((size_t)(n * STABILITY_MAP) * sizeof *line);
-  bool ok = workers_run(line, sizeof *line, (size_t)(n * STABILITY_MAP), opt->jobs, map_item, &mw, opt->progress, d);
+  bool ok = crew_results(line, sizeof *line, (size_t)(n * STABILITY_MAP), opt->jobs, map_item, &mw, opt->progress, d);
   r->map = arena_alloc(&r->arena, (size_t)n * sizeof *r->map);
   for (int i = 0; ok && i < n; i++) describe_map(&r->map[i], st, &mw.plan[i], line + i * STABILITY_MAP);
   r->n_maps = ok ? n : 0;

@@ -2,7 +2,7 @@
    what they found in words, and maps of the worst. */
 #include <stdlib.h>
 
-#include "run/workers.h"
+#include "base/crew.h"
 #include "stability.h"
 
 /* --- The formulas asked for --- */
@@ -131,7 +131,7 @@ static bool hold_pairs(struct digits_study *st, const struct stability_options *
   size_t n = st->have_pairs ? st->pairs.n : 0;
   if (n == 0) return true;
   struct digits_agreement *found = ss_malloc(n * sizeof *found);
-  bool ok = workers_run(found, sizeof *found, n, opt->jobs, agree_item, st, opt->progress, d);
+  bool ok = crew_results(found, sizeof *found, n, opt->jobs, agree_item, st, opt->progress, d);
   r->pair = arena_alloc(&r->arena, n * sizeof *r->pair);
   for (size_t i = 0; ok && i < n; i++) digits_describe_pair(&r->pair[i], st, i, &found[i]);
   r->n_pairs = ok ? (int)n : 0;
@@ -158,7 +158,7 @@ bool audit_stability(struct stability_result *out, const struct model *m, const 
   out->quick = opt->quick;
   size_t n = st.n * (size_t)n_digits_regions;
   struct digits_found *found = ok ? ss_malloc(n * sizeof *found) : NULL;
-  ok = ok && workers_run(found, sizeof *found, n, opt->jobs, search_item, &st, opt->progress, d);
+  ok = ok && crew_results(found, sizeof *found, n, opt->jobs, search_item, &st, opt->progress, d);
   if (ok) gather(&st, found);
   ok = ok && (opt->n_only > 0 || check_regions(out, d)) && hold_pairs(&st, opt, d);
   ok = ok && (opt->quick || digits_draw_maps(&st, found, opt, d));

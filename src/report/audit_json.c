@@ -1,0 +1,121 @@
+/* audit.json and run.json from the result record. */
+#include <math.h>
+#include <stdio.h>
+
+#include "audit_shape.h"
+#include "stickslip/report.h"
+
+void report_json(struct text *out, const struct audit_result *r) {
+  struct json j;
+  json_init(&j, out);
+  shape_write(&j, NULL, &audit_shape, r);
+}
+
+/* --- run.json --- */
+
+static void write_figure(struct json *j, const char *key, double x) {
+  char s[32];
+  snprintf(s, sizeof s, "%.4g", x);
+  json_string(j, key, isnan(x) ? NULL : s);
+}
+
+static void write_residuals(struct json *j, const struct audit_result *r) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    for (int k = 0; k < r->findings[i].n_evidence; k++) {
+      const struct evidence *e = &r->findings[i].evidence[k];
+      if (isnan(e->machine_residual)) continue;
+      json_object(j, NULL);
+      json_string(j, "claim", r->findings[i].id);
+      json_string(j, "route", e->route);
+      write_figure(j, "residual", e->machine_residual);
+      json_end_object(j);
+    }
+}
+
+static void write_pair_figures(struct json *j, const struct route_pair *p) {
+  json_object(j, NULL);
+  json_string(j, "quantity", p->quantity);
+  json_string(j, "first", p->first);
+  json_string(j, "second", p->second);
+  write_figure(j, "largest", p->machine_largest);
+  json_string(j, "worst", p->machine_worst);
+  json_end_object(j);
+}
+
+static void write_long_figures(struct json *j, const struct long_result *l) {
+  static const char *const pair[N_LONG_PAIRS] = {"integration, closed form", "integration, mpfr", "closed form, mpfr"};
+  json_object(j, NULL);
+  json_string(j, "orbit", l->orbit);
+  json_array(j, "pairs");
+  for (int i = 0; i < N_LONG_PAIRS; i++) {
+    json_object(j, NULL);
+    json_string(j, "routes", pair[i]);
+    if (l->machine_parting[i])
+      json_long(j, "apart_by_1e-6", l->machine_parting[i]);
+    else
+      json_null(j, "apart_by_1e-6");
+    write_figure(j, "most", l->machine_most[i]);
+    write_figure(j, "growth", l->machine_growth[i]);
+    json_end_object(j);
+  }
+  json_end_array(j);
+  write_figure(j, "growth_of_displacement", l->machine_displaced);
+  json_end_object(j);
+}
+
+/* What each piece took, in the order of the report. */
+static void write_spent(struct json *j, const struct audit_result *r) {
+  unsigned long long units = 0;
+  json_array(j, "pieces");
+  for (size_t i = 0; i < r->n_spent; i++) {
+    const struct piece_spent *p = &r->spent[i];
+    char ms[32];
+    snprintf(ms, sizeof ms, "%.2f", p->machine_ms);
+    json_object(j, NULL);
+    json_string(j, "what", p->what);
+    json_string(j, "name", p->name);
+    json_long(j, "units", (long)p->units);
+    json_string(j, "ms", ms);
+    json_end_object(j);
+    units += p->units;
+  }
+  json_end_array(j);
+  json_long(j, "units", (long)units);
+}
+
+static void write_precision(struct json *j, const struct audit_result *r) {
+  json_array(j, "precision");
+  for (size_t i = 0; i < r->n_precision; i++) {
+    json_object(j, NULL);
+    json_string(j, "what", r->precision[i].what);
+    json_long(j, "tried", r->precision[i].tried);
+    json_long(j, "enough", r->precision[i].enough);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+void report_run(struct text *out, const struct audit_result *r, double seconds, const char *software) {
+  struct json j;
+  char took[32];
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-run-1");
+  json_string(&j, "scene", r->scene);
+  snprintf(took, sizeof took, "%.3f", seconds);
+  json_string(&j, "seconds", took);
+  json_string(&j, "software", software);
+  json_long(&j, "jobs", r->jobs);
+  write_spent(&j, r);
+  write_precision(&j, r);
+  json_array(&j, "residuals");
+  write_residuals(&j, r);
+  json_end_array(&j);
+  json_array(&j, "routes");
+  for (size_t i = 0; i < r->n_pairs; i++) write_pair_figures(&j, &r->pairs[i]);
+  json_end_array(&j);
+  json_array(&j, "long_runs");
+  for (size_t i = 0; i < r->n_long_runs; i++) write_long_figures(&j, &r->long_runs[i]);
+  json_end_array(&j);
+  json_end_object(&j);
+}

@@ -1,0 +1,292 @@
+/* audit.md: the same record for people.  Formulas stand between dollar signs, as common viewers render them. */
+#include <string.h>
+
+#include "escape.h"
+#include "finding.h"
+#include "sheet.h"
+#include "stickslip/report.h"
+
+static const char *or_dash(const char *s) {
+  return s && *s ? s : "-";
+}
+
+static void add_counts(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS];
+  audit_result_count(r, count);
+  text_add(out, "| verdict | claims |\n| --- | ---: |\n");
+  for (int i = 0; i < N_VERDICTS; i++)
+    if (count[i]) text_printf(out, "| %s | %ld |\n", verdict_name[i], count[i]);
+  text_printf(out, "| total | %zu |\n\n", r->n_findings);
+}
+
+static void add_finding(struct text *out, const struct finding *f) {
+  text_printf(out, "### %s: %s\n\n", f->id, f->title);
+  if (f->quote) text_printf(out, "- paper: %s\n", f->quote);
+  if (f->printed) text_printf(out, "- as read: $%s$\n", f->printed);
+  text_printf(out, "- verdict: **%s**%s%s%s%s\n", verdict_name[f->verdict], f->fault ? ", fault: " : "",
+              f->fault ? f->fault : "", f->condition ? ", condition: " : "", f->condition ? f->condition : "");
+  if (f->correction) text_printf(out, "- correction: `%s` (%s)\n", f->correction, verdict_name[f->correction_verdict]);
+  if (f->effect) text_printf(out, "- effect: %s\n", f->effect);
+  for (int i = 0; i < f->n_depends_on; i++)
+    text_printf(out, "%s%s%s", i ? ", " : "- depends on: ", f->depends_on[i], i + 1 == f->n_depends_on ? "\n" : "");
+  for (int i = 0; i < f->n_evidence; i++) {
+    const struct evidence *e = &f->evidence[i];
+    text_printf(out, "- %s (%s): %s", e->route, or_dash(e->layer), e->result);
+    if (e->trials >= 0) text_printf(out, ", %ld trial%s", e->trials, e->trials == 1 ? "" : "s");
+    if (e->bits >= 0) text_printf(out, ", %ld bits", e->bits);
+    if (e->residual) text_printf(out, ", residual %s", e->residual);
+    if (e->note) text_printf(out, "; %s", e->note);
+    if (e->worst) text_printf(out, " [%s]", e->worst);
+    text_add_char(out, '\n');
+  }
+  text_printf(out, "- recheck: `%s`\n\n", f->reproduce);
+}
+
+static void add_section(struct text *out, const struct audit_result *r, const char *heading,
+                        bool (*wanted)(const struct finding *)) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    if (!wanted(&r->findings[i])) continue;
+    if (!any) text_printf(out, "## %s\n\n", heading);
+    any = true;
+    add_finding(out, &r->findings[i]);
+  }
+}
+
+static bool is_unknown(const struct finding *f) {
+  return f->verdict == VERDICT_UNKNOWN;
+}
+static bool is_rest(const struct finding *f) {
+  return !finding_fails(f) && !is_unknown(f);
+}
+
+static void add_overview(struct text *out, const struct audit_result *r) {
+  text_add(
+      out,
+      "## Every claim\n\n| claim | what it says | verdict | fault | as recorded |\n| --- | --- | --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    text_printf(out, "| %s | ", f->id);
+    escape_cell(out, or_dash(f->title));
+    text_printf(out, " | %s | %s | %s |\n", verdict_name[f->verdict], or_dash(f->fault),
+                f->recorded == N_VERDICTS ? "-"
+                : finding_unexpected(f)   ? "NO"
+                                          : "yes");
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_controls(struct text *out, const struct audit_result *r) {
+  if (r->n_controls == 0) return;
+  text_printf(
+      out,
+      "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict |\n| --- | --- | --- |\n",
+      controls_noticed(r), r->n_controls);
+  for (size_t i = 0; i < r->n_controls; i++)
+    text_printf(out, "| %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
+                verdict_name[r->controls[i].verdict]);
+  text_add_char(out, '\n');
+}
+
+/* --- Routes --- */
+
+static void add_route_pairs(struct text *out, const struct audit_result *r, bool disagreeing) {
+  const char *quantity = "";
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    const struct route_pair *p = &r->pairs[i];
+    if (disagreeing && p->within) continue;
+    if (strcmp(quantity, p->quantity) != 0)
+      text_printf(out,
+                  "%s%c%s:\n\n| routes | both rest on | comparisons | held to | largest disagreement | seen at |\n"
+                  "| --- | --- | ---: | --- | --- | --- |\n",
+                  *quantity ? "\n" : "", p->quantity[0] - 'a' + 'A', p->quantity + 1);
+    quantity = p->quantity;
+    text_printf(out, "| %s, %s | %s | %ld | %s | ", p->first, p->second, p->shared, p->comparisons, p->stated);
+    text_printf(out, "%s%s | ", p->within ? "" : "**beyond**: ", p->largest ? p->largest : p->within ? "within" : "-");
+    escape_cell(out, or_dash(p->worst));
+    text_add(out, " |\n");
+  }
+  if (*quantity) text_add_char(out, '\n');
+}
+
+static void add_routes(struct text *out, const struct audit_result *r) {
+  text_add(out, "## What the routes share\n\n");
+  if (r->n_pairs)
+    text_add(out,
+             "Every two routes to a quantity, at fixed random points and on orbits: what both use, themselves or in "
+             "locating the events, besides the equations of motion and the point, and the largest disagreement seen, "
+             "relative to max(1, "
+             "largest entry). Differences are held to their own estimate of their error where that is larger. Figures "
+             "of routes in double precision are in run.json.\n\n");
+  add_route_pairs(out, r, false);
+  for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
+  text_add_char(out, '\n');
+}
+
+static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
+  text_add(out,
+           "| orbit | tr J | periods run | 2^-52 becomes 1e-6 after | routes leave MPFR so | a displacement grows so |"
+           "\n| --- | ---: | ---: | --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_long_runs; i++) {
+    const struct long_result *l = &r->long_runs[i];
+    if (failing && l->obeys && l->displaced) continue;
+    text_printf(out, "| %s | %s | %ld | %s | %s | %s |\n", l->orbit, l->multiplier, l->periods, l->expected,
+                l->obeys ? "yes" : "**NO**", l->displaced ? "yes" : "**NO**");
+  }
+  text_add_char(out, '\n');
+}
+
+static void add_long_runs(struct text *out, const struct audit_result *r) {
+  if (r->n_long_runs == 0) return;
+  text_add(out,
+           "## Long runs\n\nGSL's integration and the closed forms, both in double precision, beside the closed "
+           "forms in MPFR, from one start on the orbit under Coulomb's law. Where |tr J| > 1 both must leave MPFR at "
+           "that rate a period, where |tr J| < 1 keep their positions within 1e-9 of it, relative to the state; and a "
+           "displacement of one route from the "
+           "other must grow or shrink at that rate. Rates are held to a tenth of log |tr J|; the measured ones, and "
+           "where the routes part by 1e-6, are in run.json. `stickslip simulate SCENE --compare` shows a run.\n\n");
+  add_long_run_rows(out, r, false);
+}
+
+static void add_precision(struct text *out, const struct audit_result *r) {
+  if (r->n_precision)
+    text_add(out, "## Precision\n\nHow often the first precision in balls was enough; else it was raised.\n\n"
+                  "| tried | times | enough |\n| --- | ---: | ---: |\n");
+  for (size_t i = 0; i < r->n_precision; i++)
+    text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
+  if (r->n_precision) text_add_char(out, '\n');
+}
+
+static void add_disagreeing_long_runs(struct text *out, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_long_runs; i++) any = any || !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  if (!any) return;
+  text_add(out, "## Long runs that the multiplier does not explain\n\n");
+  add_long_run_rows(out, r, true);
+}
+
+static void add_disagreeing_routes(struct text *out, const struct audit_result *r) {
+  bool any = false;
+  for (size_t i = 0; i < r->n_pairs; i++) any = any || !r->pairs[i].within;
+  if (!any) return;
+  text_add(out, "## Routes that disagree\n\n");
+  add_route_pairs(out, r, true);
+}
+
+/* --- What falls with a failure, and what survives it --- */
+
+static void add_ids(struct text *out, const char *label, const struct id_list *list) {
+  for (int i = 0; i < list->n; i++)
+    text_printf(out, "%s%s%s", i ? ", " : label, list->id[i], i + 1 == list->n ? "\n" : "");
+}
+
+/* The formulas of those that a change leaves as they are, on one line. */
+static void add_kept(const struct sheet *s, const struct consequence *q, enum change change, const char *label) {
+  const char *sep = label;
+  for (int i = 0; i < q->n_derived; i++) {
+    const struct derived *d = &q->derived[i];
+    if (d->change != change) continue;
+    text_add(s->out, sep);
+    sheet_math(s, d->latex);
+    if (change != CHANGE_SAME_FORMULA) text_printf(s->out, " (%s)", d->verdict);
+    sep = ", ";
+  }
+  if (sep != label) text_add_char(s->out, '\n');
+}
+
+static bool all_same(const struct consequence *q) {
+  for (int i = 0; i < q->n_derived; i++)
+    if (q->derived[i].change != CHANGE_SAME_FORMULA) return false;
+  return q->n_derived > 0;
+}
+
+static void add_changes(const struct sheet *s, const struct consequence *q) {
+  bool any = false;
+  for (int i = 0; i < q->n_derived; i++) {
+    const struct derived *d = &q->derived[i];
+    if (d->change != CHANGE_CHANGES) continue;
+    if (!any)
+      text_add(s->out, "\n| derived | | size | entry | with the printed form | corrected | where |\n"
+                       "| --- | --- | --- | --- | --- | --- | --- |\n");
+    any = true;
+    text_add(s->out, "| ");
+    sheet_math(s, d->latex);
+    text_add(s->out, ", ");
+    sheet_text(s, d->title);
+    text_printf(s->out, " | %s | below %s | %s | %s%s%s | %s | %s |\n", d->verdict, d->size, d->entry ? d->entry : "-",
+                d->printed, d->chain ? "; all printed: " : "", d->chain ? d->chain : "", d->corrected, d->where);
+  }
+}
+
+static void add_consequences(struct text *out, const struct audit_result *r) {
+  struct sheet s = {out, false};
+  if (r->n_consequences == 0) return;
+  text_add(out, "## What falls with a failure\n\nEverything is corrected but the failed formula, which is read as "
+                "printed. A result with the same formula in both readings cannot change.\n\n");
+  for (size_t i = 0; i < r->n_consequences; i++) {
+    const struct consequence *q = &r->consequences[i];
+    text_printf(out, "### with %s\n\n", q->failure);
+    add_ids(out, "- fails: ", &q->falls);
+    add_ids(out, "- rests on it and holds: ", &q->survives);
+    add_ids(out, "- rests on it, undecided: ", &q->open);
+    add_kept(&s, q, CHANGE_AGREES, "- keeps its value: ");
+    add_kept(&s, q, CHANGE_UNDECIDED, "- undecided: ");
+    add_kept(&s, q, CHANGE_UNDEFINED, "- cannot be evaluated: ");
+    if (all_same(q))
+      text_printf(out, "- same formula: all %d derived results\n", q->n_derived);
+    else
+      add_kept(&s, q, CHANGE_SAME_FORMULA, "- same formula: ");
+    add_changes(&s, q);
+    text_add_char(out, '\n');
+  }
+}
+
+/* --- The whole --- */
+
+void report_markdown(struct text *out, const struct audit_result *r) {
+  text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
+  add_counts(out, r);
+  add_disagreeing_routes(out, r);
+  add_disagreeing_long_runs(out, r);
+  add_section(out, r, "Not as recorded", finding_unexpected);
+  add_section(out, r, "Refuted", finding_fails);
+  add_consequences(out, r);
+  add_section(out, r, "Undecided", is_unknown);
+  if (r->readings) report_readings_markdown(out, r->readings);
+  add_overview(out, r);
+  add_controls(out, r);
+  add_routes(out, r);
+  add_long_runs(out, r);
+  if (r->n_values) text_add(out, "## Values\n\n| name | at | value |\n| --- | --- | --- |\n");
+  for (size_t i = 0; i < r->n_values; i++) {
+    const struct asked_value *v = &r->values[i];
+    text_printf(out, "| `%s` | %s | %s |\n", v->name, v->at, v->value ? v->value : "not known");
+  }
+  if (r->n_values) text_add_char(out, '\n');
+  add_precision(out, r);
+  if (r->n_skipped) text_add(out, "## Left out\n\n");
+  for (size_t i = 0; i < r->n_skipped; i++) text_printf(out, "- %s: %s\n", r->skipped[i].what, r->skipped[i].why);
+  if (r->n_skipped) text_add_char(out, '\n');
+  add_section(out, r, "The other claims", is_rest);
+}
+
+void report_line(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS];
+  audit_result_count(r, count);
+  text_printf(out, "%s: %zu claims%s", r->scene, r->n_findings, r->n_findings ? ":" : "");
+  const char *sep = " ";
+  for (int i = 0; i < N_VERDICTS; i++)
+    if (count[i]) {
+      text_printf(out, "%s%ld %s", sep, count[i], verdict_name[i]);
+      sep = ", ";
+    }
+  if (r->n_values) text_printf(out, "; %zu values", r->n_values);
+  if (r->n_controls || !r->n_values)
+    text_printf(out, "; %zu of %zu controls noticed", controls_noticed(r), r->n_controls);
+  text_add(out, "; ");
+  long bad = audit_result_unexpected(r);
+  if (bad)
+    text_printf(out, "%ld NOT as recorded", bad);
+  else
+    text_add(out, "as recorded");
+}

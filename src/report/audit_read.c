@@ -1,0 +1,73 @@
+/* audit.json read back: the record that the other reports are written from, whoever wrote the file. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "audit_shape.h"
+#include "stickslip/arena.h"
+#include "stickslip/report.h"
+
+/* The names that the reports make lists and graphs of (claims, what they rest on, routes, sections): with more distinct
+   ones the graph of the claims would be too large to be drawn, or looked at. */
+enum { MOST_NAMES = 1500 };
+
+struct name_list {
+  const char **name;
+  size_t n, cap;
+};
+
+static void add_name(struct name_list *list, const char *name) {
+  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
+  list->name[list->n++] = name;
+}
+
+static int compare_names(const void *a, const void *b) {
+  return strcmp(*(const char *const *)a, *(const char *const *)b);
+}
+
+static size_t count_distinct(struct name_list *list) {
+  size_t n = 0;
+  if (list->n) qsort(list->name, list->n, sizeof *list->name, compare_names);
+  for (size_t i = 0; i < list->n; i++) n += i == 0 || strcmp(list->name[i - 1], list->name[i]) != 0;
+  return n;
+}
+
+static void add_names_of(struct name_list *list, const struct finding *f) {
+  add_name(list, f->id);
+  if (f->section) add_name(list, f->section);
+  for (int i = 0; i < f->n_depends_on; i++) add_name(list, f->depends_on[i]);
+  for (int i = 0; i < f->n_evidence; i++) add_name(list, f->evidence[i].route);
+}
+
+static bool check_names(const struct audit_result *r, const struct source *s, struct diag *d) {
+  struct name_list all = {.n = 0}, ids = {.n = 0};
+  for (size_t i = 0; i < r->n_findings; i++) {
+    add_name(&ids, r->findings[i].id);
+    add_names_of(&all, &r->findings[i]);
+  }
+  for (size_t i = 0; i < r->n_consequences; i++) {
+    const struct consequence *q = &r->consequences[i];
+    add_name(&all, q->failure);
+    for (int k = 0; k < q->falls.n; k++) add_name(&all, q->falls.id[k]);
+  }
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    add_name(&all, r->pairs[i].first);
+    add_name(&all, r->pairs[i].second);
+  }
+  bool many = count_distinct(&all) > MOST_NAMES, twice = count_distinct(&ids) < ids.n;
+  if (many) diag_set(d, "%s: error: more than %d names of claims, routes and sections", s->name, MOST_NAMES);
+  if (twice) diag_set(d, "%s: error: two claims with one id", s->name);
+  free(ids.name);
+  free(all.name);
+  return !many && !twice;
+}
+
+bool report_read(struct audit_result *out, const struct source *s, struct diag *d) {
+  struct json_value root;
+  if (!json_parse(&root, &out->arena, s, d)) return false;
+  const char *schema = json_text(&root, "schema");
+  if (!schema || strcmp(schema, AUDIT_SCHEMA) != 0) {
+    diag_at(d, s, root.at, "not an audit.json of stickslip verify: its schema is not " AUDIT_SCHEMA);
+    return false;
+  }
+  return shape_read(out, &out->arena, &audit_shape, &root, s, d) && check_names(out, s, d);
+}

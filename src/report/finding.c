@@ -1,0 +1,97 @@
+/* Questions of the reports to the record. */
+#include <string.h>
+
+#include "finding.h"
+
+bool finding_fails(const struct finding *f) {
+  return verdict_fails(f->verdict);
+}
+
+const char *const grade_heading[N_GRADES] = {
+    "Numbers and the example",
+    "Formulas that change results",
+    "Slips of notation that change results when read literally",
+    "Conclusions that do not follow",
+    "Formulas that change no result",
+    "Slips of notation that change no result",
+};
+
+static bool is_wide(const struct consequence *q) {
+  bool wide = q && q->falls.n > 0;
+  for (int i = 0; q && i < q->n_derived; i++)
+    wide = wide || q->derived[i].change == CHANGE_CHANGES || q->derived[i].change == CHANGE_UNDEFINED;
+  return wide;
+}
+
+enum grade failure_grade(const struct audit_result *r, const struct finding *f) {
+  bool wide = is_wide(audit_result_consequence(r, f->id));
+  if (f->fault && strcmp(f->fault, "number") == 0) return GRADE_NUMBER;
+  if (f->fault && strcmp(f->fault, "argument") == 0) return GRADE_ARGUMENT;
+  if (f->fault && strcmp(f->fault, "notation") == 0) return wide ? GRADE_NOTATION_WIDE : GRADE_NOTATION;
+  return wide ? GRADE_FORMULA_WIDE : GRADE_FORMULA;
+}
+
+const struct evidence *failure_evidence(const struct finding *f) {
+  for (int i = 0; i < f->n_evidence; i++)
+    if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];
+  return f->n_evidence ? &f->evidence[0] : NULL;
+}
+
+const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f) {
+  for (const struct finding *g = r->findings; f->correction_latex && g < f; g++)
+    if (finding_fails(g) && g->correction_latex && strcmp(g->correction_latex, f->correction_latex) == 0) return g;
+  return NULL;
+}
+
+bool failure_is_number(const struct finding *f) {
+  return f->correction_latex && f->fault && strcmp(f->fault, "number") == 0;
+}
+
+bool finding_states(const struct finding *f) {
+  bool any = false;
+  for (int i = 0; i < f->n_evidence; i++) any = any || strcmp(f->evidence[i].result, "states") == 0;
+  return any && f->verdict == VERDICT_DEFINITION;
+}
+
+const char *failure_words(const struct finding *f) {
+  static const struct {
+    const char *fault, *words;
+  } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
+            {"formula", "the formula is not what the equations of motion give"},
+            {"number", "not what the paper's own equations give for its data"},
+            {"argument", "the conclusion does not follow"}};
+  for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
+    if (strcmp(of[i].fault, f->fault) == 0) return of[i].words;
+  return "it does not hold";
+}
+
+bool finding_restricts(const struct finding *o, const struct finding *f) {
+  if (f->condition || !o->condition || o->n_depends_on != 1 || strcmp(o->depends_on[0], f->id) != 0) return false;
+  return o->verdict == VERDICT_PROVED || o->verdict == VERDICT_SUPPORTED;
+}
+
+bool finding_unexpected(const struct finding *f) {
+  return f->recorded != N_VERDICTS && f->recorded != f->verdict;
+}
+
+const char *finding_quote(const struct finding *f) {
+  return f->quote_part ? f->quote_part : f->quote;
+}
+
+const char *finding_printed(const struct finding *f) {
+  return f->printed_part ? f->printed_part : f->printed;
+}
+
+const char *finding_recheck(const struct finding *f) {
+  return f->reproduce ? f->reproduce : "stickslip verify";
+}
+
+const char *failure_size(const struct audit_result *r, const struct finding *f) {
+  return audit_result_consequence(r, f->id) ? f->size : f->effect;
+}
+
+size_t controls_noticed(const struct audit_result *r) {
+  size_t n = 0;
+  for (size_t i = 0; i < r->n_controls; i++) n += r->controls[i].noticed;
+  return n;
+}

@@ -1,0 +1,54 @@
+/* What several reports ask the record about a claim: whether it fails, how bad that is, what decided it, what mends it. */
+#ifndef STICKSLIP_REPORT_FINDING_H
+#define STICKSLIP_REPORT_FINDING_H
+
+#include "stickslip/result.h"
+
+/* --- Any claim --- */
+
+/* Whether it does not hold as printed. */
+bool finding_fails(const struct finding *f);
+/* Whether the verdict is another than the one recorded beside the claim. */
+bool finding_unexpected(const struct finding *f);
+/* Whether it asserts nothing and states something about the paper's data all the same. */
+bool finding_states(const struct finding *f);
+/* Whether o says the sentence of f under a restriction that saves it. */
+bool finding_restricts(const struct finding *o, const struct finding *f);
+/* The paper's own text and the formula as read, where a part decides that part alone; NULL without one. */
+const char *finding_quote(const struct finding *f);
+const char *finding_printed(const struct finding *f);
+/* The command that judges it again. */
+const char *finding_recheck(const struct finding *f);
+
+/* --- Failures --- */
+
+/* How bad a failure is, worst first: results of the paper that are wrong, then formulas and notation, each with those
+   first that change what is derived from them. */
+enum grade {
+  GRADE_NUMBER,
+  GRADE_FORMULA_WIDE,
+  GRADE_NOTATION_WIDE,
+  GRADE_ARGUMENT,
+  GRADE_FORMULA,
+  GRADE_NOTATION,
+  N_GRADES
+};
+extern const char *const grade_heading[N_GRADES];
+enum grade failure_grade(const struct audit_result *r, const struct finding *f);
+/* What decided: the first route that differs; the first piece of evidence where none is said to. */
+const struct evidence *failure_evidence(const struct finding *f);
+/* The failure before this one that the same correction mends; NULL when there is none. */
+const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f);
+/* The class of the fault in plain words. */
+const char *failure_words(const struct finding *f);
+/* Whether it is a printed number with the value it should have. */
+bool failure_is_number(const struct finding *f);
+/* How large the effect is; NULL where that is not known. */
+const char *failure_size(const struct audit_result *r, const struct finding *f);
+
+/* --- The record --- */
+
+/* Statements made wrong on purpose that this run has noticed. */
+size_t controls_noticed(const struct audit_result *r);
+
+#endif

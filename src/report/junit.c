@@ -1,0 +1,111 @@
+/* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the one
+   on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
+#include "escape.h"
+#include "finding.h"
+#include "stickslip/report.h"
+
+static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
+  text_add(out, "    <testcase classname=\"stickslip.");
+  escape_html(out, suite);
+  text_add(out, ".");
+  escape_html(out, group);
+  text_add(out, "\" name=\"");
+  escape_html(out, name);
+  text_add(out, title ? ": " : "");
+  escape_html(out, title);
+  text_add(out, "\">");
+}
+static void end_case(struct text *out) {
+  text_add(out, "</testcase>\n");
+}
+
+static void begin_suite(struct text *out, const char *name, size_t tests, size_t failures, size_t skipped) {
+  text_printf(out, "  <testsuite name=\"%s\" tests=\"%zu\" failures=\"%zu\" errors=\"0\" skipped=\"%zu\">\n", name,
+              tests, failures, skipped);
+}
+static void end_suite(struct text *out) {
+  text_add(out, "  </testsuite>\n");
+}
+
+static bool is_skipped(const struct finding *f) {
+  return f->verdict == VERDICT_SKIPPED && !finding_unexpected(f);
+}
+
+/* What a skipped claim says about itself. */
+static void add_reason(struct text *out, const struct finding *f) {
+  const char *why = f->n_evidence && f->evidence[0].note ? f->evidence[0].note : f->effect;
+  escape_html(out, why ? why : "not possible in this scene");
+}
+
+static void add_claims(struct text *out, const struct audit_result *r) {
+  size_t failed = 0, skipped = 0;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    failed += finding_unexpected(&r->findings[i]);
+    skipped += is_skipped(&r->findings[i]);
+  }
+  begin_suite(out, "claims", r->n_findings, failed, skipped);
+  for (size_t i = 0; i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    begin_case(out, r->scene, f->section ? f->section : "claims", f->id, f->title);
+    if (finding_unexpected(f)) {
+      text_printf(out, "<failure message=\"%s, recorded as %s\">", verdict_name[f->verdict], verdict_name[f->recorded]);
+      escape_html(out, f->reproduce);
+      text_add(out, "</failure>");
+    } else if (is_skipped(f)) {
+      text_add(out, "<skipped message=\"");
+      add_reason(out, f);
+      text_add(out, "\" />");
+    }
+    end_case(out);
+  }
+  end_suite(out);
+}
+
+static void add_controls(struct text *out, const struct audit_result *r) {
+  begin_suite(out, "controls", r->n_controls, r->n_controls - controls_noticed(r), 0);
+  for (size_t i = 0; i < r->n_controls; i++) {
+    const struct control_result *c = &r->controls[i];
+    begin_case(out, r->scene, "controls", c->id, NULL);
+    if (!c->noticed) text_printf(out, "<failure message=\"%s, must be refuted\" />", verdict_name[c->verdict]);
+    end_case(out);
+  }
+  end_suite(out);
+}
+
+static void add_routes(struct text *out, const struct audit_result *r) {
+  size_t failed = 0;
+  for (size_t i = 0; i < r->n_pairs; i++) failed += !r->pairs[i].within;
+  for (size_t i = 0; i < r->n_long_runs; i++) failed += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
+  begin_suite(out, "routes", r->n_pairs + r->n_long_runs, failed, 0);
+  for (size_t i = 0; i < r->n_pairs; i++) {
+    const struct route_pair *p = &r->pairs[i];
+    struct text name;
+    text_init(&name);
+    text_printf(&name, "%s, %s", p->first, p->second);
+    begin_case(out, r->scene, "routes", p->quantity, text_str(&name));
+    text_clear(&name);
+    if (!p->within) {
+      text_add(out, "<failure message=\"beyond ");
+      escape_html(out, p->stated);
+      text_add(out, "\" />");
+    }
+    end_case(out);
+  }
+  for (size_t i = 0; i < r->n_long_runs; i++) {
+    const struct long_result *l = &r->long_runs[i];
+    begin_case(out, r->scene, "long runs", l->orbit, NULL);
+    if (!l->obeys || !l->displaced) text_add(out, "<failure message=\"not as the multiplier says\" />");
+    end_case(out);
+  }
+  end_suite(out);
+}
+
+void report_junit(struct text *out, const struct audit_result *r) {
+  text_add(out, "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuites name=\"");
+  escape_html(out, r->scene);
+  text_add(out, "\">\n");
+  add_claims(out, r);
+  add_controls(out, r);
+  add_routes(out, r);
+  text_add(out, "</testsuites>\n");
+}

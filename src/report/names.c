@@ -1,0 +1,14 @@
+/* A list is short enough to be searched from its beginning. */
+#include "names.h"
+
+#include <string.h>
+
+#include "stickslip/arena.h"
+
+size_t names_index(struct names *list, const char *name) {
+  for (size_t i = 0; i < list->n; i++)
+    if (strcmp(list->name[i], name) == 0) return i;
+  list->name = ss_grow(list->name, list->n, &list->cap, sizeof *list->name);
+  list->name[list->n] = name;
+  return list->n++;
+}

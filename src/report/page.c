@@ -1,0 +1,76 @@
+/* index.html: one file that shows what the result record holds.  It is read without a network and without its script,
+   which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
+#include "escape.h"
+#include "html.h"
+#include "sections.h"
+#include "stickslip/report.h"
+
+static void add_head(const struct page *p) {
+  text_add(
+      p->out,
+      "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\" />\n"
+      "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\" />\n"
+      "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; style-src 'unsafe-inline'; "
+      "script-src 'unsafe-inline'; img-src data:\" />\n"
+      "<meta name=\"color-scheme\" content=\"light dark\" />\n<link rel=\"icon\" href=\"data:,\" />\n<title>Audit: ");
+  escape_html(p->out, p->r->title ? p->r->title : p->r->scene);
+  text_printf(p->out, "</title>\n<style>\n%s%s</style>\n</head>\n", page_style, picture_style);
+}
+
+static void add_opening(const struct page *p) {
+  text_add(p->out, "<body>\n<a class=\"skip\" href=\"#s-verdict\">To the verdict</a>\n<header>\n<h1>Audit of a paper");
+  if (p->r->paper) {
+    text_add(p->out, ": <cite>");
+    escape_html(p->out, p->r->paper);
+    text_add(p->out, "</cite>");
+  }
+  text_add(
+      p->out,
+      "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
+      "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
+      "same result that do not use them. The example here: ");
+  html_text(p->out, p->r->title, NULL);
+  text_add(p->out, p->r->title ? " (scene " : "scene ");
+  html_code(p->out, p->r->scene);
+  text_add(p->out, p->r->title ? ")." : ".");
+  text_add(p->out,
+           " New to it: <a href=\"#s-model\">the system in half a page</a>, <a href=\"#s-words\">the words used "
+           "here</a>.");
+  text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
+                   "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
+                   "<li><a href=\"#s-model\">The system in half a page</a></li>\n"
+                   "<li><a href=\"#s-failures\">What needs attention</a></li>\n"
+                   "<li><a href=\"#s-pictures\">Pictures</a></li>\n"
+                   "<li><a href=\"#s-claims\">Every claim</a></li>\n"
+                   "<li><a href=\"#s-graph\">What rests on what</a></li>\n"
+                   "<li><a href=\"#s-routes\">Routes</a></li>\n"
+                   "<li><a href=\"#s-limits\">What this does not show</a></li>\n</ul>\n"
+                   "<button type=\"button\" id=\"theme\" hidden=\"hidden\">Dark or light</button></nav>\n</header>\n"
+                   "<main>\n");
+}
+
+static void add_closing(const struct page *p) {
+  text_add(p->out, "</main>\n<footer><p>Written by ");
+  text_add(p->out, "<code>stickslip verify ");
+  escape_html(p->out, p->r->scene);
+  text_add(p->out, "</code> from the result that <a href=\"audit.json\">audit.json</a> holds. Beside it: "
+                   "<a href=\"audit.md\">audit.md</a>, <a href=\"errata.md\">errata.md</a> for the authors, "
+                   "<a href=\"audit.csv\">audit.csv</a>, <a href=\"junit.xml\">junit.xml</a>, "
+                   "<a href=\"claims.dot\">claims.dot</a>.</p></footer>\n<script>\n");
+  text_printf(p->out, "%s</script>\n</body>\n</html>\n", page_script);
+}
+
+void report_html(struct text *out, const struct audit_result *r) {
+  const struct page p = {out, r};
+  add_head(&p);
+  add_opening(&p);
+  page_summary(&p);
+  page_model(&p);
+  page_failures(&p);
+  page_pictures(&p);
+  page_every_claim(&p);
+  page_graph(&p);
+  page_routes(&p);
+  page_limits(&p);
+  add_closing(&p);
+}

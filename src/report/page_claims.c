@@ -1,0 +1,266 @@
+/* Every claim in the paper's order: a row each, with text, formula and evidence behind a second row that opens. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "escape.h"
+#include "finding.h"
+#include "html.h"
+#include "names.h"
+#include "sections.h"
+#include "stickslip/arena.h"
+
+/* --- The paper's order: sections as they are first named, appendices after the rest --- */
+
+static const char *section_of(const struct finding *f) {
+  return f->section ? f->section : "";
+}
+
+static bool is_appendix(const char *section) {
+  return strncmp(section, "appendix", strlen("appendix")) == 0;
+}
+
+static void list_sections(struct names *list, const struct audit_result *r) {
+  for (int appendix = 0; appendix < 2; appendix++)
+    for (size_t i = 0; i < r->n_findings; i++)
+      if (is_appendix(section_of(&r->findings[i])) == appendix) names_index(list, section_of(&r->findings[i]));
+}
+
+static void list_routes(struct names *list, const struct audit_result *r) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    for (int k = 0; k < r->findings[i].n_evidence; k++) names_index(list, r->findings[i].evidence[k].route);
+}
+
+/* --- One claim --- */
+
+/* Its routes, each once. */
+static void add_routes(const struct page *p, const struct finding *f) {
+  const char *sep = "";
+  for (int i = 0; i < f->n_evidence; i++) {
+    bool again = false;
+    for (int k = 0; k < i; k++) again = again || strcmp(f->evidence[k].route, f->evidence[i].route) == 0;
+    if (again) continue;
+    text_add(p->out, sep);
+    escape_html(p->out, f->evidence[i].route);
+    sep = ", ";
+  }
+}
+
+static void add_line(const struct page *p, const char *word, const char *s) {
+  if (!s) return;
+  text_printf(p->out, "<dt>%s</dt>\n<dd>", word);
+  html_text(p->out, s, NULL);
+  text_add(p->out, "</dd>\n");
+}
+
+static const struct column evidence[] = {
+    {"route", false}, {"equations read", false}, {"result", false},       {"trials", true},
+    {"bits", true},   {"residual below", true},  {"digits agreed", true}, {"note; worst", false}};
+
+static void add_count(const struct page *p, const struct column *column, long n) {
+  page_cell(p, column);
+  if (n >= 0)
+    text_printf(p->out, "%ld</td>", n);
+  else
+    text_add(p->out, "&#8211;</td>");
+}
+
+/* A residual below 1e-37 at 128 bits: 37 of 38 digits. */
+static void add_digits(const struct page *p, const struct evidence *e) {
+  static const double digits_a_bit = 0.30102999566398120;
+  page_cell(p, &evidence[6]);
+  long agreed = e->residual && strncmp(e->residual, "1e-", 3) == 0 ? strtol(e->residual + 3, NULL, 10) : 0;
+  if (agreed > 0 && e->bits > 0)
+    text_printf(p->out, "%ld of %ld</td>", agreed, (long)((double)e->bits * digits_a_bit));
+  else
+    text_add(p->out, "&#8211;</td>");
+}
+
+static void add_evidence_row(const struct page *p, const struct evidence *e) {
+  text_add(p->out, "<tr><th scope=\"row\">");
+  escape_html(p->out, e->route);
+  text_add(p->out, "</th>");
+  page_cell(p, &evidence[1]);
+  escape_html(p->out, e->layer);
+  text_add(p->out, "</td>");
+  page_cell(p, &evidence[2]);
+  escape_html(p->out, e->result);
+  text_add(p->out, "</td>");
+  add_count(p, &evidence[3], e->trials);
+  add_count(p, &evidence[4], e->bits);
+  page_cell(p, &evidence[5]);
+  html_prose(p->out, e->residual ? e->residual : "\xe2\x80\x93");
+  text_add(p->out, "</td>");
+  add_digits(p, e);
+  page_cell(p, &evidence[7]);
+  html_text(p->out, e->note, NULL);
+  if (e->note && e->worst) text_add(p->out, "; ");
+  if (e->worst) {
+    text_add(p->out, "at ");
+    html_text(p->out, e->worst, NULL);
+  }
+  text_add(p->out, "</td></tr>\n");
+}
+
+static void add_evidence(const struct page *p, const struct finding *f) {
+  if (!f->n_evidence) return;
+  page_begin_table(p, "evidence stack", "Routes and residuals", evidence, sizeof evidence / sizeof *evidence);
+  for (int i = 0; i < f->n_evidence; i++) add_evidence_row(p, &f->evidence[i]);
+  page_end_table(p);
+  if (p->r->n_pairs) text_add(p->out, "<p><a href=\"#s-routes\">What the routes share</a></p>\n");
+}
+
+static void add_texts(const struct page *p, const struct finding *f) {
+  if (f->quote) {
+    text_add(p->out, "<dt>The paper prints</dt>\n<dd class=\"tex\">");
+    html_text(p->out, f->quote, NULL);
+    text_add(p->out, "</dd>\n");
+  }
+  if (f->printed) {
+    text_add(p->out, "<dt>As read</dt>\n<dd class=\"tex\">");
+    html_math(p->out, f->printed, NULL);
+    text_add(p->out, "</dd>\n");
+  }
+}
+
+static void add_correction(const struct page *p, const struct finding *f) {
+  if (!f->correction) return;
+  text_add(p->out, "<dt>Should read</dt>\n<dd class=\"tex\">");
+  if (f->correction_latex)
+    html_math(p->out, f->correction_latex, NULL);
+  else
+    html_text(p->out, f->correction, NULL);
+  text_add(p->out, " (");
+  page_verdict(p, f->correction_verdict);
+  text_add(p->out, ")</dd>\n");
+}
+
+static void add_dependences(const struct page *p, const struct finding *f) {
+  if (!f->n_depends_on) return;
+  text_add(p->out, "<dt>Rests on</dt>\n<dd>");
+  for (int i = 0; i < f->n_depends_on; i++) {
+    text_add(p->out, i ? ", " : "");
+    page_claim(p, f->depends_on[i]);
+  }
+  text_add(p->out, "</dd>\n");
+}
+
+static void add_details(const struct page *p, const struct finding *f) {
+  text_add(p->out, "<details><summary>Text, formula, evidence<span class=\"away\"> of ");
+  escape_html(p->out, f->id);
+  text_add(p->out, "</span></summary>\n<dl class=\"rows\">\n<dt>Section</dt>\n<dd>");
+  page_section_name(p, f->section ? f->section : "-");
+  text_add(p->out, "</dd>\n");
+  add_texts(p, f);
+  add_line(p, "Fault", f->fault);
+  add_line(p, "Condition", f->condition);
+  add_correction(p, f);
+  add_line(p, "Effect", f->effect);
+  add_dependences(p, f);
+  text_add(p->out, "<dt>Recheck</dt>\n<dd>");
+  html_code(p->out, finding_recheck(f));
+  text_add(p->out, "</dd>\n</dl>\n");
+  add_evidence(p, f);
+  if (finding_fails(f)) {
+    text_add(p->out, "<p>");
+    page_begin_link(p, "f-", f->id);
+    text_add(p->out, "What is wrong with it, and what depends on it</a></p>\n");
+  }
+  text_add(p->out, "</details>\n");
+}
+
+/* What the filters read: numbers, so that no name needs to be quoted for a script. */
+static void add_keys(const struct page *p, const struct finding *f, struct names *sections, struct names *routes,
+                     long rank) {
+  text_printf(p->out, "\" data-v=\"%d\" data-s=\"%zu\" data-w=\"%ld\" data-r=\" ", (int)f->verdict,
+              names_index(sections, section_of(f)), rank);
+  for (int i = 0; i < f->n_evidence; i++) text_printf(p->out, "%zu ", names_index(routes, f->evidence[i].route));
+}
+
+/* Failures by their grade, then what is undecided, then the rest. */
+static long rank_of(const struct page *p, const struct finding *f) {
+  if (finding_fails(f)) return (long)failure_grade(p->r, f);
+  return N_GRADES + (f->verdict == VERDICT_UNKNOWN ? 0 : f->verdict == VERDICT_SKIPPED ? 1 : 2);
+}
+
+static void add_claim(const struct page *p, const struct finding *f, struct names *sections, struct names *routes) {
+  text_add(p->out, "<tbody class=\"claim\" id=\"");
+  html_anchor(p->out, "c-", f->id);
+  add_keys(p, f, sections, routes, rank_of(p, f));
+  text_add(p->out, "\">\n<tr><th scope=\"row\"><code>");
+  escape_html(p->out, f->id);
+  text_add(p->out, "</code></th><td>");
+  html_text(p->out, f->title, NULL);
+  text_add(p->out, "</td><td>");
+  page_verdict(p, f->verdict);
+  if (finding_unexpected(f)) text_printf(p->out, " <strong>recorded as %s</strong>", verdict_name[f->recorded]);
+  text_add(p->out, "</td><td class=\"opt\">");
+  page_section_name(p, f->section);
+  text_add(p->out, "</td><td class=\"opt\">");
+  add_routes(p, f);
+  text_add(p->out, "</td></tr>\n<tr><td colspan=\"5\">");
+  add_details(p, f);
+  text_add(p->out, "</td></tr>\n</tbody>\n");
+}
+
+/* --- Filters: of use with the script only, which shows them --- */
+
+static void begin_select(const struct page *p, const char *id, const char *label) {
+  text_printf(p->out, "<label for=\"%s\">%s <select id=\"%s\"><option value=\"\">all</option>", id, label, id);
+}
+static void end_select(const struct page *p) {
+  text_add(p->out, "</select></label>\n");
+}
+
+static void add_names(const struct page *p, const char *id, const char *label, const struct names *list) {
+  begin_select(p, id, label);
+  for (size_t i = 0; i < list->n; i++) {
+    text_printf(p->out, "<option value=\"%zu\">", i);
+    page_section_name(p, *list->name[i] ? list->name[i] : "-");
+    text_add(p->out, "</option>");
+  }
+  end_select(p);
+}
+
+static void add_filters(const struct page *p, const struct names *sections, const struct names *routes) {
+  long count[N_VERDICTS];
+  audit_result_count(p->r, count);
+  text_add(p->out, "<form id=\"filter\" hidden=\"hidden\">\n");
+  begin_select(p, "by-v", "verdict");
+  for (int i = 0; i < N_VERDICTS; i++)
+    if (count[i]) text_printf(p->out, "<option value=\"%d\">%s (%ld)</option>", i, verdict_name[i], count[i]);
+  end_select(p);
+  add_names(p, "by-s", "section", sections);
+  add_names(p, "by-r", "route", routes);
+  text_add(
+      p->out,
+      "<label for=\"by-t\">words <input id=\"by-t\" type=\"search\" size=\"12\" /></label>\n"
+      "<label for=\"order\">order <select id=\"order\"><option value=\"i\">as in the paper</option>"
+      "<option value=\"w\">worst first</option></select></label>\n"
+      "<button type=\"button\" id=\"open\">Open all shown</button>\n"
+      "<button type=\"reset\">All claims</button>\n<output id=\"shown\" aria-live=\"polite\"></output>\n</form>\n");
+}
+
+void page_every_claim(const struct page *p) {
+  struct names sections = {.n = 0}, routes = {.n = 0};
+  list_sections(&sections, p->r);
+  list_routes(&routes, p->r);
+  page_begin_section(p, "claims", "Every claim");
+  text_add(
+      p->out,
+      "<p>By section of the paper, equations before sentences. Behind each row stand the paper's own text, the "
+      "formula as the program read it, typeset again so that a slip in transcribing would show, and the routes with "
+      "their residuals: the largest difference of the two sides relative to their size, as the power of ten above "
+      "it.</p>\n");
+  add_filters(p, &sections, &routes);
+  text_add(p->out,
+           "<table id=\"claims\">\n<caption>The claims, their verdicts and their evidence</caption>\n<thead><tr>"
+           "<th scope=\"col\">claim</th><th scope=\"col\">what it says</th><th scope=\"col\">verdict</th>"
+           "<th scope=\"col\" class=\"opt\">section</th><th scope=\"col\" class=\"opt\">routes</th></tr></thead>\n");
+  for (size_t s = 0; s < sections.n; s++)
+    for (size_t i = 0; i < p->r->n_findings; i++)
+      if (strcmp(section_of(&p->r->findings[i]), sections.name[s]) == 0)
+        add_claim(p, &p->r->findings[i], &sections, &routes);
+  text_add(p->out, "</table>\n</section>\n");
+  free(routes.name);
+  free(sections.name);
+}

@@ -1,0 +1,134 @@
+/* Would the audit have noticed?  What was made wrong on purpose and found: statements in this run, and damages of the
+   formulas by the token in the study whose file stands beside the report; and which claims one route alone has judged. */
+#include <string.h>
+
+#include "escape.h"
+#include "finding.h"
+#include "sections.h"
+
+/* Whether the claim could have failed by it. */
+static bool decides(const struct evidence *e) {
+  return strcmp(e->result, "agrees") == 0 || strcmp(e->result, "differs") == 0 || strcmp(e->result, "proved") == 0;
+}
+
+/* The route by which all that decides was found, or NULL. */
+static const char *only_route(const struct finding *f) {
+  const char *only = NULL;
+  for (int i = 0; i < f->n_evidence; i++) {
+    if (!decides(&f->evidence[i])) continue;
+    if (only && strcmp(only, f->evidence[i].route) != 0) return NULL;
+    only = f->evidence[i].route;
+  }
+  return only;
+}
+
+static bool is_judged(const struct finding *f) {
+  return f->verdict != VERDICT_DEFINITION && f->verdict != VERDICT_UNKNOWN && f->verdict != VERDICT_SKIPPED;
+}
+
+static bool has_control(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_controls; i++)
+    if (r->controls[i].claim && strcmp(r->controls[i].claim, id) == 0) return true;
+  return false;
+}
+
+static void add_controls(const struct page *p) {
+  const struct audit_result *r = p->r;
+  size_t judged = 0, damaged = 0;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    judged += is_judged(&r->findings[i]);
+    damaged += is_judged(&r->findings[i]) && has_control(r, r->findings[i].id);
+  }
+  if (r->n_controls)
+    text_printf(p->out,
+                "<li>Of %zu <a href=\"#s-controls\">controls</a>, statements made wrong on purpose, <strong>%zu were "
+                "noticed</strong> in this run. Claims with a control of their own: %zu of %zu.</li>\n",
+                r->n_controls, controls_noticed(r), damaged, judged);
+  else
+    text_add(p->out, "<li>No statements made wrong on purpose were tried in this run.</li>\n");
+}
+
+/* The first claim at or after i that this route alone has judged. */
+static size_t next_alone(const struct audit_result *r, size_t i, const char *route) {
+  for (; i < r->n_findings; i++) {
+    const char *only = is_judged(&r->findings[i]) ? only_route(&r->findings[i]) : NULL;
+    if (only && (!route || strcmp(only, route) == 0)) break;
+  }
+  return i;
+}
+
+/* Claims without a second route, by the route that they have. */
+static void add_alone(const struct page *p) {
+  const struct audit_result *r = p->r;
+  size_t alone = 0, judged = 0;
+  for (size_t i = 0; i < r->n_findings; i++) {
+    judged += is_judged(&r->findings[i]);
+    alone += next_alone(r, i, NULL) == i;
+  }
+  text_printf(p->out, "<li>Claims judged by two <a href=\"#s-routes\">routes</a> or more: %zu of %zu; by one alone %zu",
+              judged - alone, judged, alone);
+  const char *sep = ": ";
+  for (size_t i = next_alone(r, 0, NULL); i < r->n_findings; i = next_alone(r, i + 1, NULL)) {
+    const char *route = only_route(&r->findings[i]);
+    if (next_alone(r, 0, route) < i) continue;
+    text_add(p->out, sep);
+    escape_html(p->out, route);
+    const char *before = " (";
+    for (size_t k = i; k < r->n_findings; k = next_alone(r, k + 1, route)) {
+      text_add(p->out, before);
+      page_claim(p, r->findings[k].id);
+      before = ", ";
+    }
+    text_add_char(p->out, ')');
+    sep = "; ";
+  }
+  text_add(p->out, ".</li>\n");
+}
+
+static void add_mutation(const struct page *p) {
+  const struct mutation_score *s = p->r->mutation;
+  if (!s) return;
+  text_printf(
+      p->out,
+      "<li>The paper's formulas were changed by one symbol at a time, in all %ld ways: "
+      "<strong>%ld changes were noticed</strong> (of these %ld make a formula that cannot be read, and %ld turn "
+      "a proof into mere support). Of the others %ld are proved to mean the same, %ld to make no difference "
+      "on any motion, and <strong>%ld are open</strong>: <a href=\"../mutation/mutation.md\">all of them</a>, "
+      "by <code>stickslip mutate --count all</code>.</li>\n",
+      s->total, s->noticed + s->unreadable + s->unproved, s->unreadable, s->unproved, s->equivalent, s->on_motions,
+      s->open);
+}
+
+static void add_pairs(const struct page *p) {
+  const struct audit_result *r = p->r;
+  size_t within = 0;
+  for (size_t i = 0; i < r->n_pairs; i++) within += r->pairs[i].within;
+  if (!r->n_pairs) return;
+  text_printf(
+      p->out,
+      "<li>Of %zu pairs of <a href=\"#s-routes\">routes</a>, ways to compute one quantity, %zu agree within the "
+      "accuracy that they state.</li>\n",
+      r->n_pairs, within);
+}
+
+void page_power(const struct page *p) {
+  long unexpected = audit_result_unexpected(p->r);
+  size_t recorded = 0;
+  for (size_t i = 0; i < p->r->n_findings; i++) recorded += p->r->findings[i].recorded != N_VERDICTS;
+  text_add(p->out, "<h3>How sure can one be?</h3>\n<ul>\n");
+  add_controls(p);
+  add_mutation(p);
+  add_alone(p);
+  add_pairs(p);
+  if (unexpected)
+    text_printf(p->out, "<li><strong>%ld results are not as recorded.</strong></li>\n", unexpected);
+  else if (recorded == p->r->n_findings)
+    text_add(p->out,
+             "<li>Every verdict is the one expected: the one noted beside the claim when it was written down.</li>\n");
+  else
+    text_printf(p->out,
+                "<li>%zu of the %zu verdicts are noted beside their claims, and come out as noted; the others have no "
+                "record in this scene.</li>\n",
+                recorded, p->r->n_findings);
+  text_add(p->out, "<li>What the audit cannot show stands <a href=\"#s-limits\">at the end</a>.</li>\n</ul>\n");
+}

@@ -1,0 +1,147 @@
+/* The readings of an example, as JSON and for people. */
+#include <string.h>
+
+#include "audit_shape.h"
+#include "stickslip/report.h"
+
+void report_readings_json(struct text *out, const struct audit_result *r) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "schema", "stickslip-readings-1");
+  json_string(&j, "scene", r->scene);
+  if (r->readings)
+    shape_write(&j, "readings", &readings_shape, r->readings);
+  else
+    json_null(&j, "readings");
+  json_end_object(&j);
+}
+
+/* --- For people --- */
+
+static void add_strings(struct text *out, const char *const *list, int n, const char *none) {
+  for (int i = 0; i < n; i++) text_printf(out, "%s%s", i ? "; " : "", list[i]);
+  if (n == 0) text_add(out, none);
+}
+
+/* Rows for results, columns for inputs. */
+static void add_slope_table(struct text *out, const struct reading_slope *s, int n) {
+  int columns = 0;
+  while (columns < n && strcmp(s[columns].of, s[0].of) == 0) columns++;
+  if (columns == 0) return;
+  text_add(out, "| change of, per unit of |");
+  for (int k = 0; k < columns; k++) text_printf(out, " %s |", s[k].by);
+  text_add(out, "\n| --- |");
+  for (int k = 0; k < columns; k++) text_add(out, " ---: |");
+  for (int i = 0; i < n; i++)
+    text_printf(out, "%s%s%s %s |", i % columns ? "" : "\n| ", i % columns ? "" : s[i].of, i % columns ? "" : " |",
+                s[i].value);
+  text_add(out, "\n\n");
+}
+
+static void add_dropped(struct text *out, const struct example_reading *r) {
+  if (r->n_dropped == 0) text_add(out, "nothing");
+  for (int i = 0; i < r->n_dropped; i++)
+    text_printf(out, "%s%s, off by %s", i ? "; " : "", r->dropped[i].equation, r->dropped[i].residual);
+}
+
+static void add_reading(struct text *out, const struct example_reading *r) {
+  text_add(out, "- inputs: ");
+  add_strings(out, r->inputs, r->n_inputs, "none");
+  text_add(out, "\n- dropped: ");
+  add_dropped(out, r);
+  text_add(out, "\n- solved: ");
+  add_strings(out, r->solved, r->n_solved, "nothing");
+  text_printf(out,
+              "\n- %d assumption%s: %s\n- matrices of the %s layer%s; numbers carried: %s; digits of results: %d\n\n"
+              "| number | printed | under this reading | |\n| --- | ---: | ---: | --- |\n",
+              r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
+              r->confirmed ? ", and the suite's own model gives the same" : "", r->carry, r->digits);
+  for (int i = 0; i < r->n_numbers; i++)
+    text_printf(out, "| %s | %s | %s | %s |\n", r->number[i].name, r->number[i].printed, r->number[i].value,
+                r->number[i].how);
+  text_add(out, "\n");
+  add_slope_table(out, r->slope, r->n_slopes);
+}
+
+static void add_off(struct text *out, const struct example_reading *r) {
+  for (int i = 0; i < r->n_numbers; i++)
+    if (strcmp(r->number[i].how, "off") == 0)
+      text_printf(out, "; %s %s, printed %s", r->number[i].name, r->number[i].value, r->number[i].printed);
+}
+
+/* The first in full, the others in a line. */
+static void add_readings(struct text *out, const char *heading, const struct example_reading *r, int n) {
+  if (n == 0) return;
+  text_printf(out, "### %s\n\nThe first in rank:\n\n", heading);
+  add_reading(out, &r[0]);
+  if (n == 1) return;
+  text_add(out, "| rank | inputs | dropped | numbers carried | assumptions | digits |\n"
+                "| ---: | --- | --- | --- | ---: | ---: |\n");
+  for (int i = 0; i < n; i++) {
+    text_printf(out, "| %d | ", i + 1);
+    add_strings(out, r[i].inputs, r[i].n_inputs, "none");
+    text_add(out, " | ");
+    add_dropped(out, &r[i]);
+    add_off(out, &r[i]);
+    text_printf(out, " | %s | %d | %d |\n", r[i].carry, r[i].assumptions, r[i].digits);
+  }
+  text_add(out, "\n");
+}
+
+static void add_levels(struct text *out, const struct readings *r) {
+  text_add(out, "| equations dropped | readings | of them not determined | give everything printed | without rounding "
+                "in between | "
+                "undecided |\n| ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  for (int i = 0; i < r->n_levels; i++)
+    text_printf(out, "| %d | %ld | %ld | %ld | %ld | %ld |\n", r->level[i].dropped, r->level[i].tried,
+                r->level[i].undetermined, r->level[i].reproduce, r->level[i].unrounded, r->level[i].open);
+  text_add(out, "\n");
+}
+
+static void add_procedure(struct text *out, const struct readings_procedure *p) {
+  if (p->n_outputs == 0) return;
+  text_printf(out,
+              "### The whole procedure, from %s\n\n"
+              "| result | printed | value | over the digits of the inputs | fits somewhere | decimals of the inputs "
+              "needed |\n| --- | ---: | ---: | --- | --- | ---: |\n",
+              p->inputs);
+  for (int i = 0; i < p->n_outputs; i++) {
+    const struct procedure_output *o = &p->output[i];
+    text_printf(out, "| %s | %s | %s | %s to %s | %s | ", o->name, o->printed, o->value, o->low ? o->low : "?",
+                o->high ? o->high : "?", o->within);
+    if (o->decimals >= 0)
+      text_printf(out, "%d |\n", o->decimals);
+    else
+      text_add(out, "- |\n");
+  }
+  text_add(out, "\n");
+  add_slope_table(out, p->slope, p->n_slopes);
+}
+
+static void add_pairs(struct text *out, const struct readings *r) {
+  text_add(out, "### Nothing dropped, two numbers exactly as printed\n\n| inputs | printed numbers given | missed |\n"
+                "| --- | ---: | --- |\n");
+  for (int i = 0; i < r->n_pairs; i++) {
+    const struct readings_pair *p = &r->pair[i];
+    text_printf(out, "| %s | %d of %d | %s |\n", p->inputs, p->n_given, p->n_numbers,
+                !p->missed   ? "no solution found near the printed numbers"
+                : *p->missed ? p->missed
+                             : "none");
+  }
+  text_add(out, "\n");
+}
+
+void report_readings_markdown(struct text *out, const struct readings *r) {
+  text_add(out, "## How the printed numbers could have arisen\n\n");
+  for (int i = 0; i < r->n_conclusions; i++) text_printf(out, "- %s\n", r->conclusion[i]);
+  text_add(out, "\n");
+  add_levels(out, r);
+  add_readings(out, "Readings that give every printed number", r->found, r->n_found);
+  add_readings(out, "Readings that miss one printed number", r->near, r->n_near);
+  add_procedure(out, &r->procedure);
+  add_pairs(out, r);
+  text_add(out, "What was searched:\n\n");
+  for (int i = 0; i < r->n_space; i++) text_printf(out, "- %s\n", r->space[i]);
+  text_add(out, "\n");
+}

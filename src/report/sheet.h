@@ -1,0 +1,21 @@
+/* Text with formulas in it, for Markdown and for LaTeX. */
+#ifndef STICKSLIP_REPORT_SHEET_H
+#define STICKSLIP_REPORT_SHEET_H
+
+#include "stickslip/text.h"
+
+/* A document in one of two dialects. */
+struct sheet {
+  struct text *out;
+  bool tex;
+};
+
+/* Text in which $...$ is mathematics; everything else is escaped, so that it shows as it is.  Mathematics that the
+   dialect might stumble over (braces that do not match, commands beyond those of formulas) is shown as code. */
+void sheet_text(const struct sheet *s, const char *text);
+/* One formula, without dollar signs. */
+void sheet_math(const struct sheet *s, const char *math);
+/* A command or a name as it is typed. */
+void sheet_code(const struct sheet *s, const char *code);
+
+#endif
