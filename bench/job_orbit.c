@@ -11,7 +11,6 @@
 
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
-#include "motion/motion_impl.h"
 #include "stickslip/arena.h"
 #include "stickslip/dynamics.h"
 #include "stickslip/paper_route.h"

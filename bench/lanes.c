@@ -6,8 +6,9 @@
 
 #include "bench/jobs.h"
 #include "explore/batch_impl.h"
-#include "motion/motion_impl.h"
+#include "motion/search.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 enum { LINE = 4096, ROUNDS = 100 };
 static const double low = 0.80, high = 0.90; /* of e2 */

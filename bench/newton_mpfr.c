@@ -1,7 +1,7 @@
 /* The periodic orbit in MPFR: the two equations of the suite's return map, of which t_b and t_c are the unknowns, by Newton's
    iteration; each level has twice the bits of the one before and starts from its result. */
 #include "bench/jobs.h"
-#include "motion/motion_impl.h"
+#include "motion/map_balls.h"
 
 enum { FIRST = 96, GUARD = 32, MOST_LEVELS = FLINT_BITS, MOST_STEPS = 30 };
 

@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "motion/dual.h"
+#include "motion/flow.h"
 
 /* (x y; z w)^-1 (a; b). */
 static void solve_two(val out[2], struct calc *c, const val m[4], val a, val b) {

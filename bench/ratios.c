@@ -7,8 +7,10 @@
 #include <string.h>
 
 #include "bench/jobs.h"
-#include "motion/motion_impl.h"
+#include "motion/map_balls.h"
+#include "motion/orbit_judge.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 void bench_result_clear(struct bench_result *r) {
   for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);

@@ -8,8 +8,9 @@
 #include <string.h>
 
 #include "explore/batch_impl.h"
-#include "motion/motion_impl.h"
+#include "motion/search.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 #include "suites.h"
 
 static const double unit = 0x1p-53;

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "motion/dual.h"
+#include "motion/map_balls.h"
 #include "stickslip/bifurcate.h"
 #include "suites.h"
 

@@ -12,10 +12,14 @@
 #include <sys/wait.h>
 
 #include "effort.h"
-#include "motion/motion_impl.h"
+#include "motion/map_balls.h"
+#include "motion/orbit_equations.h"
+#include "motion/orbit_judge.h"
 #include "scratch.h"
 #include "stickslip/certify.h"
 #include "stickslip/complete.h"
+#include "stickslip/given.h"
+#include "stickslip/warm.h"
 #include "suites.h"
 
 /* --- A question and its answer --- */

@@ -10,8 +10,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "motion/complete_impl.h"
+#include "motion/cell.h"
+#include "motion/line.h"
+#include "motion/strip.h"
+#include "motion/turns.h"
+#include "num/pi.h"
 #include "stickslip/complete.h"
+#include "stickslip/given.h"
 #include "suites.h"
 
 enum { MAX_SETS = 40, MAX_ORBITS = 8 };
@@ -238,10 +243,10 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   uint64_t state = (uint64_t)_i + 1;
   const struct set *s = &set[_i];
   double p[N_PARAMS], most[8] = {0};
-  struct stage g;
+  struct disk_params g;
   struct strip strip;
   params_d(p, s);
-  ck_assert(stage_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->p));
   double angle = g.fall.mid * uniform(&state), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
   const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
@@ -260,7 +265,7 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
     ck_assert_msg(most[i] > 0.7 * bound[i], "%s: bound %d is %g, no more than %g was seen", s->name, i, bound[i],
                   most[i]);
   }
-  stage_clear(&g);
+  disk_params_clear(&g);
 }
 END_TEST
 
@@ -268,9 +273,9 @@ START_TEST(cells_move_as_the_flow_does) {
   uint64_t state = (uint64_t)_i + 100;
   const struct set *s = &set[_i];
   double p[N_PARAMS];
-  struct stage g;
+  struct disk_params g;
   params_d(p, s);
-  ck_assert(stage_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->p));
   for (int trial = 0; trial < 200; trial++) {
     struct strip strip;
     struct clock clock, step, both;
@@ -290,7 +295,7 @@ START_TEST(cells_move_as_the_flow_does) {
       ck_assert_msg(fabs(got[i].mid - want[i]) < 1e-10 * (1 + fabs(want[i])) + got[i].rad && got[i].rad < 1e-9,
                     "%s: %d is %.17g +- %g, %.17g", s->name, i, got[i].mid, got[i].rad, want[i]);
   }
-  stage_clear(&g);
+  disk_params_clear(&g);
 }
 END_TEST
 
@@ -299,10 +304,10 @@ START_TEST(only_what_has_crossed_is_cut_off) {
   uint64_t state = (uint64_t)_i + 20;
   const struct set *s = &set[_i];
   double p[N_PARAMS];
-  struct stage g;
+  struct disk_params g;
   long cut = 0;
   params_d(p, s);
-  ck_assert(stage_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->p));
   for (int trial = 0; trial < 3000; trial++) {
     struct strip strip;
     struct clock clock;
@@ -324,7 +329,7 @@ START_TEST(only_what_has_crossed_is_cut_off) {
     }
   }
   ck_assert_msg(cut > 20, "%ld", cut);
-  stage_clear(&g);
+  disk_params_clear(&g);
 }
 END_TEST
 
@@ -332,8 +337,8 @@ END_TEST
 START_TEST(no_cell_with_an_orbit_is_excluded) {
   uint64_t state = (uint64_t)_i + 7;
   const struct set *s = &set[_i];
-  struct stage g;
-  ck_assert(stage_init(&g, s->p));
+  struct disk_params g;
+  ck_assert(disk_params_init(&g, s->p));
   long zeros = 0;
   for (int trial = 0; trial < 2000 * s->n; trial++) {
     const double *at = s->at[trial % s->n];
@@ -363,7 +368,7 @@ START_TEST(no_cell_with_an_orbit_is_excluded) {
                   "%s: zero at %.17g, %.17g", s->name, x + zero.at[0], t + zero.at[1]);
   }
   ck_assert(s->n == 0 || zeros > 50);
-  stage_clear(&g);
+  disk_params_clear(&g);
 }
 END_TEST
 
@@ -580,12 +585,12 @@ START_TEST(free_phases_leave_out_no_zero) {
   uint64_t state = (uint64_t)_i + 3;
   const struct set *s = &set[_i];
   double p[N_PARAMS], a, omega;
-  struct stage g;
+  struct disk_params g;
   long left_out = 0, crossings = 0;
   params_d(p, s);
   a = (1 - p[P_CHI]) * p[P_V];
   omega = sqrt(p[P_CHI] * p[P_ETA]);
-  ck_assert(stage_init(&g, s->p));
+  ck_assert(disk_params_init(&g, s->p));
   for (int trial = 0; trial < 30; trial++) {
     struct strip strip;
     double half = 1e-4, angle = half + (g.fall.mid - 2 * half) * uniform(&state), old[4], now[4];
@@ -609,7 +614,7 @@ START_TEST(free_phases_leave_out_no_zero) {
     }
   }
   ck_assert(strcmp(s->name, "paper") != 0 || (left_out > 5 && crossings > 20));
-  stage_clear(&g);
+  disk_params_clear(&g);
 }
 END_TEST
 

@@ -9,7 +9,10 @@
 #include <stdlib.h>
 
 #include "laws_num.h"
-#include "motion/motion_impl.h"
+#include "motion/flow.h"
+#include "motion/polish.h"
+#include "motion/return_map_double.h"
+#include "motion/trig_sum.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
 
@@ -914,6 +917,65 @@ START_TEST(outside_the_domain) {
 }
 END_TEST
 
+/* |high + low - x| as a part of |x|, rounded up to a double. */
+static double off_by(double high, double low, arb_srcptr x) {
+  arb_t d, sum;
+  arb_init(d);
+  arb_init(sum);
+  arb_set_d(sum, high);
+  arb_set_d(d, low);
+  arb_add(sum, sum, d, 400);
+  arb_sub(d, sum, x, 400);
+  arb_div(d, d, x, 400);
+  double off = fabs(arf_get_d(arb_midref(d), ARF_RND_NEAR)) + mag_get_d(arb_radref(d));
+  arb_clear(sum);
+  arb_clear(d);
+  return off;
+}
+
+/* x^2 - (1 + chi eta) x + chi eta (1 - chi) at x = om^2, K's characteristic polynomial. */
+static val characteristic(struct calc *c, const val p[N_PARAMS], val om) {
+  val x = calc_mul(c, om, om), stiff = calc_mul(c, p[P_CHI], p[P_ETA]), one = calc_d(c, 1);
+  val rest = calc_mul(c, stiff, calc_sub(c, one, p[P_CHI]));
+  return calc_add(c, calc_mul(c, x, calc_sub(c, x, calc_add(c, one, stiff))), rest);
+}
+
+/* The frequencies of phase H stand in four places (flow.h says why), and the shares of the modes with them. */
+START_TEST(the_statements_of_the_frequencies_agree) {
+  struct rng r = {(uint64_t)_i + 1};
+  double p[N_PARAMS];
+  random_params(p, &r);
+  if (_i % 4 == 1) p[P_CHI] = 0x1p-30;
+  if (_i % 4 == 2) p[P_CHI] = 1 - 0x1p-30;
+  if (_i % 4 == 3) p[P_ETA] = 1 / p[P_CHI]; /* chi eta near 1 */
+  struct calc c;
+  val at[N_PARAMS];
+  struct return_map_double k;
+  struct slip plain;
+  struct fine_slip fine;
+  calc_init(&c, num_ctx_arb(400));
+  for (int i = 0; i < N_PARAMS; i++) at[i] = calc_d(&c, p[i]);
+  struct spectrum s = flow_spectrum(&c, at);
+  ck_assert_int_eq(return_map_double_init(&k, p), SS_OK);
+  ck_assert(slip_init(&plain, p));
+  fine_set(&fine, p);
+  const val share[2] = {s.above, s.below};
+  for (int i = 0; i < 2; i++) {
+    ck_assert_msg(arb_contains_zero(characteristic(&c, at, s.om[i])), "%s om[%d]", show(p), i);
+    ck_assert(off_by(k.om[i], 0, s.om[i]) < 0x1p-50);
+    ck_assert(off_by(plain.om[i], 0, s.om[i]) < 0x1p-50);
+    ck_assert_msg(off_by(plain.om[i], plain.rest[i], s.om[i]) < 0x1p-52, "%s om[%d]", show(p), i);
+    ck_assert(off_by(fine.om[i].high, fine.om[i].low, s.om[i]) < 0x1p-98);
+    double part = i == 0 ? k.x : k.y;
+    ck_assert(off_by(part * part, 0, share[i]) < 0x1p-49);
+    ck_assert(off_by(plain.own[i], 0, share[i]) < 0x1p-49);
+    ck_assert(off_by(fine.own[i].high, fine.own[i].low, share[i]) < 0x1p-98);
+  }
+  ck_assert(calc_lt(&c, s.om[0], s.om[1]));
+  calc_clear(&c);
+}
+END_TEST
+
 Suite *dynamics_suite(void) {
   Suite *s = suite_create("dynamics");
   TCase *c = tcase_create("flow");
@@ -922,6 +984,7 @@ Suite *dynamics_suite(void) {
   tcase_add_loop_test(c, flow_is_the_propagator_applied, 0, 40);
   tcase_add_loop_test(c, flows_compose, 0, 40);
   tcase_add_loop_test(c, global_slip_keeps_its_energy, 0, 100);
+  tcase_add_loop_test(c, the_statements_of_the_frequencies_agree, 0, 80);
   suite_add_tcase(s, c);
   c = tcase_create("event");
   tcase_add_loop_test(c, first_event_is_a_root_and_the_first, 0, 60);

@@ -1,6 +1,7 @@
 /* Tests of the number module beyond the laws of laws_num.c: vectors and matrices against FLINT's integer matrices,
    roots against polynomials made from chosen roots, printed digits against the C library's conversion and MPFR's. */
 #include "laws_num.h"
+#include "num/calc.h"
 #include "suites.h"
 
 #include <math.h>
@@ -1064,6 +1065,123 @@ START_TEST(printed_and_read_back) {
 }
 END_TEST
 
+/* --- Formulas as nested calls (num/calc.h), held against FLINT's rationals. --- */
+
+/* The calc's element as element 0 of a vector. */
+static bool is_rational(const struct calc *c, val x, const fmpq_t q) {
+  const struct num_vec v = {c->ctx, 1, (char *)(uintptr_t)x};
+  return is_close(&v, 0, q, ldexp(1, 16 - (int)c->ctx.prec));
+}
+
+static void random_rational(fmpq_t q, struct rng *r) {
+  fmpq_set_si(q, rng_between(r, -100, 100), (ulong)rng_between(r, 1, 100));
+}
+
+START_TEST(formulas_of_rationals) {
+  fmpq_t q[5], first, second, sum;
+  for (int i = 0; i < 5; i++) fmpq_init(q[i]);
+  fmpq_init(first);
+  fmpq_init(second);
+  fmpq_init(sum);
+  for (uint64_t seed = 1; seed <= 50; seed++) {
+    struct rng r = {seed};
+    struct calc c;
+    val x[5];
+    calc_init(&c, law_context(_i));
+    for (int i = 0; i < 5; i++) {
+      random_rational(q[i], &r);
+      x[i] = calc_q(&c, q[i]);
+    }
+    fmpq_mul(first, q[1], q[2]);
+    fmpq_mul(second, q[3], q[4]);
+    fmpq_add(sum, first, second);
+    ck_assert_msg(is_rational(&c, calc_dot(&c, x[1], x[2], x[3], x[4]), sum), "dot, seed %d", (int)seed);
+    fmpq_sub(sum, first, second);
+    ck_assert(is_rational(&c, calc_dot_from(&c, NULL, x[1], x[2], true, x[3], x[4]), sum));
+    fmpq_add(sum, sum, q[0]);
+    ck_assert(is_rational(&c, calc_dot_from(&c, x[0], x[1], x[2], true, x[3], x[4]), sum));
+    ck_assert(
+        is_rational(&c, calc_sub(&c, calc_add(&c, x[0], calc_mul(&c, x[1], x[2])), calc_mul(&c, x[3], x[4])), sum));
+    fmpq_set_si(second, 7, 1);
+    fmpq_div(sum, sum, second);
+    ck_assert(is_rational(
+        &c, calc_div_ui(&c, calc_neg(&c, calc_dot_from(&c, calc_neg(&c, x[0]), x[3], x[4], true, x[1], x[2])), 7),
+        sum));
+    ck_assert_int_eq(c.status, SS_OK);
+    calc_div(&c, x[0], calc_sub(&c, x[1], x[1]));
+    int status = c.status;
+    ck_assert_int_ne(status, SS_OK);
+    calc_add(&c, x[0], x[1]); /* what works does not take it back */
+    ck_assert_int_eq(c.status, status);
+    calc_clear(&c);
+  }
+  fmpq_clear(sum);
+  fmpq_clear(second);
+  fmpq_clear(first);
+  for (int i = 0; i < 5; i++) fmpq_clear(q[i]);
+}
+END_TEST
+
+/* Elements made before a mark outlive every release to it, however many come after. */
+START_TEST(released_elements_are_used_again) {
+  struct calc c;
+  fmpq_t q;
+  fmpq_init(q);
+  for (int round = 0; round < 3; round++) { /* the pool of a cleared calc can be the next one's */
+    calc_init(&c, law_context(_i));
+    val kept[40];
+    for (int i = 0; i < 40; i++) kept[i] = calc_d(&c, i);
+    slong mark = calc_mark(&c);
+    val first = calc_d(&c, 0);
+    for (int loop = 0; loop < 5; loop++) {
+      calc_release(&c, mark);
+      val sum = calc_d(&c, -loop);
+      ck_assert_ptr_eq(sum, first);
+      for (int i = 1; i <= 300; i++) sum = calc_add(&c, sum, calc_d(&c, i));
+      fmpq_set_si(q, 300 * 301 / 2 - loop, 1);
+      ck_assert(is_rational(&c, sum, q));
+    }
+    for (int i = 0; i < 40; i++) {
+      fmpq_set_si(q, i, 1);
+      ck_assert(is_rational(&c, kept[i], q));
+    }
+    ck_assert_int_eq(c.status, SS_OK);
+    calc_clear(&c);
+  }
+  fmpq_clear(q);
+}
+END_TEST
+
+START_TEST(exponents_bound_their_numbers) {
+  struct num_ctx ctx = law_context(_i);
+  struct calc c;
+  calc_init(&c, ctx);
+  for (int k = -60; k <= 60; k++) {
+    for (int part = 0; part < 3; part++) {
+      double x = ldexp(part == 0 ? 1 : part == 1 ? 1.25 : 2 - 0x1p-40, k);
+      slong e = calc_exponent(&c, calc_d(&c, k % 2 ? -x : x));
+      ck_assert_msg(x < ldexp(1, (int)e + 1) && ldexp(1, (int)e - 2) <= x, "%g has %d", x, (int)e);
+    }
+  }
+  ck_assert_int_eq(calc_exponent(&c, calc_d(&c, 0)), CALC_TINY);
+  if (ctx.type->rigorous) { /* of the largest point */
+    val wide = calc_within(&c, calc_d(&c, 1), calc_d(&c, 1000));
+    ck_assert_int_ge(calc_exponent(&c, wide), 9);
+    ck_assert(arb_is_exact(calc_middle(&c, wide)) && arb_is_one(calc_middle(&c, wide)));
+    ck_assert(!calc_lt(&c, calc_d(&c, 0), wide) && calc_lt(&c, wide, calc_d(&c, 1002)));
+  }
+  calc_clear(&c);
+}
+END_TEST
+
+static TCase *formula_tcase(void) {
+  TCase *tc = tcase_create("formulas");
+  tcase_add_loop_test(tc, formulas_of_rationals, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, released_elements_are_used_again, 0, LAW_CONTEXTS);
+  tcase_add_loop_test(tc, exponents_bound_their_numbers, 0, LAW_CONTEXTS);
+  return tc;
+}
+
 static TCase *matrix_tcase(void) {
   TCase *tc = tcase_create("vectors and matrices");
   tcase_add_loop_test(tc, vectors, 0, LAW_CONTEXTS);
@@ -1110,6 +1228,7 @@ static TCase *text_tcase(void) {
 Suite *num_suite(void) {
   Suite *s = suite_create("num");
   suite_add_tcase(s, laws_num_tcase());
+  suite_add_tcase(s, formula_tcase());
   suite_add_tcase(s, matrix_tcase());
   suite_add_tcase(s, root_tcase());
   suite_add_tcase(s, text_tcase());

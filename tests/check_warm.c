@@ -8,7 +8,6 @@
 #include <string.h>
 
 #include "laws_num.h"
-#include "motion/motion_impl.h"
 #include "suites.h"
 
 enum { PREC = 100, MOVE = 60 };

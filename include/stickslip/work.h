@@ -57,6 +57,9 @@ struct work_raises {
    not return. */
 void work_begin(unsigned long long limit, void (*exhausted)(void));
 void work_add(unsigned long long units);
+/* Steps that only odd parameters cause are counted where they arise, in whole blocks of this many, so that the last digits of
+   a walk change no count at ordinary ones: there a search or a proof is counted once, by whoever asks for it. */
+enum { WORK_BLOCK = 4096 };
 void work_touch(enum work_part part);
 unsigned long long work_units(void);
 /* A bit for each part touched. */

@@ -9,7 +9,10 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion/motion_impl.h"
+#include "motion/map_balls.h"
+#include "motion/orbit_judge.h"
+#include "motion/return_map_double.h"
+#include "stickslip/warm.h"
 
 enum { BASIN_PREC = 96, MOST_DEPTH = 11, BISECTIONS = 8, FINE = 10, CANDIDATES = 16 };
 

@@ -1,8 +1,10 @@
 /* The solver of one lane, and the loop over lanes for one instruction set.
 
-   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what a branch would
-   look into is left open.  Half of the sines and cosines of the steps are moved by the step.  Conditions are judged in
-   double precision; the outputs are formed in twice that (polish.h), in a loop of its own.  Included by batch.c once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART its
+   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what only a branch
+   could settle is answered with "cannot tell".  Every other step turns the sines and cosines that are there.  Conditions are
+   judged in double precision; the outputs are formed in twice that (polish.h), in a loop of its own.
+
+   batch.c includes this file once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART the names of the
    functions and BATCH_TARGET their attribute; the compiler vectorises the loops (flags in the Makefile). */
 #include "batch_impl.h"
 
@@ -11,6 +13,7 @@
 
 #include "motion/polish.h"
 #include "motion/sincos.h"
+#include "num/pi.h"
 
 static const double NOISE = 16 * 0x1p-53; /* of the terms of an equation: a step of this size is rounding */
 static const double WORST = 0x1p20;       /* times rounding: how far off t_b or t_c may be in relative terms */

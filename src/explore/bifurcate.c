@@ -1,16 +1,19 @@
 /* Bifurcations along a line: orbits are searched for at many values of the parameter, their curves are followed both ways,
    and what changes on the way is narrowed down and proved.
 
-   A change other than a fold, a grazing t_c or the end of phase H is proved along the parameter: one tube of orbits over the whole bracket, and
-   opposite signs of the function at its ends, whose orbits lie in the tube.  At those three the curve turns back; there Krawczyk's operator proves the zero of the three equations.  Near such a zero the curve is
-   p = p_0 + p'' s^2/2 along its tangent s, which tells the side and gives the two orbits beside it. */
+   At a fold, at a grazing t_c and at the end of phase H the curve turns back: there Krawczyk's operator proves the zero of the
+   three equations (curve.c).  Near such a zero the parameter is p_0 + p'' s^2/2 along the tangent s, which tells the side on
+   which orbits exist and gives the two beside it.  Any other change is proved along the parameter: one tube of orbits
+   reaches over the whole bracket, and the function that vanishes has opposite signs on the orbits at its two ends. */
 #include "stickslip/bifurcate.h"
 
 #include <math.h>
 #include <stdlib.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 enum {
   START_PREC = 64,

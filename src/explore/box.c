@@ -9,7 +9,9 @@
 #include <stdlib.h>
 
 #include "curve.h"
+#include "motion/orbit_judge.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
 
 enum { BOX_PREC = 96, ALWAYS_DEPTH = 6, MOST_DEPTH = 24 };
 

@@ -7,6 +7,7 @@
 #define STICKSLIP_CURVE_H
 
 #include "motion/dual.h"
+#include "motion/map_balls.h"
 #include "stickslip/bifurcate.h"
 
 /* --- tube.c --- */

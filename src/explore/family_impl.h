@@ -1,22 +1,16 @@
-/* What the files of the family share.
+/* The orbits along a line of parameters (stickslip/family.h): what the files family*.c have in common.
 
    family_axis    values on a line
    family_member  one orbit: what double precision says of it, what balls say
+   family_lanes   orbits solved many at a time
    family_level   orbits followed from the points around
    family         anchors, and what stands between them */
 #ifndef STICKSLIP_FAMILY_IMPL_H
 #define STICKSLIP_FAMILY_IMPL_H
 
-#include "motion/motion_impl.h"
+#include "family_lanes.h"
 #include "stickslip/family.h"
-
-/* Room for many orbits at once. */
-struct lanes {
-  slong cap;
-  double *params[N_PARAMS], *guess[2], *out[N_DYN_OUT];
-  unsigned *violations;
-  int *status;
-};
+#include "stickslip/warm.h"
 
 /* One line at work: parameters in double and exactly, the varied one being set by family_move. */
 struct family_line {
@@ -24,7 +18,7 @@ struct family_line {
   fmpq exact[N_PARAMS];
   double params[N_PARAMS], u_r[2];
   slong at; /* of family_move; -1 before */
-  struct lanes lanes;
+  struct family_lanes lanes;
   struct dyn_family *f;
 };
 void family_line_init(struct family_line *l, struct dyn_family *f, const struct dyn_family_request *q);
@@ -51,12 +45,10 @@ bool family_same(const struct dyn_member *a, const struct dyn_member *b);
 
 /* --- family_level.c --- */
 
-void lanes_clear(struct lanes *a);
-
 /* Orbits between two anchors: row k is one orbit, its column i the point first + i. */
 struct strand {
   struct family_line *line;
-  struct lanes *lanes;
+  struct family_lanes *lanes;
   slong first, last, rows;
   struct dyn_member *m;
 };

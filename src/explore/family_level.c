@@ -1,45 +1,14 @@
 /* Orbits followed from the points around.
 
-   At points of halving distance: the guess is interpolated from up to four points that are there, so that half of all points
-   are solved last and from the nearest guess, and all orbits of a level together, in lanes.  What the lanes leave open
-   is solved alone.  An orbit counts as followed when it is one of the word, of its branch's kind, close to where it was
+   A level is the set of points midway between those that are solved already, so that the distance halves from level to level
+   and half of all points are solved last, from the nearest guesses.  A guess is interpolated from up to four solved points.
+   All orbits of a level are solved together, in lanes; what the lanes leave open is solved alone.  An orbit counts as followed when it is one of the word, of its branch's kind, close to where it was
    expected and distinct from the others. */
 #include <math.h>
 #include <stdlib.h>
 
 #include "family_impl.h"
 #include "stickslip/arena.h"
-#include "stickslip/batch.h"
-
-/* --- Lanes. --- */
-
-/* The parameters that do not vary are set once. */
-static void lanes_room(struct lanes *a, slong n, const struct family_line *l) {
-  size_t size = (size_t)n * sizeof(double);
-  if (n <= a->cap) return;
-  for (int i = 0; i < N_PARAMS; i++) a->params[i] = ss_realloc(a->params[i], size);
-  for (int i = 0; i < 2; i++) a->guess[i] = ss_realloc(a->guess[i], size);
-  for (int i = 0; i < N_DYN_OUT; i++) a->out[i] = ss_realloc(a->out[i], size);
-  a->violations = ss_realloc(a->violations, (size_t)n * sizeof *a->violations);
-  a->status = ss_realloc(a->status, (size_t)n * sizeof *a->status);
-  for (int i = 0; i < N_PARAMS; i++)
-    for (slong k = 0; k < n; k++) a->params[i][k] = l->params[i];
-  a->cap = n;
-}
-
-void lanes_clear(struct lanes *a) {
-  for (int i = 0; i < N_PARAMS; i++) free(a->params[i]);
-  for (int i = 0; i < 2; i++) free(a->guess[i]);
-  for (int i = 0; i < N_DYN_OUT; i++) free(a->out[i]);
-  free(a->violations);
-  free(a->status);
-}
-
-static void lanes_solve(struct lanes *a, slong n) {
-  const double *params[N_PARAMS], *guess[2] = {a->guess[0], a->guess[1]};
-  for (int i = 0; i < N_PARAMS; i++) params[i] = a->params[i];
-  dyn_orbits_batch(a->out, a->violations, a->status, params, guess, n);
-}
 
 /* --- Prediction. --- */
 
@@ -76,9 +45,9 @@ static double predict(const struct strand *s, slong row, const struct stencil *a
 
 /* Lane count * rows + k is of orbit k at the count-th point of the level; their number. */
 static slong fill(struct strand *s, slong h) {
-  struct lanes *a = s->lanes;
+  struct family_lanes *a = s->lanes;
   slong n = 0;
-  lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line);
+  family_lanes_room(a, s->rows * ((s->last - s->first) / (2 * h) + 1), s->line->params);
   double *varied = a->params[s->line->q->axis->vary];
   for (slong point = s->first + h; point < s->last; point += 2 * h) {
     struct stencil from = stencil(s, point, h);
@@ -103,7 +72,7 @@ static bool expected(const struct strand *s, slong row, slong point, slong h, co
   return miss <= 0.25 * moves + 1e-3 * (m->out[DYN_OUT_TB] + m->out[DYN_OUT_TC]);
 }
 
-static bool from_lane(struct dyn_member *m, struct family_line *l, const struct lanes *a, slong lane, bool up) {
+static bool from_lane(struct dyn_member *m, struct family_line *l, const struct family_lanes *a, slong lane, bool up) {
   double guess[2] = {a->guess[0][lane], a->guess[1][lane]};
   if (a->status[lane] != SS_OK) return family_solve(m, l, guess, up);
   for (int i = 0; i < N_DYN_OUT; i++) m->out[i] = a->out[i][lane];
@@ -132,7 +101,7 @@ static bool follow(struct strand *s, slong point, slong h, slong lane) {
 slong family_level(struct strand *s, slong h) {
   slong *lost = NULL, lane = 0;
   size_t n_lost = 0, cap = 0;
-  lanes_solve(s->lanes, fill(s, h));
+  family_lanes_solve(s->lanes, fill(s, h));
   for (slong point = s->first + h; point < s->last; point += 2 * h, lane += s->rows) {
     if (follow(s, point, h, lane)) continue;
     lost = ss_grow(lost, n_lost, &cap, sizeof *lost);

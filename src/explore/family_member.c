@@ -7,6 +7,8 @@
 #include <stdlib.h>
 
 #include "family_impl.h"
+#include "motion/search.h"
+#include "num/pi.h"
 #include "stickslip/arena.h"
 
 enum { PREC = 64 };
@@ -35,7 +37,7 @@ void family_line_init(struct family_line *l, struct dyn_family *f, const struct 
 
 void family_line_clear(struct family_line *l) {
   for (int i = 0; i < N_PARAMS; i++) fmpq_clear(&l->exact[i]);
-  lanes_clear(&l->lanes);
+  family_lanes_clear(&l->lanes);
 }
 
 void family_move(struct family_line *l, slong i) {

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "motion/differences.h"
 #include "words_impl.h"
 
 /* Across the end of the phase, from the state at the end of the phase, not yet settled, to that of the next. */

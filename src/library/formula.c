@@ -44,6 +44,7 @@ const char *ss_layer_name(int layer) {
 
 struct ss_formula {
   struct expression x;
+  char *text;
   arb_ptr value; /* of the last evaluation; NULL before one */
   struct ss_number number[EXPRESSION_MOST];
 };
@@ -55,6 +56,7 @@ int ss_formula_open(ss_formula **out, const ss_paper *p, int layer, const char *
   if (!p || !text || !ss_layer_name(layer)) return library_argument(__func__, "no paper, layer or text");
   struct ss_formula *f = ss_malloc(sizeof *f);
   f->value = NULL;
+  f->text = ss_strdup(text);
   diag_init(&d);
   if (expression_open(&f->x, (struct view){&p->model, (enum layer)layer, NULL, NULL}, text, section, &d)) {
     *out = f;
@@ -74,6 +76,7 @@ void ss_formula_free(ss_formula *f) {
   if (!f) return;
   forget(f);
   expression_close(&f->x);
+  free(f->text);
   free(f);
 }
 
@@ -90,9 +93,15 @@ int ss_formula_latex(char **out, const ss_formula *f) {
   if (!out) return library_argument(__func__, "no place for the text");
   *out = NULL;
   if (!f) return library_argument(__func__, "no formula");
+  struct arena a;
+  struct source s;
   text_init(&t);
-  expr_latex(&t, f->x.tree);
+  arena_init(&a);
+  source_from_string(&s, f->text, f->text);
+  expr_latex(&t, expr_parse(&a, &s, (struct span){0, s.len}, NULL)); /* which has been read before */
   *out = library_take(&t);
+  source_clear(&s);
+  arena_clear(&a);
   return SS_OK;
 }
 

@@ -1,9 +1,12 @@
-/* One pass through the word, phase after phase.
+/* One pass through the word: all phases at once (map.c) where the times are known and that works, else phase after phase.
 
    A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
 #include <math.h>
 
-#include "motion_impl.h"
+#include "arc.h"
+#include "event.h"
+#include "flow.h"
+#include "map.h"
 
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx) {
   num_vec_init(&a->t, N_PHASES, ctx);
@@ -67,9 +70,9 @@ static int first_event(double *t, enum phase ph, const struct num_vec *params, c
   return status;
 }
 
-/* The times come from near, from guess, or, when both are NULL, from searches for first events. */
-static int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
-                   const double guess[4]) {
+/* Phase after phase.  The times come from near, from guess, or, when both are NULL, from searches for first events. */
+static int by_phases(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+                     const double guess[N_PHASES]) {
   const struct num_type *type = a->z.ctx.type;
   const void *V = num_vec_at(params, P_V);
   int status = SS_OK;
@@ -100,20 +103,20 @@ static int arc_run(struct dyn_arc *a, const struct num_vec *params, val z10, val
 }
 
 /* The quick way does not know every case; what it cannot do is done phase by phase. */
-static bool by_map(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
-                   const double guess[4]) {
-  const struct num_type *type = params->ctx.type;
-  if (type != &num_mpfr && type != &num_arb) return false;
-  return map_run(a, params, z10, z20, near, guess) == SS_OK;
+static int run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
+               const double guess[N_PHASES]) {
+  if (map_run(a, params, z10, z20, near, guess) == SS_OK) return SS_OK;
+  return by_phases(a, params, z10, z20, near, guess);
 }
 
 int arc_run_near(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near) {
-  if (by_map(a, params, z10, z20, near, NULL)) return SS_OK;
-  return arc_run(a, params, z10, z20, near, NULL);
+  return run(a, params, z10, z20, near, NULL);
 }
 
-int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
-                const double guess[4]) {
-  if (by_map(a, params, z10, z20, NULL, guess)) return SS_OK;
-  return arc_run(a, params, z10, z20, NULL, guess);
+int arc_run_from(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const double guess[N_PHASES]) {
+  return run(a, params, z10, z20, NULL, guess);
+}
+
+int arc_run_first(struct dyn_arc *a, const struct num_vec *params, val z10, val z20) {
+  return by_phases(a, params, z10, z20, NULL, NULL);
 }

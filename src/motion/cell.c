@@ -1,9 +1,30 @@
-/* What can be said of the common zeros of p and H_k = r^2 + q^2/omega^2 - (base - k turn)^2 in a cell.
+/* What can be proved of periodic orbits whose (t_b, t_c) lies in a cell.
 
-   Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
+   Such an orbit is a common zero of p = z_1' - V and H_k = r^2 + q^2/omega^2 - (base - k turn)^2: with q = z_2' - V the first
+   two terms are the square of r at the end of phase C, and base - k turn is r at the stick phase when k full periods of
+   phase Gamma come before the angle of t_b.  Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
    bounded.  Two facts keep cells large: H is r_end^2 - r_0^2 and has no root in it, so nothing is singular where the
    radius vanishes; and H_t = -2 r p, so H stands still in time where p = 0. */
-#include "complete_impl.h"
+#include "cell.h"
+#include "strip.h"
+#include "turns.h"
+
+void cell_at(struct cell *c, const struct strip *p, const struct disk_params *s, const struct clock *t) {
+  struct disk v[2], f[2], dv[2], df[2];
+  for (int i = 0; i < 2; i++) {
+    v[i] = disk_cross(p->a[i], t->cosine[i], p->b[i], t->sine[i]);
+    f[i] = disk_dot(p->a[i], t->sine[i], p->b[i], t->cosine[i]);
+    dv[i] = disk_cross(p->da[i], t->cosine[i], p->db[i], t->sine[i]);
+    df[i] = disk_dot(p->da[i], t->sine[i], p->db[i], t->cosine[i]);
+  }
+  c->p = disk_sub(disk_dot(s->back[0], v[0], s->back[1], v[1]), s->V);
+  c->q = disk_sub(disk_dot(s->y[0], v[0], s->y[1], v[1]), s->V);
+  c->w = disk_dot(s->force1[0], f[0], s->force1[1], f[1]);
+  c->r = disk_dot(s->force2[0], f[0], s->force2[1], f[1]);
+  c->pf = disk_dot(s->back[0], dv[0], s->back[1], dv[1]);
+  c->qf = disk_dot(s->y[0], dv[0], s->y[1], dv[1]);
+  c->rf = disk_dot(s->force2[0], df[0], s->force2[1], df[1]);
+}
 
 enum { MOST_TURNS = 4 }; /* with more k than that a cell is left to be divided */
 
@@ -21,7 +42,8 @@ static double width_of(struct disk x, double xf, double xt, double ff, double ft
   return disk_up(x.rad + xf * d + xt * e + 0.5 * (ff * d * d + 2 * ft * d * e + tt * e * e));
 }
 
-static double width_by(struct disk x, struct disk xf, double xt, const struct bend *b, const struct range *g) {
+static double width_by(struct disk x, struct disk xf, double xt, const struct derivative_bounds *b,
+                       const struct range *g) {
   return width_of(x, disk_mag(xf), xt, b->ff, b->ft, b->tt, g);
 }
 
@@ -31,7 +53,7 @@ static void range_p(struct range *g, const struct cell *c, const struct strip *p
   g->most_w = disk_up(disk_mag(c->w) + p->p.ft * g->d + p->p.tt * g->e); /* w = -p_t */
 }
 
-static void range_radius(struct range *g, const struct cell *c, const struct strip *p, const struct stage *s) {
+static void range_radius(struct range *g, const struct cell *c, const struct strip *p, const struct disk_params *s) {
   double d = g->d, e = g->e, soft = disk_mag(s->soft);
   g->q = width_by(c->q, c->qf, disk_mag(s->stiff) * disk_mag(c->r), &p->q, g);
   g->r = width_by(c->r, c->rf, disk_mag(c->q) + disk_mag(c->p), &p->r, g);
@@ -58,7 +80,7 @@ struct goal {
   double hff, width;
 };
 
-static struct goal goal_of(const struct range *g, const struct strip *p, const struct stage *s, double k) {
+static struct goal goal_of(const struct range *g, const struct strip *p, const struct disk_params *s, double k) {
   struct goal o;
   double rho = disk_mag(s->rho), pb = disk_up(disk_mag(p->pb) + rho * g->d);
   struct disk r0 = disk_sub(p->base, disk_mul((struct disk){k, 0}, s->turn));
@@ -101,7 +123,7 @@ static bool krawczyk(struct image *im, const struct cell *c, const struct range 
 /* One k, in the cell of half widths g->d, g->e; the operator works on the box twice as large, so that a zero on the
    edge of two cells is seen from both. */
 static enum look look_at(struct common *zero, const struct cell *c, const struct range *g, const struct range *twice,
-                         const struct strip *p, const struct stage *s, double k) {
+                         const struct strip *p, const struct disk_params *s, double k) {
   struct goal o = goal_of(g, p, s, k);
   if (fabs(o.h.mid) > o.width) return LOOK_CLEAR;
   struct image im;
@@ -118,14 +140,15 @@ static enum look look_at(struct common *zero, const struct cell *c, const struct
   return LOOK_ZERO;
 }
 
-static struct range range_at(double d, double e, const struct cell *c, const struct strip *p, const struct stage *s) {
+static struct range range_at(double d, double e, const struct cell *c, const struct strip *p,
+                             const struct disk_params *s) {
   struct range g = {.d = d, .e = e};
   range_p(&g, c, p);
   range_radius(&g, c, p, s);
   return g;
 }
 
-enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct stage *s,
+enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
                     const struct turns *k, double dir) {
   struct range g = {.d = p->half, .e = c->early};
   range_p(&g, c, p);
@@ -182,7 +205,7 @@ bool cell_wide_in_angle(const struct cell *c, const struct strip *p) {
 }
 
 /* r and q twice differentiated by the angle: minus the motion of what turns with t_b. */
-static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p, const struct stage *s,
+static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p, const struct disk_params *s,
                        const struct clock *t) {
   struct disk v[2], f[2];
   for (int i = 0; i < 2; i++) {
@@ -201,7 +224,7 @@ static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p
      H_ff - 2 r p_f^2/w = 2 (r_f^2 + r r_ff + (q_f^2 + q q_ff)/omega^2 - pb^2 + r_0 w_b - r p_f^2/w).
 
    Where that is not zero, H has at most two zeros. */
-bool cell_folds_once(const struct cell *c, const struct strip *p, const struct stage *s, const struct clock *t,
+bool cell_folds_once(const struct cell *c, const struct strip *p, const struct disk_params *s, const struct clock *t,
                      double k, const double half[2]) {
   double d = half[0], e = 2 * half[1], rho = disk_mag(s->rho);
   struct range g = range_at(d, e, c, p, s);

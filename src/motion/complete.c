@@ -1,10 +1,18 @@
-/* The zeros of the sweep are held against a list of orbits: complete.h says what is proved and how. */
+/* Whether a list of orbits is complete.
+
+   march.c encloses every common zero of the two equations.  Each zero must be an orbit of the list, or is settled here, and
+   each orbit of the list must be met among the zeros.  complete.h says what is proved and how. */
 #include "stickslip/complete.h"
 
 #include <stdlib.h>
 
-#include "complete_impl.h"
+#include "cell.h"
+#include "march.h"
+#include "num/pi.h"
+#include "orbit.h"
 #include "stickslip/arena.h"
+#include "stickslip/warm.h"
+#include "strip.h"
 
 const char *const dyn_gap_text[N_GAPS] = {
     [GAP_UNTRIED] = "not looked into",
@@ -47,7 +55,7 @@ static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, doub
 }
 
 /* A zero that is no orbit of the list. */
-static void settle(struct dyn_orbits *list, const struct common *z, const struct stage *g, const fmpq *params,
+static void settle(struct dyn_orbits *list, const struct common *z, const struct disk_params *g, const fmpq *params,
                    slong prec, const struct dyn_limits *lim) {
   struct dyn_orbit o;
   struct strip p;
@@ -76,7 +84,7 @@ static bool in_domain(const fmpq *params) {
 }
 
 /* Every zero is an orbit of the list, and every orbit of the list a zero; known tells which were met as such. */
-static void compare(struct dyn_orbits *list, const struct sweep *s, const struct known *known, const fmpq *params,
+static void compare(struct dyn_orbits *list, const struct march *s, const struct known *known, const fmpq *params,
                     slong prec, const struct dyn_limits *lim) {
   slong listed = list->n;
   bool *seen = ss_malloc((size_t)listed + 1);
@@ -89,7 +97,7 @@ static void compare(struct dyn_orbits *list, const struct sweep *s, const struct
       struct known z = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
       taken = is_common(&z, &s->zeros[k]);
     }
-    if (!taken) settle(list, &s->zeros[k], &s->stage, params, prec, lim);
+    if (!taken) settle(list, &s->zeros[k], &s->params, params, prec, lim);
   }
   for (slong i = 0; i < listed; i++) {
     const struct dyn_orbit *o = &list->orbit[i];
@@ -101,14 +109,14 @@ static void compare(struct dyn_orbits *list, const struct sweep *s, const struct
 
 int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim,
                         long budget) {
-  struct sweep s;
+  struct march s;
   if (!in_domain(params)) return SS_DOMAIN;
   if (!lim) lim = &dyn_limits_default;
   list->complete = false;
   list->gap = GAP_UNTRIED;
   struct known *known = ss_malloc(((size_t)list->n + 1) * sizeof *known);
   for (slong i = 0; i < list->n; i++) known[i] = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
-  if (!sweep_run(&s, params, known, (size_t)list->n, budget)) {
+  if (!march_run(&s, params, known, (size_t)list->n, budget)) {
     leave_gap(list, GAP_RANGE, 0, 0);
   } else {
     list->cells = s.cells;
@@ -118,7 +126,7 @@ int dyn_orbits_complete(struct dyn_orbits *list, const fmpq *params, slong prec,
     list->complete = list->gap == GAP_UNTRIED;
     if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, dyn_orbits_by_z10);
   }
-  sweep_clear(&s);
+  march_clear(&s);
   free(known);
   return SS_OK;
 }

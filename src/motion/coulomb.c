@@ -9,7 +9,7 @@
 #include <stdlib.h>
 
 #include "coulomb_impl.h"
-#include "motion_impl.h"
+#include "flow.h"
 #include "stickslip/arena.h"
 #include "stickslip/work.h"
 

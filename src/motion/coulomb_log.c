@@ -1,5 +1,5 @@
-/* Around a motion in double: the closed-form route and its start from plain arrays; and what is read off afterwards, the word
-   in short and whether two routes tell the same story. */
+/* The simulations for callers with plain arrays of doubles, and what is read off a motion afterwards: its phases in short, and
+   whether two routes report the same events. */
 #include <math.h>
 #include <string.h>
 

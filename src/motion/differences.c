@@ -8,7 +8,7 @@
    as along a steep map (an event time over 1 - chi), the noise there is larger in proportion. */
 #include <math.h>
 
-#include "motion_impl.h"
+#include "differences.h"
 
 enum { LEVELS = 28, NEIGHBOURS = 9, ORDER = 4 };
 

@@ -5,7 +5,10 @@
    that the enclosure holds exactly one root, for every point of the balls of parameters and state. */
 #include <math.h>
 
-#include "motion_impl.h"
+#include "event.h"
+#include "flow.h"
+#include "return_map_double.h"
+#include "trig_sum.h"
 
 /* The switching function of a phase other than D as a wave. */
 static struct trig_sum phase_wave(enum phase ph, const struct return_map_double *k, const struct event_view *z) {

@@ -4,7 +4,8 @@
    phase C r with frequency sqrt(chi eta), in phase H both together with the two frequencies of K.  Each phase is kept
    as the 2x2 blocks C = cos(sqrt(K) t), S = sin(sqrt(K) t)/sqrt(K) and N = -K S = C', which a flow applies and a
    derivative reuses. */
-#include "motion_impl.h"
+#include "flow.h"
+#include "rounded.h"
 
 const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 
@@ -33,7 +34,8 @@ struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]) {
                            calc_div(c, above, gap),
                            calc_div(c, below, gap),
                            calc_div(c, p[P_CHI], gap),
-                           calc_div(c, stiff, gap)};
+                           calc_div(c, stiff, gap),
+                           gap};
 }
 
 /* lead = f1 - f2. */

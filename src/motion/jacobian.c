@@ -7,7 +7,11 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion_impl.h"
+#include "arc.h"
+#include "differences.h"
+#include "event.h"
+#include "flow.h"
+#include "rounded.h"
 
 /* f = Z' at the state z. */
 static void vector_field(val f[N_STATE], struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]) {

@@ -4,7 +4,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "motion_impl.h"
+#include "differences.h"
 #include "stickslip/coulomb.h"
 
 /* Error of one integration that is assumed at least, relative to the state, at the tightest tolerance. */

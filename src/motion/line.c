@@ -4,7 +4,10 @@
    R = r_0 p_1 - r_1 p_0 and the like F = R^2 + Q^2/omega^2 - C^2, C from r at the stick phase, is zero where both
    equations hold.  F and its derivative are known in closed form (p' = -w, q' = -chi eta r, r' = q - p); intervals of
    t_c are excluded, proved to hold one zero (Newton's operator), or halved. */
-#include "complete_impl.h"
+#include "line.h"
+#include "cell.h"
+#include "num/pi.h"
+#include "strip.h"
 
 #include <stdlib.h>
 
@@ -13,7 +16,7 @@
 enum { CONSTANT, LINEAR, N_PARTS, FINEST_CELL = 30 };
 
 struct course {
-  struct stage stage;
+  struct disk_params params;
   struct disk a[N_PARTS][2], b[N_PARTS][2]; /* the modes, as those of a strip */
   struct disk c[N_PARTS];                   /* r at the stick phase */
   bool pull;                                /* the unknown is e2 */
@@ -22,7 +25,7 @@ struct course {
 
 /* The start of phase H from velocities v, the force w on z_1 and the pull chi eta r on z_2. */
 static void set_modes(struct course *o, int part, struct disk v1, struct disk v2, struct disk w, struct disk pull) {
-  const struct stage *g = &o->stage;
+  const struct disk_params *g = &o->params;
   for (int i = 0; i < 2; i++) {
     o->a[part][i] = disk_dot(g->x[i], v1, g->y[i], v2);
     o->b[part][i] = disk_mul(g->inverse[i], disk_dot(g->x[i], w, g->y[i], pull));
@@ -30,7 +33,7 @@ static void set_modes(struct course *o, int part, struct disk v1, struct disk v2
 }
 
 /* The rise is surely not at a record at t_b: no orbit has this e1 and t_b. */
-static bool overtaken(const struct stage *g, arb_srcptr tb) {
+static bool overtaken(const struct disk_params *g, arb_srcptr tb) {
   struct strip p;
   double k = floor(arf_get_d(arb_midref(tb), ARF_RND_NEAR) / (2 * PI));
   struct disk angle = disk_less_turns(tb, k);
@@ -46,9 +49,9 @@ static bool course_init(struct course *o, const fmpq *params, int unknown, const
   fmpq_init(one);
   fmpq_one(one);
   p[unknown] = *one;
-  bool fits = stage_init(&o->stage, p);
+  bool fits = disk_params_init(&o->params, p);
   fmpq_clear(one);
-  const struct stage *g = &o->stage;
+  const struct disk_params *g = &o->params;
   arb_t t, s, c;
   arb_init(t);
   arb_init(s);
@@ -93,7 +96,7 @@ static struct disk bracket(const struct disk x[N_PARTS], const struct disk y[N_P
 }
 
 static void course_look(struct course_at *at, const struct course *o, const struct clock *t, double wide) {
-  const struct stage *g = &o->stage;
+  const struct disk_params *g = &o->params;
   struct disk dp[N_PARTS], dq[N_PARTS], dr[N_PARTS];
   for (int k = 0; k < N_PARTS; k++) {
     struct disk v[2], f[2];
@@ -130,7 +133,7 @@ static bool not_positive(const struct course *o, const struct course_at *over, b
   if (disk_positive(disk_mul(over->p[CONSTANT], over->p[LINEAR]))) return true;
   if (!first || !o->pull || !disk_negative(over->p[CONSTANT])) return false;
   /* the unknown's part starts at rest with w = 0, w' = 0: while w'' = chi^2 eta r - w > 0, p_1 = - int w falls */
-  struct disk lift = disk_mul(o->stage.chi, disk_mul(o->stage.stiff, over->r[LINEAR]));
+  struct disk lift = disk_mul(o->params.chi, disk_mul(o->params.stiff, over->r[LINEAR]));
   return disk_positive(disk_sub(lift, over->w[LINEAR]));
 }
 
@@ -156,7 +159,7 @@ static void line_refine(struct line_zero *z, const struct course *o) {
   struct course_at middle, over;
   struct clock t;
   for (int i = 0; i < 8; i++) {
-    clock_set(&t, &o->stage, z->at);
+    clock_set(&t, &o->params, z->at);
     course_look(&middle, o, &t, 0);
     course_look(&over, o, &t, z->near);
     if (!disk_nonzero(over.df)) break;
@@ -167,7 +170,7 @@ static void line_refine(struct line_zero *z, const struct course *o) {
     z->at -= step.mid;
     z->near = near;
   }
-  clock_set(&t, &o->stage, z->at);
+  clock_set(&t, &o->params, z->at);
   course_look(&over, o, &t, z->near);
   z->e = disk_scale(quotient(over.p[CONSTANT], over.p[LINEAR]), -1);
 }
@@ -188,7 +191,7 @@ bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, d
   int power;
   *s = (struct line){.n = 0};
   bool fits = course_init(&o, params, unknown, tb);
-  frexp(o.stage.om[1].mid, &power);
+  frexp(o.params.om[1].mid, &power);
   double usual = ldexp(1, -power - 1), finest = ldexp(usual, -FINEST_CELL), h = usual, t = 0;
   while (fits && !o.never && t < last) {
     struct line_zero z;
@@ -196,7 +199,7 @@ bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, d
       s->spent = true;
       break;
     }
-    clock_set(&middle, &o.stage, t + 0.5 * h);
+    clock_set(&middle, &o.params, t + 0.5 * h);
     enum look seen = line_look(&z, &o, &middle, 0.5 * h, t == 0);
     if (seen == LOOK_OPEN && h > finest) {
       h *= 0.5;
@@ -208,7 +211,7 @@ bool line_run(struct line *s, const fmpq *params, int unknown, const fmpq *tb, d
     t += h;
     if (h < usual && fmod(t, 2 * h) == 0) h *= 2;
   }
-  stage_clear(&o.stage);
+  disk_params_clear(&o.params);
   return fits;
 }
 

@@ -4,13 +4,17 @@
    H), so that at a time near its root one sine and cosine for each frequency give the function itself and every
    derivative.  The root is then some products away: a first step of fourth order, Newton's iteration with the kept
    sines turned by what it moved, and the motion at the root comes with it.  Phase C ends at an angle that differs from a
-   kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision, from
-   times of an eighth of that, and those from a double.
+   kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision.  It
+   starts from times that are right to an eighth of its bits; those come from a pass at that precision, and the first of
+   all from doubles.
 
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a
    division. */
-#include "motion_impl.h"
+#include "map.h"
+#include "flow.h"
+#include "map_balls.h"
+#include "turn.h"
 
 enum { GUARD = 32, SPARE = 8, FIRST = 700, LEVELS = 40, MOST_LOST = 1000 };
 /* The events. */
@@ -401,17 +405,8 @@ static bool exact_start(const struct given *g) {
   return exact;
 }
 
-/* The first events, in double precision. */
-static int first_times(double t[N_PHASES], const struct given *g) {
-  const struct num_type *type = g->params->ctx.type;
-  double p[N_PARAMS], end;
-  struct num_vec r;
-  for (int i = 0; i < N_PARAMS; i++) p[i] = type->get_d(num_vec_at(g->params, i));
-  num_vec_init(&r, 1, g->params->ctx);
-  int status = type->sub(num_vec_at(&r, 0), g->z20, g->z10, r.ctx.prec);
-  if (!status) status = dyn_return_map_d(&end, NULL, t, p, type->get_d(num_vec_at(&r, 0)), NULL);
-  num_vec_clear(&r);
-  return status;
+bool map_serves(struct num_ctx ctx) {
+  return ctx.type == &num_mpfr || ctx.type == &num_arb;
 }
 
 int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, const struct num_vec *near,
@@ -419,16 +414,15 @@ int map_run(struct dyn_arc *a, const struct num_vec *params, val z10, val z20, c
   const struct num_type *type = params->ctx.type;
   slong prec = params->ctx.prec, lost = 0, work = prec + GUARD;
   struct given g = {.params = params, .z10 = z10, .z20 = z20};
-  double t[N_PHASES];
   int status = SS_OK;
-  if (!near && !guess && first_times(t, &g)) return SS_UNABLE;
+  if (!map_serves(params->ctx)) return SS_UNABLE;
   num_vec_init(&g.near, N_EVENTS, (struct num_ctx){type, work});
   for (slong i = 0; i < N_EVENTS && !status; i++) {
     void *x = num_vec_at(&g.near, i);
     if (near)
       type->set(x, num_vec_at(near, PHASE_GAMMA + i));
     else
-      status |= type->set_d(x, guess ? guess[PHASE_GAMMA + i] : t[PHASE_GAMMA + i], work);
+      status |= type->set_d(x, guess[PHASE_GAMMA + i], work);
   }
   if (!status) status = climb(a, &lost, &g, work, near != NULL);
   if (!status && lost > GUARD - SPARE && exact_start(&g))

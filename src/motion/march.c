@@ -1,10 +1,15 @@
 /* Strips of t_b marched through phase H until every t_c lies behind them.
 
-   A strip advances cell by cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved,
+   Looked for are the orbits, the common zeros of p = z_1' - V and of the return's equation (cell.c).  A strip advances cell by
+   cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved,
    or the strip is.  The part of a strip on which p is proved positive has met its first root, since p starts below zero,
    and is cut off: this is what bounds t_c.  A strip that no time brings to a zero (strip_never, strip_turns,
    strip_misses) is done with as well. */
-#include "complete_impl.h"
+#include "march.h"
+#include "cell.h"
+#include "num/pi.h"
+#include "strip.h"
+#include "turns.h"
 
 #include <stdlib.h>
 
@@ -22,14 +27,14 @@ enum {
 };
 
 /* What changes from strip to strip. */
-struct march {
+struct front {
   struct clock now;
   int level;
   double check; /* the time of the next look at free phases */
   double dir;
 };
 
-static void add_zero(struct sweep *s, const struct common *zero, const struct strip *p, double t) {
+static void add_zero(struct march *s, const struct common *zero, const struct strip *p, double t) {
   struct common z = *zero;
   z.at[0] += p->angle;
   z.at[1] += t;
@@ -46,14 +51,14 @@ static void add_zero(struct sweep *s, const struct common *zero, const struct st
   s->zeros[s->n++] = z;
 }
 
-static void march(struct sweep *s, double low, double high, struct march m);
+static void advance(struct march *s, double low, double high, struct front m);
 
-static void halve(struct sweep *s, const struct strip *p, const struct march *m) {
-  march(s, p->angle - p->half, p->angle, *m);
-  march(s, p->angle, p->angle + p->half, *m);
+static void halve(struct march *s, const struct strip *p, const struct front *m) {
+  advance(s, p->angle - p->half, p->angle, *m);
+  advance(s, p->angle, p->angle + p->half, *m);
 }
 
-static void note_stuck(struct sweep *s, const struct strip *p, const struct common *open, double t, double dir) {
+static void note_stuck(struct march *s, const struct strip *p, const struct common *open, double t, double dir) {
   if (dir < 0) s->crest = true;
   if (s->stuck) return;
   s->stuck = true;
@@ -62,7 +67,7 @@ static void note_stuck(struct sweep *s, const struct strip *p, const struct comm
 }
 
 /* Two known zeros with the k that is open, and a proof that there are no more around them and the cell. */
-static bool folded(struct sweep *s, const struct cell *c, const struct strip *p, const struct clock *t, double k) {
+static bool folded(struct march *s, const struct cell *c, const struct strip *p, const struct clock *t, double k) {
   for (size_t j = 1; j < s->n_known; j++)
     for (size_t i = 0; i < j; i++) {
       struct known *two[2] = {&s->known[i], &s->known[j]};
@@ -75,12 +80,12 @@ static bool folded(struct sweep *s, const struct cell *c, const struct strip *p,
         half[l] *= 1 + 0x1p-20;
         apart = apart || fabs(two[0]->at[l] - two[1]->at[l]) > (two[0]->near[l] + two[1]->near[l]) * (1 + 0x1p-20);
       }
-      if (two[0]->k != k || two[1]->k != k || !apart || half[0] > ldexp(s->stage.fall.mid, -FOLDS)) continue;
+      if (two[0]->k != k || two[1]->k != k || !apart || half[0] > ldexp(s->params.fall.mid, -FOLDS)) continue;
       struct strip wide = *p;
-      strip_reach(&wide, &s->stage, half[0]);
+      strip_reach(&wide, &s->params, half[0]);
       /* the taller, the easier for the curve to stay inside */
       half[1] = fmax(half[1], 4 * half[0] * fabs(c->pf.mid / c->w.mid));
-      if (!cell_folds_once(c, &wide, &s->stage, t, k, half)) continue;
+      if (!cell_folds_once(c, &wide, &s->params, t, k, half)) continue;
       two[0]->met = two[1]->met = true;
       return true;
     }
@@ -88,15 +93,15 @@ static bool folded(struct sweep *s, const struct cell *c, const struct strip *p,
 }
 
 /* No zero on the strip at any time. */
-static bool strip_done(const struct strip *p, const struct stage *g, const struct turns *k, double dir) {
+static bool strip_done(const struct strip *p, const struct disk_params *g, const struct turns *k, double dir) {
   return turns_count(k) == 0 || (dir > 0 && strip_never(p, g));
 }
 
 /* The cell around middle, known zeros and their folds taken in; what was proved or is stuck is noted.  LOOK_OPEN: to be
    divided. */
-static enum look examine(struct sweep *s, struct cell *c, const struct strip *p, const struct turns *k,
-                         const struct march *m, const struct clock *middle) {
-  const struct stage *g = &s->stage;
+static enum look examine(struct march *s, struct cell *c, const struct strip *p, const struct turns *k,
+                         const struct front *m, const struct clock *middle) {
+  const struct disk_params *g = &s->params;
   struct common zero;
   cell_at(c, p, g, middle);
   c->early = s->step[m->level - 1].t;
@@ -115,8 +120,8 @@ static enum look examine(struct sweep *s, struct cell *c, const struct strip *p,
 }
 
 /* One strip from the time m.now on. */
-static void march(struct sweep *s, double low, double high, struct march m) {
-  const struct stage *g = &s->stage;
+static void advance(struct march *s, double low, double high, struct front m) {
+  const struct disk_params *g = &s->params;
   double finest = ldexp(g->fall.mid, -FINEST), unhurried = ldexp(g->fall.mid, -CROSSING), from, to;
   struct clock middle;
   struct strip p;
@@ -163,25 +168,25 @@ static void march(struct sweep *s, double low, double high, struct march m) {
   }
 }
 
-bool sweep_run(struct sweep *s, const fmpq *params, struct known *known, size_t n_known, long budget) {
-  *s = (struct sweep){.budget = budget, .known = known, .n_known = n_known};
+bool march_run(struct march *s, const fmpq *params, struct known *known, size_t n_known, long budget) {
+  *s = (struct march){.budget = budget, .known = known, .n_known = n_known};
   int power;
-  if (!stage_init(&s->stage, params)) return false;
-  frexp(s->stage.om[1].mid, &power);
-  s->level = SWEEP_LOWEST - power - 1;
-  if (s->level + 1 >= SWEEP_LEVELS || s->level <= FINEST + 1) return false;
-  for (int i = 0; i <= s->level; i++) clock_set(&s->step[i], &s->stage, ldexp(1, i - SWEEP_LOWEST));
-  struct march m = {.level = s->level, .check = 12 / s->stage.om[0].mid, .dir = 1};
-  clock_set(&m.now, &s->stage, 0);
-  double fall = disk_high(s->stage.fall);
-  for (int i = 0; i < STRIPS; i++) march(s, fall * i / STRIPS, i + 1 < STRIPS ? fall * (i + 1) / STRIPS : fall, m);
+  if (!disk_params_init(&s->params, params)) return false;
+  frexp(s->params.om[1].mid, &power);
+  s->level = MARCH_LOWEST - power - 1;
+  if (s->level + 1 >= MARCH_LEVELS || s->level <= FINEST + 1) return false;
+  for (int i = 0; i <= s->level; i++) clock_set(&s->step[i], &s->params, ldexp(1, i - MARCH_LOWEST));
+  struct front m = {.level = s->level, .check = 12 / s->params.om[0].mid, .dir = 1};
+  clock_set(&m.now, &s->params, 0);
+  double fall = disk_high(s->params.fall);
+  for (int i = 0; i < STRIPS; i++) advance(s, fall * i / STRIPS, i + 1 < STRIPS ? fall * (i + 1) / STRIPS : fall, m);
   /* at the crest itself p starts at zero, with p' = e1 > 0: its first root is where it falls through zero */
   m.dir = -1;
-  march(s, disk_low(s->stage.fall), fall, m);
+  advance(s, disk_low(s->params.fall), fall, m);
   return true;
 }
 
-void sweep_clear(struct sweep *s) {
-  stage_clear(&s->stage);
+void march_clear(struct march *s) {
+  disk_params_clear(&s->params);
   free(s->zeros);
 }

@@ -8,7 +8,8 @@
 
 #include <math.h>
 
-#include "motion_impl.h"
+#include "map_balls.h"
+#include "num/pi.h"
 #include "stickslip/work.h"
 
 enum { UNITS_OF_PIECE = 60 }; /* of work: a piece of phase H looked at */

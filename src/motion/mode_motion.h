@@ -1,11 +1,12 @@
 /* The closed form of a motion within one pair of modes (coulomb.h): each restoring force f_1 = x_1 - chi x_2,
    f_2 = chi (x_2 - x_1) and each p_i = x_i' - V is a constant, a drift and at most two oscillations.  The law looks at
    these four alone.  Elements are those of the calc; a difference of two motions is a motion with V = 0. */
-#ifndef STICKSLIP_MOTION_H
-#define STICKSLIP_MOTION_H
+#ifndef STICKSLIP_MODE_MOTION_H
+#define STICKSLIP_MODE_MOTION_H
 
-#include "motion_impl.h"
+#include "flow.h"
 #include "stickslip/coulomb.h"
+#include "trig_sum.h"
 
 /* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct trig_sum. */
 struct harmonic {

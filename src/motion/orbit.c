@@ -7,13 +7,13 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "map_balls.h"
+#include "num/solve.h"
+#include "orbit.h"
+#include "orbit_judge.h"
+#include "search.h"
 #include "stickslip/arena.h"
-
-const char *const dyn_condition_id[N_CONDITIONS] = {
-    [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",
-    [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
-};
+#include "stickslip/warm.h"
 
 enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lost */
 
@@ -22,7 +22,8 @@ enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lo
 struct solution {
   arb_t x[2], box[2];
   bool up, grazing;
-  slong prec;
+  slong prec, mark; /* mark: what lies above it in the calc belongs to one pass */
+  const fmpq *params;
   struct calc c;
   struct ball_params m;
 };
@@ -48,102 +49,66 @@ static void solution_clear(struct solution *s) {
   close_calc(s);
 }
 
-/* y = inverse of the derivative of (pc, defect) by (t_b, t_c), rounded to midpoints. */
-static void invert(val y[4], struct calc *c, const struct ball_pass *s) {
-  val ww = calc_neg(c, s->wc), det = calc_sub(c, calc_mul(c, s->pc_tb, s->defect_tc), calc_mul(c, ww, s->defect_tb));
-  y[0] = calc_middle(c, calc_div(c, s->defect_tc, det));
-  y[1] = calc_middle(c, calc_div(c, s->wc, det));
-  y[2] = calc_middle(c, calc_neg(c, calc_div(c, s->defect_tb, det)));
-  y[3] = calc_middle(c, calc_div(c, s->pc_tb, det));
+/* The two equations, the velocity pc and the defect, as functions of (t_b, t_c). */
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct solution *s = self;
+  struct calc *c = &s->c;
+  struct ball_pass at;
+  calc_release(c, s->mark);
+  c->status = SS_OK;
+  ball_pass_make(&at, c, &s->m, num_vec_at(x, 0), num_vec_at(x, 1), s->up);
+  if (f) f[0] = at.pc, f[1] = at.defect;
+  j[0] = at.pc_tb, j[1] = calc_neg(c, at.wc);
+  j[2] = at.defect_tb, j[3] = at.defect_tc;
+  return c->status;
 }
 
 /* A calc of the precision, with the sines and cosines at the midpoints of x. */
-static void open_calc(struct solution *s, const fmpq *params, slong prec) {
+static void open_calc(struct solution *s, slong prec) {
   close_calc(s);
   s->prec = prec;
   calc_init(&s->c, num_ctx_arb(prec));
-  ball_params_init(&s->m, &s->c, params);
+  ball_params_init(&s->m, &s->c, s->params);
   for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
   ball_params_keep(&s->m, &s->c, calc_middle(&s->c, s->x[0]), calc_middle(&s->c, s->x[1]));
+  s->mark = calc_mark(&s->c);
 }
 
-/* One level of Newton's iteration from the midpoints of x, until a step shows that half of the bits are settled. */
-static int newton_level(struct solution *s, const fmpq *params, slong prec) {
-  open_calc(s, params, prec);
-  struct calc *c = &s->c;
-  bool settled = false;
-  val small = calc_two_to(c, -prec / 2 - 4);
-  slong mark = calc_mark(c);
-  for (int i = 0; i < 40 && !settled && !c->status; i++) {
-    struct ball_pass at;
-    val y[4];
-    for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
-    ball_pass_make(&at, c, &s->m, calc_middle(c, s->x[0]), calc_middle(c, s->x[1]), s->up);
-    invert(y, c, &at);
-    settled = true;
-    for (int k = 0; k < 2; k++) {
-      val step = calc_middle(c, calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect));
-      val limit = calc_middle(c, calc_mul(c, small, calc_abs(c, s->x[k])));
-      if (!calc_lt(c, calc_abs(c, step), limit)) settled = false;
-      arb_get_mid_arb(s->x[k], calc_sub(c, s->x[k], step));
-    }
-    calc_release(c, mark);
+static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
+  (void)self;
+  for (int k = 0; k < 2; k++)
+    if (!newton_is_small(&num_arb, num_vec_at(step, k), x->ctx.prec / 2 + 4, num_vec_at(x, k))) return NEWTON_ON;
+  return NEWTON_LAST;
+}
+
+static int newton_level(slong prec, void *self) {
+  struct solution *s = self;
+  struct solve_system system = {2, values, s};
+  open_calc(s, prec);
+  for (int k = 0; k < 2; k++) arb_get_mid_arb(s->x[k], s->x[k]);
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
+  return s->c.status | newton_run(&x, &system, s->c.ctx, 40, settles);
+}
+
+/* Krawczyk's operator around the midpoints of s->x.  The calc is that of Newton's last level. */
+static int enclose(struct solution *s) {
+  struct solve_system system = {2, values, s};
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
+  struct krawczyk k;
+  krawczyk_init(&k, &system, s->prec);
+  int status = krawczyk_centre(&k, &x);
+  if (!status) status = krawczyk_grow(&k);
+  for (int i = 0; i < 2 && !status; i++) {
+    arb_swap(s->x[i], num_vec_at(&k.image, i));
+    arb_swap(s->box[i], num_vec_at(&k.box, i));
   }
-  return settled ? c->status : c->status | SS_UNABLE;
-}
-
-static int newton(struct solution *s, const fmpq *params, slong prec) {
-  slong ladder[FLINT_BITS], n = 0;
-  int status = SS_OK;
-  for (slong bits = prec; bits > 192; bits = bits / 2 + 24) ladder[n++] = bits;
-  ladder[n++] = FLINT_MIN(prec, 192);
-  while (n > 0 && !status) status |= newton_level(s, params, ladder[--n]);
+  krawczyk_clear(&k);
   return status;
 }
 
-/* Krawczyk's operator around the midpoints of s->x, on boxes that grow until one is mapped into its interior.  The calc is
-   that of Newton's last level. */
-static int enclose(struct solution *s) {
-  struct calc *c = &s->c;
-  const struct ball_params *m = &s->m;
-  struct ball_pass at;
-  val y[4], mid[2], shift[2];
-  slong start = calc_mark(c);
-  for (int k = 0; k < 2; k++) mid[k] = calc_middle(c, s->x[k]);
-  ball_pass_make(&at, c, m, mid[0], mid[1], s->up);
-  invert(y, c, &at);
-  for (int k = 0; k < 2; k++) {
-    shift[k] = calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect);
-    arb_set(s->box[k], mid[k]);
-    arb_get_mag(arb_radref(s->box[k]), shift[k]);
-    mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
-  }
-  bool proved = false;
-  slong mark = calc_mark(c);
-  for (int i = 0; i < 10 && !proved && !c->status; i++) {
-    calc_release(c, mark);
-    ball_pass_make(&at, c, m, s->box[0], s->box[1], s->up);
-    val j[4] = {at.pc_tb, calc_neg(c, at.wc), at.defect_tb, at.defect_tc};
-    proved = true;
-    for (int k = 0; k < 2; k++) {
-      val image = calc_sub(c, mid[k], shift[k]);
-      for (int l = 0; l < 2; l++) {
-        val rest = calc_neg(c, calc_dot(c, y[2 * k], j[l], y[2 * k + 1], j[2 + l]));
-        if (k == l) rest = calc_add(c, rest, m->one);
-        image = calc_add(c, image, calc_mul(c, rest, calc_sub(c, s->box[l], mid[l])));
-      }
-      arb_set(s->x[k], image);
-      if (!arb_contains_interior(s->box[k], s->x[k])) proved = false;
-    }
-    if (!proved)
-      for (int k = 0; k < 2; k++) mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
-  }
-  calc_release(c, start);
-  return proved ? SS_OK : SS_UNABLE;
-}
-
 static int solve(struct solution *s, const fmpq *params, slong prec) {
-  int status = newton(s, params, prec);
+  s->params = params;
+  int status = newton_rising(newton_level, s, prec);
   return status ? status : enclose(s);
 }
 
@@ -238,136 +203,12 @@ static int resolve(struct solution pair[2], int *n, const fmpq *params, const st
   return SS_UNABLE;
 }
 
-/* --- What is known about an orbit once (t_b, t_c) is. --- */
-
-/* The values of w at the ends of phase C and where w' = a - chi q vanishes in it; q = omega R sin u with
-   u = omega (t_d - t) from turn down to 0.  The least and the greatest. */
-static void force_range(val *least, val *most, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                        val turn, val wf) {
-  arb_ptr low = calc_new(c), high = calc_new(c);
-  arb_min(low, s->wc, wf, c->ctx.prec);
-  arb_max(high, s->wc, wf, c->ctx.prec);
-  *least = low;
-  *most = high;
-  val chi = m->p[P_CHI], fast = calc_mul(c, chi, calc_mul(c, m->omega, s->r_end)); /* of the sign of q */
-  if (!arb_is_positive(s->r_end) || num_arb.lt(fast, m->a) == TRUTH_TRUE) return;
-  val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_abs(c, calc_sub(c, m->one, calc_mul(c, x, x))));
-  for (int branch = 0; branch < 2;
-       branch++) { /* the valley, then the hill, of which only what lies below turn counts */
-    val u = calc_atan2(c, x, branch == 0 ? y : calc_neg(c, y)), sine, cosine;
-    truth inside = num_arb.lt(u, turn);
-    if (inside == TRUTH_FALSE) continue;
-    calc_sin_cos(c, &sine, &cosine, u);
-    val r = calc_mul(c, s->r_end, cosine), slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, turn, u), m->omega));
-    val w = calc_add(c, s->wc, calc_sub(c, slide, calc_mul(c, chi, calc_sub(c, r, s->rc))));
-    arb_ptr bound = branch == 0 ? low : high;
-    arb_ptr both = calc_new(c);
-    if (branch == 0)
-      arb_min(both, bound, w, c->ctx.prec);
-    else
-      arb_max(both, bound, w, c->ctx.prec);
-    if (inside == TRUTH_TRUE)
-      arb_set(bound, both);
-    else
-      arb_union(bound, bound, both, c->ctx.prec);
-  }
-}
-
-void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
-                      bool up) {
-  val reach = calc_mul(c, m->omega, s->rc);
-  e->turn = up ? calc_atan2(c, s->qc, reach) : calc_atan2(c, calc_neg(c, s->qc), calc_neg(c, reach));
-  e->td = calc_div(c, e->turn, m->omega);
-  val fall = calc_mul(c, m->p[P_CHI], calc_sub(c, s->r_end, s->rc));
-  e->wf = calc_add(c, s->wc, calc_sub(c, calc_mul(c, m->a, e->td), fall));
-  e->ta = calc_div(c, calc_sub(c, m->p[P_E1], e->wf), m->a);
-}
-
-/* Every number of the orbit. */
-int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
-  struct ball_pass s;
-  ball_pass_make(&s, c, m, tb, tc, up);
-  struct ball_ending e;
-  val lowest, highest;
-  ball_ending_make(&e, c, m, &s, up);
-  force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
-  val chi = m->p[P_CHI], e1 = m->p[P_E1], ease = calc_sub(c, m->one, chi), half = calc_d(c, 0.5);
-  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero;
-  for (int i = 0; i < 4; i++) {
-    arb_set(o->t[i], times[i]);
-    o->guess[i] = num_arb.get_d(times[i]);
-    period = calc_add(c, period, times[i]);
-  }
-  arb_set(o->z10, calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s.r)), ease));
-  arb_set(o->z20, calc_div(c, calc_add(c, e.wf, s.r), ease));
-  arb_set(o->e1, e1);
-  arb_set(o->e2, m->p[P_E2]);
-  arb_set(o->period, period);
-  arb_set(o->trace, calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one));
-  arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
-  arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
-  arb_min(least, lowest, e1, c->ctx.prec);
-  arb_set(o->u_r1_min, calc_mul(c, half, calc_sub(c, e1, least)));
-  arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s.rise))); /* chi r only rises while m2 sticks */
-  return c->status;
-}
-
-/* The conditions.  Returns whether t_b and t_c are proved to be first roots, and the direction of phase C. */
-truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
-                      long max_steps) {
-  struct ball_pass s;
-  ball_pass_make(&s, c, m, tb, tc, up);
-  struct ball_ending e;
-  val least, most;
-  ball_ending_make(&e, c, m, &s, up);
-  force_range(&least, &most, c, m, &s, e.turn, e.wf);
-  truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
-  truth first_b = truth_and(ball_first_rise(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
-  truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
-  first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
-  o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
-  o->holds[COND_H_V1] = num_arb.lt(s.pb, m->zero);
-  o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
-  if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
-  o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
-  o->holds[COND_C_W] = num_arb.lt(most, m->p[P_E1]);
-  o->holds[COND_D_R] = num_arb.lt(m->zero, s.rise);
-  o->holds[COND_GAMMA_R] = first_b;
-  o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);
-  o->admissible = TRUTH_TRUE;
-  for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
-  o->first[PHASE_D] = TRUTH_TRUE; /* affine */
-  o->first[PHASE_GAMMA] = first_b;
-  o->first[PHASE_H] = first_c;
-  o->first[PHASE_C] = direction; /* q = omega r_end sin(omega (t_d - t)) with 0 < omega t_d < pi */
-  return truth_and(truth_and(first_b, first_c), direction);
-}
+/* --- The orbit of a solution. --- */
 
 static bool undecided(const struct dyn_orbit *o) {
   bool any = o->stable == TRUTH_UNKNOWN;
   for (int i = 0; i < N_CONDITIONS; i++) any |= o->holds[i] == TRUTH_UNKNOWN;
   return any;
-}
-
-slong dyn_orbit_accuracy(const struct dyn_orbit *o) {
-  const arb_struct *all[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
-                             o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  slong least = ARF_PREC_EXACT;
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
-    if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
-  return FLINT_MAX(least, 0);
-}
-
-void dyn_orbit_init(struct dyn_orbit *o) {
-  arb_ptr all[] = {o->z10, o->z20, o->e1, o->e2, o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
-  for (int i = 0; i < 4; i++) arb_init(o->t[i]);
-}
-
-void dyn_orbit_clear(struct dyn_orbit *o) {
-  arb_ptr all[] = {o->z10, o->z20, o->e1, o->e2, o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
-  for (int i = 0; i < 4; i++) arb_clear(o->t[i]);
 }
 
 static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec, long max_steps) {

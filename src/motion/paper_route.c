@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-#include "motion_impl.h"
+#include "flow.h"
 
 enum { TIMES = 4, MAX_STEPS = 60, SIZE = N_STATE * N_STATE };
 

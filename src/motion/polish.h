@@ -33,6 +33,7 @@ SINCOS_INLINE struct dd dd_sum_of_products(struct dd a, struct dd b, struct dd c
   return dd_add(dd_mul(a, b), dd_mul(c, d));
 }
 
+/* As slip_set, operation by operation. */
 SINCOS_INLINE void fine_set(struct fine_slip *k, const double p[N_PARAMS]) {
   struct dd one = dd_of(1), chi = dd_of(p[P_CHI]), ease = dd_sum(1, -p[P_CHI]);
   struct dd stiff = dd_mul(chi, dd_of(p[P_ETA])), couple = dd_mul(chi, stiff), lead = dd_sub(stiff, one);

@@ -8,7 +8,7 @@
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 
-#include "motion_impl.h"
+#include "flow.h"
 
 int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
   struct calc c;

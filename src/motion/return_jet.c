@@ -5,7 +5,7 @@
    constant term is exactly zero at the event and is set to that.  In (w, r) phase Gamma is w'' = -w with
    r' = (1 - chi) V - w', phase H is y'' = -M y with M = [1, -chi^2 eta; -1, chi eta], and phase C ends at the extremum
    of r'' = -chi eta r. */
-#include "motion_impl.h"
+#include "flow.h"
 
 struct jet {
   slong n, prec;
@@ -91,42 +91,29 @@ static void through_gamma(arb_poly_t w, arb_poly_t dw, struct jet *j, const arb_
 /* --- Phase H. --- */
 
 struct slide {
-  arb_t square[2], om[2], gap; /* eigenvalues of M, frequencies, their distance */
-  arb_poly_t y[2], dy[2];      /* w, r and their derivatives at the start */
-  arb_poly_t f[3][2];          /* cos, sin/om, -om sin at the time, for both frequencies */
+  struct calc c;
+  struct spectrum k;      /* M has the eigenvalues of K */
+  val corner[2];          /* f(M) off its diagonal, row by row, over f_1 - f_2 */
+  arb_poly_t y[2], dy[2]; /* w, r and their derivatives at the start */
+  arb_poly_t f[3][2];     /* cos, sin/om, -om sin at the time, for both frequencies */
 };
 
 static void slide_init(struct slide *s, const struct jet *j) {
-  arb_t root;
-  arb_init(root);
-  arb_init(s->gap);
+  const val p[N_PARAMS] = {j->chi, j->eta, j->V, j->e1, j->e2};
+  calc_init(&s->c, num_ctx_arb(j->prec));
+  s->k = flow_spectrum(&s->c, p);
+  s->corner[0] = calc_mul(&s->c, p[P_CHI], s->k.back);
+  s->corner[1] = calc_div(&s->c, calc_d(&s->c, 1), s->k.gap);
   for (int i = 0; i < 2; i++) {
-    arb_init(s->square[i]);
-    arb_init(s->om[i]);
     arb_poly_init(s->y[i]);
     arb_poly_init(s->dy[i]);
     for (int k = 0; k < 3; k++) arb_poly_init(s->f[k][i]);
   }
-  arb_sub_si(root, j->stiff, 1, j->prec);
-  arb_mul(root, root, root, j->prec);
-  arb_mul(s->gap, j->chi, j->stiff, j->prec);
-  arb_mul_2exp_si(s->gap, s->gap, 2);
-  arb_add(s->gap, s->gap, root, j->prec);
-  arb_sqrt(s->gap, s->gap, j->prec);
-  for (int i = 0; i < 2; i++) {
-    arb_add_si(s->square[i], j->stiff, 1, j->prec);
-    (i == 0 ? arb_sub : arb_add)(s->square[i], s->square[i], s->gap, j->prec);
-    arb_mul_2exp_si(s->square[i], s->square[i], -1);
-    arb_sqrt(s->om[i], s->square[i], j->prec);
-  }
-  arb_clear(root);
 }
 
 static void slide_clear(struct slide *s) {
-  arb_clear(s->gap);
+  calc_clear(&s->c);
   for (int i = 0; i < 2; i++) {
-    arb_clear(s->square[i]);
-    arb_clear(s->om[i]);
     arb_poly_clear(s->y[i]);
     arb_poly_clear(s->dy[i]);
     for (int k = 0; k < 3; k++) arb_poly_clear(s->f[k][i]);
@@ -135,41 +122,27 @@ static void slide_clear(struct slide *s) {
 
 static void slide_at(struct slide *s, struct jet *j, const arb_poly_t t) {
   for (int i = 0; i < 2; i++) {
-    arb_poly_scalar_mul(j->tmp, t, s->om[i], j->prec);
+    arb_poly_scalar_mul(j->tmp, t, s->k.om[i], j->prec);
     arb_poly_sin_cos_series(s->f[1][i], s->f[0][i], j->tmp, j->n, j->prec);
-    arb_poly_scalar_mul(s->f[2][i], s->f[1][i], s->om[i], j->prec);
+    arb_poly_scalar_mul(s->f[2][i], s->f[1][i], s->k.om[i], j->prec);
     arb_poly_neg(s->f[2][i], s->f[2][i]);
-    arb_poly_scalar_div(s->f[1][i], s->f[1][i], s->om[i], j->prec);
+    arb_poly_scalar_div(s->f[1][i], s->f[1][i], s->k.om[i], j->prec);
   }
 }
 
-/* out += row `row` of f(M) y, f the function with the values f[k] at the eigenvalues l_i: with mu = (M y)_row,
-   f(M) y = (f_1 (l_2 y - M y) + f_2 (M y - l_1 y)) / gap. */
-static void add_function(arb_poly_t out, struct jet *j, struct slide *s, int k, const arb_poly_t y[2], int row) {
-  arb_poly_t mu, part;
-  arb_t c;
-  arb_init(c);
-  arb_poly_init(mu);
+/* out += row `row` of f(M) y, f the function with the values f[k] at the two eigenvalues.  As f(K) in flow.h,
+   f(M) = [above f_1 + below f_2, chi^2 eta (f_1 - f_2); f_1 - f_2, below f_1 + above f_2]/gap. */
+static void add_function(arb_poly_t out, struct jet *j, const struct slide *s, int k, const arb_poly_t y[2], int row) {
+  arb_poly_t part;
   arb_poly_init(part);
-  if (row == 0) {
-    arb_mul(c, j->chi, j->stiff, j->prec);
-    arb_poly_set(mu, y[0]);
-    arb_poly_scalar_mul(part, y[1], c, j->prec);
-  } else {
-    arb_poly_scalar_mul(mu, y[1], j->stiff, j->prec);
-    arb_poly_set(part, y[0]);
-  }
-  arb_poly_sub_series(mu, mu, part, j->n, j->prec);
   for (int i = 0; i < 2; i++) {
-    arb_poly_scalar_mul(part, y[row], s->square[1 - i], j->prec);
-    arb_poly_sub_series(part, mu, part, j->n, j->prec); /* mu - l_other y */
-    arb_poly_mullow(part, part, s->f[k][i], j->n, j->prec);
-    arb_poly_scalar_div(part, part, s->gap, j->prec);
-    (i == 0 ? arb_poly_sub_series : arb_poly_add_series)(out, out, part, j->n, j->prec);
+    arb_poly_mullow(part, y[row], s->f[k][i], j->n, j->prec);
+    add_scaled(out, j, i == row ? s->k.above : s->k.below, part);
   }
+  arb_poly_sub_series(part, s->f[k][0], s->f[k][1], j->n, j->prec);
+  arb_poly_mullow(part, part, y[1 - row], j->n, j->prec);
+  add_scaled(out, j, s->corner[row], part);
   arb_poly_clear(part);
-  arb_poly_clear(mu);
-  arb_clear(c);
 }
 
 /* Row `row` of y, or of y'. */

@@ -1,16 +1,20 @@
 /* The return map of r in double precision.
 
-   t_b: the rise of phase Gamma is the same seen from its crest backwards, so only its first half is ever solved, from a
-   start in sin(t/2) that is good to some percent.  t_c: slip.c.  Of either event the sine and cosine are asked for
-   once or twice and then moved.  Whatever does not work out is left to the walk of trig_sum.c.  No estimate that is cheaper than
-   the outputs in twice the precision tells which of them plain double precision has lost - half of all points have terms that
-   cancel by more than the bound, and the condition number that excuses most of them costs as much - so dyn_return_map forms
-   all of them anew near the events (polish.h), and dyn_return_map_d none. */
+   t_b: the rise of r in phase Gamma is the same seen backwards from its crest, so only the first half of it is ever solved,
+   from a start that is good to some percent.  t_c: slip.c.  For either event the sine and cosine are computed once or twice
+   and then turned by each step.  Where this quick way fails, the walk of trig_sum.c finds the events.
+
+   At half of all points terms cancel by more than the promised error, and to tell where that harms an output costs as much as
+   forming the output in twice the precision.  So dyn_return_map forms every output anew near the events (polish.h), and
+   dyn_return_map_d none. */
 #include "stickslip/return_map.h"
 
 #include <string.h>
 
+#include "num/pi.h"
 #include "polish.h"
+#include "return_map_double.h"
+#include "rounded.h"
 
 enum { MOST_STEPS = 8, NEAR_MOST = 256 };
 static const double MOST_CHI = 0x1p4, MOST_ETA = 0x1p3, MOST_SIZE = 0x1p5;

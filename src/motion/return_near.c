@@ -1,9 +1,15 @@
-/* The return map over balls: from rough times of its events, which is what the map in double precision falls back on where its
-   own roundings would show; and with first events found and proved in balls, which is what it is held against. */
+/* The return map over balls, twice.
+
+   dyn_return_near starts from rough times of the events: return_map.c falls back on it where roundings in double precision
+   would show.  dyn_return_first finds the events in balls and proves them to be first ones: the tests hold the map in double
+   precision against it. */
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "arc.h"
+#include "flow.h"
+#include "map_balls.h"
+#include "return_map_double.h"
 #include "stickslip/return_map.h"
 
 /* w = e1: z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r. */
@@ -32,7 +38,7 @@ int dyn_return_near(struct num_vec *out, const struct num_vec *params, const voi
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
   int status = c.status;
-  if (!status) status = dyn_arc_run(&arc, params, z[0], z[1], near);
+  if (!status) status = arc_run_from(&arc, params, z[0], z[1], near);
   if (!status) status = dyn_return_jet(jet, 2, params, &arc);
   if (!status) {
     arb_set(num_vec_at(out, RETURN_TA), next_stick(&c, p, &arc));

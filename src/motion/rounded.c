@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdint.h>
 
-#include "motion_impl.h"
+#include "rounded.h"
 
 enum { FIRST = 128, LAST = 4096, KNOWN = 64, LEAST = -1022, NOTHING = -1080 };
 

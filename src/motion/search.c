@@ -9,9 +9,12 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
+#include "num/pi.h"
+#include "return_map_double.h"
+#include "search.h"
 #include "stickslip/arena.h"
 #include "stickslip/work.h"
+#include "trig_sum.h"
 
 enum {
   FIRST_SAMPLES = 96, /* of the first rise */

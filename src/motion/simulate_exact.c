@@ -8,8 +8,9 @@
 #include <stdlib.h>
 
 #include "coulomb_impl.h"
+#include "flow.h"
 #include "mode_motion.h"
-#include "motion_impl.h"
+#include "trig_sum.h"
 
 /* Elements of a state. */
 enum { F_1, P_1 = 2, TIME = 4, N_EXACT };

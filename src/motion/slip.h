@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "double_double.h"
-#include "motion_impl.h"
+#include "stickslip/dynamics.h"
 
 /* The sine and cosine of half of an angle. */
 struct half_angle {
@@ -57,7 +57,7 @@ struct slip {
   double sigma[2];               /* of mass 2 in each mode, as a multiple of mass 1 */
 };
 
-/* In the domain; straight-line code, as is everything here. */
+/* In the domain; straight-line code, as is everything here, and therefore not that of flow_spectrum. */
 static inline void slip_set(struct slip *k, const double p[N_PARAMS]) {
   double chi = p[P_CHI], ease = 1 - chi, stiff = chi * p[P_ETA], couple = chi * stiff, lead = stiff - 1;
   double gap = sqrt(lead * lead + 4 * couple), large = 0.5 * (gap + fabs(lead)), small = couple / large;

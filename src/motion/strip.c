@@ -3,14 +3,16 @@
    At t_b the velocity of z_1 and the force on it are constants plus u and w, where w = e1 cos t_b + a sin t_b and u = w'
    turn about the origin; everything later is linear in them.  So every derivative by t_b is a motion of phase H again,
    and the amplitudes of its two modes bound it for all time. */
-#include "complete_impl.h"
+#include "strip.h"
+#include "flow.h"
+#include "map_balls.h"
 
 static struct disk disk_of(val x) {
   return disk_arb(x);
 }
 
 /* What depends on the parameters alone, in balls first. */
-static void stage_from(struct stage *s, struct calc *c, const struct ball_params *m) {
+static void disk_params_from(struct disk_params *s, struct calc *c, const struct ball_params *m) {
   const struct spectrum *f = &m->spectrum;
   arb_ptr pi = calc_new(c);
   arb_const_pi(pi, c->ctx.prec);
@@ -46,14 +48,14 @@ static void stage_from(struct stage *s, struct calc *c, const struct ball_params
   }
 }
 
-bool stage_init(struct stage *s, const fmpq *params) {
+bool disk_params_init(struct disk_params *s, const fmpq *params) {
   struct calc c;
   struct ball_params m;
   bool fits = true;
   for (int i = 0; i < 2; i++) arb_init(s->exact[i]);
   calc_init(&c, num_ctx_arb(128));
   ball_params_init(&m, &c, params);
-  stage_from(s, &c, &m);
+  disk_params_from(s, &c, &m);
   const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,        s->stiff,     s->turn,
                              s->back[0], s->back[1], s->x[0], s->soft,      s->x[1],      s->force1[0],
                              s->om[0],   s->om[1],   s->span, s->force2[0], s->inverse[0]};
@@ -65,7 +67,7 @@ bool stage_init(struct stage *s, const fmpq *params) {
   return fits;
 }
 
-void stage_clear(struct stage *s) {
+void disk_params_clear(struct disk_params *s) {
   for (int i = 0; i < 2; i++) arb_clear(s->exact[i]);
 }
 
@@ -86,7 +88,7 @@ static void sine_cosine(struct disk *sine, struct disk *cosine, arb_srcptr rate,
   arb_clear(angle);
 }
 
-void clock_set(struct clock *c, const struct stage *s, double t) {
+void clock_set(struct clock *c, const struct disk_params *s, double t) {
   c->t = t;
   for (int i = 0; i < 2; i++) sine_cosine(&c->sine[i], &c->cosine[i], s->exact[i], t);
 }
@@ -117,7 +119,7 @@ struct disk disk_less_turns(arb_srcptr t, double k) {
 /* --- Strips. --- */
 
 /* The sum over the modes of |weight| om^power amplitude. */
-static double bound_of(const struct stage *s, const struct disk weight[2], int power, const double amplitude[2]) {
+static double bound_of(const struct disk_params *s, const struct disk weight[2], int power, const double amplitude[2]) {
   double sum = 0;
   for (int i = 0; i < 2; i++) {
     double term = disk_mag(weight[i]) * amplitude[i];
@@ -131,17 +133,17 @@ static double hypotenuse(double x, double y) {
   return disk_up(sqrt(disk_up(x * x + y * y)));
 }
 
-static struct bend bend_of(const struct stage *s, const struct disk weight[2], const double full[2],
-                           const double shift[2], const double bent[2]) {
-  return (struct bend){.f = bound_of(s, weight, 0, shift),
-                       .ff = bound_of(s, weight, 0, bent),
-                       .fff = bound_of(s, weight, 0, shift), /* the third derivative is minus the first */
-                       .ft = bound_of(s, weight, 1, shift),
-                       .tt = bound_of(s, weight, 2, full),
-                       .fft = bound_of(s, weight, 1, bent)};
+static struct derivative_bounds bend_of(const struct disk_params *s, const struct disk weight[2], const double full[2],
+                                        const double shift[2], const double bent[2]) {
+  return (struct derivative_bounds){.f = bound_of(s, weight, 0, shift),
+                                    .ff = bound_of(s, weight, 0, bent),
+                                    .fff = bound_of(s, weight, 0, shift), /* the third derivative is minus the first */
+                                    .ft = bound_of(s, weight, 1, shift),
+                                    .tt = bound_of(s, weight, 2, full),
+                                    .fft = bound_of(s, weight, 1, bent)};
 }
 
-void strip_reach(struct strip *p, const struct stage *s, double reach) {
+void strip_reach(struct strip *p, const struct disk_params *s, double reach) {
   double move = disk_up(disk_mag(s->rho) * reach);
   double u = fmin(disk_mag(p->u) + move, disk_mag(s->rho)), w = fmin(disk_mag(p->w) + move, disk_mag(s->rho));
   double shift[2], bent[2];
@@ -156,7 +158,7 @@ void strip_reach(struct strip *p, const struct stage *s, double reach) {
   p->r = bend_of(s, s->force2, p->most, shift, bent);
 }
 
-void strip_make(struct strip *p, const struct stage *s, double low, double high, double reach) {
+void strip_make(struct strip *p, const struct disk_params *s, double low, double high, double reach) {
   struct disk sine, cosine, pull[2];
   p->angle = 0.5 * (low + high);
   p->half = disk_up(fmax(high - p->angle, p->angle - low));
@@ -180,27 +182,8 @@ void strip_make(struct strip *p, const struct stage *s, double low, double high,
   strip_reach(p, s, fmax(reach, p->half));
 }
 
-bool strip_never(const struct strip *p, const struct stage *s) {
+bool strip_never(const struct strip *p, const struct disk_params *s) {
   double sum = 0;
   for (int i = 0; i < 2; i++) sum += disk_mag(s->back[i]) * p->most[i];
   return disk_up(sum) < disk_low(s->V);
-}
-
-/* --- Cells. --- */
-
-void cell_at(struct cell *c, const struct strip *p, const struct stage *s, const struct clock *t) {
-  struct disk v[2], f[2], dv[2], df[2];
-  for (int i = 0; i < 2; i++) {
-    v[i] = disk_cross(p->a[i], t->cosine[i], p->b[i], t->sine[i]);
-    f[i] = disk_dot(p->a[i], t->sine[i], p->b[i], t->cosine[i]);
-    dv[i] = disk_cross(p->da[i], t->cosine[i], p->db[i], t->sine[i]);
-    df[i] = disk_dot(p->da[i], t->sine[i], p->db[i], t->cosine[i]);
-  }
-  c->p = disk_sub(disk_dot(s->back[0], v[0], s->back[1], v[1]), s->V);
-  c->q = disk_sub(disk_dot(s->y[0], v[0], s->y[1], v[1]), s->V);
-  c->w = disk_dot(s->force1[0], f[0], s->force1[1], f[1]);
-  c->r = disk_dot(s->force2[0], f[0], s->force2[1], f[1]);
-  c->pf = disk_dot(s->back[0], dv[0], s->back[1], dv[1]);
-  c->qf = disk_dot(s->y[0], dv[0], s->y[1], dv[1]);
-  c->rf = disk_dot(s->force2[0], df[0], s->force2[1], df[1]);
 }

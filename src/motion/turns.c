@@ -1,4 +1,4 @@
-/* Which numbers k of full periods of phase Gamma can be, and strips that no time of phase H brings to a zero.
+/* How many full periods of phase Gamma, k, can come before a strip's t_b, and which strips hold no orbit at any time of phase H.
 
    r at the stick phase is r_0 = base - k turn, and it must be r_end.  In phase H twice the energy,
    2E = eta z_1'^2 + z_2'^2 + eta (w^2 + 2 chi w r + chi r^2)/(1 - chi), is kept, and is the sum of the squared amplitudes
@@ -8,7 +8,8 @@
 
    The phases of the two modes are t_b's own plus om t.  If no pair of phases at all meets the equations, then no time
    does. */
-#include "complete_impl.h"
+#include "turns.h"
+#include "strip.h"
 
 static void clip(struct turns *k, int sign, double from, double to, double lowest, double highest) {
   /* The bounds are quotients that carry a few roundings more than they say.  NaN leaves the range as it is. */
@@ -18,7 +19,7 @@ static void clip(struct turns *k, int sign, double from, double to, double lowes
   k->to[sign] = to <= highest ? to : highest;
 }
 
-struct turns strip_turns(const struct strip *p, const struct stage *s) {
+struct turns strip_turns(const struct strip *p, const struct disk_params *s) {
   struct turns k;
   double energy = p->most[0] * p->most[0] + p->most[1] * p->most[1], v = disk_low(s->V), omega = disk_low(s->omega),
          eta = disk_low(s->eta);
@@ -33,7 +34,7 @@ struct turns strip_turns(const struct strip *p, const struct stage *s) {
   return k;
 }
 
-struct turns turns_of(const struct turns *within, const struct stage *s, struct disk base, struct disk radius,
+struct turns turns_of(const struct turns *within, const struct disk_params *s, struct disk base, struct disk radius,
                       bool negative, bool positive) {
   struct turns k = {{1, 1}, {0, 0}};
   double low = disk_low(base), high = disk_high(base), turn = s->turn.mid;
@@ -55,7 +56,7 @@ double turns_count(const struct turns *k) {
 /* The modes' amplitudes on a strip; z_1' = V asks that the shares of the two in it, at the angles from their crests,
    add up to V: the cosine of one, the free one, tells that of the other. */
 struct torus {
-  const struct stage *s;
+  const struct disk_params *s;
   const struct turns *k;
   struct disk most[2], share[2], base;
   int free;
@@ -65,7 +66,7 @@ struct torus {
 /* Whether no k fits the sines that belong to a piece of cosines.  Both angles turned round leave q and r^2 as they are,
    so that one sign of the first sine serves for both. */
 static bool misses(const struct torus *o, const struct disk cosine[2], const struct disk sine[2]) {
-  const struct stage *s = o->s;
+  const struct disk_params *s = o->s;
   struct disk v[2], f[2];
   for (int i = 0; i < 2; i++) {
     v[i] = disk_mul(o->most[i], cosine[i]);
@@ -111,7 +112,7 @@ static bool piece_misses(struct torus *o, double low, double high, int depth) {
   return depth > 0 && piece_misses(o, low, mid, depth - 1) && piece_misses(o, mid, high, depth - 1);
 }
 
-bool strip_misses(const struct strip *p, const struct stage *s, const struct turns *k) {
+bool strip_misses(const struct strip *p, const struct disk_params *s, const struct turns *k) {
   enum { DEPTH = 12, PIECES = 400 };
   struct torus o = {.s = s, .k = k, .left = PIECES};
   double move = disk_up(disk_mag(s->rho) * p->half);

@@ -9,11 +9,8 @@ enum { EXPRESSION_MOST = 16 }; /* entries */
 
 struct expression {
   struct elaboration el;
-  struct arena arena;
-  struct source src;
   struct tape tape;
-  const struct expr *tree; /* as written */
-  int n, rows;             /* entries, and rows of them */
+  int n, rows; /* entries, and rows of them */
 };
 /* false with d set, or when it has too many entries; close it all the same. */
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,

@@ -1,11 +1,12 @@
-/* Formulas over any number type, written as nested calls.
+/* Formulas over any number type: the pool of elements that the temporaries of a formula come from.
 
-   Each operation takes a fresh element from a pool, so that a formula needs no names for its temporaries, and ORs its
-   status into the calc, so that it is looked at once.  Loops release the pool to a mark. */
+   Each operation takes the next element of the pool, which grows by chunks, so that a formula needs no names for its
+   temporaries; a loop releases the pool to a mark, and its elements are used again. */
+#include "calc.h"
+
 #include <math.h>
 #include <stdlib.h>
 
-#include "motion_impl.h"
 #include "stickslip/arena.h"
 
 enum { CALC_CHUNK = 32, KEPT_CALCS = 4, KEPT_CHUNKS = 32, KEPT_BITS = 2048 };

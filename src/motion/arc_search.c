@@ -1,0 +1,28 @@
+/* One pass through the word from its start alone.
+
+   The return map in double precision finds the first events, and the pass is made near them.  What that does not bring about
+   is searched phase by phase, each first event from the state at many digits in which its phase begins. */
+#include "arc.h"
+#include "map.h"
+
+/* The first events, in double precision. */
+static int first_times(double t[N_PHASES], const struct num_vec *params, val z10, val z20) {
+  const struct num_type *type = params->ctx.type;
+  double p[N_PARAMS], end;
+  struct num_vec r;
+  for (int i = 0; i < N_PARAMS; i++) p[i] = type->get_d(num_vec_at(params, i));
+  num_vec_init(&r, 1, params->ctx);
+  int status = type->sub(num_vec_at(&r, 0), z20, z10, r.ctx.prec);
+  if (!status) status = dyn_return_map_d(&end, NULL, t, p, type->get_d(num_vec_at(&r, 0)), NULL);
+  num_vec_clear(&r);
+  return status;
+}
+
+int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
+                const double guess[N_PHASES]) {
+  double t[N_PHASES];
+  if (guess) return arc_run_from(a, params, z10, z20, guess);
+  bool at_once = map_serves(params->ctx) && first_times(t, params, z10, z20) == SS_OK;
+  if (at_once && map_run(a, params, z10, z20, NULL, t) == SS_OK) return SS_OK;
+  return arc_run_first(a, params, z10, z20);
+}

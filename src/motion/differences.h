@@ -1,0 +1,20 @@
+/* Central differences in double precision, with an honest bound of their error. */
+#ifndef STICKSLIP_DIFFERENCES_H
+#define STICKSLIP_DIFFERENCES_H
+
+#include "stickslip/dynamics.h"
+
+/* A map of n_in to n_out doubles, at most N_STATE, smooth but for its noise. */
+struct double_map {
+  int (*run)(double *out, const double *x, const void *self);
+  const void *self;
+  int n_in, n_out;
+  double scale;  /* of the arguments; the longest step is a part of it */
+  double floor;  /* the error of a value, relative to it and to the scale, is taken to be this at least */
+  double jitter; /* and this, absolute */
+};
+/* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
+   the change between steps and the measured noise.  The status of the map where it has no value nearby. */
+int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
+
+#endif

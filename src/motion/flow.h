@@ -1,0 +1,32 @@
+/* The closed form of each phase over any number type: its flow as four 2x2 blocks, the frequencies of phase H, and the
+   switching function that ends the phase. */
+#ifndef STICKSLIP_FLOW_H
+#define STICKSLIP_FLOW_H
+
+#include "num/calc.h"
+#include "stickslip/dynamics.h"
+
+/* z(t) = c z + s z', z'(t) = n z + c z' (2x2, row-major). */
+struct blocks {
+  val c[4], s[4], n[4];
+};
+/* Phase H: matrix functions of K = [1, -chi; -chi eta, chi eta] are
+   f(K) = [above f1 + below f2, chi (f1 - f2); chi eta (f1 - f2), below f1 + above f2] / gap,
+   f1 and f2 at the squares of the frequencies om[0] < om[1], which lie gap apart. */
+struct spectrum {
+  val om[2], above, below, couple, back; /* the last four divided by the gap; couple = chi, back = chi eta */
+  val gap;
+};
+/* The one statement of the frequencies for every number type; slip.h and polish.h need one without branches for lanes of vectors,
+   return_map_double.c one that holds to the ends of the range of doubles, and check_dynamics.c compares all four.  Of p,
+   chi and eta alone are read. */
+struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
+void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2);
+struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t);
+void flow_apply(val out[N_STATE], struct calc *c, const struct blocks *b, const val in[N_STATE]);
+val flow_switching(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], const val z[N_STATE]);
+/* Pointers to the elements of a vector from the given index on. */
+void flow_vals(val *out, const struct num_vec *v, slong from, slong n);
+
+#endif

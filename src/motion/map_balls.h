@@ -1,0 +1,48 @@
+/* The two equations of a periodic orbit in the unknowns (t_b, t_c), over balls (a calc of num_arb) or over types that behave
+   as balls do (dual.h): z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b.  And proofs
+   about the motion between: which roots are first, which velocity stays below the belt's. */
+#ifndef STICKSLIP_MAP_BALLS_H
+#define STICKSLIP_MAP_BALLS_H
+
+#include "flow.h"
+#include "turn.h"
+
+struct ball_params {
+  val p[N_PARAMS];
+  val a, zero, one, two, stiff, omega; /* a = (1 - chi) V, stiff = chi eta, omega its root */
+  struct spectrum spectrum;
+  bool kept; /* passes near (near_tb, near_tc), which are exact, turn the sines and cosines there */
+  val near_tb, near_tc;
+  struct turn turn_b, turn_c[2];
+};
+/* A motion of phase H: velocity of mass m = sum over i of a[m][i] cos(om[i] t) - b[m][i] sin(om[i] t). */
+struct ball_modes {
+  val a[2][2], b[2][2];
+};
+/* Everything about a pair (t_b, t_c); names as in struct pass. */
+struct ball_pass {
+  val tb, tc, pb, wb, rise, r;
+  val wc, rc, pc, qc, r_end, defect;
+  val pc_tb, qc_tb, pull_tb; /* derivatives by t_b; pull = chi eta r_c.  That of pc by t_c is -wc */
+  val defect_tb, defect_tc;
+  struct ball_modes modes;
+};
+void ball_params_init(struct ball_params *m, struct calc *c, const fmpq *params);
+/* The same from elements, which must outlive m. */
+void ball_params_make(struct ball_params *m, struct calc *c, const val p[N_PARAMS]);
+/* Keeps the sines and cosines at (tb, tc) for passes with the same calc.  Without this each pass makes its own. */
+void ball_params_keep(struct ball_params *m, struct calc *c, val tb, val tc);
+void ball_pass_make(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* The part of it up to phase H at the time tc, whether or not phase C can follow: r_end and the defect are not set. */
+void ball_pass_slip(struct ball_pass *s, struct calc *c, const struct ball_params *m, val tb, val tc);
+/* Whether t_b > 0 is the first root of phase Gamma, and whether it comes before the first crest of the rise. */
+truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct ball_pass *s, truth *before_crest);
+/* Whether z'_mass < V for 0 < t < end, from phase H's start with z'_mass - V = start (at most 0), and at end too unless
+   it is a root.  At most max_steps. */
+truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
+                  val end, bool root_at_end, long max_steps);
+/* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to t_max. */
+bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
+                     val start, double t_max, long max_steps);
+
+#endif

@@ -1,0 +1,134 @@
+/* The numbers and the conditions of an orbit, read off one pass in balls from its (t_b, t_c).
+
+   Phase C turns (r, q/omega) about the origin, so that its end, its length t_d and the extremes of the force w during it are
+   known in closed form.  What must hold all along phase Gamma or H is proved by map_balls.c. */
+#include "orbit_judge.h"
+
+#include "stickslip/warm.h"
+
+const char *const dyn_condition_id[N_CONDITIONS] = {
+    [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",
+    [COND_C_V2] = "c_v2", [COND_C_W] = "c_w",           [COND_D_R] = "d_r",   [COND_GAMMA_R] = "gamma_r",
+};
+
+slong dyn_orbit_accuracy(const struct dyn_orbit *o) {
+  const arb_struct *all[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
+                             o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  slong least = ARF_PREC_EXACT;
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++)
+    if (!arb_is_zero(all[i])) least = FLINT_MIN(least, arb_rel_accuracy_bits(all[i]));
+  return FLINT_MAX(least, 0);
+}
+
+void dyn_orbit_init(struct dyn_orbit *o) {
+  arb_ptr all[] = {o->z10, o->z20, o->e1, o->e2, o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_init(all[i]);
+  for (int i = 0; i < 4; i++) arb_init(o->t[i]);
+}
+
+void dyn_orbit_clear(struct dyn_orbit *o) {
+  arb_ptr all[] = {o->z10, o->z20, o->e1, o->e2, o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) arb_clear(all[i]);
+  for (int i = 0; i < 4; i++) arb_clear(o->t[i]);
+}
+
+/* The values of w at the ends of phase C and where w' = a - chi q vanishes in it; q = omega R sin u with
+   u = omega (t_d - t) from turn down to 0.  The least and the greatest. */
+static void force_range(val *least, val *most, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                        val turn, val wf) {
+  arb_ptr low = calc_new(c), high = calc_new(c);
+  arb_min(low, s->wc, wf, c->ctx.prec);
+  arb_max(high, s->wc, wf, c->ctx.prec);
+  *least = low;
+  *most = high;
+  val chi = m->p[P_CHI], fast = calc_mul(c, chi, calc_mul(c, m->omega, s->r_end)); /* of the sign of q */
+  if (!arb_is_positive(s->r_end) || num_arb.lt(fast, m->a) == TRUTH_TRUE) return;
+  val x = calc_div(c, m->a, fast), y = calc_sqrt(c, calc_abs(c, calc_sub(c, m->one, calc_mul(c, x, x))));
+  for (int branch = 0; branch < 2;
+       branch++) { /* the valley, then the hill, of which only what lies below turn counts */
+    val u = calc_atan2(c, x, branch == 0 ? y : calc_neg(c, y)), sine, cosine;
+    truth inside = num_arb.lt(u, turn);
+    if (inside == TRUTH_FALSE) continue;
+    calc_sin_cos(c, &sine, &cosine, u);
+    val r = calc_mul(c, s->r_end, cosine), slide = calc_mul(c, m->a, calc_div(c, calc_sub(c, turn, u), m->omega));
+    val w = calc_add(c, s->wc, calc_sub(c, slide, calc_mul(c, chi, calc_sub(c, r, s->rc))));
+    arb_ptr bound = branch == 0 ? low : high;
+    arb_ptr both = calc_new(c);
+    if (branch == 0)
+      arb_min(both, bound, w, c->ctx.prec);
+    else
+      arb_max(both, bound, w, c->ctx.prec);
+    if (inside == TRUTH_TRUE)
+      arb_set(bound, both);
+    else
+      arb_union(bound, bound, both, c->ctx.prec);
+  }
+}
+
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                      bool up) {
+  val reach = calc_mul(c, m->omega, s->rc);
+  e->turn = up ? calc_atan2(c, s->qc, reach) : calc_atan2(c, calc_neg(c, s->qc), calc_neg(c, reach));
+  e->td = calc_div(c, e->turn, m->omega);
+  val fall = calc_mul(c, m->p[P_CHI], calc_sub(c, s->r_end, s->rc));
+  e->wf = calc_add(c, s->wc, calc_sub(c, calc_mul(c, m->a, e->td), fall));
+  e->ta = calc_div(c, calc_sub(c, m->p[P_E1], e->wf), m->a);
+}
+
+int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up) {
+  struct ball_pass s;
+  ball_pass_make(&s, c, m, tb, tc, up);
+  struct ball_ending e;
+  val lowest, highest;
+  ball_ending_make(&e, c, m, &s, up);
+  force_range(&lowest, &highest, c, m, &s, e.turn, e.wf);
+  val chi = m->p[P_CHI], e1 = m->p[P_E1], ease = calc_sub(c, m->one, chi), half = calc_d(c, 0.5);
+  val times[4] = {e.ta, tb, tc, e.td}, period = m->zero;
+  for (int i = 0; i < 4; i++) {
+    arb_set(o->t[i], times[i]);
+    o->guess[i] = num_arb.get_d(times[i]);
+    period = calc_add(c, period, times[i]);
+  }
+  arb_set(o->z10, calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s.r)), ease));
+  arb_set(o->z20, calc_div(c, calc_add(c, e.wf, s.r), ease));
+  arb_set(o->e1, e1);
+  arb_set(o->e2, m->p[P_E2]);
+  arb_set(o->period, period);
+  arb_set(o->trace, calc_add(c, calc_div(c, s.defect_tb, s.pb), m->one));
+  arb_set(o->margin, calc_sub(c, calc_abs(c, o->trace), m->one));
+  arb_ptr least = calc_new(c); /* of w while m1 sticks: phases C and D */
+  arb_min(least, lowest, e1, c->ctx.prec);
+  arb_set(o->u_r1_min, calc_mul(c, half, calc_sub(c, e1, least)));
+  arb_set(o->u_r2_min, calc_mul(c, half, calc_mul(c, chi, s.rise))); /* chi r only rises while m2 sticks */
+  return c->status;
+}
+
+truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
+                      long max_steps) {
+  struct ball_pass s;
+  ball_pass_make(&s, c, m, tb, tc, up);
+  struct ball_ending e;
+  val least, most;
+  ball_ending_make(&e, c, m, &s, up);
+  force_range(&least, &most, c, m, &s, e.turn, e.wf);
+  truth direction = up ? num_arb.lt(m->zero, s.qc) : num_arb.lt(s.qc, m->zero);
+  truth first_b = truth_and(ball_first_rise(c, m, &s, &o->holds[COND_GAMMA_V1]), num_arb.lt(m->zero, tb));
+  truth first_c = ball_slower(c, m, &s.modes, 0, s.pb, tc, true, max_steps);
+  first_c = truth_and(first_c, num_arb.lt(m->zero, tc)); /* Newton's iteration can have left the phases */
+  o->holds[COND_TA] = num_arb.lt(m->zero, e.ta);
+  o->holds[COND_H_V1] = num_arb.lt(s.pb, m->zero);
+  o->holds[COND_H_V2] = ball_slower(c, m, &s.modes, 1, m->zero, tc, false, max_steps);
+  if (num_arb.lt(m->zero, s.qc) == TRUTH_TRUE) o->holds[COND_H_V2] = TRUTH_FALSE; /* however late */
+  o->holds[COND_C_V2] = num_arb.lt(s.qc, m->zero);
+  o->holds[COND_C_W] = num_arb.lt(most, m->p[P_E1]);
+  o->holds[COND_D_R] = num_arb.lt(m->zero, s.rise);
+  o->holds[COND_GAMMA_R] = first_b;
+  o->stable = num_arb.lt(calc_abs(c, o->trace), m->one);
+  o->admissible = TRUTH_TRUE;
+  for (int i = 0; i < N_CONDITIONS; i++) o->admissible = truth_and(o->admissible, o->holds[i]);
+  o->first[PHASE_D] = TRUTH_TRUE; /* affine */
+  o->first[PHASE_GAMMA] = first_b;
+  o->first[PHASE_H] = first_c;
+  o->first[PHASE_C] = direction; /* q = omega r_end sin(omega (t_d - t)) with 0 < omega t_d < pi */
+  return truth_and(truth_and(first_b, first_c), direction);
+}

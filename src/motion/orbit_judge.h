@@ -1,0 +1,25 @@
+/* What is known about an orbit once its (t_b, t_c) are: every number of struct dyn_orbit, and every condition.  The
+   parameters may be balls too; then it holds for each of their points. */
+#ifndef STICKSLIP_ORBIT_JUDGE_H
+#define STICKSLIP_ORBIT_JUDGE_H
+
+#include "map_balls.h"
+
+/* The end of the word: phase C turns by the angle in (0, pi) whose tangent is |q|/(omega r); meanwhile w drifts to wf,
+   and the stick phase makes up the rest.  Also of a pass that does not close. */
+struct ball_ending {
+  val turn, td, wf, ta;
+};
+void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_params *m, const struct ball_pass *s,
+                      bool up);
+
+void dyn_orbit_init(struct dyn_orbit *o);
+/* The fewest relative bits of any of its numbers that is not zero; at least 0. */
+slong dyn_orbit_accuracy(const struct dyn_orbit *o);
+/* Every number; up: q > 0 in phase C. */
+int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
+/* The conditions.  Returns whether t_b and t_c are proved to be first roots, and up the direction of phase C. */
+truth dyn_orbit_judge(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up,
+                      long max_steps);
+
+#endif

@@ -1,0 +1,46 @@
+/* The return map of the word in double precision, with t_b as its argument: phases Gamma, H and C, of which t_b alone fixes
+   where they start, and the two oscillations of phase H, which are worked out once for given parameters. */
+#ifndef STICKSLIP_RETURN_MAP_DOUBLE_H
+#define STICKSLIP_RETURN_MAP_DOUBLE_H
+
+#include "trig_sum.h"
+
+struct return_map_double {
+  double chi, eta, V, e1, e2;
+  double a;          /* (1 - chi) V, the speed of w while both stick */
+  double rho;        /* hypot(a, e1) */
+  double fall;       /* t*: the first time at which m1 would reach the belt's speed in phase Gamma */
+  double rise;       /* a record of chi r that falls into a later period begins this long after its start */
+  double om[2], omc; /* frequencies of phases H and C */
+  double x, y;       /* the slow mode is (x, y), the fast one (y, -x), in (sqrt(eta) z_1, z_2) */
+  double root_eta;
+};
+/* One pass from t_b: the defect is r at the end minus the r at the stick phase that leads to this t_b. */
+struct pass {
+  int status; /* SS_OK, or that of the search for t_c */
+  double tb, tc;
+  double r, r_end;        /* at the stick phase; at the end */
+  double defect, slope;   /* slope: d defect / d t_b */
+  double wc, rc, qc, dqc; /* state at the end of phase H, and d q_c / d t_b */
+  double pb;              /* z_1' - V at t_b: d r / d t_b */
+  double safe;            /* t_c does not jump while t_b moves by less than about this */
+  bool grazing;
+  long steps;
+};
+/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an iteration. */
+int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]);
+void return_map_double_records(struct return_map_double *k);
+/* How far chi r / chi has risen t after the start of phase Gamma. */
+double return_map_double_rise(const struct return_map_double *k, double t);
+/* The first time at which it has risen by g > 0. */
+double return_map_double_time(const struct return_map_double *k, double g);
+/* The largest |r| that phase C can end with. */
+double return_map_double_reach(const struct return_map_double *k);
+/* z_1' - V along phase H from velocities v1, v2, w and pull = chi eta r; start is its first value. */
+struct trig_sum return_map_double_wave(const struct return_map_double *k, double v1, double v2, double w, double pull,
+                                       double start);
+void return_map_double_pass(struct pass *s, const struct return_map_double *k, double tb, const struct dyn_limits *lim);
+/* The last phase and the next stick phase: t_d and t_a. */
+void return_map_double_times(double *ta, double *td, const struct return_map_double *k, const struct pass *s);
+
+#endif
