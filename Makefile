@@ -15,8 +15,11 @@ DATADIR  ?= $(PREFIX)/share/stickslip
 COMPDIR  ?= $(PREFIX)/share/bash-completion/completions
 
 WARN  = -Wall -Wextra -Wshadow -Wconversion -Wmissing-prototypes
-STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC
+STD   = -std=c17 -D_POSIX_C_SOURCE=200809L -ffp-contract=off -fPIC -pthread -fvisibility=hidden
+# the public headers; what they mark with SS_API is all that the libraries export
+API   = include
 SO    = libstickslip.so.0
+VERSION = $(shell sed -n 's/^.define SS_VERSION  *"\(.*\)"/\1/p' $(API)/stickslip/status.h)
 # FLINT 3 holds Arb; before it Arb is a library of its own, libflint-arb on Debian and libarb elsewhere
 ARB   = $(shell for l in flint-arb arb; do echo 'int main(void){return 0;}' | $(CC) -x c - -l$$l -o /dev/null 2>/dev/null && echo -l$$l && break; done)
 # Calcium too (rational functions over Q in several variables)
@@ -24,7 +27,7 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
-LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm
+LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
 ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
@@ -50,15 +53,15 @@ PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all quick quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
-all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
+all: $(B)/stickslip $(B)/$(SO) $(B)/libstickslip.a $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
 	@sh tools/deps.sh $(PKGS) -- $(OLD)
 
-$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/libstickslip.a
+$(B)/stickslip: $(B)/src/main.o $(CLI:%.c=$(B)/%.o) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
-$(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/libstickslip.a
+$(B)/mpi/stickslip: $(B)/src/main.o $(RANKS) $(BOBJ) $(B)/internal.a
 	OMPI_CC=$(CC) MPICH_CC=$(CC) $(MPICC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $(LIBS)
 
 $(B)/mpi/%.o: %.c Makefile
@@ -70,18 +73,26 @@ $(B)/stickslip-checker: verify/checker/check.c Makefile
 	@mkdir -p $(@D)
 	$(CC) $(STD) $(WARN) $(CFLAGS) $(EXTRA) -o $@ $< $(ARB) -lflint -lmpfr -lgmp -lm
 
-$(B)/libstickslip.a: $(OBJ)
+# what the program and the tests are linked with
+$(B)/internal.a: $(OBJ)
 	@rm -f $@
 	ar qcs $@ $^
+
+# the static library: one object, in which every name but the public ones is local
+$(B)/libstickslip.a: $(OBJ)
+	@rm -f $@
+	$(CC) -r -nostdlib -o $(B)/libstickslip.o $^
+	objcopy --localize-hidden $(B)/libstickslip.o
+	ar qcs $@ $(B)/libstickslip.o
 
 $(B)/$(SO): $(OBJ)
 	$(CC) $(CFLAGS) $(EXTRA) -shared -Wl,-soname,$(SO) -o $@ $^ $(LIBS)
 
-$(B)/check: $(TOBJ) $(BOBJ) $(B)/libstickslip.a
+$(B)/check: $(TOBJ) $(BOBJ) $(B)/internal.a
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(PEERS) $$(pkg-config --libs check) $(LIBS)
 
 # a fuzz target on the files of its corpus, and under libFuzzer
-FUZZ_ON = $(B)/tests/fuzz/file.o $(B)/src/cli/options.o $(B)/src/cli/range.o $(B)/libstickslip.a
+FUZZ_ON = $(B)/tests/fuzz/file.o $(B)/src/cli/options.o $(B)/src/cli/range.o $(B)/internal.a
 $(B)/replay-%: $(B)/tests/fuzz/%.o $(B)/tests/fuzz/replay.o $(FUZZ_ON)
 	$(CC) $(CFLAGS) $(EXTRA) -o $@ $^ $(LIBS)
 
@@ -190,11 +201,13 @@ install: all ## install program, library, headers, man pages, completion and dat
 	install -m 644 $(B)/libstickslip.a $(DESTDIR)$(LIBDIR)/
 	install -m 755 $(B)/$(SO) $(DESTDIR)$(LIBDIR)/
 	ln -sf $(SO) $(DESTDIR)$(LIBDIR)/libstickslip.so
-	install -m 644 include/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
+	install -m 644 $(API)/stickslip.h $(DESTDIR)$(INCDIR)/
+	install -m 644 $(API)/stickslip/* $(DESTDIR)$(INCDIR)/stickslip/
 	install -m 644 man/stickslip.1 $(DESTDIR)$(MANDIR)/man1/
 	install -m 644 $(wildcard man/*.5) $(DESTDIR)$(MANDIR)/man5/
 	install -m 644 tools/completion.bash $(DESTDIR)$(COMPDIR)/stickslip
-	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@ARB@|$(CALCIUM) $(ARB)|' tools/stickslip.pc.in \
+	sed 's|@PREFIX@|$(PREFIX)|; s|@LIBDIR@|$(LIBDIR)|; s|@INCLUDEDIR@|$(INCDIR)|; s|@VERSION@|$(VERSION)|' tools/stickslip.pc.in \
+	  | sed 's|@PRIVATE@|$(CALCIUM) $(ARB) -lflint -lgmp -ldl|' \
 	  > $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc
 	cp -R verify/. $(DESTDIR)$(DATADIR)/
 
@@ -202,7 +215,7 @@ uninstall: ## remove what install put there
 	rm -f $(addprefix $(DESTDIR)$(BINDIR)/,stickslip stickslip-checker) $(DESTDIR)$(LIBDIR)/libstickslip.a $(DESTDIR)$(LIBDIR)/$(SO) \
 	  $(DESTDIR)$(LIBDIR)/libstickslip.so $(DESTDIR)$(LIBDIR)/pkgconfig/stickslip.pc $(DESTDIR)$(MANDIR)/man1/stickslip.1 \
 	  $(patsubst man/%,$(DESTDIR)$(MANDIR)/man5/%,$(wildcard man/*.5)) $(DESTDIR)$(COMPDIR)/stickslip
-	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(DATADIR)
+	rm -rf $(DESTDIR)$(INCDIR)/stickslip $(DESTDIR)$(INCDIR)/stickslip.h $(DESTDIR)$(DATADIR)
 
 clean: ## remove build/
 	rm -rf $(B)

@@ -76,7 +76,7 @@ int main(int argc, char **argv) {
   if (argc < 2) return name_the_commands();
   if (asks_for_help(argv[1])) return finish(help(argc - 2, argv + 2));
   if (strcmp(argv[1], "--version") == 0) {
-    puts("stickslip " VERSION);
+    puts("stickslip " SS_VERSION);
     return finish(EXIT_AS_RECORDED);
   }
   const struct command *c = find_command(argv[1]);

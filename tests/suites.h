@@ -53,5 +53,6 @@ Suite *scene_suite(void);
 Suite *words_suite(void);
 Suite *hostile_suite(void);
 Suite *messages_suite(void);
+Suite *library_suite(void);
 
 #endif

@@ -59,6 +59,15 @@ bool claims_load(struct claims *c, const char *folder, const char *kind, struct 
   return ok;
 }
 
+bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
+  struct text path;
+  text_init(&path);
+  text_printf(&path, "%s/%s", data, folder);
+  bool ok = claims_load(c, text_str(&path), kind, d);
+  text_clear(&path);
+  return ok;
+}
+
 void claims_clear(struct claims *c) {
   for (size_t i = 0; i < c->n_files; i++) {
     record_file_clear(c->files[i]);

@@ -92,6 +92,8 @@ enum { MAX_CLAIM_FILE = 4 << 20 };
 
 /* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim or control. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
+/* Those of a folder of the data folder. */
+bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
 void claims_clear(struct claims *c);
 

@@ -42,7 +42,7 @@ int run_list(const struct options *o, const char *data) {
   struct diag d;
   struct claims c = {.n = 0};
   diag_init(&d);
-  bool ok = load_claims(&c, data, "claims", "claim", &d);
+  bool ok = claims_load_data(&c, data, "claims", "claim", &d);
   struct text out;
   text_init(&out);
   for (size_t i = 0; ok && i < c.n; i++) {
@@ -99,7 +99,7 @@ int run_explain(const struct options *o, const char *data) {
   model_init(&m);
   text_init(&out);
   bool ok = load_scene(&s, "paper", data, o, false, &d) && load_model(&m, data, o, &d) &&
-            load_claims(&c, data, "claims", "claim", &d) &&
+            claims_load_data(&c, data, "claims", "claim", &d) &&
             (receipt ? print_receipt(&out, &m, &c, &s, o->operands.word[0], data, &d)
                      : audit_explain(&out, &m, &c, &s, o->operands.word[0], at, tape, &d));
   int status = ok ? EXIT_AS_RECORDED : bad_input(&d);

@@ -6,11 +6,11 @@
 #include "claim/claims.h"
 #include "motion/certify.h"
 #include "motion/dynamics.h"
+#include "report/folder.h"
 #include "route/jacobian.h"
 #include "run/audit.h"
 #include "value/coulomb_setup.h"
-
-#define VERSION "0.1.0"
+#include "value/solved.h"
 
 /* Exit statuses of the contract. */
 enum { EXIT_AS_RECORDED = 0, EXIT_DIFFERS = 1, EXIT_USAGE = 2, EXIT_INPUT = 3, EXIT_STRICT = 4, EXIT_INTERNAL = 5 };
@@ -147,9 +147,8 @@ bool load_scene(struct scene *s, const char *spec, const char *data, const struc
 int list_scene_keys(bool as_json);
 /* folder/name into out. */
 void join_path(struct text *out, const char *folder, const char *name);
-/* The paper, the user's overlay, the errata and the controls' damages, by rank. */
+/* The paper or --paper, and --overlay, with what corrects them. */
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d);
-bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 
 /* As many of the digits as are known; a ball in which not even the first is: 0. */
 void print_known(struct text *out, const arb_struct *x, slong digits);
@@ -163,41 +162,10 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j);
 bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
 
-/* A proof of each orbit, in an array to be freed by certificates_free; what it decides of an orbit is put there too. */
-struct dyn_certificate *certify_orbits(struct dyn_orbits *list, const struct scene *s);
-void certificates_free(struct dyn_certificate *proof, slong n);
-/* Orbits with t_a = 0 and their proofs, judged as orbits of the three phases Gamma-H-C. */
-void judge_three_phases(struct dyn_orbits *list, struct dyn_certificate *proof);
-/* Whether one of them has that condition or margin (margins.h): it is not of phase D. */
-bool three_phases_have(int margin);
 /* The largest radius of the orbit's enclosures to two digits, rounded up. */
 void print_radius(struct text *out, const struct dyn_orbit *o);
-/* Writes the certified orbits as a file for the checker; false with d set when there are none or it cannot be written. */
-bool write_certificate(const char *path, const struct scene *s, const struct dyn_orbits *list,
-                       const struct dyn_certificate *proof, struct diag *d);
-
-/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
-truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
 /* true, false or null. */
 void json_truth(struct json *j, const char *key, truth t);
-
-/* Files of one folder that are written together, all or none. */
-struct output {
-  const char *folder;
-  struct text path[MAX_FILE_ITEMS], body[MAX_FILE_ITEMS];
-  int n;
-};
-void output_init(struct output *out, const char *folder);
-void output_clear(struct output *out);
-/* One more file; what is to stand in it goes into the text. */
-struct text *output_add(struct output *out, const char *name);
-/* Takes the last file back. */
-void output_drop(struct output *out);
-/* The tables of a result, a file for each. */
-void output_add_tables(struct output *out, const struct audit_result *r);
-/* audit.json of the result, and what is written from it alone; false with d set where it cannot be read back. */
-bool output_add_report(struct output *out, const struct audit_result *r, struct diag *d);
-bool output_write(const struct output *out, struct diag *d);
 
 /* verify --plan. */
 int show_plan(const struct model *m, const struct claims *claims, const struct claims *controls, const struct scene *s,

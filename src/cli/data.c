@@ -43,27 +43,5 @@ void join_path(struct text *out, const char *folder, const char *name) {
 }
 
 bool load_model(struct model *m, const char *data, const struct options *o, struct diag *d) {
-  const char *paper = option(o, OPT_PAPER), *overlay = option(o, OPT_OVERLAY);
-  struct text path;
-  text_init(&path);
-  join_path(&path, data, "paper");
-  bool ok = model_add_folder(m, paper ? paper : text_str(&path), RANK_PAPER, d);
-  ok = ok && (!overlay || model_add_file(m, overlay, RANK_USER, d));
-  join_path(&path, data, "errata.eq");
-  ok = ok && model_add_file(m, text_str(&path), RANK_ERRATA, d);
-  join_path(&path, data, "stable.eq");
-  ok = ok && model_add_file(m, text_str(&path), RANK_STABLE, d);
-  join_path(&path, data, "controls");
-  ok = ok && model_add_folder(m, text_str(&path), RANK_CONTROL, d);
-  text_clear(&path);
-  return ok;
-}
-
-bool load_claims(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
-  struct text path;
-  text_init(&path);
-  join_path(&path, data, folder);
-  bool ok = claims_load(c, text_str(&path), kind, d);
-  text_clear(&path);
-  return ok;
+  return model_load(m, data, option(o, OPT_PAPER), option(o, OPT_OVERLAY), d);
 }

@@ -117,7 +117,7 @@ static void overview(void) {
   struct text out, line;
   text_init(&out);
   text_init(&line);
-  text_add(&out, "stickslip " VERSION ": audits a paper on stick-slip orbits of two masses on a belt\n"
+  text_add(&out, "stickslip " SS_VERSION ": audits a paper on stick-slip orbits of two masses on a belt\n"
                  "usage: stickslip COMMAND [OPERAND...] [OPTION...] | stickslip --version\n");
   for (int i = 0; i < n_commands; i++)
     text_printf(&out, "  %-10s %s\n", command_table[i].name, command_table[i].purpose);

@@ -60,7 +60,7 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
-  return ok && load_model(&in->model, data, o, d) && load_claims(&in->claims, data, "claims", "claim", d);
+  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d);
 }
 
 static void inputs_clear(struct inputs *in) {

@@ -1,7 +1,4 @@
 /* stickslip orbit: every number to the digits asked for, as a table or as JSON. */
-#include <stddef.h>
-#include <string.h>
-
 #include "base/json.h"
 #include "cli.h"
 #include "explore/family.h"
@@ -13,35 +10,18 @@
 
 enum { N_SHOWN = ORBIT_NUMBERS };
 
-/* The numbers of an orbit in the order of the contract. */
-static const struct {
-  const char *name;
-  size_t offset;
-  const char *meaning;
-} shown[N_SHOWN] = {
-#define NUMBER(name, member, meaning) {name, offsetof(struct dyn_orbit, member), meaning},
-    DYN_ORBIT_NUMBERS(NUMBER)
-#undef NUMBER
-};
-
-const char *orbit_number_name(int i) {
-  return shown[i].name;
-}
-
-arb_srcptr orbit_number(const struct dyn_orbit *o, int i) {
-  return (arb_srcptr)(const void *)((const char *)o + shown[i].offset);
-}
-
-/* The value that the scene gives exactly under a number's name, or NULL: its decimal may be a tie, which no ball decides. */
-static const fmpq *given_number(const struct scene *s, const char *name) {
-  for (int k = KEY_E1; k <= KEY_TD; k++)
-    if (s->given[k] && strcmp(scene_key_name[k], name) == 0) return &s->value[k];
-  return NULL;
+void print_radius(struct text *out, const struct dyn_orbit *o) {
+  arb_t radius;
+  arb_init(radius);
+  dyn_orbit_radius(arb_radref(radius), o);
+  arb_get_rad_arb(radius, radius);
+  print_accuracy(out, radius);
+  arb_clear(radius);
 }
 
 static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, const struct scene *s, slong digits) {
   for (int i = 0; i < N_SHOWN; i++) {
-    const fmpq *exact = given_number(s, orbit_number_name(i));
+    const fmpq *exact = scene_given_number(s, i);
     text_reset(&out[i]);
     if (exact)
       num_print_rational(&out[i], exact, digits);
@@ -49,32 +29,6 @@ static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, c
       return false;
   }
   return true;
-}
-
-static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
-  struct text t[N_SHOWN];
-  for (int i = 0; i < N_SHOWN; i++) text_init(&t[i]);
-  bool ok = true;
-  for (slong i = 0; i < list->n; i++) ok = ok && print_numbers(t, &list->orbit[i], s, digits);
-  for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
-  return ok;
-}
-
-/* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */
-static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
-  if (!s->given[key]) return TRUTH_TRUE;
-  arb_t u;
-  arb_init(u);
-  arb_set_fmpq(u, &s->value[key], 1024);
-  truth t = arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
-  arb_clear(u);
-  return t;
-}
-
-truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
-  u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
-  u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
-  return truth_and(o->admissible, truth_and(u[0], u[1]));
 }
 
 void admissible_text(struct text *out, truth admissible, const struct scene *s) {
@@ -113,7 +67,7 @@ static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct d
   print_numbers(t, o, s, digits);
   truth u[2], admissible = orbit_admissible(u, s, o);
   json_object(j, NULL);
-  for (int i = 0; i < 10; i++) json_string(j, shown[i].name, text_str(&t[i]));
+  for (int i = 0; i < 10; i++) json_string(j, orbit_number_name(i), text_str(&t[i]));
   json_array(j, "eigenvalues");
   json_string(j, NULL, "0");
   json_string(j, NULL, text_str(&t[9]));
@@ -234,7 +188,7 @@ static void numbers_text(struct text *out, const struct text t[N_SHOWN]) {
   size_t widest = 0;
   for (int k = 0; k < N_SHOWN; k++) widest = t[k].len > widest ? t[k].len : widest;
   for (int k = 0; k < N_SHOWN; k++)
-    text_printf(out, "  %-8s %-*s  %s\n", shown[k].name, (int)widest, text_str(&t[k]), shown[k].meaning);
+    text_printf(out, "  %-8s %-*s  %s\n", orbit_number_name(k), (int)widest, text_str(&t[k]), orbit_number_meaning(k));
 }
 
 static void orbits_text(struct text *out, const struct dyn_orbits *list, const struct dyn_certificate *proof,
@@ -264,9 +218,59 @@ static void orbits_text(struct text *out, const struct dyn_orbits *list, const s
   for (int i = 0; i < N_SHOWN; i++) text_clear(&t[i]);
 }
 
+/* --certificate: the certified orbits as a file for the checker; false with d set when there are none or it cannot be
+   written. */
+static bool write_certificate(const char *path, const struct scene *s, const struct solved *z, struct diag *d) {
+  slong certified = solved_certified(z);
+  if (certified == 0) {
+    diag_set(d, "%s: error: no orbit is certified, so that there is no certificate to write", s->path);
+    return false;
+  }
+  if (certified < z->list.n)
+    fprintf(stderr, "%s: warning: %ld of %ld orbits are certified; the others are not in the certificate\n", s->path,
+            (long)certified, (long)z->list.n);
+  struct text out;
+  text_init(&out);
+  solved_certificates(&out, z, s);
+  bool written = file_write(path, out.data, out.len, d);
+  text_clear(&out);
+  return written;
+}
+
+static void print_orbits(const struct options *o, const struct solved *z, const struct scene *s, slong digits) {
+  struct text out;
+  text_init(&out);
+  if (option(o, OPT_JSON))
+    orbits_json(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
+  else
+    orbits_text(&out, &z->list, z->proof, s, digits, option(o, OPT_BASIN));
+  if (option(o, OPT_JSON))
+    fputs(text_str(&out), stdout);
+  else
+    terminal_print(text_str(&out));
+  text_clear(&out);
+}
+
+static int show_orbits(const struct options *o, const struct scene *s, slong digits, struct diag *d) {
+  struct solved z;
+  int status = EXIT_AS_RECORDED;
+  const char *certificate = option(o, OPT_CERTIFICATE);
+  bool good = solved_find(&z, s, digits);
+  if (z.found != SS_OK && !z.list.complete)
+    fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s->path);
+  if (!good)
+    diag_set(d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
+             s->path, (long)digits);
+  if (!good || (certificate && !write_certificate(certificate, s, &z, d)))
+    status = bad_input(d);
+  else
+    print_orbits(o, &z, s, digits);
+  solved_clear(&z);
+  return status;
+}
+
 int run_orbit(const struct options *o, const char *data) {
   const char *method = option(o, OPT_METHOD), *certificate = option(o, OPT_CERTIFICATE);
-  enum { ATTEMPTS = 4 };
   slong digits;
   if (option(o, OPT_BASIN) && method) return usage("--basin goes with no %s", "--method");
   if (method && strcmp(method, "paper") == 0) {
@@ -309,44 +313,7 @@ int run_orbit(const struct options *o, const char *data) {
     scene_clear(&s);
     return status;
   }
-  struct dyn_orbits list;
-  slong prec = (slong)((double)digits * 3.33) + 64;
-  int found = audit_orbits(&list, &s, prec);
-  bool good = all_printable(&list, &s, digits);
-  for (int i = 1; !good && i < ATTEMPTS; i++) {
-    dyn_orbits_clear(&list);
-    prec *= 2;
-    found = audit_orbits(&list, &s, prec);
-    good = all_printable(&list, &s, digits);
-  }
-  slong listed = list.n;
-  if (good) audit_orbits_complete(&list, &s, prec);
-  if (list.n > listed) good = all_printable(&list, &s, digits);
-  if (found != SS_OK && !list.complete)
-    fprintf(stderr, "%s: warning: the search ran into its limits; there may be more orbits\n", s.path);
-  if (good) {
-    struct dyn_certificate *proof = certify_orbits(&list, &s);
-    if (scene_solution_ii(&s)) judge_three_phases(&list, proof);
-    struct text out;
-    text_init(&out);
-    if (option(o, OPT_JSON))
-      orbits_json(&out, &list, proof, &s, digits, option(o, OPT_BASIN));
-    else
-      orbits_text(&out, &list, proof, &s, digits, option(o, OPT_BASIN));
-    if (certificate && !write_certificate(certificate, &s, &list, proof, &d))
-      status = bad_input(&d);
-    else if (option(o, OPT_JSON))
-      fputs(text_str(&out), stdout);
-    else
-      terminal_print(text_str(&out));
-    text_clear(&out);
-    certificates_free(proof, list.n);
-  } else {
-    diag_set(&d, "%s: error: an orbit could not be enclosed to %ld digits; more --digits take a higher precision",
-             s.path, (long)digits);
-    status = bad_input(&d);
-  }
-  dyn_orbits_clear(&list);
+  status = show_orbits(o, &s, digits, &d);
   scene_clear(&s);
   return status;
 }

@@ -1,12 +1,11 @@
-/* The numbers of an orbit in the order of the contract; the last two are the bounds of static friction. */
+/* What the forms of stickslip orbit share. */
 #ifndef STICKSLIP_ORBIT_NUMBERS_H
 #define STICKSLIP_ORBIT_NUMBERS_H
 
 #include "base/json.h"
+#include "value/solved.h"
 
-enum { ORBIT_NUMBERS = 12, MOST_BOX_DIGITS = 20 };
-const char *orbit_number_name(int i);
-arb_srcptr orbit_number(const struct dyn_orbit *o, int i);
+enum { MOST_BOX_DIGITS = 20 };
 /* stable, admissible and the violations; u: whether the given u_r1, u_r2 exceed their bounds. */
 void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]);
 /* admissible or not; under which condition, where the scene leaves u_r1 or u_r2 open */

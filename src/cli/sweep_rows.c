@@ -35,7 +35,7 @@ static const char *violation_id(int bit) {
 
 static void head_csv(struct text *out, const struct sweep *q) {
   int n = 0;
-  text_printf(out, "# stickslip " VERSION " sweep\n# scene: %s\n#", q->scene.name);
+  text_printf(out, "# stickslip " SS_VERSION " sweep\n# scene: %s\n#", q->scene.name);
   for (int i = 0; i < N_KEYS; i++) {
     if (!q->scene.given[i] || (i < N_PARAMS && is_swept(q, i))) continue;
     text_printf(out, "%s %s = ", n++ ? "," : "", scene_key_name[i]);

@@ -26,7 +26,7 @@ static void show_progress(void *arg, size_t done, size_t total, double share) {
 
 /* What is trusted beneath, with the versions that run. */
 static void name_software(char *out, size_t size) {
-  snprintf(out, size, "stickslip " VERSION ", FLINT %s, MPFR %s, GSL %s, GMP %s, compiler %s", flint_version,
+  snprintf(out, size, "stickslip " SS_VERSION ", FLINT %s, MPFR %s, GSL %s, GMP %s, compiler %s", flint_version,
            mpfr_get_version(), gsl_version, gmp_version, __VERSION__);
 }
 
@@ -36,7 +36,8 @@ static bool write_reports(const char *folder, const struct audit_result *r, doub
   if (!folder_make(folder, d)) return false;
   name_software(software, sizeof software);
   output_init(&out, folder);
-  bool ok = output_add_report(&out, r, d);
+  struct mutation_score score;
+  bool ok = output_add_report(&out, r, score_beside(&score, folder, r) ? &score : NULL, d);
   report_run(output_add(&out, "run.json"), r, seconds, software);
   output_add_tables(&out, r);
   ok = ok && output_write(&out, d);
@@ -181,8 +182,8 @@ static void load_costs(struct costs *c, const char *data) {
 }
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
-  return load_model(&v->model, data, o, d) && load_claims(&v->claims, data, "claims", "claim", d) &&
-         load_claims(&v->controls, data, "controls", "control", d);
+  return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
+         claims_load_data(&v->controls, data, "controls", "control", d);
 }
 
 int run_verify(const struct options *o, const char *data) {

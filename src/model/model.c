@@ -242,6 +242,28 @@ bool model_add_folder(struct model *m, const char *path, enum rank rank, struct 
   return ok;
 }
 
+bool model_load(struct model *m, const char *data, const char *paper, const char *overlay, struct diag *d) {
+  static const struct {
+    const char *name;
+    enum rank rank;
+    bool (*add)(struct model *m, const char *path, enum rank rank, struct diag *d);
+  } part[] = {{"errata.eq", RANK_ERRATA, model_add_file},
+              {"stable.eq", RANK_STABLE, model_add_file},
+              {"controls", RANK_CONTROL, model_add_folder}};
+  struct text path;
+  text_init(&path);
+  text_printf(&path, "%s/paper", data);
+  bool ok = model_add_folder(m, paper ? paper : text_str(&path), RANK_PAPER, d);
+  ok = ok && (!overlay || model_add_file(m, overlay, RANK_USER, d));
+  for (size_t i = 0; ok && i < sizeof part / sizeof *part; i++) {
+    text_reset(&path);
+    text_printf(&path, "%s/%s", data, part[i].name);
+    ok = part[i].add(m, text_str(&path), part[i].rank, d);
+  }
+  text_clear(&path);
+  return ok;
+}
+
 /* Whether the view sees something of this rank, equation and record. */
 static bool sees(const struct view *v, enum rank rank, const char *equation, const char *id) {
   bool stable = v->layer == LAYER_STABLE || (v->model->stable && v->layer == LAYER_CORRECTED);

@@ -85,6 +85,10 @@ void model_clear(struct model *m);
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
 
+/* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the errata, the
+   stable forms and the controls' damages, by rank. */
+bool model_load(struct model *m, const char *data, const char *paper, const char *overlay, struct diag *d);
+
 /* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL) is read as
    printed; controls with the id `control` (may be NULL) on top. */
 struct view {

@@ -118,7 +118,7 @@ int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct 
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
 /* The same two by central differences in double precision, extrapolated from two steps; the step is chosen by the least
    estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each; err
-   has an element for each direction, and one, of the worst entry, for the whole map: truncation (from the change between
+   has an element for each direction, and one (or NULL), of the worst entry, for the whole map: truncation (from the change between
    steps, about 15 times too large) plus rounding (from measured noise). */
 int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
                             const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);

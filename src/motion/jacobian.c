@@ -315,7 +315,7 @@ int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS
   }
   if (!status) status = differentiate_doubles(column, worst, &map, start, jitter, unit, 2);
   for (int i = 0; i < 4 && !status; i++) j[i] = column[2 * (i % 2) + i / 2];
-  if (!status) *err = fmax(worst[0], worst[1]);
+  if (!status && err) *err = fmax(worst[0], worst[1]);
   dyn_arc_clear(&arc);
   num_vec_clear(&p);
   return status;

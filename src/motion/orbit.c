@@ -265,6 +265,7 @@ static int finish(struct dyn_orbit *o, truth *first, long *raises, const fmpq *p
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
                    const struct dyn_limits *lim) {
   struct solution s;
+  if (!lim) lim = &dyn_limits_default;
   solution_init(&s);
   dyn_orbit_init(o);
   arb_set_d(s.x[0], tb);

@@ -47,7 +47,7 @@ int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const d
 /* The orbit near (t_b, t_c) enclosed, each of its numbers to prec relative bits where its conditioning allows, and everything
    about it decided, as dyn_orbits_find does; some tens of microseconds.  up: phase C ends above (z_20 > z_10), else below.
    *first: whether t_b and t_c are proved to be first roots and phase C to go that way.  SS_UNABLE: no single solution is
-   proved near there.  The orbit is to be cleared whatever the status is. */
+   proved near there.  The orbit is to be cleared whatever the status is.  lim may be NULL. */
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
                    const struct dyn_limits *lim);
 void dyn_orbit_clear(struct dyn_orbit *o);

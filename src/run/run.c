@@ -2,7 +2,6 @@
    need nothing of each other; then, since they speak of verdicts, the consequences of failures and the controls.  Parts are put
    together in the order of the report, so that the result is the same whoever did them. */
 #include "run.h"
-#include "tables.h"
 
 #include <stdlib.h>
 #include <string.h>

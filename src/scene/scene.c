@@ -49,6 +49,7 @@ struct reader {
   struct arena arena;
   struct parameter parameter[N_KEYS];
   bool overridden[N_SCENE_KEYS], read[N_SCENE_KEYS];
+  const char *text; /* NULL: read from the scene's path */
   const struct source *file;
   enum scene_key chain[N_KEYS]; /* parameters in evaluation, each referred to by the one before */
   int n_chain, depth;
@@ -471,10 +472,22 @@ static const struct source *keep_source(struct scene *s, const struct source *sr
   return kept;
 }
 
+/* The same demands on a text as source_read makes on a file. */
+static bool take_text(struct source *src, struct reader *r) {
+  size_t len = strlen(r->text);
+  if (len > MAX_SCENE_FILE)
+    diag_set(r->d, "%.300s: error: longer than %d bytes", r->s->path, MAX_SCENE_FILE);
+  else if (text_valid_prefix(r->text, len) < len)
+    diag_set(r->d, "%.300s: error: not UTF-8 text", r->s->path);
+  else
+    source_from_string(src, r->s->path, r->text);
+  return !r->d->set;
+}
+
 static bool read_file(struct reader *r) {
   struct source src;
   struct record_file f;
-  if (!source_read(&src, r->s->path, MAX_SCENE_FILE, r->d)) return false;
+  if (!(r->text ? take_text(&src, r) : source_read(&src, r->s->path, MAX_SCENE_FILE, r->d))) return false;
   r->file = keep_source(r->s, &src);
   source_from_string(&src, r->file->name, r->file->text);
   bool ok = record_file_parse(&f, src, r->d) && read_fields(r, &f);
@@ -559,18 +572,33 @@ bool scene_one_point(const struct scene *s, struct diag *d) {
   return true;
 }
 
-bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
-                     struct diag *d) {
+static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,
+                 bool any, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
   for (int k = 0; k < N_KEYS; k++) fmpq_init(&s->value[k]);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_init(&s->high[k]);
   scene_set_names(s, spec, data, o);
   s->title = ss_strdup("");
-  struct reader r = {.s = s, .d = d};
+  struct reader r = {.s = s, .d = d, .text = text};
   arena_init(&r.arena);
   bool ok = read_all(&r, o);
   arena_clear(&r.arena);
   return ok && (any || (scene_one_point(s, d) && scene_papers_word(s, d)));
+}
+
+bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
+                     struct diag *d) {
+  return load(s, spec, NULL, data, o, any, d);
+}
+
+bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o, bool any,
+                     struct diag *d) {
+  struct text path;
+  text_init(&path);
+  text_printf(&path, "%s.scene", name);
+  bool ok = load(s, text_str(&path), text, "", o, any, d);
+  text_clear(&path);
+  return ok;
 }
 
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {

@@ -161,6 +161,9 @@ struct scene {
    cannot be shown become "?" in the scene's.  o may be NULL; any: intervals and other words than the paper's are welcome. */
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
                      struct diag *d);
+/* The same from a text of at most MAX_SCENE_FILE bytes, which stands in no file; name is what it is called. */
+bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o, bool any,
+                     struct diag *d);
 /* The same without overrides, and without or with intervals and other words. */
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
 bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d);

@@ -8,7 +8,10 @@ bool expression_open(struct expression *x, struct view view, const char *express
   elaboration_init(&x->el, view, NULL, 0);
   bool ok = elaborate_text(&m, &x->el, expression, expression, section ? section : "", d) &&
             m.rows * m.cols <= EXPRESSION_MOST && elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
-  if (ok) x->n = m.rows * m.cols;
+  if (ok) {
+    x->rows = m.rows;
+    x->n = m.rows * m.cols;
+  }
   return ok;
 }
 

@@ -10,7 +10,7 @@ enum { EXPRESSION_MOST = 16 }; /* entries */
 struct expression {
   struct elaboration el;
   struct tape tape;
-  int n; /* entries */
+  int n, rows; /* entries, and rows of them */
 };
 /* false with d set, or when it has too many entries; close it all the same. */
 bool expression_open(struct expression *x, struct view view, const char *expression, const char *section,

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "run/audit.h"
+#include "audit.h"
 
 enum { MAX_COSTS_FILE = 1 << 20 };
 

@@ -1,0 +1,58 @@
+/* The library: the public functions of include/stickslip over the rooms of the program.  One file for each public header,
+   which holds the contracts.  This header is what they share: how they fail, and the handles that more than one of them looks into. */
+#ifndef STICKSLIP_LIBRARY_H
+#define STICKSLIP_LIBRARY_H
+
+#include "model/model.h"
+#include "route/jacobian.h"
+#include "run/audit.h"
+#include "stickslip.h"
+#include "value/coulomb_setup.h"
+#include "value/solved.h"
+
+/* Keeps the message for ss_error() and returns the status. */
+int library_fail(int status, const char *fmt, ...) SS_PRINTF(2, 3);
+/* SS_INPUT, with the diagnostic's message. */
+int library_input(const struct diag *d);
+/* SS_ARGUMENT, about a function. */
+int library_argument(const char *function, const char *what);
+/* Is it a number of digits that there can be?  SS_OK or SS_ARGUMENT. */
+int library_digits(const char *function, size_t digits, size_t most);
+enum { LIBRARY_DIGITS = MOST_SCENE_DIGITS };
+/* The text's memory becomes the caller's. */
+char *library_take(struct text *t);
+/* data, or where the data is; NULL, with the message kept, when it is nowhere. */
+const char *library_data(const char *data);
+
+/* One of the two; borrowed from the handle that it is part of. */
+struct ss_number {
+  arb_srcptr ball;
+  const fmpq *exact;
+};
+
+struct ss_scene {
+  struct scene s;
+  char *spec, *text, *data; /* how it was asked for; text or data is NULL */
+  char **set;               /* its changes, "e2=1/2" */
+  int n_set;
+  struct ss_number parameter[N_KEYS], *printed;
+};
+/* One exact set of parameters, of the paper's word?  SS_OK or SS_INPUT; forces: that gives e1 and e2. */
+int library_point(const struct ss_scene *s, bool papers_word, bool forces);
+
+struct ss_paper {
+  struct model model;
+  struct claims claims, controls;
+};
+
+/* One of chi, eta, V, e1, e2, and what it runs through, as a scene with these e1 and e2 allows; an SS_ status. */
+struct library_line {
+  int vary;
+  fmpq_t from, to;
+};
+void library_line_init(struct library_line *l);
+void library_line_clear(struct library_line *l);
+int library_line_read(struct library_line *l, const struct ss_scene *s, const char *parameter, const char *from,
+                      const char *to);
+
+#endif

@@ -1,0 +1,135 @@
+/* Orbits to the digits asked for: the precision doubles until every number of every orbit has them; then what the search may
+   have missed, then the proofs. */
+#include "solved.h"
+
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+static const struct {
+  const char *name;
+  size_t offset;
+  const char *meaning;
+} numbers[ORBIT_NUMBERS] = {
+#define NUMBER(name, member, meaning) {name, offsetof(struct dyn_orbit, member), meaning},
+    DYN_ORBIT_NUMBERS(NUMBER)
+#undef NUMBER
+};
+
+const char *orbit_number_name(int i) {
+  return numbers[i].name;
+}
+
+const char *orbit_number_meaning(int i) {
+  return numbers[i].meaning;
+}
+
+arb_srcptr orbit_number(const struct dyn_orbit *o, int i) {
+  return (arb_srcptr)(const void *)((const char *)o + numbers[i].offset);
+}
+
+const fmpq *scene_given_number(const struct scene *s, int i) {
+  for (int k = KEY_E1; k <= KEY_TD; k++)
+    if (s->given[k] && strcmp(scene_key_name[k], numbers[i].name) == 0) return &s->value[k];
+  return NULL;
+}
+
+static bool all_printable(const struct dyn_orbits *list, const struct scene *s, slong digits) {
+  struct text t;
+  text_init(&t);
+  bool ok = true;
+  for (slong k = 0; k < list->n; k++)
+    for (int i = 0; ok && i < ORBIT_NUMBERS; i++) {
+      text_reset(&t);
+      ok = scene_given_number(s, i) || num_print(&t, orbit_number(&list->orbit[k], i), digits) == SS_OK;
+    }
+  text_clear(&t);
+  return ok;
+}
+
+bool solved_find(struct solved *z, const struct scene *s, slong digits) {
+  enum { ATTEMPTS = 4 };
+  slong prec = (slong)((double)digits * 3.33) + 64;
+  z->proof = NULL;
+  z->found = audit_orbits(&z->list, s, prec);
+  bool good = all_printable(&z->list, s, digits);
+  for (int i = 1; !good && i < ATTEMPTS; i++) {
+    dyn_orbits_clear(&z->list);
+    prec *= 2;
+    z->found = audit_orbits(&z->list, s, prec);
+    good = all_printable(&z->list, s, digits);
+  }
+  slong listed = z->list.n;
+  if (good) audit_orbits_complete(&z->list, s, prec);
+  if (z->list.n > listed) good = all_printable(&z->list, s, digits);
+  if (good) solved_prove(z, s);
+  return good;
+}
+
+/* The scene as a question; value borrows from it. */
+static void question_of(struct dyn_question *q, enum dyn_quantity which[2], fmpq value[2], const struct scene *s) {
+  int n = 0;
+  *q = (struct dyn_question){.model = s->value + KEY_CHI, .value = value, .which = which};
+  for (int k = KEY_E1; k <= KEY_TD && n < 2; k++) {
+    if (!s->given[k]) continue;
+    which[n] = (enum dyn_quantity)(QUANTITY_E1 + (k - KEY_E1));
+    value[n++] = s->value[k];
+  }
+  for (int i = 0; i < 2; i++) q->u_r[i] = s->given[KEY_U_R1 + i] ? &s->value[KEY_U_R1 + i] : NULL;
+}
+
+void solved_prove(struct solved *z, const struct scene *s) {
+  struct dyn_question q;
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  z->proof = ss_malloc((size_t)(z->list.n + 1) * sizeof *z->proof);
+  question_of(&q, which, value, s);
+  for (slong i = 0; i < z->list.n; i++) {
+    struct dyn_orbit *o = &z->list.orbit[i];
+    dyn_certificate_init(&z->proof[i]);
+    dyn_certify(&z->proof[i], &q, o);
+    if (!z->proof[i].certified) continue;
+    o->stable = z->proof[i].stable;
+    for (int k = 0; k < N_CONDITIONS; k++) o->holds[k] = z->proof[i].holds[k];
+  }
+  if (scene_solution_ii(s)) judge_three_phases(&z->list, z->proof);
+}
+
+void solved_clear(struct solved *z) {
+  for (slong i = 0; z->proof && i < z->list.n; i++) dyn_certificate_clear(&z->proof[i]);
+  free(z->proof);
+  dyn_orbits_clear(&z->list);
+}
+
+slong solved_certified(const struct solved *z) {
+  slong n = 0;
+  for (slong i = 0; i < z->list.n; i++) n += z->proof[i].certified;
+  return n;
+}
+
+void solved_certificates(struct text *out, const struct solved *z, const struct scene *s) {
+  struct dyn_question q;
+  enum dyn_quantity which[2];
+  fmpq value[2];
+  question_of(&q, which, value, s);
+  dyn_certificates_json(out, s->name, &q, &z->list, z->proof);
+}
+
+/* Does a given u_r exceed its bound?  TRUE too where the scene gives none: some u_r does. */
+static truth friction_holds(const struct scene *s, int key, arb_srcptr min) {
+  if (!s->given[key]) return TRUTH_TRUE;
+  arb_t u;
+  arb_init(u);
+  arb_set_fmpq(u, &s->value[key], 1024);
+  truth t = arb_gt(u, min) ? TRUTH_TRUE : arb_le(u, min) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  arb_clear(u);
+  return t;
+}
+
+truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o) {
+  u[0] = friction_holds(s, KEY_U_R1, o->u_r1_min);
+  u[1] = friction_holds(s, KEY_U_R2, o->u_r2_min);
+  return truth_and(o->admissible, truth_and(u[0], u[1]));
+}
