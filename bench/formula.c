@@ -8,8 +8,6 @@
 
 struct program {
   struct elaboration el;
-  struct arena arena;
-  struct source src;
   struct tape tape;
   struct num_vec in;
   int *symbol; /* of each input */
@@ -37,8 +35,7 @@ static bool compile(struct program *p, const struct bench_formula *f) {
   struct matrix m;
   struct diag d;
   diag_init(&d);
-  const struct expr *e = expr_parse(&p->arena, &p->src, (struct span){0, p->src.len}, &d);
-  if (!e || !elaborate(&m, &p->el, e, &p->src, f->section, &d) || m.rows * m.cols != f->n_out) return false;
+  if (!elaborate_text(&m, &p->el, f->text, f->text, f->section, &d) || m.rows * m.cols != f->n_out) return false;
   return tape_build(&p->tape, m.e, f->n_out, p->el.roots, f->roots ? p->el.n_roots : 0, &d) && bind_symbols(p, f);
 }
 
@@ -49,8 +46,6 @@ void *bench_formula_open(const struct bench_method *m, double setting, const str
   struct program *p = ss_malloc(sizeof *p);
   *p = (struct program){.tape = {.n = 0}};
   elaboration_init(&p->el, (struct view){env->model, f->stable ? LAYER_STABLE : LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  arena_init(&p->arena);
-  source_from_string(&p->src, f->text, f->text);
   bool good = compile(p, f);
   num_vec_init(&p->in, p->tape.n_inputs, num_ctx_double());
   if (good) return p;
@@ -63,8 +58,6 @@ void bench_formula_close(void *self) {
   num_vec_clear(&p->in);
   free(p->symbol);
   tape_clear(&p->tape);
-  source_clear(&p->src);
-  arena_clear(&p->arena);
   elaboration_clear(&p->el);
   free(p);
 }

@@ -16,6 +16,7 @@ int main(void) {
   SRunner *r = srunner_create(base_suite());
   srunner_add_suite(r, tex_suite());
   srunner_add_suite(r, num_suite());
+  srunner_add_suite(r, solve_suite());
   srunner_add_suite(r, expr_suite());
   srunner_add_suite(r, edit_suite());
   srunner_add_suite(r, tape_suite());

@@ -71,16 +71,12 @@ static struct view printed_view(void) {
 
 /* The value of a formula in el; NULL with d set when it has none. */
 static const struct matrix *value_in(struct view v, const char *section, const char *formula, struct diag *d) {
-  struct source src;
   struct matrix *m = arena_alloc(&arena, sizeof *m);
   elaboration_clear(&el);
   elaboration_init(&el, v, NULL, 0);
   diag_init(d);
-  source_from_string(&src, "e", formula);
-  const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(m, &el, e, &src, section, d);
+  bool ok = elaborate_text(m, &el, "e", formula, section, d);
   ck_assert(ok != d->set);
-  source_clear(&src);
   return ok ? m : NULL;
 }
 
@@ -803,16 +799,12 @@ START_TEST(overridden_matrices) {
       {"f(s)", "s + 1"}, /* a parameter hides it */
   };
   for (size_t i = 0; i < sizeof c / sizeof *c; i++) {
-    struct source src;
     struct matrix m;
     struct diag d;
     diag_init(&d);
     elaboration_clear(&el);
     elaboration_init(&el, printed_view(), o, 2);
-    source_from_string(&src, "e", c[i][0]);
-    const struct expr *e = expr_parse(&arena, &src, (struct span){0, src.len}, &d);
-    ck_assert_msg(e && elaborate(&m, &el, e, &src, "", &d), "%s", d.message);
-    source_clear(&src);
+    ck_assert_msg(elaborate_text(&m, &el, "e", c[i][0], "", &d), "%s", d.message);
     ck_assert_str_eq(spell(&m), c[i][1]);
   }
 }

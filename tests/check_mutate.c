@@ -64,29 +64,23 @@ static unsigned below(unsigned n) {
   return (unsigned)(random_state >> 33) % n;
 }
 
-static void build(struct tape *t, struct elaboration *el, struct arena *a, struct source *src, const char *text) {
+static void build(struct tape *t, struct elaboration *el, const char *text) {
   struct diag d;
   struct matrix m;
   diag_init(&d);
-  source_from_string(src, "test", text);
   elaboration_init(el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  const struct expr *e = expr_parse(a, src, (struct span){0, src->len}, &d);
-  ck_assert_msg(e && elaborate(&m, el, e, src, "appendix_a", &d) && elaboration_tape(t, el, m.e, m.rows * m.cols, &d),
-                "%s", d.message);
+  ck_assert_msg(elaborate_tape(t, &m, el, "test", text, "appendix_a", &d), "%s", d.message);
 }
 
 /* Whether the two texts are proved equal; status: of both evaluations together. */
 static bool proved_equal(const char *x, const char *y, int *status) {
   struct tape t[2];
   struct elaboration el[2];
-  struct source src[2];
-  struct arena a;
   struct exact_vec v[2];
-  arena_init(&a);
   struct exact_field *f = exact_field_new(NULL, 0);
   *status = SS_OK;
   for (int i = 0; i < 2; i++) {
-    build(&t[i], &el[i], &a, &src[i], i ? y : x);
+    build(&t[i], &el[i], i ? y : x);
     *status |= exact_eval(&v[i], f, &t[i]);
   }
   bool equal = *status == SS_OK && v[0].len == v[1].len;
@@ -95,10 +89,8 @@ static bool proved_equal(const char *x, const char *y, int *status) {
     exact_vec_clear(&v[i]);
     tape_clear(&t[i]);
     elaboration_clear(&el[i]);
-    source_clear(&src[i]);
   }
   exact_field_free(f);
-  arena_clear(&a);
   return equal;
 }
 

@@ -386,16 +386,9 @@ START_TEST(small_times_keep_their_digits) {
     struct tape t;
     struct matrix m;
     struct diag d;
-    struct source src;
-    struct arena a;
     diag_init(&d);
-    arena_init(&a);
-    source_from_string(&src, "test", value[k]);
     elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-    const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-    ck_assert_msg(e && elaborate(&m, &el, e, &src, "validation", &d) &&
-                      elaboration_tape(&t, &el, m.e, m.rows * m.cols, &d),
-                  "%s", d.message);
+    ck_assert_msg(elaborate_tape(&t, &m, &el, "test", value[k], "validation", &d), "%s", d.message);
     num_vec_init(&in, f.tape.n_inputs, num_ctx_double());
     num_vec_init(&out, f.n, num_ctx_double());
     num_vec_init(&exact_in, t.n_inputs, num_ctx_arb(2000));
@@ -424,8 +417,6 @@ START_TEST(small_times_keep_their_digits) {
     num_vec_clear(&in);
     tape_clear(&t);
     elaboration_clear(&el);
-    source_clear(&src);
-    arena_clear(&a);
     extreme_form_clear(&f);
   }
 }
@@ -673,25 +664,18 @@ END_TEST
 
 static int value_in(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *text) {
   struct elaboration el;
-  struct arena a;
-  struct source src;
   struct matrix m;
   struct tape t;
   struct diag d;
   struct exact_vec v;
   diag_init(&d);
-  arena_init(&a);
-  source_from_string(&src, "test", text);
   elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  ck_assert_msg(e && elaborate(&m, &el, e, &src, "", &d) && elaboration_tape(&t, &el, m.e, 1, &d), "%s", d.message);
+  ck_assert_msg(elaborate_tape(&t, &m, &el, "test", text, "", &d), "%s", d.message);
   int s = exact_eval(&v, f, &t);
   if (s == SS_OK) num_exact.set(z, &v.x[0]);
   exact_vec_clear(&v);
   tape_clear(&t);
   elaboration_clear(&el);
-  source_clear(&src);
-  arena_clear(&a);
   return s;
 }
 

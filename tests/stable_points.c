@@ -8,14 +8,10 @@
 /* --- Forms --- */
 
 static void read_value(struct matrix *out, struct elaboration *el, const char *value, const char *section) {
-  struct source src;
   struct diag d;
   diag_init(&d);
-  source_from_string(&src, value, value);
-  const struct expr *e = expr_parse(&el->pool.arena, &src, (struct span){0, src.len}, &d);
-  ck_assert_msg(e && elaborate(out, el, e, &src, section, &d), "%s: %s", value, d.message);
+  ck_assert_msg(elaborate_text(out, el, value, value, section, &d), "%s: %s", value, d.message);
   ck_assert_int_le(out->rows * out->cols, MOST_ENTRIES);
-  source_clear(&src);
 }
 
 void extreme_form_init(struct extreme_form *f, const struct model *m, enum layer layer, const char *value,

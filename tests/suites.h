@@ -7,6 +7,7 @@
 Suite *base_suite(void);
 Suite *tex_suite(void);
 Suite *num_suite(void);
+Suite *solve_suite(void);
 Suite *expr_suite(void);
 Suite *edit_suite(void);
 Suite *tape_suite(void);

@@ -139,6 +139,9 @@ void elaboration_clear(struct elaboration *el);
    positions) on failure. */
 bool elaborate(struct matrix *out, struct elaboration *el, const struct expr *e, const struct source *src,
                const char *section, struct diag *d);
+/* The same of an expression as text; messages call it by that name. */
+bool elaborate_text(struct matrix *out, struct elaboration *el, const char *called, const char *text,
+                    const char *section, struct diag *d);
 /* The elaborated value of a name (no argument). */
 bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d);
 /* Both sides of step k of a relation in one shape (a literal 0 takes the other's shape). */
@@ -152,6 +155,10 @@ const struct definition *elaboration_used(const struct elaboration *el, size_t i
 /* The tape of scalars of this elaboration, with the roots it has met. */
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
                       struct diag *d);
+
+/* The way from text to tape: what elaborate_text makes of it, and a tape with an output for each entry.  t is empty when false. */
+bool elaborate_tape(struct tape *t, struct matrix *out, struct elaboration *el, const char *called, const char *text,
+                    const char *section, struct diag *d);
 
 /* Elaborates every definition and statement that the view sees: names, shapes, roots. */
 bool view_check(struct view v, struct diag *d);

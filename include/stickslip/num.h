@@ -82,6 +82,10 @@ const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
 slong num_exact_terms(const fmpz_mpoly_q_struct *x);
 /* How many terms their product, quotient or (sum) sum or difference can have. */
 slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y, bool sum);
+/* The value where the generators have those NUM_EXACT_GENERATORS values; of a quotient SS_DOMAIN where its denominator is
+   zero. */
+void num_exact_polynomial_at(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *value);
+int num_exact_at(fmpq_t z, const fmpz_mpoly_q_struct *x, const fmpq *value);
 
 /* An array of elements with the context they were made in. */
 struct num_vec {

@@ -73,16 +73,9 @@ static void add_symbols(struct reach *r, const struct elaboration *el, const str
 static void reach_text(struct reach *r, struct elaboration *el, const char *text, const char *section) {
   if (!text) return;
   struct diag d;
-  struct arena a;
-  struct source src;
   struct matrix m;
   diag_init(&d);
-  arena_init(&a);
-  source_from_string(&src, text, text);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  if (e && elaborate(&m, el, e, &src, section, &d) && r->number) add_symbols(r, el, &m);
-  source_clear(&src);
-  arena_clear(&a);
+  if (elaborate_text(&m, el, text, text, section, &d) && r->number) add_symbols(r, el, &m);
 }
 
 static void reach_record(struct elaboration *el, const struct view *v, const char *id) {

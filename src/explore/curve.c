@@ -9,6 +9,7 @@
 #include "curve.h"
 #include "motion/orbit_judge.h"
 #include "num/pi.h"
+#include "num/solve.h"
 
 const char *const dyn_change_id[N_CHANGES] = {
     [CHANGE_FLIP] = "flip",         [CHANGE_FOLD] = "fold",       [CHANGE_TA] = "t_a",    [CHANGE_H_V2] = "h_v2",
@@ -198,86 +199,66 @@ int view_touch(arb_t time, struct view *v, enum dyn_change what, bool prove) {
 
 /* --- The three equations. --- */
 
-/* f (or NULL) and its Jacobian at x; time moves along with a touch. */
-static int system_at(arb_mat_t *f, arb_mat_t j, arb_t time, const struct curve *b, enum dyn_change what, arb_srcptr x,
-                     slong prec) {
+/* A point that a change singles out. */
+struct point {
+  const struct curve *curve;
+  enum dyn_change what;
+  arb_ptr time; /* moves along with a touch */
   struct view v;
-  int status = view_open(&v, b, x, prec);
-  if (!status) status = view_touch(time, &v, what, false);
-  const val rows[3] = {v.s.pc, v.s.defect, status ? NULL : view_change(&v, what, time)};
-  if (!rows[2]) status |= SS_UNABLE;
-  for (int i = 0; i < 3 && !status; i++) {
-    if (f) arb_set(arb_mat_entry(*f, i, 0), dual_value(rows[i]));
-    for (int k = 0; k < 3; k++) arb_set(arb_mat_entry(j, i, k), view_slope(&v, rows[i], k));
+  bool open;
+  int quiet; /* small steps of Newton's iteration on end */
+};
+
+static void point_close(struct point *p) {
+  if (p->open) view_close(&p->v);
+  p->open = false;
+}
+
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct point *p = self;
+  point_close(p);
+  int status = view_open(&p->v, p->curve, num_vec_at(x, 0), x->ctx.prec);
+  p->open = true;
+  if (!status) status = view_touch(p->time, &p->v, p->what, false);
+  const val rows[3] = {p->v.s.pc, p->v.s.defect, status ? NULL : view_change(&p->v, p->what, p->time)};
+  if (!rows[2]) return status | SS_UNABLE;
+  for (int i = 0; i < 3; i++) {
+    if (f) f[i] = dual_value(rows[i]);
+    for (int k = 0; k < 3; k++) j[3 * i + k] = view_slope(&p->v, rows[i], k);
   }
-  status |= v.c.status;
-  view_close(&v);
-  return status;
+  return p->v.c.status;
+}
+
+static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct point *p = self;
+  p->quiet++;
+  for (int k = 0; k < 3; k++)
+    if (arf_cmpabs_2exp_si(arb_midref((arb_srcptr)num_vec_at(step, k)), -x->ctx.prec / 2) > 0) p->quiet = 0;
+  return p->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 
 int curve_newton(arb_ptr x, arb_t time, const struct curve *b, enum dyn_change what, slong prec) {
-  arb_mat_t f, j;
-  int status = SS_OK, quiet = 0;
-  arb_mat_init(f, 3, 1);
-  arb_mat_init(j, 3, 3);
-  for (int i = 0; i < 60 && !status && quiet < 2; i++) {
-    for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
-    status = system_at(&f, j, time, b, what, x, prec);
-    if (!status && !arb_mat_solve(f, j, f, prec)) status = SS_UNABLE;
-    quiet++;
-    for (int k = 0; k < 3 && !status; k++) {
-      arb_ptr step = arb_mat_entry(f, k, 0);
-      arb_get_mid_arb(step, step);
-      arb_sub(x + k, x + k, step, prec);
-      arb_get_mid_arb(x + k, x + k);
-      if (arf_cmpabs_2exp_si(arb_midref(step), -prec / 2) > 0) quiet = 0;
-    }
-  }
-  arb_mat_clear(j);
-  arb_mat_clear(f);
-  return quiet == 2 ? status : status | SS_UNABLE;
+  struct point p = {.curve = b, .what = what, .time = time};
+  struct solve_system system = {3, values, &p};
+  struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
+  for (int k = 0; k < 3; k++) arb_get_mid_arb(x + k, x + k);
+  int status = newton_run(&at, &system, at.ctx, 60, settles);
+  point_close(&p);
+  return status;
 }
 
 int curve_prove_zero(arb_ptr x, const struct curve *b, enum dyn_change what, slong prec) {
-  arb_mat_t f, j, y, rest, off;
-  arb_mat_init(f, 3, 1);
-  arb_mat_init(off, 3, 1);
-  arb_mat_init(j, 3, 3);
-  arb_mat_init(y, 3, 3);
-  arb_mat_init(rest, 3, 3);
-  arb_ptr box = _arb_vec_init(3);
-  int status = system_at(&f, j, NULL, b, what, x, prec);
-  bool ok = !status && arb_mat_inv(y, j, prec) != 0, proved = false;
-  arb_mat_get_mid(y, y);
-  if (ok) arb_mat_mul(f, y, f, prec);
-  for (int i = 0; i < 12 && ok && !proved; i++) {
-    for (int k = 0; k < 3; k++) {
-      arb_set(box + k, x + k);
-      arb_get_mag(arb_radref(box + k), arb_mat_entry(f, k, 0));
-      mag_mul_2exp_si(arb_radref(box + k), arb_radref(box + k), 1 + 3 * i);
-      arb_add_error_2exp_si(box + k, -prec + 16); /* where Newton's step is zero */
-      arb_sub(arb_mat_entry(off, k, 0), box + k, x + k, prec);
-    }
-    ok = system_at(NULL, j, NULL, b, what, box, prec) == SS_OK;
-    arb_mat_mul(rest, y, j, prec);
-    arb_mat_neg(rest, rest);
-    for (int k = 0; k < 3; k++) arb_add_si(arb_mat_entry(rest, k, k), arb_mat_entry(rest, k, k), 1, prec);
-    arb_mat_mul(off, rest, off, prec);
-    arb_mat_sub(off, off, f, prec);
-    proved = ok;
-    for (int k = 0; k < 3 && proved; k++) {
-      arb_add(arb_mat_entry(off, k, 0), arb_mat_entry(off, k, 0), x + k, prec);
-      proved = arb_contains_interior(box + k, arb_mat_entry(off, k, 0));
-    }
-  }
-  for (int k = 0; k < 3 && proved; k++) arb_set(x + k, arb_mat_entry(off, k, 0));
-  _arb_vec_clear(box, 3);
-  arb_mat_clear(rest);
-  arb_mat_clear(y);
-  arb_mat_clear(j);
-  arb_mat_clear(off);
-  arb_mat_clear(f);
-  return proved ? SS_OK : SS_UNABLE;
+  struct point p = {.curve = b, .what = what};
+  struct solve_system system = {3, values, &p};
+  struct num_vec at = {num_ctx_arb(prec), 3, (char *)x};
+  struct krawczyk k;
+  krawczyk_init(&k, &system, prec);
+  int status = krawczyk_centre(&k, &at);
+  if (!status) status = krawczyk_grow(&k);
+  if (!status) num_vec_set(&at, &k.image);
+  krawczyk_clear(&k);
+  point_close(&p);
+  return status;
 }
 
 /* df/dp + (df/dt_b, df/dt_c) . d(t_b, t_c)/dp, the last from the two equations. */

@@ -7,6 +7,7 @@
 
 #include "curve.h"
 #include "motion/orbit_judge.h"
+#include "num/solve.h"
 
 void tube_init(struct tube *t) {
   for (int i = 0; i < N_PARAMS; i++) arb_init(&t->p[i]);
@@ -49,168 +50,114 @@ static void look(struct ball_pass *s, struct calc *c, struct ball_params *m, con
   ball_pass_make(s, c, m, dual_variable(c, x, DIR_TB), dual_variable(c, x + 1, DIR_TC), t->up);
 }
 
-/* y: the inverse of the Jacobian, its midpoints; f: the residuals. */
-struct linear {
-  arb_mat_t y, f;
+/* The two equations as a system in (t_b, t_c), for every point of the tube's parameters or at their middle alone. */
+struct equations {
+  const struct tube *t;
+  struct calc c;
+  bool middle;
+  int quiet; /* small steps of Newton's iteration on end */
 };
 
-static bool linear_make(struct linear *l, const struct ball_pass *s, slong prec) {
+/* f += dF/dp (p - p0), dF/dp over the box of parameters: the values there by their mean value form. */
+static void spread(const void **f, struct equations *e, arb_srcptr x) {
+  struct ball_params m;
+  struct ball_pass s;
+  arb_t off;
+  arb_init(off);
+  look(&s, &e->c, &m, e->t, x, false);
+  const val all[2] = {s.pc, s.defect};
+  for (int k = 0; k < 2; k++) {
+    struct dual *sum = calc_new(&e->c);
+    arb_set(&sum->v, f[k]);
+    for (int i = 0; i < N_PARAMS; i++) {
+      mag_set(arb_radref(off), arb_radref(&e->t->p[i]));
+      arb_addmul(&sum->v, dual_slope(all[k], i), off, e->c.ctx.prec);
+    }
+    f[k] = &sum->v;
+  }
+  arb_clear(off);
+}
+
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct equations *e = self;
+  struct ball_params m;
+  struct ball_pass s;
+  calc_release(&e->c, 0);
+  e->c.status = SS_OK;
+  look(&s, &e->c, &m, e->t, num_vec_at(x, 0), e->middle || f);
+  const val both[2] = {s.pc, s.defect};
+  for (int i = 0; i < 2; i++) {
+    if (f) f[i] = dual_value(both[i]);
+    for (int k = 0; k < 2; k++) j[2 * i + k] = dual_slope(both[i], DIR_TB + k);
+  }
+  if (f && !e->middle && !e->c.status) spread(f, e, num_vec_at(x, 0));
+  return e->c.status;
+}
+
+static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct equations *e = self;
+  e->quiet++;
+  for (int k = 0; k < 2; k++) {
+    arf_srcptr by = arb_midref((arb_srcptr)num_vec_at(step, k)), at = arb_midref((arb_srcptr)num_vec_at(x, k));
+    slong size = arf_is_zero(by) ? -ARF_PREC_EXACT : arf_abs_bound_lt_2exp_si(by);
+    if (size > arf_abs_bound_lt_2exp_si(at) - x->ctx.prec / 2) e->quiet = 0;
+  }
+  return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
+}
+
+int tube_newton(struct tube *t, slong prec) {
+  struct equations e = {.t = t, .middle = true};
+  struct solve_system system = {2, values, &e};
+  struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
+  for (int k = 0; k < 2; k++) arb_get_mid_arb(&t->x[k], &t->x[k]);
+  calc_init(&e.c, dual_ctx(prec));
+  int status = newton_run(&x, &system, x.ctx, 60, settles);
+  calc_clear(&e.c);
+  return status;
+}
+
+int tube_prove(struct tube *t, slong prec) {
+  struct equations e = {.t = t};
+  struct solve_system system = {2, values, &e};
+  struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
+  struct krawczyk k;
+  int status = tube_newton(t, prec);
+  if (status) return status;
+  calc_init(&e.c, dual_ctx(prec));
+  krawczyk_init(&k, &system, prec);
+  status = krawczyk_centre(&k, &x);
+  if (!status) status = krawczyk_follow(&k, -3);
+  for (int i = 0; i < 2 && !status; i++) {
+    arb_swap(&t->x[i], num_vec_at(&k.image, i));
+    arb_swap(&t->box[i], num_vec_at(&k.box, i));
+  }
+  krawczyk_clear(&k);
+  calc_clear(&e.c);
+  return status;
+}
+
+/* d(t_b, t_c)/dp over the tube; false where the Jacobian cannot be inverted. */
+static bool motion_of(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
   const val f[2] = {s->pc, s->defect};
   arb_mat_t j;
   arb_mat_init(j, 2, 2);
   for (int i = 0; i < 2; i++) {
-    arb_set(arb_mat_entry(l->f, i, 0), dual_value(f[i]));
+    arb_neg(arb_mat_entry(dx, i, 0), dual_slope(f[i], param));
     for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
   }
-  bool ok = arb_mat_inv(l->y, j, prec) != 0;
-  arb_mat_get_mid(l->y, l->y);
+  bool ok = arb_mat_solve(dx, j, dx, prec) != 0;
   arb_mat_clear(j);
   return ok;
-}
-
-static void linear_init(struct linear *l) {
-  arb_mat_init(l->y, 2, 2);
-  arb_mat_init(l->f, 2, 1);
-}
-
-static void linear_clear(struct linear *l) {
-  arb_mat_clear(l->y);
-  arb_mat_clear(l->f);
-}
-
-int tube_newton(struct tube *t, slong prec) {
-  struct calc c;
-  struct linear l;
-  int status = SS_OK, quiet = 0;
-  linear_init(&l);
-  calc_init(&c, dual_ctx(prec));
-  for (int i = 0; i < 60 && !status && quiet < 2; i++) {
-    struct ball_params m;
-    struct ball_pass s;
-    for (int k = 0; k < 2; k++) arb_get_mid_arb(&t->x[k], &t->x[k]);
-    look(&s, &c, &m, t, t->x, true);
-    if (c.status || !linear_make(&l, &s, prec)) status = SS_UNABLE;
-    arb_mat_mul(l.f, l.y, l.f, prec);
-    quiet++;
-    for (int k = 0; k < 2 && !status; k++) {
-      arb_ptr step = arb_mat_entry(l.f, k, 0);
-      arb_get_mid_arb(step, step);
-      arb_sub(&t->x[k], &t->x[k], step, prec);
-      arb_get_mid_arb(&t->x[k], &t->x[k]);
-      slong size = arf_is_zero(arb_midref(step)) ? -ARF_PREC_EXACT : arf_abs_bound_lt_2exp_si(arb_midref(step));
-      if (size > arf_abs_bound_lt_2exp_si(arb_midref(&t->x[k])) - prec / 2) quiet = 0;
-    }
-    calc_release(&c, 0);
-  }
-  calc_clear(&c);
-  linear_clear(&l);
-  return quiet == 2 ? status : status | SS_UNABLE;
-}
-
-/* shift: -Y (F(p0, mid) + sum of dF/dp (p - p0)), dF/dp over the box of parameters. */
-static bool shift_of(arb_mat_t shift, struct linear *l, const struct tube *t, arb_srcptr mid, slong prec) {
-  struct calc c;
-  struct ball_params m;
-  struct ball_pass s, at;
-  arb_t off;
-  arb_init(off);
-  calc_init(&c, dual_ctx(prec));
-  look(&s, &c, &m, t, mid, true);
-  bool ok = !c.status && linear_make(l, &s, prec);
-  look(&at, &c, &m, t, mid, false);
-  const val f[2] = {at.pc, at.defect};
-  for (int i = 0; i < N_PARAMS && ok && !c.status; i++) {
-    arb_zero(off);
-    mag_set(arb_radref(off), arb_radref(&t->p[i]));
-    for (int k = 0; k < 2; k++) arb_addmul(arb_mat_entry(l->f, k, 0), dual_slope(f[k], i), off, prec);
-  }
-  arb_mat_mul(shift, l->y, l->f, prec);
-  arb_mat_neg(shift, shift);
-  ok = ok && !c.status;
-  calc_clear(&c);
-  arb_clear(off);
-  return ok;
-}
-
-/* image = mid + shift + (I - Y J(p, box)) (box - mid). */
-static bool image_of(arb_mat_t image, const struct linear *l, const arb_mat_t shift, const struct tube *t,
-                     arb_srcptr mid, slong prec) {
-  struct calc c;
-  struct ball_params m;
-  struct ball_pass s;
-  arb_mat_t j, off;
-  arb_mat_init(j, 2, 2);
-  arb_mat_init(off, 2, 1);
-  calc_init(&c, dual_ctx(prec));
-  look(&s, &c, &m, t, t->box, false);
-  const val f[2] = {s.pc, s.defect};
-  for (int i = 0; i < 2; i++) {
-    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
-    arb_sub(arb_mat_entry(off, i, 0), &t->box[i], mid + i, prec);
-  }
-  bool ok = !c.status;
-  arb_mat_mul(j, l->y, j, prec);
-  arb_mat_neg(j, j);
-  for (int i = 0; i < 2; i++) arb_add_si(arb_mat_entry(j, i, i), arb_mat_entry(j, i, i), 1, prec);
-  arb_mat_mul(image, j, off, prec);
-  arb_mat_add(image, image, shift, prec);
-  for (int i = 0; i < 2; i++) arb_add(arb_mat_entry(image, i, 0), arb_mat_entry(image, i, 0), mid + i, prec);
-  calc_clear(&c);
-  arb_mat_clear(off);
-  arb_mat_clear(j);
-  return ok;
-}
-
-/* Makes the box the image, a tenth larger in each direction. */
-static void inflate(struct tube *t, const arb_mat_t image, slong prec) {
-  for (int k = 0; k < 2; k++) {
-    arb_srcptr y = arb_mat_entry(image, k, 0);
-    mag_t more;
-    mag_init(more);
-    mag_mul_2exp_si(more, arb_radref(y), -3);
-    arb_set(&t->box[k], y);
-    arb_add_error_mag(&t->box[k], more);
-    arb_get_mag(more, y);
-    mag_mul_2exp_si(more, more, -prec + 6);
-    arb_add_error_mag(&t->box[k], more);
-    mag_clear(more);
-  }
-}
-
-int tube_prove(struct tube *t, slong prec) {
-  struct linear l;
-  arb_mat_t shift, image;
-  int status = tube_newton(t, prec);
-  if (status) return status;
-  arb_ptr mid = _arb_vec_init(2);
-  linear_init(&l);
-  arb_mat_init(shift, 2, 1);
-  arb_mat_init(image, 2, 1);
-  _arb_vec_set(mid, t->x, 2);
-  bool ok = shift_of(shift, &l, t, mid, prec), proved = false;
-  for (int k = 0; k < 2; k++) arb_add(arb_mat_entry(image, k, 0), arb_mat_entry(shift, k, 0), mid + k, prec);
-  for (int i = 0; i < 12 && ok && !proved; i++) {
-    inflate(t, image, prec);
-    ok = image_of(image, &l, shift, t, mid, prec);
-    proved = ok;
-    for (int k = 0; k < 2 && proved; k++) proved = arb_contains_interior(&t->box[k], arb_mat_entry(image, k, 0));
-  }
-  for (int k = 0; k < 2 && proved; k++) arb_set(&t->x[k], arb_mat_entry(image, k, 0));
-  arb_mat_clear(image);
-  arb_mat_clear(shift);
-  linear_clear(&l);
-  _arb_vec_clear(mid, 2);
-  return proved ? SS_OK : SS_UNABLE;
 }
 
 double tube_reach(const struct tube *t, int param, slong prec) {
   struct calc c;
-  struct linear l;
   struct ball_params m;
   struct ball_pass s;
   struct tube narrow;
+  arb_mat_t dx;
   double reach = 0;
-  linear_init(&l);
+  arb_mat_init(dx, 2, 1);
   tube_init(&narrow);
   tube_set(&narrow, t);
   for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&narrow.p[i], &t->p[i]);
@@ -218,15 +165,11 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
   calc_init(&c, dual_ctx(prec));
   look(&s, &c, &m, &narrow, narrow.x, false);
-  const val f[2] = {s.pc, s.defect};
-  if (!c.status && linear_make(&l, &s, prec)) {
-    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(l.f, k, 0), dual_slope(f[k], param));
-    arb_mat_mul(l.f, l.y, l.f, prec);
-    for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(l.f, k, 0)));
-  }
+  if (!c.status && motion_of(dx, &s, param, prec))
+    for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(dx, k, 0)));
   calc_clear(&c);
   tube_clear(&narrow);
-  linear_clear(&l);
+  arb_mat_clear(dx);
   return reach * mag_get_d(arb_radref(&t->p[param]));
 }
 
@@ -245,20 +188,6 @@ static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_para
   out[2] = e.td;
   out[3] = calc_div(c, calc_add(c, e.wf, calc_mul(c, chi, s->r)), ease);
   out[4] = calc_div(c, calc_add(c, e.wf, s->r), ease);
-}
-
-/* d(t_b, t_c)/dp over the tube; false where the Jacobian cannot be inverted. */
-static bool motion_of(arb_mat_t dx, const struct ball_pass *s, int param, slong prec) {
-  const val f[2] = {s->pc, s->defect};
-  arb_mat_t j;
-  arb_mat_init(j, 2, 2);
-  for (int i = 0; i < 2; i++) {
-    arb_neg(arb_mat_entry(dx, i, 0), dual_slope(f[i], param));
-    for (int k = 0; k < 2; k++) arb_set(arb_mat_entry(j, i, k), dual_slope(f[i], DIR_TB + k));
-  }
-  bool ok = arb_mat_solve(dx, j, dx, prec) != 0;
-  arb_mat_clear(j);
-  return ok;
 }
 
 /* number = its value at the middle of the parameters + the sum of its slopes along the orbits times p - p0. */

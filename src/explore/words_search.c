@@ -10,6 +10,7 @@
 
 #include "motion/trig_sum.h"
 #include "num/calc.h"
+#include "num/solve.h"
 #include "stickslip/arena.h"
 #include "stickslip/work.h"
 #include "words_impl.h"
@@ -21,6 +22,7 @@ static const int points_along[WORD_FREE_MOST + 1] = {0, 2000, 56, 16};
 struct searcher {
   struct calc c;
   struct word_law m;
+  slong mark; /* what lies above it in the calc belongs to one evaluation */
   const struct phase_word *w;
   enum word_coordinate free[WORD_FREE_MOST];
   int n, size;                      /* free coordinates, unknowns */
@@ -91,48 +93,39 @@ static bool follow(double *x, double *gap, struct searcher *s) {
 
 /* --- Newton's iteration. --- */
 
-/* One step; the largest change relative to the scales, or -1. */
-static double newton_step(double *x, struct searcher *s) {
-  struct calc *c = &s->c;
-  slong mark = calc_mark(c);
-  val at[WORD_UNKNOWNS], f[WORD_UNKNOWNS], j[WORD_UNKNOWNS * WORD_UNKNOWNS];
-  struct num_vec a, b;
-  c->status = SS_OK;
-  for (int i = 0; i < s->size; i++) at[i] = calc_d(c, x[i]);
-  word_equations(f, j, NULL, c, &s->m, s->w, at);
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct searcher *s = self;
+  val at[WORD_UNKNOWNS];
+  calc_release(&s->c, s->mark);
+  s->c.status = SS_OK;
+  flow_vals(at, x, 0, s->size);
+  word_equations(f, j, NULL, &s->c, &s->m, s->w, at);
   work_add((unsigned long long)(s->w->n * s->size) * UNITS_OF_PHASE);
-  num_vec_init(&a, s->size * s->size, c->ctx);
-  num_vec_init(&b, s->size, c->ctx);
-  for (int i = 0; i < s->size; i++) c->ctx.type->set(num_vec_at(&b, i), f[i]);
-  for (int i = 0; i < s->size * s->size; i++) c->ctx.type->set(num_vec_at(&a, i), j[i]);
-  int status = c->status ? c->status : num_mat_solve(&b, &a, &b, s->size, 1);
-  double change = status ? -1 : 0, total = 0;
-  for (int i = 0; i < s->w->n; i++) total += fabs(x[i]);
-  for (int i = 0; i < s->size && !status; i++) {
-    double step = as_d(num_vec_at(&b, i));
+  return s->c.status;
+}
+
+/* By the largest change relative to the scales. */
+static enum newton_next judge(const struct num_vec *x, const struct num_vec *step, void *self) {
+  const struct searcher *s = self;
+  double change = 0, total = 0;
+  for (int i = 0; i < s->w->n; i++) total += fabs(as_d(num_vec_at(x, i)));
+  for (int i = 0; i < s->size; i++) {
     double scale = i < s->w->n                      ? total + 1e-300
                    : s->free[i - s->w->n] < WORD_P1 ? s->force
                                                     : s->speed[s->free[i - s->w->n] - WORD_P1];
-    x[i] -= step;
-    change = fmax(change, fabs(step) / scale);
+    change = fmax(change, fabs(as_d(num_vec_at(step, i))) / scale);
   }
-  num_vec_clear(&a);
-  num_vec_clear(&b);
-  calc_release(c, mark);
-  return isfinite(change) ? change : -1;
+  return !(change <= 1e3) ? NEWTON_LOST : change < 1e-11 ? NEWTON_LAST : NEWTON_ON;
 }
 
 static bool newton(double *x, struct searcher *s) {
-  for (int i = 0; i < MOST_NEWTON; i++) {
-    double change = newton_step(x, s);
-    if (change < 0 || change > 1e3) return false;
-    if (change < 1e-11) {
-      for (int p = 0; p < s->w->n; p++)
-        if (!is_d(s->w->mode[p]) && !(x[p] > 1e-9)) return false;
-      return true;
-    }
-  }
-  return false;
+  struct solve_system system = {s->size, values, s};
+  struct num_vec at = {s->c.ctx, s->size, (char *)x};
+  int status = newton_run(&at, &system, s->c.ctx, MOST_NEWTON, judge);
+  calc_release(&s->c, s->mark);
+  for (int p = 0; p < s->w->n && !status; p++)
+    if (!is_d(s->w->mode[p]) && !(x[p] > 1e-9)) return false;
+  return !status;
 }
 
 /* The same orbit, begun at the phase by. */
@@ -351,6 +344,7 @@ void word_search(struct word_finds *out, const struct phase_word *w, const fmpq 
   *out = (struct word_finds){.n = 0};
   calc_init(&s.c, num_ctx_double());
   word_law_make(&s.m, &s.c, params, u_r);
+  s.mark = calc_mark(&s.c);
   s.n = word_free(s.free, w);
   s.size = w->n + s.n;
   if (!s.c.status) {

@@ -6,6 +6,7 @@
 
 #include "judge.h"
 #include "proof/exact_proof.h"
+#include "proof/propagator_law.h"
 #include "value/expression.h"
 
 enum { MAX_ROUTES = 8, MAX_SPECS = 4, DRAWS_PER_POINT = 8 };
@@ -105,62 +106,55 @@ static bool read_routes(struct point_trials *r) {
 
 /* --- Route ode: the paper's matrix against its own differential equation --- */
 
-/* value is NAME(t): its derivative minus A times it, and its value at 0 minus the identity, as balls. */
+/* What the law of the propagator leaves of the matrix p, its derivative and its value at 0, as balls. */
+static struct trial try_law(const struct num_vec m[3], const struct num_vec *a) {
+  struct trial t = {.outcome = OUTCOME_UNDECIDED, .bits = FIRST_PREC, .log_diff = -INFINITY};
+  struct num_vec rest;
+  bool apart = false;
+  mag_t bound;
+  num_vec_init(&rest, PROPAGATOR_LAW, a->ctx);
+  mag_init(bound);
+  propagator_law(&rest, &m[0], &m[1], &m[2], a);
+  for (int k = 0; k < PROPAGATOR_LAW; k++) {
+    apart = apart || !arb_contains_zero(num_vec_at(&rest, k));
+    arb_get_mag(bound, num_vec_at(&rest, k));
+    if (!mag_is_zero(bound)) t.log_diff = fmax(t.log_diff, mag_get_d_log2_approx(bound));
+  }
+  if (apart)
+    t.outcome = OUTCOME_DIFFERS;
+  else if (t.log_diff < -0.5 * FIRST_PREC)
+    t.outcome = OUTCOME_AGREES;
+  mag_clear(bound);
+  num_vec_clear(&rest);
+  return t;
+}
+
+/* value is NAME(t), one of the phases' matrices; its derivative is NAME'(t). */
 static struct trial try_ode(struct point_trials *r, const char *value, const struct point *p) {
-  static const struct {
-    const char *value;
-    enum phase phase;
-  } matrices[] = {{"D(t)", PHASE_D}, {"Gamma(t)", PHASE_GAMMA}, {"H(t)", PHASE_H}, {"C(t)", PHASE_C}};
+  static const char *const taken[3] = {"(t)", "'(t)", "(0)"};
   struct trial t = {.outcome = OUTCOME_REJECTED, .bits = FIRST_PREC, .log_diff = -INFINITY};
-  int phase = -1;
-  for (int i = 0; i < N_PHASES; i++)
-    if (strcmp(matrices[i].value, value) == 0) phase = (int)matrices[i].phase;
   const char *section = claim_get(r->c, "section");
-  char name[32], text[64];
-  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
-  int n;
-  arb_ptr m = _arb_vec_init(48);
-  arb_ptr dm = m + 16, m0 = m + 32;
-  snprintf(text, sizeof text, "%s'(t)", name);
-  int s = expression_at(m, &n, r->view, value, section, p, FIRST_PREC, r->j->cache, r->j->d);
-  s |= expression_at(dm, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
-  snprintf(text, sizeof text, "%s(0)", name);
-  s |= expression_at(m0, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  int phase = 0, name = (int)strcspn(value, "("), n = 0, s = SS_OK;
+  char form[32];
+  for (; phase < N_PHASES; phase++) {
+    snprintf(form, sizeof form, "%s(t)", phase_name[phase]);
+    if (strcmp(form, value) == 0) break;
+  }
+  struct num_vec m[3], a;
+  for (int i = 0; i < 3; i++) {
+    char text[64];
+    num_vec_init(&m[i], 16, num_ctx_arb(FIRST_PREC));
+    snprintf(text, sizeof text, "%.*s%s", name, value, taken[i]);
+    s |= expression_at((arb_ptr)(void *)m[i].data, &n, r->view, text, section, p, FIRST_PREC, r->j->cache, r->j->d);
+  }
   struct values v;
-  struct num_vec a;
   s |= values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), r->j->cache);
   num_vec_init(&a, 16, v.ctx);
-  if (s == SS_OK && phase >= 0) s |= dyn_system(&a, (enum phase)phase, &v.params);
-  if (s == SS_OK && phase >= 0 && n == 16) {
-    arb_t d, term;
-    arb_init(d);
-    arb_init(term);
-    bool apart = false;
-    for (int k = 0; k < 32; k++) {
-      int i = k % 16 / 4, jj = k % 4;
-      if (k < 16) {
-        arb_set(d, dm + k);
-        for (int l = 0; l < 4; l++) {
-          arb_mul(term, num_vec_at(&a, 4 * i + l), m + 4 * l + jj, FIRST_PREC);
-          arb_sub(d, d, term, FIRST_PREC);
-        }
-      } else {
-        arb_sub_si(d, m0 + (k - 16), i == jj, FIRST_PREC);
-      }
-      apart = apart || !arb_contains_zero(d);
-      mag_t bound;
-      mag_init(bound);
-      arb_get_mag(bound, d);
-      if (!mag_is_zero(bound)) t.log_diff = fmax(t.log_diff, mag_get_d_log2_approx(bound));
-      mag_clear(bound);
-    }
-    t.outcome = apart ? OUTCOME_DIFFERS : t.log_diff < -0.5 * FIRST_PREC ? OUTCOME_AGREES : OUTCOME_UNDECIDED;
-    arb_clear(term);
-    arb_clear(d);
-  }
+  if (s == SS_OK && phase < N_PHASES && n == 16 && dyn_system(&a, (enum phase)phase, &v.params) == SS_OK)
+    t = try_law(m, &a);
   num_vec_clear(&a);
   values_clear(&v);
-  _arb_vec_clear(m, 48);
+  for (int i = 0; i < 3; i++) num_vec_clear(&m[i]);
   return t;
 }
 

@@ -8,6 +8,7 @@
 #include <math.h>
 
 #include "map_balls.h"
+#include "num/solve.h"
 #include "orbit_equations.h"
 #include "orbit_judge.h"
 #include "stickslip/given.h"
@@ -58,14 +59,14 @@ static int enclose_near(struct word_root *s, const struct word_data *d, const st
 }
 
 /* Half widths 2^shift times the sum of all times, or of both limits. */
-static void make_box(struct word_root *s, const val at[N_QUANTITIES], const struct word_data *d, slong shift) {
+static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struct word_data *d, slong shift) {
   double sum[2] = {0, 0};
   for (int i = 0; i < N_QUANTITIES; i++) sum[i >= QUANTITY_TA] += fabs(num_arb.get_d(at[i]));
-  for (int k = 0; k < WORD_FREE; k++) {
-    int i = d->unknown[k];
-    arb_set(s->box[i], at[i]);
-    mag_set_d(arb_radref(s->box[i]), sum[i >= QUANTITY_TA]);
-    mag_mul_2exp_si(arb_radref(s->box[i]), arb_radref(s->box[i]), shift);
+  num_vec_set(&k->box, &k->mid);
+  for (int i = 0; i < WORD_FREE; i++) {
+    mag_ptr radius = arb_radref((arb_ptr)num_vec_at(&k->box, i));
+    mag_set_d(radius, sum[d->unknown[i] >= QUANTITY_TA]);
+    mag_mul_2exp_si(radius, radius, shift);
   }
 }
 
@@ -74,40 +75,30 @@ static void make_box(struct word_root *s, const val at[N_QUANTITIES], const stru
 static int widen(struct word_root *s, const struct word_data *d, slong prec) {
   struct calc c;
   struct ball_params m;
-  struct word w;
-  struct num_vec y, step;
-  struct word_root image;
-  val at[N_QUANTITIES], mid[WORD_FREE];
+  struct krawczyk k;
+  struct num_vec x;
   calc_init(&c, num_ctx_arb(prec));
   word_params(&m, &c, d->model);
-  num_vec_init(&y, WORD_FREE * WORD_FREE, c.ctx);
-  num_vec_init(&step, WORD_FREE, c.ctx);
-  word_root_init(&image);
-  for (int i = 0; i < N_QUANTITIES; i++) {
-    arb_ptr point = calc_new(&c);
-    arb_set(point, s->x[i]); /* a known quantity keeps its radius, which is that of its rounding */
-    if (i != (int)d->which[0] && i != (int)d->which[1]) arb_get_mid_arb(point, point);
-    at[i] = point;
-    arb_set(image.box[i], point);
-  }
-  for (int k = 0; k < WORD_FREE; k++) mid[k] = at[d->unknown[k]];
-  word_make(&w, &c, &m, at);
-  int status = c.status | word_precondition(&y, &step, &w, d->unknown);
+  struct word_system w = {&c, &m, d->unknown, calc_mark(&c), {NULL}};
+  struct solve_system system = {WORD_FREE, word_values, &w};
+  num_vec_init(&x, WORD_FREE, c.ctx);
+  krawczyk_init(&k, &system, prec);
+  for (int i = 0; i < N_QUANTITIES; i++) w.known[i] = s->x[i]; /* its radius is that of its rounding */
+  for (int i = 0; i < WORD_FREE; i++) arb_set(num_vec_at(&x, i), s->x[d->unknown[i]]);
+  int status = krawczyk_centre(&k, &x);
   bool proved = false, safe = false;
-  slong mark = calc_mark(&c), shift = BOX_FIRST;
+  slong shift = BOX_FIRST;
   for (int i = 0; i < BOX_TRIES && !safe && !status; i++) {
     shift -= proved ? BOX_SAFETY : BOX_STEP;
-    make_box(&image, at, d, shift);
-    c.status = SS_OK;
-    bool inside = word_krawczyk(&image, &c, &m, mid, &y, &step, d->unknown);
-    safe = proved && inside;
-    proved = inside;
-    calc_release(&c, mark);
+    make_box(&k, w.known, d, shift);
+    krawczyk_apply(&k);
+    safe = proved && k.inside;
+    proved = k.inside;
   }
-  for (int i = 0; i < N_QUANTITIES && safe; i++) arb_set(s->box[i], image.box[i]);
-  word_root_clear(&image);
-  num_vec_clear(&y);
-  num_vec_clear(&step);
+  for (int i = 0; i < 2 && safe; i++) arb_set(s->box[d->which[i]], s->x[d->which[i]]);
+  for (int i = 0; i < WORD_FREE && safe; i++) arb_swap(s->box[d->unknown[i]], num_vec_at(&k.box, i));
+  krawczyk_clear(&k);
+  num_vec_clear(&x);
   calc_clear(&c);
   return safe ? SS_OK : SS_UNABLE;
 }

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 
 #include "num/pi.h"
+#include "num/solve.h"
 #include "stickslip/arena.h"
 
 enum {
@@ -76,22 +77,51 @@ static void add_seed(struct scan *s, const double x[N_QUANTITIES]) {
   list->n++;
 }
 
-/* Newton's iteration from a point of a sheet, given up when it leads far away. */
-static void descend(struct scan *s, const struct sheet *from) {
-  double x[N_QUANTITIES];
-  struct num_vec v = {num_ctx_double(), N_QUANTITIES, (char *)x};
-  for (int i = 0; i < N_QUANTITIES; i++)
-    x[i] = given_problem_knows(s->q, (enum dyn_quantity)i) ? target(s->q, (enum dyn_quantity)i) : from->x[i];
-  bool settled = false;
-  for (int i = 0, left = 1; i < 16 && left >= 0; i++) { /* one more step once they are small */
-    s->c.status = SS_OK;
-    s->work += STEP_WORK;
-    if (word_newton(&settled, &v, &s->c, &s->m, s->q->data.unknown, SEED_BITS)) return;
-    for (int k = 0; k < 2; k++)
-      if (fabs(x[QUANTITY_TB + k] - from->x[QUANTITY_TB + k]) > 16 * s->cell[k]) return;
-    if (settled) left--;
+/* Newton's iteration from a point of a sheet. */
+struct descent {
+  struct word_system w;
+  struct scan *s;
+  const struct sheet *from;
+  bool small, last;
+};
+
+static int descent_values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct descent *d = self;
+  d->s->work += STEP_WORK;
+  return word_values(f, j, x, &d->w);
+}
+
+/* It is given up when it leads far away, and one more step is taken once they are small. */
+static enum newton_next descent_judge(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct descent *d = self;
+  const double *at = (const double *)x->data, *by = (const double *)step->data;
+  d->small = word_step_is_small(x, step, &d->w, SEED_BITS);
+  for (int k = 0; k < WORD_FREE; k++) {
+    int time = d->w.unknown[k] - QUANTITY_TB;
+    if (time < 0 || time > 1 || fabs(at[k] - by[k] - d->from->x[QUANTITY_TB + time]) <= 16 * d->s->cell[time]) continue;
+    d->small = false;
+    return NEWTON_LOST;
   }
-  if (settled) add_seed(s, x);
+  if (d->small && d->last) return NEWTON_LAST;
+  d->last = d->last || d->small;
+  return NEWTON_ON;
+}
+
+static void descend(struct scan *s, const struct sheet *from) {
+  double x[N_QUANTITIES], free[WORD_FREE];
+  const int *unknown = s->q->data.unknown;
+  struct descent d = {.w = {&s->c, &s->m, unknown, calc_mark(&s->c), {NULL}}, .s = s, .from = from};
+  for (int i = 0; i < N_QUANTITIES; i++) {
+    x[i] = given_problem_knows(s->q, (enum dyn_quantity)i) ? target(s->q, (enum dyn_quantity)i) : from->x[i];
+    d.w.known[i] = &x[i];
+  }
+  for (int k = 0; k < WORD_FREE; k++) free[k] = x[unknown[k]];
+  struct num_vec v = {num_ctx_double(), WORD_FREE, (char *)free};
+  struct solve_system system = {WORD_FREE, descent_values, &d};
+  newton_run(&v, &system, v.ctx, 16, descent_judge);
+  calc_release(&s->c, d.w.mark);
+  for (int k = 0; k < WORD_FREE; k++) x[unknown[k]] = free[k];
+  if (d.small) add_seed(s, x);
 }
 
 struct range {

@@ -8,6 +8,7 @@
 #include <stdlib.h>
 
 #include "map_balls.h"
+#include "num/solve.h"
 #include "orbit.h"
 #include "orbit_judge.h"
 #include "search.h"
@@ -21,7 +22,8 @@ enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lo
 struct solution {
   arb_t x[2], box[2];
   bool up, grazing;
-  slong prec;
+  slong prec, mark; /* mark: what lies above it in the calc belongs to one pass */
+  const fmpq *params;
   struct calc c;
   struct ball_params m;
 };
@@ -47,102 +49,66 @@ static void solution_clear(struct solution *s) {
   close_calc(s);
 }
 
-/* y = inverse of the derivative of (pc, defect) by (t_b, t_c), rounded to midpoints. */
-static void invert(val y[4], struct calc *c, const struct ball_pass *s) {
-  val ww = calc_neg(c, s->wc), det = calc_sub(c, calc_mul(c, s->pc_tb, s->defect_tc), calc_mul(c, ww, s->defect_tb));
-  y[0] = calc_middle(c, calc_div(c, s->defect_tc, det));
-  y[1] = calc_middle(c, calc_div(c, s->wc, det));
-  y[2] = calc_middle(c, calc_neg(c, calc_div(c, s->defect_tb, det)));
-  y[3] = calc_middle(c, calc_div(c, s->pc_tb, det));
+/* The two equations, the velocity pc and the defect, as functions of (t_b, t_c). */
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct solution *s = self;
+  struct calc *c = &s->c;
+  struct ball_pass at;
+  calc_release(c, s->mark);
+  c->status = SS_OK;
+  ball_pass_make(&at, c, &s->m, num_vec_at(x, 0), num_vec_at(x, 1), s->up);
+  if (f) f[0] = at.pc, f[1] = at.defect;
+  j[0] = at.pc_tb, j[1] = calc_neg(c, at.wc);
+  j[2] = at.defect_tb, j[3] = at.defect_tc;
+  return c->status;
 }
 
 /* A calc of the precision, with the sines and cosines at the midpoints of x. */
-static void open_calc(struct solution *s, const fmpq *params, slong prec) {
+static void open_calc(struct solution *s, slong prec) {
   close_calc(s);
   s->prec = prec;
   calc_init(&s->c, num_ctx_arb(prec));
-  ball_params_init(&s->m, &s->c, params);
+  ball_params_init(&s->m, &s->c, s->params);
   for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
   ball_params_keep(&s->m, &s->c, calc_middle(&s->c, s->x[0]), calc_middle(&s->c, s->x[1]));
+  s->mark = calc_mark(&s->c);
 }
 
-/* One level of Newton's iteration from the midpoints of x, until a step shows that half of the bits are settled. */
-static int newton_level(struct solution *s, const fmpq *params, slong prec) {
-  open_calc(s, params, prec);
-  struct calc *c = &s->c;
-  bool settled = false;
-  val small = calc_two_to(c, -prec / 2 - 4);
-  slong mark = calc_mark(c);
-  for (int i = 0; i < 40 && !settled && !c->status; i++) {
-    struct ball_pass at;
-    val y[4];
-    for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
-    ball_pass_make(&at, c, &s->m, calc_middle(c, s->x[0]), calc_middle(c, s->x[1]), s->up);
-    invert(y, c, &at);
-    settled = true;
-    for (int k = 0; k < 2; k++) {
-      val step = calc_middle(c, calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect));
-      val limit = calc_middle(c, calc_mul(c, small, calc_abs(c, s->x[k])));
-      if (!calc_lt(c, calc_abs(c, step), limit)) settled = false;
-      arb_get_mid_arb(s->x[k], calc_sub(c, s->x[k], step));
-    }
-    calc_release(c, mark);
+static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
+  (void)self;
+  for (int k = 0; k < 2; k++)
+    if (!newton_is_small(&num_arb, num_vec_at(step, k), x->ctx.prec / 2 + 4, num_vec_at(x, k))) return NEWTON_ON;
+  return NEWTON_LAST;
+}
+
+static int newton_level(slong prec, void *self) {
+  struct solution *s = self;
+  struct solve_system system = {2, values, s};
+  open_calc(s, prec);
+  for (int k = 0; k < 2; k++) arb_get_mid_arb(s->x[k], s->x[k]);
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
+  return s->c.status | newton_run(&x, &system, s->c.ctx, 40, settles);
+}
+
+/* Krawczyk's operator around the midpoints of s->x.  The calc is that of Newton's last level. */
+static int enclose(struct solution *s) {
+  struct solve_system system = {2, values, s};
+  struct num_vec x = {s->c.ctx, 2, (char *)s->x};
+  struct krawczyk k;
+  krawczyk_init(&k, &system, s->prec);
+  int status = krawczyk_centre(&k, &x);
+  if (!status) status = krawczyk_grow(&k);
+  for (int i = 0; i < 2 && !status; i++) {
+    arb_swap(s->x[i], num_vec_at(&k.image, i));
+    arb_swap(s->box[i], num_vec_at(&k.box, i));
   }
-  return settled ? c->status : c->status | SS_UNABLE;
-}
-
-static int newton(struct solution *s, const fmpq *params, slong prec) {
-  slong ladder[FLINT_BITS], n = 0;
-  int status = SS_OK;
-  for (slong bits = prec; bits > 192; bits = bits / 2 + 24) ladder[n++] = bits;
-  ladder[n++] = FLINT_MIN(prec, 192);
-  while (n > 0 && !status) status |= newton_level(s, params, ladder[--n]);
+  krawczyk_clear(&k);
   return status;
 }
 
-/* Krawczyk's operator around the midpoints of s->x, on boxes that grow until one is mapped into its interior.  The calc is
-   that of Newton's last level. */
-static int enclose(struct solution *s) {
-  struct calc *c = &s->c;
-  const struct ball_params *m = &s->m;
-  struct ball_pass at;
-  val y[4], mid[2], shift[2];
-  slong start = calc_mark(c);
-  for (int k = 0; k < 2; k++) mid[k] = calc_middle(c, s->x[k]);
-  ball_pass_make(&at, c, m, mid[0], mid[1], s->up);
-  invert(y, c, &at);
-  for (int k = 0; k < 2; k++) {
-    shift[k] = calc_dot(c, y[2 * k], at.pc, y[2 * k + 1], at.defect);
-    arb_set(s->box[k], mid[k]);
-    arb_get_mag(arb_radref(s->box[k]), shift[k]);
-    mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
-  }
-  bool proved = false;
-  slong mark = calc_mark(c);
-  for (int i = 0; i < 10 && !proved && !c->status; i++) {
-    calc_release(c, mark);
-    ball_pass_make(&at, c, m, s->box[0], s->box[1], s->up);
-    val j[4] = {at.pc_tb, calc_neg(c, at.wc), at.defect_tb, at.defect_tc};
-    proved = true;
-    for (int k = 0; k < 2; k++) {
-      val image = calc_sub(c, mid[k], shift[k]);
-      for (int l = 0; l < 2; l++) {
-        val rest = calc_neg(c, calc_dot(c, y[2 * k], j[l], y[2 * k + 1], j[2 + l]));
-        if (k == l) rest = calc_add(c, rest, m->one);
-        image = calc_add(c, image, calc_mul(c, rest, calc_sub(c, s->box[l], mid[l])));
-      }
-      arb_set(s->x[k], image);
-      if (!arb_contains_interior(s->box[k], s->x[k])) proved = false;
-    }
-    if (!proved)
-      for (int k = 0; k < 2; k++) mag_mul_2exp_si(arb_radref(s->box[k]), arb_radref(s->box[k]), 3);
-  }
-  calc_release(c, start);
-  return proved ? SS_OK : SS_UNABLE;
-}
-
 static int solve(struct solution *s, const fmpq *params, slong prec) {
-  int status = newton(s, params, prec);
+  s->params = params;
+  int status = newton_rising(newton_level, s, prec);
   return status ? status : enclose(s);
 }
 

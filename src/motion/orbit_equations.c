@@ -6,6 +6,7 @@
 #include "orbit_equations.h"
 #include "flow.h"
 #include "map_balls.h"
+#include "num/solve.h"
 #include "stickslip/given.h"
 
 /* cos(sqrt(K) t), sin(sqrt(K) t)/sqrt(K) and sqrt(K) sin(sqrt(K) t): velocities v and forces f = (w, chi eta r) become
@@ -94,49 +95,34 @@ void word_params(struct ball_params *m, struct calc *c, const fmpq *model) {
   ball_params_make(m, c, p);
 }
 
-/* step receives the solution of j step = e in the unknowns. */
-static int solve_step(struct num_vec *step, const struct word *w, const int unknown[WORD_FREE]) {
-  struct num_vec a;
-  num_vec_init(&a, WORD_FREE * WORD_FREE, step->ctx);
-  for (slong i = 0; i < WORD_FREE; i++) {
-    step->ctx.type->set(num_vec_at(step, i), w->e[i]);
-    for (slong k = 0; k < WORD_FREE; k++) step->ctx.type->set(num_vec_at(&a, i * WORD_FREE + k), w->j[i][unknown[k]]);
-  }
-  int status = num_mat_solve(step, &a, step, WORD_FREE, 1);
-  num_vec_clear(&a);
-  return status;
-}
-
-/* What a step of an unknown is measured by: all times for a time, both limits for a limit. */
-static val measure(struct calc *c, const val x[N_QUANTITIES], int which) {
-  val sum = calc_d(c, 0);
-  bool time = which >= QUANTITY_TA;
-  for (int i = time ? QUANTITY_TA : 0; i < (time ? N_QUANTITIES : QUANTITY_TA); i++)
-    sum = calc_add(c, sum, calc_abs(c, x[i]));
-  return sum;
-}
-
-int word_newton(bool *settled, struct num_vec *x, struct calc *c, const struct ball_params *m,
-                const int unknown[WORD_FREE], slong bits) {
+int word_values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct word_system *s = self;
   struct word w;
-  struct num_vec step;
   val at[N_QUANTITIES];
-  slong mark = calc_mark(c);
-  num_vec_init(&step, WORD_FREE, c->ctx);
-  flow_vals(at, x, 0, N_QUANTITIES);
-  word_make(&w, c, m, at);
-  int status = c->status ? c->status : solve_step(&step, &w, unknown);
-  val small = calc_two_to(c, -bits);
-  *settled = !status;
-  for (slong k = 0; k < WORD_FREE && !status; k++) {
-    void *u = num_vec_at(x, unknown[k]);
-    const void *s = num_vec_at(&step, k);
-    if (calc_lt(c, calc_mul(c, small, measure(c, at, unknown[k])), calc_abs(c, s))) *settled = false;
-    status |= c->ctx.type->sub(u, u, s, c->ctx.prec);
+  calc_release(s->c, s->mark);
+  s->c->status = SS_OK;
+  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->known[i];
+  for (int k = 0; k < WORD_FREE; k++) at[s->unknown[k]] = num_vec_at(x, k);
+  word_make(&w, s->c, s->m, at);
+  for (int i = 0; i < WORD_FREE; i++) {
+    if (f) f[i] = w.e[i];
+    for (int k = 0; k < WORD_FREE; k++) j[WORD_FREE * i + k] = w.j[i][s->unknown[k]];
   }
-  calc_release(c, mark);
-  num_vec_clear(&step);
-  return status;
+  return s->c->status;
+}
+
+bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits) {
+  struct calc *c = s->c;
+  val at[N_QUANTITIES], scale[2] = {calc_d(c, 0), calc_d(c, 0)};
+  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->known[i];
+  for (int k = 0; k < WORD_FREE; k++) at[s->unknown[k]] = num_vec_at(x, k);
+  for (int i = 0; i < N_QUANTITIES; i++) {
+    val *sum = &scale[i >= QUANTITY_TA];
+    *sum = calc_add(c, *sum, calc_abs(c, at[i]));
+  }
+  for (int k = 0; k < WORD_FREE; k++)
+    if (!newton_is_small(c->ctx.type, num_vec_at(step, k), bits, scale[s->unknown[k] >= QUANTITY_TA])) return false;
+  return true;
 }
 
 void word_root_init(struct word_root *s) {
@@ -153,106 +139,71 @@ void word_root_clear(struct word_root *s) {
   }
 }
 
+static enum newton_next settles(const struct num_vec *x, const struct num_vec *step, void *self) {
+  const struct word_system *s = self;
+  return word_step_is_small(x, step, s, s->c->ctx.prec / 2 + 4) ? NEWTON_LAST : NEWTON_ON;
+}
+
+/* What a level of Newton's iteration works on: all quantities, of which the unknown ones move. */
+struct refinement {
+  struct num_vec *x;
+  const struct word_data *q;
+};
+
+static int refine_level(slong bits, void *self) {
+  const struct refinement *r = self;
+  const struct num_type *type = r->x->ctx.type;
+  struct calc c;
+  struct ball_params m;
+  struct num_vec free;
+  calc_init(&c, num_ctx_mpfr(bits));
+  word_params(&m, &c, r->q->model);
+  struct word_system w = {&c, &m, r->q->unknown, calc_mark(&c), {NULL}};
+  struct solve_system system = {WORD_FREE, word_values, &w};
+  flow_vals(w.known, r->x, 0, N_QUANTITIES);
+  num_vec_init(&free, WORD_FREE, r->x->ctx);
+  for (int k = 0; k < WORD_FREE; k++) type->set(num_vec_at(&free, k), w.known[r->q->unknown[k]]);
+  int status = newton_run(&free, &system, c.ctx, 40, settles);
+  for (int k = 0; k < WORD_FREE; k++) type->swap(num_vec_at(r->x, r->q->unknown[k]), num_vec_at(&free, k));
+  num_vec_clear(&free);
+  calc_clear(&c);
+  return status;
+}
+
 int word_refine(struct num_vec *x, const struct word_data *q) {
-  slong ladder[FLINT_BITS], n = 0, prec = x->ctx.prec;
+  struct refinement r = {x, q};
   int status = SS_OK;
-  for (slong i = 0; i < 2; i++) status |= num_mpfr.set_q(num_vec_at(x, q->which[i]), q->value + i, prec);
-  for (slong bits = prec; bits > 192; bits = bits / 2 + 24) ladder[n++] = bits;
-  ladder[n++] = FLINT_MIN(prec, 192);
-  while (n > 0 && !status) {
-    struct calc c;
-    struct ball_params m;
-    bool settled = false;
-    calc_init(&c, num_ctx_mpfr(ladder[--n]));
-    word_params(&m, &c, q->model);
-    for (int i = 0; i < 40 && !settled && !status; i++)
-      status |= word_newton(&settled, x, &c, &m, q->unknown, c.ctx.prec / 2 + 4);
-    if (!settled) status |= SS_UNABLE;
-    calc_clear(&c);
-  }
-  return status;
-}
-
-int word_precondition(struct num_vec *y, struct num_vec *step, const struct word *w, const int unknown[WORD_FREE]) {
-  struct num_vec a;
-  int status = SS_OK;
-  num_vec_init(&a, WORD_FREE * WORD_FREE, y->ctx);
-  for (slong i = 0; i < WORD_FREE; i++)
-    for (slong k = 0; k < WORD_FREE; k++) {
-      arb_get_mid_arb(num_vec_at(&a, i * WORD_FREE + k), w->j[i][unknown[k]]);
-      arb_set_si(num_vec_at(y, i * WORD_FREE + k), i == k);
-    }
-  status |= num_mat_solve(y, &a, y, WORD_FREE, WORD_FREE);
-  for (slong i = 0; i < WORD_FREE * WORD_FREE; i++) arb_get_mid_arb(num_vec_at(y, i), num_vec_at(y, i));
-  for (slong i = 0; i < WORD_FREE; i++) num_arb.set(num_vec_at(&a, i), w->e[i]);
-  struct num_vec e = {a.ctx, WORD_FREE, a.data};
-  status |= num_mat_mul(step, y, &e, WORD_FREE, WORD_FREE, 1);
-  num_vec_clear(&a);
-  return status;
-}
-
-bool word_krawczyk(struct word_root *s, struct calc *c, const struct ball_params *m, const val mid[WORD_FREE],
-                   const struct num_vec *y, const struct num_vec *step, const int unknown[WORD_FREE]) {
-  struct word w;
-  val at[N_QUANTITIES];
-  bool inside = true;
-  for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->box[i];
-  word_make(&w, c, m, at);
-  for (int i = 0; i < WORD_FREE; i++) {
-    val image = calc_sub(c, mid[i], num_vec_at(step, i));
-    for (int l = 0; l < WORD_FREE; l++) {
-      val rest = calc_d(c, i == l);
-      for (int k = 0; k < WORD_FREE; k++)
-        rest = calc_sub(c, rest, calc_mul(c, num_vec_at(y, i * WORD_FREE + k), w.j[k][unknown[l]]));
-      image = calc_add(c, image, calc_mul(c, rest, calc_sub(c, s->box[unknown[l]], mid[l])));
-    }
-    arb_set(s->x[unknown[i]], image);
-    inside = inside && arb_contains_interior(s->box[unknown[i]], image);
-  }
-  return inside && !c->status;
+  for (slong i = 0; i < 2; i++) status |= num_mpfr.set_q(num_vec_at(x, q->which[i]), q->value + i, x->ctx.prec);
+  return status ? status : newton_rising(refine_level, &r, x->ctx.prec);
 }
 
 int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
   struct calc c;
   struct ball_params m;
-  struct word w;
-  struct num_vec y, step;
-  val at[N_QUANTITIES], mid[WORD_FREE];
+  struct krawczyk k;
+  struct num_vec mid;
   slong prec = x->ctx.prec;
   calc_init(&c, num_ctx_arb(prec));
   word_params(&m, &c, q->model);
-  num_vec_init(&y, WORD_FREE * WORD_FREE, c.ctx);
-  num_vec_init(&step, WORD_FREE, c.ctx);
-  for (slong i = 0; i < N_QUANTITIES; i++) {
-    arb_ptr point = calc_new(&c);
-    num_mpfr.get_arb(point, num_vec_at(x, i));
-    at[i] = point;
-  }
+  struct word_system w = {&c, &m, q->unknown, calc_mark(&c), {NULL}};
+  struct solve_system system = {WORD_FREE, word_values, &w};
   for (int i = 0; i < 2; i++) {
-    arb_set_fmpq(s->x[q->which[i]], q->value + i, prec);
-    arb_set(s->box[q->which[i]], s->x[q->which[i]]);
-    at[q->which[i]] = s->x[q->which[i]];
+    enum dyn_quantity known = q->which[i];
+    arb_set_fmpq(s->x[known], q->value + i, prec);
+    arb_set(s->box[known], s->x[known]);
+    w.known[known] = s->x[known];
   }
-  word_make(&w, &c, &m, at);
-  int status = c.status | word_precondition(&y, &step, &w, q->unknown);
-  for (slong i = 0; i < WORD_FREE; i++) {
-    arb_ptr box = s->box[q->unknown[i]];
-    mid[i] = at[q->unknown[i]];
-    arb_set(box, mid[i]);
-    arb_get_mag(arb_radref(box), num_vec_at(&step, i));
-    mag_mul_2exp_si(arb_radref(box), arb_radref(box), 3);
+  num_vec_init(&mid, WORD_FREE, c.ctx);
+  krawczyk_init(&k, &system, prec);
+  for (int i = 0; i < WORD_FREE; i++) num_mpfr.get_arb(num_vec_at(&mid, i), num_vec_at(x, q->unknown[i]));
+  int status = krawczyk_centre(&k, &mid);
+  if (!status) status = krawczyk_grow(&k);
+  for (int i = 0; i < WORD_FREE && !status; i++) {
+    arb_swap(s->x[q->unknown[i]], num_vec_at(&k.image, i));
+    arb_swap(s->box[q->unknown[i]], num_vec_at(&k.box, i));
   }
-  bool proved = false;
-  for (int i = 0; i < 10 && !proved && !status; i++) {
-    slong mark = calc_mark(&c);
-    c.status = SS_OK;
-    proved = word_krawczyk(s, &c, &m, mid, &y, &step, q->unknown);
-    calc_release(&c, mark);
-    for (int k = 0; k < WORD_FREE && !proved; k++)
-      mag_mul_2exp_si(arb_radref(s->box[q->unknown[k]]), arb_radref(s->box[q->unknown[k]]), 3);
-  }
-  num_vec_clear(&y);
-  num_vec_clear(&step);
+  krawczyk_clear(&k);
+  num_vec_clear(&mid);
   calc_clear(&c);
-  return proved ? SS_OK : SS_UNABLE;
+  return status;
 }

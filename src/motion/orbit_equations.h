@@ -21,9 +21,17 @@ struct word {
 /* Of the model; e1 and e2 are among the quantities and stand for nothing here. */
 void word_params(struct ball_params *m, struct calc *c, const fmpq *model);
 void word_make(struct word *w, struct calc *c, const struct ball_params *m, const val x[N_QUANTITIES]);
-/* One Newton step on x; *settled when it is below 2^-bits. */
-int word_newton(bool *settled, struct num_vec *x, struct calc *c, const struct ball_params *m,
-                const int unknown[WORD_FREE], slong bits);
+/* The equations as a system of num/solve.h in the unknown quantities; self is a struct word_system. */
+struct word_system {
+  struct calc *c;
+  const struct ball_params *m;
+  const int *unknown;
+  slong mark;              /* what lies above it in the calc belongs to one evaluation */
+  val known[N_QUANTITIES]; /* those of the unknown ones are not read */
+};
+int word_values(const void **f, const void **j, const struct num_vec *x, void *self);
+/* Whether each part of a step is at most 2^-bits of all times together, or of both limits. */
+bool word_step_is_small(const struct num_vec *x, const struct num_vec *step, const struct word_system *s, slong bits);
 /* Newton's iteration in mpfr from x, the precision doubling up to that of x; the known ones are rounded once. */
 int word_refine(struct num_vec *x, const struct word_data *q);
 
@@ -33,13 +41,7 @@ struct word_root {
 };
 void word_root_init(struct word_root *s);
 void word_root_clear(struct word_root *s);
-/* The rounded inverse y of the derivative at the midpoint, and the Newton step there. */
-int word_precondition(struct num_vec *y, struct num_vec *step, const struct word *w, const int unknown[WORD_FREE]);
-/* One application of Krawczyk's operator to s->box around the points mid: s->x, and whether it lies inside, which proves
-   that the box holds exactly one solution, and s->x it. */
-bool word_krawczyk(struct word_root *s, struct calc *c, const struct ball_params *m, const val mid[WORD_FREE],
-                   const struct num_vec *y, const struct num_vec *step, const int unknown[WORD_FREE]);
-/* Proves one solution near x (of mpfr), on boxes that grow until one is mapped into its interior. */
+/* Proves one solution near x (of mpfr) by Krawczyk's operator. */
 int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q);
 
 #endif

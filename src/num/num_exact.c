@@ -25,6 +25,41 @@ slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
   return sum && crossed < product ? crossed : product;
 }
 
+void num_exact_polynomial_at(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *value) {
+  slong e[NUM_EXACT_GENERATORS];
+  fmpq_t term, power;
+  fmpz_t c;
+  fmpq_init(term);
+  fmpq_init(power);
+  fmpz_init(c);
+  fmpq_zero(z);
+  for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()); i++) {
+    fmpz_mpoly_get_term_coeff_fmpz(c, p, i, num_exact_ctx());
+    fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
+    fmpq_set_fmpz(term, c);
+    for (slong k = 0; k < NUM_EXACT_GENERATORS; k++) {
+      if (e[k] == 0) continue;
+      fmpq_pow_si(power, &value[k], e[k]);
+      fmpq_mul(term, term, power);
+    }
+    fmpq_add(z, z, term);
+  }
+  fmpz_clear(c);
+  fmpq_clear(power);
+  fmpq_clear(term);
+}
+
+int num_exact_at(fmpq_t z, const fmpz_mpoly_q_struct *x, const fmpq *value) {
+  fmpq_t den;
+  fmpq_init(den);
+  num_exact_polynomial_at(den, &x->den, value);
+  num_exact_polynomial_at(z, &x->num, value);
+  bool there = !fmpq_is_zero(den);
+  if (there) fmpq_div(z, z, den);
+  fmpq_clear(den);
+  return there ? SS_OK : SS_DOMAIN;
+}
+
 static void e_init(void *x, slong prec) {
   (void)prec;
   fmpz_mpoly_q_init(x, num_exact_ctx());

@@ -101,19 +101,11 @@ struct facts {
 
 static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
   struct elaboration el;
-  struct arena a;
-  struct source src;
   struct matrix x;
   struct diag d;
   diag_init(&d);
   elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  arena_init(&a);
-  source_from_string(&src, expression, expression);
-  *t = (struct tape){.n = 0};
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  bool ok = e && elaborate(&x, &el, e, &src, "", &d) && elaboration_tape(t, &el, x.e, 1, &d);
-  source_clear(&src);
-  arena_clear(&a);
+  bool ok = elaborate_tape(t, &x, &el, expression, expression, "", &d);
   elaboration_clear(&el);
   return ok;
 }

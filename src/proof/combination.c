@@ -1,105 +1,45 @@
 /* Positive combinations as proofs, see combination.h. */
 #include "combination.h"
 
-#include <flint/fmpq_mpoly.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-/* A rational function num/den. */
-struct fraction {
-  fmpq_mpoly_t num, den;
-};
+#include "num/calc.h"
+#include "stickslip/exact.h"
 
-enum { MAX_NAMES = 64, MAX_FACTS = 48, N_PROBES = 2 };
+typedef fmpz_mpoly_q_struct element;
+
+enum { MAX_NAMES = NUM_EXACT_GENERATORS, MAX_FACTS = 48, N_PROBES = 2 };
 
 /* Something known to be positive, or to be zero. */
 struct fact {
-  struct fraction f;
+  element x;
   const char *text;
   double probe[N_PROBES];
 };
 
 struct proof {
-  fmpq_mpoly_ctx_t ctx;
-  const char *name[MAX_NAMES]; /* of the variables */
+  const char *name[MAX_NAMES]; /* of the generators */
   slong n_names;
   struct fact positive[MAX_FACTS], zero[MAX_FACTS], goal[MAX_FACTS], factor[MAX_FACTS];
   int n_positive, n_zero, n_goals, n_factors;
 };
 
-/* --- Rational functions --- */
+/* --- Facts --- */
 
-static void fraction_init(struct fraction *f, const struct proof *p) {
-  fmpq_mpoly_init(f->num, p->ctx);
-  fmpq_mpoly_init(f->den, p->ctx);
-  fmpq_mpoly_one(f->den, p->ctx);
+static void add_fact(struct fact *list, int *n, const element *x, const char *text) {
+  struct fact *f = &list[(*n)++];
+  num_exact.init(&f->x, 0);
+  num_exact.set(&f->x, x);
+  f->text = text;
 }
 
-static void fraction_clear(struct fraction *f, const struct proof *p) {
-  fmpq_mpoly_clear(f->num, p->ctx);
-  fmpq_mpoly_clear(f->den, p->ctx);
+static void clear_facts(struct fact *list, int n) {
+  for (int i = 0; i < n; i++) num_exact.clear(&list[i].x);
 }
 
-static void fraction_set(struct fraction *z, const struct fraction *x, const struct proof *p) {
-  fmpq_mpoly_set(z->num, x->num, p->ctx);
-  fmpq_mpoly_set(z->den, x->den, p->ctx);
-}
-
-static void fraction_mul(struct fraction *z, const struct fraction *x, const struct fraction *y,
-                         const struct proof *p) {
-  fmpq_mpoly_mul(z->num, x->num, y->num, p->ctx);
-  fmpq_mpoly_mul(z->den, x->den, y->den, p->ctx);
-}
-
-/* z = x + sign y */
-static void fraction_add(struct fraction *z, const struct fraction *x, const struct fraction *y, int sign,
-                         const struct proof *p) {
-  fmpq_mpoly_t a, b;
-  fmpq_mpoly_init(a, p->ctx);
-  fmpq_mpoly_init(b, p->ctx);
-  fmpq_mpoly_mul(a, x->num, y->den, p->ctx);
-  fmpq_mpoly_mul(b, y->num, x->den, p->ctx);
-  fmpq_mpoly_mul(z->den, x->den, y->den, p->ctx);
-  if (sign > 0)
-    fmpq_mpoly_add(z->num, a, b, p->ctx);
-  else
-    fmpq_mpoly_sub(z->num, a, b, p->ctx);
-  fmpq_mpoly_clear(b, p->ctx);
-  fmpq_mpoly_clear(a, p->ctx);
-}
-
-/* x at var = by; false when x is not of degree at most 1 in it. */
-static bool polynomial_at(fmpq_mpoly_t z, const fmpq_mpoly_t x, slong var, const struct fraction *by,
-                          const struct proof *p) {
-  if (fmpq_mpoly_degree_si(x, var, p->ctx) > 1) return false;
-  fmpq_mpoly_t slope;
-  fmpq_t zero;
-  fmpq_init(zero);
-  fmpq_mpoly_init(slope, p->ctx);
-  fmpq_mpoly_derivative(slope, x, var, p->ctx);
-  fmpq_mpoly_evaluate_one_fmpq(z, x, var, zero, p->ctx);
-  fmpq_mpoly_mul(z, z, by->den, p->ctx);
-  fmpq_mpoly_mul(slope, slope, by->num, p->ctx);
-  fmpq_mpoly_add(z, z, slope, p->ctx);
-  fmpq_mpoly_clear(slope, p->ctx);
-  fmpq_clear(zero);
-  return true;
-}
-
-static bool substitute(struct fraction *f, slong var, const struct fraction *by, const struct proof *p) {
-  struct fraction z;
-  fraction_init(&z, p);
-  bool ok = polynomial_at(z.num, f->num, var, by, p) && polynomial_at(z.den, f->den, var, by, p) &&
-            !fmpq_mpoly_is_zero(z.den, p->ctx);
-  if (ok) fraction_set(f, &z, p);
-  fraction_clear(&z, p);
-  return ok;
-}
-
-/* --- From tapes --- */
-
-static slong variable(struct proof *p, const char *name) {
+static slong generator(struct proof *p, const char *name) {
   for (slong i = 0; i < p->n_names; i++)
     if (strcmp(p->name[i], name) == 0) return i;
   if (p->n_names == MAX_NAMES) return -1;
@@ -109,61 +49,22 @@ static slong variable(struct proof *p, const char *name) {
 
 static bool names_of(struct proof *p, const struct tape *t) {
   for (slong i = 0; i < t->n_inputs; i++)
-    if (variable(p, t->inputs[i]) < 0) return false;
+    if (generator(p, t->inputs[i]) < 0) return false;
   return true;
 }
 
-/* One instruction; false for what is not a rational function. */
-static bool step(struct fraction *v, slong i, const struct tape *t, struct proof *p) {
-  const struct tape_instr *in = &t->code[i];
-  struct fraction *z = &v[i], inverse;
-  bool ok = true;
-  fraction_init(&inverse, p);
-  switch (in->op) {
-  case TAPE_CONST:
-    fmpq_mpoly_set_fmpq(z->num, &t->consts[in->k], p->ctx);
-    break;
-  case TAPE_INPUT:
-    fmpq_mpoly_gen(z->num, variable(p, t->inputs[in->k]), p->ctx);
-    break;
-  case TAPE_neg:
-    fraction_set(z, &v[in->a], p);
-    fmpq_mpoly_neg(z->num, z->num, p->ctx);
-    break;
-  case TAPE_add:
-  case TAPE_sub:
-    fraction_add(z, &v[in->a], &v[in->b], in->op == TAPE_add ? 1 : -1, p);
-    break;
-  case TAPE_mul:
-    fraction_mul(z, &v[in->a], &v[in->b], p);
-    break;
-  case TAPE_div:
-    ok = !fmpq_mpoly_is_zero(v[in->b].num, p->ctx);
-    fmpq_mpoly_set(inverse.num, v[in->b].den, p->ctx);
-    fmpq_mpoly_set(inverse.den, v[in->b].num, p->ctx);
-    if (ok) fraction_mul(z, &v[in->a], &inverse, p);
-    break;
-  default:
-    ok = false;
-  }
-  fraction_clear(&inverse, p);
-  return ok;
-}
-
-/* The outputs of a tape as facts of a list. */
+/* The outputs of a tape as facts of a list; false where one is no rational function, or divides by zero. */
 static bool facts_of(struct fact *list, int *n, const struct tape *t, const char *const *text, struct proof *p) {
-  struct fraction *v = ss_malloc((size_t)t->n * sizeof *v);
-  bool ok = *n + (int)t->n_outputs <= MAX_FACTS;
-  for (slong i = 0; i < t->n; i++) fraction_init(&v[i], p);
-  for (slong i = 0; ok && i < t->n; i++) ok = step(v, i, t, p);
-  for (slong i = 0; ok && i < t->n_outputs; i++) {
-    struct fact *f = &list[(*n)++];
-    fraction_init(&f->f, p);
-    fraction_set(&f->f, &v[t->outputs[i]], p);
-    f->text = text[i];
-  }
-  for (slong i = 0; i < t->n; i++) fraction_clear(&v[i], p);
-  free(v);
+  struct num_vec in, out;
+  if (*n + (int)t->n_outputs > MAX_FACTS) return false;
+  num_vec_init(&in, t->n_inputs, num_ctx_exact());
+  num_vec_init(&out, t->n_outputs, num_ctx_exact());
+  for (slong i = 0; i < t->n_inputs; i++)
+    fmpz_mpoly_q_gen(num_vec_at(&in, i), generator(p, t->inputs[i]), num_exact_ctx());
+  bool ok = tape_eval(&out, NULL, t, &in) == SS_OK;
+  for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, num_vec_at(&out, i), text[i]);
+  num_vec_clear(&out);
+  num_vec_clear(&in);
   return ok;
 }
 
@@ -172,21 +73,13 @@ static bool facts_of(struct fact *list, int *n, const struct tape *t, const char
 static bool expressions_tape(struct tape *t, struct elaboration *el, const char *const *text, int n,
                              const char *section, struct diag *d) {
   const struct expr *e[8];
-  struct arena a;
-  arena_init(&a);
   bool ok = true;
   for (int i = 0; ok && i < n; i++) {
-    struct source src;
     struct matrix m;
-    source_from_string(&src, text[i], text[i]);
-    const struct expr *tree = expr_parse(&a, &src, (struct span){0, src.len}, d);
-    ok = tree && elaborate(&m, el, tree, &src, section, d) && m.rows * m.cols == 1;
+    ok = elaborate_text(&m, el, text[i], text[i], section, d) && m.rows * m.cols == 1;
     if (ok) e[i] = m.e[0];
-    source_clear(&src);
   }
-  ok = ok && elaboration_tape(t, el, e, n, d);
-  arena_clear(&a);
-  return ok;
+  return ok && elaboration_tape(t, el, e, n, d);
 }
 
 /* --- Eliminating by equations --- */
@@ -195,63 +88,78 @@ static bool is_parameter(const char *name) {
   return strcmp(name, "chi") == 0 || strcmp(name, "eta") == 0 || strcmp(name, "V") == 0;
 }
 
-/* Divides x by a factor as often as it goes. */
-static void divide_out(fmpq_mpoly_t x, const fmpq_mpoly_t factor, const struct proof *p) {
-  fmpq_mpoly_t q;
-  fmpq_mpoly_init(q, p->ctx);
-  while (!fmpq_mpoly_is_fmpq(x, p->ctx) && fmpq_mpoly_divides(q, x, factor, p->ctx)) fmpq_mpoly_swap(x, q, p->ctx);
-  fmpq_mpoly_clear(q, p->ctx);
+/* Never zero on the domain: a constant times powers of chi, 1 - chi, eta and V, which are the first facts. */
+static bool never_zero(const element *x, const struct proof *p) {
+  enum { N_SURE = 4 };
+  element sure[N_SURE]; /* borrowed */
+  for (int i = 0; i < N_SURE; i++) sure[i] = p->positive[i].x;
+  return exact_product_sign(x, sure, N_SURE) != 0;
 }
 
-/* Never zero on the domain: a constant times powers of chi, 1 - chi, eta and V. */
-static bool never_zero(const fmpq_mpoly_t x, const struct proof *p) {
-  fmpq_mpoly_t rest, factor;
-  if (fmpq_mpoly_is_zero(x, p->ctx)) return false;
-  fmpq_mpoly_init(rest, p->ctx);
-  fmpq_mpoly_init(factor, p->ctx);
-  fmpq_mpoly_set(rest, x, p->ctx);
-  for (slong i = 0; i < p->n_names; i++) {
-    if (!is_parameter(p->name[i])) continue;
-    fmpq_mpoly_gen(factor, i, p->ctx);
-    divide_out(rest, factor, p);
-    fmpq_mpoly_sub_si(factor, factor, 1, p->ctx);
-    if (strcmp(p->name[i], "chi") == 0) divide_out(rest, factor, p);
+static val of_polynomial(struct calc *c, const fmpz_mpoly_struct *p) {
+  element *z = calc_new(c);
+  fmpz_mpoly_set(&z->num, p, num_exact_ctx());
+  fmpz_mpoly_one(&z->den, num_exact_ctx());
+  return z;
+}
+
+/* A polynomial of degree at most 1 in a generator g, as start + slope g; false for another. */
+static bool split_line(val *start, val *slope, struct calc *c, const fmpz_mpoly_struct *p, slong g) {
+  if (fmpz_mpoly_degree_si(p, g, num_exact_ctx()) > 1) return false;
+  fmpz_mpoly_t part;
+  fmpz_t zero;
+  fmpz_init(zero);
+  fmpz_mpoly_init(part, num_exact_ctx());
+  fmpz_mpoly_derivative(part, p, g, num_exact_ctx());
+  *slope = of_polynomial(c, part);
+  fmpz_mpoly_evaluate_one_fmpz(part, p, g, zero, num_exact_ctx());
+  *start = of_polynomial(c, part);
+  fmpz_mpoly_clear(part, num_exact_ctx());
+  fmpz_clear(zero);
+  return true;
+}
+
+/* x with the generator g replaced; false when x is not of degree at most 1 in it above and below. */
+static bool substitute(element *x, slong g, const element *by) {
+  struct calc c;
+  val start, slope;
+  calc_init(&c, num_ctx_exact());
+  bool ok = split_line(&start, &slope, &c, &x->num, g);
+  if (ok) {
+    val above = calc_add(&c, start, calc_mul(&c, slope, by));
+    ok = split_line(&start, &slope, &c, &x->den, g);
+    if (ok) num_exact.set(x, calc_div(&c, above, calc_add(&c, start, calc_mul(&c, slope, by))));
   }
-  bool yes = fmpq_mpoly_is_fmpq(rest, p->ctx);
-  fmpq_mpoly_clear(factor, p->ctx);
-  fmpq_mpoly_clear(rest, p->ctx);
-  return yes;
-}
-
-static bool substitute_all(struct proof *p, int next, slong var, const struct fraction *by) {
-  bool ok = true;
-  for (int i = next; ok && i < p->n_zero; i++) ok = substitute(&p->zero[i].f, var, by, p);
-  for (int i = 0; ok && i < p->n_positive; i++) ok = substitute(&p->positive[i].f, var, by, p);
-  for (int i = 0; ok && i < p->n_goals; i++) ok = substitute(&p->goal[i].f, var, by, p);
+  ok = ok && c.status == SS_OK;
+  calc_clear(&c);
   return ok;
 }
 
-/* Solves equation i for some variable, those of the motion first, and puts it in everywhere else. */
+static bool substitute_all(struct proof *p, int next, slong g, const element *by) {
+  bool ok = true;
+  for (int i = next; ok && i < p->n_zero; i++) ok = substitute(&p->zero[i].x, g, by);
+  for (int i = 0; ok && i < p->n_positive; i++) ok = substitute(&p->positive[i].x, g, by);
+  for (int i = 0; ok && i < p->n_goals; i++) ok = substitute(&p->goal[i].x, g, by);
+  return ok;
+}
+
+/* Solves equation i for some generator, those of the motion first, and puts it in everywhere else. */
 static bool eliminate(struct proof *p, int i) {
-  const struct fraction *e = &p->zero[i].f;
-  struct fraction by;
-  fmpq_t zero;
-  fmpq_init(zero);
-  fraction_init(&by, p);
-  bool done = fmpq_mpoly_is_zero(e->num, p->ctx), ok = done;
+  const element *e = &p->zero[i].x;
+  struct calc c;
+  val start, slope;
+  calc_init(&c, num_ctx_exact());
+  bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
   for (int motion = 1; !done && motion >= 0; motion--)
-    for (slong v = 0; !done && v < p->n_names; v++) {
-      if (is_parameter(p->name[v]) || (strchr(p->name[v], '(') != NULL) != motion) continue;
-      if (fmpq_mpoly_degree_si(e->num, v, p->ctx) != 1) continue;
-      fmpq_mpoly_derivative(by.den, e->num, v, p->ctx);
-      if (!never_zero(by.den, p)) continue;
-      fmpq_mpoly_evaluate_one_fmpq(by.num, e->num, v, zero, p->ctx);
-      fmpq_mpoly_neg(by.num, by.num, p->ctx);
+    for (slong g = 0; !done && g < p->n_names; g++) {
+      if (is_parameter(p->name[g]) || (strchr(p->name[g], '(') != NULL) != motion) continue;
+      if (fmpz_mpoly_degree_si(&e->num, g, num_exact_ctx()) != 1) continue;
+      split_line(&start, &slope, &c, &e->num, g);
+      if (!never_zero(slope, p)) continue;
       done = true;
-      ok = substitute_all(p, i + 1, v, &by);
+      ok = substitute_all(p, i + 1, g, calc_neg(&c, calc_div(&c, start, slope))) && c.status == SS_OK;
     }
-  fraction_clear(&by, p);
-  fmpq_clear(zero);
+  calc_clear(&c);
   return ok || !done; /* an equation that cannot be solved is not used */
 }
 
@@ -266,45 +174,34 @@ struct term {
   double probe[N_PROBES];
 };
 
-static double probe_of(const fmpq_mpoly_t x, int k, const struct proof *p) {
+static void probe(struct fact *f) {
   static const slong prime[] = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
-  fmpq *at[MAX_NAMES];
   fmpq value[MAX_NAMES];
-  fmpq_t r;
-  fmpq_init(r);
-  for (slong i = 0; i < p->n_names; i++) {
-    fmpq_init(&value[i]);
-    fmpq_set_si(&value[i], prime[i % 16] + 3 * i + 1, (ulong)(prime[(i + 5 + k) % 16] + 2 * i));
-    at[i] = &value[i];
+  fmpq_t x;
+  fmpq_init(x);
+  for (slong i = 0; i < MAX_NAMES; i++) fmpq_init(&value[i]);
+  for (int k = 0; k < N_PROBES; k++) {
+    for (slong i = 0; i < MAX_NAMES; i++)
+      fmpq_set_si(&value[i], prime[i % 16] + 3 * i + 1, (ulong)(prime[(i + 5 + k) % 16] + 2 * i));
+    f->probe[k] = num_exact_at(x, &f->x, value) == SS_OK ? fmpq_get_d(x) : NAN;
   }
-  fmpq_mpoly_evaluate_all_fmpq(r, x, at, p->ctx);
-  double d = fmpq_get_d(r);
-  for (slong i = 0; i < p->n_names; i++) fmpq_clear(&value[i]);
-  fmpq_clear(r);
-  return d;
+  for (slong i = 0; i < MAX_NAMES; i++) fmpq_clear(&value[i]);
+  fmpq_clear(x);
 }
 
-static void probe(struct fact *f, const struct proof *p) {
-  for (int k = 0; k < N_PROBES; k++) f->probe[k] = probe_of(f->f.num, k, p) / probe_of(f->f.den, k, p);
+static void probe_all(struct fact *list, int n) {
+  for (int i = 0; i < n; i++) probe(&list[i]);
 }
 
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
-  struct fraction rest, one;
-  fraction_init(&rest, p);
-  fraction_init(&one, p);
-  fraction_set(&rest, &goal->f, p);
-  for (int i = 0; i < n; i++) {
-    fraction_mul(&one, &p->positive[t[i]->fact].f, &p->factor[t[i]->factor].f, p);
-    struct fraction sum;
-    fraction_init(&sum, p);
-    fraction_add(&sum, &rest, &one, -1, p);
-    fraction_set(&rest, &sum, p);
-    fraction_clear(&sum, p);
-  }
-  bool yes = fmpq_mpoly_is_zero(rest.num, p->ctx);
-  fraction_clear(&one, p);
-  fraction_clear(&rest, p);
+  struct calc c;
+  calc_init(&c, num_ctx_exact());
+  val rest = &goal->x;
+  for (int i = 0; i < n; i++)
+    rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, &p->factor[t[i]->factor].x));
+  bool yes = c.status == SS_OK && fmpz_mpoly_q_is_zero(rest, num_exact_ctx());
+  calc_clear(&c);
   return yes;
 }
 
@@ -448,11 +345,8 @@ static bool collect(struct proof *p, const struct extra *x, const struct conditi
 static bool use_monotone(struct text *out, struct proof *p) {
   if (!combine(out, &p->goal[0], p) || p->n_positive + 2 > MAX_FACTS) return false;
   for (int k = 1; k <= 2; k++) {
-    struct fact *f = &p->positive[p->n_positive++];
-    fraction_init(&f->f, p);
-    fraction_set(&f->f, &p->goal[k].f, p);
-    f->text = p->goal[k].text;
-    probe(f, p);
+    add_fact(p->positive, &p->n_positive, &p->goal[k].x, p->goal[k].text);
+    probe(&p->positive[p->n_positive - 1]);
   }
   return true;
 }
@@ -460,20 +354,19 @@ static bool use_monotone(struct text *out, struct proof *p) {
 static bool prove(struct text *out, struct proof *p, bool monotone) {
   bool ok = true;
   for (int i = 0; ok && i < p->n_zero; i++) ok = eliminate(p, i);
-  for (int i = 0; i < p->n_positive; i++) probe(&p->positive[i], p);
-  for (int i = 0; i < p->n_goals; i++) probe(&p->goal[i], p);
-  for (int i = 0; i < p->n_factors; i++) probe(&p->factor[i], p);
+  probe_all(p->positive, p->n_positive);
+  probe_all(p->goal, p->n_goals);
+  probe_all(p->factor, p->n_factors);
   if (monotone) ok = ok && use_monotone(out, p);
   for (int i = monotone ? 3 : 0; ok && i < p->n_goals; i++) ok = combine(out, &p->goal[i], p);
   return ok;
 }
 
 static void proof_clear(struct proof *p) {
-  for (int i = 0; i < p->n_positive; i++) fraction_clear(&p->positive[i].f, p);
-  for (int i = 0; i < p->n_zero; i++) fraction_clear(&p->zero[i].f, p);
-  for (int i = 0; i < p->n_goals; i++) fraction_clear(&p->goal[i].f, p);
-  for (int i = 0; i < p->n_factors; i++) fraction_clear(&p->factor[i].f, p);
-  fmpq_mpoly_ctx_clear(p->ctx);
+  clear_facts(p->positive, p->n_positive);
+  clear_facts(p->zero, p->n_zero);
+  clear_facts(p->goal, p->n_goals);
+  clear_facts(p->factor, p->n_factors);
 }
 
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
@@ -495,7 +388,6 @@ bool certificate_find(struct text *out, struct judge *j, const struct claim *c, 
     struct proof *p = ss_malloc(sizeof *p);
     *p = (struct proof){.n_names = 0};
     ok = name_all(p, &x, premises, conclusion);
-    fmpq_mpoly_ctx_init(p->ctx, p->n_names, ORD_LEX);
     ok = ok && collect(p, &x, premises, conclusion) && prove(out, p, x.monotone);
     proof_clear(p);
     free(p);

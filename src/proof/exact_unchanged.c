@@ -15,20 +15,11 @@ struct formula_read {
 
 static void read_formula(struct formula_read *r, struct view v, const char *formula, const char *section,
                          const struct override *o, int n) {
-  struct arena a;
-  struct source src;
   struct matrix m;
   struct diag d;
   diag_init(&d);
-  r->tape = (struct tape){.n = 0};
   elaboration_init(&r->el, v, o, n);
-  arena_init(&a);
-  source_from_string(&src, formula, formula);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  r->ok =
-      e && elaborate(&m, &r->el, e, &src, section, &d) && elaboration_tape(&r->tape, &r->el, m.e, m.rows * m.cols, &d);
-  source_clear(&src);
-  arena_clear(&a);
+  r->ok = elaborate_tape(&r->tape, &m, &r->el, formula, formula, section, &d);
 }
 
 static void formula_clear(struct formula_read *r) {

@@ -1,9 +1,8 @@
-/* Some of the equations solved for as many quantities: Newton's iteration in double precision to find, Krawczyk's
-   operator in balls to prove.  Krawczyk: with Y near the inverse of the Jacobian at x, the image
-   x - Y f(x) + (I - Y J(B)) (B - x) of a box B around x holds every zero in B, and lying inside of B proves that there
-   is exactly one, for each value of the quantities that are held fixed as balls. */
+/* Some of the equations solved for as many quantities (num/solve.h): Newton's iteration in double precision to find,
+   Krawczyk's operator in balls to prove, for each value of the quantities that are held fixed as balls. */
 #include <math.h>
 
+#include "num/solve.h"
 #include "readings.h"
 
 /* The equations and unknowns of two masks as lists; the number of them, or -1 when they are not equally many. */
@@ -25,158 +24,94 @@ static void gather(struct num_vec *f, struct num_vec *j, const struct system *s,
   }
 }
 
+struct block_solver {
+  struct system *s;
+  unsigned eqs;
+  int eq[N_EQ], at[N_X], n;
+  const double *start; /* of the iteration in double precision */
+  int steps;
+};
+
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct block_solver *b = self;
+  struct system *s = b->s;
+  for (int i = 0; i < b->n; i++) s->ctx.type->set(num_vec_at(&s->x, b->at[i]), num_vec_at(x, i));
+  int status = system_eval(s, b->eqs);
+  for (int i = 0; i < b->n; i++) {
+    if (f) f[i] = num_vec_at(&s->value, b->eq[i]);
+    for (int k = 0; k < b->n; k++) j[i * b->n + k] = num_vec_at(&s->slope, b->eq[i] * N_X + b->at[k]);
+  }
+  return status;
+}
+
+/* Near the start, and until the next step would be the square of 1e-7. */
+static enum newton_next stays_near(const struct num_vec *x, const struct num_vec *step, void *self) {
+  const struct block_solver *b = self;
+  const double *at = (const double *)x->data, *by = (const double *)step->data;
+  bool settled = true;
+  for (int i = 0; i < b->n; i++) {
+    double start = b->start[b->at[i]], next = at[i] - by[i];
+    if (!(fabs(next - start) <= 1 + fabs(start))) return NEWTON_LOST;
+    settled = settled && fabs(by[i]) <= 1e-7 * (1 + fabs(next));
+  }
+  return settled ? NEWTON_LAST : NEWTON_ON;
+}
+
 bool readings_newton(double x[N_X], struct system *s, unsigned eqs, unsigned unknown) {
   enum { MAX_STEPS = 12 };
-  int eq[N_EQ], at[N_X], n = lists(eq, at, eqs, unknown);
-  if (n <= 0) return n == 0;
-  double start[N_X];
-  for (int i = 0; i < N_X; i++) start[i] = x[i];
-  struct num_vec f, j;
-  num_vec_init(&f, n, s->ctx);
-  num_vec_init(&j, n * n, s->ctx);
-  bool near = true, settled = false;
-  for (int step = 0; near && !settled && step < MAX_STEPS; step++) {
-    for (int i = 0; i < N_X; i++) near = s->ctx.type->set_d(num_vec_at(&s->x, i), x[i], s->ctx.prec) == SS_OK && near;
-    near = near && system_eval(s, eqs) == SS_OK;
-    gather(&f, &j, s, eq, at, n);
-    near = near && num_mat_solve(&f, &j, &f, n, 1) == SS_OK;
-    settled = true;
-    for (int i = 0; near && i < n; i++) {
-      double d = s->ctx.type->get_d(num_vec_at(&f, i));
-      x[at[i]] -= d;
-      near = fabs(x[at[i]] - start[at[i]]) <= 1 + fabs(start[at[i]]);
-      settled = settled && fabs(d) <= 1e-7 * (1 + fabs(x[at[i]])) /* the next step is its square */;
-    }
+  struct block_solver b = {.s = s, .eqs = eqs};
+  struct solve_system system = {b.n = lists(b.eq, b.at, eqs, unknown), values, &b};
+  if (b.n <= 0) return b.n == 0;
+  double free[N_X], start[N_X];
+  struct num_vec at = {s->ctx, b.n, (char *)free};
+  b.start = start;
+  for (int i = 0; i < N_X; i++) {
+    start[i] = x[i];
+    if (s->ctx.type->set_d(num_vec_at(&s->x, i), x[i], s->ctx.prec) != SS_OK) return false;
   }
-  num_vec_clear(&j);
-  num_vec_clear(&f);
-  return near && settled;
+  for (int i = 0; i < b.n; i++) free[i] = x[b.at[i]];
+  int status = newton_run(&at, &system, s->ctx, MAX_STEPS, stays_near);
+  for (int i = 0; i < b.n && !status; i++) x[b.at[i]] = free[i];
+  return !status;
 }
 
 /* --- In balls --- */
 
-struct krawczyk {
-  struct system *s;
-  unsigned eqs;
-  int eq[N_EQ], at[N_X], n;
-  struct num_vec mid, step, inverse, f, j, box; /* x, Y f(x), Y; scratch; B */
-};
-
-static void krawczyk_init(struct krawczyk *k, struct system *s, unsigned eqs, unsigned unknown) {
-  *k = (struct krawczyk){.s = s, .eqs = eqs};
-  k->n = lists(k->eq, k->at, eqs, unknown);
-  slong n = k->n > 0 ? k->n : 0;
-  num_vec_init(&k->mid, n, s->ctx);
-  num_vec_init(&k->step, n, s->ctx);
-  num_vec_init(&k->f, n, s->ctx);
-  num_vec_init(&k->box, n, s->ctx);
-  num_vec_init(&k->inverse, n * n, s->ctx);
-  num_vec_init(&k->j, n * n, s->ctx);
+/* Two steps lead from double precision to more bits than are worked with. */
+static enum newton_next second(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct block_solver *b = self;
+  (void)x;
+  (void)step;
+  return ++b->steps < 2 ? NEWTON_ON : NEWTON_LAST;
 }
 
-static void krawczyk_clear(struct krawczyk *k) {
-  num_vec_clear(&k->j);
-  num_vec_clear(&k->inverse);
-  num_vec_clear(&k->box);
-  num_vec_clear(&k->f);
-  num_vec_clear(&k->step);
-  num_vec_clear(&k->mid);
-}
-
-static bool evaluate_at(struct krawczyk *k, const struct num_vec *unknowns) {
-  for (int i = 0; i < k->n; i++) arb_set(num_vec_at(&k->s->x, k->at[i]), num_vec_at(unknowns, i));
-  bool ok = system_eval(k->s, k->eqs) == SS_OK;
-  if (ok) gather(&k->f, &k->j, k->s, k->eq, k->at, k->n);
-  return ok;
-}
-
-/* Newton's iteration at exact points, the fixed quantities at their middles. */
-static bool settle(struct krawczyk *k, arb_srcptr x) {
-  enum { STEPS = 2 }; /* from double precision to more bits than are worked with */
-  for (int i = 0; i < N_X; i++) arb_get_mid_arb(num_vec_at(&k->s->x, i), x + i);
-  for (int i = 0; i < k->n; i++) arb_get_mid_arb(num_vec_at(&k->mid, i), x + k->at[i]);
-  bool ok = true;
-  for (int step = 0; ok && step < STEPS; step++) {
-    ok = evaluate_at(k, &k->mid) && num_mat_solve(&k->f, &k->j, &k->f, k->n, 1) == SS_OK;
-    for (int i = 0; ok && i < k->n; i++) {
-      arb_ptr m = num_vec_at(&k->mid, i);
-      arb_sub(m, m, num_vec_at(&k->f, i), k->s->ctx.prec);
-      arb_get_mid_arb(m, m);
-    }
-  }
-  return ok;
-}
-
-/* Y and Y f(x), with the fixed quantities as they are. */
-static bool prepare(struct krawczyk *k, arb_srcptr x) {
-  if (!evaluate_at(k, &k->mid)) return false;
-  struct num_vec unit;
-  num_vec_init(&unit, k->n * k->n, k->s->ctx);
-  for (int i = 0; i < k->n; i++) arb_one(num_vec_at(&unit, i * k->n + i));
-  for (int i = 0; i < k->n * k->n; i++) arb_get_mid_arb(num_vec_at(&k->j, i), num_vec_at(&k->j, i));
-  bool ok = num_mat_solve(&k->inverse, &k->j, &unit, k->n, k->n) == SS_OK;
-  for (int i = 0; i < k->n * k->n; i++) arb_get_mid_arb(num_vec_at(&k->inverse, i), num_vec_at(&k->inverse, i));
-  num_vec_clear(&unit);
-  for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&k->s->x, i), x + i);
-  ok = ok && evaluate_at(k, &k->mid);
-  return ok && num_mat_mul(&k->step, &k->inverse, &k->f, k->n, k->n, 1) == SS_OK;
-}
-
-/* The image of the box. */
-static bool image(struct num_vec *out, struct krawczyk *k) {
-  slong prec = k->s->ctx.prec;
-  if (!evaluate_at(k, &k->box) || num_mat_mul(&k->j, &k->inverse, &k->j, k->n, k->n, k->n) != SS_OK) return false;
-  for (int i = 0; i < k->n * k->n; i++) arb_neg(num_vec_at(&k->j, i), num_vec_at(&k->j, i));
-  for (int i = 0; i < k->n; i++) {
-    arb_ptr d = num_vec_at(&k->j, i * k->n + i);
-    arb_add_ui(d, d, 1, prec);
-    arb_sub(num_vec_at(&k->f, i), num_vec_at(&k->box, i), num_vec_at(&k->mid, i), prec);
-  }
-  bool ok = num_mat_mul(out, &k->j, &k->f, k->n, k->n, 1) == SS_OK;
-  for (int i = 0; i < k->n; i++) {
-    arb_ptr z = num_vec_at(out, i);
-    arb_add(z, z, num_vec_at(&k->mid, i), prec);
-    arb_sub(z, z, num_vec_at(&k->step, i), prec);
-  }
-  return ok;
-}
-
-/* A box that its image lies inside of, found by making the image of a small one a little larger. */
-static bool contract(struct krawczyk *k) {
-  enum { TRIES = 14 };
-  struct num_vec out;
-  num_vec_init(&out, k->n, k->s->ctx);
-  num_vec_set(&k->box, &k->mid);
-  bool inside = false, ok = true;
-  for (int t = 0; ok && !inside && t < TRIES; t++) {
-    for (int i = 0; i < k->n; i++) {
-      arb_ptr b = num_vec_at(&k->box, i);
-      mag_mul_2exp_si(arb_radref(b), arb_radref(b), 1);
-      arb_add_error_2exp_si(b, -k->s->ctx.prec / 2);
-    }
-    ok = image(&out, k);
-    inside = ok;
-    for (int i = 0; i < k->n; i++)
-      inside = inside && arb_contains_interior(num_vec_at(&k->box, i), num_vec_at(&out, i));
-    num_vec_set(&k->box, &out);
-  }
-  if (inside) { /* the image of the image is narrower still */
-    for (int i = 0; i < k->n; i++)
-      arb_union(num_vec_at(&k->box, i), num_vec_at(&out, i), num_vec_at(&k->mid, i), k->s->ctx.prec);
-    inside = image(&out, k);
-    num_vec_set(&k->box, &out);
-  }
-  num_vec_clear(&out);
-  return inside;
+/* A box that is proved, and then the image of its image, which is narrower still. */
+static int prove(struct krawczyk *k, const struct num_vec *mid) {
+  int status = krawczyk_centre(k, mid);
+  if (!status) status = krawczyk_follow(k, 0);
+  if (status) return status;
+  for (slong i = 0; i < mid->len; i++)
+    arb_union(num_vec_at(&k->box, i), num_vec_at(&k->image, i), num_vec_at(&k->mid, i), mid->ctx.prec);
+  return krawczyk_apply(k);
 }
 
 bool readings_enclose(arb_ptr x, struct system *s, unsigned eqs, unsigned unknown) {
+  struct block_solver b = {.s = s, .eqs = eqs};
+  struct solve_system system = {b.n = lists(b.eq, b.at, eqs, unknown), values, &b};
+  struct num_vec mid;
   struct krawczyk k;
-  krawczyk_init(&k, s, eqs, unknown);
-  bool ok = k.n == 0 || (k.n > 0 && settle(&k, x) && prepare(&k, x) && contract(&k));
-  for (int i = 0; ok && i < k.n; i++) arb_set(x + k.at[i], num_vec_at(&k.box, i));
+  if (b.n <= 0) return b.n == 0;
+  num_vec_init(&mid, b.n, s->ctx);
+  krawczyk_init(&k, &system, s->ctx.prec);
+  for (int i = 0; i < N_X; i++) arb_get_mid_arb(num_vec_at(&s->x, i), x + i);
+  for (int i = 0; i < b.n; i++) arb_get_mid_arb(num_vec_at(&mid, i), x + b.at[i]);
+  int status = newton_run(&mid, &system, s->ctx, 2, second);
+  for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
+  if (!status) status = prove(&k, &mid);
+  for (int i = 0; i < b.n && !status; i++) arb_set(x + b.at[i], num_vec_at(&k.image, i));
   krawczyk_clear(&k);
-  return ok;
+  num_vec_clear(&mid);
+  return !status;
 }
 
 bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, arb_srcptr x, unsigned eqs,

@@ -15,18 +15,6 @@ static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)
 
 /* --- The paper's formulas --- */
 
-static bool elaborate_text(struct matrix *m, struct elaboration *el, const char *text, struct diag *d) {
-  struct source src;
-  struct arena a;
-  source_from_string(&src, text, text);
-  arena_init(&a);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(m, el, e, &src, "validation", d) && m->rows == 4 && m->cols == 4;
-  arena_clear(&a);
-  source_clear(&src);
-  return ok;
-}
-
 static bool name_inputs(struct formulas *f) {
   static const char *const names[] = {"chi", "eta", "V", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
   for (slong i = 0; i < f->tape.n_inputs; i++) {
@@ -45,8 +33,9 @@ bool formulas_read(struct formulas *f, const struct model *m, enum layer layer) 
   elaboration_init(&f->el, (struct view){m, layer, NULL, NULL}, NULL, 0);
   const struct expr *entry[8 * 16];
   for (int k = 0; k < 8; k++) {
+    const char *text = propagator_text[k];
     struct matrix mat;
-    if (!elaborate_text(&mat, &f->el, propagator_text[k], &d)) return false;
+    if (!elaborate_text(&mat, &f->el, text, text, "validation", &d) || mat.rows != 4 || mat.cols != 4) return false;
     for (int i = 0; i < 16; i++) entry[16 * k + i] = mat.e[i];
   }
   return elaboration_tape(&f->tape, &f->el, entry, 8 * 16, &d) && name_inputs(f);

@@ -1,7 +1,9 @@
 /* One Jacobian by one method: of the whole period, or of one phase in the paper's corner of it, at one precision. */
 #include "jacobian.h"
-#include "value/values.h"
+
 #include <string.h>
+
+#include "value/expression.h"
 
 const char *const method_name[N_METHODS] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
 const char *const method_accuracy[N_METHODS] = {

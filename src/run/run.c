@@ -2,6 +2,7 @@
    need nothing of each other; then, since they speak of verdicts, the consequences of failures and the controls.  Parts are put
    together in the order of the report, so that the result is the same whoever did them. */
 #include "run.h"
+#include "tables.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -12,6 +13,7 @@
 #include "route/studies.h"
 #include "skipped.h"
 #include "stickslip/work.h"
+#include "tables.h"
 #include "value/orbit_pool.h"
 
 const char *const piece_what[] = {"claim", "consequence", "control", "study", "study", "study", "study", "study"};

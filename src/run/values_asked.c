@@ -20,11 +20,10 @@ enum { VALUE_FRAME = 80 };
 /* One number of an orbit, or one expression, ready to be evaluated. */
 struct quantity {
   const char *name;
-  size_t item;   /* in the scene's list */
-  size_t *bytes; /* that all values so far take */
-  int number;    /* in numbers[] below; -1: an expression */
-  struct arena arena;
-  struct source src;
+  size_t item;         /* in the scene's list */
+  size_t *bytes;       /* that all values so far take */
+  int number;          /* in numbers[] below; -1: an expression */
+  struct text formula; /* in the notation of the equation files */
   struct elaboration el;
   struct tape tape;
   int rows, cols;
@@ -84,26 +83,23 @@ bool value_is_named(const struct model *m, const char *name) {
 }
 
 /* As read from one section; the tape only if that can be. */
-static bool read_in(struct tape *t, struct quantity *q, const struct expr *e, const char *section, struct diag *d) {
+static bool read_in(struct tape *t, struct quantity *q, const char *section, struct diag *d) {
   struct matrix value;
   diag_init(d);
-  *t = (struct tape){.n = 0};
-  if (!elaborate(&value, &q->el, e, &q->src, section, d) ||
-      !elaboration_tape(t, &q->el, value.e, value.rows * value.cols, d))
-    return false;
+  if (!elaborate_tape(t, &value, &q->el, "values", text_str(&q->formula), section, d)) return false;
   q->rows = value.rows;
   q->cols = value.cols;
   return true;
 }
 
 /* A name that several sections define has a value when they define it alike. */
-static bool read_everywhere(struct quantity *q, const struct expr *e, const struct model *m, struct diag *d) {
+static bool read_everywhere(struct quantity *q, const struct model *m, struct diag *d) {
   struct diag other;
   const char *first = NULL;
   for (size_t i = 0; i < m->n_defs; i++) {
     struct tape t;
     const char *section = m->defs[i].section;
-    bool read = read_in(&t, q, e, section, &other);
+    bool read = read_in(&t, q, section, &other);
     bool unlike = read && first && !tape_same(&t, &q->tape);
     if (unlike) {
       diag_init(d);
@@ -123,19 +119,14 @@ static bool read_everywhere(struct quantity *q, const struct expr *e, const stru
 
 /* false with d set; cleared in any case. */
 static bool read_quantity(struct quantity *q, const char *name, const struct model *m, struct diag *d) {
-  struct text formula;
   q->name = name;
   q->number = is_defined(m, name) ? -1 : number_named(name);
   q->rows = q->cols = 1;
   elaboration_init(&q->el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  arena_init(&q->arena);
-  text_init(&formula);
-  write_out(&formula, m, name);
-  source_from_string(&q->src, "values", text_str(&formula));
-  text_clear(&formula);
+  text_init(&q->formula);
+  write_out(&q->formula, m, name);
   if (q->number >= 0) return true;
-  const struct expr *e = expr_parse(&q->arena, &q->src, (struct span){0, q->src.len}, d);
-  bool ok = e && (read_in(&q->tape, q, e, "", d) || read_everywhere(q, e, m, d));
+  bool ok = read_in(&q->tape, q, "", d) || read_everywhere(q, m, d);
   for (slong i = 0; ok && i < q->tape.n_inputs; i++)
     if (is_free(q->tape.inputs[i])) {
       diag_set(d, "%s is free in it", q->tape.inputs[i]);
@@ -147,8 +138,7 @@ static bool read_quantity(struct quantity *q, const char *name, const struct mod
 static void quantity_clear(struct quantity *q) {
   tape_clear(&q->tape);
   elaboration_clear(&q->el);
-  source_clear(&q->src);
-  arena_clear(&q->arena);
+  text_clear(&q->formula);
 }
 
 static int number_at(struct num_vec *out, bool *known, const struct quantity *q, const struct point *p, slong prec,

@@ -7,29 +7,19 @@
 
 /* --- Text to scalars --- */
 
-static bool elaborate_text(struct matrix *out, struct digits_set *s, const char *text, const char *section,
-                           struct diag *d) {
-  struct source src;
-  source_from_string(&src, "formula", text);
-  const struct expr *e = expr_parse(&s->arena, &src, (struct span){0, src.len}, d);
-  bool ok = e && elaborate(out, &s->el, e, &src, section, d);
-  source_clear(&src);
-  return ok;
-}
-
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section) {
   struct diag d;
   struct matrix m;
   diag_init(&d);
   *t = (struct tape){.n = 0};
-  if (!elaborate_text(&m, s, text, section, &d) || m.rows * m.cols != 1) return false;
+  if (!elaborate_text(&m, &s->el, "formula", text, section, &d) || m.rows * m.cols != 1) return false;
   return elaboration_tape(t, &s->el, m.e, 1, &d);
 }
 
 bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const char *id, const char *text,
                        const char *section, struct diag *d) {
   struct matrix m;
-  if (!elaborate_text(&m, s, text, section, d)) return false;
+  if (!elaborate_text(&m, &s->el, "formula", text, section, d)) return false;
   *f = (struct digits_formula){
       .id = id, .also = "", .record = "", .equation = "", .section = section, .text = text, .n = m.rows * m.cols};
   f->entry = arena_alloc(&s->arena, (size_t)f->n * sizeof *f->entry);
@@ -164,7 +154,7 @@ static bool name_definition(struct digits_set *s, const struct definition *def, 
     if (i && !model_is_symbol(s->el.view.model, argument)) continue;
     struct matrix m;
     const char *text = definition_text(s, def, argument);
-    if (!elaborate_text(&m, s, text, def->section, d)) return false;
+    if (!elaborate_text(&m, &s->el, "formula", text, def->section, d)) return false;
     keep_names(s, text, &m);
   }
   return true;
@@ -184,7 +174,8 @@ static bool add_definition(struct digits_set *s, const struct definition *def, e
                            struct diag *d) {
   struct matrix m;
   if (is_alias(def) != (turn == TURN_ALIASES)) return true;
-  if (!elaborate_text(&m, s, definition_text(s, def, argument_of(s, def)), def->section, d)) return false;
+  if (!elaborate_text(&m, &s->el, "formula", definition_text(s, def, argument_of(s, def)), def->section, d))
+    return false;
   if (turn != TURN_ALIASES && (m.rows * m.cols > 1) != (turn == TURN_MATRICES)) return true;
   struct digits_formula f = {.id = definition_id(s, def),
                              .record = def->record->id_name,

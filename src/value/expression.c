@@ -6,19 +6,14 @@ bool expression_open(struct expression *x, struct view view, const char *express
   struct matrix m;
   *x = (struct expression){.n = 0};
   elaboration_init(&x->el, view, NULL, 0);
-  arena_init(&x->arena);
-  source_from_string(&x->src, expression, expression);
-  const struct expr *e = expr_parse(&x->arena, &x->src, (struct span){0, x->src.len}, d);
-  bool ok = e && elaborate(&m, &x->el, e, &x->src, section ? section : "", d) && m.rows * m.cols <= EXPRESSION_MOST &&
-            elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
+  bool ok = elaborate_text(&m, &x->el, expression, expression, section ? section : "", d) &&
+            m.rows * m.cols <= EXPRESSION_MOST && elaboration_tape(&x->tape, &x->el, m.e, m.rows * m.cols, d);
   if (ok) x->n = m.rows * m.cols;
   return ok;
 }
 
 void expression_close(struct expression *x) {
   tape_clear(&x->tape);
-  source_clear(&x->src);
-  arena_clear(&x->arena);
   elaboration_clear(&x->el);
 }
 

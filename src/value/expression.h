@@ -9,8 +9,6 @@ enum { EXPRESSION_MOST = 16 }; /* entries */
 
 struct expression {
   struct elaboration el;
-  struct arena arena;
-  struct source src;
   struct tape tape;
   int n; /* entries */
 };

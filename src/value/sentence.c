@@ -31,13 +31,8 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
   elaboration_init(&s->el, v, overrides, n_overrides);
   s->oracle = oracle_find(value);
   if (!s->oracle) abort(); /* the callers look first */
-  struct source src;
-  source_from_string(&src, value, value);
-  struct arena a;
-  arena_init(&a);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
   struct matrix m;
-  bool ok = e && elaborate(&m, &s->el, e, &src, section, d);
+  bool ok = elaborate_text(&m, &s->el, value, value, section, d);
   if (ok && (m.rows != oracle_rows(s->oracle) || m.cols != oracle_cols(s->oracle))) {
     wrong_shape(&v, value, section, &m, s->oracle, d);
     ok = false;
@@ -49,8 +44,6 @@ bool sentence_from_value(struct sentence *s, struct view v, const char *value, c
     for (slong i = 0; i < s->n; i++) s->ops[i] = REL_EQ;
     ok = finish(s, m.e, s->n, d);
   }
-  arena_clear(&a);
-  source_clear(&src);
   return ok;
 }
 

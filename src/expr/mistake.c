@@ -1,0 +1,117 @@
+/* What a parser says of a formula that it cannot read.  Each kind of mistake has its own sentence, with its place, that ends
+   in what to write instead, since most mistakes are habits of other notations. */
+#include <stdarg.h>
+#include <stdio.h>
+
+#include "parser.h"
+
+struct shown parser_show(const struct parser *p, struct token t) {
+  struct shown s;
+  const int longest = 40;
+  size_t len = t.end - t.begin;
+  if (t.kind == TOK_END)
+    snprintf(s.text, sizeof s.text, "the end");
+  else if (len > (size_t)longest)
+    snprintf(s.text, sizeof s.text, "\"%.*s...\"", longest, p->src->text + t.begin);
+  else
+    snprintf(s.text, sizeof s.text, "\"%.*s\"", (int)len, p->src->text + t.begin);
+  return s;
+}
+
+/* Line and column of a place, for messages that name a second one. */
+static struct shown show_place(const struct parser *p, size_t at) {
+  size_t line = 1, column = 1;
+  for (size_t i = 0; i < at; i++) {
+    unsigned char c = (unsigned char)p->src->text[i];
+    column = c == '\n' ? 1 : column + ((c & 0xC0) != 0x80);
+    line += c == '\n';
+  }
+  struct shown s;
+  snprintf(s.text, sizeof s.text, "%zu:%zu", line, column);
+  return s;
+}
+
+void *mistake_at(struct parser *p, size_t at, const char *fmt, ...) {
+  char what[400];
+  va_list ap;
+  va_start(ap, fmt);
+  vsnprintf(what, sizeof what, fmt, ap);
+  va_end(ap);
+  diag_at(p->diag, p->src, at, "%s", what);
+  return NULL;
+}
+
+void *mistake(struct parser *p, const char *what) {
+  return mistake_at(p, p->tok.begin, "%s", what);
+}
+
+void *mistake_prime(struct parser *p, size_t at) {
+  return mistake_at(p, at,
+                    "a prime marks a derivative: it follows the name of a function and is followed by \"(\", "
+                    "as in H'(t); a transpose is written transpose(...)");
+}
+
+void *mistake_reserved(struct parser *p) {
+  return mistake_at(p, p->tok.begin, "%s is a reserved word and cannot be a name", parser_show(p, p->tok).text);
+}
+
+void *mistake_unclosed(struct parser *p, struct token open, const char *closer) {
+  return mistake_at(p, p->tok.begin, "expected %s to close the \"%c\" opened at %s, found %s", closer, open.kind,
+                    show_place(p, open.begin).text, parser_show(p, p->tok).text);
+}
+
+/* Where an operand should begin, something else stands. */
+void *mistake_operand(struct parser *p) {
+  int before = p->prev.kind;
+  if (token_is_relation(before) && token_is_relation(p->tok.kind))
+    return mistake(p, "the relations are written = < <= > >=");
+  switch (p->tok.kind) {
+  case '-': /* the one at the beginning of a sum has been taken: this one follows an operator */
+    return mistake_at(p, p->tok.begin, "a sign after \"%c\" needs parentheses: write a%c(-b)", before, before);
+  case '+':
+    return mistake(p, "a leading \"+\" is not written: leave it out");
+  case '\'':
+    return mistake_prime(p, p->tok.begin);
+  case '*':
+    if (before == '*') return mistake(p, "a power is written a^2");
+    break;
+  case '{':
+    return mistake(p, "braces are used for the signs alone: for eps in {+1, -1}");
+  default:
+    break;
+  }
+  if (p->tok.kind == TOK_END && p->prev.kind == TOK_END) return mistake(p, "the formula is empty");
+  return mistake_at(p, p->tok.begin, "expected a number, a name, \"(\" or \"[\", found %s",
+                    parser_show(p, p->tok).text);
+}
+
+/* After a complete formula something is left. */
+void *mistake_trailing(struct parser *p) {
+  switch (p->tok.kind) {
+  case ')':
+  case ']':
+  case '}':
+    return mistake_at(p, p->tok.begin, "\"%c\" closes nothing: no bracket is open", p->tok.kind);
+  case '=':
+  case '<':
+  case '>':
+  case TOK_LE:
+  case TOK_GE:
+    return mistake(p, "a relation has no place here: only an expression has");
+  case TOK_DEFINE:
+    return mistake(p, "only a name or name(argument) can stand before \":=\"; a relation is written \"=\"");
+  case ',':
+    return mistake(p, "unexpected \",\": decimals have a point, and rows are written [a, b]");
+  case ';':
+    return mistake(p, "unexpected \";\": rows are separated by it inside [ ] only");
+  case ':':
+    return mistake(p, "unexpected \":\": a range of indices is written inside [ ]; a definition has \":=\"");
+  case '{':
+    return mistake(p, "braces are used for the signs alone: for eps in {+1, -1}");
+  default:
+    break;
+  }
+  if (parser_token_is(p, p->tok, "for"))
+    return mistake(p, "\"for\" gives the range of a relation; there is no relation here");
+  return mistake_at(p, p->tok.begin, "unexpected %s", parser_show(p, p->tok).text);
+}

@@ -1,0 +1,217 @@
+/* Newton's iteration and Krawczyk's operator over the number table.
+
+   The caller's function hands over pointers to its own elements; what is formed here lives in vectors of the iteration or of
+   the operator.  In balls a step is the product of the values with a rounded inverse of the derivative, which may be any
+   matrix and is the operator's too; in the other types it comes from num_mat_solve's elimination. */
+#include "solve.h"
+
+#include <stdlib.h>
+
+enum { FIRST_BITS = 192, LEVEL_GUARD = 24, MOST_BOXES = 12, FIRST_BOX = 3, GROWTH = 3 };
+
+static void gather(struct num_vec *z, const void *const *from) {
+  for (slong i = 0; i < z->len; i++) z->ctx.type->set(num_vec_at(z, i), from[i]);
+}
+
+static void to_middles(struct num_vec *z) {
+  for (slong i = 0; i < z->len; i++) arb_get_mid_arb(num_vec_at(z, i), num_vec_at(z, i));
+}
+
+static void fill(arb_mat_t z, const void *const *from) {
+  for (slong i = 0; i < arb_mat_nrows(z); i++)
+    for (slong l = 0; l < arb_mat_ncols(z); l++) arb_set(arb_mat_entry(z, i, l), from[i * arb_mat_ncols(z) + l]);
+}
+
+/* y = the inverse of the derivative, rounded, and step = y f.  SS_UNABLE when it cannot be told from a singular one. */
+static int precondition(arb_mat_t y, arb_mat_t step, const void *const *f, const void *const *j, slong prec) {
+  fill(y, j);
+  fill(step, f);
+  if (!arb_mat_inv(y, y, prec)) return SS_UNABLE;
+  arb_mat_get_mid(y, y);
+  arb_mat_mul(step, y, step, prec);
+  return SS_OK;
+}
+
+/* --- Newton's iteration. --- */
+
+static int ball_step(struct num_vec *step, const void *const *f, const void *const *j) {
+  slong n = step->len;
+  arb_mat_t y, b;
+  arb_mat_init(y, n, n);
+  arb_mat_init(b, n, 1);
+  int status = precondition(y, b, f, j, step->ctx.prec);
+  for (slong i = 0; i < n && !status; i++) arb_swap(num_vec_at(step, i), arb_mat_entry(b, i, 0));
+  arb_mat_clear(b);
+  arb_mat_clear(y);
+  return status;
+}
+
+static int plain_step(struct num_vec *step, const void *const *f, const void *const *j) {
+  slong n = step->len;
+  struct num_vec a;
+  num_vec_init(&a, n * n, step->ctx);
+  gather(step, f);
+  gather(&a, j);
+  int status = num_mat_solve(step, &a, step, n, 1);
+  num_vec_clear(&a);
+  return status;
+}
+
+int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx ctx, int most, newton_judge *judge) {
+  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
+  enum newton_next next = NEWTON_ON;
+  struct num_vec step;
+  int status = SS_OK;
+  if (s->n > SOLVE_MOST || x->len != s->n) abort();
+  num_vec_init(&step, s->n, ctx);
+  for (int i = 0; next == NEWTON_ON && !status; i++) {
+    status = i < most ? s->values(f, j, x, s->self) : SS_UNABLE;
+    if (!status) status = ctx.type == &num_arb ? ball_step(&step, f, j) : plain_step(&step, f, j);
+    if (status) break;
+    next = judge(x, &step, s->self);
+    if (next == NEWTON_LOST) status = SS_UNABLE;
+    if (next == NEWTON_LOST || next == NEWTON_STAY) break;
+    for (slong k = 0; k < s->n; k++)
+      status |= ctx.type->sub(num_vec_at(x, k), num_vec_at(x, k), num_vec_at(&step, k), ctx.prec);
+    if (ctx.type->rigorous) to_middles(x);
+  }
+  num_vec_clear(&step);
+  return status;
+}
+
+bool newton_is_small(const struct num_type *type, const void *step, slong bits, const void *scale) {
+  bool small;
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  type->get_arb(x, step);
+  type->get_arb(y, scale);
+  arb_mul_2exp_si(y, y, -bits);
+  small = arb_is_finite(x) && arf_cmpabs(arb_midref(x), arb_midref(y)) <= 0;
+  arb_clear(y);
+  arb_clear(x);
+  return small;
+}
+
+int newton_rising(int (*level)(slong bits, void *self), void *self, slong prec) {
+  slong ladder[FLINT_BITS], n = 0;
+  int status = SS_OK;
+  for (slong bits = prec; bits > FIRST_BITS; bits = bits / 2 + LEVEL_GUARD) ladder[n++] = bits;
+  ladder[n++] = FLINT_MIN(prec, FIRST_BITS);
+  while (n > 0 && !status) status = level(ladder[--n], self);
+  return status;
+}
+
+/* --- Krawczyk's operator. --- */
+
+void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec) {
+  struct num_ctx ctx = num_ctx_arb(prec);
+  if (s->n > SOLVE_MOST) abort();
+  k->system = s;
+  k->inside = false;
+  num_vec_init(&k->mid, s->n, ctx);
+  num_vec_init(&k->box, s->n, ctx);
+  num_vec_init(&k->image, s->n, ctx);
+  arb_mat_init(k->y, s->n, s->n);
+  arb_mat_init(k->step, s->n, 1);
+  arb_mat_init(k->rest, s->n, s->n);
+  arb_mat_init(k->off, s->n, 1);
+}
+
+void krawczyk_clear(struct krawczyk *k) {
+  arb_mat_clear(k->off);
+  arb_mat_clear(k->rest);
+  arb_mat_clear(k->step);
+  arb_mat_clear(k->y);
+  num_vec_clear(&k->image);
+  num_vec_clear(&k->box);
+  num_vec_clear(&k->mid);
+}
+
+int krawczyk_centre(struct krawczyk *k, const struct num_vec *x) {
+  const void *f[SOLVE_MOST], *j[SOLVE_MOST * SOLVE_MOST];
+  slong prec = k->mid.ctx.prec;
+  num_vec_set(&k->mid, x);
+  to_middles(&k->mid);
+  int status = k->system->values(f, j, &k->mid, k->system->self);
+  if (status) return status;
+  return precondition(k->y, k->step, f, j, prec);
+}
+
+int krawczyk_apply(struct krawczyk *k) {
+  const void *j[SOLVE_MOST * SOLVE_MOST];
+  slong n = k->system->n, prec = k->image.ctx.prec;
+  int status = k->system->values(NULL, j, &k->box, k->system->self);
+  k->inside = !status;
+  if (status) return status;
+  fill(k->rest, j);
+  arb_mat_mul(k->rest, k->y, k->rest, prec);
+  arb_mat_neg(k->rest, k->rest);
+  for (slong i = 0; i < n; i++) {
+    k->inside = k->inside && arb_contains(num_vec_at(&k->box, i), num_vec_at(&k->mid, i));
+    arb_add_si(arb_mat_entry(k->rest, i, i), arb_mat_entry(k->rest, i, i), 1, prec);
+    arb_sub(arb_mat_entry(k->off, i, 0), num_vec_at(&k->box, i), num_vec_at(&k->mid, i), prec);
+  }
+  arb_mat_mul(k->off, k->rest, k->off, prec);
+  for (slong i = 0; i < n; i++) {
+    arb_ptr z = num_vec_at(&k->image, i);
+    arb_sub(z, arb_mat_entry(k->off, i, 0), arb_mat_entry(k->step, i, 0), prec);
+    arb_add(z, z, num_vec_at(&k->mid, i), prec);
+    k->inside = k->inside && arb_is_finite(z) && arb_contains_interior(num_vec_at(&k->box, i), z);
+  }
+  return SS_OK;
+}
+
+/* Adds 2^shift of the size of x, and what rounding can do to mid, to the radius; a step can be exactly zero. */
+static void widen(arb_t box, const arb_t mid, mag_srcptr x, slong shift, slong prec) {
+  mag_t more, least;
+  mag_init(more);
+  mag_init(least);
+  mag_mul_2exp_si(more, x, shift);
+  arb_get_mag(least, mid);
+  mag_mul_2exp_si(least, least, 8 - prec);
+  mag_add_ui_2exp_si(least, least, 1, -4 * prec);
+  mag_add(arb_radref(box), arb_radref(box), more);
+  mag_add(arb_radref(box), arb_radref(box), least);
+  mag_clear(least);
+  mag_clear(more);
+}
+
+int krawczyk_grow(struct krawczyk *k) {
+  slong n = k->system->n, prec = k->box.ctx.prec;
+  int status = SS_OK;
+  mag_t size;
+  mag_init(size);
+  num_vec_set(&k->box, &k->mid);
+  for (slong i = 0; i < n; i++) {
+    arb_get_mag(size, arb_mat_entry(k->step, i, 0));
+    widen(num_vec_at(&k->box, i), num_vec_at(&k->mid, i), size, FIRST_BOX, prec);
+  }
+  mag_clear(size);
+  k->inside = false;
+  for (int t = 0; t < MOST_BOXES && !k->inside && !status; t++) {
+    for (slong i = 0; i < n && t > 0; i++) {
+      arb_ptr box = num_vec_at(&k->box, i);
+      mag_mul_2exp_si(arb_radref(box), arb_radref(box), GROWTH);
+    }
+    status = krawczyk_apply(k);
+  }
+  return k->inside ? status : status | SS_UNABLE;
+}
+
+int krawczyk_follow(struct krawczyk *k, slong wider) {
+  slong n = k->system->n, prec = k->box.ctx.prec;
+  int status = SS_OK;
+  for (slong i = 0; i < n; i++)
+    arb_sub(num_vec_at(&k->image, i), num_vec_at(&k->mid, i), arb_mat_entry(k->step, i, 0), prec);
+  k->inside = false;
+  for (int t = 0; t < MOST_BOXES && !k->inside && !status; t++) {
+    num_vec_set(&k->box, &k->image);
+    for (slong i = 0; i < n; i++) {
+      arb_ptr box = num_vec_at(&k->box, i);
+      widen(box, num_vec_at(&k->mid, i), arb_radref(box), wider, prec);
+    }
+    status = krawczyk_apply(k);
+  }
+  return k->inside ? status : status | SS_UNABLE;
+}

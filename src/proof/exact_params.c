@@ -1,0 +1,150 @@
+/* The parameters of an exact motion.  They are free generators, or numbers where a sentence is asked about under a condition
+   such as V = 1; with modes, chi and eta are made of two free frequencies instead, so that the roots of phase H are no new
+   unknowns.  Quantities that the model makes of the parameters alone are here too. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact_motion_impl.h"
+
+enum { TERMS = 1500 }; /* of the largest polynomial of a motion's field */
+
+int motion_reduce(struct num_vec *v, const struct exact_motion *m) {
+  int s = SS_OK;
+  for (slong i = 0; i < v->len; i++) s |= exact_reduce(at(v, i), m->field);
+  return s;
+}
+
+int motion_multiply(struct num_vec *z, const struct exact_motion *m, const struct num_vec *x, const struct num_vec *y,
+                    slong rows, slong inner, slong cols) {
+  int s = num_mat_mul(z, x, y, rows, inner, cols);
+  return s ? s : motion_reduce(z, m);
+}
+
+int motion_op(num_binary f, element *z, const struct exact_motion *m, const element *x, const element *y) {
+  int s = f(z, x, y, 0);
+  return s ? s : exact_reduce(z, m->field);
+}
+
+int motion_symbol(element *z, struct exact_motion *m, const char *name) {
+  const struct restriction *r = m->restriction;
+  static const struct {
+    const char *name;
+    int q;
+  } restricted[] = {{"chi", Q_CHI}, {"eta", Q_ETA}, {"V", Q_V}};
+  for (size_t i = 0; r && i < sizeof restricted / sizeof *restricted; i++) {
+    if (restricted[i].q != r->quantity || strcmp(restricted[i].name, name) != 0) continue;
+    fmpq_t q;
+    fmpq_init(q);
+    int s = num_parse_decimal(q, r->value, strlen(r->value));
+    if (s == SS_OK) s = num_exact.set_q(z, q, 0);
+    fmpq_clear(q);
+    return s;
+  }
+  return exact_symbol(z, m->field, name);
+}
+
+int motion_unknown(struct exact_motion *m, const char *name) {
+  if (!*m->unbound) snprintf(m->unbound, sizeof m->unbound, "%s", name);
+  return SS_UNABLE;
+}
+
+/* --- Parameters --- */
+
+int motion_system(struct num_vec *a, struct exact_motion *m, enum phase ph) {
+  int s = dyn_system(a, ph, &m->params);
+  return s ? s : motion_reduce(a, m);
+}
+
+/* Is w^2 an eigenvalue of the stiffness of phase H, as the first-order system has it? */
+static bool is_frequency(struct exact_motion *m, const element *w) {
+  struct num_vec a, k, det;
+  vec_init(&a, 16);
+  vec_init(&k, 4);
+  vec_init(&det, 1);
+  int s = motion_system(&a, m, PHASE_H);
+  for (int i = 0; i < 4; i++) s |= num_exact.neg(at(&k, i), at(&a, 8 + 4 * (i / 2) + i % 2), 0);
+  s |= num_exact.mul(at(&det, 0), w, w, 0);
+  for (int i = 0; i < 4; i += 3) s |= num_exact.sub(at(&k, i), at(&k, i), at(&det, 0), 0);
+  s |= num_mat_det(at(&det, 0), &k, 2);
+  s |= exact_reduce(at(&det, 0), m->field);
+  bool zero = s == SS_OK && exact_is_zero(m->field, at(&det, 0));
+  num_vec_clear(&det);
+  num_vec_clear(&k);
+  num_vec_clear(&a);
+  return zero;
+}
+
+/* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi and
+   eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
+static int take_modes(struct exact_motion *m) {
+  const struct num_type *t = &num_exact;
+  struct num_vec w;
+  vec_init(&w, 4);
+  element *one = at(&w, 0), *a = at(&w, 1), *b = at(&w, 2), *stiff = at(&w, 3);
+  int s = exact_symbol(at(&m->frequency, 0), m->field, "w_1");
+  s |= exact_symbol(at(&m->frequency, 1), m->field, "w_2");
+  s |= t->set_d(one, 1, 0);
+  s |= t->mul(a, at(&m->frequency, 0), at(&m->frequency, 0), 0);
+  s |= t->mul(b, at(&m->frequency, 1), at(&m->frequency, 1), 0);
+  s |= t->add(stiff, a, b, 0);
+  s |= t->sub(stiff, stiff, one, 0);
+  s |= t->sub(a, one, a, 0);
+  s |= t->sub(b, b, one, 0);
+  s |= t->mul(a, a, b, 0);
+  s |= t->div(at(&m->params, P_CHI), a, stiff, 0);
+  s |= t->div(at(&m->params, P_ETA), stiff, at(&m->params, P_CHI), 0);
+  num_vec_clear(&w);
+  if (s == SS_OK && !(is_frequency(m, at(&m->frequency, 0)) && is_frequency(m, at(&m->frequency, 1)))) s = SS_UNABLE;
+  exact_field_roots(m->field, at(&m->frequency, 0), 2);
+  return s;
+}
+
+static int take_params(struct exact_motion *m) {
+  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
+  int s = SS_OK;
+  for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++) s |= motion_symbol(at(&m->params, i), m, names[i]);
+  if (!m->attempt.modes) return s;
+  if (m->restriction && (m->restriction->quantity == Q_ETA || m->restriction->quantity == Q_CHI)) return SS_UNABLE;
+  return s | take_modes(m);
+}
+
+/* The motion's parameters as those of a point, for what is defined for every number type; clear q. */
+int motion_as_values(struct values *v, struct exact_motion *m, const struct point *p) {
+  *v = (struct values){.ctx = num_ctx_exact(), .point = p, .params = m->params};
+  vec_init(&v->q, N_Q);
+  for (int i = 0; i < N_PARAMS; i++) num_exact.set(at(&v->q, Q_CHI + i), at(&m->params, i));
+  return exact_symbol(at(&v->q, Q_US1), m->field, "u_s1") | exact_symbol(at(&v->q, Q_US2), m->field, "u_s2");
+}
+
+/* Quantities of the parameters alone, as for every number type. */
+int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *name) {
+  const struct point p = {.kind = POINT_PARAMS};
+  struct values v;
+  int s = motion_as_values(&v, m, &p);
+  s |= oracle_eval(out, oracle_find(name), &v);
+  num_vec_clear(&v.q);
+  return s ? s : motion_reduce(out, m);
+}
+
+void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
+                        bool finite, const struct restriction *restriction) {
+  *m = (struct exact_motion){
+      .attempt = *a, .kind = spec->kind, .phase = spec->phase, .finite = finite, .restriction = restriction};
+  m->field = exact_field_new(NULL, 0);
+  exact_field_limit(m->field, TERMS);
+  vec_init(&m->frequency, 2);
+  vec_init(&m->params, N_PARAMS);
+  vec_init(&m->state, 20);
+  vec_init(&m->tangent, 20);
+  vec_init(&m->shift, 4);
+  m->state_status = take_params(m);
+}
+
+void exact_motion_clear(struct exact_motion *m) {
+  num_vec_clear(&m->shift);
+  num_vec_clear(&m->tangent);
+  num_vec_clear(&m->state);
+  num_vec_clear(&m->params);
+  num_vec_clear(&m->frequency);
+  exact_field_free(m->field);
+}

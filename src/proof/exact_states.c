@@ -1,0 +1,244 @@
+/* The states of an exact motion at its switching times, and their perturbations.  Each is free, but for what its phase and its
+   event say of it, or follows from the one before by the propagator of the phase between them.  An event is an affine
+   equation: it decides one component of a free state, or e_1 or e_2 where the whole state is known. */
+#include <stdio.h>
+#include <string.h>
+
+#include "exact_motion_impl.h"
+
+int motion_length(element *z, struct exact_motion *m, int phase) {
+  static const char *const names[] = {"t_a", "t_b", "t_c", "t_d"};
+  return motion_symbol(z, m, names[phase]);
+}
+
+/* What a switching function says of a vector: its value, or without its constant, for perturbations. */
+static int switching(element *z, struct exact_motion *m, int phase, const struct num_vec *v, bool linear) {
+  struct num_vec w;
+  vec_init(&w, 5);
+  struct num_vec zero = part(&w, 0, 4);
+  int s = dyn_switching(z, (enum phase)phase, &m->params, v);
+  if (linear) {
+    s |= dyn_switching(at(&w, 4), (enum phase)phase, &m->params, &zero);
+    s |= num_exact.sub(z, z, at(&w, 4), 0);
+  }
+  if (s == SS_OK) s = exact_reduce(z, m->field);
+  num_vec_clear(&w);
+  return s;
+}
+
+/* Component i of v so chosen that the affine switching function that ends the phase is zero. */
+static int obey(struct num_vec *v, struct exact_motion *m, int phase, int i, bool linear) {
+  struct num_vec w;
+  vec_init(&w, 2);
+  int s = num_exact.set_d(at(v, i), 0, 0);
+  s |= switching(at(&w, 0), m, phase, v, linear);
+  s |= num_exact.set_d(at(v, i), 1, 0);
+  s |= switching(at(&w, 1), m, phase, v, linear);
+  s |= motion_op(num_exact.sub, at(&w, 1), m, at(&w, 0), at(&w, 1));
+  if (s == SS_OK) s = motion_op(num_exact.div, at(v, i), m, at(&w, 0), at(&w, 1));
+  num_vec_clear(&w);
+  return s;
+}
+
+/* For each end of a phase, from the start of the period on: which components are free, which one the event decides (-1:
+   none), and which are those of a mass that sticks to the belt. */
+static const struct {
+  const char *name[N_STATE], *small[N_STATE];
+  int decided;
+  bool sticks[N_STATE];
+} ends[5] = {{{"z_10", "z_20", NULL, NULL}, {"x", "y", NULL, NULL}, -1, {[DZ_1] = true, [DZ_2] = true}},
+             {{NULL, "z_2a", NULL, NULL}, {NULL, "y_a", NULL, NULL}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
+             {{"z_1b", NULL, "z'_1b", NULL}, {"x_b", NULL, "u_b", NULL}, Z_2, {[DZ_2] = true}},
+             {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
+             {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
+
+/* Any state at all: no mass sticks, no event has been. */
+static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
+  int s = SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    char name[16];
+    snprintf(name, sizeof name, "Z%d[%d]", k, i + 1);
+    s |= exact_symbol(at(v, i), m->field, name);
+  }
+  return s;
+}
+
+static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool perturbation) {
+  int s = SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    const char *name = perturbation ? ends[k].small[i] : ends[k].name[i];
+    if (name) s |= exact_symbol(at(v, i), m->field, name);
+    if (ends[k].sticks[i] && !perturbation) num_exact.set(at(v, i), at(&m->params, P_V));
+    if (ends[k].sticks[i] && perturbation) s |= num_exact.set_d(at(v, i), 0, 0);
+  }
+  return s == SS_OK && ends[k].decided >= 0 ? obey(v, m, k - 1, ends[k].decided, perturbation) : s;
+}
+
+/* The event decides e_1 or e_2 where the state is known. */
+static int decide_limit(struct exact_motion *m, int k, struct num_vec *z) {
+  struct num_vec w;
+  vec_init(&w, 1);
+  int limit = k == 1 ? P_E1 : P_E2;
+  num_exact.set_d(at(&m->params, limit), 0, 0);
+  int s = switching(at(&w, 0), m, k - 1, z, false);
+  num_exact.set(at(&m->params, limit), at(&w, 0));
+  num_vec_clear(&w);
+  return s;
+}
+
+static int carried(struct num_vec *z, struct exact_motion *m, int k, const struct num_vec *from, const element *more) {
+  struct num_vec p, u;
+  vec_init(&p, 16);
+  vec_init(&u, 1);
+  int s = motion_length(at(&u, 0), m, k - 1);
+  if (more) s |= motion_op(num_exact.add, at(&u, 0), m, at(&u, 0), more);
+  s |= exact_propagator(&p, m, (enum phase)(k - 1), at(&u, 0));
+  if (s == SS_OK) s = motion_multiply(z, m, &p, from, 4, 4, 1);
+  num_vec_clear(&u);
+  num_vec_clear(&p);
+  return s;
+}
+
+/* Z_c = exp(-A_C t_d) Z_0. */
+static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
+  struct num_vec p, u;
+  vec_init(&p, 16);
+  vec_init(&u, 1);
+  int s = motion_length(at(&u, 0), m, PHASE_C);
+  s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
+  if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
+  if (s == SS_OK) s = motion_multiply(z, m, &p, start, 4, 4, 1);
+  num_vec_clear(&u);
+  num_vec_clear(&p);
+  return s;
+}
+
+/* Z_0, Z_a, Z_b, Z_c, Z_f; on a periodic motion the last is the first. */
+int motion_state(struct num_vec *z, struct exact_motion *m, int k) {
+  if (k == 4 && is_periodic(m)) k = 0;
+  *z = part(&m->state, 4 * k, 4);
+  if (m->have_state[k]) return m->state_status;
+  m->have_state[k] = true;
+  bool patched = m->kind == POINT_PATCHED;
+  if (k <= m->attempt.anchor || k <= m->first_state || (k == 0 && is_periodic(m)))
+    return m->state_status |= patched ? any_state(z, m, k) : free_end(z, m, k, false);
+  struct num_vec before;
+  bool back = k == 3 && m->attempt.anchor == ANCHOR_BACK;
+  int s = motion_state(&before, m, back ? 4 : k - 1);
+  if (s == SS_OK) s = back ? carried_back(z, m, &before) : carried(z, m, k, &before, NULL);
+  if (s == SS_OK && !patched && (k == 1 || k == 2)) s = decide_limit(m, k, z);
+  return m->state_status |= s;
+}
+
+/* The number of the state of which "S_a", "S_b" or "S_c" is the name, or the start of one; 0 for another name. */
+int motion_meeting(const char *name) {
+  static const char places[] = "abc";
+  const char *c = strncmp(name, "S_", 2) == 0 && name[2] ? strchr(places, name[2]) : NULL;
+  return c ? (int)(c - places) + 1 : 0;
+}
+
+/* --- Perturbations --- */
+
+int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const struct num_vec *z) {
+  struct num_vec a;
+  vec_init(&a, 16);
+  int s = motion_system(&a, m, (enum phase)phase);
+  if (s == SS_OK) s = motion_multiply(f, m, &a, z, 4, 4, 1);
+  num_vec_clear(&a);
+  return s;
+}
+
+/* -n dz/(n f), by which the event comes later when the state at its time is dz off. */
+int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_vec *dz, const struct num_vec *z) {
+  struct num_vec w;
+  vec_init(&w, 1);
+  int s = switching(dt, m, k - 1, dz, true);
+  s |= dyn_switching_rate(at(&w, 0), (enum phase)(k - 1), &m->params, z);
+  s |= exact_reduce(at(&w, 0), m->field);
+  if (s == SS_OK) s = motion_op(num_exact.div, dt, m, dt, at(&w, 0));
+  if (s == SS_OK) s = num_exact.neg(dt, dt, 0);
+  num_vec_clear(&w);
+  return s;
+}
+
+static int free_shift(element *dt, struct exact_motion *m, int phase) {
+  static const char *const names[] = {"dt_a", "dt_b", "dt_c", "dt_d"};
+  return exact_symbol(dt, m->field, names[phase]);
+}
+
+/* P dz + f dt, with dt where the event asks for it (located) or free. */
+static int first_order(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
+  struct num_vec z, f;
+  element *dt = at(&m->shift, k - 1);
+  vec_init(&f, 4);
+  int s = motion_state(&z, m, k);
+  s |= carried(out, m, k, dz, NULL);
+  if (s == SS_OK) s = motion_rate(&f, m, k - 1, &z);
+  if (s == SS_OK)
+    s = m->attempt.tangents == TANGENTS_LOCATED ? motion_delay(dt, m, k, out, &z) : free_shift(dt, m, k - 1);
+  for (int i = 0; s == SS_OK && i < 4; i++) {
+    s = motion_op(num_exact.mul, at(&f, i), m, at(&f, i), dt);
+    if (s == SS_OK) s = motion_op(num_exact.add, at(out, i), m, at(out, i), at(&f, i));
+  }
+  num_vec_clear(&f);
+  return s;
+}
+
+/* The other motion, Z + dZ, carried over the longer phase, less this one. */
+static int difference(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
+  struct num_vec z, other;
+  element *dt = at(&m->shift, k - 1);
+  vec_init(&other, 4);
+  int s = motion_state(&z, m, k - 1);
+  s |= free_shift(dt, m, k - 1);
+  for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.add, at(&other, i), m, at(&z, i), at(dz, i));
+  if (s == SS_OK) s = carried(out, m, k, &other, dt);
+  if (s == SS_OK) s = motion_state(&z, m, k);
+  for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.sub, at(out, i), m, at(out, i), at(&z, i));
+  num_vec_clear(&other);
+  return s;
+}
+
+/* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that phase's
+   system, is the belt's with and without the perturbation. */
+static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
+  static const char letters[] = "xyuv", places[] = "abcf";
+  struct num_vec a;
+  vec_init(&a, 16);
+  int s = k > 0 ? motion_system(&a, m, (enum phase)(k - 1)) : SS_OK;
+  for (int i = 0; i < N_STATE; i++) {
+    char name[8];
+    bool sticks = k > 0 && i >= DZ_1;
+    for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
+    snprintf(name, sizeof name, k > 0 ? "%c_%c" : "%c", letters[i], places[k > 0 ? k - 1 : 0]);
+    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name);
+  }
+  num_vec_clear(&a);
+  return s;
+}
+
+int motion_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
+  *dz = part(&m->tangent, 4 * k, 4);
+  if (m->have_tangent[k]) return m->tangent_status;
+  m->have_tangent[k] = true;
+  bool patched = m->kind == POINT_PATCHED;
+  if (patched || m->attempt.tangents == TANGENTS_FREE || k <= m->first_tangent) {
+    if (k > 0) m->tangent_status |= free_shift(at(&m->shift, k - 1), m, k - 1);
+    return m->tangent_status |= patched ? any_tangent(dz, m, k) : free_end(dz, m, k, true);
+  }
+  struct num_vec before;
+  int s = motion_tangent(&before, m, k - 1);
+  if (s == SS_OK) s = m->finite ? difference(dz, m, k, &before) : first_order(dz, m, k, &before);
+  return m->tangent_status |= s;
+}
+
+/* Z, or the perturbed one. */
+int motion_perturbed(struct num_vec *out, struct exact_motion *m, int k, bool perturbed) {
+  struct num_vec z, dz;
+  int s = motion_state(&z, m, k);
+  num_vec_set(out, &z);
+  if (!perturbed || s != SS_OK) return s;
+  s = motion_tangent(&dz, m, k);
+  for (int i = 0; s == SS_OK && i < 4; i++) s = motion_op(num_exact.add, at(out, i), m, at(out, i), at(&dz, i));
+  return s;
+}

@@ -1,0 +1,114 @@
+/* The field in which two forms of one quantity are compared.  It knows the frequencies of phase H and makes chi and eta of
+   them, so that their square roots need no generators; and it knows the half angles over each time, of which the stable
+   forms are made where the corrected ones have whole angles.  What is to be shown is then that differences of rational
+   functions are zero. */
+#include <string.h>
+
+#include "stable_impl.h"
+
+static void combine(struct stable_field *s, num_binary op, element *z, const element *x, const element *y) {
+  if (s->status == SS_OK) s->status = op(z, x, y, 0);
+  if (s->status == SS_OK) s->status = exact_reduce(z, s->field);
+}
+
+static void combine_si(struct stable_field *s, num_binary op, element *z, const element *x, slong n) {
+  element y;
+  exact_init(&y, s->field);
+  num_exact.set_d(&y, (double)n, 0);
+  combine(s, op, z, x, &y);
+  exact_clear(&y, s->field);
+}
+
+/* omega is the root of omega_1^2 + omega_2^2 - 1, and its product with sqrt(chi) that of (1 - omega_1^2)(omega_2^2 - 1). */
+static void make_parameters(struct stable_field *s) {
+  element a, b, *omega = &s->positive[0], *root_chi = &s->positive[1];
+  exact_init(&a, s->field);
+  exact_init(&b, s->field);
+  combine(s, num_exact.mul, &a, &s->frequency[0], &s->frequency[0]);
+  combine(s, num_exact.mul, &b, &s->frequency[1], &s->frequency[1]);
+  combine_si(s, num_exact.sub, &b, &b, 1);
+  combine(s, num_exact.add, omega, &a, &b);
+  s->status |= exact_sqrt(omega, s->field, omega);
+  combine_si(s, num_exact.sub, &a, &a, 1);
+  num_exact.neg(&a, &a, 0);
+  num_exact.set(&s->g_1, &a);
+  combine(s, num_exact.mul, &a, &a, &b);
+  s->status |= exact_sqrt(root_chi, s->field, &a);
+  combine(s, num_exact.div, root_chi, root_chi, omega);
+  combine(s, num_exact.div, &s->positive[2], omega, root_chi);
+  combine(s, num_exact.mul, &a, &s->frequency[0], &s->frequency[1]);
+  combine(s, num_exact.div, &s->positive[3], &a, omega);
+  combine(s, num_exact.add, &s->positive[4], &s->frequency[1], &s->frequency[0]);
+  combine(s, num_exact.sub, &s->positive[5], &s->frequency[1], &s->frequency[0]);
+  combine(s, num_exact.mul, &s->chi, root_chi, root_chi);
+  combine(s, num_exact.mul, &s->eta, &s->positive[2], &s->positive[2]);
+  exact_clear(&b, s->field);
+  exact_clear(&a, s->field);
+}
+
+const char *const stable_time[N_TIMES] = {"t", "t_a", "t_b", "t_c", "t_d"};
+
+/* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
+static void make_angles(struct stable_field *s, slong unit) {
+  const element *rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
+  element half;
+  exact_init(&half, s->field);
+  for (int i = 0; i < N_TIMES; i++) {
+    s->status |= exact_symbol(&half, s->field, stable_time[i]);
+    combine_si(s, num_exact.div, &half, &half, unit);
+    for (int k = 0; k < 3; k++) combine(s, num_exact.mul, &s->angle[i * N_ANGLES + k], &half, rate[k]);
+    num_exact.set(&s->angle[i * N_ANGLES + 3], &half);
+  }
+  exact_clear(&half, s->field);
+}
+
+/* An entry of a part, "rest_2[1,2]", by what it equals in the corrected layer; NULL when it is none. */
+static const element *part_entry(const struct stable_field *s, const char *name) {
+  for (int i = 0; i < s->n_parts; i++) {
+    const struct part_value *p = &s->part[i];
+    size_t len = strlen(p->part->name);
+    if (strncmp(name, p->part->name, len) != 0 || name[len] != '[') continue;
+    int row = name[len + 1] - '1', col = name[len + 3] - '1';
+    return &p->value.x[row * p->part->cols + col];
+  }
+  return NULL;
+}
+
+static int bind(element *z, struct exact_field *f, const char *name, void *stable) {
+  const struct stable_field *s = stable;
+  const element *known = strcmp(name, "chi") == 0        ? &s->chi
+                         : strcmp(name, "eta") == 0      ? &s->eta
+                         : strcmp(name, "g_1[1,1]") == 0 ? &s->g_1
+                                                         : part_entry(s, name);
+  if (!known) return exact_symbol(z, f, name);
+  num_exact.set(z, known);
+  return SS_OK;
+}
+
+/* All the elements of the field that it owns. */
+static void each_element(struct stable_field *s, void (*act)(element *x, const struct exact_field *f)) {
+  for (int i = 0; i < 2; i++) act(&s->frequency[i], s->field);
+  act(&s->chi, s->field);
+  act(&s->eta, s->field);
+  act(&s->g_1, s->field);
+  for (int i = 0; i < N_POSITIVE; i++) act(&s->positive[i], s->field);
+  for (int i = 0; i < N_TIMES * N_ANGLES; i++) act(&s->angle[i], s->field);
+}
+
+void stable_field_make(struct stable_field *s, slong unit) {
+  *s = (struct stable_field){.field = exact_field_new(NULL, 0)};
+  exact_field_limit(s->field, STABLE_TERMS);
+  each_element(s, exact_init);
+  s->status = exact_symbol(&s->frequency[0], s->field, "omega_1") | exact_symbol(&s->frequency[1], s->field, "omega_2");
+  make_parameters(s);
+  make_angles(s, unit);
+  exact_field_bind(s->field, bind, s);
+  exact_field_roots(s->field, s->frequency, 2);
+  exact_field_positive(s->field, s->positive, N_POSITIVE);
+  exact_field_angles(s->field, s->angle, N_TIMES * N_ANGLES, N_ANGLES);
+}
+
+void stable_field_clear(struct stable_field *s) {
+  each_element(s, exact_clear);
+  exact_field_free(s->field);
+}

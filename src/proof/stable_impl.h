@@ -1,0 +1,88 @@
+/* What the files that prove the stable layer share: the field (stable_field.c), two forms on tapes (stable_form.c), the same
+   forms at points (stable_points.c); stable_forms.c goes through all forms with them. */
+#ifndef STICKSLIP_STABLE_IMPL_H
+#define STICKSLIP_STABLE_IMPL_H
+
+#include "stickslip/exact.h"
+#include "stickslip/stable.h"
+
+typedef fmpz_mpoly_q_struct element;
+
+/* --- The field: stable_field.c --- */
+
+enum { N_POSITIVE = 6, N_TIMES = 5, N_ANGLES = 4, STABLE_TERMS = 4096 };
+
+/* A definition that has no counterpart in the corrected layer and yet a value there, by its record's attribute "equals".
+   As an unknown it stands for that value. */
+struct part {
+  const char *name, *section, *equals;
+  int rows, cols;
+};
+
+struct part_value {
+  const struct part *part;
+  struct exact_vec value;
+};
+
+enum { MOST_PARTS = 32 };
+
+/* The parameters by the frequencies, and the angles of the phases. */
+struct stable_field {
+  struct exact_field *field;
+  element frequency[2], chi, eta, g_1;
+  element positive[N_POSITIVE], angle[N_TIMES * N_ANGLES];
+  struct part_value *part; /* values of parts that are held as unknowns */
+  int n_parts;
+  int status;
+};
+
+extern const char *const stable_time[N_TIMES]; /* t, t_a, t_b, t_c, t_d */
+
+/* Its angles are those over times divided by the unit.  Sines and cosines of their multiples up to 8 are made of theirs. */
+void stable_field_make(struct stable_field *s, slong unit);
+void stable_field_clear(struct stable_field *s);
+
+/* --- Forms: stable_form.c --- */
+
+/* The entries of what is replaced in one layer, as a tape. */
+struct reading {
+  struct elaboration el;
+  const struct expr **e;
+  slong n;
+  size_t cap;
+  struct text shapes; /* of the matrices that these are entries of */
+  struct tape tape;
+};
+
+enum { N_HELD = 14, N_DIRECT = 8 };
+extern const struct override stable_held[N_HELD];
+
+/* All that may be an unknown: the parts proved so far, then those.  An attempt takes the first n. */
+struct unknowns {
+  struct override name[MOST_PARTS + N_HELD];
+  struct part part[MOST_PARTS];
+  int n, n_parts;
+  bool algebra_alone;
+  int usable; /* of those that may be held, this many are known to be the same in both layers */
+};
+
+void reading_init(struct reading *r, const struct model *m, enum layer layer, const struct unknowns *u);
+void reading_clear(struct reading *r);
+/* The entries of an expression added to the reading. */
+bool reading_value(struct reading *r, const char *value, const char *section, struct diag *d);
+/* Both sides of every relation of a record added to the reading. */
+bool reading_record(struct reading *r, const struct statement_record *of, struct diag *d);
+/* Whether the tape reads an entry of that matrix. */
+bool tape_meets(const struct tape *t, const char *part);
+bool readings_same_shapes(const struct reading r[2]);
+/* Sets p->why_not to the reason for which the two readings, whose tapes are made, are not shown equal, or to NULL. */
+bool readings_compare(struct stable_proof *p, struct reading r[2], const struct model *m, const struct unknowns *u,
+                      struct diag *d);
+
+/* --- Points: stable_points.c --- */
+
+/* Why points refuse the equality of two readings of one shape, or NULL; only_values: disagreement is not asked about, only
+   whether the stable form has a value wherever the corrected one has. */
+const char *readings_refused(const struct reading r[2], bool only_values);
+
+#endif

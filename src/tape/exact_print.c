@@ -1,0 +1,127 @@
+/* Elements in print and at points: written with the names of their symbols; with rational values of the generators at which
+   they are not zero; and whether they are zero where one symbol has a given value. */
+#include <string.h>
+
+#include "exact_impl.h"
+
+void exact_print(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  char label[EXACT_GENERATORS][8];
+  const char *names[EXACT_GENERATORS];
+  for (slong k = 0; k < EXACT_GENERATORS; k++) {
+    slong i = variable(k);
+    snprintf(label[k], sizeof label[k], "g%ld", (long)i);
+    names[k] = i < f->n && f->gen[i].op == TAPE_INPUT ? f->gen[i].name : label[k];
+  }
+  char *num = fmpz_mpoly_get_str_pretty(&x->num, names, ring());
+  char *den = fmpz_mpoly_get_str_pretty(&x->den, names, ring());
+  text_printf(out, strcmp(den, "1") == 0 ? "%s" : "(%s)/(%s)", num, den);
+  flint_free(den);
+  flint_free(num);
+}
+
+static void print_generator(struct text *out, const struct exact_field *f, slong i) {
+  const struct generator *g = &f->gen[i];
+  if (g->op == TAPE_INPUT) {
+    text_add(out, g->name);
+    return;
+  }
+  text_add(out, g->op == TAPE_sin    ? "sin("
+                : g->op == TAPE_cos  ? "cos("
+                : g->op == TAPE_sqrt ? "sqrt("
+                : g->op == TAPE_abs  ? "abs("
+                                     : "root(");
+  for (slong k = 0; k < g->n_args; k++) {
+    if (k) text_add(out, "; ");
+    exact_print(out, f, &g->args[k]);
+  }
+  text_add(out, ")");
+}
+
+void exact_print_generators(struct text *out, const struct exact_field *f) {
+  for (slong i = 0; i < f->n; i++) {
+    if (i) text_add(out, ", ");
+    print_generator(out, f, i);
+  }
+}
+
+static bool square_root(fmpq_t z, const fmpq_t x) {
+  if (!fmpz_is_square(fmpq_numref(x)) || !fmpz_is_square(fmpq_denref(x))) return false;
+  fmpz_sqrt(fmpq_numref(z), fmpq_numref(x));
+  fmpz_sqrt(fmpq_denref(z), fmpq_denref(x));
+  return true;
+}
+
+/* Small rationals, distinct for the generators; sines by half-angle tangents.  false when a root is irrational there. */
+static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) {
+  fmpq_t square;
+  fmpq_init(square);
+  bool ok = true;
+  for (slong i = 0; ok && i < f->n; i++) {
+    const struct generator *g = &f->gen[i];
+    fmpq *z = &value[variable(i)];
+    *state = *state * 6364136223846793005U + 1442695040888963407U;
+    slong a = 1 + (slong)(*state >> 40) % 11, b = 1 + (slong)(*state >> 50) % 7;
+    if (g->op == TAPE_sin)
+      fmpq_set_si(z, 2 * a * b, (ulong)(a * a + b * b));
+    else if (!g->squared)
+      fmpq_set_si(z, a, (ulong)b);
+    else {
+      num_exact_polynomial_at(square, g->square, value);
+      ok = square_root(z, square);
+    }
+  }
+  fmpq_clear(square);
+  return ok;
+}
+
+static void print_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x,
+                          const fmpq *value, const fmpq_t there) {
+  int used[EXACT_GENERATORS];
+  fmpz_mpoly_q_used_vars(used, x, ring());
+  num_print_q(out, there);
+  const char *sep = " at ";
+  for (slong i = 0; i < f->n; i++) {
+    if (!used[variable(i)]) continue;
+    text_add(out, sep);
+    print_generator(out, f, i);
+    text_add(out, " = ");
+    num_print_q(out, &value[variable(i)]);
+    sep = ", ";
+  }
+}
+
+bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  enum { TRIALS = 2000 };
+  fmpq value[EXACT_GENERATORS];
+  fmpq_t there;
+  fmpq_init(there);
+  for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_init(&value[i]);
+  ulong state = 1;
+  bool found = false;
+  for (int k = 0; !found && k < TRIALS; k++) {
+    if (!draw_values(value, f, &state)) continue;
+    found = num_exact_at(there, x, value) == SS_OK && !fmpq_is_zero(there);
+  }
+  if (found) print_witness(out, f, x, value, there);
+  for (slong i = 0; i < EXACT_GENERATORS; i++) fmpq_clear(&value[i]);
+  fmpq_clear(there);
+  return found;
+}
+
+/* q g - p divides the numerator. */
+bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name,
+                       const fmpq_t value) {
+  slong i = 0;
+  while (i < f->n && !(f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, name) == 0)) i++;
+  if (i == f->n) return exact_is_zero(f, x);
+  fmpz_mpoly_t factor, q;
+  fmpz_mpoly_init(factor, ring());
+  fmpz_mpoly_init(q, ring());
+  fmpz_mpoly_gen(factor, variable(i), ring());
+  fmpz_mpoly_scalar_mul_fmpz(factor, factor, fmpq_denref(value), ring());
+  fmpz_mpoly_sub_fmpz(factor, factor, fmpq_numref(value), ring());
+  bool divides = fmpz_mpoly_divides(q, &x->num, factor, ring()) != 0;
+  fmpz_mpoly_clear(q, ring());
+  fmpz_mpoly_clear(factor, ring());
+  return divides;
+}

@@ -1,0 +1,93 @@
+/* What can be told from the form of elements alone: that one is another's multiple by something positive, and that the
+   generators of a field obey no relations but those that the field uses, so that elements which differ are different
+   functions. */
+#include <string.h>
+
+#include "exact_impl.h"
+
+/* A single term in generators that are inputs of the given names: the sign of its coefficient, else 0. */
+static int unit_sign(const struct exact_field *f, const fmpz_mpoly_struct *p, const char *const *positive, int n) {
+  if (fmpz_mpoly_length(p, ring()) != 1) return 0;
+  int used[EXACT_GENERATORS];
+  fmpz_mpoly_used_vars(used, p, ring());
+  for (slong i = 0; i < f->n; i++) {
+    bool known = !used[variable(i)];
+    for (int k = 0; !known && k < n; k++)
+      known = f->gen[i].op == TAPE_INPUT && strcmp(f->gen[i].name, positive[k]) == 0;
+    if (!known) return 0;
+  }
+  fmpz_t c;
+  fmpz_init(c);
+  fmpz_mpoly_get_term_coeff_fmpz(c, p, 0, ring());
+  int s = fmpz_sgn(c);
+  fmpz_clear(c);
+  return s;
+}
+
+int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
+                     const char *const *positive, int n_positive) {
+  bool x0 = exact_is_zero(f, x), y0 = exact_is_zero(f, y);
+  if (x0 || y0) return x0 && y0;
+  fmpz_mpoly_q_struct k;
+  exact_init(&k, f);
+  int s = 0;
+  if (exact_apply(num_exact.div, &k, f, x, y) == SS_OK)
+    s = unit_sign(f, &k.num, positive, n_positive) * unit_sign(f, &k.den, positive, n_positive);
+  exact_clear(&k, f);
+  return s;
+}
+
+/* What is left of p when these factors are taken out is a constant: its sign, else 0. */
+static int sign_by_factors(const fmpz_mpoly_struct *p, const fmpz_mpoly_q_struct *positive, int n) {
+  fmpz_mpoly_t rest, quotient;
+  fmpz_t c;
+  fmpz_mpoly_init(rest, ring());
+  fmpz_mpoly_init(quotient, ring());
+  fmpz_init(c);
+  fmpz_mpoly_set(rest, p, ring());
+  for (int i = 0; i < n && !fmpz_mpoly_is_zero(rest, ring()); i++) {
+    if (fmpz_mpoly_is_fmpz(&positive[i].num, ring()) || !fmpz_mpoly_is_one(&positive[i].den, ring())) continue;
+    while (fmpz_mpoly_divides(quotient, rest, &positive[i].num, ring())) fmpz_mpoly_swap(rest, quotient, ring());
+  }
+  int sign = 0;
+  if (fmpz_mpoly_is_fmpz(rest, ring())) {
+    fmpz_mpoly_get_fmpz(c, rest, ring());
+    sign = fmpz_sgn(c);
+  }
+  fmpz_clear(c);
+  fmpz_mpoly_clear(quotient, ring());
+  fmpz_mpoly_clear(rest, ring());
+  return sign;
+}
+
+int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n) {
+  return sign_by_factors(&x->num, positive, n) * sign_by_factors(&x->den, positive, n);
+}
+
+/* --- Independence --- */
+
+/* A rational number times a product of powers of free symbols and square roots. */
+static bool is_monomial(const fmpz_mpoly_q_struct *x) {
+  return fmpz_mpoly_length(&x->num, ring()) == 1 && fmpz_mpoly_is_one(&x->den, ring());
+}
+
+static bool same_monomial(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y) {
+  slong a[EXACT_GENERATORS], b[EXACT_GENERATORS];
+  fmpz_mpoly_get_term_exp_si(a, &x->num, 0, ring());
+  fmpz_mpoly_get_term_exp_si(b, &y->num, 0, ring());
+  return memcmp(a, b, sizeof a) == 0;
+}
+
+bool exact_independent(const struct exact_field *f) {
+  int roots = 0;
+  for (slong i = 0; i < f->n; i++) {
+    const struct generator *g = &f->gen[i];
+    if (g->op == TAPE_ROOT || g->op == TAPE_abs) return false;
+    if (g->op == TAPE_sqrt && (roots++ || !g->squared || fmpz_mpoly_is_square(g->square, ring()))) return false;
+    if (g->op != TAPE_sin) continue;
+    if (!is_monomial(&g->args[0])) return false;
+    for (slong k = 0; k < i; k++)
+      if (f->gen[k].op == TAPE_sin && same_monomial(&g->args[0], &f->gen[k].args[0])) return false;
+  }
+  return true;
+}

@@ -1,0 +1,87 @@
+/* Points drawn at random, always the same ones for the same id.  The parameters are small fractions, with e1 and e2 in units
+   of V so that arcs and orbits are not rare; V = 1 is avoided, since many wrong formulas are right there. */
+#include "point.h"
+
+#include <string.h>
+
+/* k/den with k uniform in [lo, hi]. */
+static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {
+  slong k = lo + (slong)(random_next(state) % (uint64_t)(hi - lo + 1));
+  fmpq_set_si(q, k, den);
+}
+
+void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
+                  const struct restriction *restriction) {
+  *s = (struct sampler){.state = random_seed(id), .kind = kind, .phase = phase, .restriction = restriction};
+}
+
+/* The parameters, with e1 and e2 in units of V, so that orbits and arcs are not rare. */
+static void draw_params(struct point *p, uint64_t *st, const struct restriction *restriction) {
+  draw(&p->q[Q_CHI], st, 4, 60, 64);
+  draw(&p->q[Q_ETA], st, 3, 64, 16);
+  draw(&p->q[Q_V], st, 2, 24, 8);
+  if (fmpq_is_one(&p->q[Q_V])) fmpq_set_si(&p->q[Q_V], 9, 8);
+  if (restriction) {
+    num_parse_decimal(&p->q[restriction->quantity], restriction->value, strlen(restriction->value));
+  }
+  draw(&p->q[Q_E1], st, 4, 40, 8);
+  draw(&p->q[Q_E2], st, 2, 24, 16);
+  fmpq_mul(&p->q[Q_E1], &p->q[Q_E1], &p->q[Q_V]);
+  fmpq_mul(&p->q[Q_E2], &p->q[Q_E2], &p->q[Q_V]);
+}
+
+/* An arc starts in the stick phase: w below e1 by V (1 - chi) t_a, and r below e2/chi by a multiple of V. */
+static void draw_arc(struct point *p, uint64_t *st) {
+  fmpq_t one_chi, w, r, u;
+  fmpq_init(one_chi);
+  fmpq_init(w);
+  fmpq_init(r);
+  fmpq_init(u);
+  fmpq_one(one_chi);
+  fmpq_sub(one_chi, one_chi, &p->q[Q_CHI]);
+  draw(u, st, 1, 24, 8);
+  fmpq_mul(u, u, &p->q[Q_V]);
+  fmpq_mul(u, u, one_chi);
+  fmpq_sub(w, &p->q[Q_E1], u);
+  draw(u, st, 4, 40, 8);
+  fmpq_mul(u, u, &p->q[Q_V]);
+  fmpq_div(r, &p->q[Q_E2], &p->q[Q_CHI]);
+  fmpq_sub(r, r, u);
+  fmpq_add(&p->q[Q_Z2], w, r);
+  fmpq_div(&p->q[Q_Z2], &p->q[Q_Z2], one_chi);
+  fmpq_sub(&p->q[Q_Z1], &p->q[Q_Z2], r);
+  fmpq_clear(one_chi);
+  fmpq_clear(w);
+  fmpq_clear(r);
+  fmpq_clear(u);
+}
+
+void sampler_next(struct point *p, struct sampler *s) {
+  enum { POOL = 64 };
+  p->kind = s->kind;
+  p->phase = s->phase;
+  p->finite = s->finite;
+  p->admissible = s->admissible;
+  p->realistic = s->realistic;
+  p->scene = NULL;
+  uint64_t *st = &s->state;
+  if (s->kind == POINT_ORBIT) {
+    /* all claims draw their parameter sets from one pool, so that an orbit is searched once */
+    uint64_t pool = random_seed("orbits") + random_next(st) % POOL;
+    random_next(&pool);
+    draw_params(p, &pool, s->restriction);
+  } else {
+    draw_params(p, st, s->restriction);
+  }
+  p->orbit = (slong)(random_next(st) % 1000);
+  draw(&p->q[Q_US1], st, 1, 40, 8);
+  draw(&p->q[Q_US2], st, 1, 40, 8);
+  draw(&p->q[Q_X], st, -40, 40, 7);
+  draw(&p->q[Q_Y], st, -40, 41, 11);
+  draw(&p->q[Q_LAMBDA], st, -40, 40, 9);
+  draw(&p->q[Q_T], st, 1, 128, 16);
+  draw(&p->q[Q_S], st, 1, 15, 16);
+  for (int i = Q_Z1; i <= Q_DZ2; i++) draw(&p->q[i], st, -32, 32, 8);
+  if (s->kind == POINT_ARC) draw_arc(p, st);
+  for (int i = Q_TA; s->kind == POINT_PATCHED && i <= Q_TD; i++) draw(&p->q[i], st, 1, 48, 16);
+}

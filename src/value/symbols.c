@@ -1,0 +1,153 @@
+/* The values of the paper's symbols at a point: each name is taken apart and looked up in the values that were made for the
+   point.  A name that has no value there, as a state of an orbit has none at bare parameters, is told from one whose value
+   could not be computed. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "stickslip/arena.h"
+#include "values_impl.h"
+
+static bool has_arc(const struct values *v) {
+  return v->point->kind >= POINT_ARC;
+}
+
+/* A value of the arc's states or times by its name in the paper. */
+static const void *arc_symbol(const struct values *v, const char *name) {
+  int at = name_of_arc(name);
+  if (at >= 0) return at >= 100 ? num_vec_at(&v->arc.t, at - 100) : num_vec_at(&v->arc.z, at);
+  if (v->point->kind == POINT_ARC) return NULL; /* of the periodic solution */
+  if (strcmp(name, "z_100") == 0) return num_vec_at(&v->arc.z, 0);
+  if (strcmp(name, "z_200") == 0) return num_vec_at(&v->arc.z, 1);
+  return NULL;
+}
+
+static const void *exact_symbol(const struct values *v, const char *name) {
+  static const struct {
+    const char *name;
+    int q;
+  } table[] = {{"chi", Q_CHI},  {"eta", Q_ETA},  {"V", Q_V}, {"e_1", Q_E1}, {"e_2", Q_E2},
+               {"u_s1", Q_US1}, {"u_s2", Q_US2}, {"x", Q_X}, {"y", Q_Y},    {"lambda", Q_LAMBDA}};
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+    if (strcmp(table[i].name, name) == 0) return num_vec_at(&v->q, table[i].q);
+  if (strcmp(name, "t") == 0)
+    return num_vec_at(v->point->kind == POINT_PARAMS ? &v->q : &v->t, v->point->kind == POINT_PARAMS ? Q_T : 0);
+  return NULL;
+}
+
+/* The motion t_b after its start: still in the stick phase where t_b < t_a, then in the slip-stick phase. */
+static int state_at_tb(struct num_vec *z, struct values *v) {
+  const struct num_type *t = v->ctx.type;
+  struct num_vec w;
+  num_vec_init(&w, 2, v->ctx);
+  void *rest = num_vec_at(&w, 0), *zero = num_vec_at(&w, 1);
+  const void *ta = num_vec_at(&v->arc.t, 0), *tb = num_vec_at(&v->arc.t, 1);
+  int s = t->set_d(zero, 0, v->ctx.prec) | t->sub(rest, tb, ta, v->ctx.prec);
+  bool sticks = t->lt(rest, zero) == TRUTH_TRUE;
+  if (t->lt(zero, ta) != TRUTH_TRUE || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
+  for (int i = 0; i < 4; i++) t->set(num_vec_at(z, i), num_vec_at(&v->arc.z, 4 * !sticks + i));
+  if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, z, sticks ? tb : rest);
+  num_vec_clear(&w);
+  return s;
+}
+
+/* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At the
+   perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
+static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
+  const struct num_type *t = v->ctx.type;
+  *known = true;
+  if (v->point->kind == POINT_FLOW && strcmp(argument, "(0)") == 0 && primes < 2) {
+    t->set(z, num_vec_at(&v->q, Q_Z1 + component + 2 * primes));
+    return SS_OK;
+  }
+  if (v->point->kind != POINT_PARAMS && strcmp(argument, "(t)") == 0) {
+    int s = values_time(v);
+    t->set(z, primes == 2 ? num_vec_at(&v->azt, component + 2) : num_vec_at(&v->zt, component + 2 * primes));
+    return s;
+  }
+  if (has_arc(v) && primes < 2 && strcmp(argument, "(t_b)") == 0) {
+    struct num_vec at;
+    num_vec_init(&at, 4, v->ctx);
+    int s = state_at_tb(&at, v);
+    t->set(z, num_vec_at(&at, component + 2 * primes));
+    num_vec_clear(&at);
+    return s;
+  }
+  int k = name_of_switching_time(argument);
+  if (has_arc(v) && primes < 2 && k >= 0 && (k < 4 || v->point->finite)) {
+    const struct dyn_arc *arc = k >= 4 ? &v->perturbed : &v->arc;
+    t->set(z, num_vec_at(&arc->z, 4 * (k % 4 + 1) + component + 2 * primes));
+    return SS_OK;
+  }
+  *known = false;
+  return SS_UNABLE;
+}
+
+/* x = z + d, so velocities and accelerations agree. */
+static int bind_motion(void *z, bool *known, struct values *v, bool in_x, int component, int primes,
+                       const char *argument) {
+  int s = motion_value(z, known, v, component, primes, argument);
+  if (s || !in_x || primes) return s;
+  struct num_vec d;
+  num_vec_init(&d, 1, v->ctx);
+  s |= oracle_eval(&d, oracle_find(component ? "d_02" : "d_01"), v);
+  s |= v->ctx.type->add(z, z, num_vec_at(&d, 0), v->ctx.prec);
+  num_vec_clear(&d);
+  return s;
+}
+
+/* Made once for all of its entries. */
+static const struct oracle_matrix *oracle_matrix(struct values *v, const struct oracle *o) {
+  for (size_t i = 0; i < v->n_matrices; i++)
+    if (v->matrices[i].of == o) return &v->matrices[i];
+  v->matrices = ss_grow(v->matrices, v->n_matrices, &v->cap_matrices, sizeof *v->matrices);
+  struct oracle_matrix *m = &v->matrices[v->n_matrices++];
+  m->of = o;
+  num_vec_init(&m->entry, oracle_rows(o) * oracle_cols(o), v->ctx);
+  m->status = oracle_eval(&m->entry, o, v);
+  return m;
+}
+
+/* "J_a[1,2]": an entry of one of the model's matrices. */
+static int bind_entry(void *z, bool *known, struct values *v, const char *name, const char *bracket) {
+  char base[32];
+  size_t n = (size_t)(bracket - name);
+  *known = false;
+  if (n >= sizeof base) return SS_UNABLE;
+  memcpy(base, name, n);
+  base[n] = '\0';
+  const struct oracle *o = oracle_find(base);
+  int i = atoi(bracket + 1), j = atoi(strchr(bracket, ',') + 1);
+  if (!o || i > oracle_rows(o) || j > oracle_cols(o)) return SS_UNABLE;
+  *known = true;
+  const struct oracle_matrix *m = oracle_matrix(v, o);
+  v->ctx.type->set(z, num_vec_at(&m->entry, (i - 1) * oracle_cols(o) + j - 1));
+  return m->status;
+}
+
+int values_bind(void *z, bool *known, struct values *v, const char *name) {
+  const struct num_type *t = v->ctx.type;
+  *known = true;
+  int status = strcmp(name, "t") == 0 ? values_time(v) : SS_OK;
+  const void *p = exact_symbol(v, name);
+  if (!p && has_arc(v)) p = arc_symbol(v, name);
+  if (p) {
+    t->set(z, p);
+    return status;
+  }
+  if (strcmp(name, "u_r1") == 0) return t->add(z, num_vec_at(&v->q, Q_US1), num_vec_at(&v->q, Q_E1), v->ctx.prec);
+  if (strcmp(name, "u_r2") == 0) return t->add(z, num_vec_at(&v->q, Q_US2), num_vec_at(&v->q, Q_E2), v->ctx.prec);
+  int index, component, primes;
+  if (has_arc(v) && name_of_tangent(name, &index)) {
+    int s = values_tangents(v);
+    t->set(z, index >= 100 ? num_vec_at(&v->dt, index - 100) : num_vec_at(&v->tangent, index));
+    return s;
+  }
+  if (springs_bind(&status, z, v, name)) return status;
+  bool in_x;
+  const char *argument, *bracket = strchr(name, '[');
+  if (bracket) return bind_entry(z, known, v, name, bracket);
+  if (name_of_motion(name, &in_x, &component, &primes, &argument))
+    return bind_motion(z, known, v, in_x, component, primes, argument);
+  *known = false;
+  return SS_UNABLE;
+}

@@ -1,0 +1,236 @@
+/* What a point is worth in one number type: its parameters, the motion through it and that motion's neighbour, made afresh by
+   the model and never by the paper's formulas.  The routes differ in how the states follow from one another: by the closed
+   flow, or by the matrix exponential of each phase. */
+#include "values_impl.h"
+
+#include <stdlib.h>
+
+#include "stickslip/work.h"
+
+/* Z(t) after time tau of the phase from z0, and its derivative. */
+static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {
+  struct num_vec a;
+  num_vec_init(&a, 16, v->ctx);
+  int s = SS_OK;
+  if (v->variant == VARIANT_EXPONENTIAL) {
+    s |= dyn_propagator(&a, v->point->phase, &v->params, tau);
+    s |= num_mat_mul(&v->zt, &a, z0, 4, 4, 1);
+  } else {
+    s |= dyn_flow(&v->zt, v->point->phase, &v->params, z0, tau);
+  }
+  s |= dyn_system(&a, v->point->phase, &v->params);
+  s |= num_mat_mul(&v->azt, &a, &v->zt, 4, 4, 1);
+  num_vec_clear(&a);
+  return s;
+}
+
+static int init_flow(struct values *v) {
+  struct num_vec z0;
+  num_vec_init(&z0, 4, v->ctx);
+  for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z0, i), num_vec_at(&v->q, Q_Z1 + i));
+  v->ctx.type->set(num_vec_at(&v->t, 0), num_vec_at(&v->q, Q_T));
+  int s = flow_from(v, &z0, num_vec_at(&v->t, 0));
+  num_vec_clear(&z0);
+  return s;
+}
+
+/* The time t on an arc: the start of the point's phase and the fraction Q_S of its length. */
+int values_time(struct values *v) {
+  enum point_kind kind = v->point->kind;
+  bool on_arc = kind == POINT_ARC || kind == POINT_ORBIT || kind == POINT_GIVEN || kind == POINT_PATCHED;
+  if (!on_arc || v->have_t) return SS_OK;
+  const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
+  const struct num_type *t = v->ctx.type;
+  struct num_vec z0, tau;
+  num_vec_init(&z0, 4, v->ctx);
+  num_vec_init(&tau, 1, v->ctx);
+  int ph = (int)v->point->phase;
+  for (int i = 0; i < 4; i++) t->set(num_vec_at(&z0, i), num_vec_at(&arc->z, 4 * ph + i));
+  int s = t->mul(num_vec_at(&tau, 0), num_vec_at(&v->q, Q_S), num_vec_at(&arc->t, ph), v->ctx.prec);
+  t->set(num_vec_at(&v->t, 0), num_vec_at(&tau, 0));
+  for (int k = 0; k < ph; k++)
+    s |= t->add(num_vec_at(&v->t, 0), num_vec_at(&v->t, 0), num_vec_at(&arc->t, k), v->ctx.prec);
+  s |= flow_from(v, &z0, num_vec_at(&tau, 0));
+  num_vec_clear(&tau);
+  num_vec_clear(&z0);
+  v->have_t = s == SS_OK;
+  return s;
+}
+
+/* The motion that starts (x, y)/1024 beside the arc, with its own events. */
+static int init_perturbed(struct values *v) {
+  const struct num_type *t = v->ctx.type;
+  struct num_vec w;
+  num_vec_init(&w, 3, v->ctx);
+  double guess[4];
+  int s = t->set_d(num_vec_at(&w, 2), 1.0 / 1024, v->ctx.prec);
+  for (int i = 0; i < 2; i++) {
+    void *d = num_vec_at(&v->q, Q_X + i);
+    s |= t->mul(d, d, num_vec_at(&w, 2), v->ctx.prec);
+    s |= t->add(num_vec_at(&w, i), num_vec_at(&v->arc.z, i), d, v->ctx.prec);
+  }
+  s |= dyn_arc_run(&v->perturbed, &v->params, num_vec_at(&w, 0), num_vec_at(&w, 1), NULL);
+  for (int i = 0; i < 4; i++) guess[i] = t->get_d(num_vec_at(&v->perturbed.t, i)) - t->get_d(num_vec_at(&v->arc.t, i));
+  for (int i = 0; i < 4; i++)
+    if (!(guess[i] > -0.5 && guess[i] < 0.5)) s |= SS_DOMAIN; /* another root: not a small perturbation */
+  num_vec_clear(&w);
+  return s;
+}
+
+int values_propagator(struct num_vec *out, struct values *v, enum phase ph) {
+  struct num_vec kept = {v->ctx, 16, num_vec_at(&v->phi, 16 * (slong)ph)};
+  int s = v->have_phi[ph] ? SS_OK : dyn_propagator(&kept, ph, &v->params, num_vec_at(&v->arc.t, (slong)ph));
+  v->have_phi[ph] = s == SS_OK;
+  num_vec_set(out, &kept);
+  return s;
+}
+
+/* The states of an arc once more, each from the one before by the matrix exponential over the same times. */
+static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
+  struct num_vec p, z;
+  num_vec_init(&p, 16, v->ctx);
+  num_vec_init(&z, 4, v->ctx);
+  int s = SS_OK;
+  for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z, i), num_vec_at(&arc->z, i));
+  for (int ph = 0; ph < N_PHASES; ph++) {
+    s |= arc == &v->arc ? values_propagator(&p, v, (enum phase)ph)
+                        : dyn_propagator(&p, (enum phase)ph, &v->params, num_vec_at(&arc->t, ph));
+    s |= num_mat_mul(&z, &p, &z, 4, 4, 1);
+    for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&arc->z, 4 * (ph + 1) + i), num_vec_at(&z, i));
+  }
+  num_vec_clear(&z);
+  num_vec_clear(&p);
+  return s;
+}
+
+/* The states at given times, whatever the switching functions are there. */
+static int init_over_times(struct values *v) {
+  struct num_vec z;
+  num_vec_init(&z, 4, v->ctx);
+  const struct num_type *t = v->ctx.type;
+  t->set(num_vec_at(&z, 0), num_vec_at(&v->q, Q_Z1));
+  t->set(num_vec_at(&z, 1), num_vec_at(&v->q, Q_Z2));
+  for (int i = 0; i < 2; i++)
+    t->set(num_vec_at(&z, 2 + i),
+           v->point->kind == POINT_PATCHED ? num_vec_at(&v->q, Q_DZ1 + i) : num_vec_at(&v->params, P_V));
+  int s = SS_OK;
+  for (int ph = 0; ph <= N_PHASES; ph++) {
+    for (int i = 0; i < 4; i++) t->set(num_vec_at(&v->arc.z, 4 * ph + i), num_vec_at(&z, i));
+    if (ph == N_PHASES) break;
+    t->set(num_vec_at(&v->arc.t, ph), num_vec_at(&v->q, Q_TA + ph));
+    s |= dyn_flow(&z, (enum phase)ph, &v->params, &z, num_vec_at(&v->arc.t, ph));
+  }
+  num_vec_clear(&z);
+  return s;
+}
+
+/* e1 and e2 where the scene does not give them: those of the orbit. */
+static int set_limits(struct values *v, const struct dyn_orbit *o) {
+  const struct num_type *t = v->ctx.type;
+  int s = SS_OK;
+  for (int i = 0; i < 2; i++) {
+    if (v->point->scene->given[KEY_E1 + i]) continue;
+    s |= t->set_arb(num_vec_at(&v->q, Q_E1 + i), i == 0 ? o->e1 : o->e2, v->ctx.prec);
+    t->set(num_vec_at(&v->params, P_E1 + i), num_vec_at(&v->q, Q_E1 + i));
+  }
+  return s;
+}
+
+static const struct dyn_orbit *orbit_of(const struct point *p, struct orbit_cache *cache, slong prec) {
+  if (p->known) return p->known;
+  const struct dyn_orbits *list = point_orbits(p, cache, prec);
+  return p->orbit < list->n ? &list->orbit[p->orbit] : NULL;
+}
+
+/* e1 and e2 of an orbit that is given by its times; its point holds u_r1 and u_r2 where others hold u_s1 and u_s2. */
+static int take_forces(struct values *v, const struct dyn_orbit *o) {
+  const struct num_type *t = v->ctx.type;
+  int s = t->set_arb(num_vec_at(&v->q, Q_E1), o->e1, v->ctx.prec);
+  s |= t->set_arb(num_vec_at(&v->q, Q_E2), o->e2, v->ctx.prec);
+  for (int i = 0; i < 2; i++) {
+    void *u = num_vec_at(&v->q, Q_US1 + i), *e = num_vec_at(&v->q, Q_E1 + i);
+    s |= t->sub(u, u, e, v->ctx.prec);
+    t->set(num_vec_at(&v->params, P_E1 + i), e);
+  }
+  return s;
+}
+
+static int init_arc(struct values *v, struct orbit_cache *cache) {
+  int s = SS_OK;
+  if (v->point->kind == POINT_ARC) {
+    s |= dyn_arc_run(&v->arc, &v->params, num_vec_at(&v->q, Q_Z1), num_vec_at(&v->q, Q_Z2), NULL);
+  } else {
+    const struct dyn_orbit *o = orbit_of(v->point, cache, v->ctx.prec);
+    if (!o || o->grazing) {
+      s = SS_DOMAIN;
+    } else {
+      if (v->point->scene) s |= set_limits(v, o);
+      if (v->point->kind == POINT_GIVEN) s |= take_forces(v, o);
+      s |= orbit_arc(&v->arc, cache, o, &v->params);
+    }
+  }
+  if (s == SS_OK && v->point->finite) s |= init_perturbed(v);
+  if (s == SS_OK && v->variant == VARIANT_EXPONENTIAL) {
+    s |= carry_by_exponentials(&v->arc, v);
+    if (v->point->finite) s |= carry_by_exponentials(&v->perturbed, v);
+  }
+  return s;
+}
+
+/* An arc has four events to be found, differences several arcs. */
+static void count_work(const struct point *p, enum variant variant, struct num_ctx ctx) {
+  enum { UNITS_OF_ARC = 200, ARCS_OF_DIFFERENCES = 8 };
+  unsigned long long words = ctx.prec > 128 ? (unsigned long long)ctx.prec / 128 : 1;
+  bool arc = p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN;
+  if (arc) work_add(UNITS_OF_ARC * words * (variant == VARIANT_FD ? ARCS_OF_DIFFERENCES : 1));
+  if (p->kind == POINT_FLOW)
+    work_touch((enum work_part)(WORK_PHASE_D + (int)p->phase));
+  else if (p->kind != POINT_PARAMS)
+    for (int ph = 0; ph < N_PHASES; ph++) work_touch((enum work_part)(WORK_PHASE_D + ph));
+  if (ctx.type == &num_arb)
+    work_touch(ctx.prec <= 128   ? WORK_BITS_128
+               : ctx.prec <= 256 ? WORK_BITS_256
+               : ctx.prec <= 512 ? WORK_BITS_512
+                                 : WORK_BITS_1024);
+}
+
+int values_init(struct values *v, const struct point *p, enum variant variant, struct num_ctx ctx,
+                struct orbit_cache *cache) {
+  *v = (struct values){.ctx = ctx, .point = p, .variant = variant};
+  count_work(p, variant, ctx);
+  num_vec_init(&v->q, N_Q, ctx);
+  num_vec_init(&v->params, N_PARAMS, ctx);
+  num_vec_init(&v->t, 1, ctx);
+  num_vec_init(&v->dt, 4, ctx);
+  num_vec_init(&v->zt, 4, ctx);
+  num_vec_init(&v->azt, 4, ctx);
+  num_vec_init(&v->local, 64, ctx);
+  num_vec_init(&v->phi, 16 * N_PHASES, ctx);
+  num_vec_init(&v->tangent, 20, ctx);
+  dyn_arc_init(&v->arc, ctx);
+  dyn_arc_init(&v->perturbed, ctx);
+  int s = SS_OK;
+  for (int i = 0; i < N_Q; i++) s |= ctx.type->set_q(num_vec_at(&v->q, i), &p->q[i], ctx.prec);
+  for (int i = 0; i < N_PARAMS; i++) ctx.type->set(num_vec_at(&v->params, i), num_vec_at(&v->q, Q_CHI + i));
+  if (s == SS_OK && p->kind == POINT_FLOW) s |= init_flow(v);
+  if (s == SS_OK && (p->kind == POINT_PRINTED || p->kind == POINT_PATCHED)) s |= init_over_times(v);
+  if (s == SS_OK && p->kind == POINT_PATCHED && variant == VARIANT_EXPONENTIAL) s |= carry_by_exponentials(&v->arc, v);
+  if (s == SS_OK && (p->kind == POINT_ARC || p->kind == POINT_ORBIT || p->kind == POINT_GIVEN)) s |= init_arc(v, cache);
+  return s;
+}
+
+void values_clear(struct values *v) {
+  num_vec_clear(&v->q);
+  num_vec_clear(&v->params);
+  num_vec_clear(&v->t);
+  num_vec_clear(&v->dt);
+  num_vec_clear(&v->zt);
+  num_vec_clear(&v->azt);
+  num_vec_clear(&v->local);
+  num_vec_clear(&v->phi);
+  for (size_t i = 0; i < v->n_matrices; i++) num_vec_clear(&v->matrices[i].entry);
+  free(v->matrices);
+  num_vec_clear(&v->tangent);
+  dyn_arc_clear(&v->arc);
+  dyn_arc_clear(&v->perturbed);
+}
