@@ -36,6 +36,8 @@ FUZZ  = reader model claims scene json report options certificate
 # one for each tests/check_*.c; those that take longest are begun first
 SLOW  = scene
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
+# make quick: suites that find most in a second
+QUICK = num base expr edit tape model dynamics map given argument law routes behaviour audit diff
 # processes at a time
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
@@ -47,7 +49,7 @@ TOBJ  = $(TEST:%.c=$(B)/%.o)
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
-.PHONY: deps all check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
+.PHONY: deps all quick quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
 all: $(B)/stickslip $(B)/$(SO) $(B)/stickslip-checker $(if $(MPI),$(B)/mpi/stickslip) ## build the program, the library and the checker (default)
 
 deps: ## install what is missing (Debian, Ubuntu), else say what to install
@@ -138,6 +140,18 @@ check: ## run the tests, JOBS suites at a time; with MPI=1 those of mpirun too
 	@[ -n "$(EXTRA)" ] || CC=$(CC) sh tools/check-install.sh $(B)
 	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(SUITES:%=suite-%)
 	@echo "$(words $(SUITES)) suites of tests passed"
+
+quick: ## in a minute: laws of numbers, reader, model and orbits, the paper's verdicts, bad input, digests
+	@$(MAKE) --no-print-directory -s -j$(JOBS) all $(B)/check $(FUZZ:%=$(B)/replay-%)
+	@$(MAKE) --no-print-directory -j$(JOBS) -k -Otarget $(QUICK:%=suite-%) quick-input quick-paper
+	@$(PYTHON) tools/digests.py $(B)/stickslip --quick
+	@echo "quick: $(words $(QUICK)) suites of tests, bad input and the paper's verdicts passed"
+
+quick-input:
+	@CK_RUN_CASE=input CK_RUN_SUITE=hostile STICKSLIP=$(B)/stickslip PYTHON=$(PYTHON) $(B)/check
+
+quick-paper:
+	@$(B)/stickslip verify paper --quiet --out $(B)/quick
 
 check-build: all $(B)/check $(B)/faults.so $(FUZZ:%=$(B)/replay-%)
 

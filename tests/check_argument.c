@@ -20,12 +20,10 @@ static struct scene paper;
 static struct orbit_cache *cache;
 
 static void open_all(void) {
-  struct diag d;
-  diag_init(&d);
   scratch_open();
-  paper_model(&model, NULL, true);
+  paper_model(&model, &(struct paper_layers){.controls = true});
   cache = orbit_cache_new();
-  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+  paper_scene(&paper);
 }
 
 static void close_all(void) {
@@ -105,11 +103,13 @@ static const struct {
 START_TEST(what_follows_and_what_does_not) {
   struct model m;
   struct text t;
-  paper_model(&m,
-              "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
-              "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
-              "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n",
-              true);
+  paper_model(&m, &(struct paper_layers){
+                      .overlay = scratch_put(
+                          "overlay.eq",
+                          "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
+                          "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+                          "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n"),
+                      .controls = true});
   text_init(&t);
   text_printf(&t, HEAD "%s", arguments[_i].claim);
   enum verdict v = verdict_under(&m, text_str(&t));
@@ -235,15 +235,15 @@ END_TEST
 
 /* The scene of a certificate is a scene, and its orbit breaks just what the certificate says. */
 START_TEST(a_certificate_is_a_scene) {
-  struct claims claims = {.n = 0}, none = {.n = 0};
+  struct claims claims, none = {.n = 0};
   struct audit_result r;
   struct diag d;
   const char *id = "text-59-concluded";
   const struct audit_options opt = {.only = &id, .n_only = 1};
   diag_init(&d);
   audit_result_init(&r);
-  ck_assert(claims_load(&claims, "verify/claims", "claim", &d) &&
-            audit_run(&r, &model, &claims, &none, &paper, &opt, &d));
+  paper_claims(&claims, NULL);
+  ck_assert(audit_run(&r, &model, &claims, &none, &paper, &opt, &d));
   const char *from = strstr(r.findings[0].evidence[0].note, "scene \"");
   ck_assert(r.findings[0].verdict == VERDICT_REFUTED && from);
   struct text t;
@@ -308,7 +308,8 @@ static void faults_of(struct text *out, const char *overlay) {
   struct model m;
   struct audit_result r;
   struct diag d;
-  paper_model(&m, overlay, true);
+  paper_model(&m,
+              &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL, .controls = true});
   ck_assert_msg(judge_text(&r, &m, HEAD "  kind: scaling\n  scaled: V e_ u v F_ z x y d_ dz\n", &d), "%s", d.message);
   const char *note = r.findings[0].evidence[0].note;
   for (const char *p = note; p && *p;) {
@@ -386,7 +387,7 @@ START_TEST(ranks_by_hand) {
   struct text t;
   text_init(&t);
   text_printf(&t, "equation user\n  section: periodic\n%s", cases[_i].statements);
-  paper_model(&m, text_str(&t), true);
+  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
   text_reset(&t);
   text_printf(&t, HEAD "  kind: rank\n  statement: user\n  unknowns: %s\n  rank: %s\n", cases[_i].unknowns,
               cases[_i].rank);
@@ -490,12 +491,10 @@ END_TEST
 /* --- The claims on file --- */
 
 START_TEST(every_number_of_the_paper_is_covered) {
-  struct claims claims = {.n = 0};
-  struct diag d;
+  struct claims claims;
   long prose = 0;
   bool equation[62] = {false};
-  diag_init(&d);
-  ck_assert(claims_load(&claims, "verify/claims", "claim", &d));
+  paper_claims(&claims, NULL);
   for (size_t i = 0; i < claims.n; i++) {
     const char *id = claims.claim[i].id, *number = claim_get(&claims.claim[i], "equation");
     prose += strncmp(id, "text-", 5) == 0 || strncmp(id, "fig-", 4) == 0;
@@ -512,17 +511,15 @@ END_TEST
 
 /* All claims of these kinds on the scene: as recorded, their sum the total, every control noticed. */
 START_TEST(the_text_is_as_recorded) {
-  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct claims claims, controls;
   struct audit_result r;
   struct diag d;
   static const char *const only[] = {"text", "fig", "eq-54", "eq-57", "eq-58", "eq-59", "eq-16", "eq-10"};
   const struct audit_options opt = {.only = only, .n_only = 8};
   diag_init(&d);
   audit_result_init(&r);
-  bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d) &&
-            audit_run(&r, &model, &claims, &controls, &paper, &opt, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_claims(&claims, &controls);
+  ck_assert_msg(audit_run(&r, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
   long count[N_VERDICTS], sum = 0;
   audit_result_count(&r, count);
   for (int i = 0; i < N_VERDICTS; i++) sum += count[i];

@@ -505,11 +505,9 @@ static struct orbit_cache *cache;
 static struct scene paper;
 
 static void open_values(void) {
-  struct diag d;
-  diag_init(&d);
   scratch_open();
   cache = orbit_cache_new();
-  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+  paper_scene(&paper);
 }
 
 static void close_values(void) {
@@ -882,7 +880,7 @@ static void jacobian_of(real j[4], struct scene *s, const struct jacobian_reques
   struct model m;
   struct diag d;
   diag_init(&d);
-  paper_model(&m, NULL, false);
+  paper_model(&m, NULL);
   arb_ptr x = _arb_vec_init(6);
   ck_assert_msg(audit_jacobian(x, x + 4, x + 5, &m, s, q, &d), "%s", d.message);
   for (int i = 0; i < 4; i++) j[i] = arf_get_d(arb_midref(x + i), ARF_RND_NEAR);
@@ -937,7 +935,7 @@ START_TEST(expressions_at_a_point) {
   struct diag d;
   point_init(&p);
   diag_init(&d);
-  paper_model(&m, NULL, false);
+  paper_model(&m, NULL);
   ck_assert(printed_point(&p, &paper));
   arb_ptr x = _arb_vec_init(16);
   int n;
@@ -1002,7 +1000,7 @@ START_TEST(two_sides_at_a_point) {
   sampler_init(&s, "sentences", POINT_PARAMS, PHASE_D, NULL);
   sampler_next(&p, &s);
   snprintf(text, sizeof text, "equation user\n  section: stability\n  %s\n", sentences[_i].sentence);
-  paper_model(&m, text, false);
+  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text)});
   struct view v = {&m, LAYER_PRINTED, NULL, NULL};
   ck_assert_msg(sentence_from_relations(&sides, v, view_record(&v, "user"), NULL, 0, &d), "%s", d.message);
   struct trial t = sentence_try_balls(&sides, &p, VARIANT_CLOSED, cache);
@@ -1023,16 +1021,15 @@ END_TEST
 static void judge_all(struct audit_result *r, const char *overlay, bool with_controls, const char *const *items,
                       int n) {
   struct model m;
-  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct claims claims, controls;
   struct diag d;
   diag_init(&d);
   audit_result_init(r);
-  paper_model(&m, overlay, with_controls);
+  paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL,
+                                         .controls = with_controls});
   const struct audit_options opt = {.only = items, .n_only = n};
-  bool ok = claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d) &&
-            audit_run(r, &m, &claims, &controls, &paper, &opt, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_claims(&claims, &controls);
+  ck_assert_msg(audit_run(r, &m, &claims, &controls, &paper, &opt, &d), "%s", d.message);
   claims_clear(&controls);
   claims_clear(&claims);
   model_clear(&m);
@@ -1040,12 +1037,6 @@ static void judge_all(struct audit_result *r, const char *overlay, bool with_con
 
 static void judge(struct audit_result *r, const char *overlay, bool with_controls, const char *only) {
   judge_all(r, overlay, with_controls, &only, 1);
-}
-
-static const struct finding *finding_of(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  ck_abort_msg("no finding %s", id);
 }
 
 static const struct {
@@ -1100,7 +1091,7 @@ static void close_claims(void) {
 /* As written the claim is proved; one wrong glyph refutes it, and the certificate names a point; two of
    them are right where eta = 1 or V = 1. */
 START_TEST(a_damaged_formula_is_refuted) {
-  const struct finding *f = finding_of(&undamaged, damages[_i].claim);
+  const struct finding *f = finding_with_id(&undamaged, damages[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert_int_ge(f->n_evidence, 3);
   for (int i = 0; i + 1 < f->n_evidence; i++)
@@ -1109,7 +1100,7 @@ START_TEST(a_damaged_formula_is_refuted) {
   ck_assert(strcmp(f->evidence[f->n_evidence - 1].result, "proved") == 0);
   struct audit_result r;
   judge(&r, damages[_i].overlay, true, damages[_i].claim);
-  f = finding_of(&r, damages[_i].claim);
+  f = finding_with_id(&r, damages[_i].claim);
   ck_assert_msg(verdict_fails(f->verdict), "damaged %s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->fault != NULL && strcmp(f->evidence[0].result, "differs") == 0 && f->evidence[0].trials > 0);
   ck_assert(f->evidence[0].note && strstr(f->evidence[0].note, "at chi = "));
@@ -1120,12 +1111,12 @@ END_TEST
 
 /* As printed the claim fails; written right by a user it is proved. */
 START_TEST(a_repaired_formula_is_supported) {
-  const struct finding *f = finding_of(&undamaged, repairs[_i].claim);
+  const struct finding *f = finding_with_id(&undamaged, repairs[_i].claim);
   ck_assert_msg(verdict_fails(f->verdict), "%s: %s", f->id, verdict_name[f->verdict]);
   ck_assert(f->correction && f->correction_verdict == VERDICT_PROVED);
   struct audit_result r;
   judge(&r, repairs[_i].overlay, true, repairs[_i].claim);
-  f = finding_of(&r, repairs[_i].claim);
+  f = finding_with_id(&r, repairs[_i].claim);
   ck_assert_msg(f->verdict == VERDICT_PROVED, "repaired %s: %s", f->id, verdict_name[f->verdict]);
   audit_result_clear(&r);
 }
@@ -1138,8 +1129,8 @@ START_TEST(what_holds_when_v_is_one_is_said) {
     struct audit_result r;
     int restricted = 0;
     judge(&r, NULL, true, ids[i]);
-    ck_assert(finding_of(&r, ids[i])->verdict == VERDICT_CONDITIONAL);
-    ck_assert_str_eq(finding_of(&r, ids[i])->condition, "V = 1");
+    ck_assert(finding_with_id(&r, ids[i])->verdict == VERDICT_CONDITIONAL);
+    ck_assert_str_eq(finding_with_id(&r, ids[i])->condition, "V = 1");
     for (size_t k = 0; k < r.n_findings; k++) {
       const struct finding *f = &r.findings[k];
       if (!f->condition || strcmp(f->condition, "V = 1") != 0) continue;
@@ -1163,7 +1154,7 @@ START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct audit_result r;
     judge(&r, cases[i].overlay, true, "eq-27");
-    const struct finding *f = finding_of(&r, "eq-27");
+    const struct finding *f = finding_with_id(&r, "eq-27");
     ck_assert(f->verdict == VERDICT_REFUTED && strcmp(f->fault, "notation") == 0);
     ck_assert_str_eq(f->evidence[0].route, "diagnostic");
     ck_assert_msg(strstr(f->evidence[0].note, cases[i].outcome) != NULL, "%s", f->evidence[0].note);

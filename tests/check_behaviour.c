@@ -12,6 +12,7 @@
 
 #include "judge/behaviour.h"
 #include "laws_num.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/chain.h"
 #include "suites.h"
@@ -262,10 +263,8 @@ END_TEST
 static struct scene paper;
 
 static void open_paper(void) {
-  struct diag d;
-  diag_init(&d);
   scratch_open();
-  ck_assert(scene_load(&paper, "paper", "verify", &d));
+  paper_scene(&paper);
 }
 
 static void close_paper(void) {
@@ -281,10 +280,8 @@ static bool judge_text(struct audit_result *r, const char *text, struct diag *d)
   const struct audit_options opt = {.only = &own, .n_only = 1};
   diag_init(d);
   audit_result_init(r);
-  model_init(&m);
-  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, d) &&
-            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, d) &&
-            claims_add_file(&claims, scratch_put("case.claim", text), "claim", d) &&
+  paper_model(&m, NULL);
+  bool ok = claims_add_file(&claims, scratch_put("case.claim", text), "claim", d) &&
             audit_run(r, &m, &claims, &none, &paper, &opt, d);
   claims_clear(&claims);
   model_clear(&m);
@@ -492,7 +489,7 @@ END_TEST
 
 /* The scene to reproduce the perturbed motions with is the claim's. */
 START_TEST(the_scene_is_the_claims) {
-  struct claims claims = {.n = 0};
+  struct claims claims;
   struct scene stable;
   struct diag d;
   struct point p;
@@ -500,7 +497,8 @@ START_TEST(the_scene_is_the_claims) {
   size_t n = 0;
   diag_init(&d);
   point_init(&p);
-  ck_assert(scene_load(&stable, "stable", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d));
+  paper_claims(&claims, NULL);
+  ck_assert(scene_load(&stable, "stable", "verify", &d));
   for (size_t i = 0; i < claims.n; i++) {
     if (strcmp(claims.claim[i].id, "text-conditionally-stable") != 0) continue;
     for (const char *s = claim_get(&claims.claim[i], "at"); *s; s++)

@@ -228,7 +228,7 @@ static void check_listed(const struct bench_table *t) {
 START_TEST(every_method_keeps_its_promise) {
   struct model m;
   struct bench_table t;
-  paper_model(&m, NULL, false);
+  paper_model(&m, NULL);
   ck_assert_int_lt(_i, n_bench_jobs);
   ck_assert(bench_run(&t, bench_jobs[_i], &(struct bench_env){.model = &m}, true));
   ck_assert_int_eq(t.cases, bench_jobs[_i]->n_quick);

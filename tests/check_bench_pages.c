@@ -12,6 +12,7 @@
 #include <unistd.h>
 
 #include "bench/jobs.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/dynamics.h"
 #include "suites.h"
@@ -292,15 +293,11 @@ END_TEST
 
 START_TEST(sides_of_claims_come_to_any_digits) {
   struct model m;
-  struct claims claims = {.n = 0};
+  struct claims claims;
   struct scene scene;
-  struct diag d;
-  diag_init(&d);
-  model_init(&m);
-  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
-            claims_load(&claims, "verify/claims", "claim", &d) && scene_load(&scene, "paper", "verify", &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(&m, NULL);
+  paper_claims(&claims, NULL);
+  paper_scene(&scene);
   const struct bench_env env = {.model = &m, .claims = &claims, .scene = &scene};
   struct bench_sides *s = sides_of(&env, "eq-27"); /* a matrix and the model's */
   ck_assert(s && bench_sides_run(s, 15) && bench_sides_run(s, 700));

@@ -17,6 +17,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "process.h"
 #include "scratch.h"
 #include "stickslip/arena.h"
 #include "stickslip/text.h"
@@ -80,6 +81,7 @@ static void start(struct job *j, const char *stdout_to, const char *file, const 
   j->pid = fork();
   ck_assert(j->pid >= 0);
   if (j->pid == 0) {
+    process_as_from_a_shell();
     redirect(j->out_path, STDOUT_FILENO);
     redirect(j->err_path, STDERR_FILENO);
     limit_files();
@@ -90,9 +92,7 @@ static void start(struct job *j, const char *stdout_to, const char *file, const 
 }
 
 static void finish(struct job *j) {
-  int s = 0;
-  ck_assert(waitpid(j->pid, &s, 0) == j->pid);
-  j->status = WIFSIGNALED(s) ? -WTERMSIG(s) : WEXITSTATUS(s);
+  j->status = process_end(j->pid);
   ck_assert_msg(j->status != 127 && j->status != 126, "cannot start %s", program());
   j->out = strncmp(j->out_path, "/dev/", 5) == 0 ? NULL : slurp(j->out_path);
   j->err = slurp(j->err_path);

@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "paper_model.h"
 #include "power/mutants.h"
 #include "suites.h"
 
@@ -170,22 +171,17 @@ END_TEST
 
 /* --- What holds of every edit --- */
 
-static struct model paper_model;
+static struct model papers;
 static struct mutants population;
 
 static void open_population(void) {
-  struct diag d;
-  diag_init(&d);
-  model_init(&paper_model);
-  ck_assert_msg(model_add_folder(&paper_model, "verify/paper", RANK_PAPER, &d) &&
-                    model_add_file(&paper_model, "verify/errata.eq", RANK_ERRATA, &d),
-                "%s", d.message);
-  mutants_init(&population, &paper_model, NULL, 0);
+  paper_model(&papers, NULL);
+  mutants_init(&population, &papers, NULL, 0);
 }
 
 static void close_population(void) {
   mutants_clear(&population);
-  model_clear(&paper_model);
+  model_clear(&papers);
 }
 
 static const struct expr *bare(const struct expr *e) {
@@ -218,7 +214,7 @@ START_TEST(every_edit_is_a_statement_of_its_own) {
   for (size_t i = 0; i < population.n; i++) {
     const struct mutant *m = &population.mutant[i];
     const struct target *t = &population.target[m->target];
-    const struct statement_record *r = &paper_model.records[t->record];
+    const struct statement_record *r = &papers.records[t->record];
     const struct stmt *original = r->stmts[t->stmt];
     kinds[m->edit.kind]++;
     ck_assert_msg(!same_statement(original, m->edit.stmt, expr_same), "%s", m->edit.text);
@@ -242,7 +238,7 @@ END_TEST
 
 START_TEST(no_edit_comes_twice_and_the_order_is_fixed) {
   struct mutants again;
-  mutants_init(&again, &paper_model, NULL, 0);
+  mutants_init(&again, &papers, NULL, 0);
   ck_assert_uint_eq(again.n, population.n);
   for (size_t i = 0; i < population.n; i++) {
     ck_assert_str_eq(again.mutant[i].edit.text, population.mutant[i].edit.text);

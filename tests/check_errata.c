@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include "claim/claim.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/report.h"
 #include "suites.h"
@@ -24,14 +25,9 @@ static struct scene paper;
 static struct audit_result result;
 
 static void load(struct model *m, const char *overlay, const char *errata) {
-  struct diag d;
-  diag_init(&d);
-  model_init(m);
-  bool ok = model_add_folder(m, "verify/paper", RANK_PAPER, &d) &&
-            (!overlay || model_add_file(m, scratch_put("user.eq", overlay), RANK_USER, &d)) &&
-            model_add_file(m, errata ? scratch_put("errata.eq", errata) : "verify/errata.eq", RANK_ERRATA, &d) &&
-            model_add_file(m, "verify/controls/controls.eq", RANK_CONTROL, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(m, &(struct paper_layers){.overlay = overlay ? scratch_put("user.eq", overlay) : NULL,
+                                        .errata = errata ? scratch_put("errata.eq", errata) : NULL,
+                                        .controls = true});
 }
 
 static void open_audit(void) {
@@ -41,10 +37,9 @@ static void open_audit(void) {
   scratch_open();
   load(&model, NULL, NULL);
   audit_result_init(&result);
-  bool ok = scene_load(&paper, "paper", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d) &&
-            audit_run(&result, &model, &claims, &controls, &paper, &opt, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_scene(&paper);
+  paper_claims(&claims, &controls);
+  ck_assert_msg(audit_run(&result, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
 }
 
 static void close_audit(void) {
@@ -54,12 +49,6 @@ static void close_audit(void) {
   scene_clear(&paper);
   model_clear(&model);
   scratch_close();
-}
-
-static const struct finding *finding_of(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  ck_abort_msg("no finding %s", id);
 }
 
 static const struct derived *derived_of(const char *failure, const char *formula) {
@@ -345,7 +334,7 @@ START_TEST(alone_or_together) {
     diag_init(&d);
     audit_result_init(&r);
     ck_assert_msg(audit_run(&r, &model, &claims, &none, &paper, &opt, &d), "%s", d.message);
-    const struct finding *a = finding_of(&r, ids[i]), *b = finding_of(&result, ids[i]);
+    const struct finding *a = finding_with_id(&r, ids[i]), *b = finding_with_id(&result, ids[i]);
     ck_assert_str_eq(a->effect, b->effect);
     ck_assert_int_eq(a->n_depends_on, b->n_depends_on);
     const struct consequence *q = audit_result_consequence(&r, ids[i]);
@@ -385,12 +374,12 @@ START_TEST(what_to_replace_by_what) {
                {"eq-31", "replace $u_{r1}$ by $u_{r2}$"},
                {"eq-32c", "replace $y_{b}$ by $y_{a}$"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++)
-    ck_assert_str_eq(finding_of(&result, cases[i].id)->change, cases[i].change);
-  ck_assert(finding_of(&result, "eq-32b")->change == NULL); /* one equation for two */
+    ck_assert_str_eq(finding_with_id(&result, cases[i].id)->change, cases[i].change);
+  ck_assert(finding_with_id(&result, "eq-32b")->change == NULL); /* one equation for two */
   struct audit_result r;
   judge_one(&r, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1]\n",
             "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n", "eq-27");
-  const struct finding *f = finding_of(&r, "eq-27");
+  const struct finding *f = finding_with_id(&r, "eq-27");
   ck_assert_str_eq(f->change, "replace $1$ by $-1$");
   ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
   ck_assert(strstr(f->correction_latex, "J_{a} = ") == f->correction_latex && strstr(f->printed_part, "J_{a} = "));
@@ -404,8 +393,8 @@ END_TEST
 START_TEST(without_a_correction_nothing_is_said) {
   struct audit_result r;
   judge_one(&r, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[1, 1]\n", NULL, "eq-27");
-  ck_assert_int_eq(finding_of(&r, "eq-27")->verdict, VERDICT_REFUTED);
-  ck_assert(finding_of(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
+  ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
+  ck_assert(finding_with_id(&r, "eq-27")->correction == NULL && audit_result_consequence(&r, "eq-27") == NULL);
   write_sheets(&r);
   ck_assert_int_eq(run("%s tests/oracle/sheets.py '%s'", python(), scratch_path("")), 0);
   audit_result_clear(&r);
@@ -417,7 +406,7 @@ START_TEST(numbers_are_corrected_to_as_many_digits) {
   static const char *const want[][2] = {
       {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
   for (size_t i = 0; i < sizeof want / sizeof *want; i++) {
-    const struct finding *f = finding_of(&result, want[i][0]);
+    const struct finding *f = finding_with_id(&result, want[i][0]);
     ck_assert_str_eq(f->correction, want[i][1]);
     ck_assert_int_eq(f->correction_verdict, VERDICT_PROVED);
   }
@@ -619,7 +608,7 @@ START_TEST(results_that_cannot_be_read) {
   struct audit_result r;
   struct model m;
   struct diag d;
-  struct claims own = {.n = 0};
+  struct claims own;
   const struct claims none = {.n = 0};
   const char *only = "eq-27";
   const struct audit_options opt = {.only = &only, .n_only = 1};
@@ -627,11 +616,11 @@ START_TEST(results_that_cannot_be_read) {
   audit_result_init(&r);
   load(&m, "define user\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[1, 1, 1]\n",
        "define err\n  section: stability\n  equation: 27\n  J_a := (1/(1 - chi))*[-1, 1]\n");
-  ck_assert(claims_load(&own, "verify/claims", "claim", &d));
+  paper_claims(&own, NULL);
   ck_assert(claims_add_file(&own, scratch_put("more.claim", "result none\n  title: none\n  formula: no_such_name\n"),
                             "claim", &d));
   ck_assert_msg(audit_run(&r, &m, &own, &none, &paper, &opt, &d), "%s", d.message);
-  ck_assert_int_eq(finding_of(&r, "eq-27")->verdict, VERDICT_REFUTED);
+  ck_assert_int_eq(finding_with_id(&r, "eq-27")->verdict, VERDICT_REFUTED);
   const struct consequence *q = audit_result_consequence(&r, "eq-27");
   if (q) ck_assert_int_eq(q->n_derived, (int)own.n_results - 1);
   for (int i = 0; q && i < q->n_derived; i++)

@@ -9,6 +9,7 @@
 
 #include "judge/judge.h"
 #include "laws_num.h"
+#include "paper_model.h"
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
@@ -207,19 +208,11 @@ static struct scene paper;
 static struct orbit_cache *cache;
 
 static void open_paper(void) {
-  struct diag d;
   scratch_open();
-  diag_init(&d);
-  model_init(&model);
-  claims = controls = (struct claims){.n = 0};
   cache = orbit_cache_new();
-  ck_assert_msg(model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-                    model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
-                    model_add_folder(&model, "verify/controls", RANK_CONTROL, &d) &&
-                    claims_load(&claims, "verify/claims", "claim", &d) &&
-                    claims_load(&controls, "verify/controls", "control", &d) &&
-                    scene_load(&paper, "paper", "verify", &d),
-                "%s", d.message);
+  paper_model(&model, &(struct paper_layers){.controls = true});
+  paper_claims(&claims, &controls);
+  paper_scene(&paper);
 }
 
 static void close_paper(void) {
@@ -232,27 +225,12 @@ static void close_paper(void) {
 }
 
 static const struct claim *claim_of(const char *id) {
-  for (size_t i = 0; i < claims.n; i++)
-    if (strcmp(claims.claim[i].id, id) == 0) return &claims.claim[i];
-  ck_abort_msg("no claim %s", id);
+  return claim_with_id(&claims, id);
 }
 
 /* The value of a text in a field, as a function of free symbols. */
 static int value_in(element *z, struct exact_field *f, const char *text) {
-  struct elaboration el;
-  struct matrix m;
-  struct tape t;
-  struct diag d;
-  struct exact_vec v;
-  diag_init(&d);
-  elaboration_init(&el, (struct view){&model, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
-  ck_assert_msg(elaborate_tape(&t, &m, &el, "test", text, "", &d), "%s", d.message);
-  int s = exact_eval(&v, f, &t);
-  if (s == SS_OK) num_exact.set(z, &v.x[0]);
-  exact_vec_clear(&v);
-  tape_clear(&t);
-  elaboration_clear(&el);
-  return s;
+  return paper_value(z, f, &model, text);
 }
 
 START_TEST(derivatives_by_the_rules) {
@@ -604,19 +582,15 @@ START_TEST(ranks_by_hand) {
     struct rank_system y;
     text_init(&t);
     diag_init(&d);
-    model_init(&m);
     audit_result_init(&out);
     text_printf(&t, "equation rank-by-hand\n  section: stability\n%s", rows[i].equations);
-    scratch_put("rank.eq", text_str(&t));
+    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("rank.eq", text_str(&t)), .errata = ""});
     text_reset(&t);
     text_printf(&t,
                 "claim rank\n  kind: rank\n  statement: rank-by-hand\n  unknowns: %s\n  rank: 1\n  record: proved\n",
                 rows[i].unknowns);
     scratch_put("rank.claim", text_str(&t));
-    ck_assert_msg(model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
-                      model_add_file(&m, scratch_path("rank.eq"), RANK_USER, &d) &&
-                      claims_load(&c, scratch_path(""), "claim", &d),
-                  "%s", d.message);
+    ck_assert_msg(claims_load(&c, scratch_path(""), "claim", &d), "%s", d.message);
     struct judge j = {.out = &out, .model = &m, .claims = &c, .scene = &paper, .cache = cache, .d = &d};
     ck_assert_msg(rank_system_build(&y, &j, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}), "%s",
                   d.message);

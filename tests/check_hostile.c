@@ -13,6 +13,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "process.h"
 #include "scratch.h"
 #include "stickslip/arena.h"
 #include "stickslip/text.h"
@@ -110,8 +111,7 @@ static void become(const struct job *j, const char *out, const char *err) {
     lead_nowhere();
   else
     lead(out, STDOUT_FILENO);
-  signal(SIGPIPE, SIG_DFL); /* as a shell leaves them */
-  signal(SIGXFSZ, SIG_DFL);
+  process_as_from_a_shell();
   for (int i = 0; i < 3 && j->env[i]; i++) set_in_environment(j->env[i]);
   if (j->nobody && geteuid() == 0 && (setgid(NOBODY) != 0 || setuid(NOBODY) != 0)) _exit(126);
   if (j->memory && !SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){j->memory, j->memory});
@@ -122,12 +122,6 @@ static void become(const struct job *j, const char *out, const char *err) {
   alarm(HANGS);
   execv(j->file, j->argv);
   _exit(127);
-}
-
-static double seconds_of_children(void) {
-  struct rusage u;
-  getrusage(RUSAGE_CHILDREN, &u);
-  return (double)(u.ru_utime.tv_sec + u.ru_stime.tv_sec) + 1e-6 * (double)(u.ru_utime.tv_usec + u.ru_stime.tv_usec);
 }
 
 static void slurp(struct text *out, const char *path) {
@@ -141,15 +135,13 @@ static void slurp(struct text *out, const char *path) {
 
 static void run(struct job *j) {
   const char *out = j->out ? j->out : scratch_path("job.out"), *err = scratch_path("job.err");
-  double before = seconds_of_children();
+  double before = children_seconds();
   fflush(NULL);
   pid_t pid = fork();
   ck_assert(pid >= 0);
   if (pid == 0) become(j, out, err);
-  int s = 0;
-  while (waitpid(pid, &s, 0) < 0) ck_assert_int_eq(errno, EINTR);
-  j->seconds = seconds_of_children() - before;
-  j->status = WIFSIGNALED(s) ? -WTERMSIG(s) : WEXITSTATUS(s);
+  j->status = process_end(pid);
+  j->seconds = children_seconds() - before;
   struct stat st;
   j->out_size = !j->out && stat(out, &st) == 0 ? (long)st.st_size : 0;
   text_reset(&j->err);
@@ -797,7 +789,7 @@ START_TEST(little_memory) {
     job_init(&j, words[i]);
     bool ended = false;
     const rlim_t least = 28, started = 32; /* with less the loader has no room for the libraries */
-    for (rlim_t mb = least; mb <= 128 && !ended; mb += 4) {
+    for (rlim_t mb = least; mb <= 128 && !ended; mb += 8) {
       j.memory = mb << 20;
       run(&j);
       ended = j.status == 0;

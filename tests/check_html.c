@@ -10,6 +10,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "paper_model.h"
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/html.h"
@@ -316,21 +317,17 @@ static void put_all(const struct audit_result *r) {
 /* The paper's own report: every formula in it is set. */
 START_TEST(the_papers_page) {
   struct model m;
-  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct claims claims, controls;
   struct scene scene;
   struct audit_result r;
   struct diag d;
   diag_init(&d);
-  model_init(&m);
   audit_result_init(&r);
   const struct audit_options opt = {.readings = false};
-  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
-            model_add_file(&m, "verify/controls/controls.eq", RANK_CONTROL, &d) &&
-            scene_load(&scene, "paper", "verify", &d) && claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d) &&
-            audit_run(&r, &m, &claims, &controls, &scene, &opt, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(&m, &(struct paper_layers){.controls = true});
+  paper_claims(&claims, &controls);
+  paper_scene(&scene);
+  ck_assert_msg(audit_run(&r, &m, &claims, &controls, &scene, &opt, &d), "%s", d.message);
   put_all(&r);
   ck_assert_int_eq(check_folder("0"), 0);
   if (system("command -v chromium >/dev/null") == 0) ck_assert_int_eq(check_with("browser.py", "build/npm"), 0);

@@ -76,9 +76,12 @@ static void open_data(void) {
   while (fgets(line, sizeof line, f)) read_line(line);
   fclose(f);
   ck_assert_int_eq(n_samples, N_ORBITS);
-  paper_model(&model, NULL, false);
-  paper_model(&damaged, "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n",
-              false);
+  paper_model(&model, NULL);
+  paper_model(&damaged,
+              &(struct paper_layers){
+                  .overlay = scratch_put(
+                      "overlay.eq",
+                      "section: stability\n\ndefine mine\n  equation: 36\n  ktilde_2 := ktilde_1*z'_2c/V + 1/1000\n")});
 }
 
 static void close_data(void) {

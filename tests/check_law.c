@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "paper_model.h"
 #include "scratch.h"
 #include "stickslip/audit.h"
 #include "suites.h"
@@ -14,11 +15,9 @@ static struct scene paper;
 static struct orbit_cache *cache;
 
 static void open_all(void) {
-  struct diag d;
-  diag_init(&d);
   scratch_open();
   cache = orbit_cache_new();
-  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+  paper_scene(&paper);
 }
 
 static void close_all(void) {
@@ -35,14 +34,10 @@ static enum verdict judged(const char *formulas, const char *claim, struct diag 
   struct text t;
   const char *only[] = {"own"};
   const struct audit_options opt = {.only = only, .n_only = 1};
-  diag_init(d);
-  model_init(&m);
   audit_result_init(&r);
   text_init(&t);
   text_printf(&t, "claim own\n  section: appendix_b\n  title: of the test\n%s", claim);
-  bool ok = model_add_folder(&m, "verify/paper", RANK_PAPER, d) &&
-            model_add_file(&m, scratch_put("own.eq", formulas), RANK_USER, d) &&
-            model_add_file(&m, "verify/errata.eq", RANK_ERRATA, d) &&
+  bool ok = paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", formulas)}, d) &&
             claims_add_file(&claims, scratch_put("own.claim", text_str(&t)), "claim", d) &&
             audit_run(&r, &m, &claims, &none, &paper, &opt, d);
   enum verdict v = ok ? r.findings[0].verdict : N_VERDICTS;

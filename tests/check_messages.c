@@ -97,10 +97,8 @@ static struct model papers;
 static struct scene paper;
 
 static void load(void) {
-  struct diag d;
-  diag_init(&d);
-  paper_model(&papers, NULL, false);
-  ck_assert_msg(scene_load(&paper, "paper", "verify", &d), "%s", d.message);
+  paper_model(&papers, NULL);
+  paper_scene(&paper);
   scratch_open();
 }
 
@@ -123,7 +121,7 @@ static const struct model *model_with(struct model *own, const char *records) {
   diag_init(&d);
   text_init(&text);
   add_lines(&text, records);
-  paper_model(own, NULL, false);
+  paper_model(own, NULL);
   ck_assert_msg(model_add_file(own, scratch_put("own.eq", text_str(&text)), RANK_ERRATA, &d), "%s", d.message);
   text_clear(&text);
   return own;
@@ -216,7 +214,7 @@ START_TEST(a_root_of_coefficients_that_scale_apart) {
   diag_init(&d);
   audit_result_init(&r);
   claims_of(&own, "kind: scaling|scaled: V|statement: own");
-  paper_model(&more, NULL, false);
+  paper_model(&more, NULL);
   const char *path =
       scratch_put("own.eq", "define own\n  section: periodic\n  root q: q^2 - 2*q + 1/V, largest positive\n  y := q\n");
   bool ok = model_add_file(&more, path, RANK_PAPER, &d) &&
@@ -241,7 +239,7 @@ START_TEST(a_value_of_two_sections) {
   struct diag d;
   diag_init(&d);
   audit_result_init(&r);
-  paper_model(&own, NULL, false);
+  paper_model(&own, NULL);
   const char *path = scratch_put(
       "own.eq", "define first\n  section: one\n  twice := chi\ndefine second\n  section: two\n  twice := 2*chi\n");
   bool ok = model_add_file(&own, path, RANK_PAPER, &d) &&

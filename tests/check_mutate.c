@@ -14,6 +14,7 @@
 
 #include "base/crew.h"
 #include "judge/judge.h"
+#include "paper_model.h"
 #include "power/mutants.h"
 #include "process.h"
 #include "scratch.h"
@@ -29,16 +30,11 @@ static struct scene paper;
 static struct orbit_cache *cache;
 
 static void open_paper(void) {
-  struct diag d;
   scratch_open();
-  diag_init(&d);
-  model_init(&model);
-  claims = (struct claims){.n = 0};
   cache = orbit_cache_new();
-  ck_assert_msg(model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-                    model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
-                    claims_load(&claims, "verify/claims", "claim", &d) && scene_load(&paper, "paper", "verify", &d),
-                "%s", d.message);
+  paper_model(&model, NULL);
+  paper_claims(&claims, NULL);
+  paper_scene(&paper);
 }
 
 static void close_paper(void) {
@@ -50,9 +46,7 @@ static void close_paper(void) {
 }
 
 static const struct claim *claim_of(const char *id) {
-  for (size_t i = 0; i < claims.n; i++)
-    if (strcmp(claims.claim[i].id, id) == 0) return &claims.claim[i];
-  ck_abort_msg("no claim %s", id);
+  return claim_with_id(&claims, id);
 }
 
 /* --- Exact algebra --- */
@@ -824,13 +818,9 @@ START_TEST(every_repair_passes_a_run_of_its_own) {
       struct audit_result r;
       struct claims none = {.n = 0};
       struct diag d;
-      diag_init(&d);
-      model_init(&m);
       audit_result_init(&r);
       const struct audit_options opt = {.only = &c->claim, .n_only = 1};
-      ck_assert_msg(model_add_folder(&m, "verify/paper", RANK_PAPER, &d) &&
-                        model_add_file(&m, scratch_put("repaired.eq", t.data), RANK_USER, &d) &&
-                        model_add_file(&m, "verify/errata.eq", RANK_ERRATA, &d) &&
+      ck_assert_msg(paper_model_read(&m, &(struct paper_layers){.overlay = scratch_put("repaired.eq", t.data)}, &d) &&
                         audit_run(&r, &m, &claims, &none, &paper, &opt, &d),
                     "%s\n%s", d.message, t.data);
       const char *verdict = NULL;
@@ -869,16 +859,14 @@ static int shell(const char *fmt, ...) {
 }
 
 START_TEST(any_number_of_processes_gives_the_same_bytes) {
-  static const int jobs[] = {1, 2, 5};
-  for (int i = 0; i < 3; i++)
+  static const int jobs[] = {1, 5};
+  for (int i = 0; i < 2; i++)
     ck_assert_int_eq(shell("%s mutate --count 120 --seed 3 --jobs %d --out %s/j%d >%s/t%d", program(), jobs[i],
                            scratch_path(""), i, scratch_path(""), i),
                      0);
-  for (int i = 1; i < 3; i++) {
-    ck_assert_int_eq(shell("diff -r %s/j0 %s/j%d && diff %s/t0 %s/t%d", scratch_path(""), scratch_path(""), i,
-                           scratch_path(""), scratch_path(""), i),
-                     0);
-  }
+  ck_assert_int_eq(shell("diff -r %s/j0 %s/j1 && diff %s/t0 %s/t1", scratch_path(""), scratch_path(""),
+                         scratch_path(""), scratch_path("")),
+                   0);
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
   /* the sample reaches from the first file to the last */
   ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q errata.eq %s/t0", scratch_path(""), scratch_path("")), 0);
@@ -952,6 +940,7 @@ START_TEST(an_interrupted_run_leaves_nothing) {
   pid_t pid = fork();
   ck_assert(pid >= 0);
   if (pid == 0) {
+    process_as_from_a_shell();
     setpgid(0, 0);
     freopen("/dev/null", "w", stdout);
     freopen("/dev/null", "w", stderr);
@@ -961,8 +950,7 @@ START_TEST(an_interrupted_run_leaves_nothing) {
   setpgid(pid, pid);
   ck_assert(process_until(works, pid));
   ck_assert(kill(_i ? pid : -pid, _i ? SIGKILL : SIGINT) == 0);
-  int s = 0;
-  ck_assert(waitpid(pid, &s, 0) == pid && WIFSIGNALED(s));
+  ck_assert_int_lt(process_end(pid), 0);
   ck_assert(process_until(group_has_ended, pid));
   struct stat st;
   ck_assert(stat(out, &st) != 0);

@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "claim/claim.h"
+#include "paper_model.h"
 #include "process.h"
 #include "record/finding.h"
 #include "record/routes.h"
@@ -34,19 +35,13 @@ static struct costs costs;
 static void load(void) {
   struct diag d;
   diag_init(&d);
-  model_init(&model);
-  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
-            model_add_folder(&model, "verify/controls", RANK_CONTROL, &d) &&
-            claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d) && scene_load(&paper, "paper", "verify", &d) &&
-            costs_load(&costs, "verify/costs.tsv", &d);
-  ck_assert_msg(ok, "%s", d.message);
-  scratch_open();
+  paper_model(&model, &(struct paper_layers){.controls = true});
+  paper_claims(&claims, &controls);
+  paper_scene(&paper);
+  ck_assert_msg(costs_load(&costs, "verify/costs.tsv", &d), "%s", d.message);
 }
 
 static void unload(void) {
-  scratch_close();
   costs_clear(&costs);
   scene_clear(&paper);
   claims_clear(&controls);
@@ -62,6 +57,19 @@ static void audit(struct audit_result *r, const struct scene *s, const char *con
   diag_init(&d);
   audit_result_init(r);
   ck_assert_msg(audit_run(r, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
+}
+
+/* The paper's whole audit by one process, which others are held against. */
+static struct audit_result whole;
+
+static void load_and_judge(void) {
+  load();
+  audit(&whole, &paper, NULL, 0, 1);
+}
+
+static void unload_judged(void) {
+  audit_result_clear(&whole);
+  unload();
 }
 
 static char *json_of(const struct audit_result *r) {
@@ -80,13 +88,6 @@ static struct scene asking(const char **claim, size_t n_claims, const char **rou
   s.asked.routes = (struct scene_list){.item = (char **)(uintptr_t)route, .n = n_routes};
   s.asked.budget = budget;
   return s;
-}
-
-static const struct finding *finding_of(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  ck_abort_msg("%s was not judged", id);
-  return NULL;
 }
 
 /* NULL when it is not skipped. */
@@ -136,7 +137,6 @@ END_TEST
 /* --- The same bytes --- */
 
 START_TEST(jobs_change_no_byte) {
-  static const int jobs[] = {2, 7};
   const char *group[] = {"section stability", "kind number", "text-56-deduced", "eq-10"};
   const struct scene s = asking(group, 4, NULL, 0, 0);
   struct audit_result one;
@@ -144,33 +144,29 @@ START_TEST(jobs_change_no_byte) {
   char *want = json_of(&one);
   ck_assert_uint_gt(one.n_findings, 50);
   ck_assert_uint_gt(one.n_consequences, 3);
-  for (size_t i = 0; i < 2; i++) {
-    struct audit_result r;
-    audit(&r, &s, NULL, 0, jobs[i]);
-    char *got = json_of(&r);
-    ck_assert_msg(strcmp(got, want) == 0, "%d jobs", jobs[i]);
-    free(got);
-    audit_result_clear(&r);
-  }
+  struct audit_result r;
+  audit(&r, &s, NULL, 0, 2);
+  char *got = json_of(&r);
+  ck_assert_str_eq(got, want);
+  free(got);
+  audit_result_clear(&r);
   free(want);
   audit_result_clear(&one);
 }
 END_TEST
 
 START_TEST(whole_audit_is_the_same_by_seven) {
-  struct audit_result one, seven;
-  audit(&one, &paper, NULL, 0, 1);
+  struct audit_result seven;
   audit(&seven, &paper, NULL, 0, 7);
-  char *a = json_of(&one), *b = json_of(&seven);
-  ck_assert_uint_eq(one.n_precision, 4); /* the scene asks for no values */
-  for (size_t i = 0; i < one.n_precision; i++)
-    ck_assert(one.precision[i].enough > 0 && one.precision[i].tried >= one.precision[i].enough);
-  ck_assert(one.readings && one.n_pairs > 0 && one.n_long_runs > 0);
+  char *a = json_of(&whole), *b = json_of(&seven);
+  ck_assert_uint_eq(whole.n_precision, 4); /* the scene asks for no values */
+  for (size_t i = 0; i < whole.n_precision; i++)
+    ck_assert(whole.precision[i].enough > 0 && whole.precision[i].tried >= whole.precision[i].enough);
+  ck_assert(whole.readings && whole.n_pairs > 0 && whole.n_long_runs > 0);
   ck_assert_str_eq(a, b);
   free(b);
   free(a);
   audit_result_clear(&seven);
-  audit_result_clear(&one);
 }
 END_TEST
 
@@ -179,7 +175,7 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
   struct audit_result part = {.scene = r->scene, .title = r->title};
   for (size_t i = 0; i < like->n_findings; i++) {
     part.findings = ss_grow(part.findings, part.n_findings, &part.cap_findings, sizeof *part.findings);
-    part.findings[part.n_findings++] = *finding_of(r, like->findings[i].id);
+    part.findings[part.n_findings++] = *finding_with_id(r, like->findings[i].id);
   }
   struct text t;
   text_init(&t);
@@ -188,29 +184,31 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
   return t.data;
 }
 
-/* Every step-th claim. */
-static void check_alone(size_t step) {
-  struct audit_result whole;
-  audit(&whole, &paper, NULL, 0, 2);
+/* Every step-th claim; with the controls, which are then judged too, or without. */
+static void check_alone(size_t step, const struct claims *with) {
   for (size_t i = 0; i < claims.n; i += step) {
     struct audit_result alone;
-    audit(&alone, &paper, &claims.claim[i].id, 1, 1);
+    const struct audit_options opt = {.only = &claims.claim[i].id, .n_only = 1, .readings = true, .jobs = 1};
+    struct diag d;
+    diag_init(&d);
+    audit_result_init(&alone);
+    ck_assert_msg(audit_run(&alone, &model, &claims, with, &paper, &opt, &d), "%s", d.message);
     char *a = findings_alone(&alone, &alone), *b = findings_alone(&whole, &alone);
     ck_assert_msg(strcmp(a, b) == 0, "%s", claims.claim[i].id);
     free(b);
     free(a);
     audit_result_clear(&alone);
   }
-  audit_result_clear(&whole);
 }
 
 START_TEST(some_claims_are_the_same_alone) {
-  check_alone(23);
+  check_alone(23, &controls);
 }
 END_TEST
 
 START_TEST(every_claim_is_the_same_alone) {
-  check_alone(1);
+  const struct claims none = {.n = 0};
+  check_alone(1, &none);
 }
 END_TEST
 
@@ -247,12 +245,6 @@ START_TEST(mistakes_are_told_alike) {
 END_TEST
 
 /* --- Tasks --- */
-
-static int end_of(pid_t pid) {
-  int status;
-  ck_assert_int_eq(waitpid(pid, &status, 0), pid);
-  return WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-}
 
 static pid_t here;
 static atomic_int *by_children; /* tasks done; in pages shared with them */
@@ -336,7 +328,7 @@ START_TEST(no_process_outlives_the_memory) {
     run_exhausted();
     _exit(0);
   }
-  ck_assert_int_eq(end_of(pid), EXIT_EXHAUSTED);
+  ck_assert_int_eq(process_end(pid), EXIT_EXHAUSTED);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
@@ -381,20 +373,17 @@ static bool is_kind(const char *id, const char *kind) {
 START_TEST(no_budget_makes_a_verdict) {
   static const unsigned long long budgets[] = {1, 3000, 100000};
   static const char *const costly[] = {"scaling", "existence", "reach", "argument", "criterion", "number", "rank"};
-  struct audit_result whole;
-  struct scene s = asking(NULL, 0, NULL, 0, 0);
-  audit(&whole, &s, NULL, 0, 1);
   ck_assert_uint_gt(whole.n_findings, 200);
   size_t left = whole.n_findings;
   for (size_t b = 0; b < sizeof budgets / sizeof *budgets; b++) {
     struct audit_result r;
     size_t ended = 0;
-    s = asking(NULL, 0, NULL, 0, budgets[b]);
+    const struct scene s = asking(NULL, 0, NULL, 0, budgets[b]);
     audit(&r, &s, NULL, 0, 1);
     ck_assert_uint_le(r.n_findings, whole.n_findings); /* restrictions come with the claim that they restrict */
     ck_assert_uint_ge(r.n_findings, claims.n);
     for (size_t i = 0; i < r.n_findings; i++) {
-      const struct finding *f = &r.findings[i], *full = finding_of(&whole, f->id);
+      const struct finding *f = &r.findings[i], *full = finding_with_id(&whole, f->id);
       bool out = f->verdict == VERDICT_UNKNOWN && f->n_evidence == 1 && strstr(f->evidence[0].note, "exhausted");
       ck_assert_msg(out || f->verdict == full->verdict, "%s with %llu units: %s, not %s", f->id, budgets[b],
                     verdict_name[f->verdict], verdict_name[full->verdict]);
@@ -407,7 +396,6 @@ START_TEST(no_budget_makes_a_verdict) {
     left = ended;
     audit_result_clear(&r);
   }
-  audit_result_clear(&whole);
 }
 END_TEST
 
@@ -420,12 +408,12 @@ START_TEST(budgets_count_work) {
   audit(&free_of, &none, NULL, 0, 1);
   audit(&r, &tight, NULL, 0, 1);
   audit(&again, &tight, NULL, 0, 3);
-  const struct finding *f = finding_of(&r, "eq-34");
+  const struct finding *f = finding_with_id(&r, "eq-34");
   ck_assert_int_eq(f->verdict, VERDICT_UNKNOWN);
   ck_assert_int_eq(f->n_evidence, 1);
   ck_assert_ptr_nonnull(strstr(f->evidence[0].note, "budget of 20000 exhausted"));
   ck_assert_int_eq(f->recorded, N_VERDICTS);
-  ck_assert_int_eq(finding_of(&r, "eq-3c")->verdict, VERDICT_PROVED);
+  ck_assert_int_eq(finding_with_id(&r, "eq-3c")->verdict, VERDICT_PROVED);
   char *a = json_of(&r), *b = json_of(&again);
   ck_assert_str_eq(a, b);
   free(b);
@@ -460,7 +448,7 @@ START_TEST(routes_are_those_asked_for) {
     const struct scene s = asking(ids, 1, routes, routes[1] ? 2 : 1, 0);
     struct audit_result r;
     audit(&r, &s, NULL, 0, 1);
-    const struct finding *f = finding_of(&r, "eq-27");
+    const struct finding *f = finding_with_id(&r, "eq-27");
     ck_assert_msg(f->verdict == rows[i].verdict, "%s %s: %s", routes[0], routes[1] ? routes[1] : "",
                   verdict_name[f->verdict]);
     bool told = false;
@@ -692,40 +680,37 @@ static bool spent(const struct audit_result *r, const char *what, const char *na
   return false;
 }
 
-/* The whole audit beside its plan: claims and controls that are left out, studies, consequences. */
-static void check_plan(const struct scene *s, const char *const *only, int n_only) {
-  struct audit_result r;
+/* An audit beside its plan: claims and controls that are left out, studies, consequences. */
+static void check_plan(const struct audit_result *r, const struct scene *s, const char *const *only, int n_only) {
   struct audit_plan p;
   struct diag d;
   const struct audit_options opt = {.only = only, .n_only = n_only, .readings = true, .costs = &costs};
   size_t consequences = 0, judged = 0;
   diag_init(&d);
-  audit(&r, s, only, n_only, 2);
   ck_assert_msg(audit_plan(&p, &model, &claims, &controls, s, &opt, &d), "%s", d.message);
   for (int i = 0; i < p.n_claims; i++) {
     const struct planned_claim *c = &p.claim[i];
-    const struct finding *f = finding_of(&r, c->id);
+    const struct finding *f = finding_with_id(r, c->id);
     if (scene_is_box(s)) ck_assert_msg(c->left_out == (f->verdict == VERDICT_SKIPPED), "%s", c->id);
     ck_assert(!c->left_out || (c->ms == 0 && c->parts.n == 0 && c->routes.n == 0 && c->controls.n == 0));
     for (int k = 0; k < c->controls.n; k++) {
-      ck_assert_msg(spent(&r, "control", c->controls.item[k]), "%s is planned", c->controls.item[k]);
+      ck_assert_msg(spent(r, "control", c->controls.item[k]), "%s is planned", c->controls.item[k]);
       judged++;
     }
     if (scene_is_box(s)) ck_assert(!planned(&c->parts, work_part_name[WORK_SCENE_ORBITS]));
   }
-  for (size_t i = 0; i < r.n_controls; i++) judged -= claim_named(&controls, r.controls[i].id) != NULL;
+  for (size_t i = 0; i < r->n_controls; i++) judged -= claim_named(&controls, r->controls[i].id) != NULL;
   ck_assert_msg(judged == 0 || !scene_is_box(s), "%zu controls are planned and not judged", judged);
   for (int i = 0; i < p.n_shared; i++) {
     static const char head[] = "consequences of ";
     if (strncmp(p.shared[i].what, head, strlen(head)) != 0) continue;
-    ck_assert_msg(spent(&r, "consequence", p.shared[i].what + strlen(head)), "%s", p.shared[i].what);
+    ck_assert_msg(spent(r, "consequence", p.shared[i].what + strlen(head)), "%s", p.shared[i].what);
     ck_assert(p.shared[i].ms >= 0);
     consequences++;
   }
-  for (size_t i = 0; i < r.n_spent; i++) consequences -= strcmp(r.spent[i].what, "consequence") == 0;
+  for (size_t i = 0; i < r->n_spent; i++) consequences -= strcmp(r->spent[i].what, "consequence") == 0;
   ck_assert_msg(consequences == 0, "%zu", consequences);
   audit_plan_clear(&p);
-  audit_result_clear(&r);
 }
 
 START_TEST(plans_are_of_what_runs) {
@@ -734,9 +719,14 @@ START_TEST(plans_are_of_what_runs) {
   struct diag d;
   diag_init(&d);
   ck_assert(scene_load_with(&box, "paper", "verify", &(struct scene_overrides){&set, 1, "--set"}, true, &d));
-  check_plan(&paper, one, 3);
-  check_plan(&paper, NULL, 0);
-  check_plan(&box, NULL, 0);
+  struct audit_result some, of_box;
+  audit(&some, &paper, one, 3, 2);
+  check_plan(&some, &paper, one, 3);
+  audit_result_clear(&some);
+  check_plan(&whole, &paper, NULL, 0);
+  audit(&of_box, &box, NULL, 0, 2);
+  check_plan(&of_box, &box, NULL, 0);
+  audit_result_clear(&of_box);
   scene_clear(&box);
 }
 END_TEST
@@ -797,7 +787,7 @@ static pid_t start(const char *const *args) {
   pid_t pid = fork();
   ck_assert_int_ge(pid, 0);
   if (pid > 0) return pid;
-  for (int i = 0; i < 3; i++) signal((const int[]){SIGALRM, SIGINT, SIGTERM}[i], SIG_DFL);
+  process_as_from_a_shell();
   setpgid(0, 0);
   int fd = open(said, O_WRONLY | O_CREAT | O_TRUNC, 0666);
   dup2(fd, STDOUT_FILENO);
@@ -847,12 +837,12 @@ START_TEST(the_clock_ends_it) {
   old_report("out");
   for (int i = 0; i < 2; i++) {
     const char *args[] = {"paper", "--timeout", "0.15", "--jobs", jobs[i], "--out", scratch_path("out"), NULL};
-    ck_assert_int_eq(end_of(start(args)), 5);
+    ck_assert_int_eq(process_end(start(args)), 5);
     check_says("time limit");
     check_old_report("out");
   }
   const char *args[] = {"paper", "--timeout", "600", "--only", "eq-13", "--out", scratch_path("good"), NULL};
-  ck_assert_int_eq(end_of(start(args)), 0);
+  ck_assert_int_eq(process_end(start(args)), 0);
 }
 END_TEST
 
@@ -872,7 +862,7 @@ START_TEST(signals_end_it) {
     pid_t pid = start(args);
     ck_assert(process_until(i < 2 ? works : works_with_others, pid));
     kill(pid, number[i % 2]);
-    ck_assert_int_eq(end_of(pid), 5);
+    ck_assert_int_eq(process_end(pid), 5);
     check_says("interrupted");
     check_old_report("out");
     ck_assert(process_until(group_has_ended, pid));
@@ -889,7 +879,7 @@ START_TEST(options_are_checked) {
       {"--jobs", "two", "--jobs takes"},         {"--json", "paper", "--plan"}};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     const char *args[] = {bad[i][0], bad[i][1], NULL};
-    ck_assert_int_eq(end_of(start(args)), 2);
+    ck_assert_int_eq(process_end(start(args)), 2);
     check_says(bad[i][2]);
   }
 }
@@ -903,14 +893,14 @@ START_TEST(scenes_have_folders_of_their_own) {
   snprintf(a, sizeof a, "%s", scratch_put("a/x.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
   snprintf(b, sizeof b, "%s", scratch_put("b/x.scene", "chi = 0.7\neta = 1\nV = 1\ne1 = 2\ne2 = 1\n"));
   const char *same[] = {"paper", a, b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(end_of(start(same)), 2);
+  ck_assert_int_eq(process_end(start(same)), 2);
   check_says("would both write to");
   ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
   const char *apart[] = {"paper", b, "--only", "eq-27", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(end_of(start(apart)), 0);
+  ck_assert_int_eq(process_end(start(apart)), 0);
   ck_assert_str_eq(scratch_list(scratch_path("out")), "paper x");
   const char *plan[] = {a, b, "--only", "eq-27", "--plan", NULL};
-  ck_assert_int_eq(end_of(start(plan)), 0);
+  ck_assert_int_eq(process_end(start(plan)), 0);
 }
 END_TEST
 
@@ -924,12 +914,12 @@ START_TEST(no_verdict_rests_on_costs) {
   text_clear(&command);
   setenv("STICKSLIP_DATA", scratch_path("data"), 1);
   const char *args[] = {"paper", "--only", "eq-27,eq-40", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(end_of(start(args)), 0);
+  ck_assert_int_eq(process_end(start(args)), 0);
   check_says("stickslip: warning: no cost is estimated: ");
   check_says("costs.tsv:");
   check_says("as recorded\n");
   const char *plan[] = {"paper", "--only", "eq-27", "--plan", NULL};
-  ck_assert_int_eq(end_of(start(plan)), 0);
+  ck_assert_int_eq(process_end(start(plan)), 0);
   check_says("cost not measured");
   unsetenv("STICKSLIP_DATA");
 }
@@ -953,18 +943,18 @@ START_TEST(values_have_one_limit) {
   char command[500];
   const char *out = scratch_path("out");
   const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
-  ck_assert_int_eq(end_of(start(most)), 0);
+  ck_assert_int_eq(process_end(start(most)), 0);
   check_says(": 0 claims; 10000 values; as recorded\n");
   snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
            program(), out, program(), out, out);
   ck_assert_int_eq(system(command), 0);
   const char *more[] = {asking_much(312, "z10, z20, t_a, t_b, t_c, t_d, period, trace, chi"), "--out",
                         scratch_path("more"), NULL};
-  ck_assert_int_eq(end_of(start(more)), 3);
+  ck_assert_int_eq(process_end(start(more)), 3);
   check_says("much.scene:6:");
   check_says("more than 10000 values");
   const char *large[] = {asking_much(5, "z10\ndigits: 30000"), "--out", scratch_path("more"), NULL};
-  ck_assert_int_eq(end_of(start(large)), 3);
+  ck_assert_int_eq(process_end(start(large)), 3);
   check_says("much.scene:6:");
   check_says("more than 4194304 bytes");
   ck_assert_int_ne(access(scratch_path("more"), F_OK), 0);
@@ -973,13 +963,13 @@ END_TEST
 
 START_TEST(plans_write_nothing) {
   const char *words[] = {"paper", "--plan", "--out", scratch_path("out"), NULL};
-  ck_assert_int_eq(end_of(start(words)), 0);
+  ck_assert_int_eq(process_end(start(words)), 0);
   ck_assert_int_ne(access(scratch_path("out"), F_OK), 0);
   check_says("\n  eq-27            matrix; ");
   check_says("\n    routes balls, fd, exact\n    points arcs 24, orbits 8\n");
   check_says("estimate: ");
   const char *json[] = {"paper", "--plan", "--json", "--only", "eq-27,num-t_a", NULL};
-  ck_assert_int_eq(end_of(start(json)), 0);
+  ck_assert_int_eq(process_end(start(json)), 0);
   char *text = said();
   scratch_put("plan.json", text);
   free(text);
@@ -998,16 +988,15 @@ END_TEST
 Suite *plan_suite(void) {
   Suite *s = suite_create("plan");
   TCase *c = tcase_create("plan");
-  tcase_add_checked_fixture(c, load, unload);
+  tcase_add_unchecked_fixture(c, load, unload);
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
   tcase_add_test(c, what_is_left_out_has_its_reason);
   tcase_add_test(c, jobs_change_no_byte);
-  tcase_add_test(c, some_claims_are_the_same_alone);
   tcase_add_test(c, mistakes_are_told_alike);
   tcase_add_test(c, tasks_survive_their_processes);
   tcase_add_test(c, no_process_outlives_the_memory);
   tcase_add_test(c, selections_meet);
   tcase_add_test(c, budgets_count_work);
-  tcase_add_test(c, no_budget_makes_a_verdict);
   tcase_add_test(c, routes_are_those_asked_for);
   tcase_add_test(c, values_are_enclosed);
   tcase_add_test(c, the_condition_plans_the_precision);
@@ -1016,7 +1005,6 @@ Suite *plan_suite(void) {
   tcase_add_test(c, values_have_their_documented_names);
   tcase_add_test(c, no_route_is_idle);
   tcase_add_test(c, plans_name_what_is_then_done);
-  tcase_add_test(c, plans_are_of_what_runs);
   tcase_add_test(c, one_claim_needs_little);
   tcase_add_test(c, tables_of_costs_are_read_or_refused);
   tcase_add_test(c, the_clock_ends_it);
@@ -1027,12 +1015,19 @@ Suite *plan_suite(void) {
   tcase_add_test(c, values_have_one_limit);
   tcase_add_test(c, plans_write_nothing);
   suite_add_tcase(s, c);
-  TCase *l = tcase_create("long");
-  tcase_set_tags(l, "long");
-  tcase_set_timeout(l, 600);
-  tcase_add_checked_fixture(l, load, unload);
-  tcase_add_test(l, whole_audit_is_the_same_by_seven);
-  tcase_add_test(l, every_claim_is_the_same_alone);
-  suite_add_tcase(s, l);
+  c = tcase_create("whole");
+  tcase_add_unchecked_fixture(c, load_and_judge, unload_judged);
+  tcase_add_checked_fixture(c, scratch_open, scratch_close);
+  tcase_add_test(c, some_claims_are_the_same_alone);
+  tcase_add_test(c, no_budget_makes_a_verdict);
+  tcase_add_test(c, plans_are_of_what_runs);
+  suite_add_tcase(s, c);
+  c = tcase_create("long");
+  tcase_set_tags(c, "long");
+  tcase_set_timeout(c, 600);
+  tcase_add_unchecked_fixture(c, load_and_judge, unload_judged);
+  tcase_add_test(c, whole_audit_is_the_same_by_seven);
+  tcase_add_test(c, every_claim_is_the_same_alone);
+  suite_add_tcase(s, c);
   return s;
 }

@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "paper_model.h"
 #include "readings/readings.h"
 #include "scratch.h"
 #include "stickslip/report.h"
@@ -52,11 +53,9 @@ static struct audit_result result;
 static void load(const char *spec) {
   struct diag d;
   diag_init(&d);
-  model_init(&model);
   audit_result_init(&result);
-  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) && scene_load(&scene, spec, "verify", &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(&model, NULL);
+  ck_assert_msg(scene_load(&scene, spec, "verify", &d), "%s", d.message);
 }
 
 static void unload(void) {
@@ -455,11 +454,11 @@ END_TEST
 /* --- In the audit --- */
 
 static void audit(const char *only, bool readings) {
-  struct claims claims = {.n = 0}, controls = {.n = 0};
+  struct claims claims, controls = {.n = 0};
   struct diag d;
   diag_init(&d);
   load("tests/readings/whole.scene");
-  ck_assert(claims_load(&claims, "verify/claims", "claim", &d));
+  paper_claims(&claims, NULL);
   struct audit_options opt = {.only = &only, .n_only = 1, .readings = readings};
   ck_assert_msg(audit_run(&result, &model, &claims, &controls, &scene, &opt, &d), "%s", d.message);
   claims_clear(&claims);

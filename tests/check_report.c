@@ -11,6 +11,7 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "paper_model.h"
 #include "report/audit_shape.h"
 #include "scratch.h"
 #include "stickslip/audit.h"
@@ -63,16 +64,9 @@ static struct model model;
 static struct claims claims, controls;
 
 static void open_files(void) {
-  struct diag d;
-  diag_init(&d);
   scratch_open();
-  model_init(&model);
-  bool ok = model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-            model_add_file(&model, "verify/errata.eq", RANK_ERRATA, &d) &&
-            model_add_file(&model, "verify/controls/controls.eq", RANK_CONTROL, &d) &&
-            claims_load(&claims, "verify/claims", "claim", &d) &&
-            claims_load(&controls, "verify/controls", "control", &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(&model, &(struct paper_layers){.controls = true});
+  paper_claims(&claims, &controls);
 }
 
 static void close_files(void) {

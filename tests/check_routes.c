@@ -6,12 +6,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "paper_model.h"
 #include "record/routes.h"
-#include "value/coulomb_setup.h"
 #include "scratch.h"
 #include "stickslip/long_run.h"
 #include "stickslip/report.h"
 #include "suites.h"
+#include "value/coulomb_setup.h"
 
 /* --- The table. --- */
 
@@ -77,10 +78,8 @@ END_TEST
 static struct scene scene;
 
 static void open_study(void) {
-  struct diag d;
   scratch_open();
-  diag_init(&d);
-  ck_assert_msg(scene_load(&scene, "paper", "verify", &d), "%s", d.message);
+  paper_scene(&scene);
 }
 
 static void close_study(void) {
@@ -88,19 +87,16 @@ static void close_study(void) {
   scratch_close();
 }
 
-/* An audit of no claim: the study alone, under the errata (or none) and a text of our own (or none). */
-static void study(struct audit_result *r, const char *folder, const char *errata, const char *over) {
+/* An audit of no claim: the study alone. */
+static void study(struct audit_result *r, const struct paper_layers *with) {
   struct model m;
   struct claims none = {.n = 0};
   struct diag d;
   const struct audit_options opt = {.n_only = 0};
   diag_init(&d);
-  model_init(&m);
   audit_result_init(r);
-  bool ok = model_add_folder(&m, folder, RANK_PAPER, &d) && (!errata || model_add_file(&m, errata, RANK_ERRATA, &d)) &&
-            (!over || model_add_file(&m, scratch_put("over.eq", over), RANK_ERRATA, &d)) &&
-            audit_run(r, &m, &none, &none, &scene, &opt, &d);
-  ck_assert_msg(ok, "%s", d.message);
+  paper_model(&m, with);
+  ck_assert_msg(audit_run(r, &m, &none, &none, &scene, &opt, &d), "%s", d.message);
   model_clear(&m);
 }
 
@@ -124,7 +120,7 @@ static void check_pairs(const struct audit_result *r, const char *const *wrong, 
 /* Pairs of five routes to a propagator, two to its derivative, four to the events, five to the Jacobian. */
 START_TEST(all_pairs_agree_on_enough_points) {
   struct audit_result r;
-  study(&r, "verify/paper", "verify/errata.eq", NULL);
+  study(&r, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 6 + 10);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++) {
@@ -158,7 +154,7 @@ START_TEST(a_scene_without_forces) {
   struct diag d;
   diag_init(&d);
   ck_assert_msg(scene_load(&scene, "paper-times", "verify", &d), "%s", d.message);
-  study(&r, "verify/paper", "verify/errata.eq", NULL);
+  study(&r, NULL);
   ck_assert_uint_eq(r.n_pairs, 10 + 1 + 6 + 10);
   check_pairs(&r, NULL, 0);
   bool said = false;
@@ -174,10 +170,11 @@ END_TEST
 START_TEST(an_uncorrected_formula_disagrees_with_every_route) {
   static const char *const wrong[] = {"return Jacobian", "propagator D, Gamma, H, C", "derivative of a propagator"};
   struct audit_result r;
-  study(&r, "verify/paper", NULL, NULL);
+  study(&r, &(struct paper_layers){.errata = ""});
   check_pairs(&r, wrong, 3);
   audit_result_clear(&r);
-  study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
+  const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n");
+  study(&r, &(struct paper_layers){.errata = own});
   check_pairs(&r, wrong, 1);
   audit_result_clear(&r);
 }
@@ -192,7 +189,7 @@ START_TEST(differences_near_a_jump) {
   diag_init(&d);
   scene_clear(&scene);
   ck_assert_msg(scene_load(&scene, path, "verify", &d), "%s", d.message);
-  study(&r, "verify/paper", "verify/errata.eq", NULL);
+  study(&r, NULL);
   check_pairs(&r, NULL, 0);
   for (size_t i = 0; i < r.n_pairs; i++)
     if (concerns(&r.pairs[i], "integration") && strcmp(r.pairs[i].quantity, "return Jacobian") == 0)
@@ -205,7 +202,8 @@ END_TEST
 START_TEST(a_route_without_an_answer_disagrees) {
   static const char *const wrong[] = {"propagator D, Gamma, H, C", "derivative of a propagator", "return Jacobian"};
   struct audit_result r;
-  study(&r, "verify/paper", NULL, "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
+  const char *own = scratch_put("own.eq", "define D\n  section: prediction\n  D(t) := [I, (t/(chi - chi))*I; 0, I]\n");
+  study(&r, &(struct paper_layers){.errata = own});
   check_pairs(&r, wrong, 3);
   ck_assert(r.pairs[0].largest && strcmp(r.pairs[0].largest, "no answer") == 0 &&
             strncmp(r.pairs[0].worst, "D, ", 3) == 0);
@@ -216,7 +214,7 @@ END_TEST
 START_TEST(a_paper_that_cannot_be_read_is_left_out) {
   struct audit_result r;
   scratch_put("one.eq", "symbol chi\n");
-  study(&r, scratch_path(""), NULL, NULL);
+  study(&r, &(struct paper_layers){.paper = scratch_path(""), .errata = ""});
   for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
   ck_assert_uint_eq(r.n_pairs, 6 + 6 + 6);
   check_pairs(&r, NULL, 0);

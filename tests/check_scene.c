@@ -13,6 +13,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "paper_model.h"
+#include "process.h"
 #include "scratch.h"
 #include "stickslip/arena.h"
 #include "stickslip/audit.h"
@@ -59,6 +61,7 @@ static void run_once(struct run *r, const char *const *words) {
   pid_t pid = fork();
   ck_assert(pid >= 0);
   if (pid == 0) {
+    process_as_from_a_shell();
     redirect(out, STDOUT_FILENO);
     redirect(err, STDERR_FILENO);
     if (!SANITIZED) setrlimit(RLIMIT_AS, &(struct rlimit){MEMORY, MEMORY});
@@ -66,16 +69,9 @@ static void run_once(struct run *r, const char *const *words) {
     execv(argv[0], argv);
     _exit(127);
   }
-  int status;
-  struct rusage before, after;
-  getrusage(RUSAGE_CHILDREN, &before);
-  ck_assert(waitpid(pid, &status, 0) == pid);
-  getrusage(RUSAGE_CHILDREN, &after);
-  r->status = WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status);
-  r->seconds =
-      (double)(after.ru_utime.tv_sec - before.ru_utime.tv_sec + after.ru_stime.tv_sec - before.ru_stime.tv_sec) +
-      1e-6 *
-          (double)(after.ru_utime.tv_usec - before.ru_utime.tv_usec + after.ru_stime.tv_usec - before.ru_stime.tv_usec);
+  double before = children_seconds();
+  r->status = process_end(pid);
+  r->seconds = children_seconds() - before;
   read_back(&r->out, out);
   read_back(&r->err, err);
 }
@@ -305,14 +301,12 @@ static bool begins(const char *text, const char *with) {
 /* Every scene on file says in a first line of comment what it teaches, has a title, and asks for what there is. */
 START_TEST(the_library_is_readable) {
   glob_t g;
-  struct claims claims = {.n = 0};
+  struct claims claims;
   struct model m;
   struct diag d;
   diag_init(&d);
-  model_init(&m);
-  ck_assert_msg(claims_load(&claims, "verify/claims", "claim", &d) &&
-                    model_add_folder(&m, "verify/paper", RANK_PAPER, &d),
-                "%s", d.message);
+  paper_model(&m, NULL);
+  paper_claims(&claims, NULL);
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0);
   for (size_t i = 0; i < g.gl_pathc; i++) {
     struct source text;
@@ -510,10 +504,8 @@ START_TEST(groups_of_claims) {
                {"record refuted", {"\n  record: refuted\n"}},
                {"fault formula", {"\n  fault: formula\n"}},
                {"equations", {"\n  equation: "}}};
-  struct claims c = {.n = 0};
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(claims_load(&c, "verify/claims", "claim", &d), "%s", d.message);
+  struct claims c;
+  paper_claims(&c, NULL);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     int want = 0;
     for (int k = 0; k < 3 && cases[i].lines[k]; k++) want += count_lines(cases[i].lines[k]);
@@ -871,19 +863,19 @@ START_TEST(keys_act_where_they_say) {
   ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);
   for (int u = 0; u < N_USES; u++) {
     struct text before;
+    int first = u; /* of the same command */
+    while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
     text_init(&before);
     int status = answer(&before, &uses[u], &full);
     for (int i = 0; i < N_CHANGES; i++) {
       const struct altered *c = &changes[i];
       struct lines l = full;
       struct text after;
-      if (uses[u].word && c->key == KEY_WORD) continue;
+      if (acts[c->key][first] || (uses[u].word && c->key == KEY_WORD)) continue; /* nothing more to learn of it */
       text_init(&after);
       l.of[c->key] = c->value;
       l.of[c->with] = c->its;
       int then = answer(&after, &uses[u], &l);
-      int first = u; /* of the same command */
-      while (first > 0 && strcmp(uses[first - 1].argv[0], uses[u].argv[0]) == 0) first--;
       bool refuses = status == 0 && then == 3;
       if (refuses)
         refused[c->key][first] = true;

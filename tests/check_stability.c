@@ -12,6 +12,7 @@
 #include <sys/wait.h>
 
 #include "base/random.h"
+#include "paper_model.h"
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stickslip/report_stability.h"
@@ -42,14 +43,9 @@ static const char mended[] = "define mended\n"
                              "  grows := V*sqrt(1 + (t/V)^2)\n";
 
 static void open_model(void) {
-  struct diag d;
   scratch_open();
-  diag_init(&d);
-  model_init(&model);
-  ck_assert_msg(model_add_folder(&model, "verify/paper", RANK_PAPER, &d) &&
-                    model_add_file(&model, scratch_put("planted.eq", planted), RANK_USER, &d) &&
-                    model_add_file(&model, scratch_put("mended.eq", mended), RANK_ERRATA, &d),
-                "%s", d.message);
+  paper_model(&model, &(struct paper_layers){.overlay = scratch_put("planted.eq", planted),
+                                             .errata = scratch_put("mended.eq", mended)});
 }
 
 static void close_model(void) {

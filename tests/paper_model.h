@@ -1,10 +1,34 @@
-/* The equation files of the paper and their corrections, as verify reads them. */
+/* The paper's files as the tests read them: equations in layers, claims, the scene of its example. */
 #ifndef STICKSLIP_TESTS_PAPER_MODEL_H
 #define STICKSLIP_TESTS_PAPER_MODEL_H
 
+#include "stickslip/audit.h"
+#include "stickslip/exact.h"
 #include "stickslip/model.h"
+#include "stickslip/scene.h"
 
-/* overlay: a text over them as a user would give it, or NULL; with the records of the controls.  To be cleared. */
-void paper_model(struct model *m, const char *overlay, bool with_controls);
+/* Files besides the paper's, by path, or in place of those of verify/; all NULL: the paper with its corrections. */
+struct paper_layers {
+  const char *paper;   /* a folder in place of verify/paper */
+  const char *overlay; /* over the paper, as a user gives one */
+  const char *errata;  /* in place of verify/errata.eq; "": none */
+  const char *stable;  /* forms of the stable layer; else none */
+  bool controls;       /* with the records of the controls */
+};
+
+/* To be cleared.  with: NULL as {0}.  paper_model fails the test that gives a file at fault, paper_model_read says why. */
+void paper_model(struct model *m, const struct paper_layers *with);
+bool paper_model_read(struct model *m, const struct paper_layers *with, struct diag *d);
+
+/* The claims on file, and the controls unless these are NULL; the scene of the paper's example.  To be cleared. */
+void paper_claims(struct claims *claims, struct claims *controls);
+void paper_scene(struct scene *s);
+
+/* The value of a text in a field (exact.h) by the corrected formulas, as a function of free symbols: a status. */
+int paper_value(fmpz_mpoly_q_struct *z, struct exact_field *f, const struct model *of, const char *text);
+
+/* By its id; fails the test where there is none. */
+const struct claim *claim_with_id(const struct claims *all, const char *id);
+const struct finding *finding_with_id(const struct audit_result *r, const char *id);
 
 #endif

@@ -1,11 +1,36 @@
 #include "process.h"
 
+#include <check.h>
 #include <dirent.h>
+#include <errno.h>
+#include <signal.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
 #include <time.h>
 #include <unistd.h>
+
+void process_as_from_a_shell(void) {
+  static const int number[] = {SIGHUP, SIGINT, SIGTERM, SIGALRM, SIGPIPE, SIGXFSZ};
+  for (size_t i = 0; i < sizeof number / sizeof *number; i++) signal(number[i], SIG_DFL);
+}
+
+int process_end(pid_t pid) {
+  int status = 0;
+  pid_t got;
+  do got = waitpid(pid, &status, 0);
+  while (got < 0 && errno == EINTR);
+  ck_assert_int_eq(got, pid);
+  return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+}
+
+double children_seconds(void) {
+  struct rusage u;
+  getrusage(RUSAGE_CHILDREN, &u);
+  return (double)(u.ru_utime.tv_sec + u.ru_stime.tv_sec) + 1e-6 * (double)(u.ru_utime.tv_usec + u.ru_stime.tv_usec);
+}
 
 bool process_until(bool (*is_so)(pid_t pid), pid_t pid) {
   enum { LIMIT = 90, PAUSE = 5000000 };

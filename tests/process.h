@@ -7,6 +7,15 @@
 #include <stdbool.h>
 #include <sys/types.h>
 
+/* In a child: no signal is ignored, whatever the tests were started by; under nohup a hangup is, and a program leaves that so. */
+void process_as_from_a_shell(void);
+
+/* Waits for a child: its exit status, or minus the signal that ended it. */
+int process_end(pid_t pid);
+
+/* The processor time in seconds of the children that have been waited for. */
+double children_seconds(void);
+
 /* Asks again and again until it is so, or for a minute and a half; whether it is so. */
 bool process_until(bool (*is_so)(pid_t pid), pid_t pid);
 

@@ -9,9 +9,9 @@
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
+#include "process.h"
 #include "stickslip/arena.h"
 #include "stickslip/text.h"
 
@@ -122,9 +122,7 @@ int child_end(void (*f)(void)) {
     f();
     _exit(0);
   }
-  int status = 0;
-  ck_assert(waitpid(pid, &status, 0) == pid);
-  return WIFSIGNALED(status) ? -WTERMSIG(status) : WEXITSTATUS(status);
+  return process_end(pid);
 }
 
 void count_nothing(void) {

@@ -1,5 +1,4 @@
 /* The solution of a word's equations, refined and proved (num/solve.h). */
-#include "num/calc.h"
 #include "num/solve.h"
 #include "words_impl.h"
 

@@ -4,6 +4,7 @@
    cell between samples is tried when the given values can occur in it: Newton's iteration on the four equations starts
    from each of its corners.  On a line, cells in which a sheet ends or changes much are halved first. */
 #include "given_search.h"
+#include "num/solve.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -210,6 +210,7 @@ int krawczyk_follow(struct krawczyk *k, slong wider) {
     for (slong i = 0; i < n; i++) {
       arb_ptr box = num_vec_at(&k->box, i);
       widen(box, num_vec_at(&k->mid, i), arb_radref(box), wider, prec);
+      if (!arb_contains(box, num_vec_at(&k->mid, i))) arb_union(box, box, num_vec_at(&k->mid, i), prec);
     }
     status = krawczyk_apply(k);
   }

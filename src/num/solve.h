@@ -5,8 +5,8 @@
    itself returns is passed on; besides, SS_DOMAIN means that a derivative in double or mpfr is exactly singular, and SS_UNABLE
    that nothing was found or proved, which never shows that there is no solution.
 
-   What is proved.  With X a box, mid a point in it, Y any matrix (here the inverse of the derivative near mid, rounded) and J an enclosure of
-   the derivative over X, every zero of f in X lies in the image
+   What is proved.  With X a box, mid a point in it, Y any matrix (here the inverse of the derivative near mid, rounded) and
+   J an enclosure of the derivative over X, every zero of f in X lies in the image
        K(X) = mid - Y f(mid) + (I - Y J) (X - mid).
    When K(X) lies in the interior of X, X holds exactly one zero, J is regular on all of X, and the zero lies in K(X).  When
    the system has parameters that are balls, f(mid) and J enclose their values for all of these, and what is proved holds
@@ -59,7 +59,7 @@ struct krawczyk {
   struct num_vec mid, box, image; /* mid is an exact point */
   arb_mat_t y, step;              /* Y, and Y f(mid) */
   arb_mat_t rest, off;            /* I - Y J, and box - mid */
-  bool inside;                    /* the image lies in the interior of the box */
+  bool inside;                    /* the image lies in the interior of the box, and mid in the box: proved */
 };
 /* The system must outlive it. */
 void krawczyk_init(struct krawczyk *k, const struct solve_system *s, slong prec);
@@ -68,10 +68,10 @@ void krawczyk_clear(struct krawczyk *k);
 int krawczyk_centre(struct krawczyk *k, const struct num_vec *x);
 /* image = K(box), and whether it is inside.  One call of the system, n^3 multiplications. */
 int krawczyk_apply(struct krawczyk *k);
-/* Finds a box that is proved, SS_UNABLE when none is.  grow: boxes around mid, the first eight times as wide as Newton's step
-   is long, each a multiple of the one before; for parameters that are points.  follow: each box is the image of the one
-   before, its radii longer by 2^wider of themselves; for parameters that are balls, when Newton's step is as wide as they make
-   it.  In both the box is wider than what rounding can do to mid. */
+/* Finds a box that is proved; SS_UNABLE when none is after a dozen.  Every box holds mid and more than rounding can do to it.
+   grow, for parameters that are points, at Newton's last iterate: boxes around mid, the first eight times as wide as Newton's
+   step is long, each eight times as wide as the one before.  follow, for parameters that are balls, which make Newton's step
+   wide: each box is the image of the one before, its radii longer by 2^wider of themselves, with mid. */
 int krawczyk_grow(struct krawczyk *k);
 int krawczyk_follow(struct krawczyk *k, slong wider);
 
