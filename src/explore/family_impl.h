@@ -1,4 +1,4 @@
-/* The orbits along a line of parameters (stickslip/family.h): what the files family*.c have in common.
+/* The orbits along a line of parameters (family.h): what the files family*.c have in common.
 
    family_axis    values on a line
    family_member  one orbit: what double precision says of it, what balls say

@@ -1,4 +1,4 @@
-/* Phase words other than D-Gamma-H-C and their orbits (stickslip/word.h): what the files words_*.c have in common.
+/* Phase words other than D-Gamma-H-C and their orbits (words.h): what the files words_*.c have in common.
 
    words            reading, printing, which phase can follow which
    words_equations  the equations of a word over any number type, and its map in double precision

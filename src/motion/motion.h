@@ -1,5 +1,5 @@
 /* The suite's own model: the motion between events, its events, the periodic orbits, and proofs about them.  The contract is
-   stickslip/dynamics.h and the headers that it names; everything is derived from (1) and Coulomb's law (2), and no file
+   dynamics.h and the header of each noun below; everything is derived from (1) and Coulomb's law (2), and no file
    here reads a formula of the paper.  Where to look:
 
      a phase              flow (closed form), propagator (matrix exponential), event (where it ends), trig_sum (first roots)

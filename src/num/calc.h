@@ -1,4 +1,4 @@
-/* Formulas over any number type (stickslip/num.h), written as nested calls: calc_add(c, x, calc_mul(c, y, z)).
+/* Formulas over any number type (num.h), written as nested calls: calc_add(c, x, calc_mul(c, y, z)).
 
    Every operation gives a new element and ORs its status (SS_OK, SS_DOMAIN, SS_UNABLE) into the calc, so that the status is
    looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared; an operation never
