@@ -14,9 +14,10 @@
 #ifndef STICKSLIP_BENCH_H
 #define STICKSLIP_BENCH_H
 
+#include "base/arena.h"
 #include "bench/study.h"
-#include "stickslip/arena.h"
-#include "stickslip/audit.h"
+#include "claim/claims.h"
+#include "num/num.h"
 
 enum { BENCH_IN = 8, BENCH_OUT = 16, BENCH_GIVEN = 24, BENCH_HINT = 6 };
 

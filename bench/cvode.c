@@ -11,8 +11,8 @@
 #include <sunmatrix/sunmatrix_dense.h>
 #include <sunnonlinsol/sunnonlinsol_fixedpoint.h>
 
+#include "base/arena.h"
 #include "bench/sundials.h"
-#include "stickslip/arena.h"
 
 const char *bench_cvode_version(void) {
   static char version[32];

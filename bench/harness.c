@@ -12,7 +12,7 @@
 #include <string.h>
 #include <time.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 const char *const bench_kind_name[] = {"", "bits", "tolerance", "step", "digits"};
 

@@ -7,10 +7,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum { IN_Z10 = N_PARAMS, IN_Z20, N_JACOBIAN_IN };
 enum { GIVEN_T, GIVEN_Z = N_PHASES, N_GIVEN = GIVEN_Z + (N_PHASES + 1) * N_STATE };

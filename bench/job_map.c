@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum { IN_R = N_PARAMS, N_MAP_IN };
 enum { OUT_TB, OUT_TC, OUT_TD, OUT_R, N_MAP_OUT };

@@ -9,12 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/yardstick.h"
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
-#include "stickslip/paper_route.h"
-#include "stickslip/warm.h"
+#include "motion/dynamics.h"
+#include "motion/paper_route.h"
+#include "motion/warm.h"
 
 enum { OUT_TA, OUT_TB, OUT_TC, OUT_TD, OUT_Z10, OUT_Z20, OUT_TRACE, N_ORBIT_OUT };
 static const int groups[N_ORBIT_OUT] = {0, 0, 0, 0, 1, 1, 2};

@@ -7,9 +7,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum { N_ENTRIES = N_STATE * N_STATE };
 

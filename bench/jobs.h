@@ -3,7 +3,7 @@
 #define STICKSLIP_BENCH_JOBS_H
 
 #include "bench/bench.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 extern const struct bench_job bench_propagator, bench_map, bench_jacobian, bench_orbit;
 

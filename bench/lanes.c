@@ -4,11 +4,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "explore/batch_impl.h"
 #include "motion/search.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 enum { LINE = 4096, ROUNDS = 100 };
 static const double low = 0.80, high = 0.90; /* of e2 */

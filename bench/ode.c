@@ -10,9 +10,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 struct ode {
   struct bench_motion motion;

@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/bench.h"
-#include "stickslip/arena.h"
 
 /* A time with three digits and its unit. */
 static void add_time(struct text *out, double ns) {

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
-#include "stickslip/arena.h"
 
 enum {
   AT_JOB,

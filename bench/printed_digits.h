@@ -9,7 +9,7 @@
 #ifndef STICKSLIP_BENCH_PRINTED_DIGITS_H
 #define STICKSLIP_BENCH_PRINTED_DIGITS_H
 
-#include "stickslip/given.h"
+#include "motion/given.h"
 
 enum { PRINTED_BITS = 256, N_WANTED = 3 }; /* wanted: t_a, z_10, z_20 */
 

@@ -17,7 +17,7 @@
 #include <sys/time.h>
 #include <ucontext.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 enum { MOST_SAMPLES = 8192, PERIOD_US = 200 };
 

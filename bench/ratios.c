@@ -6,11 +6,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "motion/map_balls.h"
 #include "motion/orbit_judge.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 void bench_result_clear(struct bench_result *r) {
   for (int i = 0; i < r->n; i++) bench_table_clear(&r->table[i]);

@@ -3,9 +3,9 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "base/arena.h"
+#include "base/json.h"
 #include "bench/bench.h"
-#include "stickslip/arena.h"
-#include "stickslip/json.h"
 
 /* An error from its log10, which may lie below the range of a double. */
 void bench_add_error(struct text *out, double log) {

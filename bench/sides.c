@@ -2,9 +2,9 @@
    points, orbits and events included.  The verdict itself is found at the precision that decides it, whatever is asked. */
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "claim/claim.h"
-#include "stickslip/arena.h"
 #include "value/sentence.h"
 
 enum { DRAWS = 200, SPARE = 64, ATTEMPTS = 4, SETUP_DIGITS = 15 };

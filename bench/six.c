@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "bench/jobs.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum { W, R, V1, V2, N };
 

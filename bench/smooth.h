@@ -10,7 +10,7 @@
 #define STICKSLIP_BENCH_SMOOTH_H
 
 #include "bench/stepper.h"
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum smooth_law { LAW_TANH, LAW_STRIBECK, LAW_WIDE, N_LAWS };
 extern const char *const smooth_law_name[N_LAWS];

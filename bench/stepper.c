@@ -8,9 +8,9 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
-#include "stickslip/dynamics.h"
-#include "stickslip/status.h"
+#include "base/arena.h"
+#include "base/status.h"
+#include "motion/dynamics.h"
 
 #ifdef STICKSLIP_SUNDIALS
 #include <nvector/nvector_serial.h>

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 bool study_run(struct study_page *page, const struct study *study, const struct bench_env *env, bool quick) {
   *page = (struct study_page){.study = study, .quick = quick};

@@ -5,8 +5,8 @@
 #ifndef STICKSLIP_BENCH_STUDY_H
 #define STICKSLIP_BENCH_STUDY_H
 
-#include "stickslip/json.h"
-#include "stickslip/text.h"
+#include "base/json.h"
+#include "base/text.h"
 
 enum { STUDY_TABLES = 5 };
 

@@ -8,12 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/printed_digits.h"
 #include "bench/study.h"
 #include "bench/three_ways.h"
 #include "motion/dual.h"
-#include "stickslip/arena.h"
+#include "value/orbits.h"
 
 enum { PREC = THREE_WAYS_BITS };
 

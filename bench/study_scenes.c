@@ -9,9 +9,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/study.h"
-#include "stickslip/arena.h"
+#include "run/audit.h"
 
 /* A scene is run again only while its runs are short: the whole study takes a minute or two. */
 enum { REPEATS = 3, ENOUGH_MS = 1000, MOST_LEFT_OUT = 360 };
@@ -208,7 +209,7 @@ static bool add_costs(struct study_page *page, const struct bench_env *env, doub
   for (int i = 0; ok && i < repeats; i++) ok = audit_once(together, env, NULL, &c);
   struct study_table *t = study_table(page, "costs", "Pieces of the paper's audit", "what\tname\tunits\tms",
                                       "In the order in which one process does them: the first to need orbits pays for "
-                                      "them. Units: include/stickslip/work.h. This table is verify/costs.tsv.");
+                                      "them. Units: src/base/work.h. This table is verify/costs.tsv.");
   for (size_t i = 0; ok && i < c.n; i++) {
     study_text(t, "%s", c.item[i].what);
     study_text(t, "%s", c.item[i].name);

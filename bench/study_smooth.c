@@ -8,10 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/smooth.h"
 #include "bench/study.h"
-#include "stickslip/arena.h"
+#include "scene/scene.h"
 
 enum { UNKNOWNS = 3, MOST_RETURNS = 30, MOST_NEWTON = 10 };
 static const double tolerance = 1e-9;

@@ -12,10 +12,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
 #include "bench/study.h"
-#include "stickslip/arena.h"
-#include "stickslip/certify.h"
+#include "motion/certify.h"
 
 static const double PI2 = 6.283185307179586;
 enum { TB, TC, TD, R_END, N_OUT };

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
-#include "stickslip/arena.h"
 
 static void add_method(struct bench_table *t, const struct bench_method *m) {
   t->method = ss_realloc(t->method, (size_t)(t->n_methods + 1) * sizeof(const struct bench_method *));

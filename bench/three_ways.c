@@ -6,7 +6,7 @@
 #include <math.h>
 
 #include "bench/jobs.h"
-#include "stickslip/paper_route.h"
+#include "motion/paper_route.h"
 
 /* digits_lost of paper_route.h; x: t_a, t_b, t_c, t_d, z_10, z_20. */
 static double digits_lost(const double x[N_ROUTE], const struct dyn_orbit *o) {

@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_BENCH_THREE_WAYS_H
 #define STICKSLIP_BENCH_THREE_WAYS_H
 
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum { THREE_WAYS_BITS = 256 };
 

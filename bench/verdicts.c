@@ -7,8 +7,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "bench/jobs.h"
-#include "stickslip/arena.h"
+#include "route/jacobian.h"
+#include "run/audit.h"
 
 const char *const bench_work_name[] = {"orbits", "jacobian", "all sides", "claims", "claim", "sides"};
 

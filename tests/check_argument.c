@@ -6,14 +6,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motion/margins.h"
 #include "paper_model.h"
 #include "proof/condition.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/margins.h"
-#include "stickslip/report.h"
 #include "suites.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
+#include "value/orbits.h"
 
 static struct model model;
 static struct scene paper;

@@ -10,8 +10,10 @@
 
 #include "judge/judge.h"
 #include "paper_model.h"
+#include "report/report.h"
+#include "route/jacobian.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/report.h"
 #include "suites.h"
 #include "value/expression.h"
 

@@ -11,11 +11,11 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+#include "base/json.h"
+#include "base/record.h"
+#include "base/status.h"
 #include "scratch.h"
-#include "stickslip/arena.h"
-#include "stickslip/json.h"
-#include "stickslip/record.h"
-#include "stickslip/status.h"
 #include "suites.h"
 
 /* splitmix64 (Steele, Lea, Flood 2014) */

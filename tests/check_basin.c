@@ -5,7 +5,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "stickslip/basin.h"
+#include "explore/basin.h"
+#include "explore/family.h"
 #include "suites.h"
 
 static const struct {

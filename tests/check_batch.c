@@ -7,10 +7,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "explore/batch_impl.h"
+#include "explore/family.h"
 #include "motion/search.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 #include "suites.h"
 
 static const double unit = 0x1p-53;

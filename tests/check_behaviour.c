@@ -12,9 +12,10 @@
 
 #include "judge/behaviour.h"
 #include "laws_num.h"
+#include "motion/chain.h"
 #include "paper_model.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/chain.h"
 #include "suites.h"
 
 /* --- The return map as a series --- */

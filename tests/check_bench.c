@@ -13,9 +13,9 @@
 #include <time.h>
 
 #include "bench/jobs.h"
+#include "motion/dynamics.h"
 #include "paper_model.h"
 #include "scratch.h"
-#include "stickslip/dynamics.h"
 #include "suites.h"
 
 /* --- The truths of the jobs against numbers made elsewhere. --- */

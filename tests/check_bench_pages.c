@@ -12,9 +12,9 @@
 #include <unistd.h>
 
 #include "bench/jobs.h"
+#include "motion/dynamics.h"
 #include "paper_model.h"
 #include "scratch.h"
-#include "stickslip/dynamics.h"
 #include "suites.h"
 
 /* --- Which method. --- */

@@ -10,9 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explore/bifurcate.h"
+#include "explore/family.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
-#include "stickslip/bifurcate.h"
 #include "suites.h"
 
 static void set_decimal(fmpq_t q, const char *s) {

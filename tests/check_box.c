@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/box.h"
+#include "explore/box.h"
 #include "suites.h"
 
 struct ends {

@@ -12,14 +12,15 @@
 #include <sys/wait.h>
 
 #include "effort.h"
+#include "explore/family.h"
+#include "motion/certify.h"
+#include "motion/complete.h"
+#include "motion/given.h"
 #include "motion/map_balls.h"
 #include "motion/orbit_equations.h"
 #include "motion/orbit_judge.h"
+#include "motion/warm.h"
 #include "scratch.h"
-#include "stickslip/certify.h"
-#include "stickslip/complete.h"
-#include "stickslip/given.h"
-#include "stickslip/warm.h"
 #include "suites.h"
 
 /* --- A question and its answer --- */

@@ -17,10 +17,10 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+#include "base/text.h"
 #include "process.h"
 #include "scratch.h"
-#include "stickslip/arena.h"
-#include "stickslip/text.h"
 #include "suites.h"
 
 /* --- Processes --- */

@@ -11,12 +11,12 @@
 #include <string.h>
 
 #include "motion/cell.h"
+#include "motion/complete.h"
+#include "motion/given.h"
 #include "motion/line.h"
 #include "motion/strip.h"
 #include "motion/turns.h"
 #include "num/pi.h"
-#include "stickslip/complete.h"
-#include "stickslip/given.h"
 #include "suites.h"
 
 enum { MAX_SETS = 40, MAX_ORBITS = 8 };

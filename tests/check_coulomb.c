@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "laws_num.h"
-#include "stickslip/coulomb.h"
+#include "motion/coulomb.h"
 #include "suites.h"
 
 enum { N_ROUTES = 3 };

@@ -5,8 +5,8 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "base/json.h"
 #include "scratch.h"
-#include "stickslip/json.h"
 #include "suites.h"
 
 /* --- Reading --- */

@@ -5,7 +5,7 @@
 
 #include "laws_num.h"
 #include "motion/double_double.h"
-#include "stickslip/flint_compat.h"
+#include "num/flint_compat.h"
 #include "suites.h"
 
 enum { BITS = 300, TRIALS = 20000 };

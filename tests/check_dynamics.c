@@ -8,12 +8,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "explore/family.h"
 #include "laws_num.h"
+#include "motion/dynamics.h"
 #include "motion/flow.h"
 #include "motion/polish.h"
 #include "motion/return_map_double.h"
 #include "motion/trig_sum.h"
-#include "stickslip/dynamics.h"
 #include "suites.h"
 
 /* A multiple of 1/64 in [low, high]/64. */

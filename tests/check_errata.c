@@ -13,8 +13,9 @@
 
 #include "claim/claim.h"
 #include "paper_model.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/report.h"
 #include "suites.h"
 
 /* --- One audit of the paper, for all tests --- */

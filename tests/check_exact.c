@@ -13,6 +13,7 @@
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
+#include "proof/receipt.h"
 #include "scratch.h"
 #include "suites.h"
 

@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/expr.h"
+#include "expr/expr.h"
 #include "suites.h"
 
 /* ---- common ground */

@@ -10,9 +10,10 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/given.h"
-#include "stickslip/margins.h"
-#include "stickslip/paper_route.h"
+#include "explore/family.h"
+#include "motion/given.h"
+#include "motion/margins.h"
+#include "motion/paper_route.h"
 #include "suites.h"
 
 /* --- The independent data. --- */

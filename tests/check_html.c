@@ -10,13 +10,14 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "claim/claims.h"
 #include "paper_model.h"
 #include "report/escape.h"
 #include "report/formula.h"
 #include "report/html.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/audit.h"
-#include "stickslip/report.h"
 #include "suites.h"
 
 /* --- Formulas --- */

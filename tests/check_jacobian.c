@@ -14,6 +14,7 @@
 #include "route/jacobian.h"
 #include "scratch.h"
 #include "suites.h"
+#include "value/orbits.h"
 
 enum { N_ORBITS = 60, N_SETS = 40, N_FIELDS = 16 };
 /* Fields of an orbit's line in orbits.tsv. */

@@ -5,9 +5,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim/claims.h"
 #include "paper_model.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/audit.h"
 #include "suites.h"
 #include "value/values.h"
 

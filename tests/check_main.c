@@ -5,7 +5,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
-#include "stickslip/flint_compat.h"
+#include "num/flint_compat.h"
 #include "suites.h"
 
 int main(void) {

@@ -8,10 +8,10 @@
 #include <string.h>
 
 #include "laws_num.h"
+#include "motion/dynamics.h"
 #include "motion/map.h"
 #include "motion/turn.h"
 #include "num/pi.h"
-#include "stickslip/dynamics.h"
 #include "suites.h"
 
 enum { N_START = N_PARAMS + 2, VALUES = N_PHASES + (N_PHASES + 1) * N_STATE };

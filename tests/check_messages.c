@@ -8,8 +8,9 @@
 #include <sys/wait.h>
 
 #include "paper_model.h"
+#include "proof/receipt.h"
+#include "run/plan.h"
 #include "scratch.h"
-#include "stickslip/plan.h"
 #include "suites.h"
 
 enum { MOST_COLUMNS = 5 };

@@ -7,8 +7,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "model/model.h"
 #include "scratch.h"
-#include "stickslip/model.h"
 #include "suites.h"
 
 /* ---- common ground */

@@ -16,11 +16,13 @@
 #include "judge/judge.h"
 #include "paper_model.h"
 #include "power/mutants.h"
+#include "power/power.h"
 #include "process.h"
+#include "report/mutation.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/exact.h"
-#include "stickslip/report_mutation.h"
 #include "suites.h"
+#include "tape/exact.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 
@@ -767,8 +769,8 @@ static void open_repairs(void) {
   open_paper();
   diag_init(&d);
   repair_result_init(&all_repairs);
-  const struct audit_options opt = {.n_only = 0};
-  ck_assert_msg(audit_repairs(&all_repairs, &model, &claims, &paper, &opt, 2, &d), "%s", d.message);
+  const struct repair_options opt = {.jobs = 2};
+  ck_assert_msg(audit_repairs(&all_repairs, &model, &claims, &paper, &opt, &d), "%s", d.message);
 }
 
 static void close_repairs(void) {

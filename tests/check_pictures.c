@@ -8,9 +8,9 @@
 #include <sys/wait.h>
 
 #include "report/plot.h"
+#include "report/report.h"
 #include "run/tables.h"
 #include "scratch.h"
-#include "stickslip/report.h"
 #include "suites.h"
 
 /* The exit status of "plot WHAT", its error output in the file "err". */

@@ -13,17 +13,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/work.h"
 #include "claim/claim.h"
 #include "paper_model.h"
 #include "process.h"
 #include "record/finding.h"
 #include "record/routes.h"
+#include "report/report.h"
+#include "run/plan.h"
 #include "run/tasks.h"
 #include "scratch.h"
 #include "stability/precision.h"
-#include "stickslip/plan.h"
-#include "stickslip/report.h"
-#include "stickslip/work.h"
 #include "suites.h"
 #include "value/expression.h"
 

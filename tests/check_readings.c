@@ -11,8 +11,10 @@
 
 #include "paper_model.h"
 #include "readings/readings.h"
+#include "readings/study.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/report.h"
 #include "suites.h"
 #include "value/expression.h"
 #include "value/point.h"

@@ -11,11 +11,12 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "claim/claims.h"
 #include "paper_model.h"
 #include "report/audit_shape.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/audit.h"
-#include "stickslip/report.h"
 #include "suites.h"
 
 /* --- Written from memory, written from what was read --- */

@@ -1,7 +1,7 @@
 /* The return map in double precision, held against arcs in balls, whose formulas and search for first events are others: every
    output of dyn_return_map, and those of dyn_return_map_d relative to the condition number.  Traps: starts on both sides of a jump, where a hump of z_1'
    almost reaches V and a later root lies in wait; the flow over any number type, sampled, then must not cross before t_c. */
-#include "stickslip/return_map.h"
+#include "motion/return_map.h"
 
 #include <check.h>
 #include <math.h>

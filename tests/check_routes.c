@@ -6,13 +6,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motion/long_run.h"
 #include "paper_model.h"
 #include "record/routes.h"
+#include "report/report.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/long_run.h"
-#include "stickslip/report.h"
 #include "suites.h"
 #include "value/coulomb_setup.h"
+#include "value/paper_orbits.h"
 
 /* --- The table. --- */
 

@@ -13,12 +13,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+#include "base/text.h"
+#include "claim/claims.h"
 #include "paper_model.h"
 #include "process.h"
+#include "run/audit.h"
 #include "scratch.h"
-#include "stickslip/arena.h"
-#include "stickslip/audit.h"
-#include "stickslip/text.h"
 #include "suites.h"
 
 #define REST "eta = 1\nV = 1\ne1 = 2\ne2 = 1\n"

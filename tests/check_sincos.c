@@ -12,7 +12,7 @@
 #include <stdlib.h>
 
 #include "motion/sincos.h"
-#include "stickslip/flint_compat.h"
+#include "num/flint_compat.h"
 #include "suites.h"
 
 enum { BITS = 160, TERMS = 30, PIECES = 4096 };

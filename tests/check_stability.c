@@ -13,9 +13,9 @@
 
 #include "base/random.h"
 #include "paper_model.h"
+#include "report/stability.h"
 #include "scratch.h"
 #include "stability/stability.h"
-#include "stickslip/report_stability.h"
 #include "suites.h"
 
 static struct model model;

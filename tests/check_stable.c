@@ -1,20 +1,21 @@
 /* The stable layer: every form of verify/stable.eq is proved, none of them when damaged; double precision loses no more with
    them than the conditioning explains, at thousands of extreme points against balls, where the corrected forms lose all
    digits; and the audit says the same with them. */
-#include "stickslip/stable.h"
+#include "proof/stable_forms.h"
 
 #include <ctype.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim/claims.h"
 #include "paper_model.h"
+#include "run/audit.h"
 #include "scratch.h"
 #include "stability/stability.h"
 #include "stable_points.h"
-#include "stickslip/audit.h"
-#include "stickslip/exact.h"
 #include "suites.h"
+#include "tape/exact.h"
 
 static struct model model;
 

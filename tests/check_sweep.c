@@ -17,13 +17,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+#include "base/decimal.h"
+#include "base/part.h"
+#include "explore/bifurcate.h"
+#include "explore/family.h"
 #include "process.h"
 #include "scratch.h"
-#include "stickslip/arena.h"
-#include "stickslip/bifurcate.h"
-#include "stickslip/decimal.h"
-#include "stickslip/family.h"
-#include "stickslip/part.h"
 #include "suites.h"
 
 /* --- Lines. --- */

@@ -8,10 +8,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "effort.h"
+#include "model/model.h"
 #include "scratch.h"
-#include "stickslip/arena.h"
-#include "stickslip/model.h"
 #include "suites.h"
 
 /* ---- from text to tape */
@@ -766,7 +766,7 @@ static double run_dump(const struct tape *t, slong output) {
     ck_assert(args == 4 && a < i && b < i);                                                                            \
     num_double.word(&v[i], &v[a], &v[b], 53);                                                                          \
   }
-#include "stickslip/ops.def"
+#include "num/ops.def"
   }
   for (slong i = 0; i <= output; i++, line = strtok(NULL, "\n")) {
     long at;

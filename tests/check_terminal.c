@@ -8,8 +8,9 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "base/text.h"
+#include "record/result.h"
 #include "scratch.h"
-#include "stickslip/text.h"
 #include "suites.h"
 
 /* Standard output of a shell command, to be freed, with its exit status. */

@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "base/tex.h"
-#include "stickslip/text.h"
+#include "base/text.h"
 #include "suites.h"
 
 /* A letter for each kind, in the order of the header. */

@@ -1,12 +1,13 @@
 /* The orbit from a guess, held against the certified list of the search: numbers relative to their condition, every condition
    that is told, and no orbit that the list does not have, whatever the guess. */
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
+#include "explore/family.h"
 #include "laws_num.h"
 #include "suites.h"
 

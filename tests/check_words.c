@@ -8,10 +8,10 @@
 #include <string.h>
 #include <sys/wait.h>
 
+#include "base/json.h"
+#include "explore/words.h"
+#include "scene/scene.h"
 #include "scratch.h"
-#include "stickslip/audit.h"
-#include "stickslip/json.h"
-#include "stickslip/word.h"
 #include "suites.h"
 
 static struct phase_word word_of(const char *text) {

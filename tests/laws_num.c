@@ -4,6 +4,7 @@
    and a ball must hold what MPFR gives at much higher precision at points of its operands.  The other laws are
    identities of arithmetic.  Operands are random and biased to the edges; a failing trial prints them and its seed. */
 #include "laws_num.h"
+#include "tape/tape.h"
 
 #include <math.h>
 #include <string.h>
@@ -142,7 +143,7 @@ static void require(const struct trial *t, bool ok, const char *what) {
 enum {
 #define NUM_UNARY(op)  OP_##op,
 #define NUM_BINARY(op) OP_##op,
-#include "stickslip/ops.def"
+#include "num/ops.def"
   N_OPS
 };
 
@@ -152,7 +153,7 @@ static const struct {
 } ops[N_OPS] = {
 #define NUM_UNARY(op)  {#op, false},
 #define NUM_BINARY(op) {#op, true},
-#include "stickslip/ops.def"
+#include "num/ops.def"
 };
 
 static int apply(const struct num_ctx *ctx, int op, void *z, const void *x, const void *y) {
@@ -163,7 +164,7 @@ static int apply(const struct num_ctx *ctx, int op, void *z, const void *x, cons
 #define NUM_BINARY(name)                                                                                               \
   case OP_##name:                                                                                                      \
     return ctx->type->name(z, x, y, ctx->prec);
-#include "stickslip/ops.def"
+#include "num/ops.def"
   default:
     ck_abort_msg("no such operation");
     return SS_UNABLE;

@@ -4,7 +4,7 @@
 
 #include <check.h>
 
-#include "stickslip/num.h"
+#include "num/num.h"
 
 TCase *laws_num_tcase(void);
 

@@ -1,4 +1,5 @@
 #include "paper_model.h"
+#include "record/result.h"
 
 #include <check.h>
 #include <string.h>

@@ -2,10 +2,11 @@
 #ifndef STICKSLIP_TESTS_PAPER_MODEL_H
 #define STICKSLIP_TESTS_PAPER_MODEL_H
 
-#include "stickslip/audit.h"
-#include "stickslip/exact.h"
-#include "stickslip/model.h"
-#include "stickslip/scene.h"
+#include "claim/claims.h"
+#include "model/model.h"
+#include "record/result.h"
+#include "scene/scene.h"
+#include "tape/exact.h"
 
 /* Files besides the paper's, by path, or in place of those of verify/; all NULL: the paper with its corrections. */
 struct paper_layers {

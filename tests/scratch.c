@@ -11,9 +11,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/arena.h"
+#include "base/text.h"
 #include "process.h"
-#include "stickslip/arena.h"
-#include "stickslip/text.h"
 
 static struct arena arena; /* of the paths handed out */
 static char *folder;       /* NULL between tests */

@@ -4,7 +4,7 @@
 #define STICKSLIP_TESTS_STABLE_POINTS_H
 
 #include "laws_num.h"
-#include "stickslip/model.h"
+#include "model/model.h"
 
 enum { MOST_ENTRIES = 16, MOST_INPUTS = 16 };
 

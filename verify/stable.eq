@@ -1,5 +1,5 @@
 # Forms that keep their digits where double precision loses those of the printed ones, an overlay on paper/ and errata.eq.
-# A definition here equals the corrected one of its name wherever both have a value (include/stickslip/stable.h proves it, and
+# A definition here equals the corrected one of its name wherever both have a value (src/proof/stable_forms.h proves it, and
 # tries at points that they have one together); a name that is not the paper's is a part of others.  "replaces" says what loses
 # digits where.  Where the terms of a result cancel as the point has it, and not by its form, no form keeps the digits:
 # rounded() computes it as precisely as it takes.

@@ -1,6 +1,6 @@
 /* Blocks of doubling size in a chain; an allocation never moves, and all of them die together.
    Exhausted memory is not a state any caller could go on from: the program says so and ends with status 5. */
-#include "stickslip/arena.h"
+#include "arena.h"
 
 #include <stdbool.h>
 #include <stdint.h>

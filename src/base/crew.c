@@ -14,7 +14,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "stickslip/arena.h"
+#include "arena.h"
 
 enum { AT_A_TIME = 1 << 16 };
 

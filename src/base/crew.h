@@ -12,7 +12,7 @@
 #include <stdbool.h>
 #include <stddef.h>
 
-#include "stickslip/text.h"
+#include "text.h"
 
 enum { CREW_MOST = 64 };
 

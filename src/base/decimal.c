@@ -2,7 +2,7 @@
 
    A product by a power of ten up to 10^22 is known exactly as the rounded product and a fused remainder; of their sum the
    nearest integer holds the digits. */
-#include "stickslip/decimal.h"
+#include "decimal.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -9,8 +9,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include "stickslip/arena.h"
-#include "stickslip/text.h"
+#include "arena.h"
+#include "text.h"
 
 static bool check_text(const struct source *s, struct diag *d) {
   const char *nul = memchr(s->text, '\0', s->len);

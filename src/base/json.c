@@ -1,5 +1,5 @@
 /* A writer with a stack of open containers; broken nesting is a broken invariant. */
-#include "stickslip/json.h"
+#include "json.h"
 
 #include <stdlib.h>
 

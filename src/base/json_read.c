@@ -2,7 +2,7 @@
    readers disagree about what they mean. */
 #include <string.h>
 
-#include "stickslip/json.h"
+#include "json.h"
 
 struct reader {
   const struct source *s;

@@ -1,5 +1,5 @@
 /* Files that grow beside and are renamed when whole.  A lock keeps two runs from writing the same one. */
-#include "stickslip/part.h"
+#include "part.h"
 
 #include <errno.h>
 #include <fcntl.h>

@@ -1,12 +1,12 @@
 /* Line by line: a line in the first column with two words and nothing else is a head; an indented line, or any line of
    record 0, begins a field; lines indented deeper than the field's own go on with it.  Only attributes are joined into
    text here: a formula stays a span, so that its diagnostics point into the file. */
-#include "stickslip/record.h"
+#include "record.h"
 
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "arena.h"
 
 enum { MAX_FIELDS = 100000 };
 

@@ -1,5 +1,5 @@
 /* Kleene's three-valued logic: UNKNOWN stays unknown unless the other operand decides. */
-#include "stickslip/status.h"
+#include "status.h"
 
 truth truth_and(truth a, truth b) {
   if (a == TRUTH_FALSE || b == TRUTH_FALSE) return TRUTH_FALSE;

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "stickslip/text.h"
+#include "text.h"
 
 static bool is(const char *s, size_t len, const char *word) {
   return strlen(word) == len && memcmp(s, word, len) == 0;

@@ -1,12 +1,12 @@
 /* Strings, sources and diagnostics.  A diagnostic is formatted when it is found, so that it outlives its source. */
-#include "stickslip/text.h"
+#include "text.h"
 
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "arena.h"
 
 void text_init(struct text *t) {
   *t = (struct text){NULL, 0, 0};

@@ -1,5 +1,5 @@
 /* A counter and a mask; whoever sets a limit says what happens at its end. */
-#include "stickslip/work.h"
+#include "work.h"
 
 #include <stdlib.h>
 

@@ -4,11 +4,13 @@
 
 #include "judging.h"
 #include "kinds.h"
+#include "model/model.h"
+#include "record/result.h"
 
-/* Do the options select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
+/* Do the items of --only select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
    select some claim? */
-bool claims_selects(const struct audit_options *opt, const struct claim *c);
-bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d);
+bool claims_selects(const char *const *only, int n_only, const struct claim *c);
+bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d);
 
 enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */

@@ -3,7 +3,8 @@
 #include <string.h>
 
 #include "claim.h"
-#include "stickslip/audit.h"
+#include "claims.h"
+#include "model/model.h"
 
 /* One more record at the end of a list in which ids are unique. */
 static bool append(struct claim **list, size_t *n, size_t *cap, const struct record_file *f, const struct record *r,
@@ -126,19 +127,19 @@ static bool selects(const char *item, const struct claim *c) {
   return claim_selected(c->id, item) || claim_makes(c, item);
 }
 
-bool claims_selects(const struct audit_options *opt, const struct claim *c) {
-  if (opt->n_only == 0) return true;
-  for (int i = 0; i < opt->n_only; i++)
-    if (selects(opt->only[i], c)) return true;
+bool claims_selects(const char *const *only, int n_only, const struct claim *c) {
+  if (n_only == 0) return true;
+  for (int i = 0; i < n_only; i++)
+    if (selects(only[i], c)) return true;
   return false;
 }
 
-bool claims_check_selection(const struct claims *claims, const struct audit_options *opt, struct diag *d) {
-  for (int i = 0; i < opt->n_only; i++) {
+bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d) {
+  for (int i = 0; i < n_only; i++) {
     bool any = false;
-    for (size_t k = 0; k < claims->n; k++) any = any || selects(opt->only[i], &claims->claim[k]);
+    for (size_t k = 0; k < claims->n; k++) any = any || selects(only[i], &claims->claim[k]);
     if (!any) {
-      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", opt->only[i]);
+      diag_set(d, "error: no claim is named %s; \"stickslip list\" names them all", only[i]);
       return false;
     }
   }

@@ -3,7 +3,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "stickslip/audit.h"
+#include "run/audit.h"
 
 enum { MAX_COSTS_FILE = 1 << 20 };
 

@@ -2,6 +2,8 @@
    statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
    that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
 #include "claim.h"
+#include "model/model.h"
+#include "record/result.h"
 #include <stdlib.h>
 #include <string.h>
 

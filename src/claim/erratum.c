@@ -1,6 +1,8 @@
 /* A correction set beside what it replaces: both typeset from the parsed statements, and the places where their trees
    differ, so that a report can say "replace this by that" without anybody having written it. */
 #include "claim.h"
+#include "model/model.h"
+#include "record/result.h"
 #include <string.h>
 
 enum { MAX_REPLACEMENTS = 4, MAX_LEVELS = 1000 };

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_JUDGING_H
 #define STICKSLIP_JUDGING_H
 
-#include "stickslip/audit.h"
+#include "claims.h"
 
 struct dependences;
 struct orbit_cache;

@@ -10,8 +10,8 @@
 #ifndef STICKSLIP_KINDS_H
 #define STICKSLIP_KINDS_H
 
-#include "stickslip/audit.h"
-#include "stickslip/work.h"
+#include "base/work.h"
+#include "claims.h"
 
 enum {
   NEEDS_PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,

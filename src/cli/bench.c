@@ -4,9 +4,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include "base/arena.h"
 #include "bench/bench.h"
 #include "cli.h"
-#include "stickslip/arena.h"
 
 static const char verdicts[] = "verdicts"; /* a job of its own kind, the last */
 static const char studies[] = "studies";   /* all but those apart; only run when asked for */

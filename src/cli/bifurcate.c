@@ -1,11 +1,11 @@
 /* stickslip bifurcate: where the orbits change along a line in parameter space, as a table or as JSON. */
-#include "stickslip/bifurcate.h"
+#include "explore/bifurcate.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "cli.h"
-#include "stickslip/json.h"
 
 enum { STARTS = 257, MOST_DIGITS = 1000 };
 

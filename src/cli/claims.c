@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "proof/receipt.h"
 
 /* Each with its title; one that cannot be read is an error, and the others are listed all the same. */
 static int list_scenes(const char *data) {

@@ -2,10 +2,13 @@
 #ifndef STICKSLIP_CLI_H
 #define STICKSLIP_CLI_H
 
-#include "stickslip/audit.h"
-#include "stickslip/certify.h"
-#include "stickslip/dynamics.h"
-#include "stickslip/json.h"
+#include "base/json.h"
+#include "claim/claims.h"
+#include "motion/certify.h"
+#include "motion/dynamics.h"
+#include "route/jacobian.h"
+#include "run/audit.h"
+#include "value/coulomb_setup.h"
 
 #define VERSION "0.1.0"
 

@@ -3,7 +3,7 @@
 #include <math.h>
 
 #include "cli.h"
-#include "stickslip/long_run.h"
+#include "motion/long_run.h"
 
 static void print_return(const struct long_run *run, enum long_route k, long i) {
   const struct long_return *r = &run->at[k][i];

@@ -3,8 +3,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "cli.h"
-#include "stickslip/json.h"
 
 struct audit_file {
   struct source source;

@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "explore/family.h"
 
 const struct command command_table[] = {
 #define COMMAND(name, data, operands, purpose, text, ...)                                                              \

@@ -3,8 +3,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "cli.h"
-#include "stickslip/json.h"
 
 static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
   const char *method = option(o, OPT_METHOD), *layer = option(o, OPT_LAYER);

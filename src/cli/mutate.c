@@ -4,7 +4,8 @@
 #include <unistd.h>
 
 #include "cli.h"
-#include "stickslip/report_mutation.h"
+#include "power/power.h"
+#include "report/mutation.h"
 
 enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
 
@@ -112,9 +113,9 @@ int run_repair(const struct options *o, const char *data) {
   diag_init(&d);
   repair_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  struct audit_options opt = {.only = o->operands.word, .n_only = o->operands.n};
+  struct repair_options opt = {.only = o->operands.word, .n_only = o->operands.n, .jobs = jobs};
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, jobs, &d);
+            audit_repairs(&r, &in.model, &in.claims, &in.scene, &opt, &d);
   if (ok) {
     report_repairs_json(&body[0], &r);
     report_repairs_markdown(&body[1], &r);

@@ -2,12 +2,14 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "base/json.h"
 #include "cli.h"
+#include "explore/family.h"
+#include "motion/complete.h"
+#include "motion/dynamics.h"
+#include "motion/margins.h"
 #include "orbit_numbers.h"
-#include "stickslip/complete.h"
-#include "stickslip/dynamics.h"
-#include "stickslip/json.h"
-#include "stickslip/margins.h"
+#include "value/orbits.h"
 
 enum { N_SHOWN = ORBIT_NUMBERS };
 

@@ -1,7 +1,8 @@
 /* orbit --basin: how far r may be from that of a stable orbit, proved, and where that fails. */
-#include "stickslip/basin.h"
+#include "explore/basin.h"
 
 #include "cli.h"
+#include "explore/family.h"
 #include "orbit_numbers.h"
 
 /* An exact decimal with all of its digits. */

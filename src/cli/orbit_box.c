@@ -2,9 +2,9 @@
 #include <stdlib.h>
 
 #include "cli.h"
+#include "explore/box.h"
+#include "motion/complete.h"
 #include "orbit_numbers.h"
-#include "stickslip/box.h"
-#include "stickslip/complete.h"
 
 /* The ends of x as decimals, rounded outwards. */
 static void print_ends(char *out[2], const arb_t x, slong digits) {

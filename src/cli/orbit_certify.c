@@ -1,9 +1,10 @@
 /* stickslip orbit: the proof of each orbit, and --certificate. */
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "cli.h"
-#include "stickslip/arena.h"
-#include "stickslip/certify.h"
+#include "explore/family.h"
+#include "motion/certify.h"
 
 /* The scene as a question; value borrows from it. */
 static void question_of(struct dyn_question *q, enum dyn_quantity which[2], fmpq value[2], const struct scene *s) {

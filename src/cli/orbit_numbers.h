@@ -2,8 +2,7 @@
 #ifndef STICKSLIP_ORBIT_NUMBERS_H
 #define STICKSLIP_ORBIT_NUMBERS_H
 
-#include "stickslip/audit.h"
-#include "stickslip/json.h"
+#include "base/json.h"
 
 enum { ORBIT_NUMBERS = 12, MOST_BOX_DIGITS = 20 };
 const char *orbit_number_name(int i);

@@ -2,8 +2,9 @@
    as JSON (schema/orbit-paper.schema.json). */
 #include <math.h>
 
+#include "base/json.h"
 #include "cli.h"
-#include "stickslip/json.h"
+#include "value/paper_orbits.h"
 
 enum { MAX_PAPER_DIGITS = 1000, GUARD_BITS = 192 };
 

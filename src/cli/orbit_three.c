@@ -8,7 +8,8 @@
    of m_2's capture sets z_2' - V to zero, that of m_1's break changes z_1' by -e1/w' times the change of w, neither heeds
    what the other changes, so they commute, and tr J is the slope on either side. */
 #include "cli.h"
-#include "stickslip/certify.h"
+#include "explore/family.h"
+#include "motion/certify.h"
 
 bool three_phases_have(int margin) {
   switch (margin) {

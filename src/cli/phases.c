@@ -1,8 +1,8 @@
 /* stickslip jacobian --phases: every entry of the local Jacobians by every method, so that a wrong one is located. */
 #include <string.h>
 
+#include "base/json.h"
 #include "cli.h"
-#include "stickslip/json.h"
 
 enum { MATRIX_J = N_MATRICES - 1 };
 

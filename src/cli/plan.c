@@ -1,5 +1,5 @@
 /* verify --plan: the plan in words or as JSON; nothing is done and nothing is written. */
-#include "stickslip/plan.h"
+#include "run/plan.h"
 
 #include "cli.h"
 

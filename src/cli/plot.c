@@ -1,6 +1,7 @@
 /* stickslip plot: the pictures of a scene's orbits alone, and the tables they are drawn from. */
 #include "cli.h"
-#include "stickslip/report.h"
+#include "report/report.h"
+#include "run/tables.h"
 
 /* Tables, then pictures, and says which. */
 static bool write_pictures(const char *folder, const struct audit_result *r, struct diag *d) {

@@ -1,6 +1,7 @@
 /* stickslip readings: how the printed numbers of a scene could have arisen. */
 #include "cli.h"
-#include "stickslip/report.h"
+#include "readings/study.h"
+#include "report/report.h"
 
 int run_readings(const struct options *o, const char *data) {
   if (o->operands.n != 1) return usage("readings takes one %s", "SCENE");

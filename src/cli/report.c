@@ -4,7 +4,7 @@
 #include <unistd.h>
 
 #include "cli.h"
-#include "stickslip/report.h"
+#include "report/report.h"
 
 /* Pictures that other commands leave beside reports; those that are there are linked to. */
 static const struct neighbour pictures_beside[] = {{"../bench/map.svg", "error against run time of one Poincare map"},

@@ -6,7 +6,7 @@
 #include <string.h>
 
 #include "cli.h"
-#include "stickslip/coulomb.h"
+#include "motion/coulomb.h"
 
 enum { MAX_PERIODS = 100000, MAX_SAMPLES = 1000000, DEFAULT_SAMPLES = 100, MAX_COMPARED = 10000 };
 enum { MAX_STEPS = 10000000 }; /* of an integrator: many periods need more than a proof does */

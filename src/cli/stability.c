@@ -7,7 +7,8 @@
 
 #include "bench/bench.h"
 #include "cli.h"
-#include "stickslip/report_stability.h"
+#include "report/stability.h"
+#include "stability/digits.h"
 
 static void show_progress(size_t n, size_t of) {
   fprintf(stderr, "\r\033[K[%zu/%zu]", n, of);

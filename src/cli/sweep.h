@@ -9,9 +9,9 @@
 #define STICKSLIP_SWEEP_H
 
 #include "base/crew.h"
+#include "base/part.h"
 #include "cli.h"
-#include "stickslip/family.h"
-#include "stickslip/part.h"
+#include "explore/family.h"
 
 /* A unit is a stretch of one line, so many points that it can stand for itself; whoever does it, its rows are the same. */
 enum { UNIT_POINTS = 1024, MOST_EVERY = 65536, MOST_POINTS = 1000000000 };

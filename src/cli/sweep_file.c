@@ -7,7 +7,7 @@
 #include <string.h>
 #include <unistd.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "sweep.h"
 
 enum { ROW_MAX = 4096 };

@@ -14,7 +14,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "sweep.h"
 
 enum { TAG_HELLO = 1, TAG_ALIVE, TAG_ROWS, TAG_UNIT };

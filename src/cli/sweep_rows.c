@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/decimal.h"
+#include "base/decimal.h"
 #include "sweep.h"
 
 /* Columns, in the order of the contract. */

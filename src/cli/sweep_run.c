@@ -7,7 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "sweep.h"
 
 enum { AHEAD = 1024, HELD = 1 << 26, WAIT = 20 };

@@ -9,7 +9,7 @@
 
 #include "cli.h"
 #include "interrupt.h"
-#include "stickslip/report.h"
+#include "report/report.h"
 
 static double now(void) {
   struct timespec t;

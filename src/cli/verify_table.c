@@ -3,7 +3,7 @@
 #include <string.h>
 
 #include "cli.h"
-#include "stickslip/report.h"
+#include "report/report.h"
 
 static enum paint paint_of(enum verdict v) {
   switch (v) {

@@ -3,8 +3,8 @@
 #define STICKSLIP_WORD_ORBITS_H
 
 #include "cli.h"
+#include "explore/words.h"
 #include "orbit_numbers.h"
-#include "stickslip/word.h"
 
 enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 

@@ -2,7 +2,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/work.h"
+#include "base/work.h"
 #include "word_orbits.h"
 
 enum { LONGEST = 4, MOST_PHASES = 8, STARTS = 96 };

@@ -4,15 +4,16 @@
    t_c, and what is known of orbits is known of the pass that starts there: its conditions, and the slope of the return map
    in place of the trace.  A ball that leaves something open is halved.  The half width of the interval is found by growing
    it until the proof fails, then by bisection. */
-#include "stickslip/basin.h"
+#include "basin.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "family.h"
 #include "motion/map_balls.h"
 #include "motion/orbit_judge.h"
 #include "motion/return_map_double.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 enum { BASIN_PREC = 96, MOST_DEPTH = 11, BISECTIONS = 8, FINE = 10, CANDIDATES = 16 };
 

@@ -3,7 +3,7 @@
 
    The last block is filled up with copies of its first point, so that every point is solved by the same loop.  Points
    with a long phase H are gathered from the blocks of a tile to be looked at together. */
-#include "stickslip/batch.h"
+#include "batch.h"
 
 #include <math.h>
 

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_BATCH_IMPL_H
 #define STICKSLIP_BATCH_IMPL_H
 
-#include "stickslip/batch.h"
+#include "batch.h"
 
 enum { LANES = 64 };
 struct lanes {

@@ -5,15 +5,15 @@
    three equations (curve.c).  Near such a zero the parameter is p_0 + p'' s^2/2 along the tangent s, which tells the side on
    which orbits exist and gives the two beside it.  Any other change is proved along the parameter: one tube of orbits
    reaches over the whole bracket, and the function that vanishes has opposite signs on the orbits at its two ends. */
-#include "stickslip/bifurcate.h"
+#include "bifurcate.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "curve.h"
 #include "motion/orbit_judge.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 enum {
   START_PREC = 64,

@@ -3,15 +3,15 @@
    A piece that is not proved, or on which something is left undecided that no other piece has settled to change, is halved
    along the parameter that moves (t_b, t_c) most.  Some cuts are made in any case: enclosures over a piece grow with its
    width twice, by what the orbit moves and by what balls add to that. */
-#include "stickslip/box.h"
+#include "box.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "curve.h"
 #include "motion/orbit_judge.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 enum { BOX_PREC = 96, ALWAYS_DEPTH = 6, MOST_DEPTH = 24 };
 

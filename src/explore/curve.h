@@ -6,9 +6,9 @@
 #ifndef STICKSLIP_CURVE_H
 #define STICKSLIP_CURVE_H
 
+#include "bifurcate.h"
 #include "motion/dual.h"
 #include "motion/map_balls.h"
-#include "stickslip/bifurcate.h"
 
 /* --- tube.c --- */
 

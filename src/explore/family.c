@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "family_impl.h"
-#include "stickslip/arena.h"
 
 static struct dyn_family_point *point_at(const struct family_line *l, slong begin, slong i) {
   return &l->f->point[i - begin];

@@ -1,5 +1,5 @@
 /* Values on a line: one common denominator, so that a value is an integer over it and needs one rounding. */
-#include "stickslip/family.h"
+#include "family.h"
 
 static bool exact_in_double(const fmpz_t x) {
   return fmpz_bits(x) <= 53;

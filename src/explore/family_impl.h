@@ -8,9 +8,9 @@
 #ifndef STICKSLIP_FAMILY_IMPL_H
 #define STICKSLIP_FAMILY_IMPL_H
 
+#include "family.h"
 #include "family_lanes.h"
-#include "stickslip/family.h"
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 /* One line at work: parameters in double and exactly, the varied one being set by family_move. */
 struct family_line {

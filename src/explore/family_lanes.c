@@ -3,8 +3,8 @@
 
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
-#include "stickslip/batch.h"
+#include "base/arena.h"
+#include "batch.h"
 
 void family_lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]) {
   size_t size = (size_t)n * sizeof(double);

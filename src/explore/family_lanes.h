@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_FAMILY_LANES_H
 #define STICKSLIP_FAMILY_LANES_H
 
-#include "stickslip/warm.h"
+#include "motion/warm.h"
 
 /* Columns as dyn_orbits_batch reads and writes them, of cap lanes each; zeros: no lanes. */
 struct family_lanes {

@@ -7,8 +7,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "family_impl.h"
-#include "stickslip/arena.h"
 
 /* --- Prediction. --- */
 

@@ -6,10 +6,10 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "family_impl.h"
 #include "motion/search.h"
 #include "num/pi.h"
-#include "stickslip/arena.h"
 
 enum { PREC = 64 };
 static const double narrow = 1e-6; /* of |trace| - 1, and of a static friction over its bound */

@@ -1,7 +1,7 @@
 /* Words of phases: reading, printing, turning, which phase can follow which, and which words cannot close. */
 #include <string.h>
 
-#include "stickslip/word.h"
+#include "words.h"
 
 const char *const word_fate_name[] = {"open", "impossible", "coincidence", "unclosed", "family"};
 const char *const word_coordinate_name[] = {"w1", "w2", "p1", "p2"};

@@ -11,7 +11,7 @@
 #define STICKSLIP_WORDS_IMPL_H
 
 #include "motion/mode_motion.h"
-#include "stickslip/word.h"
+#include "words.h"
 
 enum { WORD_UNKNOWNS = WORD_MOST + WORD_FREE_MOST };
 

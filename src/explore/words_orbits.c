@@ -1,7 +1,7 @@
 /* The orbits of a word: what the search finds, enclosed, judged, and sorted. */
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "words_impl.h"
 
 enum { GUARD = 40, RAISES = 4 };

@@ -8,11 +8,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
+#include "base/work.h"
 #include "motion/trig_sum.h"
 #include "num/calc.h"
 #include "num/solve.h"
-#include "stickslip/arena.h"
-#include "stickslip/work.h"
 #include "words_impl.h"
 
 enum { MOST_NEWTON = 40, MOST_STARTS = 200 };

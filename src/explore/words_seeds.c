@@ -6,7 +6,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "words_impl.h"
 
 enum { MOST_EVENTS = 3000, MOST_STEPS = 100000, RECENT = 6 * WORD_MOST };

@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_EXPR_IMPL_H
 #define STICKSLIP_EXPR_IMPL_H
 
-#include "stickslip/expr.h"
+#include "expr.h"
 
 enum { EXPR_MAX_DEPTH = 200, EXPR_MAX_NODES = 100000, EXPR_MAX_INDEX = 9999, EXPR_MAX_PRIMES = 99 };
 

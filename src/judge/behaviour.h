@@ -4,8 +4,9 @@
 #define STICKSLIP_BEHAVIOUR_H
 
 #include "claim/judging.h"
+#include "model/model.h"
+#include "motion/coulomb.h"
 #include "record/finding.h"
-#include "stickslip/coulomb.h"
 #include "value/point.h"
 
 /* A claim being judged by simulation. */

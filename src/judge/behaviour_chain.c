@@ -2,7 +2,7 @@
 #include <math.h>
 
 #include "behaviour.h"
-#include "stickslip/chain.h"
+#include "motion/chain.h"
 #include "verdict.h"
 
 static double drawn(struct sampler *s, int quantity) {

@@ -5,8 +5,8 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "explore/bifurcate.h"
 #include "judge.h"
-#include "stickslip/bifurcate.h"
 #include "value/coulomb_setup.h"
 
 /* Parameters of which one runs from one value to another. */

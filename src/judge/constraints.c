@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "explore/family.h"
 #include "judge.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"

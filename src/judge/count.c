@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "judge.h"
 #include "proof/exact_rank.h"
-#include "stickslip/work.h"
 
 enum { MAX_NAMES = RANK_NAMES };
 

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "judge.h"
-#include "stickslip/work.h"
 
 static bool holds_step(truth *holds, const char **unbound, struct judge *j, const struct statement_record *r,
                        const struct stmt *st, int k, struct view view, const struct point *p) {

@@ -5,10 +5,10 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "base/work.h"
 #include "judge.h"
 #include "proof/exact_proof.h"
 #include "record/routes.h"
-#include "stickslip/work.h"
 #include "value/orbit_pool.h"
 
 #define JUDGE(name, word, fn, tried, asked, scene, parts, balls) fn,

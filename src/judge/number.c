@@ -4,9 +4,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "judge.h"
 #include "stability/precision.h"
-#include "stickslip/work.h"
 #include "value/expression.h"
 
 enum { BITS_SHOWN = 34 }; /* ten digits */

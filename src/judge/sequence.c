@@ -4,10 +4,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "judge.h"
+#include "motion/given.h"
 #include "proof/condition.h"
-#include "stickslip/given.h"
-#include "stickslip/work.h"
 #include "value/coulomb_setup.h"
 
 enum { UNITS_OF_EXISTENCE = 150000 }; /* of work: all motions with two times given */

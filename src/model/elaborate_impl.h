@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_ELABORATE_IMPL_H
 #define STICKSLIP_ELABORATE_IMPL_H
 
-#include "stickslip/model.h"
-#include "stickslip/num.h"
+#include "model.h"
+#include "num/num.h"
 
 /* MAX_DEPTH bounds the recursion over brackets, calls and definitions together, MAX_SCALARS the memory (the paper
    with all its statements has a few thousand). */

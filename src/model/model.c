@@ -1,7 +1,7 @@
 /* Equation files in memory: definitions and statement records with their rank, and who sees which of them.
    Nothing is replaced when an overlay is loaded; a view decides at each look-up, so that one model serves the printed
    text, the corrected text, and every mixture that a claim needs. */
-#include "stickslip/model.h"
+#include "model.h"
 
 #include <stdlib.h>
 #include <string.h>

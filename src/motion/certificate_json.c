@@ -4,8 +4,8 @@
    lies within. */
 #include <stdlib.h>
 
-#include "stickslip/certify.h"
-#include "stickslip/json.h"
+#include "base/json.h"
+#include "certify.h"
 
 static void json_rational(struct json *j, const char *key, const fmpq *x) {
   struct text t;

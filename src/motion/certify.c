@@ -3,16 +3,16 @@
    One box is proved once to hold exactly one solution.  Then, at a precision that doubles while anything is undecided,
    the solution is enclosed anew inside that box and everything else is asked of the enclosures: nothing is taken from
    the search but the place to look at.  What two routes decide counts only when they agree. */
-#include "stickslip/certify.h"
+#include "certify.h"
 
 #include <math.h>
 
+#include "given.h"
 #include "map_balls.h"
 #include "num/solve.h"
 #include "orbit_equations.h"
 #include "orbit_judge.h"
-#include "stickslip/given.h"
-#include "stickslip/warm.h"
+#include "warm.h"
 
 enum { MAX_STEPS = 100000, BOX_FIRST = -8, BOX_STEP = 3, BOX_TRIES = 60, BOX_SAFETY = 16 };
 

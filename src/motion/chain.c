@@ -4,7 +4,7 @@
 
    Both look for events in steps of their own length, so that an excursion between two looks that one of them misses shows
    as a disagreement. */
-#include "stickslip/chain.h"
+#include "chain.h"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
@@ -12,7 +12,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "stickslip/work.h"
+#include "base/work.h"
 
 enum { SIDE = 2 * CHAIN_MOST + 1 };
 enum { UNITS_OF_LOOK = 15 }; /* of work */

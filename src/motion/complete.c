@@ -2,17 +2,17 @@
 
    march.c encloses every common zero of the two equations.  Each zero must be an orbit of the list, or is settled here, and
    each orbit of the list must be met among the zeros.  complete.h says what is proved and how. */
-#include "stickslip/complete.h"
+#include "complete.h"
 
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "cell.h"
 #include "march.h"
 #include "num/pi.h"
 #include "orbit.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
 #include "strip.h"
+#include "warm.h"
 
 const char *const dyn_gap_text[N_GAPS] = {
     [GAP_UNTRIED] = "not looked into",

@@ -6,12 +6,12 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "complete.h"
+#include "given.h"
 #include "line.h"
 #include "map_balls.h"
 #include "orbit_judge.h"
-#include "stickslip/complete.h"
-#include "stickslip/given.h"
-#include "stickslip/warm.h"
+#include "warm.h"
 
 /* p, q, r, r_0 as x[0] + x[1] e1 + x[2] e2. */
 struct plane {

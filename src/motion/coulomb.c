@@ -3,15 +3,15 @@
    The law is a function of signs alone, so that every number type and every route decides by the same few lines.  A run
    alternates between two steps: a route moves to the next event of the present pair of modes, and the law says what
    the modes are from then on. */
-#include "stickslip/coulomb.h"
+#include "coulomb.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
+#include "base/work.h"
 #include "coulomb_impl.h"
 #include "flow.h"
-#include "stickslip/arena.h"
-#include "stickslip/work.h"
 
 enum { MOST_IDLE = 16 };
 

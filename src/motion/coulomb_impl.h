@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_COULOMB_IMPL_H
 #define STICKSLIP_COULOMB_IMPL_H
 
-#include "stickslip/coulomb.h"
+#include "coulomb.h"
 
 enum move { MOVE_EVENT, MOVE_END, MOVE_QUIET, MOVE_BUDGET, MOVE_STOPPED, MOVE_FAILED };
 

@@ -3,7 +3,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "stickslip/coulomb.h"
+#include "coulomb.h"
 
 static int from_array(struct num_vec *v, const double *x, slong n) {
   int s = SS_OK;

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_DIFFERENCES_H
 #define STICKSLIP_DIFFERENCES_H
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 /* A map of n_in to n_out doubles, at most N_STATE, smooth but for its noise. */
 struct double_map {

@@ -11,7 +11,7 @@
 #include <math.h>
 #include <stdbool.h>
 
-#include "stickslip/num.h"
+#include "num/num.h"
 
 struct disk {
   double mid, rad;

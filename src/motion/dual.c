@@ -343,7 +343,7 @@ const struct num_type num_dual = {
     .get_d = d_get_d,
 #define NUM_UNARY(op)  .op = d_##op,
 #define NUM_BINARY(op) .op = d_##op,
-#include "stickslip/ops.def"
+#include "num/ops.def"
     .sin_cos = d_sin_cos,
     .pow_si = d_pow_si,
     .pi = d_pi,

@@ -4,8 +4,8 @@
 #ifndef STICKSLIP_DUAL_H
 #define STICKSLIP_DUAL_H
 
+#include "dynamics.h"
 #include "num/calc.h"
-#include "stickslip/dynamics.h"
 
 enum { DIR_TB = N_PARAMS, DIR_TC, N_DIRECTIONS };
 

@@ -3,7 +3,7 @@
 #include <gsl/gsl_errno.h>
 #include <math.h>
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 int dyn_eigenvalues_d(double re[2], double im[2], const double m[4]) {
   double a[4], parts[4];

@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_FLOW_H
 #define STICKSLIP_FLOW_H
 
+#include "dynamics.h"
 #include "num/calc.h"
-#include "stickslip/dynamics.h"
 
 /* z(t) = c z + s z', z'(t) = n z + c z' (2x2, row-major). */
 struct blocks {

@@ -7,16 +7,16 @@
 
    where r_0 = e2/chi - rise(t_b) and the state at t_c are linear in e1 and e2.  given_search.c finds in double precision where
    these equations hold with the given values; here each such place is refined, enclosed in balls and judged. */
-#include "stickslip/given.h"
+#include "given.h"
 
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "given_search.h"
 #include "orbit.h"
 #include "orbit_judge.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "warm.h"
 
 const char *const dyn_quantity_id[N_QUANTITIES] = {"e1", "e2", "t_a", "t_b", "t_c", "t_d"};
 const struct dyn_limits dyn_given_limits = {200, 100000};

@@ -9,8 +9,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "num/pi.h"
-#include "stickslip/arena.h"
 
 enum {
   FINE = 300, /* cells to a period on a line and in the plane */

@@ -4,8 +4,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "coulomb.h"
 #include "differences.h"
-#include "stickslip/coulomb.h"
 
 /* Error of one integration that is assumed at least, relative to the state, at the tightest tolerance. */
 static const double integration_error = 1e-13;

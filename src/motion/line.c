@@ -11,7 +11,7 @@
 
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 enum { CONSTANT, LINEAR, N_PARTS, FINEST_CELL = 30 };
 

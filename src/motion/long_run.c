@@ -1,11 +1,11 @@
 /* Three simulations of one motion, return by return.  MPFR goes first and keeps its returns as they are, so that the
    others' distances from it are differences taken in MPFR, not of rounded numbers. */
-#include "stickslip/long_run.h"
+#include "long_run.h"
 
 #include <math.h>
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 enum { MOST_EVENTS = 200000, KEPT = 3 }; /* kept of a return of MPFR: t, x_1, x_2 */
 

@@ -2,8 +2,8 @@
 #ifndef STICKSLIP_MAP_H
 #define STICKSLIP_MAP_H
 
+#include "dynamics.h"
 #include "num/calc.h"
-#include "stickslip/dynamics.h"
 
 /* Whether there is such a way for the number type: for mpfr and for balls. */
 bool map_serves(struct num_ctx ctx);

@@ -5,10 +5,10 @@
    double precision does, with every bound rounded outwards. */
 #include <math.h>
 
+#include "base/work.h"
 #include "flow.h"
 #include "map_balls.h"
 #include "num/pi.h"
-#include "stickslip/work.h"
 #include "turn.h"
 
 enum { UNITS_OF_VELOCITY = 60 }; /* of work: the velocity of a mass at one time */

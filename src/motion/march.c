@@ -13,8 +13,8 @@
 
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
-#include "stickslip/work.h"
+#include "base/arena.h"
+#include "base/work.h"
 
 /* Of work: a cell; those that are looked at before any is counted, more than usual parameters ask for. */
 enum { UNITS_OF_CELL = 3, FREE_CELLS = 1 << 17 };

@@ -4,13 +4,13 @@
    the roots of the derivative; they are offered one after the other to a running minimum that knows which values are
    exactly zero by definition.  Phase H has no closed form for its extremes: there time is halved until a piece is too
    high to matter, has no root of the acceleration, or has at most one, which an interval Newton iteration encloses. */
-#include "stickslip/margins.h"
+#include "margins.h"
 
 #include <math.h>
 
+#include "base/work.h"
 #include "map_balls.h"
 #include "num/pi.h"
-#include "stickslip/work.h"
 
 enum { UNITS_OF_PIECE = 60 }; /* of work: a piece of phase H looked at */
 

@@ -4,8 +4,8 @@
 #ifndef STICKSLIP_MODE_MOTION_H
 #define STICKSLIP_MODE_MOTION_H
 
+#include "coulomb.h"
 #include "flow.h"
-#include "stickslip/coulomb.h"
 #include "trig_sum.h"
 
 /* f(t) = start + drift t + sum over k < n of cs_k (cos(om_k t) - 1) + sn_k sin(om_k t), as struct trig_sum. */

@@ -19,6 +19,6 @@
 #ifndef STICKSLIP_MOTION_H
 #define STICKSLIP_MOTION_H
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 #endif

@@ -7,13 +7,13 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
 #include "map_balls.h"
 #include "num/solve.h"
 #include "orbit.h"
 #include "orbit_judge.h"
 #include "search.h"
-#include "stickslip/arena.h"
-#include "stickslip/warm.h"
+#include "warm.h"
 
 enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lost */
 

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_ORBIT_H
 #define STICKSLIP_ORBIT_H
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 /* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
    orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are left; 0:

@@ -5,9 +5,9 @@
    exactly one solution. */
 #include "orbit_equations.h"
 #include "flow.h"
+#include "given.h"
 #include "map_balls.h"
 #include "num/solve.h"
-#include "stickslip/given.h"
 
 /* cos(sqrt(K) t), sin(sqrt(K) t)/sqrt(K) and sqrt(K) sin(sqrt(K) t): velocities v and forces f = (w, chi eta r) become
    c v - s f and c f + n v. */

@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_ORBIT_EQUATIONS_H
 #define STICKSLIP_ORBIT_EQUATIONS_H
 
+#include "given.h"
 #include "map_balls.h"
-#include "stickslip/given.h"
 
 enum { WORD_FREE = 4 };
 /* chi, eta, V and the two known quantities exactly, and the other four. */

@@ -4,7 +4,7 @@
    known in closed form.  What must hold all along phase Gamma or H is proved by map_balls.c. */
 #include "orbit_judge.h"
 
-#include "stickslip/warm.h"
+#include "warm.h"
 
 const char *const dyn_condition_id[N_CONDITIONS] = {
     [COND_TA] = "t_a",    [COND_GAMMA_V1] = "gamma_v1", [COND_H_V1] = "h_v1", [COND_H_V2] = "h_v2",

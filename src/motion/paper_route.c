@@ -3,7 +3,7 @@
    One pass of matrices gives the residuals of the four equations and, since each propagator's derivative is its system
    matrix times itself, their exact derivatives.  The inverses of N1 - I and N3 are where the method can lose digits:
    both are solved with, as the paper says, and their condition numbers reported. */
-#include "stickslip/paper_route.h"
+#include "paper_route.h"
 
 #include <math.h>
 

@@ -8,9 +8,9 @@
 #ifndef STICKSLIP_POLISH_H
 #define STICKSLIP_POLISH_H
 
+#include "return_map.h"
 #include "slip.h"
-#include "stickslip/return_map.h"
-#include "stickslip/warm.h"
+#include "warm.h"
 
 #define POLISH_REACH 0x1p-36 /* of t_b and t_c: what is of the second order in such a step is rounding */
 

@@ -7,7 +7,7 @@
    At half of all points terms cancel by more than the promised error, and to tell where that harms an output costs as much as
    forming the output in twice the precision.  So dyn_return_map forms every output anew near the events (polish.h), and
    dyn_return_map_d none. */
-#include "stickslip/return_map.h"
+#include "return_map.h"
 
 #include <string.h>
 

@@ -9,8 +9,8 @@
 #include "arc.h"
 #include "flow.h"
 #include "map_balls.h"
+#include "return_map.h"
 #include "return_map_double.h"
-#include "stickslip/return_map.h"
 
 /* w = e1: z_1 = (e1 + chi r)/(1 - chi), z_2 = z_1 + r. */
 static void positions(val z[2], struct calc *c, const val p[N_PARAMS], val r) {

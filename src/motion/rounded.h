@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_ROUNDED_H
 #define STICKSLIP_ROUNDED_H
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 /* Results of one phase from the parameters, a state and a time (both may be NULL where the function reads none). */
 typedef int (*phase_function)(struct num_vec *out, enum phase ph, const struct num_vec *params,

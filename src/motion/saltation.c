@@ -5,7 +5,7 @@
    events, and no closed form of a phase is used. */
 #include <stdbool.h>
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 /* The switching functions are affine, so their gradient applied to v is a difference. */
 static int along_gradient(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {

@@ -9,11 +9,11 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "base/arena.h"
+#include "base/work.h"
 #include "num/pi.h"
 #include "return_map_double.h"
 #include "search.h"
-#include "stickslip/arena.h"
-#include "stickslip/work.h"
 #include "trig_sum.h"
 
 enum {

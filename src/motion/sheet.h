@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_SHEET_H
 #define STICKSLIP_SHEET_H
 
+#include "given.h"
 #include "return_map_double.h"
-#include "stickslip/given.h"
 
 /* What phase Gamma, which turns (w, w') by t, needs of t. */
 struct gamma_turn {

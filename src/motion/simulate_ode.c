@@ -10,8 +10,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "coulomb_impl.h"
-#include "stickslip/work.h"
 
 /* Of work: a step of the integrator; those that one simulation does before any is counted, more than usual motions need. */
 enum { UNITS_OF_ODE_STEP = 16, FREE_STEPS = 1 << 17 };

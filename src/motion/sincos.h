@@ -17,6 +17,8 @@
 #include <stdint.h>
 #include <string.h>
 
+#include "base/text.h"
+
 #if defined(__GNUC__)
 #define SINCOS_INLINE static inline __attribute__((always_inline))
 #else

@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "double_double.h"
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 /* The sine and cosine of half of an angle. */
 struct half_angle {

@@ -9,8 +9,8 @@
 #include <float.h>
 #include <math.h>
 
+#include "base/work.h"
 #include "num/pi.h"
-#include "stickslip/work.h"
 #include "trig_sum.h"
 
 const struct dyn_limits dyn_limits_default = {1000, 100000};

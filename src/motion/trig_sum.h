@@ -5,7 +5,7 @@
 
 #include <stdbool.h>
 
-#include "stickslip/dynamics.h"
+#include "dynamics.h"
 
 struct trig_sum {
   double start, drift, om[2], cs[2], sn[2];

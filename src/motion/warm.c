@@ -4,7 +4,7 @@
    smooth where an event grazes.  Near convergence sines and cosines are turned by the step rather than computed again.
    dyn_orbit_warm forms every output in twice the precision after the last step (polish.h).  The proof that t_c is a first
    root, and that z_2' stays below V, needs no further sine where phase H is short. */
-#include "stickslip/warm.h"
+#include "warm.h"
 
 #include "num/pi.h"
 #include "polish.h"

@@ -7,7 +7,7 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 enum { CALC_CHUNK = 32, KEPT_CALCS = 4, KEPT_CHUNKS = 32, KEPT_BITS = 2048 };
 

@@ -9,7 +9,7 @@
 
 #include <stdbool.h>
 
-#include "stickslip/num.h"
+#include "num.h"
 
 /* An element of the calc's number type: one of its own, or one that the caller keeps alive. */
 typedef const void *val;

@@ -3,7 +3,7 @@
    A result encloses the value of the operation at every point of its operands.  Where the operation is undefined at
    all points the answer is SS_DOMAIN, where at some points (a divisor that contains zero) SS_UNABLE: then it cannot be
    told whether there is a value to enclose.  No ball without finite bounds is handed on with SS_OK. */
-#include "stickslip/num.h"
+#include "num.h"
 
 static int held(arb_ptr z) {
   if (arb_is_finite(z)) return SS_OK;
@@ -278,7 +278,7 @@ const struct num_type num_arb = {
     .get_d = b_get_d,
 #define NUM_UNARY(op)  .op = b_##op,
 #define NUM_BINARY(op) .op = b_##op,
-#include "stickslip/ops.def"
+#include "ops.def"
     .sin_cos = b_sin_cos,
     .pow_si = b_pow_si,
     .pi = b_pi,

@@ -3,7 +3,7 @@
    The basic operations and the square root are correctly rounded by the hardware, the others are the C library's.
    C's infinities and NaNs are turned into status flags at once, in one place (held), so that no algorithm above ever
    sees an infinity.  Zeros have no sign here: what C does with -0 (atan2) is undone. */
-#include "stickslip/num.h"
+#include "num.h"
 
 #include <math.h>
 
@@ -210,7 +210,7 @@ const struct num_type num_double = {
     .get_d = d_get_d,
 #define NUM_UNARY(op)  .op = d_##op,
 #define NUM_BINARY(op) .op = d_##op,
-#include "stickslip/ops.def"
+#include "ops.def"
     .sin_cos = d_sin_cos,
     .pow_si = d_pow_si,
     .pi = d_pi,

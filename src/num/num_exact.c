@@ -2,8 +2,8 @@
    have no meaning here.  An operation that could make more than NUM_EXACT_PRODUCT terms is not begun. */
 #include <math.h>
 
-#include "stickslip/num.h"
-#include "stickslip/work.h"
+#include "base/work.h"
+#include "num.h"
 
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void) {
   static fmpz_mpoly_ctx_t ctx;

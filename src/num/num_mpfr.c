@@ -3,7 +3,7 @@
    Every result is correctly rounded to nearest at the precision of the element that receives it, which init fixed;
    the precision argument is the context's, and says the same.  The exponent range is MPFR's own, so overflow is rare
    but still turned into a status flag in one place (held).  Zeros have no sign: what MPFR does with -0 is undone. */
-#include "stickslip/num.h"
+#include "num.h"
 
 /* Reducing an argument modulo pi costs as many bits as its exponent has units: beyond this many it is refused. */
 #define ARGUMENT_BITS 100000
@@ -262,7 +262,7 @@ const struct num_type num_mpfr = {
     .get_d = m_get_d,
 #define NUM_UNARY(op)  .op = m_##op,
 #define NUM_BINARY(op) .op = m_##op,
-#include "stickslip/ops.def"
+#include "ops.def"
     .sin_cos = m_sin_cos,
     .pow_si = m_pow_si,
     .pi = m_pi,

@@ -5,8 +5,8 @@
    roots: a piece is settled when its Taylor form about the middle shows no root, or a monotone stretch, where the
    signs at the ends tell.  The wanted root is then refined by Newton's method on intervals.  Every decision is made
    for all polynomials in the balls, or not at all: then the precision is raised. */
-#include "stickslip/arena.h"
-#include "stickslip/num.h"
+#include "base/arena.h"
+#include "num.h"
 
 #include <math.h>
 #include <stdlib.h>

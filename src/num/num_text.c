@@ -4,8 +4,8 @@
    digits on their own, each exactly (a binary fraction times a power of ten is computed in balls whose precision
    grows until a tie is told from a near miss), and the string is printed only when they agree: rounding is monotone, so
    the points between them round to it too. */
-#include "stickslip/arena.h"
-#include "stickslip/num.h"
+#include "base/arena.h"
+#include "num.h"
 
 #include <math.h>
 #include <stdlib.h>

@@ -3,8 +3,8 @@
    One loop over the method table serves every number type.  Results are formed in fresh elements and swapped into the
    output at the end, so an output may be an input and gives the same bits as a separate one.  A pivot must be told
    from zero: exact zeros alone show that a matrix is singular, a column of balls around zero shows nothing. */
-#include "stickslip/arena.h"
-#include "stickslip/num.h"
+#include "base/arena.h"
+#include "num.h"
 
 #include <math.h>
 #include <stdint.h>

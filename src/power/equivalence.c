@@ -6,7 +6,8 @@
 #include "claim/claim.h"
 #include "power/mutants.h"
 #include "proof/condition.h"
-#include "stickslip/exact.h"
+#include "record/result.h"
+#include "tape/exact.h"
 #include "value/sentence.h"
 
 /* What the domain of the claims keeps positive. */

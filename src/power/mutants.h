@@ -2,8 +2,9 @@
 #ifndef STICKSLIP_MUTANTS_H
 #define STICKSLIP_MUTANTS_H
 
-#include "stickslip/audit.h"
-#include "stickslip/edit.h"
+#include "claim/claims.h"
+#include "expr/edit.h"
+#include "model/model.h"
 
 /* A statement of the equation files that can be damaged. */
 struct target {

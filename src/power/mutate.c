@@ -8,6 +8,8 @@
 #include "base/crew.h"
 #include "judge/judge.h"
 #include "mutants.h"
+#include "power.h"
+#include "scene/fingerprint.h"
 #include "value/orbit_pool.h"
 
 /* A claim as things stand: what it reads, what it says (of the kinds asked late: with little effort). */

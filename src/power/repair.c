@@ -8,6 +8,7 @@
 #include "base/crew.h"
 #include "judge/judge.h"
 #include "mutants.h"
+#include "power.h"
 
 enum { PAIR_BUDGET = 20000 };
 
@@ -429,16 +430,17 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
 }
 
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
-                   const struct scene *scene, const struct audit_options *opt, int jobs, struct diag *d) {
+                   const struct scene *scene, const struct repair_options *opt, struct diag *d) {
   struct search base = {.model = m, .claims = claims, .scene = scene};
-  if (!claims_check_selection(claims, opt, d)) return false;
+  if (!claims_check_selection(claims, opt->only, opt->n_only, d)) return false;
   base.cache = orbit_cache_new();
   base.facts = facts_new(m);
   overlay_init(&base.overlay, m);
   out->scene = arena_strndup(&out->arena, scene->name, strlen(scene->name));
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++)
-    if (claims_selects(opt, &claims->claim[i])) ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, jobs, d);
+    if (claims_selects(opt->only, opt->n_only, &claims->claim[i]))
+      ok = add_claim(out, &base, &claims->claim[i], opt->n_only > 0, opt->jobs, d);
   overlay_clear(&base.overlay);
   facts_free(base.facts);
   orbit_cache_free(base.cache);

@@ -6,7 +6,8 @@
 #include <string.h>
 
 #include "num/calc.h"
-#include "stickslip/exact.h"
+#include "record/result.h"
+#include "tape/exact.h"
 
 typedef fmpz_mpoly_q_struct element;
 

@@ -2,6 +2,7 @@
 
    The rest of a tape's inputs are bound once for an orbit; only what moves is set anew for each time. */
 #include "condition.h"
+#include "record/result.h"
 
 #include <math.h>
 #include <stdlib.h>

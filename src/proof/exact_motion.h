@@ -6,7 +6,7 @@
 #ifndef STICKSLIP_AUDIT_EXACT_MOTION_H
 #define STICKSLIP_AUDIT_EXACT_MOTION_H
 
-#include "stickslip/exact.h"
+#include "tape/exact.h"
 #include "value/sentence.h"
 
 enum exact_tangents {

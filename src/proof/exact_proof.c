@@ -359,7 +359,7 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 
 struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
   struct model plain =
-      *view.model; /* stable forms are proved equal to the corrected ones (stable.h), which are shorter */
+      *view.model; /* stable forms are proved equal to the corrected ones (stable_forms.h), which are shorter */
   plain.stable = false;
   view.model = &plain;
   struct override o[EXACT_UNKNOWNS];

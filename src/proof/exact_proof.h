@@ -3,6 +3,7 @@
 #define STICKSLIP_AUDIT_JUDGE_EXACT_H
 
 #include "exact_motion.h"
+#include "record/result.h"
 
 enum { EXACT_SPECS = 4, EXACT_UNKNOWNS = 8, EXACT_PARTS = 24 };
 

@@ -2,8 +2,8 @@
    is no proof; once in a run it is held against what defines it, P' = A P and P(0) = I, and used only if it fulfils that. */
 #include "exact_motion_impl.h"
 
+#include "base/work.h"
 #include "propagator_law.h"
-#include "stickslip/work.h"
 
 /* The squares of the phase's frequencies, and how many it has besides 0 (twice in phase D). */
 static int frequencies(element *w[2], struct exact_motion *m, enum phase ph, struct num_vec *own) {

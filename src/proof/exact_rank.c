@@ -7,7 +7,8 @@
 #include <stdlib.h>
 
 #include "claim/claim.h"
-#include "stickslip/exact.h"
+#include "record/result.h"
+#include "tape/exact.h"
 
 typedef fmpz_mpoly_q_struct element;
 

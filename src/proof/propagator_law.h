@@ -3,7 +3,7 @@
 #ifndef STICKSLIP_PROPAGATOR_LAW_H
 #define STICKSLIP_PROPAGATOR_LAW_H
 
-#include "stickslip/num.h"
+#include "num/num.h"
 
 enum { PROPAGATOR_LAW = 32 };
 

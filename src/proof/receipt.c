@@ -7,6 +7,8 @@
 #include "claim/claim.h"
 #include "exact_proof.h"
 #include "exact_rank.h"
+#include "receipt.h"
+#include "record/result.h"
 
 /* --- The paper's side: each value when it is asked for --- */
 

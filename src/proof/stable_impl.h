@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_STABLE_IMPL_H
 #define STICKSLIP_STABLE_IMPL_H
 
-#include "stickslip/exact.h"
-#include "stickslip/stable.h"
+#include "stable_forms.h"
+#include "tape/exact.h"
 
 typedef fmpz_mpoly_q_struct element;
 

@@ -2,7 +2,9 @@
 #ifndef STICKSLIP_READINGS_IMPL_H
 #define STICKSLIP_READINGS_IMPL_H
 
-#include "stickslip/audit.h"
+#include "model/model.h"
+#include "record/result.h"
+#include "scene/scene.h"
 
 /* The quantities of a printed example. */
 enum { X_Z10, X_Z20, X_TA, X_TB, X_TC, X_TD, X_E1, X_E2, N_X };

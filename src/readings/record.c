@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "readings.h"
+#include "record/result.h"
 #include "value/printed.h"
 
 enum { PREC = FIRST_PREC, VALUE_DIGITS = 8, SLOPE_DIGITS = 4 };

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "readings.h"
+#include "study.h"
 #include "value/printed.h"
 
 enum { MAX_DROPPED = 3, SHOW_FOUND = 10, SHOW_NEAR = 5 };

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_FINDING_H
 #define STICKSLIP_FINDING_H
 
-#include "stickslip/result.h"
+#include "result.h"
 
 /* An empty row of evidence at the end of the finding's. */
 struct evidence *finding_add(struct finding *f, struct audit_result *out);

@@ -1,5 +1,5 @@
 /* The result record of a study of damages: the names of fates, and how many damages a row counts. */
-#include "stickslip/mutation.h"
+#include "mutation.h"
 
 #define FATE_STRING(upper, lower) #lower,
 const char *const mutant_fate_name[N_MUTANT_FATES] = {FATES(FATE_STRING)};

@@ -1,5 +1,5 @@
 /* The result record: what an audit has found, with every string in its own arena. */
-#include "stickslip/result.h"
+#include "result.h"
 
 #include <math.h>
 #include <stdarg.h>
@@ -8,8 +8,8 @@
 #include <string.h>
 #include <sys/mman.h>
 
+#include "base/text.h"
 #include "finding.h"
-#include "stickslip/text.h"
 
 #define VERDICT_STRING(upper, lower) #lower,
 const char *const verdict_name[N_VERDICTS] = {VERDICTS(VERDICT_STRING)};

@@ -7,8 +7,8 @@
 #ifndef STICKSLIP_AUDIT_ROUTES_H
 #define STICKSLIP_AUDIT_ROUTES_H
 
-#include "stickslip/result.h"
-#include "stickslip/text.h"
+#include "base/text.h"
+#include "result.h"
 #define ROUTE_MEANS(X)                                                                                                 \
   X(PAPER, "the paper's formulas")                                                                                     \
   X(SYMBOLIC, "symbolic differentiation")                                                                              \

@@ -1,7 +1,7 @@
 /* The result record of the study: the names of causes and bins, and the rules by which a row counts as a loss or a fault. */
 #include <math.h>
 
-#include "stickslip/stability.h"
+#include "stability.h"
 
 const char *const loss_cause_says[N_LOSS_CAUSES] = {
 #define CAUSE_SAYS(name, says) says,

@@ -3,7 +3,7 @@
 #include <stdio.h>
 
 #include "audit_shape.h"
-#include "stickslip/report.h"
+#include "report.h"
 
 void report_json(struct text *out, const struct audit_result *r) {
   struct json j;

@@ -3,8 +3,8 @@
 
 #include "escape.h"
 #include "finding.h"
+#include "report.h"
 #include "sheet.h"
-#include "stickslip/report.h"
 
 static const char *or_dash(const char *s) {
   return s && *s ? s : "-";

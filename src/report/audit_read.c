@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "audit_shape.h"
-#include "stickslip/arena.h"
-#include "stickslip/report.h"
+#include "base/arena.h"
+#include "report.h"
 
 /* The names that the reports make lists and graphs of (claims, what they rest on, routes, sections): with more distinct
    ones the graph of the claims would be too large to be drawn, or looked at. */

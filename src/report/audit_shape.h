@@ -3,7 +3,7 @@
 #define STICKSLIP_REPORT_AUDIT_SHAPE_H
 
 #include "json_shape.h"
-#include "stickslip/result.h"
+#include "record/result.h"
 
 #define AUDIT_SCHEMA "stickslip-audit-1"
 

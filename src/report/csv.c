@@ -1,6 +1,6 @@
 /* audit.csv: a row for each claim, by RFC 4180 but for the ends of lines, which are plain. */
 #include "escape.h"
-#include "stickslip/report.h"
+#include "report.h"
 
 static void add_field(struct text *out, const char *s, bool last) {
   escape_csv(out, s);

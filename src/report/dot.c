@@ -6,7 +6,7 @@
 #include "escape.h"
 #include "finding.h"
 #include "graph.h"
-#include "stickslip/report.h"
+#include "report.h"
 
 static const char *colour(enum verdict v) {
   static const char *const of[N_VERDICTS] = {

@@ -3,8 +3,8 @@
 #include <string.h>
 
 #include "finding.h"
+#include "report.h"
 #include "sheet.h"
-#include "stickslip/report.h"
 
 /* Of a longer correction only what changes is shown. */
 enum { LONG_FORMULA = 200 };

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_REPORT_ESCAPE_H
 #define STICKSLIP_REPORT_ESCAPE_H
 
-#include "stickslip/text.h"
+#include "base/text.h"
 
 /* HTML and XML, also between double quotation marks: bytes as they show; what XML cannot hold becomes U+FFFD, blanks of
    any kind a blank. */

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_REPORT_FINDING_H
 #define STICKSLIP_REPORT_FINDING_H
 
-#include "stickslip/result.h"
+#include "record/result.h"
 
 /* --- Any claim --- */
 

@@ -3,7 +3,7 @@
 #define STICKSLIP_REPORT_FORMULA_H
 
 #include "base/tex.h"
-#include "stickslip/text.h"
+#include "base/text.h"
 
 /* Whether LaTeX with amsmath can set the len bytes as a formula; false where that is not understood. */
 bool formula_is_sane(const char *s, size_t len);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "formula.h"
-#include "stickslip/arena.h"
 
 enum { MOST_SYMBOLS = 600, LONGEST_KEY = 40 };
 

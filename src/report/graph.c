@@ -2,8 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "graph.h"
-#include "stickslip/arena.h"
 
 static size_t node_of(struct claim_graph *g, const char *id) {
   return names_index(&g->ids, id);

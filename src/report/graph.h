@@ -3,7 +3,7 @@
 #define STICKSLIP_REPORT_GRAPH_H
 
 #include "names.h"
-#include "stickslip/result.h"
+#include "record/result.h"
 
 /* Nodes: the findings, then ids that findings name and that were not judged in this run. */
 struct claim_graph {

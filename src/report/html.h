@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_REPORT_HTML_H
 #define STICKSLIP_REPORT_HTML_H
 
-#include "stickslip/text.h"
+#include "base/text.h"
 
 /* Text in which $...$ is mathematics; changed as in formula_mathml, or NULL. */
 void html_text(struct text *out, const char *s, const bool *changed);

@@ -3,8 +3,8 @@
 #ifndef STICKSLIP_REPORT_JSON_SHAPE_H
 #define STICKSLIP_REPORT_JSON_SHAPE_H
 
-#include "stickslip/json.h"
-#include "stickslip/result.h"
+#include "base/json.h"
+#include "record/result.h"
 
 enum member_kind {
   MEMBER_STRING,  /* const char * */

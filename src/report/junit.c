@@ -2,7 +2,7 @@
    on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
 #include "escape.h"
 #include "finding.h"
-#include "stickslip/report.h"
+#include "report.h"
 
 static void begin_case(struct text *out, const char *suite, const char *group, const char *name, const char *title) {
   text_add(out, "    <testcase classname=\"stickslip.");

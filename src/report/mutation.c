@@ -1,6 +1,6 @@
 /* What became of the damaged formulas: survivors first, since each asks for a check or an argument. */
-#include "stickslip/json.h"
-#include "stickslip/report_mutation.h"
+#include "mutation.h"
+#include "base/json.h"
 
 /* --- JSON --- */
 

@@ -3,7 +3,7 @@
 
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 
 size_t names_index(struct names *list, const char *name) {
   for (size_t i = 0; i < list->n; i++)

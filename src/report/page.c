@@ -2,8 +2,8 @@
    which filters and sorts; it is HTML and well-formed XML at once, so that any tool can read it. */
 #include "escape.h"
 #include "html.h"
+#include "report.h"
 #include "sections.h"
-#include "stickslip/report.h"
 
 static void add_head(const struct page *p) {
   text_add(

@@ -2,8 +2,8 @@
 #ifndef STICKSLIP_REPORT_PAGE_H
 #define STICKSLIP_REPORT_PAGE_H
 
-#include "stickslip/result.h"
-#include "stickslip/text.h"
+#include "base/text.h"
+#include "record/result.h"
 
 struct page {
   struct text *out;

@@ -2,12 +2,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "escape.h"
 #include "finding.h"
 #include "html.h"
 #include "names.h"
 #include "sections.h"
-#include "stickslip/arena.h"
 
 /* --- The paper's order: sections as they are first named, appendices after the rest --- */
 

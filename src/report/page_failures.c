@@ -3,12 +3,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "escape.h"
 #include "finding.h"
 #include "formula.h"
 #include "html.h"
 #include "sections.h"
-#include "stickslip/arena.h"
 
 /* --- Rows of a description --- */
 

@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "escape.h"
 #include "finding.h"
 #include "graph.h"
 #include "sections.h"
-#include "stickslip/arena.h"
 
 enum { COLUMN = 200, ROW = 20, BOX = 152, MARGIN = 10 };
 

@@ -3,11 +3,11 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "escape.h"
 #include "html.h"
 #include "names.h"
 #include "sections.h"
-#include "stickslip/arena.h"
 
 /* --- What is shared, numbered --- */
 

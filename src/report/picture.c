@@ -2,8 +2,8 @@
 #include "picture.h"
 #include "escape.h"
 #include "html.h"
+#include "report.h"
 #include "sections.h"
-#include "stickslip/report.h"
 
 static const struct picture *const pictures[] = {&picture_history,    &picture_margins,  &picture_portrait,
                                                  &picture_return_map, &picture_long_run, &picture_steps};

@@ -3,9 +3,9 @@
 #ifndef STICKSLIP_REPORT_PLOT_H
 #define STICKSLIP_REPORT_PLOT_H
 
-#include "stickslip/arena.h"
-#include "stickslip/result.h"
-#include "stickslip/text.h"
+#include "base/arena.h"
+#include "base/text.h"
+#include "record/result.h"
 
 /* --- Tables --- */
 

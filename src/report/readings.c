@@ -2,7 +2,7 @@
 #include <string.h>
 
 #include "audit_shape.h"
-#include "stickslip/report.h"
+#include "report.h"
 
 void report_readings_json(struct text *out, const struct audit_result *r) {
   struct json j;

@@ -1,8 +1,8 @@
 /* Which edits of the printed text repair a refuted claim, the smallest first. */
 #include <string.h>
 
-#include "stickslip/json.h"
-#include "stickslip/report_mutation.h"
+#include "base/json.h"
+#include "mutation.h"
 
 static void write_repair(struct json *j, const struct repair *r) {
   json_object(j, NULL);

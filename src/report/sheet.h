@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_REPORT_SHEET_H
 #define STICKSLIP_REPORT_SHEET_H
 
-#include "stickslip/text.h"
+#include "base/text.h"
 
 /* A document in one of two dialects. */
 struct sheet {

@@ -1,9 +1,9 @@
 /* The study of digits as JSON. */
 #include <math.h>
 
+#include "base/json.h"
+#include "stability.h"
 #include "stability_words.h"
-#include "stickslip/json.h"
-#include "stickslip/report_stability.h"
 
 static void write_digits(struct json *j, const char *key, double x) {
   char buffer[32];

@@ -3,7 +3,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "stickslip/report_stability.h"
+#include "stability.h"
 
 /* Failures stand at one digit above all. */
 static double shown(double lost) {

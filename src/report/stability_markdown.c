@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "stability.h"
 #include "stability_words.h"
-#include "stickslip/report_stability.h"
 
 /* Rows of a table that people read; ledger.tsv has them all. */
 enum { MOST_LOSING = 60, MOST_KERNELS = 15, MOST_NODES = 15, MOST_FAILING = 15 };

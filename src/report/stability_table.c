@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "stability.h"
 #include "stability_words.h"
-#include "stickslip/report_stability.h"
 
 void report_stability_tsv(struct text *out, const struct stability_result *r) {
   char a[80], b[32], c[32], e[32], f[32], g[32];

@@ -2,8 +2,8 @@
 #ifndef STICKSLIP_STABILITY_WORDS_H
 #define STICKSLIP_STABILITY_WORDS_H
 
-#include "stickslip/stability.h"
-#include "stickslip/text.h"
+#include "base/text.h"
+#include "record/stability.h"
 
 /* Digits to a tenth; NULL where there are none. */
 const char *stability_tenths(char buffer[32], double x);

@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motion/long_run.h"
 #include "record/finding.h"
-#include "stickslip/long_run.h"
 #include "studies.h"
 #include "value/coulomb_setup.h"
 #include "value/printed.h"

@@ -1,4 +1,5 @@
 /* stickslip check: reads a file as its suffix says and reports the first thing wrong with it. */
+#include "audit.h"
 #include "claim/kinds.h"
 #include <string.h>
 

@@ -6,10 +6,10 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "consequence.h"
 #include "judge/judge.h"
 #include "proof/exact_proof.h"
-#include "stickslip/work.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 

@@ -3,6 +3,7 @@
 #define STICKSLIP_CONSEQUENCE_H
 
 #include "claim/judging.h"
+#include "record/result.h"
 
 /* The claim that a finding is about when its failure has consequences: it fails and has a correction; the number of claims
    when not. */

@@ -2,7 +2,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/stable.h"
+#include "audit.h"
+#include "proof/stable_forms.h"
 #include "value/sentence.h"
 
 static void add_line(struct text *out, const char *label, const char *value) {

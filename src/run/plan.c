@@ -1,12 +1,12 @@
 /* From what is asked for back to what must be computed.  Points say which motions a claim is tried on, its kind what else it
    looks at; the formulas say which matrices; costs are those of the table. */
-#include "stickslip/plan.h"
+#include "plan.h"
 
 #include <string.h>
 
+#include "base/work.h"
 #include "judge/judge.h"
 #include "run.h"
-#include "stickslip/work.h"
 
 enum {
   PHASES = 1U << WORK_PHASE_D | 1U << WORK_PHASE_GAMMA | 1U << WORK_PHASE_H | 1U << WORK_PHASE_C,

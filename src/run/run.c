@@ -7,12 +7,15 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "audit.h"
+#include "base/work.h"
 #include "consequence.h"
 #include "judge/judge.h"
+#include "readings/study.h"
 #include "record/routes.h"
 #include "route/studies.h"
+#include "scene/fingerprint.h"
 #include "skipped.h"
-#include "stickslip/work.h"
 #include "tables.h"
 #include "value/orbit_pool.h"
 
@@ -27,12 +30,12 @@ bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
 bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c) {
   bool asked = s->asked.claims.n == 0 && (s->asked.values.n == 0 || opt->n_only > 0);
   for (size_t i = 0; i < s->asked.claims.n; i++) asked = asked || claim_asked_for(c, s->asked.claims.item[i]);
-  return asked && claims_selects(opt, c);
+  return asked && claims_selects(opt->only, opt->n_only, c);
 }
 
 bool run_check_selection(const struct model *m, const struct claims *claims, const struct audit_options *opt,
                          const struct scene *s, struct diag *d) {
-  if (!claims_check_selection(claims, opt, d) || !scene_check_asked(s, claims, m, d)) return false;
+  if (!claims_check_selection(claims, opt->only, opt->n_only, d) || !scene_check_asked(s, claims, m, d)) return false;
   bool both = false;
   for (size_t k = 0; k < claims->n; k++) both = both || run_selects(opt, s, &claims->claim[k]);
   if (both || opt->n_only == 0 || s->asked.claims.n == 0) return true;

@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_AUDIT_RUN_H
 #define STICKSLIP_AUDIT_RUN_H
 
+#include "audit.h"
 #include "claim/judging.h"
 #include "tasks.h"
 

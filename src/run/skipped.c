@@ -4,10 +4,11 @@
 
 #include <string.h>
 
+#include "audit.h"
+#include "base/work.h"
 #include "claim/kinds.h"
 #include "record/finding.h"
 #include "record/routes.h"
-#include "stickslip/work.h"
 
 static size_t count(const struct pieces *p, enum piece_kind kind) {
   size_t n = 0;

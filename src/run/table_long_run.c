@@ -2,9 +2,10 @@
    in balls, and what Coulomb's law makes of the printed start, by closed forms in MPFR. */
 #include <math.h>
 
-#include "stickslip/coulomb.h"
-#include "stickslip/return_map.h"
+#include "motion/coulomb.h"
+#include "motion/return_map.h"
 #include "tables.h"
+#include "value/coulomb_setup.h"
 
 enum { DECIMALS = 4, MOST_PERIODS = 120, COULOMB_PERIODS = 120 };
 

@@ -6,7 +6,7 @@
    the map ends where an event jumps to another root. */
 #include <math.h>
 
-#include "stickslip/return_map.h"
+#include "motion/return_map.h"
 #include "tables.h"
 
 enum { DECIMALS = 6, GRID = 240, STEPS = 40 };

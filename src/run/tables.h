@@ -38,4 +38,7 @@ void table_of_long_runs(struct table_source *s);
 /* differences.tsv: the error of tr J by central differences against their step. */
 void table_of_differences(struct table_source *s);
 
+/* The tables that pictures of the scene's orbits are drawn from, into out->tables; NULL, or why there are none. */
+const char *audit_tables(struct audit_result *out, const struct scene *scene);
+
 #endif

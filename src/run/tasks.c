@@ -9,9 +9,9 @@
 #include <sys/mman.h>
 #include <unistd.h>
 
+#include "audit.h"
+#include "base/arena.h"
 #include "base/crew.h"
-#include "stickslip/arena.h"
-#include "stickslip/audit.h"
 
 /* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the paper
    says a few million. */

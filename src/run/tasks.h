@@ -7,9 +7,9 @@
 #ifndef STICKSLIP_AUDIT_TASKS_H
 #define STICKSLIP_AUDIT_TASKS_H
 
-#include "stickslip/result.h"
-#include "stickslip/text.h"
-#include "stickslip/work.h"
+#include "base/text.h"
+#include "base/work.h"
+#include "record/result.h"
 
 enum task_end { TASK_OPEN, TASK_DONE, TASK_FAILED, TASK_EXHAUSTED };
 

@@ -5,6 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "audit.h"
 #include "judge/judge.h"
 #include "run.h"
 #include "scene/scene_impl.h"

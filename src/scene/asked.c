@@ -3,9 +3,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim/claims.h"
 #include "record/routes.h"
 #include "scene_impl.h"
-#include "stickslip/audit.h"
 
 /* --- Lists --- */
 

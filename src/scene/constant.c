@@ -4,8 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
 #include "scene_impl.h"
-#include "stickslip/arena.h"
 
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what) {
   diag_at(c->d, c->src, e->span.begin, "%s", what);

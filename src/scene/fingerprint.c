@@ -2,7 +2,7 @@
    what stands beside each other by honest mistake, not for defence. */
 #include "base/random.h"
 
-#include "stickslip/audit.h"
+#include "fingerprint.h"
 #include <inttypes.h>
 
 static void add_word(struct text *out, const char *word) {

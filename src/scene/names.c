@@ -4,8 +4,8 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "base/arena.h"
 #include "scene_impl.h"
-#include "stickslip/arena.h"
 
 /* What no line of text and no terminal should hold becomes "?". */
 static char *shown(const char *text) {

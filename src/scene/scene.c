@@ -2,14 +2,14 @@
 
    Both are lines with a key of the table in scene.h; an override stands in place of the file's line.  Parameters are
    gathered first and evaluated afterwards, since one may refer to another, in any order. */
-#include "stickslip/scene.h"
+#include "scene.h"
 
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/arena.h"
+#include "base/record.h"
 #include "scene_impl.h"
-#include "stickslip/arena.h"
-#include "stickslip/record.h"
 
 const struct scene_key_info scene_keys[N_SCENE_KEYS] = {
 #define ROW(key, name, takes, meaning, used) {name, takes, meaning, used},

@@ -2,8 +2,8 @@
 #ifndef STICKSLIP_AUDIT_SCENE_IMPL_H
 #define STICKSLIP_AUDIT_SCENE_IMPL_H
 
-#include "stickslip/expr.h"
-#include "stickslip/scene.h"
+#include "expr/expr.h"
+#include "scene.h"
 
 /* A constant expression under evaluation.  symbol gives the value of a name, or reports why it has none; NULL where names
    have no place.  depth and work are shared by expressions that refer to each other. */

@@ -6,9 +6,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "motion/return_map.h"
+#include "motion/warm.h"
 #include "stability.h"
-#include "stickslip/return_map.h"
-#include "stickslip/warm.h"
 
 struct digits_kernel {
   const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */

@@ -7,7 +7,7 @@
 #ifndef STICKSLIP_AUDIT_PRECISION_H
 #define STICKSLIP_AUDIT_PRECISION_H
 
-#include "stickslip/tape.h"
+#include "tape/tape.h"
 #include "value/point.h"
 
 /* The working precision at which every output of the tape should be known to so many bits, rounded as precision_round does;

@@ -3,6 +3,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "claim/claims.h"
 #include "stability.h"
 
 /* --- Text to scalars --- */

@@ -3,9 +3,9 @@
 #define STICKSLIP_STABILITY_IMPL_H
 
 #include "base/random.h"
-#include "stickslip/audit.h"
-#include "stickslip/stability.h"
-#include "stickslip/stable.h"
+#include "digits.h"
+#include "proof/stable_forms.h"
+#include "record/stability.h"
 
 /* Inputs of a formula, at most; coordinates of a search: two for an input, and those of a region. */
 enum { DIGITS_INPUTS = 32, DIGITS_SPARE = 6, DIGITS_COORDINATES = 2 * DIGITS_INPUTS + DIGITS_SPARE };
@@ -273,7 +273,7 @@ void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t p
 
 /* --- What replaces a formula (replace.c) --- */
 
-/* The records of the stable layer that make the formula, joined by ", ", of those that have proofs (stable.h); whether all of
+/* The records of the stable layer that make the formula, joined by ", ", of those that have proofs (proof/stable_forms.h); whether all of
    them are proved. */
 bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
                         const struct digits_formula *f);

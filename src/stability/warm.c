@@ -6,9 +6,9 @@
    and e_2 (given.h), whose solution, rounded, takes the place of the region's forces. */
 #include <math.h>
 
+#include "motion/given.h"
+#include "motion/warm.h"
 #include "stability.h"
-#include "stickslip/given.h"
-#include "stickslip/warm.h"
 
 enum { PLACE_BITS = 64 };
 enum warm_input { WARM_CHI, WARM_ETA, WARM_V, WARM_E1, WARM_E2, WARM_TB, WARM_TC, N_WARM };

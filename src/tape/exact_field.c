@@ -5,8 +5,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
 #include "exact_impl.h"
-#include "stickslip/work.h"
 
 struct exact_field *exact_field_new(const struct exact_fact *fact, int n_facts) {
   struct exact_field *f = ss_malloc(sizeof *f);

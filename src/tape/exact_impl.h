@@ -5,7 +5,7 @@
 #ifndef STICKSLIP_EXACT_IMPL_H
 #define STICKSLIP_EXACT_IMPL_H
 
-#include "stickslip/exact.h"
+#include "exact.h"
 
 /* What a generator stands for: an input by name, or a function of elements. */
 struct generator {

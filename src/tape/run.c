@@ -2,8 +2,8 @@
 #include <math.h>
 #include <stdlib.h>
 
-#include "stickslip/tape.h"
-#include "stickslip/work.h"
+#include "base/work.h"
+#include "tape.h"
 #include "tape_impl.h"
 
 /* --- One instruction --- */
@@ -51,7 +51,7 @@ static int run(const struct tape *t, slong i, struct num_vec *reg, const struct 
 #define NUM_BINARY(name)                                                                                               \
   case TAPE_##name:                                                                                                    \
     return type->name(z, num_vec_at(reg, op->a), num_vec_at(reg, op->b), prec);
-#include "stickslip/ops.def"
+#include "num/ops.def"
   }
   abort();
 }

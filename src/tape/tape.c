@@ -1,5 +1,5 @@
 /* A tape is a post-order walk of the shared scalars: every operand stands before its use, once. */
-#include "stickslip/tape.h"
+#include "tape.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -287,7 +287,7 @@ int tape_arity(enum tape_op op) {
 #define NUM_BINARY(name)                                                                                               \
   case TAPE_##name:                                                                                                    \
     return 2;
-#include "stickslip/ops.def"
+#include "num/ops.def"
   case TAPE_POW:
   case TAPE_ROUNDED:
     return 1;
@@ -307,7 +307,7 @@ static const char *op_name(enum tape_op op) {
 #define NUM_BINARY(name)                                                                                               \
   case TAPE_##name:                                                                                                    \
     return #name;
-#include "stickslip/ops.def"
+#include "num/ops.def"
   case TAPE_POW:
     return "pow";
   case TAPE_ROUNDED:

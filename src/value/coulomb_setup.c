@@ -1,5 +1,6 @@
 /* From a scene to the Coulomb simulation: friction, and a start on an orbit or at the printed numbers. */
 #include "coulomb_setup.h"
+#include "orbits.h"
 #include "printed.h"
 #include <math.h>
 #include <string.h>

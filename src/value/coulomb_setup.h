@@ -1,8 +1,19 @@
 /* The scene under Coulomb's law. */
 #ifndef STICKSLIP_COULOMB_SETUP_H
 #define STICKSLIP_COULOMB_SETUP_H
+#include "motion/coulomb.h"
+#include "scene/scene.h"
 
-#include "stickslip/audit.h"
+struct coulomb_setup {
+  double params[N_COULOMB], start[N_STATE];
+  double period;     /* of the orbit; at printed numbers of the first orbit; 0 when there is none */
+  double trace;      /* tr J of the orbit; NaN at printed numbers */
+  bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
+};
+/* orbit counts from 0, as in struct jacobian_request.  false with d set when there is no such orbit, or no printed start. */
+bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
+/* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
+bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);
 
 /* audit_coulomb_setup on an orbit, by its number in the list of audit_orbits as it is, by which claims count. */
 bool coulomb_setup_listed(struct coulomb_setup *sim, const struct scene *s, slong orbit, struct diag *d);

@@ -2,8 +2,8 @@
 #ifndef STICKSLIP_AUDIT_EXPRESSION_H
 #define STICKSLIP_AUDIT_EXPRESSION_H
 
-#include "stickslip/model.h"
-#include "stickslip/tape.h"
+#include "model/model.h"
+#include "tape/tape.h"
 #include "values.h"
 enum { EXPRESSION_MOST = 16 }; /* entries */
 

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_LOCAL_MAPS_H
 #define STICKSLIP_LOCAL_MAPS_H
 
-#include "stickslip/dynamics.h"
+#include "motion/dynamics.h"
 
 enum entering { STAYS_OUT, ENTERS, ENTERS_BY_CHI };
 enum { LOCAL_MOST = 3 };

@@ -4,9 +4,10 @@
 
 #include <stdlib.h>
 
+#include "base/arena.h"
+#include "base/work.h"
 #include "claim/kinds.h"
-#include "stickslip/given.h"
-#include "stickslip/work.h"
+#include "motion/given.h"
 
 void pool_item_init(struct pool_item *item, const fmpq q[N_DRAW]) {
   static const enum dyn_quantity which[2] = {QUANTITY_TB, QUANTITY_TC};

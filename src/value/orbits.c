@@ -1,9 +1,11 @@
 /* The orbits of a scene or of a set of parameters, searched once for each precision that is asked for. */
 #include <stdlib.h>
 
+#include "base/arena.h"
+#include "base/work.h"
+#include "motion/complete.h"
+#include "orbits.h"
 #include "printed.h"
-#include "stickslip/complete.h"
-#include "stickslip/work.h"
 
 /* chi, eta, V and two of e1 ... t_d decide which orbits there are. */
 enum { N_DATA = KEY_TD + 1 };

@@ -3,7 +3,9 @@
    orbits, moved, stand in for a guess that somebody had. */
 #include <stdlib.h>
 
-#include "stickslip/audit.h"
+#include "base/arena.h"
+#include "orbits.h"
+#include "paper_orbits.h"
 
 static bool printed_times(double guess[4], const struct scene *s) {
   for (int i = 0; i < 4; i++) {

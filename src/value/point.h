@@ -3,8 +3,8 @@
 #define STICKSLIP_POINT_H
 
 #include "base/random.h"
-#include "stickslip/dynamics.h"
-#include "stickslip/scene.h"
+#include "motion/dynamics.h"
+#include "scene/scene.h"
 
 /* Precision of the first trial in balls, and where raising it stops; bits. */
 enum { FIRST_PREC = 128, LAST_PREC = 1024, FD_PREC = 256 };

@@ -1,6 +1,7 @@
 /* Printed numbers as brackets, the points they stand for, and the orbit they are nearest to.
    A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit of the last digit wide. */
 #include "printed.h"
+#include "record/result.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -4,6 +4,7 @@
 
 #include "claim/judging.h"
 #include "point.h"
+#include "record/result.h"
 
 /* What the scene gives, else prints, under a key's name; NULL when it does neither. */
 const fmpq *scene_number(const struct scene *s, enum scene_key key);

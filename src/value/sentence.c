@@ -5,8 +5,9 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "base/work.h"
+#include "record/result.h"
 #include "sentence.h"
-#include "stickslip/work.h"
 
 /* --- Building --- */
 

@@ -3,9 +3,9 @@
 #define STICKSLIP_SENTENCE_H
 
 #include "claim/judging.h"
+#include "model/model.h"
 #include "oracle.h"
-#include "stickslip/model.h"
-#include "stickslip/tape.h"
+#include "tape/tape.h"
 #include "values.h"
 
 /* A sentence ready to be tried: paper's expressions on one or both sides, the model's quantity perhaps on the other.

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "stickslip/arena.h"
+#include "base/arena.h"
 #include "values_impl.h"
 
 static bool has_arc(const struct values *v) {

@@ -5,7 +5,7 @@
 
 #include <stdlib.h>
 
-#include "stickslip/work.h"
+#include "base/work.h"
 
 /* Z(t) after time tau of the phase from z0, and its derivative. */
 static int flow_from(struct values *v, const struct num_vec *z0, const void *tau) {

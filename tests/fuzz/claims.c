@@ -1,6 +1,6 @@
 /* A file of claims from any bytes.  Laws: refused with a message or taken without one. */
 #include "fuzz.h"
-#include "stickslip/audit.h"
+#include "run/audit.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
   struct diag d;

@@ -1,5 +1,5 @@
 /* JSON from any bytes.  Laws: refused with a message or read without one; a value is the same as itself. */
-#include "stickslip/json.h"
+#include "base/json.h"
 #include "fuzz.h"
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {

@@ -1,6 +1,6 @@
 /* An equation file from any bytes: names, shapes, roots, and every scalar that comes of it as a tape, run in double and in
    balls.  Laws: refused with a message or taken without one; a tape that was built passes its own check. */
-#include "stickslip/model.h"
+#include "model/model.h"
 #include "fuzz.h"
 
 enum { MOST_OUTPUTS = 64, MOST_NODES = 5000 };

@@ -2,9 +2,9 @@
    prints to text that reads as the same. */
 #include <string.h>
 
+#include "base/record.h"
+#include "expr/expr.h"
 #include "fuzz.h"
-#include "stickslip/expr.h"
-#include "stickslip/record.h"
 
 static void print_and_read(const struct stmt *s) {
   struct text once, twice;

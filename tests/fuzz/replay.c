@@ -5,7 +5,7 @@
 #include <stdlib.h>
 
 #include "fuzz.h"
-#include "stickslip/flint_compat.h"
+#include "num/flint_compat.h"
 
 enum { LARGEST = 1 << 20 };
 

@@ -1,6 +1,6 @@
 /* audit.json from any bytes, and every report from what is read.  Laws: refused with a message or read without one; what was
    read says the same when it is written and read again. */
-#include "stickslip/report.h"
+#include "report/report.h"
 #include "fuzz.h"
 
 #include <string.h>

@@ -1,0 +1,64 @@
+/* JSON.  Writing: two-space indent, keys in the order in which they are given, strings escaped.  Reading: RFC 8259 to the
+   letter, into a tree. */
+#ifndef STICKSLIP_BASE_JSON_H
+#define STICKSLIP_BASE_JSON_H
+
+#include "arena.h"
+#include "status.h"
+#include "text.h"
+
+enum { JSON_DEPTH = 16 };
+
+struct json {
+  struct text *out;
+  int depth;
+  bool started[JSON_DEPTH]; /* the open container has a member */
+};
+
+void json_init(struct json *j, struct text *out);
+/* key is NULL inside an array and at the top. */
+void json_object(struct json *j, const char *key);
+void json_array(struct json *j, const char *key);
+void json_end_object(struct json *j);
+void json_end_array(struct json *j);
+void json_string(struct json *j, const char *key, const char *value); /* NULL writes null */
+void json_long(struct json *j, const char *key, long value);
+void json_bool(struct json *j, const char *key, bool value);
+void json_null(struct json *j, const char *key);
+
+/* --- Reading --- */
+
+enum json_kind {
+  JSON_KIND_NULL,
+  JSON_KIND_BOOL,
+  JSON_KIND_NUMBER,
+  JSON_KIND_STRING,
+  JSON_KIND_ARRAY,
+  JSON_KIND_OBJECT
+};
+
+/* Containers nested deeper are an error, and so are objects with more members: what looks members up does so in order. */
+enum { JSON_READ_DEPTH = 64, JSON_READ_MEMBERS = 1000 };
+
+struct json_value {
+  enum json_kind kind;
+  bool truth;                     /* of a bool */
+  const char *key;                /* of a member of an object; NULL elsewhere */
+  const char *text;               /* of a string; of a number as it is written */
+  size_t at;                      /* where in the source it begins */
+  size_t n;                       /* elements or members */
+  const struct json_value *first; /* the first of them */
+  const struct json_value *next;  /* the one behind this one in its container */
+};
+
+/* The source as one value.  Keys of an object are distinct, no string holds NUL; memory is in the arena, at most some
+   fifty times the source's length.  false with d set, at the place, otherwise. */
+bool json_parse(struct json_value *out, struct arena *a, const struct source *s, struct diag *d);
+/* The member of that name; NULL when there is none or v is no object. */
+const struct json_value *json_member(const struct json_value *v, const char *key);
+/* The string that a member holds; NULL when it holds something else. */
+const char *json_text(const struct json_value *v, const char *key);
+/* Whether two values say the same; the order of members does not matter, numbers are compared as written. */
+bool json_same(const struct json_value *a, const struct json_value *b);
+
+#endif

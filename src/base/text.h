@@ -1,0 +1,118 @@
+/* Strings that grow, files read whole, files written beside and renamed. */
+#ifndef STICKSLIP_BASE_TEXT_H
+#define STICKSLIP_BASE_TEXT_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+
+#if defined(__GNUC__)
+#define SS_PRINTF(a, b) __attribute__((format(printf, a, b)))
+#else
+#define SS_PRINTF(a, b)
+#endif
+
+/* Characters of ASCII, whatever the locale is; a word is made of letters, digits and underscores. */
+static inline bool char_is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+static inline bool char_is_letter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+static inline bool char_is_word(char c) {
+  return char_is_letter(c) || char_is_digit(c) || c == '_';
+}
+/* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when there is
+   none, or no list. */
+const char *list_item(size_t *len, const char *s);
+
+/* data is always NUL-terminated once anything has been added, and NULL before. */
+struct text {
+  char *data;
+  size_t len, cap;
+};
+
+void text_init(struct text *t);
+void text_clear(struct text *t);
+void text_reset(struct text *t); /* empties, keeps the memory */
+void text_add(struct text *t, const char *s);
+void text_add_n(struct text *t, const char *s, size_t len);
+void text_add_char(struct text *t, char c);
+void text_printf(struct text *t, const char *fmt, ...) SS_PRINTF(2, 3);
+const char *text_str(const struct text *t); /* "" when nothing was added */
+/* The length of the longest prefix that is well-formed UTF-8: no overlong forms, no surrogates, nothing cut off. */
+size_t text_valid_prefix(const char *s, size_t len);
+
+/* A place in a source: byte offsets, end exclusive. */
+struct span {
+  size_t begin, end;
+};
+
+/* A file held in memory, with the name its diagnostics use.  text[len] is NUL. */
+struct source {
+  char *name;
+  char *text;
+  size_t len;
+};
+
+/* The first error of a run, as the user will read it: one line, or three with the source line and a caret; at
+   most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
+struct diag {
+  bool set;
+  char message[1000];
+};
+
+void diag_init(struct diag *d);
+/* Records an error; later ones are ignored, since the first is the cause.  d may be NULL. */
+void diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
+/* The same with "name:line:column: error: " before it and the source line with a caret below.
+   Lines and columns count from 1; a column is one UTF-8 character.  A long line is clipped around the caret. */
+void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) SS_PRINTF(4, 5);
+
+/* Records again, lines and all, what another diag has: one of another process, or of an attempt. */
+void diag_again(struct diag *d, const char *message);
+
+/* Reads a regular file of at most max bytes; refuses directories, devices, NUL bytes and text that is not UTF-8.
+   A byte-order mark is dropped.  false with d set on failure. */
+bool source_read(struct source *s, const char *path, size_t max, struct diag *d);
+/* The same from memory; copies both. */
+void source_from_string(struct source *s, const char *name, const char *text);
+void source_clear(struct source *s);
+/* Line and column of a place, counted as diag_at counts them. */
+void source_place(size_t *line, size_t *column, const struct source *s, size_t offset);
+
+/* Writes len bytes to a descriptor, whatever it takes at a time; false, with errno set, when it takes no more. */
+bool write_all(int fd, const char *data, size_t len);
+/* Writes path with len bytes of data through a temporary file in the same folder and a rename, so that a reader sees
+   the old file or the new one and a failure leaves the old one.  What stands there already must be a regular file.
+   false with d set on failure. */
+bool file_write(const char *path, const char *data, size_t len, struct diag *d);
+/* Whether nothing but a regular file stands at path, so that a rename may put another there; errno says why not. */
+bool file_replaceable(const char *path);
+/* Several files as one: all temporary files are written before the first is renamed, so that a failure to write any of
+   them leaves every old file. */
+struct file_item {
+  const char *path, *data;
+  size_t len;
+};
+enum { MAX_FILE_ITEMS = 32 };
+bool files_write(const struct file_item *item, int n, struct diag *d);
+/* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
+enum { N_ENDING_SIGNALS = 4 };
+extern const int ending_signals[N_ENDING_SIGNALS];
+/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the first
+   file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a signal has no
+   handler, files_write sees to it. */
+void files_settle(void);
+/* How often, in this process, files_write or files_settle has put all files of a call in their places. */
+int files_in_place(void);
+/* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their names, in
+   an array to be freed and an arena; NULL with d set when there are none. */
+struct arena;
+char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
+/* Makes a folder and its parents; existing ones are fine. */
+bool folder_make(const char *path, struct diag *d);
+/* Whether folder_make can succeed; nothing is left of the trial.  To be asked before work that would be in vain. */
+bool folder_possible(const char *path, struct diag *d);
+
+#endif

@@ -1,0 +1,112 @@
+/* The audit: claims as data, evidence from independent routes, one table from evidence to verdict.
+
+   A claim file holds records "claim ID" with these attributes:
+
+     equation, section, title, quote   where the claim stands and what it says
+     own         the equation number whose text is read as printed; by default that of the claim
+     kind        one of the kinds below
+     value       (matrix) the name, with its argument, held against the model's quantity of that name
+     statement   (identity, inequality, threshold, sharp, criterion) the record of the equation files that is judged
+     bound       (threshold) the record whose right-hand sides are the bounds
+     points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
+                 "admissible [PHASE] N" (orbits that break no condition), "realistic [PHASE] N" (those, with friction a
+                 quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
+                 phases over any times, and any perturbations), joined by ","; the time t lies in that phase
+     perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
+     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
+     oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
+     number, from, formula             (number) the printed number, where its value comes from
+     relation    (number) "<" or ">": the number is a bound; else it is a value
+     formula     (report) the trace that decides
+     fault       the fault class a refutation of this claim has
+     depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
+     restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
+                 refuted on its domain but holds under a restriction
+     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small, fixed-points,
+                 linearization, equality, perturb, long-run, patching
+     at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
+     vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
+     side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
+                 (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
+     premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first statement,
+                 D the phase of the time t where the record names none
+     over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
+     friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
+     increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
+     repair      (argument) premises that the corrected argument has besides
+     converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
+     mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its friction while
+                 it slips (eps being the sign of V - x'), while it sticks and where it breaks away
+     reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
+     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the place,
+                 "quote" or a record, that prints it
+     scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of the
+                 correction
+     statements, absent    (reach) records, and the symbols that they must not contain
+     unknowns, rank        (rank) of the statement's equations
+     word, conditions      (sequence) phases of one period; inequalities along it
+     given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the start
+     constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
+     needs       (outside) what a decision would take
+     record      the verdict on record; record-scene: the only scene it speaks of
+
+     about       names of definitions that the sentence asserts something of, besides its value; (number) another
+                 symbol for the number
+
+   Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
+   failed formula as printed and as corrected.
+
+   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
+   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
+   notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report.
+
+   What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a claim, yet
+   its other points and routes are tried all the same, since the evidence says at how many points it differs and where the
+   most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a refutation can come of
+   it.  A route that would add no independence is not asked for: any two of a claim's routes, balls among them, are
+   independent by the table of src/route/routes.h (tests/check_plan.c). */
+#ifndef STICKSLIP_CLAIM_CLAIMS_H
+#define STICKSLIP_CLAIM_CLAIMS_H
+
+#include "base/record.h"
+#include "base/text.h"
+
+struct claim {
+  const char *id;
+  const struct record *record;
+  const struct record_file *file;
+  const struct record *control; /* attributes that stand before the record's own; NULL outside controls */
+};
+
+struct claims {
+  struct record_file **files;
+  size_t n_files, cap_files;
+  struct claim *claim;
+  size_t n, cap;
+  struct claim *result; /* of files of claims */
+  size_t n_results, cap_results;
+};
+
+enum { MAX_CLAIM_FILE = 4 << 20 };
+
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim or control. */
+bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
+bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
+void claims_clear(struct claims *c);
+
+/* An attribute of the claim, or NULL. */
+const char *claim_get(const struct claim *c, const char *key);
+/* Whose text the claim reads as printed: the equation number of its attribute own, else its own, else its id. */
+const char *claim_own(const struct claim *c);
+/* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
+bool claim_selected(const char *id, const char *item);
+/* Does a scene with this item in its list "ask" ask for the claim?  The item is as above, or a group of claims:
+   claim_groups_print names them all, "matrices, section NAME, ...".  Sections have their names in the claim files, or their
+   numbers among them, 1 to 8. */
+bool claim_asked_for(const struct claim *c, const char *item);
+/* Is the item a group, whether or not any claim belongs to it? */
+bool claim_group_known(const char *item);
+void claim_groups_print(struct text *out);
+
+#endif

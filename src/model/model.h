@@ -1,0 +1,166 @@
+/* The paper as data: equation files, the overlays that correct them, and their formulas elaborated to scalars.
+
+   An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
+   the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it may
+   carry "paper: TITLE".  Records:
+
+     symbol NAME        a free quantity; "means: text" says what it is
+     define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
+     equation ID        statements lhs = rhs
+     inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
+     relation ID        statements that hold along a motion: "trajectory z_1(t)" names an unknown function of time
+
+   with the attributes section, equation (the paper's number), tex (what was transcribed, as printed), note, when (a
+   condition in words) and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
+   symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
+   a section, then that of another section, if there is only one.
+
+   Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable =
+   corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in double precision.  An
+   overlay's definition replaces the one of the same name (and section, when both name one), an overlay's record the
+   one with the same id. */
+#ifndef STICKSLIP_MODEL_MODEL_H
+#define STICKSLIP_MODEL_MODEL_H
+
+#include "base/record.h"
+#include "expr/expr.h"
+#include "tape/tape.h"
+
+enum layer { LAYER_PRINTED, LAYER_CORRECTED, LAYER_STABLE, N_LAYERS };
+extern const char *const layer_name[N_LAYERS];
+
+/* Where a file stands; a later rank hides an earlier one. */
+enum rank { RANK_PAPER, RANK_USER, RANK_ERRATA, RANK_STABLE, RANK_CONTROL };
+
+struct definition {
+  const char *name;
+  const char *section;  /* "" without one */
+  const char *equation; /* "" without one */
+  const struct stmt *stmt;
+  const struct source *src;
+  const struct record *record;
+  enum rank rank;
+  size_t next; /* the one after it in its bucket (model.c), counted from 1; 0: none */
+};
+
+/* A record other than symbol, with its statements in order. */
+struct statement_record {
+  const char *id; /* of the record it replaces, for an overlay's record with "replaces: ID"; else its own */
+  const char *section, *equation, *tex;
+  const struct record *record;
+  const struct source *src;
+  enum rank rank;
+  const struct stmt **stmts;
+  int n_stmts;
+};
+
+/* What look-ups have returned so far, by index in the model's arrays. */
+struct model_use {
+  bool *def, *record;
+};
+
+enum { MODEL_BUCKETS = 256 };
+
+struct model {
+  struct arena arena;
+  const char *paper; /* the paper's title; NULL where its files say none */
+  struct record_file **files;
+  size_t n_files, cap_files;
+  struct definition *defs;
+  size_t n_defs, cap_defs;
+  struct {
+    size_t first, last;
+  } bucket[MODEL_BUCKETS]; /* definitions by name, each in the order of the files; counted from 1 */
+  struct statement_record *records;
+  size_t n_records, cap_records;
+  const char **symbols;
+  size_t n_symbols, cap_symbols;
+  struct model_use *use; /* NULL: nobody asks */
+  bool stable;           /* the corrected layer is read as the stable one */
+};
+
+void model_init(struct model *m);
+void model_clear(struct model *m);
+/* Adds one file, or every *.eq file of a folder in the order of their names. */
+bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
+bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
+
+/* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL) is read as
+   printed; controls with the id `control` (may be NULL) on top. */
+struct view {
+  const struct model *model;
+  enum layer layer;
+  const char *own;
+  const char *control;
+};
+
+/* The definition of a name seen from a section, or NULL with d set (undefined, or ambiguous between sections). */
+const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d);
+bool model_is_symbol(const struct model *m, const char *name);
+/* Whether the definition belongs to the view's layer (a higher rank may still hide it). */
+bool view_sees(const struct view *v, const struct definition *def);
+/* The record of that id under the view, or NULL. */
+const struct statement_record *view_record(const struct view *v, const char *id);
+/* --- Elaboration --- */
+
+/* A matrix of shared scalars; 1x1 stands for a scalar. */
+struct matrix {
+  int rows, cols;
+  const struct expr **e; /* row-major, in the pool's arena */
+};
+
+/* A matrix name whose entries are supplied from outside (an oracle's value): they become symbols "name[i,j]". */
+struct override {
+  const char *name;
+  int rows, cols;
+};
+
+struct elaboration {
+  struct expr_pool pool;
+  struct view view;
+  const struct override *overrides;
+  int n_overrides;
+  struct tape_root *roots;
+  size_t n_roots, cap_roots;
+  struct elab_memo *memo;
+  size_t n_memo, cap_memo;
+  struct elab_call *calls; /* functions at arguments met last */
+  size_t n_calls, next_call;
+  int depth;
+};
+
+void elaboration_init(struct elaboration *el, struct view view, const struct override *overrides, int n_overrides);
+void elaboration_clear(struct elaboration *el);
+
+/* Elaborates an expression seen from a section.  Definitions are replaced by their bodies, functions applied,
+   derivatives taken, matrices multiplied out; nothing is folded.  The literal 0 stands for a zero block or matrix where
+   its neighbours give it a shape.  inv and det by cofactors up to 4x4.  Definitions and brackets may nest 1000 levels
+   deep, products may have 4096 entries, and all of an elaboration's scalars together 500000.  false with d set (src
+   positions) on failure. */
+bool elaborate(struct matrix *out, struct elaboration *el, const struct expr *e, const struct source *src,
+               const char *section, struct diag *d);
+/* The same of an expression as text; messages call it by that name. */
+bool elaborate_text(struct matrix *out, struct elaboration *el, const char *called, const char *text,
+                    const char *section, struct diag *d);
+/* The elaborated value of a name (no argument). */
+bool elaborate_name(struct matrix *out, struct elaboration *el, const char *name, const char *section, struct diag *d);
+/* Both sides of step k of a relation in one shape (a literal 0 takes the other's shape). */
+bool elaborate_sides(struct matrix *lhs, struct matrix *rhs, struct elaboration *el, const struct stmt *s, int k,
+                     const struct source *src, const char *section, struct diag *d);
+
+/* The definitions that this elaboration has put in, directly or inside others; NULL for one that failed. */
+size_t elaboration_n_used(const struct elaboration *el);
+const struct definition *elaboration_used(const struct elaboration *el, size_t i);
+
+/* The tape of scalars of this elaboration, with the roots it has met. */
+bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
+                      struct diag *d);
+
+/* The way from text to tape: what elaborate_text makes of it, and a tape with an output for each entry.  t is empty when false. */
+bool elaborate_tape(struct tape *t, struct matrix *out, struct elaboration *el, const char *called, const char *text,
+                    const char *section, struct diag *d);
+
+/* Elaborates every definition and statement that the view sees: names, shapes, roots. */
+bool view_check(struct view v, struct diag *d);
+
+#endif

@@ -1,0 +1,293 @@
+/* The result record of an audit: what the writers of reports read, and all they read. */
+#ifndef STICKSLIP_RECORD_RESULT_H
+#define STICKSLIP_RECORD_RESULT_H
+
+#include <stdbool.h>
+
+#include "base/arena.h"
+#include "base/text.h"
+
+/* The verdicts, in the order of the summary. */
+#define VERDICTS(X)                                                                                                    \
+  X(PROVED, proved)                                                                                                    \
+  X(CONDITIONAL, conditional)                                                                                          \
+  X(SUPPORTED, supported)                                                                                              \
+  X(REFUTED, refuted)                                                                                                  \
+  X(UNKNOWN, unknown)                                                                                                  \
+  X(SKIPPED, skipped)                                                                                                  \
+  X(DEFINITION, definition)
+
+enum verdict {
+#define VERDICT_ENUM(upper, lower) VERDICT_##upper,
+  VERDICTS(VERDICT_ENUM)
+#undef VERDICT_ENUM
+      N_VERDICTS
+};
+extern const char *const verdict_name[N_VERDICTS];
+/* The verdict of that name; N_VERDICTS when there is none. */
+enum verdict verdict_parse(const char *name);
+/* Does the text fail as printed: refuted, be it that it holds under a condition? */
+bool verdict_fails(enum verdict v);
+
+/* What one route found.  Strings may be NULL; bits and trials are -1 when they do not apply. */
+struct evidence {
+  const char *route, *layer;
+  const char *result; /* agrees, differs, undecided, states */
+  const char *residual;
+  long bits, trials;
+  const char *worst, *note;
+  double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
+};
+
+/* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
+   claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
+   replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with
+   mathematics between dollar signs. */
+struct finding {
+  const char *id, *equation, *section, *title, *quote, *printed;
+  enum verdict verdict;
+  const char *condition, *fault;
+  const char *correction; /* NULL without one */
+  enum verdict correction_verdict;
+  const char *correction_latex, *quote_part, *printed_part, *change;
+  const char *effect, *size; /* size: the part of effect that speaks of the claim itself */
+  const char **depends_on;
+  int n_depends_on;
+  struct evidence *evidence;
+  int n_evidence;
+  const char *reproduce;
+  enum verdict recorded; /* N_VERDICTS: nothing recorded */
+};
+
+struct skipped_work {
+  const char *what, *why;
+};
+
+/* What a failed formula does to a quantity that the paper derives, everything else corrected. */
+enum change { CHANGE_CHANGES, CHANGE_AGREES, CHANGE_SAME_FORMULA, CHANGE_UNDECIDED, CHANGE_UNDEFINED };
+
+/* One derived quantity (formula as the paper's notation is typed, and typeset).  size: the largest relative difference,
+   as the power of ten above it; entry, printed, corrected, where: one point at which it changes.  chain: the value there
+   with the whole paper as printed; NULL when that is the same formula as with this equation alone as printed. */
+struct derived {
+  const char *formula, *latex, *title;
+  enum change change;
+  const char *verdict; /* in words, with the number of points */
+  const char *size, *entry, *printed, *corrected, *where, *chain;
+};
+
+/* Claims that fail when the failed formula is read as printed, claims that rest on it and hold all the same (because
+   their own formulas are the same, or tried again), and claims about which that could not be told. */
+struct id_list {
+  const char **id;
+  int n;
+};
+struct consequence {
+  const char *failure;
+  struct id_list falls, survives, open;
+  struct derived *derived;
+  int n_derived;
+};
+
+/* A control: wrong on purpose, and noticed when its check does not pass. */
+struct control_result {
+  const char *id, *claim;
+  enum verdict verdict;
+  bool noticed;
+};
+
+/* --- How inconsistent printed numbers could have arisen: readings of the example --- */
+
+/* A printed number under a reading; how: input, rounded, truncated or off. */
+struct reading_number {
+  const char *name, *printed, *value, *how;
+};
+struct reading_slope {
+  const char *of, *by, *value;
+};
+/* An equation that a reading does not solve: left minus right side there, and how the outputs of the whole procedure
+   answer to such a residual, per unit. */
+struct reading_dropped {
+  const char *equation, *residual;
+  struct reading_slope *answer;
+  int n_answer;
+};
+/* How far a result is from that of the whole procedure, and how far the residuals of what is dropped move the latter to
+   first order. */
+struct reading_shift {
+  const char *of, *actual, *predicted;
+};
+struct example_reading {
+  const char *layer, *form, *carry;
+  const char *confirmed; /* model: the suite's own equations give the same; NULL when not asked */
+  int assumptions, digits;
+  const char *assumed; /* what the assumptions are */
+  const char **inputs, **solved;
+  int n_inputs, n_solved;
+  struct reading_dropped *dropped;
+  int n_dropped;
+  struct reading_number *number;
+  int n_numbers, n_given;      /* how many of them it gives */
+  struct reading_slope *slope; /* outputs by inputs */
+  int n_slopes;
+  int decimals; /* of its inputs, that the printed digits of its results need; -1: not known */
+  struct reading_shift *shift;
+  int n_shifts;
+};
+struct readings_level {
+  int dropped;
+  long tried, undetermined;
+  long reproduce, unrounded; /* give every printed number; of them those that carry full precision */
+  long open;
+};
+/* An output of the whole procedure: its value, the values that the printed digits of the inputs leave room for, and how
+   many decimals of the inputs its own printed digits need; -1: not known. */
+struct procedure_output {
+  const char *name, *printed, *value, *low, *high;
+  const char *within; /* yes, no, or open: whether some of those values prints as printed */
+  int decimals;
+};
+struct readings_procedure {
+  const char *inputs;
+  struct procedure_output *output; /* NULL when no solution was found */
+  int n_outputs;
+  struct reading_slope *slope;
+  int n_slopes;
+};
+/* Two inputs as printed, nothing dropped. */
+struct readings_pair {
+  const char *inputs, *missed; /* missed: NULL when no solution was found near the printed numbers */
+  int n_given, n_numbers;
+};
+struct readings {
+  const char **space; /* what is searched, in sentences */
+  int n_space;
+  const char **conclusion;
+  int n_conclusions;
+  struct readings_level level[8];
+  int n_levels;
+  struct readings_pair *pair;
+  int n_pairs;
+  struct example_reading *found, *near;
+  int n_found, n_near;
+  struct readings_procedure procedure;
+};
+
+/* Two routes to one quantity, held against each other wherever both apply. */
+struct route_pair {
+  const char *quantity, *first, *second;
+  const char *shared;  /* what both rest on */
+  long comparisons;    /* of whole quantities: a matrix, or the times and states of a pass */
+  const char *stated;  /* the accuracy that the pair is held to, relative to max(1, scale), or its routes' estimates */
+  bool within;         /* there were comparisons, and all of them kept to it */
+  const char *largest; /* order of magnitude of the largest disagreement, or "no answer"; NULL for a route in double */
+  const char *worst;   /* where; NULL with it */
+  double machine_largest; /* for run.json */
+  const char *machine_worst;
+};
+
+/* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
+   route grows or shrinks at that rate. */
+enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
+struct long_result {
+  const char *orbit, *multiplier;
+  long periods;
+  const char *expected;                /* when 2^-52 has become 1e-6: "never", "about 970 periods" */
+  bool obeys, displaced;               /* rates within a tenth of log|tr J| */
+  long machine_parting[N_LONG_PAIRS];  /* for run.json: the first period at which they are apart by 1e-6, or 0; */
+  double machine_most[N_LONG_PAIRS];   /* the largest distance; */
+  double machine_growth[N_LONG_PAIRS]; /* its measured growth a period, NaN without one; */
+  double machine_displaced;            /* that of a displacement */
+};
+
+/* What every reader of an audit.json takes, and no writer exceeds: the bytes of the file, the elements of any list in it, and
+   of the bytes those of values that a scene asks for, which alone can be many. */
+enum { LARGEST_AUDIT = 8 << 20, MOST_AUDIT_ELEMENTS = 10000, LARGEST_VALUES = 4 << 20 };
+
+/* A value that the scene asks for; NULL where it is not defined or its digits stayed open. */
+struct asked_value {
+  const char *name, *at, *value;
+};
+
+/* What was tried in balls, how often, and how often the first precision was enough. */
+struct precision_use {
+  const char *what;
+  long tried, enough;
+};
+
+/* What a piece of the work took, for run.json: it depends on the machine, and on what the same process did before. */
+struct piece_spent {
+  const char *what, *name; /* as in the table of costs */
+  unsigned long long units;
+  double machine_ms;
+};
+
+/* A table that a picture is drawn from, as the file of that name beside audit.json holds it. */
+struct data_table {
+  const char *name, *text;
+};
+
+/* What stands beside a report's folder, and is no part of audit.json: index.html alone shows it, and so is a function of
+   audit.json, of the tables beside it, and of these. */
+
+/* A file of another command that the page links to: its path from the report, and what it is. */
+struct neighbour {
+  const char *path, *says;
+};
+
+/* What became of the formulas' damages in the study (reports/mutation) beside the report. */
+struct mutation_score {
+  long total, noticed, unreadable, unproved, equivalent, on_motions, open;
+};
+
+struct audit_result {
+  struct arena arena; /* owns every string */
+  const char *scene, *title;
+  const char *paper; /* the title of the paper; NULL where its files say none */
+  const char
+      *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
+  struct finding *findings;
+  size_t n_findings, cap_findings;
+  struct consequence *consequences;
+  size_t n_consequences, cap_consequences;
+  struct skipped_work *skipped;
+  size_t n_skipped, cap_skipped;
+  struct control_result *controls;
+  size_t n_controls, cap_controls;
+  struct route_pair *pairs; /* none unless the whole audit ran */
+  size_t n_pairs, cap_pairs;
+  struct long_result *long_runs; /* likewise */
+  size_t n_long_runs, cap_long_runs;
+  struct asked_value *values;
+  size_t n_values, cap_values;
+  struct precision_use *precision;
+  size_t n_precision, cap_precision;
+  struct piece_spent *spent;
+  size_t n_spent, cap_spent;
+  int jobs;                  /* processes that were allowed */
+  struct data_table *tables; /* none for a scene without an orbit, and for a part of the audit */
+  size_t n_tables, cap_tables;
+  const struct neighbour *neighbours; /* set by who writes the report, of what is there */
+  size_t n_neighbours;
+  const char *const *independence; /* what each route does and rests on */
+  int n_independence;
+  struct readings *readings;             /* NULL when not searched for */
+  const struct mutation_score *mutation; /* NULL when there is no whole study; no part of audit.json */
+  struct result_pages *pages;            /* shared with other processes, which strings may live in */
+};
+
+void audit_result_init(struct audit_result *r);
+void audit_result_clear(struct audit_result *r);
+/* The pages (of mmap) are unmapped when the result is cleared. */
+void result_keep_pages(struct audit_result *r, void *pages, size_t size);
+/* A formatted string in the result's arena. */
+const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* The consequence of a failure, or NULL. */
+const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
+/* How many findings have each verdict; the sum is n_findings (checked). */
+void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
+/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
+long audit_result_unexpected(const struct audit_result *r);
+
+#endif
