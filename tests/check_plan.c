@@ -298,6 +298,22 @@ START_TEST(tasks_survive_their_processes) {
 }
 END_TEST
 
+/* What a process has said into the file "said". */
+static char *said(void) {
+  struct source s;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, scratch_path("said"), 1 << 24, &d), "%s", d.message);
+  free(s.name);
+  return s.text;
+}
+
+static void check_says(const char *words) {
+  char *text = said();
+  ck_assert_msg(strstr(text, words) != NULL, "%.2000s", text);
+  free(text);
+}
+
 /* The parent's memory ends when a process is at work that would not end by itself. */
 static bool exhausted_task(struct audit_result *part, size_t i, void *arg, struct diag *d) {
   (void)part, (void)i, (void)arg, (void)d;
@@ -325,10 +341,11 @@ START_TEST(no_process_outlives_the_memory) {
   pid_t pid = fork();
   ck_assert_int_ge(pid, 0);
   if (pid == 0) {
-    run_exhausted();
+    if (freopen(scratch_path("said"), "w", stderr)) run_exhausted();
     _exit(0);
   }
   ck_assert_int_eq(process_end(pid), EXIT_EXHAUSTED);
+  check_says("out of memory");
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
@@ -796,21 +813,6 @@ static pid_t start(const char *const *args) {
   for (int i = 0; args[i] && i < 12; i++) argv[i + 2] = args[i];
   execv(argv[0], (char *const *)(uintptr_t)argv);
   _exit(127);
-}
-
-static char *said(void) {
-  struct source s;
-  struct diag d;
-  diag_init(&d);
-  ck_assert_msg(source_read(&s, scratch_path("said"), 1 << 24, &d), "%s", d.message);
-  free(s.name);
-  return s.text;
-}
-
-static void check_says(const char *words) {
-  char *text = said();
-  ck_assert_msg(strstr(text, words) != NULL, "%.2000s", text);
-  free(text);
 }
 
 /* The old report's bytes. */
