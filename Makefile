@@ -173,8 +173,8 @@ digests: $(B)/stickslip ## hold the bytes of outputs against tests/digests.tsv (
 suite-%:
 	@CK_RUN_SUITE=$* STICKSLIP=$(B)/stickslip STICKSLIP_MPI=$(if $(MPI),$(B)/mpi/stickslip) PYTHON=$(PYTHON) $(B)/check
 
-lint: ## formatting, include arrows, static analysis
-	sh tools/lint.sh
+lint: all ## formatting, arrows between rooms, static analysis
+	sh tools/lint.sh $(B)
 
 asan: ## build and test under AddressSanitizer and UndefinedBehaviorSanitizer, each suite in one process, without the longest tests
 	CK_FORK=no CK_EXCLUDE_TAGS=long $(MAKE) B=$(B)/asan CFLAGS="-O1 -g -fno-omit-frame-pointer" EXTRA="-fsanitize=address,undefined -fno-sanitize-recover=all" check

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Formatting, include arrows, static analysis, the README's generated table.  Exits non-zero at the first kind of finding.
+# Formatting, arrows between rooms, static analysis, the README's generated table.  Exits non-zero at the first kind of finding.
 set -eu
 for tool in clang-format cppcheck; do
   command -v $tool >/dev/null 2>&1 || { echo "lint: $tool is missing; install it (Debian: apt-get install $tool)"; exit 1; }
@@ -10,8 +10,8 @@ echo "lint: formatting"
 # shellcheck disable=SC2086
 clang-format --dry-run -Werror $sources
 
-echo "lint: include arrows"
-python3 tools/arrows.py
+echo "lint: arrows between rooms"
+python3 tools/arrows.py "${1:-build}"
 
 if command -v mandoc >/dev/null 2>&1; then
   echo "lint: man pages"

@@ -122,7 +122,7 @@ int ss_motion_run(ss_moment *end, const ss_motion *m, int route, double duration
   struct listener l = {event, sampled, self};
   struct coulomb_sink sink = {&l, event ? on_event : NULL, sampled ? on_sample : NULL};
   struct coulomb_plan plan = coulomb_plan_default;
-  struct coulomb_result r;
+  struct coulomb_result r = {.end = COULOMB_FAILED};
   plan.duration = duration;
   plan.returns = returns;
   plan.sample = sample;

@@ -94,7 +94,7 @@ static int descent_values(const void **f, const void **j, const struct num_vec *
 /* It is given up when it leads far away, and one more step is taken once they are small. */
 static enum newton_next descent_judge(const struct num_vec *x, const struct num_vec *step, void *self) {
   struct descent *d = self;
-  const double *at = (const double *)x->data, *by = (const double *)step->data;
+  const double *at = num_vec_at(x, 0), *by = num_vec_at(step, 0);
   d->small = word_step_is_small(x, step, &d->w, SEED_BITS);
   for (int k = 0; k < WORD_FREE; k++) {
     int time = d->w.unknown[k] - QUANTITY_TB;

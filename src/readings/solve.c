@@ -47,7 +47,7 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 /* Near the start, and until the next step would be the square of 1e-7. */
 static enum newton_next stays_near(const struct num_vec *x, const struct num_vec *step, void *self) {
   const struct block_solver *b = self;
-  const double *at = (const double *)x->data, *by = (const double *)step->data;
+  const double *at = num_vec_at(x, 0), *by = num_vec_at(step, 0);
   bool settled = true;
   for (int i = 0; i < b->n; i++) {
     double start = b->start[b->at[i]], next = at[i] - by[i];
