@@ -1,6 +1,4 @@
 /* stickslip jacobian: the 2x2 Jacobian of one period by the method asked for, with its accuracy and its eigenvalues. */
-#include <float.h>
-#include <math.h>
 #include <string.h>
 
 #include "base/json.h"
@@ -29,84 +27,6 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
     q->layer = (enum layer)k;
   }
   return parse_start(&q->orbit, &q->at_printed, o);
-}
-
-/* A whole number of which n digits are known, from `from` on: 212766240 as 2.1276624e+8, since a zero that only fills up would be
-   read as a digit. */
-static void show_as_power(struct text *out, size_t from, slong n) {
-  size_t sign = out->data[from] == '-', figures = out->len - from - sign;
-  if (figures <= (size_t)n || strspn(out->data + from + sign, "0123456789") != figures) return;
-  struct text whole;
-  text_init(&whole);
-  text_add(&whole, out->data + from);
-  out->len = from;
-  out->data[from] = '\0';
-  text_printf(out, "%.*s", (int)sign + 1, whole.data);
-  if (n > 1) text_printf(out, ".%.*s", (int)n - 1, whole.data + sign + 1);
-  text_printf(out, "e+%zu", figures - 1);
-  text_clear(&whole);
-}
-
-void print_known(struct text *out, const arb_struct *x, slong digits) {
-  slong n = digits;
-  size_t from = out->len;
-  while (n > 0 && num_print(out, x, n) != SS_OK) n = n > 20 ? n / 2 : n - 1;
-  if (n == 0) text_add_char(out, '0');
-  if (n > 0 && n < digits) show_as_power(out, from, n);
-}
-
-void print_accuracy(struct text *out, const arb_struct *worst) {
-  arb_t up;
-  arb_init(up);
-  arb_mul_ui(up, worst, 106, 64); /* two digits round down by less than 1/20 */
-  arb_div_ui(up, up, 100, 64);
-  arb_get_mid_arb(up, up);
-  num_print(out, up, 2);
-  arb_clear(up);
-}
-
-void print_at(struct text *out, const struct jacobian_request *q) {
-  if (q->at_printed)
-    text_add(out, "printed");
-  else
-    text_printf(out, "orbit:%ld", (long)q->orbit + 1);
-}
-
-/* How far rounding of the matrix can move its eigenvalues: by the size of the matrix over their distance more than the
-   matrix, and where that is not small, by the root. */
-static double eigenvalue_error(const double m[4], const double re[2], const double im[2]) {
-  double size = hypot(hypot(m[0], m[1]), hypot(m[2], m[3])), gap = hypot(re[0] - re[1], im[0] - im[1]);
-  double move = 4 * DBL_EPSILON * size * (size / gap);
-  return move < gap / 8 ? move : 8 * sqrt(DBL_EPSILON) * size;
-}
-
-static void print_near(struct text *out, double x, double err) {
-  arb_t ball;
-  arb_init(ball);
-  arb_set_d(ball, x);
-  mag_set_d(arb_radref(ball), err);
-  print_known(out, ball, 15);
-  arb_clear(ball);
-}
-
-bool print_eigenvalues(struct text out[2], arb_srcptr j) {
-  double m[4], re[2], im[2], err = 0;
-  for (int i = 0; i < 4; i++) {
-    m[i] = num_arb.get_d(j + i);
-    err = fmax(err, mag_get_d(arb_radref(j + i)));
-  }
-  if (dyn_eigenvalues_d(re, im, m) != SS_OK) return false;
-  err = eigenvalue_error(m, re, im) * fmax(1, err / (DBL_EPSILON * hypot(hypot(m[0], m[1]), hypot(m[2], m[3]))));
-  for (int i = 0; i < 2; i++)
-    if (!isfinite(err) || !(err < hypot(re[i], im[i]) || err < 1e-3)) return false; /* no digit is known */
-  for (int i = 0; i < 2; i++) {
-    print_near(&out[i], re[i], err);
-    if (im[i] == 0) continue;
-    if (im[i] > 0) text_add_char(&out[i], '+');
-    print_near(&out[i], im[i], err);
-    text_add_char(&out[i], 'i');
-  }
-  return true;
 }
 
 /* What is printed about one Jacobian: entries, trace, det. */

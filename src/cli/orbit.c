@@ -31,35 +31,6 @@ static bool print_numbers(struct text out[N_SHOWN], const struct dyn_orbit *o, c
   return true;
 }
 
-void admissible_text(struct text *out, truth admissible, const struct scene *s) {
-  static const char *const words[] = {"not admissible", "admissible", "admissibility undecided"};
-  bool u1 = s->given[KEY_U_R1], u2 = s->given[KEY_U_R2];
-  text_add(out, words[admissible]);
-  if (admissible != TRUTH_TRUE || (u1 && u2)) return;
-  text_printf(out, " with %s",
-              u1   ? "u_r2 above its bound"
-              : u2 ? "u_r1 above its bound"
-                   : "u_r1, u_r2 above their bounds");
-}
-
-void json_truth(struct json *j, const char *key, truth t) {
-  if (t == TRUTH_UNKNOWN)
-    json_null(j, key);
-  else
-    json_bool(j, key, t == TRUTH_TRUE);
-}
-
-void fate_json(struct json *j, const struct dyn_orbit *o, truth admissible, const truth u[2]) {
-  json_truth(j, "stable", o->stable);
-  json_truth(j, "admissible", admissible);
-  json_array(j, "violations");
-  for (int i = 0; i < N_CONDITIONS; i++)
-    if (o->holds[i] == TRUTH_FALSE) json_string(j, NULL, dyn_condition_id[i]);
-  for (int i = 0; i < 2; i++)
-    if (u[i] == TRUTH_FALSE) json_string(j, NULL, scene_key_name[KEY_U_R1 + i]);
-  json_end_array(j);
-}
-
 static void orbit_json(struct json *j, const struct dyn_orbit *o, const struct dyn_certificate *proof,
                        const struct scene *s, slong digits, bool basin) {
   struct text t[N_SHOWN];
