@@ -280,14 +280,16 @@ static double top_between(struct slip *s, double left, double right) {
 
 /* The greatest z_1' - V in phase H before t_c but for the last stretch: at samples, and at the top of each hump that they show. */
 static double highest_before(const double x[N_IN], const struct dyn_return *got) {
-  enum { SAMPLES = 300 };
+  enum { SAMPLES = 300, STRETCH = 4000 };
   struct slip s;
   slip_init(&s, x, got);
-  double step = got->t[PHASE_H] / SAMPLES, before = -INFINITY, here = slip_at(&s, step), most = -INFINITY;
+  const double end = got->t[PHASE_H], step = end / SAMPLES;
+  double before = -INFINITY, here = slip_at(&s, step), last = slip_at(&s, end - end / STRETCH), most = last;
   for (int i = 1; i < SAMPLES; i++) {
-    double next = i + 1 < SAMPLES ? slip_at(&s, (i + 1) * step) : INFINITY;
+    double next = i + 1 < SAMPLES ? slip_at(&s, (i + 1) * step) : last;
+    if (here >= before && here >= next)
+      most = fmax(most, top_between(&s, (i - 1) * step, (i + 1) * step - end / STRETCH));
     most = fmax(most, here);
-    if (here >= before && here >= next) most = fmax(most, top_between(&s, (i - 1) * step, (i + 1) * step));
     before = here;
     here = next;
   }
