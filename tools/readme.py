@@ -10,7 +10,7 @@ VERDICTS = "<!-- verdicts: made by tools/readme.py -->", "<!-- end of verdicts -
 BENCH = "<!-- bench: made by tools/readme.py -->", "<!-- end of bench -->"
 PEERS = ("gsl-", "cvode-", "scipy-", "mpmath-", "pari-", "python")
 
-SCORE = "Damaged on purpose: "
+SCORE = "Mutation: "
 
 
 def score(old):
@@ -24,10 +24,9 @@ def score(old):
         return []
     t = r["total"]
     seen = t["noticed"] + t["unreadable"] + t["unproved"]
-    return [f"{SCORE}{seen} of {t['total']} one-token damages of the formulas are noticed ({t['unreadable']} cannot be read, "
-            f"{t['unproved']} lose no more than a proof); of the "
-            f"others {t['equivalent']} are proved equivalent, {t['on_motions']} say the same on every motion, "
-            f"{t['undecided'] + t['unread']} are open (`make mutate`)."]
+    return [f"{SCORE}{seen} of {t['total']} mutants (one token of a formula damaged) are killed ({t['unreadable']} cannot be read, "
+            f"{t['unproved']} lose no more than a proof); {t['equivalent']} are proved equivalent, {t['on_motions']} say the same on "
+            f"every motion, {t['undecided'] + t['unread']} are alive (`make mutate`)."]
 
 
 def table(old):
@@ -37,17 +36,10 @@ def table(old):
     lines = ["| verdict | claims |", "| --- | ---: |"]
     lines += [f"| {k} | {v} |" for k, v in summary.items() if v]
     lines += ["", *score(old)] if score(old) else []
-    lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Refuted:", ""]
     failed = [c for c in audit["claims"] if c["verdict"] in ("refuted", "conditional")]
-    slips = [f"`{c['id']}`" for c in failed if c["fault"] == "notation"]
-    for c in failed:
-        if c["fault"] == "notation":
-            continue
-        fix = c["correction"]
-        holds = f" (proved where {c['condition']})" if c["verdict"] == "conditional" else ""
-        lines.append(f"- `{c['id']}`: {c['title']}{holds}" + (f"; corrected: `{fix['text']}` ({fix['verdict']})" if fix else ""))
-    if slips:
-        lines.append(f"- slips of notation: {', '.join(slips)}")
+    slips = sum(c["fault"] == "notation" for c in failed)
+    lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Of the {len(failed)} claims that fail as printed "
+              f"{slips} are slips of notation; each has its certificate in the report."]
     return "\n".join(lines)
 
 
