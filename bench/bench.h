@@ -1,14 +1,14 @@
 /* Error against run time: jobs, the methods that can do them, and the measuring of both.
 
-   A job is a map from a few doubles, taken as exact, to a few numbers, with a truth: balls made by the suite's own model
-   in Arb.  A method is any way to that map at one of its settings (a precision, a tolerance, a step).  Its error is the
-   largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of one call,
-   from batches of calls over all inputs in turn.
+   A job is a map from a few doubles, taken as exact, to a few numbers, with a truth: balls made by the suite's own
+   model in Arb.  A method is any way to that map at one of its settings (a precision, a tolerance, a step).  Its error
+   is the largest over the job's inputs and outputs of |got - true| in units of the output's scale; its time is that of
+   one call, from batches of calls over all inputs in turn.
 
-   Files: job_*.c hold the jobs with their tables of methods; yardstick, six, newton_mpfr, formula, motion, ode and cvode
-   what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c, verdicts.c and sides.c
-   measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c, pages.c, plot.c and machine.c
-   write.
+   Files: job_*.c hold the jobs with their tables of methods; yardstick, six, newton_mpfr, formula, motion, ode and
+   cvode what the methods are made of; harness.c measures, table.c reads off the rows, ratios.c, profile.c, verdicts.c
+   and sides.c measure what no row holds, peers.c reads what was measured elsewhere (peers/); report.c, pages.c, plot.c
+   and machine.c write.
 
    Clocks are read here and in the command line, nowhere else; the library knows no time. */
 #ifndef STICKSLIP_BENCH_H
@@ -53,8 +53,8 @@ struct bench_method {
   int n_quick;
   slong bits;       /* of the arithmetic, unless the setting says it */
   const void *data; /* for open */
-  /* State for all calls at one setting, made outside of the timing; NULL: it cannot be had, which is a failure.  Both may
-     be NULL for a method without state. */
+  /* State for all calls at one setting, made outside of the timing; NULL: it cannot be had, which is a failure.  Both
+     may be NULL for a method without state. */
   void *(*open)(const struct bench_method *m, double setting, const struct bench_env *env);
   void (*close)(void *self);
   /* A status of status.h.  *steps: its work in units of its own (steps, iterations, evaluations); 0 is a failure. */
@@ -191,7 +191,8 @@ const struct bench_row *bench_find(const struct bench_table *t, const char *meth
 
 /* The inputs and their truths alone, as TSV: 17 digits, and 60.  false as above. */
 bool bench_inputs(struct text *out, const struct bench_job *job, bool quick);
-/* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be called. */
+/* Calls the method on a few inputs in turn for the given time, between begin and end; false when it cannot be
+   called. */
 bool bench_keep_busy(const struct bench_job *job, const struct bench_method *m, double setting,
                      const struct bench_env *env, double seconds, bool (*begin)(void), void (*end)(void));
 /* Appends a row; which of them are on the front is decided anew. */

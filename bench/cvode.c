@@ -1,5 +1,5 @@
-/* SUNDIALS' CVODE as a peer: its Adams and BDF formulas, and its own rootfinding on its interpolant, as a user would take
-   them.  Where SUNDIALS is not installed nothing of it is compiled. */
+/* SUNDIALS' CVODE as a peer: its Adams and BDF formulas, and its own rootfinding on its interpolant, as a user would
+   take them.  Where SUNDIALS is not installed nothing of it is compiled. */
 #include "bench/jobs.h"
 
 #ifdef STICKSLIP_SUNDIALS

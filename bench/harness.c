@@ -1,10 +1,10 @@
 /* The measuring: inputs, truth, errors, times.
 
    Inputs are points of a low-discrepancy sequence, so that they are the same in every run and spread over the domain;
-   those at which the map does not exist, or is badly conditioned, are passed over.  Before a call the outputs are set to
-   NaN, so that a method which returns nothing cannot live on what was there; a method that reports no step, or that is not
-   right in one digit, has failed whatever its time.  Times are of all inputs in turn, since one input again and again teaches
-   the branch predictor the answer. */
+   those at which the map does not exist, or is badly conditioned, are passed over.  Before a call the outputs are set
+   to NaN, so that a method which returns nothing cannot live on what was there; a method that reports no step, or that
+   is not right in one digit, has failed whatever its time.  Times are of all inputs in turn, since one input again and
+   again teaches the branch predictor the answer. */
 #include "bench/bench.h"
 
 #include <math.h>
@@ -68,8 +68,8 @@ static double log10_of(const mag_t x) {
   return log10((double)MAG_MAN(x)) + log10(2) * (double)(fmpz_get_si(MAG_EXPREF(x)) - MAG_BITS);
 }
 
-/* log10 of |got - true| / scale at most, the radius of a ball included: errors of multiprecision are below what a double
-   can be. */
+/* log10 of |got - true| / scale at most, the radius of a ball included: errors of multiprecision are below what a
+   double can be. */
 static double error_of(arb_srcptr got, const struct sample *s, int i) {
   arb_t diff;
   mag_t most;
@@ -243,8 +243,8 @@ static void first_pass(struct bench_row *row, struct trial *t, const struct benc
 /* --- Times. ---
 
    A batch goes through a stretch of the inputs, and through all of them again and again if they take less than a
-   millisecond together.  Slow methods have many stretches, each timed on its own and the times added: on a machine that is
-   shared, a stretch of a millisecond is now and then left in peace, a whole pass of a slow method never. */
+   millisecond together.  Slow methods have many stretches, each timed on its own and the times added: on a machine that
+   is shared, a stretch of a millisecond is now and then left in peace, a whole pass of a slow method never. */
 
 struct stretch {
   int from, to;

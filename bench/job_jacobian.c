@@ -1,7 +1,7 @@
 /* Job 3: the Jacobian of the return map of the positions (z_10, z_20).
 
-   The analytic methods start from the arc, whose times and states they are given correctly rounded; differences go through
-   the map and have to find the events again.  Where both are one method, its title says so. */
+   The analytic methods start from the arc, whose times and states they are given correctly rounded; differences go
+   through the map and have to find the events again.  Where both are one method, its title says so. */
 #include <gsl/gsl_deriv.h>
 #include <gsl/gsl_errno.h>
 #include <math.h>

@@ -66,8 +66,9 @@ int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, do
 /* --- motion.c: the system as an integrator sees it, in w, r, z_1', z_2'. --- */
 
 enum { Y_W, Y_R, Y_V1, Y_V2, N_Y };
-/* How an integrator is used.  Careful, which zero bytes mean: no step is longer than a quarter of the shortest period, so
-   that no event hides within one, and a phase ends by the time 1000.  Unbound: as long as its error estimate allows. */
+/* How an integrator is used.  Careful, which zero bytes mean: no step is longer than a quarter of the shortest period,
+   so that no event hides within one, and a phase ends by the time 1000.  Unbound: as long as its error estimate
+   allows. */
 struct bench_limits {
   bool unbound;
   long steps; /* of a phase; 0: 200000 */

@@ -1,6 +1,6 @@
-/* Orbits in lanes against the scalar solver: a sweep of the example over e2, every orbit at each point, guessed from the point
-   before.  What the lanes leave open is done by the scalar solver, in the time of the lanes.  The peers take turns, so
-   that a busy machine meets all of them; the least time of each counts. */
+/* Orbits in lanes against the scalar solver: a sweep of the example over e2, every orbit at each point, guessed from
+   the point before.  What the lanes leave open is done by the scalar solver, in the time of the lanes.  The peers take
+   turns, so that a busy machine meets all of them; the least time of each counts. */
 #include <math.h>
 #include <stdlib.h>
 

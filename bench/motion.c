@@ -1,5 +1,5 @@
-/* The phases of the word for integrators that know nothing of closed forms.  Starting in w and r, the pass begins with exact
-   data; at an event its own condition is put into the state, as the suite does. */
+/* The phases of the word for integrators that know nothing of closed forms.  Starting in w and r, the pass begins with
+   exact data; at an event its own condition is put into the state, as the suite does. */
 #include <math.h>
 #include <string.h>
 

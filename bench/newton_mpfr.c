@@ -1,5 +1,5 @@
-/* The periodic orbit in MPFR: the two equations of the suite's return map, of which t_b and t_c are the unknowns, by Newton's
-   iteration; each level has twice the bits of the one before and starts from its result. */
+/* The periodic orbit in MPFR: the two equations of the suite's return map, of which t_b and t_c are the unknowns, by
+   Newton's iteration; each level has twice the bits of the one before and starts from its result. */
 #include "bench/jobs.h"
 #include "motion/map_balls.h"
 

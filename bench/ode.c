@@ -1,9 +1,10 @@
 /* GSL's integrators as peers: the phases of the word in w, r, z_1', z_2', each integrated up to its event.
 
-   An event is noticed by the sign of the switching function at the ends of a step, or, when it has risen and fallen within
-   the step, by its value at the top; no step is longer than a quarter of the shortest period.  Then it is located by
-   Newton's iteration, kept in a bracket, on the length of the last step, which is repeated from its beginning: by the method
-   itself where it is a one-step method.  A multistep method cannot repeat a step, so there rk8pd does. */
+   An event is noticed by the sign of the switching function at the ends of a step, or, when it has risen and fallen
+   within the step, by its value at the top; no step is longer than a quarter of the shortest period.  Then it is
+   located by Newton's iteration, kept in a bracket, on the length of the last step, which is repeated from its
+   beginning: by the method itself where it is a one-step method.  A multistep method cannot repeat a step, so there
+   rk8pd does. */
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
@@ -92,8 +93,8 @@ static int point_at(struct point *p, struct ode *o, const struct point *from, do
   return failed;
 }
 
-/* The root between from, where sign value < 0, and *to, where it is not; into *to.  The iteration ends with a step below
-   rounding, which is not worth another look. */
+/* The root between from, where sign value < 0, and *to, where it is not; into *to.  The iteration ends with a step
+   below rounding, which is not worth another look. */
 static int locate(struct point *to, struct ode *o, const struct point *from, double sign) {
   double low = from->s, high = to->s;
   int failed = 0;

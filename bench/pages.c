@@ -1,6 +1,6 @@
-/* The pages for readers.  The first holds what all jobs share: which method to use, the ratios with what keeps them from
-   their goals, what verdicts cost, the machine; each job has a page of its own.  Every number, and every sentence that
-   depends on one, is made from the rows. */
+/* The pages for readers.  The first holds what all jobs share: which method to use, the ratios with what keeps them
+   from their goals, what verdicts cost, the machine; each job has a page of its own.  Every number, and every sentence
+   that depends on one, is made from the rows. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,10 +1,10 @@
 /* Error against time as a figure: a script for gnuplot that carries its data.
 
-   Two panels: what double precision can reach, and what lies beyond, where the axis is the logarithm of the digits, since
-   all doubles would be one line there.  Methods differ in colour, and in marker and dash together, so that the figure is
-   read in grey too.  Both axes are logarithms, made here, since errors in multiprecision leave the range of gnuplot's
-   numbers.  The dotted line is what rounding the inputs costs: in double nothing can be expected below it.  A second figure
-   shows differences in double over their steps; another what verdicts cost. */
+   Two panels: what double precision can reach, and what lies beyond, where the axis is the logarithm of the digits,
+   since all doubles would be one line there.  Methods differ in colour, and in marker and dash together, so that the
+   figure is read in grey too.  Both axes are logarithms, made here, since errors in multiprecision leave the range of
+   gnuplot's numbers.  The dotted line is what rounding the inputs costs: in double nothing can be expected below it.  A
+   second figure shows differences in double over their steps; another what verdicts cost. */
 #include <math.h>
 #include <signal.h>
 #include <stdio.h>

@@ -1,5 +1,5 @@
-/* The two equations (45) in duals, so that a bound over the box of roundings follows from the values at the middles of cells
-   and the slopes over them. */
+/* The two equations (45) in duals, so that a bound over the box of roundings follows from the values at the middles of
+   cells and the slopes over them. */
 #include "bench/printed_digits.h"
 
 #include <math.h>

@@ -4,8 +4,8 @@
 
      t_a (A1 - I)^-1 u + (A1 - I)^-1 A2 u - A3^-1 (A4 - I) u = 0,   u = (1, 1),
 
-   so each of them alone gives t_a, and (46) z_0; on an orbit they agree.  The third way takes t_b and t_c alone, the rest
-   being solved for (given.h). */
+   so each of them alone gives t_a, and (46) z_0; on an orbit they agree.  The third way takes t_b and t_c alone, the
+   rest being solved for (given.h). */
 #ifndef STICKSLIP_BENCH_PRINTED_DIGITS_H
 #define STICKSLIP_BENCH_PRINTED_DIGITS_H
 
@@ -20,13 +20,13 @@ struct printed_times {
 void printed_times_set(struct printed_times *p, const double t[3], int digits);
 void printed_times_clear(struct printed_times *p);
 
-/* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.  params
-   and t are duals (motion/dual.h), t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these, value by
-   value. */
+/* The values that equation `row` (0, 1) of (45) and then (46) give, in balls; not finite where they cannot be had.
+   params and t are duals (motion/dual.h), t those of the directions 0, 1, 2; slope, unless NULL: derivatives by these,
+   value by value. */
 void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *params, const struct num_vec *t);
 
-/* Correct digits of the printed values themselves, the fewest at points of the box of numbers that are printed so, and a
-   bound that holds in all of it (NAN: none is known). */
+/* Correct digits of the printed values themselves, the fewest at points of the box of numbers that are printed so, and
+   a bound that holds in all of it (NAN: none is known). */
 struct printed_digits {
   double printed[N_WANTED], worst[N_WANTED], sure[N_WANTED];
 };

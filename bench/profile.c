@@ -1,7 +1,7 @@
-/* Where the time of a method goes: while it runs over its inputs again and again, a clock interrupts it some thousand times
-   a second and notes the program counter.  Afterwards the counters are named, from the program's own symbol table and from
-   what libraries export; a place in a library without a name counts for the library.  For Linux; elsewhere there are no
-   profiles. */
+/* Where the time of a method goes: while it runs over its inputs again and again, a clock interrupts it some thousand
+   times a second and notes the program counter.  Afterwards the counters are named, from the program's own symbol table
+   and from what libraries export; a place in a library without a name counts for the library.  For Linux; elsewhere
+   there are no profiles. */
 #define _GNU_SOURCE
 #include "bench/jobs.h"
 

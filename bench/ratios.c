@@ -168,8 +168,8 @@ static double proof_time(void) {
 
 /* --- The map. --- */
 
-/* What the suite's MPFR map takes at 256 bits, counted at every call of an operation on a usual input; TURNS is what the
-   goal grants, TAKEN what it takes.  Corrections have half the bits; they are counted apart, and timed so. */
+/* What the suite's MPFR map takes at 256 bits, counted at every call of an operation on a usual input; TURNS is what
+   the goal grants, TAKEN what it takes.  Corrections have half the bits; they are counted apart, and timed so. */
 enum { TURNS = 11, TAKEN = 4, MAP_BITS = 256 };
 static const struct {
   void (*run)(void *);

@@ -1,5 +1,6 @@
 /* What a number of digits costs in a claim: both sides of its sentence, enclosed to so many digits at one of its own
-   points, orbits and events included.  The verdict itself is found at the precision that decides it, whatever is asked. */
+   points, orbits and events included.  The verdict itself is found at the precision that decides it, whatever is
+   asked. */
 #include <stdlib.h>
 
 #include "base/arena.h"

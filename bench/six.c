@@ -1,6 +1,6 @@
-/* Six equations for a periodic orbit, as they stand after the paper's conditions: w = e1 after t_a, chi r = e2 after t_b,
-   z_1' = V after t_c, z_2' = V after t_d, and w and r as at the start.  The state (w, r, z_1', z_2') goes through the four
-   phases, and with it its derivatives by the unknowns. */
+/* Six equations for a periodic orbit, as they stand after the paper's conditions: w = e1 after t_a, chi r = e2 after
+   t_b, z_1' = V after t_c, z_2' = V after t_d, and w and r as at the start.  The state (w, r, z_1', z_2') goes through
+   the four phases, and with it its derivatives by the unknowns. */
 #include <math.h>
 #include <string.h>
 

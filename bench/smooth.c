@@ -1,7 +1,7 @@
 /* The smoothed laws and the return to a section on which the second mass slides.
 
-   There both laws are flat, so the motion is smooth in the ordinary sense; the section is met exactly by Henon's change of
-   the independent variable: from the end of the step that crossed it the equations are integrated back in q. */
+   There both laws are flat, so the motion is smooth in the ordinary sense; the section is met exactly by Henon's change
+   of the independent variable: from the end of the step that crossed it the equations are integrated back in q. */
 #include "bench/smooth.h"
 
 #include <gsl/gsl_errno.h>
@@ -11,7 +11,8 @@
 
 const char *const smooth_law_name[N_LAWS] = {"tanh", "stribeck", "wide"};
 
-/* The largest value of tanh x (sliding + rise exp(-(x/width)^2)), which rises to one top and falls: by sections of a third. */
+/* The largest value of tanh x (sliding + rise exp(-(x/width)^2)), which rises to one top and falls: by sections of a
+   third. */
 static double peak(double sliding, double rise, double width) {
   double low = 0, high = fmin(4 * width, 40), at[2], value[2];
   for (int i = 0; i < 120; i++) {

@@ -27,8 +27,8 @@ void smooth_init(struct smooth *m, enum smooth_law law, double slope, const doub
                  const double static_limit[2]);
 /* u_i at the speed V + p, and its derivative by p. */
 double smooth_friction(double *rate, const struct smooth *m, int mass, double p);
-/* The system with tolerances: absolute ones of the speeds are small enough to see the creep, which is about V/s.  No step is
-   longer than longest, lest a passage of the section be stepped over. */
+/* The system with tolerances: absolute ones of the speeds are small enough to see the creep, which is about V/s.  No
+   step is longer than longest, lest a passage of the section be stepped over. */
 struct stepper_system smooth_system(const struct smooth *m, double tolerance, double longest);
 
 /* What is met on the way from one passage of the section to the next. */

@@ -1,7 +1,8 @@
 /* Studies: questions about integrators and formulas whose answer is a few tables, not one error against one time.
 
-   A study fills tables cell by cell; the page, the TSV files and the JSON are made from these alone.  What is said in words
-   is either about the question (which does not depend on the outcome) or a line the study makes from its numbers. */
+   A study fills tables cell by cell; the page, the TSV files and the JSON are made from these alone.  What is said in
+   words is either about the question (which does not depend on the outcome) or a line the study makes from its
+   numbers. */
 #ifndef STICKSLIP_BENCH_STUDY_H
 #define STICKSLIP_BENCH_STUDY_H
 

@@ -1,8 +1,9 @@
 /* The paper's own procedure as a method: the equations (44)-(46) against the one-dimensional return map and the six
    equations.
 
-   Each orbit of each scene on file, its e1 and e2 rounded to double and then exact, is solved for in double by the three
-   methods, beside the condition numbers of what each inverts.  Then the other way round: with t_b, t_c, t_d known to a few
+   Each orbit of each scene on file, its e1 and e2 rounded to double and then exact, is solved for in double by the
+   three methods, beside the condition numbers of what each inverts.  Then the other way round: with t_b, t_c, t_d known
+   to a few
    printed digits, what are t_a, z_10, z_20?  Last, a line of orbits that passes one at which N_1 - I is singular. */
 #include <math.h>
 #include <stdlib.h>
@@ -52,7 +53,8 @@ static void found_clear(struct found *f) {
   _fmpq_vec_clear(f->exact, N_PARAMS);
 }
 
-/* Digits asked for; orbits, how often their working precision was raised, and the most bits it had beyond those asked for. */
+/* Digits asked for; orbits, how often their working precision was raised, and the most bits it had beyond those asked
+   for. */
 static const int asked[] = {15, 50, 150, 300, 1000};
 struct planned {
   long orbits, raises, most;

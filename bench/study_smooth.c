@@ -1,8 +1,9 @@
 /* Smoothed friction: does the periodic motion of a smooth law tend to the event-driven orbit as its slope grows?
 
    Two scenes: a stable orbit, to which long runs lead by themselves, and the paper's, which is unstable and is found by
-   Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at a part of its
-   greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed forms. */
+   Newton's iteration on the return to a section (shooting).  The section lies where the second mass slides, at a part
+   of its greatest lag behind the belt.  Reference: the event-driven orbit's passage of the same section, by the closed
+   forms. */
 #include <gsl/gsl_linalg.h>
 #include <math.h>
 #include <stdlib.h>

@@ -1,13 +1,14 @@
 /* Stiff scenes: the ratio of masses eta over twenty-four decades, an orbit in each, and what integrators make of it.
 
-   For each eta a short list of forces e1, e2 is gone through, which follow the frequency omega = sqrt(chi eta) of the second
-   mass, until one has an admissible orbit that is certified.  From its r = z_2 - z_1, rounded to double and then exact, one
-   Poincare map is asked for: t_b, t_c, t_d and r at the end.  The truth are balls near the orbit's own times.
+   For each eta a short list of forces e1, e2 is gone through, which follow the frequency omega = sqrt(chi eta) of the
+   second mass, until one has an admissible orbit that is certified.  From its r = z_2 - z_1, rounded to double and then
+   exact, one Poincare map is asked for: t_b, t_c, t_d and r at the end.  The truth are balls near the orbit's own
+   times.
 
-   The integrators are GSL's and, where it is installed, CVODE's.  They take steps as long as their error estimates allow, so
-   that events can be missed.  An event is taken for the right one when it lies within an eighth of the shortest period of
-   its phase of the true one; a crossing of the same sense cannot be that near.  From the first event that is not the right
-   one on, the word is another motion's. */
+   The integrators are GSL's and, where it is installed, CVODE's.  They take steps as long as their error estimates
+   allow, so that events can be missed.  An event is taken for the right one when it lies within an eighth of the
+   shortest period of its phase of the true one; a crossing of the same sense cannot be that near.  From the first event
+   that is not the right one on, the word is another motion's. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

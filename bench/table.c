@@ -1,9 +1,9 @@
 /* The rows of a job, and what is read off them: the Pareto front, the method to use, what proof costs.
 
-   What proof costs: a method in balls against its like in MPFR, at equal true error.  At the same precision a ball knows
-   fewer digits, since its radius grows with every operation; so the ball's time is read between two of its settings, on a
-   straight line in the digits, at the error that MPFR has made.  Where no setting of the balls is so rough, the roughest
-   stands. */
+   What proof costs: a method in balls against its like in MPFR, at equal true error.  At the same precision a ball
+   knows fewer digits, since its radius grows with every operation; so the ball's time is read between two of its
+   settings, on a straight line in the digits, at the error that MPFR has made.  Where no setting of the balls is so
+   rough, the roughest stands. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Newton's iteration in double on the paper's equations, on six and on the return map, from the orbit itself: what stays is
-   what rounding does. */
+/* Newton's iteration in double on the paper's equations, on six and on the return map, from the orbit itself: what
+   stays is what rounding does. */
 #include "bench/three_ways.h"
 
 #include <gsl/gsl_linalg.h>

@@ -1,5 +1,6 @@
-/* A periodic orbit in double precision by three methods, each started at the orbit: the paper's equations (44)-(46), six
-   equations, the one-dimensional return map.  How many digits each loses, and the condition numbers of what it inverts. */
+/* A periodic orbit in double precision by three methods, each started at the orbit: the paper's equations (44)-(46),
+   six equations, the one-dimensional return map.  How many digits each loses, and the condition numbers of what it
+   inverts. */
 #ifndef STICKSLIP_BENCH_THREE_WAYS_H
 #define STICKSLIP_BENCH_THREE_WAYS_H
 

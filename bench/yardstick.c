@@ -1,6 +1,7 @@
 /* The slip-stick phase turns (w, a) about the origin, so its end is a root of r + g(t) = e2/chi with
-   g = a (t - sin t) + e1 (1 - cos t); the slip phase is two oscillations; the stick-slip phase turns (r, q/omega), and ends
-   where q is back at zero, at the radius.  The last Newton step rotates sines and cosines instead of asking libm again. */
+   g = a (t - sin t) + e1 (1 - cos t); the slip phase is two oscillations; the stick-slip phase turns (r, q/omega), and
+   ends where q is back at zero, at the radius.  The last Newton step rotates sines and cosines instead of asking libm
+   again. */
 #include "bench/yardstick.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
-/* The Poincare map and the periodic orbit as a careful programmer writes them by hand: C, double, textbook Newton from a
-   rough guess, no search for first events, nothing checked.  What the suite's own speed is measured against.
+/* The Poincare map and the periodic orbit as a careful programmer writes them by hand: C, double, textbook Newton from
+   a rough guess, no search for first events, nothing checked.  What the suite's own speed is measured against.
 
-   The map leads from r = z_2 - z_1 at the end of the stick phase (w = z_1 - chi z_2 = e1, both velocities V) to r at the
-   next one. */
+   The map leads from r = z_2 - z_1 at the end of the stick phase (w = z_1 - chi z_2 = e1, both velocities V) to r at
+   the next one. */
 #ifndef STICKSLIP_BENCH_YARDSTICK_H
 #define STICKSLIP_BENCH_YARDSTICK_H
 

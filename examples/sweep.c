@@ -1,4 +1,5 @@
-/* Where along e2 the paper's orbit is stable: its multiplier at a thousand values, and those between which it passes -1.
+/* Where along e2 the paper's orbit is stable: its multiplier at a thousand values, and those between which it passes
+   -1.
      cc -o sweep sweep.c $(pkg-config --cflags --libs stickslip) */
 #include <stdio.h>
 #include <stickslip.h>

@@ -1,4 +1,5 @@
-/* The command line: the commands of src/cli/options.def, each in a file of src/cli.  Results go to stdout, errors and progress to stderr. */
+/* The command line: the commands of src/cli/options.def, each in a file of src/cli.  Results go to stdout, errors and
+   progress to stderr. */
 #include <errno.h>
 #include <fcntl.h>
 #include <signal.h>
@@ -58,8 +59,8 @@ static void on_abort(int signal) {
   _exit(EXIT_INTERNAL);
 }
 
-/* What the caller left closed must not become a file that is written; output that has nowhere to go is an error that write
-   returns, not the end of the process. */
+/* What the caller left closed must not become a file that is written; output that has nowhere to go is an error that
+   write returns, not the end of the process. */
 static void secure_output(void) {
   for (int fd = STDIN_FILENO; fd <= STDERR_FILENO; fd++)
     if (fcntl(fd, F_GETFD) < 0 && open("/dev/null", fd == STDERR_FILENO ? O_WRONLY : O_RDONLY) != fd)

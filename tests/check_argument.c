@@ -1,6 +1,6 @@
-/* Sentences about conditions, counts, symbols and scaling: each kind of claim on small cases whose answer is known by hand,
-   by another module (the margins of an orbit) or by tests/oracle/argument.py; hostile attributes; and the claims on file as
-   a whole: nothing of the paper's numbering left out, counts that add up. */
+/* Sentences about conditions, counts, symbols and scaling: each kind of claim on small cases whose answer is known by
+   hand, by another module (the margins of an orbit) or by tests/oracle/argument.py; hostile attributes; and the claims
+   on file as a whole: nothing of the paper's numbering left out, counts that add up. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -326,8 +326,8 @@ static void faults_of(struct text *out, const char *overlay) {
   model_clear(&m);
 }
 
-/* Dimensions by hand: V t z' in (10), 1 + sin/(V omega z) in (40); all else is homogeneous.  Repaired, none is left; a time
-   added to a displacement, a displacement as an angle, or a root of unlike coefficients is found. */
+/* Dimensions by hand: V t z' in (10), 1 + sin/(V omega z) in (40); all else is homogeneous.  Repaired, none is left; a
+   time added to a displacement, a displacement as an angle, or a root of unlike coefficients is found. */
 START_TEST(formulas_without_a_degree) {
   static const struct {
     const char *overlay, *want;

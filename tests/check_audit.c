@@ -1165,8 +1165,8 @@ START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
 }
 END_TEST
 
-/* A control is its claim with something made wrong; without the wrong it is not noticed, and that is reported.  No proof is
-   looked for where only a refutation is awaited. */
+/* A control is its claim with something made wrong; without the wrong it is not noticed, and that is reported.  No
+   proof is looked for where only a refutation is awaited. */
 START_TEST(an_undamaged_control_is_a_failure) {
   for (int damaged = 0; damaged < 2; damaged++) {
     struct audit_result r;

@@ -1,6 +1,6 @@
-/* The interval of r that the return map contracts, held against the return map in double precision (its image and slope at
-   many starts) and, for what happens inside a phase, against motions stepped by matrix exponentials: beyond the interval,
-   at the point that is said to fail, the named condition must be seen to break, inside it must not. */
+/* The interval of r that the return map contracts, held against the return map in double precision (its image and slope
+   at many starts) and, for what happens inside a phase, against motions stepped by matrix exponentials: beyond the
+   interval, at the point that is said to fail, the named condition must be seen to break, inside it must not. */
 #include <check.h>
 #include <math.h>
 #include <string.h>
@@ -107,8 +107,8 @@ START_TEST(starts_inside_come_nearer) {
 }
 END_TEST
 
-/* The slope passes -1 at r near -3.0962 for the first set: by bisection on the return map in double precision.  The interval
-   reaches four fifths of the way there at least. */
+/* The slope passes -1 at r near -3.0962 for the first set: by bisection on the return map in double precision.  The
+   interval reaches four fifths of the way there at least. */
 START_TEST(the_interval_is_wide) {
   fmpq params[N_PARAMS];
   double p[N_PARAMS], image, slope, t[4];

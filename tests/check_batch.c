@@ -1,7 +1,8 @@
 /* Orbits in lanes.
 
-   Held against balls (dyn_orbit_near: existence proved, every condition decided) with condition numbers from differences of
-   balls; against the scalar solver; and against itself on every instruction set, at every place and size. */
+   Held against balls (dyn_orbit_near: existence proved, every condition decided) with condition numbers from
+   differences of balls; against the scalar solver; and against itself on every instruction set, at every place and
+   size. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -251,8 +252,8 @@ START_TEST(random_points_against_balls) {
 }
 END_TEST
 
-/* Changes of the example along e2 (stickslip bifurcate paper --along e2=0.5:3): flip, t_a = 0, fold, c_v2 (q = 0 at the end of
-   phase H), h_v1 (grazing), gamma_v1, gamma_r. */
+/* Changes of the example along e2 (stickslip bifurcate paper --along e2=0.5:3): flip, t_a = 0, fold, c_v2 (q = 0 at the
+   end of phase H), h_v1 (grazing), gamma_v1, gamma_r. */
 static const double changes[] = {1.81105820302190, 2.10396606985610, 1.11210011005519, 1.80776061081459,
                                  1.35907930480268, 2.49032031002043, 1.98570014878484};
 

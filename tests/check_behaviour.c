@@ -1,8 +1,8 @@
 /* Behaviour: the return map's Taylor series, chains of masses, and the claims that are judged by motions.
 
    Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
-   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, from the simulation of two masses, and
-   from a chain integrated here with tiny steps. */
+   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, from the simulation
+   of two masses, and from a chain integrated here with tiny steps. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -187,8 +187,8 @@ START_TEST(a_chain_of_two_is_the_papers_system) {
 }
 END_TEST
 
-/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds its
-   limit slips.  Error of the order of a step. */
+/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
+   its limit slips.  Error of the order of a step. */
 static void crude_chain(double z[2 * CHAIN_MOST], const struct chain *c, const double *start, double duration) {
   enum { STEPS = 400000 };
   int n = c->n, side[CHAIN_MOST];
@@ -377,8 +377,8 @@ START_TEST(the_long_run_of_the_printed_start) {
 }
 END_TEST
 
-/* Where a velocity perturbation frees a sticking mass the motion departs, and only there: the program's words, and the two
-   motions of longrun.tsv, of which the slowed one never comes to stick both masses again. */
+/* Where a velocity perturbation frees a sticking mass the motion departs, and only there: the program's words, and the
+   two motions of longrun.tsv, of which the slowed one never comes to stick both masses again. */
 START_TEST(a_slowed_sticking_mass_departs) {
   struct audit_result r;
   const struct finding *f = judged(&r, CLAIM("perturb") "  at: chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4\n");
@@ -610,8 +610,8 @@ START_TEST(hostile_starts) {
 }
 END_TEST
 
-/* The first motion that the audit names as leaving the paper's four configurations, put into a scene and simulated: some
-   mass goes faster than the belt. */
+/* The first motion that the audit names as leaving the paper's four configurations, put into a scene and simulated:
+   some mass goes faster than the belt. */
 START_TEST(a_certificate_can_be_rechecked) {
   struct audit_result r;
   const struct finding *f = judged(&r, CLAIM("configurations"));

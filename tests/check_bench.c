@@ -1,8 +1,8 @@
-/* The harness of the benchmarks: true errors, failures that stay failures, the Pareto front, and what the command writes.
-   Times are not tested.
+/* The harness of the benchmarks: true errors, failures that stay failures, the Pareto front, and what the command
+   writes. Times are not tested.
 
-   Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the harness
-   judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
+   Independent data: orbits.tsv, jacobian.tsv and bench.tsv of tests/oracle (mpmath).  The jobs that show how the
+   harness judges are made here, of functions whose values and condition numbers are known: x y and x^2. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -181,8 +181,8 @@ END_TEST
 
 /* --- Every method of every job is as close as its arithmetic and its setting promise. --- */
 
-/* log10 of the error that a row may have.  Differences: the least of truncation and rounding decides, so only the best of
-   their steps is held to anything (best_of). */
+/* log10 of the error that a row may have.  Differences: the least of truncation and rounding decides, so only the best
+   of their steps is held to anything (best_of). */
 static double allowed(const struct bench_row *r) {
   const struct bench_method *m = r->method;
   if (m->kind == SET_TOLERANCE) return log10(r->setting) + 4.3;
@@ -571,8 +571,8 @@ START_TEST(tables_are_well_formed) {
 }
 END_TEST
 
-/* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than that
-   error is not enough, and where all are too rough nothing is said. */
+/* The time of balls is read on a straight line between two of their settings, at MPFR's error; a setting rougher than
+   that error is not enough, and where all are too rough nothing is said. */
 START_TEST(the_price_of_proof_is_read_at_equal_error) {
   const struct bench_method *plain = NULL, *balls = NULL;
   for (int i = 0; i < bench_map.n_methods; i++) {

@@ -1,5 +1,5 @@
-/* What the benchmarks say about their rows: peers measured elsewhere, which method to use, what is not installed, where the
-   time goes, both sides of claims, the sentences of the README; and that a folder holds the last run alone.
+/* What the benchmarks say about their rows: peers measured elsewhere, which method to use, what is not installed, where
+   the time goes, both sides of claims, the sentences of the README; and that a folder holds the last run alone.
 
    Rows are made here, so that what must be chosen is known. */
 #include <check.h>
@@ -86,7 +86,8 @@ START_TEST(the_first_page_begins_with_advice) {
 }
 END_TEST
 
-/* Colours, markers and dashes differ, the key names each method once, what lies beyond double has an axis of its own. */
+/* Colours, markers and dashes differ, the key names each method once, what lies beyond double has an axis of its
+   own. */
 START_TEST(figures_tell_methods_apart) {
   struct text script;
   text_init(&script);

@@ -1,9 +1,10 @@
 /* Bifurcations along lines in parameter space.
 
    Values come from tests/oracle/bifurcations.tsv (mpmath, matrix exponentials, unknowns p and r).  What happens at each
-   change is held against the search for orbits at single parameter values, which knows no curves: between two changes the
-   number of orbits must be what the changes so far make it, on both sides of each the stability and the conditions that it
-   says.  Derivatives carried by balls are held against those written out in motion/map_balls.c and against differences. */
+   change is held against the search for orbits at single parameter values, which knows no curves: between two changes
+   the number of orbits must be what the changes so far make it, on both sides of each the stability and the conditions
+   that it says.  Derivatives carried by balls are held against those written out in motion/map_balls.c and against
+   differences. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -296,7 +297,8 @@ static const struct {
              {{"0.1857", "0.1006", "1.6272", "0", "16.2816"}, P_E1, "0.1", "3"}}; /* w meets e1 in phase C */
 enum { N_LINES = sizeof lines / sizeof *lines };
 
-/* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is left. */
+/* At six digits the ends of a bracket are far enough apart for the search; between two changes it must find what is
+   left. */
 START_TEST(each_change_does_what_it_says) {
   struct line l;
   struct dyn_bifurcations list;
@@ -379,7 +381,8 @@ START_TEST(third_order_of_the_oracle) {
 }
 END_TEST
 
-/* Given static friction: at low and high the bound on it, as the search has it, lies on different sides of what is given. */
+/* Given static friction: at low and high the bound on it, as the search has it, lies on different sides of what is
+   given. */
 START_TEST(friction_that_is_just_enough) {
   const char *const params[] = {"0.8", "1", "1", "2.7844", "0"};
   struct line l;

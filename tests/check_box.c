@@ -1,8 +1,8 @@
 /* Orbits over boxes of parameters.
 
-   What is said of a box is held against the search for orbits at exact points of it, which knows no boxes: every number of
-   the orbit there must lie in its enclosure, every truth must be the one that the box says, and what changes over the box
-   must be seen to change.  Enclosures may not be much wider than the numbers themselves range. */
+   What is said of a box is held against the search for orbits at exact points of it, which knows no boxes: every number
+   of the orbit there must lie in its enclosure, every truth must be the one that the box says, and what changes over
+   the box must be seen to change.  Enclosures may not be much wider than the numbers themselves range. */
 #include <check.h>
 #include <math.h>
 #include <stdlib.h>
@@ -185,8 +185,8 @@ START_TEST(what_is_settled_and_what_changes) {
 }
 END_TEST
 
-/* The orbit with t_b near 1.25 at e2 = 1.8 ends at 1.8077606... (z_2' = V at t_c), the one with t_c near 10.9 at e2 = 1.3
-   at 1.3590793...: over boxes that hold the end nothing is claimed. */
+/* The orbit with t_b near 1.25 at e2 = 1.8 ends at 1.8077606... (z_2' = V at t_c), the one with t_c near 10.9 at e2 =
+   1.3 at 1.3590793...: over boxes that hold the end nothing is claimed. */
 START_TEST(an_orbit_that_ends_is_not_proved) {
   static const struct {
     const char *low, *high;

@@ -1,9 +1,9 @@
 /* Certified orbits, and the separate checker of their certificates.
 
-   What is proved is held against tests/oracle (mpmath: matrix exponentials, 60 digits, violations in double precision).  The
-   checker runs as a process; $STICKSLIP-checker is its path.  A certificate with anything false in it must be rejected:
-   every number and every truth of a real one is changed in turn, and solutions of the six equations that start an event
-   too early are forged into certificates. */
+   What is proved is held against tests/oracle (mpmath: matrix exponentials, 60 digits, violations in double
+   precision).  The checker runs as a process; $STICKSLIP-checker is its path.  A certificate with anything false in it
+   must be rejected: every number and every truth of a real one is changed in turn, and solutions of the six equations
+   that start an event too early are forged into certificates. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -262,7 +262,8 @@ START_TEST(near_folds_and_grazing_events) {
 }
 END_TEST
 
-/* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c = -35.2. */
+/* The search must not take Newton's iteration for an orbit when it has left the phases: here t_b = -23.4 and t_c =
+   -35.2. */
 START_TEST(no_orbit_of_negative_times) {
   struct study s;
   study_forces(&s, "0.74", "17", "0.62", "4.97", "2966149895247801843819/10000000000000000000000");
@@ -317,9 +318,9 @@ START_TEST(long_slip_and_given_times) {
 }
 END_TEST
 
-/* Parameters at which a loop once had no bound: t_b of 1.7e9, behind some 270 million crests of the rise; phase H of seven
-   million oscillations, of which only those that the slow mode brings near a limit are looked at; a search of passes that end
-   before they take a step. */
+/* Parameters at which a loop once had no bound: t_b of 1.7e9, behind some 270 million crests of the rise; phase H of
+   seven million oscillations, of which only those that the slow mode brings near a limit are looked at; a search of
+   passes that end before they take a step. */
 START_TEST(extremes_end) {
   struct study s;
   study_forces(&s, "1e-9", "1", "1", "2.7844", "0.8587");
@@ -376,7 +377,8 @@ static int checker_with(const struct text *json, size_t at, size_t len, const ch
   return status;
 }
 
-/* The next value after the colon at or behind `from`: begin and length, a string without its quotes; false at the end. */
+/* The next value after the colon at or behind `from`: begin and length, a string without its quotes; false at the
+   end. */
 static bool next_value(size_t *begin, size_t *len, const struct text *json, size_t from) {
   const char *p = strstr(json->data + from, "\": ");
   while (p && (p[3] == '{' || p[3] == '[')) p = strstr(p + 3, "\": ");
@@ -423,7 +425,8 @@ static void damage(char out[400], const char *value, int how) {
   fmpq_clear(q);
 }
 
-/* Every number of the paper's two orbits, in three ways each.  A time at which h_v2 is broken may be another such time. */
+/* Every number of the paper's two orbits, in three ways each.  A time at which h_v2 is broken may be another such
+   time. */
 START_TEST(a_changed_number_is_rejected) {
   struct study s;
   size_t at, len, from = 0;

@@ -629,8 +629,8 @@ START_TEST(at_the_printed_numbers) {
 }
 END_TEST
 
-/* "accuracy 2.4e-11 (...)": the number stands in the text of every method, and the entries are as near as it says to those
-   of jacobian.tsv, the first return of which is the paper's second orbit. */
+/* "accuracy 2.4e-11 (...)": the number stands in the text of every method, and the entries are as near as it says to
+   those of jacobian.tsv, the first return of which is the paper's second orbit. */
 START_TEST(every_method_states_its_accuracy) {
   static const char *const methods[] = {"analytic", "implicit", "saltation", "fd", "fd-double", "ode"};
   static const double most[] = {1e-15, 1e-15, 1e-15, 1e-15, 1e-9, 1e-7};
@@ -687,8 +687,8 @@ START_TEST(the_papers_equations_have_the_same_orbits) {
 }
 END_TEST
 
-/* Columns of the table: every method once, a row for each entry, and a star and a sentence where the printed (40) departs:
-   at V = 2 in all of J_f and J. */
+/* Columns of the table: every method once, a row for each entry, and a star and a sentence where the printed (40)
+   departs: at V = 2 in all of J_f and J. */
 START_TEST(the_table_of_phases) {
   const char *scene = scratch_put("two.scene", "chi = 0.59\neta = 3.1\nV = 2\ne1 = 3.54\ne2 = 0.0657\n");
   struct job j;
@@ -963,8 +963,9 @@ START_TEST(any_two_of_six) {
 }
 END_TEST
 
-/* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, whose t_d = 2.34209
-   prints as 2.34 while t_a = 0.47204, z10 = 1.00674, z20 = -2.06539 do not print as they stand; records are for paper. */
+/* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, whose t_d =
+   2.34209 prints as 2.34 while t_a = 0.47204, z10 = 1.00674, z20 = -2.06539 do not print as they stand; records are for
+   paper. */
 START_TEST(numbers_of_a_scene_without_forces) {
   static const struct {
     const char *id, *verdict, *shows;
@@ -1309,8 +1310,8 @@ static const char *output_of(const char *name, const char *const *args) {
   return path;
 }
 
-/* A scene with an interval: orbit and verify take it, claims about one set of parameters are skipped with the reason, and
-   nothing on record is contradicted; every other command refuses it. */
+/* A scene with an interval: orbit and verify take it, claims about one set of parameters are skipped with the reason,
+   and nothing on record is contradicted; every other command refuses it. */
 START_TEST(a_box_of_parameters) {
   static const char *const others[] = {"simulate", "jacobian", "readings"};
   const char *box = scratch_put("box.scene", "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = [1.812, 2.1]\n");
@@ -1647,8 +1648,8 @@ static void is_proved_or_excepted(const char *path, const char *out, const char 
   if (why && strcmp(lacks, "complete") == 0) ck_assert_msg(strstr(out, why) != NULL, "%s: %.300s", path, out);
 }
 
-/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and for
-   lists of other words than the paper's, whose search is not exhaustive and says so. */
+/* Every scene on file has a list proved complete and orbits that are certified, to 30 digits, but for those above, and
+   for lists of other words than the paper's, whose search is not exhaustive and says so. */
 START_TEST(scenes_on_file_are_proved) {
   glob_t g;
   ck_assert(glob("verify/scenes/*.scene", 0, NULL, &g) == 0 && g.gl_pathc >= 25);

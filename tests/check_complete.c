@@ -476,8 +476,8 @@ END_TEST
 
 /* --- Hard places. --- */
 
-/* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits or
-   with none; it says that a double zero may be there once they are too close; it is never complete with one. */
+/* Two orbits of the set "fold" meet between e2 = 2.72 and 2.75.  On the way there a list is complete with both orbits
+   or with none; it says that a double zero may be there once they are too close; it is never complete with one. */
 START_TEST(near_a_fold) {
   fmpq p[N_PARAMS];
   fmpq_t two, none;
@@ -519,7 +519,8 @@ START_TEST(near_a_fold) {
 }
 END_TEST
 
-/* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through zero. */
+/* t_b at the crest of the rise: p starts phase H at zero and rises, and its first root is where it falls through
+   zero. */
 static double crest_defect(const double p[N_PARAMS]) {
   double a = (1 - p[P_CHI]) * p[P_V], fall = PI + 2 * atan2(a, p[P_E1]), at[4], low = 0, high = 0;
   double r0 = p[P_E2] / p[P_CHI] - a * (fall - sin(fall)) - p[P_E1] * (1 - cos(fall));

@@ -1,5 +1,5 @@
-/* Arithmetic, sines and angles in twice the precision, held against balls on random operands of every size that the orbits
-   have. */
+/* Arithmetic, sines and angles in twice the precision, held against balls on random operands of every size that the
+   orbits have. */
 #include <check.h>
 #include <math.h>
 

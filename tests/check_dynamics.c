@@ -376,7 +376,8 @@ START_TEST(stick_phase_ends_at_either_sign) {
 }
 END_TEST
 
-/* z_1 = z_2 = 1 + 2^-30 and chi = 1 - 2^-30: w = 2^-30 + 2^-60, of which the second part is lost where chi z_2 is rounded. */
+/* z_1 = z_2 = 1 + 2^-30 and chi = 1 - 2^-30: w = 2^-30 + 2^-60, of which the second part is lost where chi z_2 is
+   rounded. */
 START_TEST(forces_are_not_lost_in_positions) {
   const double tiny = 0x1p-30, p[N_PARAMS] = {1 - tiny, 1, 1, tiny, 1}, z[N_STATE] = {1 + tiny, 1 + tiny, 1, 1};
   double t;

@@ -1,8 +1,8 @@
 /* What rests on what, what falls with a failure, and the sheets that say so.
 
-   Second opinions: tests/oracle/depends.py reads the files' text by itself; tests/oracle/sheets.py knows the grammars of
-   DOT, Markdown and LaTeX; what must change and by how much is worked out here by hand, from where V stands in (10) and
-   (40), and from the matrix exponentials of the model. */
+   Second opinions: tests/oracle/depends.py reads the files' text by itself; tests/oracle/sheets.py knows the grammars
+   of DOT, Markdown and LaTeX; what must change and by how much is worked out here by hand, from where V stands in (10)
+   and (40), and from the matrix exponentials of the model. */
 #include <check.h>
 #include <math.h>
 #include <stdarg.h>
@@ -105,7 +105,8 @@ START_TEST(dependences_are_those_of_the_text) {
 }
 END_TEST
 
-/* A definition that names another claim's value makes the claim rest on it, and the list keeps the order of the files. */
+/* A definition that names another claim's value makes the claim rest on it, and the list keeps the order of the
+   files. */
 START_TEST(a_new_use_is_a_new_dependence) {
   struct model m;
   load(&m, "define user\n  section: stability\n  J_a := (1/(1 - chi))*[-1, 1] + 0*tr(K_1)*[1, 1]\n", NULL);
@@ -186,10 +187,10 @@ END_TEST
 
 /* --- What falls --- */
 
-/* (10): D enters (12), (20), (23)-(25), N and all that is made of N or patched together, but how many equations these are
-   worth does not change with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of J_f
-   enter (40), (41), but not
-   what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank 1). */
+/* (10): D enters (12), (20), (23)-(25), N and all that is made of N or patched together, but how many equations these
+   are worth does not change with the factor V, which is not zero, and (45) suffices whatever N is; (40): the entries of
+   J_f enter (40), (41), but not what is said of J's trace (x_f and y_f move alike) and determinant (J_b J_a has rank
+   1). */
 START_TEST(what_falls_with_a_formula) {
   static const struct {
     const char *failure, *falls, *survives;
@@ -265,8 +266,8 @@ START_TEST(size_of_the_error_in_40) {
 }
 END_TEST
 
-/* (10) prints V t for t: N = C H Gamma D changes by (V - 1) t_a times its first two columns.  Here with the model's matrix
-   exponentials, in double precision, on the orbit of the example. */
+/* (10) prints V t for t: N = C H Gamma D changes by (V - 1) t_a times its first two columns.  Here with the model's
+   matrix exponentials, in double precision, on the orbit of the example. */
 START_TEST(size_of_the_error_in_10) {
   const struct derived *d = derived_of("eq-10", "N");
   ck_assert_int_eq(d->change, CHANGE_CHANGES);
@@ -312,7 +313,8 @@ START_TEST(size_of_the_error_in_10) {
 }
 END_TEST
 
-/* t_a = 0.6784 in place of the orbit's: by hand, 0.6784 (1 - 0.8)/2 = 0.06784, and the period moves by as much as t_a. */
+/* t_a = 0.6784 in place of the orbit's: by hand, 0.6784 (1 - 0.8)/2 = 0.06784, and the period moves by as much as
+   t_a. */
 START_TEST(size_of_a_misprinted_time) {
   ck_assert_double_eq_tol(strtod(derived_of("num-t_a", "V*t_a*(1 - chi)/2")->printed, NULL), 0.06784, 1e-12);
   const struct derived *d = derived_of("num-t_a", "t_a + t_b + t_c + t_d"),
@@ -402,7 +404,8 @@ START_TEST(without_a_correction_nothing_is_said) {
 }
 END_TEST
 
-/* z10 = 0.97818..., z20 = -2.12469..., t_a/10 = 0.05322... of the orbit in tests/oracle/orbits.tsv, to four decimals. */
+/* z10 = 0.97818..., z20 = -2.12469..., t_a/10 = 0.05322... of the orbit in tests/oracle/orbits.tsv, to four
+   decimals. */
 START_TEST(numbers_are_corrected_to_as_many_digits) {
   static const char *const want[][2] = {
       {"num-z10", "z10 = 0.9782"}, {"num-z20", "z20 = -2.1247"}, {"num-u_r1", "u_r1 > 0.0532"}};
@@ -443,7 +446,8 @@ START_TEST(worst_first) {
 }
 END_TEST
 
-/* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they do. */
+/* A result record of nothing but traps for three languages: each in a number's place, in a formula's, and in what they
+   do. */
 enum { MOST_TRAPS = 80 };
 static void hostile(struct audit_result *r, const char *const *traps, size_t n) {
   static struct finding f[2 * MOST_TRAPS];

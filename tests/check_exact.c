@@ -1,6 +1,6 @@
-/* Proofs by exact algebra: the arithmetic against balls at random points, derivatives by the rules, the model's motions as
-   elements against the same motions in balls, that nothing is proved of damaged formulas that balls refute, and receipts
-   run by another algebra system. */
+/* Proofs by exact algebra: the arithmetic against balls at random points, derivatives by the rules, the model's motions
+   as elements against the same motions in balls, that nothing is proved of damaged formulas that balls refute, and
+   receipts run by another algebra system. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -246,8 +246,8 @@ START_TEST(given_times_fix_the_limits_to_any_precision) {
 }
 END_TEST
 
-/* An orbit beside its flip loses more bits in |tr J| - 1 than the guard holds: with t_b and t_c as data too, that costs a
-   second attempt below the pilot's threshold and none above it. */
+/* An orbit beside its flip loses more bits in |tr J| - 1 than the guard holds: with t_b and t_c as data too, that costs
+   a second attempt below the pilot's threshold and none above it. */
 START_TEST(the_first_precision_is_planned_from_times) {
   static const slong prec[] = {256, 1500};
   static const char *const data[N_PARAMS] = {"0.8", "1", "1", "2.7844", "1.8110582"};

@@ -1,6 +1,6 @@
-/* What must not harm: bad values of every option, bad files, memory and disks that end, readers that go away, and what the
-   fuzzers found.  The cases are tables in tests/hostile, where each line says what is wrong; the program is a process that may
-   not have more than the memory and the time that a refusal takes. */
+/* What must not harm: bad values of every option, bad files, memory and disks that end, readers that go away, and what
+   the fuzzers found.  The cases are tables in tests/hostile, where each line says what is wrong; the program is a
+   process that may not have more than the memory and the time that a refusal takes. */
 #include <check.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -225,7 +225,8 @@ static void expand(struct text *out, const char *v) {
 
 /* --- Options --- */
 
-/* Less than a second of processor time: of what takes longer once, on a machine that does other things, the third time says. */
+/* Less than a second of processor time: of what takes longer once, on a machine that does other things, the third time
+   says. */
 static void run_in_a_second(struct job *j) {
   for (int i = 0; i < 3 && (i == 0 || j->seconds >= 1); i++) run(j);
 }
@@ -626,8 +627,8 @@ static const struct ending endings[] = {{SIGINT, {"SIGNAL_AT_RENAME=2", "SIGNAL_
                                         {SIGHUP, {"SIGNAL_AT_RENAME=1", "SIGNAL_AT_RENAME=1:3"}}};
 enum { N_ENDINGS = sizeof endings / sizeof *endings };
 
-/* When every file is written and none is renamed, the old ones stay.  verify says so, with its status; other commands are ended
-   by the signal. */
+/* When every file is written and none is renamed, the old ones stay.  verify says so, with its status; other commands
+   are ended by the signal. */
 START_TEST(a_signal_while_files_are_written) {
   if (!can_preload()) return;
   for (int i = 0; i < 2; i++) { /* a report of several files, a certificate */

@@ -1,8 +1,8 @@
 /* The page and the files beside it.
 
-   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py tries
-   the page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the definitions
-   of MathML Core and of TeX. */
+   Second opinions: tests/oracle/page.py knows XML, HTML, MathML, CSV and JUnit and reads TeX by itself; browser.py
+   tries the page in Chromium where that is installed; the MathML of single formulas is written here by hand, by the
+   definitions of MathML Core and of TeX. */
 #include <check.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -549,7 +549,8 @@ START_TEST(what_stands_where) {
 }
 END_TEST
 
-/* The score is shown as it was counted, digits beside the precision, and none where there is no study or no residual. */
+/* The score is shown as it was counted, digits beside the precision, and none where there is no study or no
+   residual. */
 START_TEST(power_and_digits) {
   struct mutation_score score = {1000, 700, 100, 50, 90, 40, 20};
   struct evidence e[] = {{.route = "balls", .layer = "l", .result = "agrees", .bits = 128, .residual = "1e-37"},

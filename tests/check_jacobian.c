@@ -1,8 +1,8 @@
-/* Jacobians by every method: each states an accuracy and is held to it, of the period and of each phase; a wrong entry is
-   located; scenes that give other quantities than e1 and e2.
+/* Jacobians by every method: each states an accuracy and is held to it, of the period and of each phase; a wrong entry
+   is located; scenes that give other quantities than e1 and e2.
 
-   Independent data: orbits.tsv, jacobian.tsv and times.tsv of tests/oracle (mpmath: matrix exponentials, findroot, central
-   differences at 150 digits). */
+   Independent data: orbits.tsv, jacobian.tsv and times.tsv of tests/oracle (mpmath: matrix exponentials, findroot,
+   central differences at 150 digits). */
 #include <check.h>
 #include <math.h>
 #include <stdint.h>
@@ -156,8 +156,8 @@ START_TEST(fd_double_keeps_its_word_on_every_orbit) {
 }
 END_TEST
 
-/* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the largest
-   error as a part of the stated accuracy. */
+/* One phase from a state: the derivatives along the axes in double precision against those in balls.  Returns the
+   largest error as a part of the stated accuracy. */
 static double strain(enum phase ph, const double *params, const double *in, double t) {
   static const double axes[N_STATE][N_STATE] = {{1, 0, 0, 0}, {0, 1, 0, 0}, {0, 0, 1, 0}, {0, 0, 0, 1}};
   struct num_ctx ctx = num_ctx_arb(200);
@@ -184,8 +184,8 @@ static double strain(enum phase ph, const double *params, const double *in, doub
 }
 
 /* Two cases that once stated too little.  A long phase Gamma: the times of close neighbours met the sawtooth of their
-   roundings on one slope, which hid the noise.  And a phase H that starts on its own switching surface, where the root at t = 0
-   is there on both sides of the start and the long steps went to it together. */
+   roundings on one slope, which hid the noise.  And a phase H that starts on its own switching surface, where the root
+   at t = 0 is there on both sides of the start and the long steps went to it together. */
 START_TEST(cases_that_stated_too_little) {
   static const struct {
     enum phase phase;
@@ -341,8 +341,8 @@ START_TEST(the_orbits_are_of_many_kinds) {
 }
 END_TEST
 
-/* The entries of the paper's local Jacobians in terms of the 4x4 derivatives l of jacobian.tsv, by hand from the sentences
-   around (27), (32), (36) and (40). */
+/* The entries of the paper's local Jacobians in terms of the 4x4 derivatives l of jacobian.tsv, by hand from the
+   sentences around (27), (32), (36) and (40). */
 static void corners(double want[N_PHASES][6], double (*l)[4][4], double chi) {
   for (int k = 0; k < 2; k++) want[PHASE_D][k] = l[PHASE_D][1][k];
   want[PHASE_GAMMA][0] = chi * l[PHASE_GAMMA][1][0] + l[PHASE_GAMMA][1][1];
@@ -585,7 +585,8 @@ START_TEST(any_two_quantities_make_the_same_jacobian) {
 }
 END_TEST
 
-/* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given ones. */
+/* At printed numbers e1 and e2 that are not given are the printed ones, and times that are not printed the given
+   ones. */
 START_TEST(printed_numbers_stand_in_for_what_is_not_given) {
   static const char printed[] = "printed: t_a = 0.6784\nprinted: t_b = 2\nprinted: t_c = 1.5\nprinted: t_d = 2.34\n"
                                 "printed: z10 = 0.8921\nprinted: z20 = -2.1958\n";

@@ -1,6 +1,7 @@
-/* What damaged formulas showed to be unread: Coulomb's law branch by branch, the blocks and springs behind (1), states and
-   perturbations where nothing is V, friction that a realistic orbit has, arguments both ways, ranges that are no phase.
-   What is expected is known by hand: the law by its words, the blocks by Newton's law, forces by the orbit's own bounds. */
+/* What damaged formulas showed to be unread: Coulomb's law branch by branch, the blocks and springs behind (1), states
+   and perturbations where nothing is V, friction that a realistic orbit has, arguments both ways, ranges that are no
+   phase. What is expected is known by hand: the law by its words, the blocks by Newton's law, forces by the orbit's own
+   bounds. */
 #include <check.h>
 #include <stdlib.h>
 #include <string.h>
@@ -157,8 +158,8 @@ START_TEST(blocks_obey_newton) {
 }
 END_TEST
 
-/* Closed forms and exponentials carry a patched state alike; nothing on the way is V, and no two perturbations agree but
-   those that are zero. */
+/* Closed forms and exponentials carry a patched state alike; nothing on the way is V, and no two perturbations agree
+   but those that are zero. */
 START_TEST(patched_states_are_general) {
   static const char *const tangent[] = {"x",   "y",   "u",   "v",   "x_a", "y_a", "u_a", "v_a", "x_b", "y_b",
                                         "u_b", "v_b", "x_c", "y_c", "u_c", "v_c", "x_f", "y_f", "u_f", "v_f"};

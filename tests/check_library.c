@@ -1,5 +1,5 @@
-/* The library as a program sees it, by its public headers alone: what its functions answer, held against tests/oracle, and that
-   wrong arguments are answered with a status and a sentence. */
+/* The library as a program sees it, by its public headers alone: what its functions answer, held against tests/oracle,
+   and that wrong arguments are answered with a status and a sentence. */
 #include <check.h>
 #include <math.h>
 #include <pthread.h>

@@ -1,6 +1,7 @@
-/* Runs every suite, or that of CK_RUN_SUITE, each test in a process of its own so that one that aborts or hangs fails alone;
-   Check's summary is the last line.  A test may take two minutes, and all such limits are five times as long: they end what
-   hangs, and machines are slow or busy.  Tests of many minutes run only when asked for, by CK_INCLUDE_TAGS=exhaustive. */
+/* Runs every suite, or that of CK_RUN_SUITE, each test in a process of its own so that one that aborts or hangs fails
+   alone; Check's summary is the last line.  A test may take two minutes, and all such limits are five times as long:
+   they end what hangs, and machines are slow or busy.  Tests of many minutes run only when asked for, by
+   CK_INCLUDE_TAGS=exhaustive. */
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,6 +1,6 @@
-/* The pass through the word at many digits against three other ways: mpmath with matrix exponentials (tests/oracle), the
-   phases one by one by dyn_event and dyn_flow at four times the precision, and exact points inside wide balls.  What
-   cannot be proved must not be claimed. */
+/* The pass through the word at many digits against three other ways: mpmath with matrix exponentials (tests/oracle),
+   the phases one by one by dyn_event and dyn_flow at four times the precision, and exact points inside wide balls.
+   What cannot be proved must not be claimed. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -88,7 +88,8 @@ static double part(struct rng *r, double low, double high) {
   return low + (high - low) * (double)rng_between(r, 0, 1 << 20) / (1 << 20);
 }
 
-/* Every kind of parameter: 1 - chi and chi down to 2^-20, the others over factors of a thousand, t_b from tiny to long. */
+/* Every kind of parameter: 1 - chi and chi down to 2^-20, the others over factors of a thousand, t_b from tiny to
+   long. */
 static void random_start(double x[N_START], struct rng *r) {
   double small = exp2(part(r, -20, -1));
   x[P_CHI] = rng_between(r, 0, 1) ? small : 1 - small;
@@ -244,8 +245,9 @@ START_TEST(wide_balls_hold_the_arcs_of_their_points) {
 }
 END_TEST
 
-/* In phase Gamma chi r rises by a (t - sin t) + e1 (1 - cos t), with a crest at pi + 2 atan(a/e1) and the next rise above
-   it far later.  A start whose rise is the crest's has a double root, a little less two near it, a little more none. */
+/* In phase Gamma chi r rises by a (t - sin t) + e1 (1 - cos t), with a crest at pi + 2 atan(a/e1) and the next rise
+   above it far later.  A start whose rise is the crest's has a double root, a little less two near it, a little more
+   none. */
 START_TEST(a_double_root_and_none_are_not_proved) {
   double x[N_START] = {0.5, 1, 0.5, 4, 1, 0, 0}, a = 0.25, crest = PI + 2 * atan2(a, 4);
   double rise = a * (crest - sin(crest)) + 4 * (1 - cos(crest)), guess[N_PHASES] = {0, crest, 1, 1};

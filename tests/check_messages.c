@@ -1,6 +1,6 @@
-/* Every message is there to be read once.  Most are asked for where what they are about is tested; here are more of command
-   lines and files (tests/hostile/messages.tsv) and of claims that judging finds to be wrong (claims.tsv).  tools/untested.py
-   holds all messages of the program against what the tests reach. */
+/* Every message is there to be read once.  Most are asked for where what they are about is tested; here are more of
+   command lines and files (tests/hostile/messages.tsv) and of claims that judging finds to be wrong (claims.tsv).
+   tools/untested.py holds all messages of the program against what the tests reach. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -36,7 +36,8 @@ static int each_row(const char *path, int columns, void (*f)(char *column[MOST_C
 
 /* --- Command lines and files --- */
 
-/* @N{text} repeats, {report} begins an audit.json whose first members are as they should be, \n ends a line, \\ is one. */
+/* @N{text} repeats, {report} begins an audit.json whose first members are as they should be, \n ends a line, \\ is
+   one. */
 static void expand(struct text *out, const char *v) {
   static const char report[] = "{\"schema\": \"stickslip-audit-1\", ";
   while (*v) {

@@ -199,7 +199,8 @@ static double value_of(const char *text) {
   return x;
 }
 
-/* Random expressions: rewritten by the laws of a field they stay equal; and whatever is called equal has equal values. */
+/* Random expressions: rewritten by the laws of a field they stay equal; and whatever is called equal has equal
+   values. */
 START_TEST(equality_obeys_the_laws_and_never_lies) {
   static const char *const rewritten[] = {"((%s) + (%s)) - (%s)", "-(-(%s)) + ((%s) - (%s))",
                                           "(%s)*(1 + (%s)^2)/(1 + (%s)^2)"};
@@ -477,8 +478,8 @@ static struct verdicts verdicts_of(const struct claim *c, const struct model *m,
   return v;
 }
 
-/* Every statement replaced by a copy of itself, all at once: no claim with little effort says anything else, none that is
-   asked early is refuted that is not refuted in full. */
+/* Every statement replaced by a copy of itself, all at once: no claim with little effort says anything else, none that
+   is asked early is refuted that is not refuted in full. */
 START_TEST(a_copy_of_the_text_is_not_noticed) {
   struct overlay o;
   struct arena a;
@@ -602,7 +603,8 @@ START_TEST(what_is_touched_is_enough_for_scaling) {
 }
 END_TEST
 
-/* A claim about corrected text is compared as corrected too: damage to an erratum does not show in its own printed text. */
+/* A claim about corrected text is compared as corrected too: damage to an erratum does not show in its own printed
+   text. */
 START_TEST(a_correction_that_differs_is_not_called_the_same) {
   const struct claim *c = claim_of("eq-30");
   struct overlay o;
@@ -796,7 +798,8 @@ START_TEST(every_erratum_is_found) {
 }
 END_TEST
 
-/* The repaired text written into a file of its own and judged by a whole run: the verdict is the one that was promised. */
+/* The repaired text written into a file of its own and judged by a whole run: the verdict is the one that was
+   promised. */
 START_TEST(every_repair_passes_a_run_of_its_own) {
   long tried = 0;
   for (size_t i = 0; i < all_repairs.n; i++)
@@ -935,7 +938,8 @@ static bool works(pid_t pid) {
   return group_lives(pid) == 4 && group_seconds(pid) >= 1;
 }
 
-/* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is left. */
+/* Ended in the midst of its work, by Ctrl-C for all or by a signal for the parent alone: no file, no process is
+   left. */
 START_TEST(an_interrupted_run_leaves_nothing) {
   const char *out = scratch_path("interrupted");
   fflush(NULL);

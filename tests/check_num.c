@@ -458,8 +458,8 @@ START_TEST(sines_are_rounded_as_mpfr_does) {
 }
 END_TEST
 
-/* (x - a)(x - b) of different a and b, at two precisions, in an order that brings each back before and after others have
-   pushed it out: a root that is kept is the one that a first question gets, and no other polynomial's. */
+/* (x - a)(x - b) of different a and b, at two precisions, in an order that brings each back before and after others
+   have pushed it out: a root that is kept is the one that a first question gets, and no other polynomial's. */
 START_TEST(a_root_asked_again_is_the_same) {
   enum { N = 7, ROUNDS = 5 };
   arb_t first[N][2];
@@ -770,7 +770,8 @@ static void check_print(const arb_t x, slong digits, int status, const char *exp
   text_clear(&out);
 }
 
-/* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by num_print. */
+/* By hand: ties go to the even digit, a carry makes a digit more, large and small numbers are laid out as by
+   num_print. */
 START_TEST(rationals_have_all_their_digits) {
   static const struct {
     const char *q;

@@ -1,5 +1,5 @@
-/* The tables and pictures of stickslip plot: numbers against tests/oracle/pictures.py, which has its own equations of motion and
-   reads the data of the other independent programs; what may come in; the same bytes twice. */
+/* The tables and pictures of stickslip plot: numbers against tests/oracle/pictures.py, which has its own equations of
+   motion and reads the data of the other independent programs; what may come in; the same bytes twice. */
 #include <check.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -83,8 +83,8 @@ START_TEST(pictures_come_from_their_tables_alone) {
 }
 END_TEST
 
-/* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show come from
-   separate code. */
+/* No claim is judged by drawing: what the audit says of the closing gap (judge/closure.c) and what the figures show
+   come from separate code. */
 START_TEST(the_gap_is_that_of_the_claim) {
   static const char *const want[] = {"0.14009", "0.10977"}; /* arcs.tsv: end minus printed start, rounded */
   struct audit_result r;

@@ -1,5 +1,5 @@
-/* Computing what is asked and nothing else: the same bytes by any number of processes, alone and together; budgets, routes
-   and values that scenes ask for; the plan; ends from outside. */
+/* Computing what is asked and nothing else: the same bytes by any number of processes, alone and together; budgets,
+   routes and values that scenes ask for; the plan; ends from outside. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include <check.h>
 #include <fcntl.h>
@@ -385,8 +385,8 @@ static bool is_kind(const char *id, const char *kind) {
   return false;
 }
 
-/* Every claim of the paper, whatever the budget: its verdict is that without one, or unknown as the budget ran out.  Kinds
-   that search, simulate or work through all formulas come to no verdict for one unit. */
+/* Every claim of the paper, whatever the budget: its verdict is that without one, or unknown as the budget ran out.
+   Kinds that search, simulate or work through all formulas come to no verdict for one unit. */
 START_TEST(no_budget_makes_a_verdict) {
   static const unsigned long long budgets[] = {1, 3000, 100000};
   static const char *const costly[] = {"scaling", "existence", "reach", "argument", "criterion", "number", "rank"};
@@ -588,8 +588,8 @@ START_TEST(planned_values_need_no_more) {
 }
 END_TEST
 
-/* The trace is that of tests/oracle/orbits.tsv, set paper, whose determinant is 0; omega^2 = chi eta = 4/5 in each section
-   that defines it. */
+/* The trace is that of tests/oracle/orbits.tsv, set paper, whose determinant is 0; omega^2 = chi eta = 4/5 in each
+   section that defines it. */
 START_TEST(values_have_their_documented_names) {
   const char *set[] = {"values=trace_J, trace, z10, omega, det_J, det_J_a", "digits=10"};
   static const char *const expected[][2] = {
@@ -927,7 +927,8 @@ START_TEST(no_verdict_rests_on_costs) {
 }
 END_TEST
 
-/* A scene of the paper's parameters that asks for H at n multiples of t_c, 16 entries on each of its two orbits, and for more. */
+/* A scene of the paper's parameters that asks for H at n multiples of t_c, 16 entries on each of its two orbits, and
+   for more. */
 static const char *asking_much(int n, const char *more) {
   struct text t;
   text_init(&t);

@@ -395,8 +395,8 @@ START_TEST(numbers_that_nothing_gives) {
 }
 END_TEST
 
-/* The orbit at the paper's data (corner 0,0) with t_b = 2.0053 printed as 1: cut off, it would have to be below 2.  That
-   is less than a hundredth of a unit, so it is for the balls to see. */
+/* The orbit at the paper's data (corner 0,0) with t_b = 2.0053 printed as 1: cut off, it would have to be below 2.
+   That is less than a hundredth of a unit, so it is for the balls to see. */
 START_TEST(a_bracket_that_is_missed_narrowly) {
   static const char *const text = "chi = 0.8\neta = 1\nV = 1\ne1 = 2.7844\ne2 = 0.8587\nprinted: z10 = 0.9782\n"
                                   "printed: z20 = -2.1247\nprinted: t_a = 0.5323\nprinted: t_b = %s\n"

@@ -1,9 +1,9 @@
-/* One JSON is the only truth: audit.json read back gives the same record, the record the same pages, and `stickslip report`
-   the same files as verify; and what is wrong with a file is refused.
+/* One JSON is the only truth: audit.json read back gives the same record, the record the same pages, and `stickslip
+   report` the same files as verify; and what is wrong with a file is refused.
 
-   The second opinion is the record itself, which is in memory before audit.json is: what is written from it must be what is
-   written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the compiler lays
-   them out, against those that the tables of members cover. */
+   The second opinion is the record itself, which is in memory before audit.json is: what is written from it must be
+   what is written from what was read.  That no field is forgotten is counted: the bytes of the structures, as the
+   compiler lays them out, against those that the tables of members cover. */
 #include <check.h>
 #include <stdarg.h>
 #include <stdio.h>
@@ -153,7 +153,8 @@ static size_t uncovered(const struct shape *shape) {
   return n;
 }
 
-/* Of the records under a key: what is not in audit.json and why, with the padding that the ABI of 64-bit machines puts in. */
+/* Of the records under a key: what is not in audit.json and why, with the padding that the ABI of 64-bit machines puts
+   in. */
 static size_t expected(const char *key) {
   static const struct {
     const char *key;
@@ -190,8 +191,8 @@ static void count_shape(const char *key, const struct shape *shape, size_t bytes
 
 START_TEST(every_field_is_in_the_tables) {
   if (sizeof(long) != 8 || sizeof(void *) != 8) return;
-  /* arena, what the run took and its jobs (run.json), neighbours and their number, mutation, pages; padding behind jobs and
-     n_independence */
+  /* arena, what the run took and its jobs (run.json), neighbours and their number, mutation, pages; padding behind jobs
+     and n_independence */
   count_shape("the whole", &audit_shape,
               sizeof(struct arena) + sizeof(void *) + 2 * sizeof(size_t) + sizeof(int) + sizeof(void *) +
                   sizeof(size_t) + 2 * sizeof(void *) + 2 * 4);

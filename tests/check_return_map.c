@@ -1,6 +1,7 @@
-/* The return map in double precision, held against arcs in balls, whose formulas and search for first events are others: every
-   output of dyn_return_map, and those of dyn_return_map_d relative to the condition number.  Traps: starts on both sides of a jump, where a hump of z_1'
-   almost reaches V and a later root lies in wait; the flow over any number type, sampled, then must not cross before t_c. */
+/* The return map in double precision, held against arcs in balls, whose formulas and search for first events are
+   others: every output of dyn_return_map, and those of dyn_return_map_d relative to the condition number.  Traps:
+   starts on both sides of a jump, where a hump of z_1' almost reaches V and a later root lies in wait; the flow over
+   any number type, sampled, then must not cross before t_c. */
 #include "motion/return_map.h"
 
 #include <check.h>
@@ -60,7 +61,8 @@ static double apart(arb_srcptr x, arb_srcptr y) {
   return e;
 }
 
-/* The error of each output in units of 2^-53, and its condition number (NULL if not wanted); false where there is no truth. */
+/* The error of each output in units of 2^-53, and its condition number (NULL if not wanted); false where there is no
+   truth. */
 static bool errors_of(double error[N_RETURN], double *condition, const double x[N_IN], const double got[N_RETURN]) {
   struct num_ctx ctx = num_ctx_arb(PREC);
   struct num_vec at, moved;
@@ -116,7 +118,8 @@ static void ordinary_input(double x[N_IN], struct rng *r) {
   x[N_PARAMS] = unit(r) < 0.5 ? top - far : -far;
 }
 
-/* chi = k 2^-j or 1 - k 2^-j down to the last place, on both sides of every jump: r a little below e2/chi, or near a crest. */
+/* chi = k 2^-j or 1 - k 2^-j down to the last place, on both sides of every jump: r a little below e2/chi, or near a
+   crest. */
 static void edge_input(double x[N_IN], struct rng *r) {
   double k = unit(r) < 0.5 ? 1 + (double)rng_between(r, 0, 7) / 8 : 1 + unit(r);
   double edge = ldexp(k, -(int)rng_between(r, 2, 53));
@@ -129,7 +132,8 @@ static void edge_input(double x[N_IN], struct rng *r) {
   x[N_PARAMS] = kind < 0.6 ? top - 2 * x[P_E1] * unit(r) : kind < 0.8 ? top - x[P_V] * exp2(12 * unit(r) - 8) : -x[P_V];
 }
 
-/* From the three kinds of inputs by turns, those of the edges at more points: half of them have phases beyond the limits. */
+/* From the three kinds of inputs by turns, those of the edges at more points: half of them have phases beyond the
+   limits. */
 START_TEST(every_output_is_right_to_the_last_place) {
   enum { TRIALS = 800 };
   struct rng r = {(uint64_t)_i};
@@ -153,8 +157,8 @@ START_TEST(every_output_is_right_to_the_last_place) {
 }
 END_TEST
 
-/* Points at which plain double precision errs by some tens to thousands of conditions: the first found by `stickslip stability`,
-   the others by the random search of 300000 points that gave the figures in return_map.h. */
+/* Points at which plain double precision errs by some tens to thousands of conditions: the first found by `stickslip
+   stability`, the others by the random search of 300000 points that gave the figures in return_map.h. */
 START_TEST(lost_in_plain_double) {
   static const double at[][N_IN] = {{0x1.2a8p-3, 0x1.71ap+1, 0x1.43d448p+0, 0x1.eb4p-2, 0x1.2f8p-3, -0x1.340418p+3},
                                     {0.18981252688333999, 0.17715914832337751, 0.34440307012202187,
@@ -180,8 +184,8 @@ START_TEST(lost_in_plain_double) {
 }
 END_TEST
 
-/* The rise e2/chi - r of points near chi = 0 was once lost in a rounded e2/chi, and t_b, or t_c after it, was a root that is
-   not the first; the first of 91 among 60000 points that a random search found. */
+/* The rise e2/chi - r of points near chi = 0 was once lost in a rounded e2/chi, and t_b, or t_c after it, was a root
+   that is not the first; the first of 91 among 60000 points that a random search found. */
 START_TEST(rise_lost_in_a_quotient) {
   static const double at[][N_IN] = {{0x1.185e688165ab6p-53, 0x1.ap-1, 0x1.b6d09aeeb508cp+2, 0x1.64897de1f3172p-2,
                                      0x1.5971e130c2dep-2, 0x1.3b6b7b64e5b97p+51},
@@ -278,7 +282,8 @@ static double top_between(struct slip *s, double left, double right) {
   return most;
 }
 
-/* The greatest z_1' - V in phase H before t_c but for the last stretch: at samples, and at the top of each hump that they show. */
+/* The greatest z_1' - V in phase H before t_c but for the last stretch: at samples, and at the top of each hump that
+   they show. */
 static double highest_before(const double x[N_IN], const struct dyn_return *got) {
   enum { SAMPLES = 300, STRETCH = 4000 };
   struct slip s;

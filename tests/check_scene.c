@@ -1,6 +1,6 @@
-/* Scenes as hostile users write them: every line of tests/hostile/scenes.tsv and sets.tsv ends with the status that it says,
-   one message that names the place and the remedy, and without harm to time or memory; the library of scenes; what --set
-   changes and what it does not. */
+/* Scenes as hostile users write them: every line of tests/hostile/scenes.tsv and sets.tsv ends with the status that it
+   says, one message that names the place and the remedy, and without harm to time or memory; the library of scenes;
+   what --set changes and what it does not. */
 #include <check.h>
 #include <fcntl.h>
 #include <glob.h>
@@ -273,7 +273,8 @@ START_TEST(what_is_no_file) {
 }
 END_TEST
 
-/* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long search. */
+/* Values that a model may have and double precision cannot hold: an answer or a message, no crash and no long
+   search. */
 START_TEST(values_beyond_double_precision) {
   static const char *const sets[] = {"chi=1 - 1e-3000", "chi=1e-3000", "V=1e-40000", "eta=1e30000", "e1=1e50000"};
   static const struct {
@@ -648,12 +649,13 @@ START_TEST(set_is_what_the_file_says) {
 }
 END_TEST
 
-/* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says how it
-   was changed, and the paper's own report stays. */
+/* Verdicts recorded for the paper's example alone do not judge a changed one; the command that repeats the claim says
+   how it was changed, and the paper's own report stays. */
 START_TEST(a_changed_scene_is_not_the_recorded_one) {
   struct run r;
   struct source audit;
-  /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not asked */
+  /* e2 = 0.8587 is what the scene says: the printed t_a is refuted as on record, for which a changed scene is not
+     asked */
   run_words(&r, (const char *const[]){"verify", "paper", "--only", "num-t_a", "--set", "printed=t_a = 0.5322", "--out",
                                       scratch_path("changed"), NULL});
   ck_assert_msg(r.status == 0, "%d: %s%s", r.status, r.out.text, r.err.text);
@@ -779,8 +781,9 @@ static const struct altered {
                {KEY_BUDGET, "1", KEY_BUDGET, "1"}};
 enum { N_CHANGES = sizeof changes / sizeof *changes };
 
-/* Ways to use a command, one after the other, on ranges with a change of orbits; SCENE and OUT stand for the scene's file and a folder.  list is told of the scene by
-   its data folder; no orbit is known of the word with a faster mass, but that it needs friction. */
+/* Ways to use a command, one after the other, on ranges with a change of orbits; SCENE and OUT stand for the scene's
+   file and a folder.  list is told of the scene by its data folder; no orbit is known of the word with a faster mass,
+   but that it needs friction. */
 static const struct use {
   const char *word; /* of the scene, in place of the paper's */
   const char *argv[9];
@@ -857,8 +860,8 @@ static bool lists_command(const char *list, const char *command) {
   return false;
 }
 
-/* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for byte, or
-   does not. */
+/* What the table says a key is used by is what it acts on: all that a command says and writes stays the same byte for
+   byte, or does not. */
 START_TEST(keys_act_where_they_say) {
   bool acts[N_SCENE_KEYS][N_USES] = {{false}}, refused[N_SCENE_KEYS][N_USES] = {{false}};
   ck_assert(mkdir(scratch_path("scenes"), 0755) == 0);

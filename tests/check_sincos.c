@@ -112,8 +112,8 @@ static void traced_copy(struct traced *z, const struct traced *x) {
   arb_set(z->exact, x->exact);
 }
 
-/* The parts of 1 - cos and the two sums.  high = 1 - half loses what (1 - high) - half recovers without a rounding, 1 - high
-   being exact for high in [1/2, 1]: only its sum with the small part and the last sum round. */
+/* The parts of 1 - cos and the two sums.  high = 1 - half loses what (1 - high) - half recovers without a rounding, 1 -
+   high being exact for high in [1/2, 1]: only its sum with the small part and the last sum round. */
 static void trace_cosine(struct traced q[N_TRACED]) {
   struct traced half, small, turn, sum;
   traced_polynomial(&small, cosine_part, COSINE_PART, &q[Z]);
@@ -163,8 +163,8 @@ static void trace(struct traced q[N_TRACED], double low, double high) {
 
 /* --- The truncation. --- */
 
-/* A bound over 0 <= z <= most of |z^power (P(z) - series(z))|, P the part and the series that of (sin r - r)/r^3 (first 1,
-   odd 1) or (cos r - 1 + r^2/2)/r^4 (first 2, odd 0) by z = r^2: (-1)^(i + first) z^i / (2 (i + first) + odd)!. */
+/* A bound over 0 <= z <= most of |z^power (P(z) - series(z))|, P the part and the series that of (sin r - r)/r^3 (first
+   1, odd 1) or (cos r - 1 + r^2/2)/r^4 (first 2, odd 0) by z = r^2: (-1)^(i + first) z^i / (2 (i + first) + odd)!. */
 static double truncation(const double *part, int n, int first, int odd, int power, double most) {
   arb_poly_t difference;
   arb_t z, mid, value, slope, off;

@@ -1,5 +1,5 @@
-/* Newton's iteration and Krawczyk's operator on systems whose solutions are known in closed form, and on those where nothing
-   may be proved: a double zero, no zero, and boxes that hold two or are too wide. */
+/* Newton's iteration and Krawczyk's operator on systems whose solutions are known in closed form, and on those where
+   nothing may be proved: a double zero, no zero, and boxes that hold two or are too wide. */
 #include "num/solve.h"
 
 #include <check.h>
@@ -8,8 +8,8 @@
 
 #include "suites.h"
 
-/* f_i = x_i^2 + x_{i+1}^2 - (p_i + p_{i+1}), indices mod n: for odd n the positive solution is sqrt(p_i) alone.  For n = 1,
-   f = x^2 - p.  p_0 = 2 + off. */
+/* f_i = x_i^2 + x_{i+1}^2 - (p_i + p_{i+1}), indices mod n: for odd n the positive solution is sqrt(p_i) alone.  For n
+   = 1, f = x^2 - p.  p_0 = 2 + off. */
 struct squares {
   struct num_ctx ctx;
   slong n;

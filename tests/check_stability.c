@@ -1,8 +1,8 @@
-/* The study of digits: planted formulas whose loss is known beforehand, condition numbers and true values made elsewhere
-   (tests/oracle/stability.py, mpmath), the same bytes for any number of processes, what the command refuses.
+/* The study of digits: planted formulas whose loss is known beforehand, condition numbers and true values made
+   elsewhere (tests/oracle/stability.py, mpmath), the same bytes for any number of processes, what the command refuses.
 
-   1 - cos t loses digits for small t by itself, since its condition number there is 2; 2 sin(t/2)^2 does not; sin(V t) at
-   large V t loses what its condition number V t says, whatever the formula. */
+   1 - cos t loses digits for small t by itself, since its condition number there is 2; 2 sin(t/2)^2 does not; sin(V t)
+   at large V t loses what its condition number V t says, whatever the formula. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -109,8 +109,8 @@ START_TEST(a_cancellation_is_found_and_named) {
 }
 END_TEST
 
-/* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta -> 1
-   alone shows it.  omega underflows where both parameters are small. */
+/* At chi = 1e-10 and eta = 1e10, omega_1 loses 7.4 digits that the problem does not: neither chi -> 0 alone nor chi eta
+   -> 1 alone shows it.  omega underflows where both parameters are small. */
 START_TEST(losses_where_regions_meet_are_found) {
   static const char *const only[] = {"omega_1", "omega_2", "c_1", "omega@stability"};
   struct stability_result r;
@@ -178,8 +178,8 @@ START_TEST(divisors_sums_and_overflow_are_told_apart) {
 }
 END_TEST
 
-/* V 1e10 overflows in the last ten of 300 decades of V, V/1e10 is denormal in the last ten below: hardly a point drawn is
-   there. */
+/* V 1e10 overflows in the last ten of 300 decades of V, V/1e10 is denormal in the last ten below: hardly a point drawn
+   is there. */
 START_TEST(rare_failures_are_climbed_to) {
   static const char *const only[] = {"brims", "dregs"};
   struct stability_result r;
@@ -214,8 +214,8 @@ START_TEST(the_worst_failure_is_the_least_extreme) {
 }
 END_TEST
 
-/* Near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not: the condition
-   number says 11 digits, the change itself more than 14. */
+/* Near a crest of cos(omega_1 t) at t = 2^52 the derivatives are small and a change of an input by 2^-53 is not: the
+   condition number says 11 digits, the change itself more than 14. */
 START_TEST(a_vanishing_derivative_is_no_excuse_for_blame) {
   static const char *const only[] = {"c_1"};
   struct text t;

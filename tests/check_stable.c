@@ -1,6 +1,6 @@
-/* The stable layer: every form of verify/stable.eq is proved, none of them when damaged; double precision loses no more with
-   them than the conditioning explains, at thousands of extreme points against balls, where the corrected forms lose all
-   digits; and the audit says the same with them. */
+/* The stable layer: every form of verify/stable.eq is proved, none of them when damaged; double precision loses no more
+   with them than the conditioning explains, at thousands of extreme points against balls, where the corrected forms
+   lose all digits; and the audit says the same with them. */
 #include "proof/stable_forms.h"
 
 #include <ctype.h>
@@ -247,8 +247,8 @@ static void keep_name(struct block *b, int n, const char *name, size_t len) {
     if (block_gives(&b[i], name, len)) keep_block(b, n, &b[i]);
 }
 
-/* Of a damaged text the records that two values or records rest on, and the damaged one: a way to it may lead through the
-   paper's files. */
+/* Of a damaged text the records that two values or records rest on, and the damaged one: a way to it may lead through
+   the paper's files. */
 static void extract(struct text *out, const char *text, const char *damage, const char *first, const char *second) {
   struct block b[MOST_BLOCKS];
   int n = blocks_of(b, text);
@@ -261,7 +261,8 @@ static void extract(struct text *out, const char *text, const char *damage, cons
     if (b[i].kept) text_printf(out, "%.*s\n\n", (int)b[i].len, b[i].text);
 }
 
-/* Most of them in the part of the file that both names rest on; some in the whole file, all of whose forms are proved again. */
+/* Most of them in the part of the file that both names rest on; some in the whole file, all of whose forms are proved
+   again. */
 START_TEST(a_damaged_form_is_not_proved) {
   enum { WHOLE = 38 };
   struct source src;
@@ -352,8 +353,8 @@ START_TEST(what_cannot_be_read_is_said) {
 }
 END_TEST
 
-/* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name must not
-   be proved.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
+/* False or empty theorems that look like forms: definitions of verify/errata.eq's rank, then of stable.eq's; the name
+   must not be proved.  abs(V - 2) + V is 2 below V = 2, where points are drawn, and no number above. */
 static const struct {
   const char *corrected, *stable, *name;
   const char *said; /* in the error, where the file is not accepted */
@@ -642,7 +643,8 @@ END_TEST
 
 /* --- A value wherever the corrected form has one --- */
 
-/* Names the forms that fail; how many pairs there are, the points they have seen, and how many of these told nothing. */
+/* Names the forms that fail; how many pairs there are, the points they have seen, and how many of these told
+   nothing. */
 static size_t agree_everywhere(struct text *fails, long *points, long *undecided, const struct model *m) {
   struct stable_proofs proofs;
   struct digits_pairs pairs;

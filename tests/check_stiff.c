@@ -1,9 +1,9 @@
 /* Studies: their tables; smoothed friction against SciPy; what the stiff scenes, the smoothed laws and the paper's own
    procedure must show, with margins that no rounding crosses.
 
-   Independent data: smooth.tsv (SciPy's Radau method) and procedure.tsv (mpmath) of tests/oracle.  The rates 2/3 and 1/3 are
-   those of the passage of a fold: a mass breaks loose late by (k rho)^(-1/3), with k the curvature of the law's top, which
-   grows as s^2 and s, and rho the rate of the force; the creep u_s s |v| = |f| falls as 1/s. */
+   Independent data: smooth.tsv (SciPy's Radau method) and procedure.tsv (mpmath) of tests/oracle.  The rates 2/3 and
+   1/3 are those of the passage of a fold: a mass breaks loose late by (k rho)^(-1/3), with k the curvature of the law's
+   top, which grows as s^2 and s, and rho the rate of the force; the creep u_s s |v| = |f| falls as 1/s. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -272,8 +272,8 @@ START_TEST(printed_times_as_mpmath_has_them) {
 }
 END_TEST
 
-/* A bound over the whole box promises no more than its points keep; more printed digits give more; the numbers of mpmath
-   give the digits in the table. */
+/* A bound over the whole box promises no more than its points keep; more printed digits give more; the numbers of
+   mpmath give the digits in the table. */
 START_TEST(the_papers_procedure) {
   static const char *const wanted[] = {"t_a", "z10", "z20"};
   struct study_page page;
@@ -317,8 +317,9 @@ END_TEST
 
 /* --- The first working precision. --- */
 
-/* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard bits.  Below the pilot's threshold
-   that costs a second attempt, above it the first one is enough; either way the digits are there, and they agree. */
+/* The orbit beside its flip loses some forty-six bits in |tr J| - 1: more than the guard bits.  Below the pilot's
+   threshold that costs a second attempt, above it the first one is enough; either way the digits are there, and they
+   agree. */
 START_TEST(the_first_precision_is_planned) {
   static const slong prec[] = {256, 1500};
   struct dyn_orbits list[2];

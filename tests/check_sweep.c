@@ -1,9 +1,9 @@
 /* Sweeps.
 
-   Orbits along a line are held against the search in balls at single points, and against bifurcate, which follows curves in
-   balls: between two neighbouring points the number of orbits, of stable and of admissible ones must change by what it says
-   changes there, and by nothing else.  The program is held to one set of bytes, whoever computed them and however often it was
-   interrupted. */
+   Orbits along a line are held against the search in balls at single points, and against bifurcate, which follows
+   curves in balls: between two neighbouring points the number of orbits, of stable and of admissible ones must change
+   by what it says changes there, and by nothing else.  The program is held to one set of bytes, whoever computed them
+   and however often it was interrupted. */
 #include <check.h>
 #include <fcntl.h>
 #include <math.h>
@@ -453,8 +453,8 @@ START_TEST(searches_are_spread_over_the_line) {
 }
 END_TEST
 
-/* At parameters that double precision holds exactly: each number of a row is that of the certified orbit, but for a unit of
-   the fifteenth digit. */
+/* At parameters that double precision holds exactly: each number of a row is that of the certified orbit, but for a
+   unit of the fifteenth digit. */
 START_TEST(digits_are_those_of_the_orbits) {
   for (int i = 0; i < 4; i++) {
     static const char *const e2[] = {"0.625", "0.75", "0.875", "1"};

@@ -1,5 +1,5 @@
-/* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are typed
-   from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
+/* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are
+   typed from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
 #include <check.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -372,8 +372,8 @@ START_TEST(documents_hold_what_the_program_reads) {
 }
 END_TEST
 
-/* A paper of two equations, of which the first is right (the propagator of a mass that keeps its velocity) and the second is
-   wrong (a triangular matrix with ones on its diagonal has the determinant 1). */
+/* A paper of two equations, of which the first is right (the propagator of a mass that keeps its velocity) and the
+   second is wrong (a triangular matrix with ones on its diagonal has the determinant 1). */
 START_TEST(another_paper_is_audited) {
   int status;
   char *out =

@@ -1,5 +1,5 @@
-/* The orbit from a guess, held against the certified list of the search: numbers relative to their condition, every condition
-   that is told, and no orbit that the list does not have, whatever the guess. */
+/* The orbit from a guess, held against the certified list of the search: numbers relative to their condition, every
+   condition that is told, and no orbit that the list does not have, whatever the guess. */
 #include "motion/warm.h"
 
 #include <check.h>

@@ -1,5 +1,5 @@
-/* Words of phases: their notation, which phase can follow which, and their orbits against the paper's word, an oracle that
-   shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
+/* Words of phases: their notation, which phase can follow which, and their orbits against the paper's word, an oracle
+   that shares nothing with the program (tests/oracle/words.py), and where simulations settle. */
 #include <check.h>
 #include <math.h>
 #include <stdarg.h>
@@ -115,7 +115,8 @@ START_TEST(a_word_has_no_beginning) {
 }
 END_TEST
 
-/* Every word of n letters is written down: those without a repeated neighbour are counted by the least of their turns. */
+/* Every word of n letters is written down: those without a repeated neighbour are counted by the least of their
+   turns. */
 START_TEST(all_words_are_counted_and_listed) {
   static const char letter[] = "DGHCghcXx";
   for (int n = 1; n <= 5; n++) {
@@ -272,7 +273,8 @@ static void same_conditions(const struct word_orbit *b, const struct dyn_orbit *
   if (a->holds[COND_TA] == TRUTH_TRUE) ck_assert_int_eq(holds(b, D, 1, WORD_BELOW_BREAK), a->holds[COND_D_R]);
 }
 
-/* The orbits of the paper's word by the general way are those of the search made for it: every number, every verdict. */
+/* The orbits of the paper's word by the general way are those of the search made for it: every number, every
+   verdict. */
 START_TEST(the_papers_word_is_one_of_them) {
   static const char *const sets[][N_PARAMS] = {{"4/5", "1", "1", "27844/10000", "8587/10000"},
                                                {"73/100", "31/100", "98/100", "119/100", "161/1000"},
@@ -642,8 +644,8 @@ START_TEST(solution_ii_has_three_phases) {
 }
 END_TEST
 
-/* tests/oracle/solution_ii.py follows Coulomb's law from the orbit of the scene on file: it returns without a phase D, and
-   beside it, on both sides, the slope tends to the same number. */
+/* tests/oracle/solution_ii.py follows Coulomb's law from the orbit of the scene on file: it returns without a phase D,
+   and beside it, on both sides, the slope tends to the same number. */
 START_TEST(solution_ii_is_judged_by_its_three_phases) {
   static const char *const want[] = {"1 orbit of the word Gamma-H-C found",
                                      "orbit 1: unstable, admissible with u_r1, u_r2",

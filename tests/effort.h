@@ -9,8 +9,9 @@ struct effort {
   void *arg;
 };
 
-/* Whether one costs less than factor times the other: the least processor time of this thread among runs of the two in turn,
-   three of each at least and, while that does not hold, many more, so that what else the machine does has no say. */
+/* Whether one costs less than factor times the other: the least processor time of this thread among runs of the two in
+   turn, three of each at least and, while that does not hold, many more, so that what else the machine does has no
+   say. */
 bool costs_less(const struct effort *one, double factor, const struct effort *other);
 
 #endif

@@ -17,7 +17,8 @@ struct paper_layers {
   bool controls;       /* with the records of the controls */
 };
 
-/* To be cleared.  with: NULL as {0}.  paper_model fails the test that gives a file at fault, paper_model_read says why. */
+/* To be cleared.  with: NULL as {0}.  paper_model fails the test that gives a file at fault, paper_model_read says
+   why. */
 void paper_model(struct model *m, const struct paper_layers *with);
 bool paper_model_read(struct model *m, const struct paper_layers *with, struct diag *d);
 

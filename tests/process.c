@@ -56,8 +56,8 @@ struct members {
   unsigned long ticks;
 };
 
-/* proc(5): behind the name in brackets, which may hold anything, are the state, the parent, the group; and, eight fields
-   on, the times in user and in system mode. */
+/* proc(5): behind the name in brackets, which may hold anything, are the state, the parent, the group; and, eight
+   fields on, the times in user and in system mode. */
 static void count_if_member(struct members *m, const char *pid, pid_t group) {
   char text[1024], state;
   int its;

@@ -1,13 +1,14 @@
-/* Processes that a test has started, as Linux shows them in /proc: a test waits for what they do, never for some time, so that
-   neither a slow machine nor a fast one changes what it says.  A zombie has ended, whether or not anybody asks for its
-   status. */
+/* Processes that a test has started, as Linux shows them in /proc: a test waits for what they do, never for some time,
+   so that neither a slow machine nor a fast one changes what it says.  A zombie has ended, whether or not anybody asks
+   for its status. */
 #ifndef STICKSLIP_TESTS_PROCESS_H
 #define STICKSLIP_TESTS_PROCESS_H
 
 #include <stdbool.h>
 #include <sys/types.h>
 
-/* In a child: no signal is ignored, whatever the tests were started by; under nohup a hangup is, and a program leaves that so. */
+/* In a child: no signal is ignored, whatever the tests were started by; under nohup a hangup is, and a program leaves
+   that so. */
 void process_as_from_a_shell(void);
 
 /* Waits for a child: its exit status, or minus the signal that ended it. */

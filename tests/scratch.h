@@ -16,7 +16,8 @@ const char *scratch_put_n(const char *name, const char *bytes, size_t len);
 /* The names in a folder in alphabetical order, joined with blanks. */
 const char *scratch_list(const char *path);
 
-/* The program under test and the Python that checks its output: STICKSLIP and PYTHON of the environment, or the usual. */
+/* The program under test and the Python that checks its output: STICKSLIP and PYTHON of the environment, or the
+   usual. */
 const char *program(void);
 const char *python(void);
 
@@ -26,7 +27,8 @@ int split_tabs(char **field, int most, char *line);
 /* How a child that calls f ends: its exit status (0 when f returns), or minus the signal that killed it. */
 int child_end(void (*f)(void));
 
-/* In a child that can write no large file: a build that counts what runs (make cover) leaves the counts of before whole. */
+/* In a child that can write no large file: a build that counts what runs (make cover) leaves the counts of before
+   whole. */
 void count_nothing(void);
 
 #endif

@@ -1,5 +1,6 @@
-/* Extreme points are drawn region by region: chi near 0 and 1, eta over 600 decades and where chi eta is near 1, times from
-   2^-1000 to 2^53 and next to multiples of half periods, states with differences that nearly vanish.  All are exact doubles. */
+/* Extreme points are drawn region by region: chi near 0 and 1, eta over 600 decades and where chi eta is near 1, times
+   from 2^-1000 to 2^53 and next to multiples of half periods, states with differences that nearly vanish.  All are
+   exact doubles. */
 #include "stable_points.h"
 
 #include <math.h>

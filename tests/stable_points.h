@@ -31,8 +31,8 @@ void extreme_point_draw(struct extreme_point *p, uint64_t seed);
 double extreme_value(struct extreme_point *p, const char *name);
 
 /* Of each entry: the error in units of max(1, condition) 2^-53 of the truth, the condition being the sum of the entry's
-   logarithmic derivatives by its inputs, there or at times some units of the last place away; -1 where the truth has no normal double, or the
-   truth could not be told; infinity for an error status or a NaN. */
+   logarithmic derivatives by its inputs, there or at times some units of the last place away; -1 where the truth has no
+   normal double, or the truth could not be told; infinity for an error status or a NaN. */
 struct extreme_result {
   double loss[MOST_ENTRIES], condition[MOST_ENTRIES], truth[MOST_ENTRIES], value[MOST_ENTRIES];
 };

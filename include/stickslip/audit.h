@@ -8,8 +8,8 @@
      refuted      a certificate: exact parameters at which the two sides are disjoint, or a form that cannot be right
      unknown, skipped, definition
 
-   An audit makes processes (fork) when jobs > 1 or the scene has a budget; a program with threads of its own says 1.  One audit
-   runs at a time in a process, a second one waits. */
+   An audit makes processes (fork) when jobs > 1 or the scene has a budget; a program with threads of its own says 1.
+   One audit runs at a time in a process, a second one waits. */
 #ifndef SS_AUDIT_H
 #define SS_AUDIT_H
 
@@ -32,21 +32,22 @@ enum ss_verdict {
 /* "proved", ...; NULL beyond. */
 SS_API const char *ss_verdict_name(int verdict);
 
-/* The claims on file: how many; claim i's id, "eq-40"; an attribute of it, "title", "kind", "section", "equation", "quote",
-   "record" (the verdict on record) or another of the claim files; NULL where it has none. */
+/* The claims on file: how many; claim i's id, "eq-40"; an attribute of it, "title", "kind", "section", "equation",
+   "quote", "record" (the verdict on record) or another of the claim files; NULL where it has none. */
 SS_API size_t ss_claims_count(const ss_paper *p);
 SS_API const char *ss_claim_id(const ss_paper *p, size_t i);
 SS_API const char *ss_claim_attribute(const ss_paper *p, size_t i, const char *name);
 
 typedef struct ss_audit ss_audit;
-/* Judges the claims that `only` selects and the scene asks for, and the controls beside them: ids with commas between, "eq-40" or
-   "eq-40,num-t_a", of which eq-27 selects eq-27b too; NULL: all, which takes minutes.  The same verdicts by any number of jobs
-   (processes, 1 to 64).  progress (or NULL) is told of pieces done, of all known so far.  SS_INPUT: nothing is selected, or the
-   files are at fault. */
+/* Judges the claims that `only` selects and the scene asks for, and the controls beside them: ids with commas between,
+   "eq-40" or "eq-40,num-t_a", of which eq-27 selects eq-27b too; NULL: all, which takes minutes.  The same verdicts by
+   any number of jobs (processes, 1 to 64).  progress (or NULL) is told of pieces done, of all known so far.  SS_INPUT:
+   nothing is selected, or the files are at fault. */
 SS_API int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const char *only, int jobs,
                         void (*progress)(void *self, size_t done, size_t of), void *self);
 SS_API void ss_audit_free(ss_audit *a);
-/* Findings whose verdict is not the one on record, controls that were not refuted, routes that disagree: 0 when all is well. */
+/* Findings whose verdict is not the one on record, controls that were not refuted, routes that disagree: 0 when all is
+   well. */
 SS_API size_t ss_audit_unexpected(const ss_audit *a);
 SS_API size_t ss_audit_count(const ss_audit *a);
 

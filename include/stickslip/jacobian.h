@@ -1,4 +1,5 @@
-/* The 2x2 Jacobian J of one period, (z10, z20) -> (z1f, z2f), and the local Jacobians of its phases, by several methods.
+/* The 2x2 Jacobian J of one period, (z10, z20) -> (z1f, z2f), and the local Jacobians of its phases, by several
+   methods.
 
    Its determinant is exactly 0, since all that precedes t_a is a map to one number; its trace is the multiplier. */
 #ifndef SS_JACOBIAN_H
@@ -23,10 +24,11 @@ enum ss_method {
 SS_API const char *ss_method_name(int method);
 
 typedef struct ss_jacobian ss_jacobian;
-/* J at orbit `at` from 0, or SS_AT_PRINTED: from the state that the scene prints, the paper's formulas at the printed times.
-   layer: of the paper's formulas, for SS_ANALYTIC alone.  The radius of an entry is the accuracy that the method states (of
-   differences: an estimate); the first four methods reach the digits asked for (1 to 100000) where the scene lets them.
-   SS_INPUT: there is no such orbit or no printed state, the scene names another word, or a method has no answer there. */
+/* J at orbit `at` from 0, or SS_AT_PRINTED: from the state that the scene prints, the paper's formulas at the printed
+   times. layer: of the paper's formulas, for SS_ANALYTIC alone.  The radius of an entry is the accuracy that the method
+   states (of differences: an estimate); the first four methods reach the digits asked for (1 to 100000) where the scene
+   lets them. SS_INPUT: there is no such orbit or no printed state, the scene names another word, or a method has no
+   answer there. */
 SS_API int ss_jacobian_find(ss_jacobian **out, const ss_paper *p, const ss_scene *s, int method, int layer, long at,
                             size_t digits);
 SS_API void ss_jacobian_free(ss_jacobian *j);

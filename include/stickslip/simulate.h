@@ -1,9 +1,10 @@
-/* The two masses under Coulomb's law (1)-(2), in double precision and the coordinates x: nothing here knows z, phases or
-   periodicity.
+/* The two masses under Coulomb's law (1)-(2), in double precision and the coordinates x: nothing here knows z, phases
+   or periodicity.
 
-   Away from the belt's velocity V the friction on mass i is u_si against its motion relative to the belt.  At x_i' = V it sticks
-   while the restoring force is at most u_ri, and slips beyond.  Simultaneous events and contacts that only touch are
-   resolved by the law itself; there is no cool-down.  A speed or force within rounding of its limit is at it. */
+   Away from the belt's velocity V the friction on mass i is u_si against its motion relative to the belt.  At x_i' = V
+   it sticks while the restoring force is at most u_ri, and slips beyond.  Simultaneous events and contacts that only
+   touch are resolved by the law itself; there is no cool-down.  A speed or force within rounding of its limit is at
+   it. */
 #ifndef SS_SIMULATE_H
 #define SS_SIMULATE_H
 
@@ -34,8 +35,8 @@ typedef int (*ss_on_sample)(void *self, const ss_moment *m);
 
 /* Parameters and a start. */
 typedef struct ss_motion ss_motion;
-/* On orbit k of the scene, from 0 in ss_orbits_find's order, where both masses come to stick.  Where the scene gives no u_ri, it
-   is 5/4 of the larger of e_i and what the orbit needs (ss_motion_friction_is_own). */
+/* On orbit k of the scene, from 0 in ss_orbits_find's order, where both masses come to stick.  Where the scene gives no
+   u_ri, it is 5/4 of the larger of e_i and what the orbit needs (ss_motion_friction_is_own). */
 SS_API int ss_motion_on_orbit(ss_motion **out, const ss_scene *s, size_t k);
 /* From the numbers z10, z20 that the scene prints, both velocities V. */
 SS_API int ss_motion_printed(ss_motion **out, const ss_scene *s);
@@ -54,12 +55,13 @@ enum ss_route {
   SS_INTEGRATED, /* Runge-Kutta-Prince-Dormand 8(7) of GSL, events by bounded steps; knows no closed form */
   SS_CLOSED      /* closed forms in each mode, first events searched without stepping over any */
 };
-/* Runs from the start until the duration is reached, or the masses have come to stick both so many times (returns; 0: any
-   number), whichever is first; one of them must be given (duration may be infinite, returns 0).  sample: the distance of
-   samples, at 0, sample, 2 sample, ...; 0: none.  Functions may be NULL.  end (or NULL) is the last moment.  Measured on the
-   paper's orbit over 200 periods: events within 1e-11 of multiprecision, by either route, in about 10 ms.
-   SS_STOPPED: a function said so.  SS_UNABLE: 10^6 events or 10^7 steps, no event will ever come, or the integrator gave up;
-   ss_error() says which, and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated, or a plan without end. */
+/* Runs from the start until the duration is reached, or the masses have come to stick both so many times (returns; 0:
+   any number), whichever is first; one of them must be given (duration may be infinite, returns 0).  sample: the
+   distance of samples, at 0, sample, 2 sample, ...; 0: none.  Functions may be NULL.  end (or NULL) is the last
+   moment.  Measured on the paper's orbit over 200 periods: events within 1e-11 of multiprecision, by either route, in
+   about 10 ms. SS_STOPPED: a function said so.  SS_UNABLE: 10^6 events or 10^7 steps, no event will ever come, or the
+   integrator gave up; ss_error() says which, and the moment is valid.  SS_DOMAIN: parameters that cannot be simulated,
+   or a plan without end. */
 SS_API int ss_motion_run(ss_moment *end, const ss_motion *m, int route, double duration, long returns, double sample,
                          ss_on_event event, ss_on_sample moment, void *self);
 

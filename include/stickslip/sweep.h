@@ -1,9 +1,10 @@
 /* The orbits along a line of parameter values, in double precision: continuation between searches.
 
-   One of chi, eta, V, e1, e2 takes n values from one end to the other, both included, equally spaced and exact before they are
-   rounded; the scene, which gives e1 and e2, has the others.  At anchors, every so many points, every orbit is searched for; between
-   them each is followed, and a stretch on which one cannot be followed (a fold, a grazing event) is searched inside.  What can
-   be missing: an orbit that the fast search misses, and one that begins and ends between two anchors. */
+   One of chi, eta, V, e1, e2 takes n values from one end to the other, both included, equally spaced and exact before
+   they are rounded; the scene, which gives e1 and e2, has the others.  At anchors, every so many points, every orbit is
+   searched for; between them each is followed, and a stretch on which one cannot be followed (a fold, a grazing event)
+   is searched inside.  What can be missing: an orbit that the fast search misses, and one that begins and ends between
+   two anchors. */
 #ifndef SS_SWEEP_H
 #define SS_SWEEP_H
 
@@ -29,8 +30,8 @@ typedef struct ss_swept {
 /* Valid during the call; 0 ends the sweep. */
 typedef int (*ss_on_orbit)(void *self, const ss_swept *row);
 
-/* Tells f of every orbit at every value in order.  from, to: constant expressions, "0.8", "4/5".  n: 1 (then from = to) to 10^9.
-   every: points from one anchor to the next, 1 to 65536, or 0 for the usual.  About two microseconds a point.
+/* Tells f of every orbit at every value in order.  from, to: constant expressions, "0.8", "4/5".  n: 1 (then from = to)
+   to 10^9. every: points from one anchor to the next, 1 to 65536, or 0 for the usual.  About two microseconds a point.
    SS_ARGUMENT: no such parameter, n or every out of range.  SS_INPUT: an end cannot be read or lies outside the domain.
    SS_STOPPED: f said so. */
 SS_API int ss_sweep(const ss_scene *s, const char *parameter, const char *from, const char *to, size_t n, size_t every,

@@ -7,7 +7,8 @@
      slower     Gamma    H        X
      faster     gamma    x        h
 
-   A word is a cyclic sequence of 1 to 12 of them, "D-Gamma-H-C" or "D Gamma H C" or "DGHC" (G and g for Gamma and gamma). */
+   A word is a cyclic sequence of 1 to 12 of them, "D-Gamma-H-C" or "D Gamma H C" or "DGHC" (G and g for Gamma and
+   gamma). */
 #ifndef SS_WORDS_H
 #define SS_WORDS_H
 
@@ -26,28 +27,28 @@ enum ss_fate {
 };
 /* Whatever the parameters.  why (or NULL): the reason, "" for SS_OPEN. */
 SS_API int ss_word_fate(enum ss_fate *fate, char **why, const char *word);
-/* Tells f each word of at most `longest` phases (1 to 8) of single transitions that all can happen, each from one of its phases
-   alone, shorter ones first, until it returns 0 (SS_STOPPED). */
+/* Tells f each word of at most `longest` phases (1 to 8) of single transitions that all can happen, each from one of
+   its phases alone, shorter ones first, until it returns 0 (SS_STOPPED). */
 SS_API int ss_word_each(int longest, int (*f)(void *self, const char *word), void *self);
 
 typedef struct ss_word_orbits ss_word_orbits;
-/* The orbits of a word at a scene that gives e1 and e2, by increasing period: from random starts under Coulomb's law and a grid,
-   then enclosed to so many digits (1 to 1000) where their conditioning allows.  word: NULL for the scene's own.  None found is
-   no proof that there is none.  A word in which a mass is faster than the belt needs u_r1 and u_r2.  SS_DOMAIN: the word's fate
-   is another than SS_OPEN, and ss_error() says why.  Up to some seconds. */
+/* The orbits of a word at a scene that gives e1 and e2, by increasing period: from random starts under Coulomb's law
+   and a grid, then enclosed to so many digits (1 to 1000) where their conditioning allows.  word: NULL for the scene's
+   own.  None found is no proof that there is none.  A word in which a mass is faster than the belt needs u_r1 and
+   u_r2.  SS_DOMAIN: the word's fate is another than SS_OPEN, and ss_error() says why.  Up to some seconds. */
 SS_API int ss_word_orbits_find(ss_word_orbits **out, const ss_scene *s, const char *word, size_t digits);
 SS_API void ss_word_orbits_free(ss_word_orbits *o);
 SS_API size_t ss_word_orbits_count(const ss_word_orbits *o);
 /* How many phases the word has; phase i, turned as its orbits are: "Gamma", NULL beyond. */
 SS_API size_t ss_word_orbits_phases(const ss_word_orbits *o);
 SS_API const char *ss_word_orbit_phase(const ss_word_orbits *o, size_t k, size_t i);
-/* Orbit k: the length of its phase i; a coordinate where phase i begins, 0 to 3: w1, w2 (restoring force less u_si), p1, p2
-   (velocity less V); its period. */
+/* Orbit k: the length of its phase i; a coordinate where phase i begins, 0 to 3: w1, w2 (restoring force less u_si),
+   p1, p2 (velocity less V); its period. */
 SS_API const ss_number *ss_word_orbit_time(const ss_word_orbits *o, size_t k, size_t i);
 SS_API const ss_number *ss_word_orbit_state(const ss_word_orbits *o, size_t k, size_t i, int coordinate);
 SS_API const ss_number *ss_word_orbit_period(const ss_word_orbits *o, size_t k);
-/* The Jacobian of the return to the beginning of phase 0 in the coordinates that are free there, by saltation matrices: its size,
-   1 to 3; which coordinates, "w1"; its entries. */
+/* The Jacobian of the return to the beginning of phase 0 in the coordinates that are free there, by saltation matrices:
+   its size, 1 to 3; which coordinates, "w1"; its entries. */
 SS_API int ss_word_orbit_free_coordinates(const ss_word_orbits *o, size_t k);
 SS_API const char *ss_word_orbit_free_coordinate(const ss_word_orbits *o, size_t k, int i);
 SS_API const ss_number *ss_word_orbit_jacobian(const ss_word_orbits *o, size_t k, int row, int column);

@@ -14,8 +14,8 @@ struct arena {
 void arena_init(struct arena *a);
 void arena_clear(struct arena *a);
 
-/* Memory of the caller's, aligned for any type, as the first block of arenas: one that resumes it takes what is left of it
-   (head is that block until something did not fit) and must not be cleared. */
+/* Memory of the caller's, aligned for any type, as the first block of arenas: one that resumes it takes what is left of
+   it (head is that block until something did not fit) and must not be cleared. */
 void arena_in(void *room, size_t size);
 void arena_resume(struct arena *a, void *room);
 

@@ -1,6 +1,6 @@
-/* One pipe brings items to all processes: a read takes one whole item, and the end of the pipe, which comes when the parent
-   closes it or is gone, is the end of the work.  Each process has a pipe back, so that its end is seen at once; it dies of
-   the broken one when its parent has gone.  The parent never waits to write. */
+/* One pipe brings items to all processes: a read takes one whole item, and the end of the pipe, which comes when the
+   parent closes it or is gone, is the end of the work.  Each process has a pipe back, so that its end is seen at once;
+   it dies of the broken one when its parent has gone.  The parent never waits to write. */
 #include "crew.h"
 
 #include <errno.h>

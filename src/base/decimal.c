@@ -1,7 +1,7 @@
 /* Doubles as decimals, the same bytes as printf's %g, ten times as fast for the sizes that rows have.
 
-   A product by a power of ten up to 10^22 is known exactly as the rounded product and a fused remainder; of their sum the
-   nearest integer holds the digits. */
+   A product by a power of ten up to 10^22 is known exactly as the rounded product and a fused remainder; of their sum
+   the nearest integer holds the digits. */
 #include "decimal.h"
 
 #include <math.h>
@@ -22,7 +22,8 @@ static double scaled(double x, int k) {
   return n;
 }
 
-/* Positive x below 10^15 and not below 10^-5: digits (as an integer) and the power of ten of the last one; false outside. */
+/* Positive x below 10^15 and not below 10^-5: digits (as an integer) and the power of ten of the last one; false
+   outside. */
 static bool decompose(double *n, int *k, double x, int digits) {
   if (!(x >= 1e-5 && x < 1e15)) return false;
   int e = -5; /* 10^e <= x < 10^(e+1), or one off: decided below */

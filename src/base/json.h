@@ -1,5 +1,5 @@
-/* JSON.  Writing: two-space indent, keys in the order in which they are given, strings escaped.  Reading: RFC 8259 to the
-   letter, into a tree. */
+/* JSON.  Writing: two-space indent, keys in the order in which they are given, strings escaped.  Reading: RFC 8259 to
+   the letter, into a tree. */
 #ifndef STICKSLIP_BASE_JSON_H
 #define STICKSLIP_BASE_JSON_H
 
@@ -37,7 +37,8 @@ enum json_kind {
   JSON_KIND_OBJECT
 };
 
-/* Containers nested deeper are an error, and so are objects with more members: what looks members up does so in order. */
+/* Containers nested deeper are an error, and so are objects with more members: what looks members up does so in
+   order. */
 enum { JSON_READ_DEPTH = 64, JSON_READ_MEMBERS = 1000 };
 
 struct json_value {

@@ -1,5 +1,5 @@
-/* A reader by descent.  What it takes is what RFC 8259 allows and nothing else; keys that occur twice are refused, since
-   readers disagree about what they mean. */
+/* A reader by descent.  What it takes is what RFC 8259 allows and nothing else; keys that occur twice are refused,
+   since readers disagree about what they mean. */
 #include <string.h>
 
 #include "json.h"

@@ -1,7 +1,7 @@
 /* A file written piece by piece, over a long time: it grows as FILE.part and is renamed to FILE when it is whole.
 
-   What a run that ended early leaves behind is FILE.part, which another run can take up again.  While it is open no other
-   process of this project can open it to write. */
+   What a run that ended early leaves behind is FILE.part, which another run can take up again.  While it is open no
+   other process of this project can open it to write. */
 #ifndef STICKSLIP_BASE_PART_H
 #define STICKSLIP_BASE_PART_H
 

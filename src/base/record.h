@@ -41,7 +41,8 @@ struct record_file {
   size_t n_records, cap_records;
 };
 
-/* Takes src over (also on failure: record_file_clear frees it).  At most 100000 fields.  false with d set on failure. */
+/* Takes src over (also on failure: record_file_clear frees it).  At most 100000 fields.  false with d set on
+   failure. */
 bool record_file_parse(struct record_file *f, struct source src, struct diag *d);
 void record_file_clear(struct record_file *f);
 

@@ -75,10 +75,11 @@ struct tex_token {
 /* The token that begins at s; it ends at `end` at the latest. */
 struct tex_token tex_read(const char *s, const char *end);
 
-/* The length of the number whose first digit stands at s: a point belongs to it where a digit follows, for one behind the
-   last digit ends a sentence. */
+/* The length of the number whose first digit stands at s: a point belongs to it where a digit follows, for one behind
+   the last digit ends a sentence. */
 size_t tex_number_length(const char *s, const char *end);
-/* What stands between a brace at s and the next closing one, with its length; NULL where s is no opening brace or none closes. */
+/* What stands between a brace at s and the next closing one, with its length; NULL where s is no opening brace or none
+   closes. */
 const char *tex_braced(size_t *len, const char *s, const char *end);
 
 #endif

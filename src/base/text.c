@@ -105,8 +105,8 @@ static void cut_at_character(char *s, size_t size) {
   s[n] = '\0';
 }
 
-/* A message is UTF-8 whatever it quotes, and does nothing to a terminal: a byte that is no part of a character and one that
-   controls become "?"; newlines too, unless there may be lines. */
+/* A message is UTF-8 whatever it quotes, and does nothing to a terminal: a byte that is no part of a character and one
+   that controls become "?"; newlines too, unless there may be lines. */
 static void make_visible(char *s, bool lines) {
   size_t n = strlen(s);
   for (size_t i = text_valid_prefix(s, n); i < n; i += text_valid_prefix(s + i, n - i)) s[i] = '?';
@@ -114,7 +114,8 @@ static void make_visible(char *s, bool lines) {
     if (((unsigned char)s[i] < ' ' && !(lines && s[i] == '\n')) || s[i] == 0x7F) s[i] = '?';
 }
 
-/* What quotes something long, a path of a million characters, keeps its beginning and its end, which says what is wrong. */
+/* What quotes something long, a path of a million characters, keeps its beginning and its end, which says what is
+   wrong. */
 static void leave_out_the_middle(char *s, size_t size, const char *whole, size_t len) {
   static const char gap[] = " ... ";
   enum { HEAD = 300 };

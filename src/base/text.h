@@ -22,8 +22,8 @@ static inline bool char_is_letter(char c) {
 static inline bool char_is_word(char c) {
   return char_is_letter(c) || char_is_digit(c) || c == '_';
 }
-/* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when there is
-   none, or no list. */
+/* The first item at or behind s of a list with commas or blanks between, and its length; NULL, with length 0, when
+   there is none, or no list. */
 const char *list_item(size_t *len, const char *s);
 
 /* data is always NUL-terminated once anything has been added, and NULL before. */
@@ -100,14 +100,14 @@ bool files_write(const struct file_item *item, int n, struct diag *d);
 /* The signals that end a run from outside: Ctrl-C, SIGTERM, SIGHUP, and the clock. */
 enum { N_ENDING_SIGNALS = 4 };
 extern const int ending_signals[N_ENDING_SIGNALS];
-/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the first
-   file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a signal has no
-   handler, files_write sees to it. */
+/* For handlers of signals that end the process: what files_write was about is undone, or brought to its end when the
+   first file stands in its place already, so that files are all old or all new and no temporary one stays.  Where a
+   signal has no handler, files_write sees to it. */
 void files_settle(void);
 /* How often, in this process, files_write or files_settle has put all files of a call in their places. */
 int files_in_place(void);
-/* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their names, in
-   an array to be freed and an arena; NULL with d set when there are none. */
+/* The files of a folder whose names have the suffix and do not begin with a point, as paths in the order of their
+   names, in an array to be freed and an arena; NULL with d set when there are none. */
 struct arena;
 char **folder_files(size_t *n, const char *path, const char *suffix, struct arena *a, struct diag *d);
 /* Makes a folder and its parents; existing ones are fine. */

@@ -1,8 +1,8 @@
 /* What a computation has cost so far, in units that no machine changes, and which parts of the program it has touched.
 
-   One unit is about one arithmetic operation on balls of 128 bits: a node of a tape evaluated at p bits counts p/128 (one
-   at least), exact algebra a unit for each product of two terms, an event that is looked for, an orbit that is searched and
-   a step of an integrator what measurement makes of them.  Counts belong to the thread. */
+   One unit is about one arithmetic operation on balls of 128 bits: a node of a tape evaluated at p bits counts p/128
+   (one at least), exact algebra a unit for each product of two terms, an event that is looked for, an orbit that is
+   searched and a step of an integrator what measurement makes of them.  Counts belong to the thread. */
 #ifndef STICKSLIP_BASE_WORK_H
 #define STICKSLIP_BASE_WORK_H
 
@@ -53,12 +53,13 @@ struct work_raises {
   long tried[N_WORK_LADDERS], enough[N_WORK_LADDERS];
 };
 
-/* From here on counts begin at zero and nothing is noted.  When limit, unless 0, is passed, exhausted is called; it must
-   not return. */
+/* From here on counts begin at zero and nothing is noted.  When limit, unless 0, is passed, exhausted is called; it
+   must not return. */
 void work_begin(unsigned long long limit, void (*exhausted)(void));
 void work_add(unsigned long long units);
-/* Steps that only odd parameters cause are counted where they arise, in whole blocks of this many, so that the last digits of
-   a walk change no count at ordinary ones: there a search or a proof is counted once, by whoever asks for it. */
+/* Steps that only odd parameters cause are counted where they arise, in whole blocks of this many, so that the last
+   digits of a walk change no count at ordinary ones: there a search or a proof is counted once, by whoever asks for
+   it. */
 enum { WORK_BLOCK = 4096 };
 void work_touch(enum work_part part);
 unsigned long long work_units(void);

@@ -7,7 +7,8 @@
 #include "model/model.h"
 #include "record/result.h"
 
-/* Do the items of --only select the claim, by its own id or by one that a restriction of it makes?  And does every item of --only
+/* Do the items of --only select the claim, by its own id or by one that a restriction of it makes?  And does every item
+                                                                                                     of --only
    select some claim? */
 bool claims_selects(const char *const *only, int n_only, const struct claim *c);
 bool claims_check_selection(const struct claims *claims, const char *const *only, int n_only, struct diag *d);
@@ -15,8 +16,8 @@ bool claims_check_selection(const struct claims *claims, const char *const *only
 enum { CLAIM_NAME = 32 };
 /* Items of a list separated by commas or blanks, at most max; how many there are. */
 int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
-/* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at the
-   end. */
+/* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
+   the end. */
 const char *claim_next_item(char *buf, size_t size, const char *list);
 /* The claim of that id, or NULL. */
 const struct claim *claim_named(const struct claims *claims, const char *id);
@@ -24,8 +25,8 @@ const struct claim *claim_named(const struct claims *claims, const char *id);
 bool claim_makes(const struct claim *c, const char *id);
 /* How a claim is read: its own text as printed, the rest corrected. */
 struct view claim_view(const struct model *m, const struct claim *c);
-/* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the claim's
-   equation number, since a formula is printed together with its parts? */
+/* Is the record of the paper's files what the claim is about: its statement; or, for a value, a definition under the
+   claim's equation number, since a formula is printed together with its parts? */
 bool claim_is_about(const struct statement_record *r, const struct claim *c);
 /* Whether an erratum is about the claim: it replaces its statement or, not by statement, defines something anew under
    the claim's equation number. */
@@ -37,8 +38,8 @@ bool erratum_text(struct text *out, const struct model *m, const struct claim *c
 
 /* --- What rests on what (depends.c) --- */
 
-/* Of all the claims, each with its own text as printed and all else corrected; model and claims must stay.  What a claim
-   reaches is found when it is first asked for. */
+/* Of all the claims, each with its own text as printed and all else corrected; model and claims must stay.  What a
+   claim reaches is found when it is first asked for. */
 struct dependences *dependences_new(const struct model *m, const struct claims *claims);
 void dependences_free(struct dependences *d);
 /* Whether the formulas of claim a reach what claim b is about; indices in the claims. */

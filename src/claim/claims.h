@@ -22,31 +22,32 @@
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
-     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small, fixed-points,
-                 linearization, equality, perturb, long-run, patching
+     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small,
+                 fixed-points, linearization, equality, perturb, long-run, patching
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
-     premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first statement,
-                 D the phase of the time t where the record names none
+     premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first
+                 statement, D the phase of the time t where the record names none
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) premises that the corrected argument has besides
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
-     mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its friction while
-                 it slips (eps being the sign of V - x'), while it sticks and where it breaks away
+     mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
+                 friction while it slips (eps being the sign of V - x'), while it sticks and where it breaks away
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
-     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the place,
-                 "quote" or a record, that prints it
-     scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of the
-                 correction
+     symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the
+                 place, "quote" or a record, that prints it
+     scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of
+                 the correction
      statements, absent    (reach) records, and the symbols that they must not contain
      unknowns, rank        (rank) of the statement's equations
      word, conditions      (sequence) phases of one period; inequalities along it
-     given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the start
+     given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
+                           start
      constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
@@ -57,15 +58,15 @@
    Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
    failed formula as printed and as corrected.
 
-   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes an
-   equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
+   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes
+   an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
    notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report.
 
-   What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a claim, yet
-   its other points and routes are tried all the same, since the evidence says at how many points it differs and where the
-   most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a refutation can come of
-   it.  A route that would add no independence is not asked for: any two of a claim's routes, balls among them, are
-   independent by the table of src/route/routes.h (tests/check_plan.c). */
+   What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a
+   claim, yet its other points and routes are tried all the same, since the evidence says at how many points it differs
+   and where the most; a control, and a damaged formula, of which only the verdict is told, ends where nothing but a
+   refutation can come of it.  A route that would add no independence is not asked for: any two of a claim's routes,
+   balls among them, are independent by the table of src/record/routes.h (tests/check_plan.c). */
 #ifndef STICKSLIP_CLAIM_CLAIMS_H
 #define STICKSLIP_CLAIM_CLAIMS_H
 
@@ -104,8 +105,8 @@ const char *claim_own(const struct claim *c);
 /* Does --only with this item select the claim?  eq-27 selects eq-27, eq-27b, eq-27-..., not eq-270. */
 bool claim_selected(const char *id, const char *item);
 /* Does a scene with this item in its list "ask" ask for the claim?  The item is as above, or a group of claims:
-   claim_groups_print names them all, "matrices, section NAME, ...".  Sections have their names in the claim files, or their
-   numbers among them, 1 to 8. */
+   claim_groups_print names them all, "matrices, section NAME, ...".  Sections have their names in the claim files, or
+   their numbers among them, 1 to 8. */
 bool claim_asked_for(const struct claim *c, const char *item);
 /* Is the item a group, whether or not any claim belongs to it? */
 bool claim_group_known(const char *item);

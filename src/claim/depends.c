@@ -1,13 +1,15 @@
 /* What rests on what.  A claim is about a definition (its value, or what it names by "about") or about a record (its
-   statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held against
-   that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by hand. */
+   statement).  Another claim rests on it when its own formulas, put in full, contain that definition or are held
+   against that record; printed numbers rest on the printed numbers in their formula.  Nothing of this is written by
+   hand. */
 #include "claim.h"
 #include "model/model.h"
 #include "record/result.h"
 #include <stdlib.h>
 #include <string.h>
 
-/* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked up. */
+/* What one claim is about and, once asked for, what it reaches: that takes its formulas in full, the rest is looked
+   up. */
 struct reach {
   const struct definition **about;
   size_t n_about, cap_about;

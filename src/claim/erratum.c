@@ -37,7 +37,8 @@ static void add_pair(struct replacements *r, const struct expr *a, const struct 
   r->to[r->n++] = b;
 }
 
-/* first_order(...) is how the paper's difference of two motions is written here; its list of symbols is not the paper's. */
+/* first_order(...) is how the paper's difference of two motions is written here; its list of symbols is not the
+   paper's. */
 static void compare(struct replacements *r, const struct expr *a, const struct expr *b, int level) {
   if (r->too_many) return;
   if (a->kind == EXPR_FIRST_ORDER && b->kind == EXPR_FIRST_ORDER) {

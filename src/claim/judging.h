@@ -11,8 +11,8 @@ struct orbit_pool;
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
    but that arguments, scaling, ranks and reach are proved just where the full effort proves them.
    EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
-   nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them are
-   done sooner; others may pass over them. */
+   nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them
+   are done sooner; others may pass over them. */
 enum effort { EFFORT_FULL, EFFORT_REFUTE, EFFORT_VERDICT, EFFORT_DIFFERENCE };
 
 struct judge {

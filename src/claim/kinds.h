@@ -22,8 +22,8 @@ enum {
   NEEDS_ALGEBRA = 1U << WORK_ALGEBRA
 };
 
-/* Asked about a damaged formula at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates and reads
-   no formula that others do not read, or asserts nothing. */
+/* Asked about a damaged formula at once; after the others, by EFFORT_REFUTE alone; or never, since it simulates and
+   reads no formula that others do not read, or asserts nothing. */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 
 /* K(name, word in files, judge, tried at points, asked, of scene, parts, balls) */

@@ -99,7 +99,8 @@ static void remove_stale(const struct files *f) {
   }
 }
 
-/* Notes a figure that gnuplot has written, and takes out what makes it large.  One that cannot be read stays as it is. */
+/* Notes a figure that gnuplot has written, and takes out what makes it large.  One that cannot be read stays as it
+   is. */
 static void take_figure(struct files *f, const char *name, const char *suffix) {
   struct text path, body;
   struct source svg;

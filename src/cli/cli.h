@@ -97,8 +97,8 @@ int parse_start(slong *orbit, bool *printed, const struct options *o);
 
 /* The command of that name; NULL after a message. */
 const struct command *find_command(const char *name);
-/* stickslip help, with the words behind it: the overview, the page of a command, or with --table every row of options.def, its
-   fields between tabs.  An exit status. */
+/* stickslip help, with the words behind it: the overview, the page of a command, or with --table every row of
+   options.def, its fields between tabs.  An exit status. */
 int help(int argc, char **argv);
 /* stickslip COMMAND --help. */
 void help_page(const struct command *c);
@@ -110,8 +110,8 @@ struct range {
 };
 void range_init(struct range *r);
 void range_clear(struct range *r);
-/* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has another
-   form, with a %s for the option and a %.200s for the text. */
+/* NAME=A:B in len bytes; an exit status, after a message that names the option.  shape: what is said when text has
+   another form, with a %s for the option and a %.200s for the text. */
 int range_parse(struct range *r, const char *option, const char *shape, const char *text, size_t len);
 /* The values must keep u_r above e, as a scene does. */
 int range_check_friction(const struct range *r, const struct scene *s, const char *option, const char *text);
@@ -122,9 +122,11 @@ int range_check_friction(const struct range *r, const struct scene *s, const cha
 bool terminal_has_colours(void);
 /* Its columns; 0 where standard output is no terminal. */
 int terminal_width(void);
-/* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays whole. */
+/* One line of len bytes, broken at single blanks where it is wider; it goes on at that column.  A longer word stays
+   whole. */
 void text_fit(struct text *out, const char *line, size_t len, size_t width, size_t indent);
-/* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no terminal. */
+/* Prints lines, with those that are wider than the terminal broken at blanks; as they are where there is no
+   terminal. */
 void terminal_print(const char *s);
 enum paint { PAINT_NONE, PAINT_GOOD, PAINT_BAD, PAINT_DOUBT, PAINT_HEAD };
 /* The word at the right end of so many columns, with a negative width at the left. */
@@ -133,8 +135,8 @@ void paint(struct text *out, bool colours, enum paint p, const char *word, int w
 void verify_tables(const struct audit_result *r);
 void verify_line(const struct audit_result *r);
 
-/* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and scene;
-   false when there is none. */
+/* The score of the whole study of damages beside a report's folder, when it was made of the same paper, overlay and
+   scene; false when there is none. */
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r);
 /* Memory that GMP, MPFR, FLINT or GSL cannot have ends the program as the program's own does. */
 void own_memory(void);

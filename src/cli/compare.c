@@ -1,5 +1,5 @@
-/* stickslip simulate --compare: both routes in double precision beside MPFR, return by return, and whether what separates
-   them grows as the orbit's multiplier says. */
+/* stickslip simulate --compare: both routes in double precision beside MPFR, return by return, and whether what
+   separates them grows as the orbit's multiplier says. */
 #include <math.h>
 
 #include "cli.h"

@@ -1,5 +1,6 @@
-/* stickslip diff: what changed between two audits, for people or as JSON.  Claims are told apart by their ids; whatever else
-   the two documents hold is compared member by member, so that "no change" means none but of the order of claims. */
+/* stickslip diff: what changed between two audits, for people or as JSON.  Claims are told apart by their ids; whatever
+   else the two documents hold is compared member by member, so that "no change" means none but of the order of
+   claims. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* What the program says of itself, made from the rows of options.def: an overview that fits a screen, a page for each command,
-   and every row for the tools that write the man page and complete command lines. */
+/* What the program says of itself, made from the rows of options.def: an overview that fits a screen, a page for each
+   command, and every row for the tools that write the man page and complete command lines. */
 #include <string.h>
 
 #include "cli.h"
@@ -131,8 +131,8 @@ static void overview(void) {
   text_clear(&out);
 }
 
-/* Each row is one of: COMMAND usage OPERANDS PURPOSE, COMMAND text - PARAGRAPH, COMMAND example - LINE, COMMAND --OPTION VALUE
-   TEXT; behind the commands, - status NUMBER TEXT.  "-" is an empty field. */
+/* Each row is one of: COMMAND usage OPERANDS PURPOSE, COMMAND text - PARAGRAPH, COMMAND example - LINE, COMMAND
+   --OPTION VALUE TEXT; behind the commands, - status NUMBER TEXT.  "-" is an empty field. */
 static void print_table(void) {
   struct text about;
   text_init(&about);

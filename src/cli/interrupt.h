@@ -4,9 +4,9 @@
 
 #include <stdbool.h>
 
-/* From here on each of them ends the program with status 5, a message and no process left, wherever it is; a report is the
-   old one or the new one, whole, and the message says which.  seconds: of the clock, 0 for none.  false when the clock cannot
-   be set. */
+/* From here on each of them ends the program with status 5, a message and no process left, wherever it is; a report is
+   the old one or the new one, whole, and the message says which.  seconds: of the clock, 0 for none.  false when the
+   clock cannot be set. */
 bool interrupt_begin(double seconds);
 /* Another scene begins. */
 void interrupt_next(void);

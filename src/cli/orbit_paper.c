@@ -1,5 +1,5 @@
-/* stickslip orbit --method paper: equations (44)-(46) by Newton's iteration in double precision and in MPFR, as a table or
-   as JSON (schema/orbit-paper.schema.json). */
+/* stickslip orbit --method paper: equations (44)-(46) by Newton's iteration in double precision and in MPFR, as a table
+   or as JSON (schema/orbit-paper.schema.json). */
 #include <math.h>
 
 #include "base/json.h"

@@ -25,7 +25,8 @@ static void keys_json(struct text *out) {
   json_end_array(&j);
 }
 
-/* A row a key; on a terminal that is too narrow for it the meaning first, and under it what is written and who reads it. */
+/* A row a key; on a terminal that is too narrow for it the meaning first, and under it what is written and who reads
+   it. */
 static void keys_text(struct text *out) {
   enum { ROW = 130 };
   int width = terminal_width();

@@ -1,5 +1,5 @@
-/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's own,
-   integrated by GSL; in the table, held against the closed forms event by event. */
+/* stickslip simulate: the two masses under Coulomb's law from a start on an orbit, at the printed numbers or of one's
+   own, integrated by GSL; in the table, held against the closed forms event by event. */
 #include <errno.h>
 #include <math.h>
 #include <stdlib.h>

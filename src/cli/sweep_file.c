@@ -1,7 +1,8 @@
 /* Where rows go, and how an interrupted file is taken up.
 
-   Rows begin with the number of their point, which grows by at most one from row to row.  So a file of rows says itself how
-   far it came: its last unit may be cut off and is done again, everything before it is kept after its shape was checked. */
+   Rows begin with the number of their point, which grows by at most one from row to row.  So a file of rows says itself
+   how far it came: its last unit may be cut off and is done again, everything before it is kept after its shape was
+   checked. */
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>

@@ -2,8 +2,8 @@
 
    Rank 0 writes, and computes with a crew of its own; each other rank says how many units it has room for, and gets one
    whenever it has room.  Ranks talk by probing, so that nobody blocks: a rank says every second that it
-   lives, and one that is silent for half a minute, whether it died or its machine did, is lost: its units are handed out
-   again.  Rows that come after all are the same bytes, and ignored.
+   lives, and one that is silent for half a minute, whether it died or its machine did, is lost: its units are handed
+   out again.  Rows that come after all are the same bytes, and ignored.
 
    Whether a job outlives a rank is up to the MPI library's launcher: Open MPI's ends the whole job unless it is told
    --enable-recovery.  What rank 0 wrote until then can be resumed. */

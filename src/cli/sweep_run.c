@@ -1,6 +1,6 @@
 /* Units are handed out in order, to a crew and to other ranks, and written in order whoever is done first.  So many
-   may be ahead of the one that is waited for that nobody stands idle, and no more, nor more rows than HELD bytes, so that
-   memory stays bounded. */
+   may be ahead of the one that is waited for that nobody stands idle, and no more, nor more rows than HELD bytes, so
+   that memory stays bounded. */
 #include <signal.h>
 #include <stdint.h>
 #include <stdlib.h>

@@ -22,7 +22,8 @@ int terminal_width(void) {
   return isatty(STDOUT_FILENO) && ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 ? size.ws_col : 0;
 }
 
-/* Where a line that is too long goes on: under its last column, which stands behind two blanks, or two blanks further in. */
+/* Where a line that is too long goes on: under its last column, which stands behind two blanks, or two blanks further
+   in. */
 static size_t hanging(const char *line, size_t len, size_t width) {
   size_t lead = strspn(line, " "), at = lead + 2;
   for (size_t i = lead; i + 2 < len && i + 2 <= width * 2 / 3; i++)

@@ -1,4 +1,5 @@
-/* What verify says at its end: what fails and why it matters, the verdicts by section, and the one line of the contract. */
+/* What verify says at its end: what fails and why it matters, the verdicts by section, and the one line of the
+   contract. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,4 +1,5 @@
-/* stickslip words: which short sequences of phases can happen at a scene's parameters, and which have periodic orbits. */
+/* stickslip words: which short sequences of phases can happen at a scene's parameters, and which have periodic
+   orbits. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -6,8 +7,8 @@
 #include "word_orbits.h"
 
 enum { LONGEST = 4, MOST_PHASES = 8, STARTS = 96 };
-/* In units of work, after which no further word is searched, where the scene says no other: about a minute, whatever the
-   parameters. */
+/* In units of work, after which no further word is searched, where the scene says no other: about a minute, whatever
+   the parameters. */
 static const unsigned long long most_work = 2000000000;
 
 /* What a run over the words holds. */

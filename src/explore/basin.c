@@ -1,9 +1,9 @@
 /* The interval of r that the return map contracts around a stable orbit.
 
-   t_b stands for r, which falls strictly as t_b grows up to the first crest.  Over a ball of t_b interval Newton encloses
-   t_c, and what is known of orbits is known of the pass that starts there: its conditions, and the slope of the return map
-   in place of the trace.  A ball that leaves something open is halved.  The half width of the interval is found by growing
-   it until the proof fails, then by bisection. */
+   t_b stands for r, which falls strictly as t_b grows up to the first crest.  Over a ball of t_b interval Newton
+   encloses t_c, and what is known of orbits is known of the pass that starts there: its conditions, and the slope of
+   the return map in place of the trace.  A ball that leaves something open is halved.  The half width of the interval
+   is found by growing it until the proof fails, then by bisection. */
 #include "basin.h"
 
 #include <math.h>
@@ -268,7 +268,8 @@ static int broken_condition(struct field *f) {
   return -1;
 }
 
-/* Whether r is too high for m2 to stick, or so low that m1 comes up to the belt's speed in phase Gamma: -1 if neither. */
+/* Whether r is too high for m2 to stick, or so low that m1 comes up to the belt's speed in phase Gamma: -1 if
+   neither. */
 static int out_of_reach(struct field *f, const arb_t r) {
   struct calc *c = &f->c;
   struct ball_pass crest;

@@ -1,10 +1,10 @@
 /* Conditional stability made quantitative: how far r = z_2 - z_1 at the stick phase may be from that of a stable orbit.
 
-   Only r acts: whatever the perturbation, the next stick phase is fixed by r alone.  Over the interval [low, high] around
-   the orbit's r it is proved, in balls and by pieces, that t_b, t_c and t_d are the first events of their phases, that every
-   condition of dyn_condition_id holds on the way (so that the next stick phase has t_a > 0), that the return map has a slope
-   below 1 in modulus and that it takes the interval into itself.  Every start in the stick phase with r in it then tends to
-   the orbit, in the order D-Gamma-H-C throughout, if u_r1 and u_r2, where they are not
+   Only r acts: whatever the perturbation, the next stick phase is fixed by r alone.  Over the interval [low, high]
+   around the orbit's r it is proved, in balls and by pieces, that t_b, t_c and t_d are the first events of their
+   phases, that every condition of dyn_condition_id holds on the way (so that the next stick phase has t_a > 0), that
+   the return map has a slope below 1 in modulus and that it takes the interval into itself.  Every start in the stick
+   phase with r in it then tends to the orbit, in the order D-Gamma-H-C throughout, if u_r1 and u_r2, where they are not
    given, are large enough for every such motion: above more than the orbit's own bounds. */
 #ifndef STICKSLIP_EXPLORE_BASIN_H
 #define STICKSLIP_EXPLORE_BASIN_H
@@ -29,9 +29,9 @@ struct dyn_basin {
 
 void dyn_basin_init(struct dyn_basin *b);
 void dyn_basin_clear(struct dyn_basin *b);
-/* orbit: one that dyn_orbits_find gave for params; u_r: static friction forces, which must then be enough on the way, or NULL
-   each.  proved is false for an orbit that is not stable or not admissible, and
-   where not even an interval of 1e-9 of |r| + e2/chi could be proved. */
+/* orbit: one that dyn_orbits_find gave for params; u_r: static friction forces, which must then be enough on the way,
+   or NULL each.  proved is false for an orbit that is not stable or not admissible, and where not even an interval of
+   1e-9 of |r| + e2/chi could be proved. */
 void dyn_basin_find(struct dyn_basin *b, const fmpq *params, const fmpq *const u_r[2], const struct dyn_orbit *orbit);
 
 #endif

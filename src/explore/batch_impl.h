@@ -23,7 +23,8 @@ struct march {
 const char *batch_set_name(int set);
 /* Whether this machine has it. */
 bool batch_set_here(int set);
-/* All calls use it from now on; -1: the widest that the machine has.  Not while another thread is in dyn_orbits_batch. */
+/* All calls use it from now on; -1: the widest that the machine has.  Not while another thread is in
+   dyn_orbits_batch. */
 void batch_set_use(int set);
 
 #endif

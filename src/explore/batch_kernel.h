@@ -1,8 +1,8 @@
 /* The solver of one lane, and the loop over lanes for one instruction set.
 
-   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what only a branch
-   could settle is answered with "cannot tell".  Every other step turns the sines and cosines that are there.  Conditions are
-   judged in double precision; the outputs are formed in twice that (polish.h), in a loop of its own.
+   Everything is straight-line code: conditions become masks, the number of Newton's steps is fixed, and what only a
+   branch could settle is answered with "cannot tell".  Every other step turns the sines and cosines that are there.
+   Conditions are judged in double precision; the outputs are formed in twice that (polish.h), in a loop of its own.
 
    batch.c includes this file once for each instruction set, with BATCH_RUN, BATCH_START and BATCH_PART the names of the
    functions and BATCH_TARGET their attribute; the compiler vectorises the loops (flags in the Makefile). */
@@ -67,8 +67,8 @@ SINCOS_INLINE void lane_move(struct lane *x) {
   x->c[1] = half_angle_move(x->c[1], x->k.om[1] * x->step[1]);
 }
 
-/* The equations, their derivatives and Newton's step; that of r_end is multiplied by r_end, which saves divisions.  exact:
-   with the defect formed from changes. */
+/* The equations, their derivatives and Newton's step; that of r_end is multiplied by r_end, which saves divisions.
+   exact: with the defect formed from changes. */
 SINCOS_INLINE void lane_evaluate(struct lane *x, bool exact) {
   const struct slip *k = &x->k;
   x->g = gamma_at(k, x->tb, x->b);
@@ -87,7 +87,8 @@ SINCOS_INLINE void lane_evaluate(struct lane *x, bool exact) {
   x->step[1] = -(x->p_tb * defect - x->defect_tb * x->n.p) * scale;
 }
 
-/* Another step would be rounding, and rounding leaves digits: t_b is off by units of all_b/steep_b, t_c of all_c/steep_c. */
+/* Another step would be rounding, and rounding leaves digits: t_b is off by units of all_b/steep_b, t_c of
+   all_c/steep_c. */
 SINCOS_INLINE bool lane_converged(const struct lane *x, double guess_b, double guess_c) {
   const struct slip *k = &x->k;
   double reach = fabs(x->n.pull * k->soft) + fabs(x->n.q) * (k->soft * k->omc), radius = fabs(x->r_end);
@@ -138,8 +139,9 @@ struct close {
   double least; /* e1 - w in phase C */
 };
 
-/* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.  Inside
-   phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at pi - u. */
+/* t_a from two sums, whichever has the smaller terms: what w is short of e1, and the belt's way that m1 is behind.
+   Inside phase C w' = a - chi q vanishes only where q > 0: in a valley at the angle u before the end, and on a hill at
+   pi - u. */
 SINCOS_INLINE struct close lane_close(const struct lane *x) {
   const struct slip *k = &x->k;
   bool up = x->n.q > 0;

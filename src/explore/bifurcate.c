@@ -1,10 +1,11 @@
-/* Bifurcations along a line: orbits are searched for at many values of the parameter, their curves are followed both ways,
-   and what changes on the way is narrowed down and proved.
+/* Bifurcations along a line: orbits are searched for at many values of the parameter, their curves are followed both
+   ways, and what changes on the way is narrowed down and proved.
 
-   At a fold, at a grazing t_c and at the end of phase H the curve turns back: there Krawczyk's operator proves the zero of the
-   three equations (curve.c).  Near such a zero the parameter is p_0 + p'' s^2/2 along the tangent s, which tells the side on
-   which orbits exist and gives the two beside it.  Any other change is proved along the parameter: one tube of orbits
-   reaches over the whole bracket, and the function that vanishes has opposite signs on the orbits at its two ends. */
+   At a fold, at a grazing t_c and at the end of phase H the curve turns back: there Krawczyk's operator proves the zero
+   of the three equations (curve.c).  Near such a zero the parameter is p_0 + p'' s^2/2 along the tangent s, which tells
+   the side on which orbits exist and gives the two beside it.  Any other change is proved along the parameter: one tube
+   of orbits reaches over the whole bracket, and the function that vanishes has opposite signs on the orbits at its two
+   ends. */
 #include "bifurcate.h"
 
 #include <math.h>
@@ -142,7 +143,8 @@ static void third_order(arb_t third, const struct tube *t, slong prec) {
   _arb_vec_clear(c, 4);
 }
 
-/* The signs at the ends: 1, -1, or 0 when one is not decided.  The ends' orbits and touches lie in those of the tube. */
+/* The signs at the ends: 1, -1, or 0 when one is not decided.  The ends' orbits and touches lie in those of the
+   tube. */
 static void sign_at_ends(int sign[2], struct dyn_bifurcation *b, const struct tube *t, const struct curve *curve,
                          const arb_t time, slong prec) {
   const fmpq *end[2] = {&b->low, &b->high};
@@ -324,7 +326,8 @@ static void prove_change(struct dyn_bifurcation *b, const struct line *l, bool u
   _arb_vec_clear(x, 4);
 }
 
-/* Whether w's height in phase C matters at this change: a greater one elsewhere may have broken the condition before. */
+/* Whether w's height in phase C matters at this change: a greater one elsewhere may have broken the condition
+   before. */
 static bool matters(const struct dyn_bifurcation *b) {
   if (b->what != CHANGE_C_W_START && b->what != CHANGE_C_W_HILL) return true;
   truth t[2];

@@ -1,8 +1,8 @@
 /* Orbits over a box of parameters, by pieces.
 
-   A piece that is not proved, or on which something is left undecided that no other piece has settled to change, is halved
-   along the parameter that moves (t_b, t_c) most.  Some cuts are made in any case: enclosures over a piece grow with its
-   width twice, by what the orbit moves and by what balls add to that. */
+   A piece that is not proved, or on which something is left undecided that no other piece has settled to change, is
+   halved along the parameter that moves (t_b, t_c) most.  Some cuts are made in any case: enclosures over a piece grow
+   with its width twice, by what the orbit moves and by what balls add to that. */
 #include "box.h"
 
 #include <math.h>
@@ -210,8 +210,8 @@ static void nothing_said(struct dyn_orbit *o) {
   for (int i = 0; i < N_CONDITIONS; i++) o->holds[i] = TRUTH_UNKNOWN;
 }
 
-/* Whether the surface goes through the orbit at the middle: Newton's iteration may have ended at another.  Where a piece
-   holds the middle and the orbit lies in its box, the orbit is the one solution there. */
+/* Whether the surface goes through the orbit at the middle: Newton's iteration may have ended at another.  Where a
+   piece holds the middle and the orbit lies in its box, the orbit is the one solution there. */
 static bool passes(const struct pieces *list, const struct dyn_orbit *o, const fmpq middle[N_PARAMS]) {
   for (size_t i = 0; i < list->n; i++) {
     const struct tube *t = &list->at[i]->tube;

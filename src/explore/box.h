@@ -1,8 +1,8 @@
 /* Orbits over a box of parameters: what holds for every point of it.
 
    Each orbit at the middle of the box is continued over the whole of it.  The box is cut into pieces, on each of which
-   Krawczyk's operator proves one solution (t_b, t_c) of the return map's equations for each point; where two pieces meet
-   it is checked that they hold the same one.  Enclosures are the union over the pieces. */
+   Krawczyk's operator proves one solution (t_b, t_c) of the return map's equations for each point; where two pieces
+   meet it is checked that they hold the same one.  Enclosures are the union over the pieces. */
 #ifndef STICKSLIP_EXPLORE_BOX_H
 #define STICKSLIP_EXPLORE_BOX_H
 
@@ -27,9 +27,9 @@ struct dyn_box {
   slong n;
 };
 
-/* low, high: the ends of each parameter, equal where it is exact.  Orbits that exist in a part of the box that leaves out its
-   middle are not found.  SS_DOMAIN outside the domain of dynamics.h; SS_UNABLE when the search at the middle ran into its
-   limits. */
+/* low, high: the ends of each parameter, equal where it is exact.  Orbits that exist in a part of the box that leaves
+   out its middle are not found.  SS_DOMAIN outside the domain of dynamics.h; SS_UNABLE when the search at the middle
+   ran into its limits. */
 int dyn_box_find(struct dyn_box *box, const fmpq *low, const fmpq *high);
 void dyn_box_clear(struct dyn_box *box);
 

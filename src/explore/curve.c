@@ -1,9 +1,9 @@
 /* The curve of orbits along a line in parameter space, and the functions that vanish at bifurcations.
 
-   The three unknowns are the parameter, t_b and t_c.  A third equation next to the two of motion/map_balls.c singles out one
-   point of the curve; its slopes come from duals (motion/dual.h), so that one line states each function.  A touch of the belt's speed inside phase H
-   is the value at the time of the extremum: there the value does not depend on that time to first order, so the slopes at a
-   fixed time are those of the extremum. */
+   The three unknowns are the parameter, t_b and t_c.  A third equation next to the two of motion/map_balls.c singles
+   out one point of the curve; its slopes come from duals (motion/dual.h), so that one line states each function.  A
+   touch of the belt's speed inside phase H is the value at the time of the extremum: there the value does not depend on
+   that time to first order, so the slopes at a fixed time are those of the extremum. */
 #include <math.h>
 
 #include "curve.h"

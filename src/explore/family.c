@@ -1,7 +1,8 @@
 /* Every orbit at each of many points on a line of parameters.
 
-   An anchor is a point at which all orbits have been searched for.  Between two anchors that hold the same number of orbits each orbit is followed, level by level (family_level.c).  The
-   first level at which one is lost ends the attempt, and a point there is searched and becomes an anchor. */
+   An anchor is a point at which all orbits have been searched for.  Between two anchors that hold the same number of
+   orbits each orbit is followed, level by level (family_level.c).  The first level at which one is lost ends the
+   attempt, and a point there is searched and becomes an anchor. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,11 +1,11 @@
 /* The orbits of the word along a line of parameter values, in double precision.
 
    One of chi, eta, V, e1, e2 takes the values x_i = A + (B - A) i/(n - 1), exact rationals rounded once; the others are
-   fixed.  At anchors, the ends of the stretch and every so many points between them, the search of dynamics.h finds every
-   orbit that it can; between two anchors each orbit is followed by warm starts, coarse points first and each finer one
-   from those around it.  A stretch on which an orbit cannot be followed from one anchor to the next (it ends in a fold or
-   at a grazing event, or another begins) is searched at a point inside it and treated as two, down to single points if
-   need be: what stands at an anchor is followed or searched for at every point, and never dropped.
+   fixed.  At anchors, the ends of the stretch and every so many points between them, the search of dynamics.h finds
+   every orbit that it can; between two anchors each orbit is followed by warm starts, coarse points first and each
+   finer one from those around it.  A stretch on which an orbit cannot be followed from one anchor to the next (it ends
+   in a fold or at a grazing event, or another begins) is searched at a point inside it and treated as two, down to
+   single points if need be: what stands at an anchor is followed or searched for at every point, and never dropped.
 
    What can be missing: an orbit that the search itself misses, and one whose branch begins and ends between two
    neighbouring anchors.  Anchors at every point exclude the second.

@@ -26,9 +26,11 @@ void family_line_clear(struct family_line *l);
 /* Sets the varied parameter to the i-th value. */
 void family_move(struct family_line *l, slong i);
 
-/* Completes what the warm start gave for the point at hand: stability and static friction, and in balls what is open. */
+/* Completes what the warm start gave for the point at hand: stability and static friction, and in balls what is
+   open. */
 void family_judge(struct dyn_member *m, struct family_line *l);
-/* The orbit near guess at the point at hand, in double precision if that is able; false when there is none to be had. */
+/* The orbit near guess at the point at hand, in double precision if that is able; false when there is none to be
+   had. */
 bool family_solve(struct dyn_member *m, struct family_line *l, const double guess[2], bool up);
 /* Every orbit at the point at hand, appended to the family. */
 void family_search(struct family_line *l, struct dyn_family_point *p);
@@ -55,8 +57,8 @@ struct strand {
 static inline struct dyn_member *family_at(const struct strand *s, slong row, slong point) {
   return &s->m[row * (s->last - s->first + 1) + point - s->first];
 }
-/* Follows every orbit to the points first + h, first + 3 h, ..., those at multiples of 2 h being there.  -1, or a point at
-   which an orbit was lost, the middle one of them. */
+/* Follows every orbit to the points first + h, first + 3 h, ..., those at multiples of 2 h being there.  -1, or a point
+   at which an orbit was lost, the middle one of them. */
 slong family_level(struct strand *s, slong h);
 
 #endif

@@ -1,4 +1,5 @@
-/* Many orbits of a family solved at once from guesses of (t_b, t_c): one lane for each orbit at each point of a level. */
+/* Many orbits of a family solved at once from guesses of (t_b, t_c): one lane for each orbit at each point of a
+   level. */
 #ifndef STICKSLIP_FAMILY_LANES_H
 #define STICKSLIP_FAMILY_LANES_H
 
@@ -11,8 +12,8 @@ struct family_lanes {
   unsigned *violations;
   int *status;
 };
-/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that varies from
-   lane to lane, and guess. */
+/* Room for n lanes at least.  Where it has to grow, every lane gets these parameters; the caller sets the one that
+   varies from lane to lane, and guess. */
 void family_lanes_room(struct family_lanes *a, slong n, const double params[N_PARAMS]);
 /* The first n lanes. */
 void family_lanes_solve(struct family_lanes *a, slong n);

@@ -1,9 +1,10 @@
 /* Orbits followed from the points around.
 
-   A level is the set of points midway between those that are solved already, so that the distance halves from level to level
-   and half of all points are solved last, from the nearest guesses.  A guess is interpolated from up to four solved points.
-   All orbits of a level are solved together, in lanes; what the lanes leave open is solved alone.  An orbit counts as followed when it is one of the word, of its branch's kind, close to where it was
-   expected and distinct from the others. */
+   A level is the set of points midway between those that are solved already, so that the distance halves from level to
+   level and half of all points are solved last, from the nearest guesses.  A guess is interpolated from up to four
+   solved points. All orbits of a level are solved together, in lanes; what the lanes leave open is solved alone.  An
+   orbit counts as followed when it is one of the word, of its branch's kind, close to where it was expected and
+   distinct from the others. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,8 +1,8 @@
 /* One orbit, and all orbits at one point.
 
    The warm start says what double precision can tell.  Where it leaves something open, or a margin is narrow, the orbit
-   is enclosed in balls at the exact parameters, and these decide; orbits that the warm start does not take (later than the
-   first crest, or beside a fold) are enclosed from the start. */
+   is enclosed in balls at the exact parameters, and these decide; orbits that the warm start does not take (later than
+   the first crest, or beside a fold) are enclosed from the start. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,9 +1,9 @@
 /* A curve of orbits followed in double precision, through folds.
 
-   Predictor along the tangent, corrector by Newton's iteration on the two equations and the plane through the prediction;
-   the parameter is measured so that the line has length 4, times as they are (the slow and the fast frequency being of
-   order 1).  Changes are seen as changes of sign between two spots and narrowed down by Newton's iteration, which starts
-   from the secant and, where it leaves the stretch, from ever smaller parts of it. */
+   Predictor along the tangent, corrector by Newton's iteration on the two equations and the plane through the
+   prediction; the parameter is measured so that the line has length 4, times as they are (the slow and the fast
+   frequency being of order 1).  Changes are seen as changes of sign between two spots and narrowed down by Newton's
+   iteration, which starts from the secant and, where it leaves the stretch, from ever smaller parts of it. */
 #include <math.h>
 #include <string.h>
 
@@ -255,8 +255,9 @@ static bool crosses(const struct spot *a, const struct spot *b, int what) {
   return a->known[what] && b->known[what] && (a->change[what] < 0) != (b->change[what] < 0);
 }
 
-/* The spot just before the end of a branch, beyond which the other functions have no meaning.  With phase H several vanish
-   of second order: nearer to it, rounding of t_b would decide their signs, and those that it does decide do not count. */
+/* The spot just before the end of a branch, beyond which the other functions have no meaning.  With phase H several
+   vanish of second order: nearer to it, rounding of t_b would decide their signs, and those that it does decide do not
+   count. */
 static bool stop_before(struct spot *before, const struct trace *t, const struct spot *a, const struct crossing *end) {
   double x[3], off[3], part = end->what == CHANGE_GAMMA_V1 ? 0.99 : 0.9999;
   for (int k = 0; k < 3; k++) {

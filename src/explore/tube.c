@@ -1,7 +1,7 @@
 /* One orbit over a box of parameters.
 
-   Krawczyk's operator around the orbit at the middle of the box.  The residual over the box is bounded by its mean value
-   form in the parameters, and the box of unknowns grows until the operator maps it into its interior. */
+   Krawczyk's operator around the orbit at the middle of the box.  The residual over the box is bounded by its mean
+   value form in the parameters, and the box of unknowns grows until the operator maps it into its interior. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,7 +1,7 @@
 /* Periodic motions with any sequence of phases.
 
-   A phase is a pair of modes (coulomb.h): each mass sticks, slips slower than the belt (friction +u_s) or faster (-u_s).
-   The nine of them, with the letters of coulomb_letter; the paper's four are those without a faster mass:
+   A phase is a pair of modes (coulomb.h): each mass sticks, slips slower than the belt (friction +u_s) or faster
+   (-u_s). The nine of them, with the letters of coulomb_letter; the paper's four are those without a faster mass:
 
      m1 \ m2    sticks   slower   faster
      sticks     D        C        c
@@ -16,31 +16,33 @@
      w_1' = (1 - chi) V + p_1 - chi p_2                  w_2' = chi (p_2 - p_1)
      p_1' = -w_1 slower, -(w_1 + 2 u_s1) faster          p_2' = -eta w_2 slower, -eta (w_2 + 2 u_s2) faster
 
-   and p_i = 0 while mass i sticks, which it does while -(e_i + 2 u_si) < w_i < e_i, e_i = u_ri - u_si.  So a word without
-   a faster phase depends on e_1 and e_2 alone, and of the static friction needs only that it is large enough
+   and p_i = 0 while mass i sticks, which it does while -(e_i + 2 u_si) < w_i < e_i, e_i = u_ri - u_si.  So a word
+   without a faster phase depends on e_1 and e_2 alone, and of the static friction needs only that it is large enough
    (u_ri >= (e_i - w_i)/2 along the phase); one with a faster phase needs u_r1 and u_r2 given, and u_si = u_ri - e_i.
 
-   Transitions.  One mass changes its mode at a time; two at once need a coincidence of parameters.  A sticking mass breaks
-   loose at w_i = e_i to the slower side or at w_i = -(e_i + 2 u_si) to the faster one; a slipping mass at p_i = 0 is
-   captured when its force lies within the static limits, and passes through to the other slip when it does not.  Impossible are
+   Transitions.  One mass changes its mode at a time; two at once need a coincidence of parameters.  A sticking mass
+   breaks loose at w_i = e_i to the slower side or at w_i = -(e_i + 2 u_si) to the faster one; a slipping mass at p_i =
+   0 is captured when its force lies within the static limits, and passes through to the other slip when it does not.
+   Impossible are
    - a break of m1 to the faster side while m2 is not faster than the belt: w_1' = (1 - chi) V - chi p_2 > 0;
    - a break of m2 from D: w_2' = 0;
    - a break of m2 to the faster side while m1 is slower, or to the slower side while m1 is faster: w_2' = -chi p_1.
 
    What no period can do.  Positions come back after a period, so the mean velocity of each mass is zero and p_i has the
    mean -V: each mass is slower than the belt in some phase of the word.  Hence no orbit of D alone, of Gamma and D, of
-   any word in which a mass always sticks or overruns.  The word H alone is the free oscillation about the equilibrium of
-   both sliding forces: families (one for each normal mode; all of it where the frequencies are commensurable), with
+   any word in which a mass always sticks or overruns.  The word H alone is the free oscillation about the equilibrium
+   of both sliding forces: families (one for each normal mode; all of it where the frequencies are commensurable), with
    every multiplier on the unit circle, and no isolated orbit.
 
-   Orbits.  The unknowns are the lengths t_1..t_n of the phases and those coordinates of the state at the entry of the first
-   phase that are free there: of a mass that has just broken loose none, of one that sticks w_i, of one that has just been
-   captured or passed through w_i, of one that slips w_i and p_i.  The equations are the n events and the return of the free
-   coordinates.  A word is turned so that they are fewest: with a break beside a sticking mass one, beside a slipping mass
-   two, and without any sticking three.  As for the paper's word an orbit is a solution in which each phase but D ends at
-   the first positive root of its own switching function, and D may have any length; all else is admissibility:
-   every length is positive, a sticking mass stays within its limits, a slower one slower and a faster one faster, and at a
-   pass-through the force is beyond the limit.  These together are Coulomb's law: an admissible orbit is a motion.
+   Orbits.  The unknowns are the lengths t_1..t_n of the phases and those coordinates of the state at the entry of the
+   first phase that are free there: of a mass that has just broken loose none, of one that sticks w_i, of one that has
+   just been captured or passed through w_i, of one that slips w_i and p_i.  The equations are the n events and the
+   return of the free coordinates.  A word is turned so that they are fewest: with a break beside a sticking mass one,
+   beside a slipping mass two, and without any sticking three.  As for the paper's word an orbit is a solution in which
+   each phase but D ends at the first positive root of its own switching function, and D may have any length; all else
+   is admissibility: every length is positive, a sticking mass stays within its limits, a slower one slower and a faster
+   one faster, and at a pass-through the force is beyond the limit.  These together are Coulomb's law: an admissible
+   orbit is a motion.
 
    Its Jacobian is that of the first return to the entry of the first phase in the free coordinates, by saltation
    matrices; the derivative of the whole return has, besides, the eigenvalues 1 (along the motion, no part of the return
@@ -152,8 +154,8 @@ struct word_seeds {
   int starts, settled, quiet; /* simulations; those that settled on a word; those that slip for ever */
   double u_r[2];              /* the static friction they had */
 };
-/* Simulations under Coulomb's law from random starts (a fixed sequence), and the words that they settle on, any length up
-   to WORD_MOST.  u_r[i] may be NULL: then 10 (e1 + e2) is taken. */
+/* Simulations under Coulomb's law from random starts (a fixed sequence), and the words that they settle on, any length
+   up to WORD_MOST.  u_r[i] may be NULL: then 10 (e1 + e2) is taken. */
 void word_seeds_find(struct word_seeds *seeds, const fmpq *params, const fmpq *const u_r[2], int starts);
 void word_seeds_clear(struct word_seeds *seeds);
 
@@ -165,13 +167,13 @@ void word_seeds_clear(struct word_seeds *seeds);
 int word_orbits_find(struct word_orbits *list, const struct phase_word *w, const fmpq *params, const fmpq *const u_r[2],
                      const struct word_seeds *seeds, slong prec);
 void word_orbits_clear(struct word_orbits *list);
-/* The n eigenvalues (n up to 3) of the matrix j in balls, by increasing real part, then imaginary part; a real one has no imaginary
-   part.  SS_UNABLE when they cannot be told apart. */
+/* The n eigenvalues (n up to 3) of the matrix j in balls, by increasing real part, then imaginary part; a real one has
+   no imaginary part.  SS_UNABLE when they cannot be told apart. */
 int word_eigenvalues(acb_ptr z, arb_srcptr j, int n, slong prec);
 
-/* The same Jacobian by central differences in double precision of the simulation under Coulomb's law (closed forms, or GSL's
-   integration with ode) from event to event; err: an estimate of the worst entry's error.  SS_DOMAIN when the simulation
-   does not follow the word, as beside an orbit that is not admissible. */
+/* The same Jacobian by central differences in double precision of the simulation under Coulomb's law (closed forms, or
+   GSL's integration with ode) from event to event; err: an estimate of the worst entry's error.  SS_DOMAIN when the
+   simulation does not follow the word, as beside an orbit that is not admissible. */
 int word_jacobian_differences(double *j, double *err, const struct word_orbit *o, const fmpq *params,
                               const fmpq *const u_r[2], bool ode);
 

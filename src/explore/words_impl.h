@@ -49,8 +49,8 @@ void word_settle(val state[N_STATE], const struct word_law *m, const enum coulom
 void word_start(val state[N_STATE], struct calc *c, const struct word_law *m, const struct phase_word *w,
                 const val *free);
 
-/* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return, their
-   derivatives j (row by row; NULL if not wanted), and the states at the entries (4 n; NULL if not wanted). */
+/* Unknowns: n lengths, then the free coordinates.  The defects f of the events and of the free coordinates' return,
+   their derivatives j (row by row; NULL if not wanted), and the states at the entries (4 n; NULL if not wanted). */
 void word_equations(val *f, val *j, val *states, struct calc *c, const struct word_law *m, const struct phase_word *w,
                     const val *x);
 

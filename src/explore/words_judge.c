@@ -64,7 +64,8 @@ static struct word_condition *add(struct word_orbit *o, int phase, int mass, enu
   return k;
 }
 
-/* f < 0 inside the phase.  Where the phase ends because f is zero, that is the first such time also when f > 0 until then. */
+/* f < 0 inside the phase.  Where the phase ends because f is zero, that is the first such time also when f > 0 until
+   then. */
 static void judge(struct word_orbit *o, struct calc *c, int phase, int mass, enum word_condition_kind kind,
                   const struct harmonic *f, bool zero_at_start, bool ends) {
   val length = o->t + phase;
@@ -98,7 +99,8 @@ static void judge_slip(struct word_orbit *o, struct calc *c, int phase, int mass
   judge(o, c, phase, mass, slower ? WORD_SLOWER : WORD_FASTER, &f, before.mass == mass, e.mass == mass);
 }
 
-/* A mass that passes through at the end of the phase: its force, in the next phase's first state, is beyond the limit. */
+/* A mass that passes through at the end of the phase: its force, in the next phase's first state, is beyond the
+   limit. */
 static void judge_passage(struct word_orbit *o, struct calc *c, const struct word_law *m, int phase) {
   struct word_event e = word_event_of(&o->word, phase);
   if (e.from == MODE_STICK || e.to == MODE_STICK) return;

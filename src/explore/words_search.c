@@ -63,7 +63,8 @@ static bool own_length(double *t, struct searcher *s, int phase, const struct mo
   return true;
 }
 
-/* x: the free coordinates are known, the lengths become so; gap: the changes of the free coordinates over their scales. */
+/* x: the free coordinates are known, the lengths become so; gap: the changes of the free coordinates over their
+   scales. */
 static bool follow(double *x, double *gap, struct searcher *s) {
   struct calc *c = &s->c;
   slong mark = calc_mark(c);

@@ -1,5 +1,5 @@
-/* The token in hand, and the words that the language keeps for itself.  A parser never goes back: to look ahead it asks the
-   lexer for the token after a place. */
+/* The token in hand, and the words that the language keeps for itself.  A parser never goes back: to look ahead it asks
+   the lexer for the token after a place. */
 #include <string.h>
 
 #include "parser.h"

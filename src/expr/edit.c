@@ -1,6 +1,6 @@
 /* One-token edits.  The trees of a statement are laid out as a list of nodes in the order of the text, each with its
-   parent; an edit replaces one node by a new subtree and copies the path above it, so that nothing recurses and all edits
-   share what they leave alone.  Edits that print alike are one edit. */
+   parent; an edit replaces one node by a new subtree and copies the path above it, so that nothing recurses and all
+   edits share what they leave alone.  Edits that print alike are one edit. */
 #include "edit.h"
 
 #include <ctype.h>

@@ -6,10 +6,10 @@
      operator    * for / and / for *
      exponent    one more, one less (an exponent of 1 is dropped)
      number      an integer literal one more, one less
-     index       an entry's index, or a block's, one off or a block's width off; a name for one of its family: names that
-                 differ in one character of their index (z_1b z_2b, t_a t_b, u_r1 u_s1, Z_a Z_b)
-     symbol      a name for another of the same shape: any used in the same statement; a free symbol without an index for
-                 another such of the section
+     index       an entry's index, or a block's, one off or a block's width off; a name for one of its family: names
+                 that differ in one character of their index (z_1b z_2b, t_a t_b, u_r1 u_s1, Z_a Z_b)
+     symbol      a name for another of the same shape: any used in the same statement; a free symbol without an index
+                 for another such of the section
      function    sin, cos, cot for one another; sinc for stumpff; det for tr; inv, transpose, sqrt left out; hypot(a, b)
                  for either argument
      prime       a prime more or less, on a function or in a name (z_1a, z'_1a)

@@ -23,14 +23,13 @@
                  | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt abs sinc stumpff rounded inv det tr transpose are functions of one argument, hypot(a, b) of two; they take
-   no prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep their digits.
-   rounded(x) is x, of which a type that rounds has the nearest number or next to it, however x would come out (tape.h); of a
-   matrix, entry by entry.
-   first_order(f; x, y) is f to the first order in the named symbols together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors
-   that ask for parentheses: a/b*c, a/b/c, a^b^c, -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form
-   v[i] is an entry of a row or a column.  Exponents are integers of at most 4 digits.  Nesting beyond 200 levels and
-   formulas beyond 100000 nodes are refused. */
+   sin cos cot sqrt abs sinc stumpff rounded inv det tr transpose are functions of one argument, hypot(a, b) of two;
+   they take no prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep
+   their digits. rounded(x) is x, of which a type that rounds has the nearest number or next to it, however x would come
+   out (tape.h); of a matrix, entry by entry. first_order(f; x, y) is f to the first order in the named symbols
+   together, f(0,0) + x f_x(0,0) + y f_y(0,0).  Doubtful forms are errors that ask for parentheses: a/b*c, a/b/c, a^b^c,
+   -a^b, a*-b, and juxtaposition (2 a) asks for "*".  A one-index form v[i] is an entry of a row or a column.  Exponents
+   are integers of at most 4 digits.  Nesting beyond 200 levels and formulas beyond 100000 nodes are refused. */
 #ifndef STICKSLIP_EXPR_EXPR_H
 #define STICKSLIP_EXPR_EXPR_H
 
@@ -144,7 +143,8 @@ const struct expr *expr_pow(struct expr_pool *p, const struct expr *a, int expon
 
 /* The derivative of a scalar with respect to a symbol, by the rules of calculus applied node by node.  A subexpression
    free of the symbol contributes nothing (so zeros do not pile up); nothing else is simplified.  d/dx of a call
-   f^(n)(u) is f^(n+1)(u) u'.  The derivatives of abs and of stumpff are not defined at 0, that of hypot not at the origin. */
+   f^(n)(u) is f^(n+1)(u) u'.  The derivatives of abs and of stumpff are not defined at 0, that of hypot not at the
+   origin. */
 const struct expr *expr_diff(struct expr_pool *p, const struct expr *e, const char *sym);
 /* The scalar with every occurrence of a symbol replaced (inside call arguments too). */
 const struct expr *expr_subst(struct expr_pool *p, const struct expr *e, const char *sym, const struct expr *by);

@@ -1,5 +1,5 @@
-/* What a parser says of a formula that it cannot read.  Each kind of mistake has its own sentence, with its place, that ends
-   in what to write instead, since most mistakes are habits of other notations. */
+/* What a parser says of a formula that it cannot read.  Each kind of mistake has its own sentence, with its place, that
+   ends in what to write instead, since most mistakes are habits of other notations. */
 #include <stdarg.h>
 #include <stdio.h>
 

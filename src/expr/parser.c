@@ -1,6 +1,6 @@
-/* Expressions by recursive descent, one function for each line of the grammar in expr.h, over one token in hand.  Recursion
-   happens in parser_sum alone and is bounded there; chains (a+b+c, a*b*c, v[1][1]) are loops that lean to the left.  NULL
-   means that the first mistake has been reported. */
+/* Expressions by recursive descent, one function for each line of the grammar in expr.h, over one token in hand.
+   Recursion happens in parser_sum alone and is bounded there; chains (a+b+c, a*b*c, v[1][1]) are loops that lean to the
+   left.  NULL means that the first mistake has been reported. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* A parser of one formula: the token in hand and what has been read so far.  cursor.c moves along the tokens, mistake.c says
-   what is wrong, parser.c reads expressions and statement.c statements; each uses those before it.
+/* A parser of one formula: the token in hand and what has been read so far.  cursor.c moves along the tokens, mistake.c
+   says what is wrong, parser.c reads expressions and statement.c statements; each uses those before it.
 
    Every function that returns a pointer or bool reports the first mistake to the parser's diag and then returns NULL or
    false; the callers only pass that on. */
@@ -63,8 +63,8 @@ void *mistake_trailing(struct parser *p);
 
 /* An expression, as far as it goes. */
 const struct expr *parser_sum(struct parser *p);
-/* An operand is kept until its list is complete; then those that have been kept since there were `from` of them are moved
-   to `to`. */
+/* An operand is kept until its list is complete; then those that have been kept since there were `from` of them are
+   moved to `to`. */
 void parser_put_pending(struct parser *p, const struct expr *e);
 void parser_take_pending(struct parser *p, size_t from, const struct expr **to);
 

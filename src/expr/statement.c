@@ -1,6 +1,6 @@
-/* Statements: definitions, roots, trajectories, and relations with their ranges.  The first word, or a ":=" after a name,
-   tells which it is; then one function for each line of the grammar in expr.h reads it, with parser.c for the expressions
-   inside. */
+/* Statements: definitions, roots, trajectories, and relations with their ranges.  The first word, or a ":=" after a
+   name, tells which it is; then one function for each line of the grammar in expr.h reads it, with parser.c for the
+   expressions inside. */
 #include <stdlib.h>
 #include <string.h>
 

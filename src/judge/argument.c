@@ -1,9 +1,10 @@
 /* Arguments: does the conclusion follow from the premises?
 
-   First an exact proof is looked for (proof/combination.h).  Then a counterexample: an orbit on which the premises hold and the
-   conclusion fails, searched for in double over the pool of orbits and from the most promising of them by coordinate
-   steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it counts only
-   when enclosures along the whole of each phase prove the premises and refute the conclusion at exact parameters. */
+   First an exact proof is looked for (proof/combination.h).  Then a counterexample: an orbit on which the premises hold
+   and the conclusion fails, searched for in double over the pool of orbits and from the most promising of them by
+   coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
+   counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
+   parameters. */
 #include <limits.h>
 #include <math.h>
 #include <stdlib.h>
@@ -51,8 +52,8 @@ static void choose_friction(double x[2], const struct argument *a, const struct 
   }
 }
 
-/* The least margin of the conclusion where the premises hold, else infinity, with u_r as close to what they allow as the
-   grid permits. */
+/* The least margin of the conclusion where the premises hold, else infinity, with u_r as close to what they allow as
+   the grid permits. */
 static double least_margin(fmpq u_r[2], struct argument *a, const struct point *at, double belt, const double e[2]) {
   enum { GRID = 1024 };
   struct sampled p[MAX_CONDITIONS], q[MAX_CONDITIONS];

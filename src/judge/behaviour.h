@@ -1,5 +1,6 @@
-/* Claims about what the masses do: kind behaviour.  Each claim names a check (attribute "check"); each check runs motions
-   under Coulomb's law by both routes of coulomb.h, or asks the return map, and gives its routes' words to the table. */
+/* Claims about what the masses do: kind behaviour.  Each claim names a check (attribute "check"); each check runs
+   motions under Coulomb's law by both routes of coulomb.h, or asks the return map, and gives its routes' words to the
+   table. */
 #ifndef STICKSLIP_BEHAVIOUR_H
 #define STICKSLIP_BEHAVIOUR_H
 
@@ -58,8 +59,8 @@ void motion_print(struct text *out, const struct motion *m);
 /* The start of the orbit (index from 0) under friction u_ri = factor max(e_i, u_ri_min). */
 bool motion_on_orbit(struct motion *m, const struct point *params, const struct dyn_orbit *o, double factor);
 
-/* The return map iterated in double from r0 + offset: does it come back to within half of the offset (+1), get twice as far
-   away or lose the word (-1), or neither within the steps (0)? */
+/* The return map iterated in double from r0 + offset: does it come back to within half of the offset (+1), get twice as
+   far away or lose the word (-1), or neither within the steps (0)? */
 int return_map_fate(const double params[N_PARAMS], double r0, double offset, long steps);
 /* r = z_2 - z_1 at its start. */
 double orbit_r(const struct dyn_orbit *o);

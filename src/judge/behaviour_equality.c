@@ -1,5 +1,5 @@
-/* "Otherwise, the periodic solution is unstable", where |tr J| = 1: along a family of orbits the slope of the return map
-   passes -1, and there the third order decides what linearization leaves open. */
+/* "Otherwise, the periodic solution is unstable", where |tr J| = 1: along a family of orbits the slope of the return
+   map passes -1, and there the third order decides what linearization leaves open. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -18,9 +18,9 @@ struct family {
 
 enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
 
-/* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3)
-   s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside the bracket
-   and the sum is enclosed over the whole of it. */
+/* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 +
+   c_3) s^3 + ...: stable when c_2^2 + c_3 > 0, unstable when it is < 0.  It is proved when the slope passes -1 inside
+   the bracket and the sum is enclosed over the whole of it. */
 static double flip_r(const struct dyn_bifurcation *q) {
   const struct dyn_orbit *o = &q->beside[0].orbit[0];
   return num_arb.get_d(o->z20) - num_arb.get_d(o->z10);
@@ -83,7 +83,8 @@ static void iterate(struct found *t, const struct dyn_bifurcation *q, const stru
   }
 }
 
-/* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the error
+/* 200 returns of the motion from x_2 moved by 1% of r_0: nearer than it began, or farther?  The change is small, the
+                                                                                             error
    of the integration 1e-9. */
 static void move(struct found *t, const struct point *at, const struct dyn_orbit *o) {
   struct motion m;

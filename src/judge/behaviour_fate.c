@@ -1,6 +1,6 @@
-/* What becomes of motions beside a periodic orbit.  They are told by r = x_2 - x_1 at its returns to the global stick phase, where r alone fixes the state when
-   m_1 breaks loose: it stays near (r never gets far from the orbit's, in units of the perturbation), departs and comes
-   back, or ends elsewhere. */
+/* What becomes of motions beside a periodic orbit.  They are told by r = x_2 - x_1 at its returns to the global stick
+   phase, where r alone fixes the state when m_1 breaks loose: it stays near (r never gets far from the orbit's, in
+   units of the perturbation), departs and comes back, or ends elsewhere. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -104,8 +104,8 @@ struct table {
 
 static const char *const coordinate[N_STATE] = {"x_1", "x_2", "x'_1", "x'_2"};
 
-/* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it exceeds
-   what sliding friction can carry, so that it falls back further, or faster the other way round? */
+/* Does the change of velocity set a sticking mass free at once: is it slower than the belt while the force on it
+   exceeds what sliding friction can carry, so that it falls back further, or faster the other way round? */
 static bool breaks_loose(const struct motion *at, int direction, double change) {
   const double *p = at->params, *x = at->start;
   int i = direction - DZ_1;
@@ -162,8 +162,8 @@ static void say_table(struct behaviour *b, const struct table *t) {
   }
 }
 
-/* How far a coordinate can be moved at a moment of the orbit, in doublings of 1/1000, until the motion no longer comes back,
-   and what it ends on then. */
+/* How far a coordinate can be moved at a moment of the orbit, in doublings of 1/1000, until the motion no longer comes
+   back, and what it ends on then. */
 static void add_reach(struct text *out, struct behaviour *b, const struct orbit_motion *o, const struct motion *at,
                       int coordinate_index, int side) {
   enum { DOUBLINGS = 14 };

@@ -1,5 +1,5 @@
-/* The printed closed forms (4), (6), (8) with the equilibrium of (3), over whole phases of motions: the paper's matrices carry
-   z = x - d_0 from one event to the next, and both routes say where the masses are by then. */
+/* The printed closed forms (4), (6), (8) with the equilibrium of (3), over whole phases of motions: the paper's
+   matrices carry z = x - d_0 from one event to the next, and both routes say where the masses are by then. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -103,8 +103,8 @@ static void watch_arcs(void *self, const struct motion *m, const struct trajecto
   }
 }
 
-/* (3), (5) and (7) speak of masses that are not faster than the belt: phases G, H and C decide.  What becomes of the closed
-   forms where a mass overruns it is said beside. */
+/* (3), (5) and (7) speak of masses that are not faster than the belt: phases G, H and C decide.  What becomes of the
+   closed forms where a mass overruns it is said beside. */
 static void state_overrun(struct behaviour *b, const struct arcs *a) {
   long agree = 0, differ = 0;
   for (int i = N_PHASES; i < N_MODE_PAIRS; i++) {

@@ -1,9 +1,9 @@
-/* Which conditions make a periodic solution realistic: are the paper's constraints all of them, which follow from others,
-   and what exactly do they ask of u_r1 and u_r2?
+/* Which conditions make a periodic solution realistic: are the paper's constraints all of them, which follow from
+   others, and what exactly do they ask of u_r1 and u_r2?
 
-   Balls: over the pool of orbits the paper's constraints hold together exactly where the model's do, and the closed forms
-   for the least u_r1 and u_r2 are the infima along the orbits.  Simulation: with u_r just above its bounds the motion
-   under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
+   Balls: over the pool of orbits the paper's constraints hold together exactly where the model's do, and the closed
+   forms for the least u_r1 and u_r2 are the infima along the orbits.  Simulation: with u_r just above its bounds the
+   motion under the Coulomb law closes after one period of the same phases; with a constraint broken it does not. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

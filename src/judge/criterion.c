@@ -1,7 +1,8 @@
 /* The stability criterion against what the return map does, and what the criterion says about the scene.
 
-   The map is one-dimensional (r at the stick phase to r at the end of phase C), so that its fixed point is decided without
-   any Jacobian: by the ratio |R(r_0 + d) - r_0|/|d| at a d so small that nothing else counts, and by iteration. */
+   The map is one-dimensional (r at the stick phase to r at the end of phase C), so that its fixed point is decided
+   without any Jacobian: by the ratio |R(r_0 + d) - r_0|/|d| at a d so small that nothing else counts, and by
+   iteration. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -267,7 +268,8 @@ static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orb
                                                           : "admissibility undecided"));
 }
 
-/* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion, so nothing is judged. */
+/* What the criterion says about the scene, first of the orbit that the paper must mean; the paper draws no conclusion,
+   so nothing is judged. */
 bool judge_report(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *trace = claim_get(c, "formula");
   if (!trace) return claim_error(j, c, "kind", "the attribute formula is missing");

@@ -5,8 +5,8 @@
 
 /* --- Thresholds --- */
 
-/* Statement k of the bound record reads NAME > expr; step 0 of statement k of the judged record is lhs < rhs.  The bound
-   is the threshold of the step when rhs - lhs is zero at NAME = expr, negative below and positive above. */
+/* Statement k of the bound record reads NAME > expr; step 0 of statement k of the judged record is lhs < rhs.  The
+   bound is the threshold of the step when rhs - lhs is zero at NAME = expr, negative below and positive above. */
 struct threshold {
   struct sentence s; /* tape outputs: expr, rhs - lhs */
   slong name;        /* input index of NAME; -1 when the step does not contain it */

@@ -175,8 +175,8 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
   return false;
 }
 
-/* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes by
-   those of the control's own record. */
+/* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes
+   by those of the control's own record. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
   struct claim c = *claim;
   c.control = control->record;

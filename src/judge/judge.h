@@ -37,7 +37,8 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c);
 /* All findings of a claim, added to the result: its own, with the correction, and those that its restrictions make. */
 bool judge_claim(struct judge *j, const struct claim *c);
-/* A control beside its claim, whose own verdict may be among the findings of the result: what became of it is added there. */
+/* A control beside its claim, whose own verdict may be among the findings of the result: what became of it is added
+   there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
 /* Judges the sentence again with everything corrected and fills f->correction. */

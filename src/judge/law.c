@@ -1,9 +1,9 @@
-/* Coulomb's law as the text states it, branch by branch, for one mass: at random exact states just one branch may apply, and
-   its force must be the law's.
+/* Coulomb's law as the text states it, branch by branch, for one mass: at random exact states just one branch may
+   apply, and its force must be the law's.
 
-   The law here: a slipping mass is dragged towards the belt's velocity by u_s; one that has it sticks while the restoring
-   force is below u_r in size, and else breaks away on the side to which that force pulls it.  The second route asks the
-   simulation of coulomb.h for mode and force at the start of a motion. */
+   The law here: a slipping mass is dragged towards the belt's velocity by u_s; one that has it sticks while the
+   restoring force is below u_r in size, and else breaks away on the side to which that force pulls it.  The second
+   route asks the simulation of coulomb.h for mode and force at the start of a motion. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -105,8 +105,8 @@ static truth all_hold(const struct conditions *list, bool equations, const struc
   return all;
 }
 
-/* Do the branches of the text that begin at the belt's velocity hold just as the law says, and is the force of the one that
-   applies the law's? */
+/* Do the branches of the text that begin at the belt's velocity hold just as the law says, and is the force of the one
+   that applies the law's? */
 static truth text_agrees(const struct law *l, const struct state *s, enum branch b, int eps, double force,
                          double tolerance) {
   truth ok = all_hold(&l->branch[b], true, s, l->mass, force, eps, tolerance);

@@ -1,8 +1,8 @@
 /* Sentences about symbols.
 
-   A printed text that cannot be right as it stands is read by the parser in the paper's own definitions; the diagnostic is
-   the certificate.  A letter is right when it and its meaning determine each other: each use names the symbol, what the
-   paper lets it stand for there, and the place, in whose text the symbol must be found. */
+   A printed text that cannot be right as it stands is read by the parser in the paper's own definitions; the diagnostic
+   is the certificate.  A letter is right when it and its meaning determine each other: each use names the symbol, what
+   the paper lets it stand for there, and the place, in whose text the symbol must be found. */
 #include "judge.h"
 #include <stdlib.h>
 #include <string.h>

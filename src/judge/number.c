@@ -164,8 +164,8 @@ static truth number_on_orbits(struct route_result *w, struct finding *f, const s
   return t;
 }
 
-/* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at the
-   corners of their box. */
+/* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at
+   the corners of their box. */
 static void number_rescue(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   const struct printed_number *pe[2] = {scene_printed(j->scene, "e1"), scene_printed(j->scene, "e2")};

@@ -416,8 +416,8 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   return ok;
 }
 
-/* The item "V = 1: supported: eq-10b" of the attribute restricted: the verdict on record and the id of the claim that the
-   restriction makes.  Without one, nothing is on record and the id is the claim's with the restriction's text. */
+/* The item "V = 1: supported: eq-10b" of the attribute restricted: the verdict on record and the id of the claim that
+   the restriction makes.  Without one, nothing is on record and the id is the claim's with the restriction's text. */
 static enum verdict recorded_restriction(const char **id, struct judge *j, const struct claim *c, const char *text) {
   const char *list = claim_get(c, "restricted");
   const char *p = list ? strstr(list, text) : NULL;

@@ -1,7 +1,7 @@
-/* Scaling: (1)-(2) keep their form when V, the friction forces and all displacements are multiplied by one number, times,
-   chi and eta staying as they are; so every formula must be homogeneous.  Degrees are inferred on the trees themselves,
-   without values and without the model: terms added must have one degree, arguments of functions none.  A formula without
-   degrees is wrong whatever it was to say; the two terms that do not fit are the certificate. */
+/* Scaling: (1)-(2) keep their form when V, the friction forces and all displacements are multiplied by one number,
+   times, chi and eta staying as they are; so every formula must be homogeneous.  Degrees are inferred on the trees
+   themselves, without values and without the model: terms added must have one degree, arguments of functions none.  A
+   formula without degrees is wrong whatever it was to say; the two terms that do not fit are the certificate. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under the
-   Coulomb law; and whether motions with given times exist at all. */
+/* What a motion consists of: the order of its phases, by enclosures along the orbit and by integrating (1)-(2) under
+   the Coulomb law; and whether motions with given times exist at all. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -94,7 +94,8 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     note = done ? result_str(j->out, "phases of one period: %s", text_str(&got))
                 : "the simulation did not come to its end";
     w[1] = add(f, j, "integration", !done ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, false, 1, note);
-    /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the comparison */
+    /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the
+       comparison */
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
     f->verdict = verdict_of(w, 2, false);
     text_clear(&got);

@@ -1,6 +1,6 @@
 /* Inequalities without slack: each step of the record is an equality at the start or at the end of the phase that the
-   claim's points name.  An inequality that is true and weaker than it could be passes every check of its truth, and fails
-   this one. */
+   claim's points name.  An inequality that is true and weaker than it could be passes every check of its truth, and
+   fails this one. */
 #include <string.h>
 
 #include "judge.h"
@@ -12,8 +12,8 @@ struct tally {
   const char *where; /* of the first that stays apart */
 };
 
-/* TRUE for each step whose sides overlap, enclosed narrowly, with the time t at this end of the phase; FALSE when they are
-   disjoint. */
+/* TRUE for each step whose sides overlap, enclosed narrowly, with the time t at this end of the phase; FALSE when they
+   are disjoint. */
 static int steps_at(truth *holds, struct sentence *s, struct point *p, slong end, enum variant variant,
                     struct orbit_cache *cache) {
   struct num_vec lhs, rhs;

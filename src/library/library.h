@@ -1,5 +1,6 @@
-/* The library: the public functions of include/stickslip over the rooms of the program.  One file for each public header,
-   which holds the contracts.  This header is what they share: how they fail, and the handles that more than one of them looks into. */
+/* The library: the public functions of include/stickslip over the rooms of the program.  One file for each public
+   header, which holds the contracts.  This header is what they share: how they fail, and the handles that more than one
+   of them looks into. */
 #ifndef STICKSLIP_LIBRARY_H
 #define STICKSLIP_LIBRARY_H
 

@@ -1,7 +1,7 @@
 /* From trees to matrices of shared scalars: names replaced by what they stand for, functions applied, derivatives
-   taken, matrices multiplied out.  Nothing is folded, so that an undefined subexpression stays undefined.  A definition is
-   elaborated when it is first used and kept.  What matrices do with each other is matrix.c; how a root's polynomial is read
-   is polynomial.c. */
+   taken, matrices multiplied out.  Nothing is folded, so that an undefined subexpression stays undefined.  A definition
+   is elaborated when it is first used and kept.  What matrices do with each other is matrix.c; how a root's polynomial
+   is read is polynomial.c. */
 #include <stdlib.h>
 #include <string.h>
 

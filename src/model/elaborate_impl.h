@@ -1,5 +1,5 @@
-/* What the files of an elaboration share: where a formula is seen from, the limits of its size, and the matrices that it is
-   made of.  elaborate.c walks over trees and calls matrix.c and polynomial.c, which know of no names. */
+/* What the files of an elaboration share: where a formula is seen from, the limits of its size, and the matrices that
+   it is made of.  elaborate.c walks over trees and calls matrix.c and polynomial.c, which know of no names. */
 #ifndef STICKSLIP_ELABORATE_IMPL_H
 #define STICKSLIP_ELABORATE_IMPL_H
 
@@ -47,8 +47,8 @@ static inline bool matrix_same_shape(const struct matrix *a, const struct matrix
 void matrix_shape_zero(struct matrix *a, struct matrix *b, struct elaboration *el, const struct expr *ta,
                        const struct expr *tb);
 
-/* m is the value of the first operand of the form e, b that of the second, and m becomes the value of e; false, reported,
-   where the shapes do not fit. */
+/* m is the value of the first operand of the form e, b that of the second, and m becomes the value of e; false,
+   reported, where the shapes do not fit. */
 bool matrix_sum(struct matrix *m, const struct matrix *b, struct elaboration *el, const struct expr *e,
                 const struct scope *sc, struct diag *d);
 bool matrix_product(struct matrix *m, const struct matrix *b, struct elaboration *el, const struct expr *e,

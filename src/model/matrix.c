@@ -1,6 +1,6 @@
-/* Matrices of shared scalars: the operations that the notation has for them.  Sums, products, determinants and inverses are
-   multiplied out into the scalars of their entries and nothing is folded; a shape that does not fit is the user's mistake and
-   is named with its place. */
+/* Matrices of shared scalars: the operations that the notation has for them.  Sums, products, determinants and inverses
+   are multiplied out into the scalars of their entries and nothing is folded; a shape that does not fit is the user's
+   mistake and is named with its place. */
 #include <string.h>
 
 #include "elaborate_impl.h"

@@ -1,8 +1,8 @@
 /* The paper as data: equation files, the overlays that correct them, and their formulas elaborated to scalars.
 
    An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
-   the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it may
-   carry "paper: TITLE".  Records:
+   the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it
+   may carry "paper: TITLE".  Records:
 
      symbol NAME        a free quantity; "means: text" says what it is
      define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
@@ -15,10 +15,10 @@
    symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
    a section, then that of another section, if there is only one.
 
-   Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable =
-   corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in double precision.  An
-   overlay's definition replaces the one of the same name (and section, when both name one), an overlay's record the
-   one with the same id. */
+   Layers.  printed = the paper's files and, when given, the user's overlay; corrected = printed under errata.eq; stable
+   = corrected under stable.eq, whose forms equal the corrected ones (proof/stable_forms.h) and keep their digits in
+   double precision.  An overlay's definition replaces the one of the same name (and section, when both name one), an
+   overlay's record the one with the same id. */
 #ifndef STICKSLIP_MODEL_MODEL_H
 #define STICKSLIP_MODEL_MODEL_H
 
@@ -85,8 +85,8 @@ void model_clear(struct model *m);
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
 
-/* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the errata, the
-   stable forms and the controls' damages, by rank. */
+/* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the
+   errata, the stable forms and the controls' damages, by rank. */
 bool model_load(struct model *m, const char *data, const char *paper, const char *overlay, struct diag *d);
 
 /* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL) is read as
@@ -160,7 +160,8 @@ const struct definition *elaboration_used(const struct elaboration *el, size_t i
 bool elaboration_tape(struct tape *t, const struct elaboration *el, const struct expr *const *outputs, slong n,
                       struct diag *d);
 
-/* The way from text to tape: what elaborate_text makes of it, and a tape with an output for each entry.  t is empty when false. */
+/* The way from text to tape: what elaborate_text makes of it, and a tape with an output for each entry.  t is empty
+   when false. */
 bool elaborate_tape(struct tape *t, struct matrix *out, struct elaboration *el, const char *called, const char *text,
                     const char *section, struct diag *d);
 

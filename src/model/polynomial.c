@@ -1,6 +1,6 @@
-/* The roots that the paper declares by a polynomial: its coefficients in the unknown, read off the scalars.  Sums, products,
-   powers, and quotients by what is free of the unknown stay polynomials; everything else must not contain it.  Nothing is
-   folded here either: a coefficient is the scalar that its terms add up to. */
+/* The roots that the paper declares by a polynomial: its coefficients in the unknown, read off the scalars.  Sums,
+   products, powers, and quotients by what is free of the unknown stay polynomials; everything else must not contain
+   it.  Nothing is folded here either: a coefficient is the scalar that its terms add up to. */
 #include <stdlib.h>
 #include <string.h>
 

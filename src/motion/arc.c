@@ -1,4 +1,5 @@
-/* One pass through the word: all phases at once (map.c) where the times are known and that works, else phase after phase.
+/* One pass through the word: all phases at once (map.c) where the times are known and that works, else phase after
+   phase.
 
    A velocity that an event sets to V is set to V: the event equation says so exactly, and balls stay narrower. */
 #include <math.h>

@@ -1,7 +1,7 @@
 /* One pass through the word from its start alone.
 
-   The return map in double precision finds the first events, and the pass is made near them.  What that does not bring about
-   is searched phase by phase, each first event from the state at many digits in which its phase begins. */
+   The return map in double precision finds the first events, and the pass is made near them.  What that does not bring
+   about is searched phase by phase, each first event from the state at many digits in which its phase begins. */
 #include "arc.h"
 #include "map.h"
 

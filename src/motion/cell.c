@@ -1,10 +1,11 @@
 /* What can be proved of periodic orbits whose (t_b, t_c) lies in a cell.
 
-   Such an orbit is a common zero of p = z_1' - V and H_k = r^2 + q^2/omega^2 - (base - k turn)^2: with q = z_2' - V the first
-   two terms are the square of r at the end of phase C, and base - k turn is r at the stick phase when k full periods of
-   phase Gamma come before the angle of t_b.  Every enclosure over the cell is a Taylor polynomial of first degree about its middle, the second derivatives being
-   bounded.  Two facts keep cells large: H is r_end^2 - r_0^2 and has no root in it, so nothing is singular where the
-   radius vanishes; and H_t = -2 r p, so H stands still in time where p = 0. */
+   Such an orbit is a common zero of p = z_1' - V and H_k = r^2 + q^2/omega^2 - (base - k turn)^2: with q = z_2' - V the
+   first two terms are the square of r at the end of phase C, and base - k turn is r at the stick phase when k full
+   periods of phase Gamma come before the angle of t_b.  Every enclosure over the cell is a Taylor polynomial of first
+   degree about its middle, the second derivatives being bounded.  Two facts keep cells large: H is r_end^2 - r_0^2 and
+   has no root in it, so nothing is singular where the radius vanishes; and H_t = -2 r p, so H stands still in time
+   where p = 0. */
 #include "cell.h"
 #include "strip.h"
 #include "turns.h"
@@ -217,9 +218,9 @@ static void cell_bends(struct disk *rff, struct disk *qff, const struct strip *p
   *rff = disk_scale(disk_dot(s->force2[0], f[0], s->force2[1], f[1]), -1);
 }
 
-/* Between two zeros in the box the curve p = 0 is a graph t(angle), since w is not zero, and does not leave a box twice as
-   tall: its slope p_f/w is bounded in that one.  Along it H has the derivative H_f, for H_t = -2 r p = 0, and the second
-   derivative
+/* Between two zeros in the box the curve p = 0 is a graph t(angle), since w is not zero, and does not leave a box twice
+   as tall: its slope p_f/w is bounded in that one.  Along it H has the derivative H_f, for H_t = -2 r p = 0, and the
+   second derivative
 
      H_ff - 2 r p_f^2/w = 2 (r_f^2 + r r_ff + (q_f^2 + q q_ff)/omega^2 - pb^2 + r_0 w_b - r p_f^2/w).
 

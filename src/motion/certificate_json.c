@@ -1,7 +1,7 @@
 /* The certificates of a scene's orbits as one file: rationals exactly, balls in Arb's lossless text form.
 
-   Nothing is computed here.  Radii are doubled, so that a checker that rounds elsewhere can prove that its own enclosure
-   lies within. */
+   Nothing is computed here.  Radii are doubled, so that a checker that rounds elsewhere can prove that its own
+   enclosure lies within. */
 #include <stdlib.h>
 
 #include "base/json.h"

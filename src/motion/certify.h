@@ -3,11 +3,12 @@
 
    existence   Krawczyk's operator on the four equations of given.h maps a box of the four unknown quantities into its
                own interior: the box holds exactly one solution.  The orbit's own enclosures must lie in it.
-   first       D: the switching function w - e1 is affine.  Gamma: chi r - e2 starts at -chi (rise until t_b) < 0 and has
+   first       D: the switching function w - e1 is affine.  Gamma: chi r - e2 starts at -chi (rise until t_b) < 0 and
+               has
    events      its maxima in closed form; t_b lies beyond the highest one before, on a rising part.  H: z_1' - V starts
                at p_b < 0; a walk whose steps a bound of the second derivative limits stays below zero up to a
-               neighbourhood of t_c in which the derivative is positive.  C: z_2' - V is one sine wave, which has no root
-               in the phase when 0 < omega t_d < pi and z_2' != V at its start.
+               neighbourhood of t_c in which the derivative is positive.  C: z_2' - V is one sine wave, which has no
+               root in the phase when 0 < omega t_d < pi and z_2' != V at its start.
    conditions  Two routes must agree: the closed forms and walks by which the orbit was judged, and the margins of
                margins.h.  Where a condition is an equality at an end of its phase that zero is factored out: its first
                derivative there that is not zero has the sign that the condition needs.
@@ -57,10 +58,11 @@ enum { DYN_CERTIFY_FIRST = 64, DYN_CERTIFY_LAST = 4096 };
 void dyn_certificate_init(struct dyn_certificate *z);
 void dyn_certificate_clear(struct dyn_certificate *z);
 
-/* Proves what can be proved of an orbit that dyn_orbits_find or dyn_orbits_given gave for the question.  Cost at the paper's
-   parameters: less than a millisecond. */
+/* Proves what can be proved of an orbit that dyn_orbits_find or dyn_orbits_given gave for the question.  Cost at the
+   paper's parameters: less than a millisecond. */
 void dyn_certify(struct dyn_certificate *z, const struct dyn_question *q, const struct dyn_orbit *orbit);
-/* The largest radius of the enclosures of z10, z20, t_a ... t_d, e1, e2, the period, the trace, u_r1_min and u_r2_min. */
+/* The largest radius of the enclosures of z10, z20, t_a ... t_d, e1, e2, the period, the trace, u_r1_min and
+   u_r2_min. */
 void dyn_orbit_radius(mag_t radius, const struct dyn_orbit *orbit);
 /* Appends the names of what is open, separated by commas: "t_c not proved to be the first event of H, ...". */
 void dyn_certificate_why(struct text *out, const struct dyn_certificate *z);

@@ -1,9 +1,9 @@
 /* A chain of masses: within one configuration (which mass sticks, and on which side of V the others are) the motion is
-   affine, y' = A y with y = (x, x', 1), and exp(A h) carries it exactly; configurations are patched together at the first
-   sign change of a switching condition.  The other route lets GSL integrate the same right side.
+   affine, y' = A y with y = (x, x', 1), and exp(A h) carries it exactly; configurations are patched together at the
+   first sign change of a switching condition.  The other route lets GSL integrate the same right side.
 
-   Both look for events in steps of their own length, so that an excursion between two looks that one of them misses shows
-   as a disagreement. */
+   Both look for events in steps of their own length, so that an excursion between two looks that one of them misses
+   shows as a disagreement. */
 #include "chain.h"
 
 #include <gsl/gsl_errno.h>

@@ -7,8 +7,8 @@
    successive configurations patched together, each by the matrix exponential of its affine system, and direct numerical
    integration.  They share the law and the search for events.
 
-   Domain: 1 <= n <= CHAIN_MOST, springs, a, V > 0, 0 <= u_si < u_ri; generic starts: simultaneous events and contacts that
-   are flat within rounding are not resolved. */
+   Domain: 1 <= n <= CHAIN_MOST, springs, a, V > 0, 0 <= u_si < u_ri; generic starts: simultaneous events and contacts
+   that are flat within rounding are not resolved. */
 #ifndef STICKSLIP_MOTION_CHAIN_H
 #define STICKSLIP_MOTION_CHAIN_H
 

@@ -1,7 +1,7 @@
 /* Whether a list of orbits is complete.
 
-   march.c encloses every common zero of the two equations.  Each zero must be an orbit of the list, or is settled here, and
-   each orbit of the list must be met among the zeros.  complete.h says what is proved and how. */
+   march.c encloses every common zero of the two equations.  Each zero must be an orbit of the list, or is settled here,
+   and each orbit of the list must be met among the zeros.  complete.h says what is proved and how. */
 #include "complete.h"
 
 #include <stdlib.h>

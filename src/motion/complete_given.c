@@ -1,8 +1,8 @@
 /* Complete lists where two other quantities than e1, e2 are given.
 
-   With t_b and t_c given all of p, q, r at the end of phase H and r_0 are linear in e1 and e2: p = 0 is a line, on which
-   r^2 + q^2/omega^2 = r_0^2 is a quadratic equation.  Its two roots are all there is.  With t_b and one of e1, e2 the
-   zeros along t_c are enclosed by line.c. */
+   With t_b and t_c given all of p, q, r at the end of phase H and r_0 are linear in e1 and e2: p = 0 is a line, on
+   which r^2 + q^2/omega^2 = r_0^2 is a quadratic equation.  Its two roots are all there is.  With t_b and one of e1, e2
+   the zeros along t_c are enclosed by line.c. */
 #include <math.h>
 #include <stdlib.h>
 

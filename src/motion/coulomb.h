@@ -147,12 +147,12 @@ int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const
 int coulomb_start_set_d(double start[N_STATE], const double params[N_COULOMB], double z10, double z20);
 
 /* The 2x2 derivative of the positions at which both masses come to stick with respect to those of the start (both
-   sticking), for motions of the word G H C D: central differences of the ODE route, extrapolated, at the step that promises
-   the least error.  err: an estimate of the worst entry's error, truncation and noise.  SS_DOMAIN when nearby motions do
-   not follow the word. */
+   sticking), for motions of the word G H C D: central differences of the ODE route, extrapolated, at the step that
+   promises the least error.  err: an estimate of the worst entry's error, truncation and noise.  SS_DOMAIN when nearby
+   motions do not follow the word. */
 int coulomb_return_jacobian(double j[4], double *err, const double params[N_COULOMB], const double start[N_STATE]);
-/* The same for one phase of that word, which starts at the state start and lasts about t: the derivatives of the state at
-   the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be
+/* The same for one phase of that word, which starts at the state start and lasts about t: the derivatives of the state
+   at the event that ends it along n_dir directions (N_STATE numbers each; velocities that the belt imposes must not be
    moved), and the accuracy of each.  SS_DOMAIN when nearby motions have another first event. */
 int coulomb_local_differences(double *out, double *err, enum phase ph, const double params[N_COULOMB],
                               const double start[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);

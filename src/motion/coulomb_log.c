@@ -1,5 +1,5 @@
-/* The simulations for callers with plain arrays of doubles, and what is read off a motion afterwards: its phases in short, and
-   whether two routes report the same events. */
+/* The simulations for callers with plain arrays of doubles, and what is read off a motion afterwards: its phases in
+   short, and whether two routes report the same events. */
 #include <math.h>
 #include <string.h>
 

@@ -1,11 +1,11 @@
 /* Central differences in double precision of a map that is smooth but for its rounding.
 
-   Two steps h and 2h are extrapolated, which leaves an error in h^4.  How fast the map bends is not known beforehand, so
-   a ladder of steps is climbed down: the change from one extrapolated value to the next is about fifteen times the
+   Two steps h and 2h are extrapolated, which leaves an error in h^4.  How fast the map bends is not known beforehand,
+   so a ladder of steps is climbed down: the change from one extrapolated value to the next is about fifteen times the
    truncation error of the finer one and stands for it, and the noise of the map over h for the rounding.  The step with
    the least sum of both wins, and that sum is the stated accuracy.  The noise is measured: the fourth differences of
-   values at nine close neighbours hold nothing else.  Rounding is relative: where a step leads to larger values than at x,
-   as along a steep map (an event time over 1 - chi), the noise there is larger in proportion. */
+   values at nine close neighbours hold nothing else.  Rounding is relative: where a step leads to larger values than at
+   x, as along a steep map (an event time over 1 - chi), the noise there is larger in proportion. */
 #include <math.h>
 
 #include "differences.h"
@@ -45,8 +45,8 @@ static int measure_noise(double *noise, const struct double_map *map, const doub
   return s;
 }
 
-/* Four standard deviations, the most from neighbourhoods of different size: the rounding of a large number is a sawtooth,
-   which equal distances can happen to meet on a slope of it; value is that at x. */
+/* Four standard deviations, the most from neighbourhoods of different size: the rounding of a large number is a
+   sawtooth, which equal distances can happen to meet on a slope of it; value is that at x. */
 static int bound_noise(double *noise, const struct double_map *map, const double *x, const double *dir, double near,
                        const double *value) {
   enum { NEIGHBOURHOODS = 4 };
@@ -68,8 +68,8 @@ struct rung {
   int have;
 };
 
-/* A map whose event has jumped to another root on both sides can be as smooth as the one that is meant; but then its mean,
-   extrapolated to x, is not the value at x. */
+/* A map whose event has jumped to another root on both sides can be as smooth as the one that is meant; but then its
+   mean, extrapolated to x, is not the value at x. */
 static bool continues(const struct rung *r, const struct rung *above, const double *value, double noise, double h,
                       int n) {
   double gap[N_STATE];
@@ -95,9 +95,9 @@ static int climb(struct rung *r, const struct rung *above, const struct double_m
   return s;
 }
 
-/* Far from x a map can be straight with another slope, for many steps of the ladder: of a phase whose fast mode is small
-   against the state, say.  What is the derivative at x holds for all finer steps too, down to those that rounding blurs;
-   truncation: of the plain difference at h. */
+/* Far from x a map can be straight with another slope, for many steps of the ladder: of a phase whose fast mode is
+   small against the state, say.  What is the derivative at x holds for all finer steps too, down to those that rounding
+   blurs; truncation: of the plain difference at h. */
 static bool finer_steps_agree(const double *out, double err, double truncation, double noise, double h,
                               const struct double_map *map, const double *x, const double *dir) {
   const double finer = 1.0 / 8, blurred = 1.0 / 4;

@@ -13,8 +13,8 @@ struct double_map {
   double floor;  /* the error of a value, relative to it and to the scale, is taken to be this at least */
   double jitter; /* and this, absolute */
 };
-/* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error, from
-   the change between steps and the measured noise.  The status of the map where it has no value nearby. */
+/* The derivative along dir at x, extrapolated from central differences, and a bound of its worst component's error,
+   from the change between steps and the measured noise.  The status of the map where it has no value nearby. */
 int differences_along(double *out, double *err, const struct double_map *map, const double *x, const double *dir);
 
 #endif

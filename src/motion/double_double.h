@@ -1,8 +1,8 @@
 /* Numbers of twice the precision: unrounded sums of two doubles, high + low with |low| at most half a unit of high.
 
-   After Dekker and Knuth.  One operation errs by a few 2^-104 of the larger of its operands and its result.  Straight-line code
-   of +, -, *, / and sqrt alone, for scalars and for lanes of vectors; infinite or NaN where a product leaves about
-   1e-280 to 1e300, which the caller asks for. */
+   After Dekker and Knuth.  One operation errs by a few 2^-104 of the larger of its operands and its result.
+   Straight-line code of +, -, *, / and sqrt alone, for scalars and for lanes of vectors; infinite or NaN where a
+   product leaves about 1e-280 to 1e300, which the caller asks for. */
 #ifndef STICKSLIP_DOUBLE_DOUBLE_H
 #define STICKSLIP_DOUBLE_DOUBLE_H
 

@@ -1,7 +1,8 @@
 /* Dual balls: the value by Arb's operations, derivatives by the chain rule.
 
    Most directions of most elements are exact zeros, which cost next to nothing.  A value of which the type says that it
-   fails makes the whole element indeterminate; a derivative without finite bounds (the square root at 0) does so too. */
+   fails makes the whole element indeterminate; a derivative without finite bounds (the square root at 0) does so
+   too. */
 #include "dual.h"
 
 static struct dual *at(void *x) {

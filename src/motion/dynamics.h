@@ -43,9 +43,9 @@ int dyn_propagator(struct num_vec *p, enum phase ph, const struct num_vec *param
 
 /* --- Closed form in (w, r), with the suite's own modal analysis. ---
 
-   In double precision these, and dyn_local_jacobian, are worked out in balls and rounded once: each number is within 2^-53 of
-   itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of normal doubles, or not known at 4096
-   bits.  A call takes some microseconds. */
+   In double precision these, and dyn_local_jacobian, are worked out in balls and rounded once: each number is within
+   2^-53 of itself, whatever the point.  SS_UNABLE where one is not zero and outside the range of normal doubles, or not
+   known at 4096 bits.  A call takes some microseconds. */
 
 /* Z after time t in the phase.  out may alias in. */
 int dyn_flow(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in, const void *t);
@@ -67,10 +67,10 @@ extern const struct dyn_limits dyn_limits_default;
 
 /* The first positive root of the phase's switching function from the state in, in double precision: a march whose
    steps are bounded by the second derivative, and when it gets long by envelopes in which one oscillation stays at its
-   crest, so that no root is stepped over; *grazing is set when the root found is double within rounding, or when a touching
-   that could not be told from a crossing lies before it.  PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN (proved by
-   periodicity that there is none) or SS_UNABLE (none up to the limits, or up to a time at which the rounding of t leaves
-   nothing of an angle). */
+   crest, so that no root is stepped over; *grazing is set when the root found is double within rounding, or when a
+   touching that could not be told from a crossing lies before it.  PHASE_D: t of any sign.  Returns SS_OK, SS_DOMAIN
+   (proved by periodicity that there is none) or SS_UNABLE (none up to the limits, or up to a time at which the rounding
+   of t leaves nothing of an angle). */
 int dyn_first_event_d(double *t, bool *grazing, enum phase ph, const double params[N_PARAMS], const double in[N_STATE],
                       const struct dyn_limits *lim);
 /* The root near t0, in the context of t: Newton in mpfr (working precision doubled up to prec); in balls an enclosure
@@ -85,8 +85,9 @@ struct dyn_arc {
 void dyn_arc_init(struct dyn_arc *a, struct num_ctx ctx);
 void dyn_arc_clear(struct dyn_arc *a);
 /* guess: four times near which the events are taken, or NULL to find first events in double precision, from forces and
-   velocities formed in the arc's own type.  An arc in double rounds its positions after each phase, which near chi = 1 are
-   1/(1 - chi) times as large as what moves them: its later events are those of a start that has moved by that rounding. */
+   velocities formed in the arc's own type.  An arc in double rounds its positions after each phase, which near chi = 1
+   are 1/(1 - chi) times as large as what moves them: its later events are those of a start that has moved by that
+   rounding. */
 int dyn_arc_run(struct dyn_arc *a, const struct num_vec *params, const void *z10, const void *z20,
                 const double guess[4]);
 
@@ -105,9 +106,9 @@ int dyn_local_jacobian_fd(struct num_vec *j, void *err, enum phase ph, const str
 /* The 2x2 derivative of (z10, z20) -> (z1f, z2f) along an arc: the product of the four local ones, and by central
    differences of the whole map. */
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
-/* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r at
-   the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of num_arb,
-   and c encloses the coefficients at every point of the arc's enclosures. */
+/* The Taylor polynomial, n coefficients in ascending order, of the return map of r alone at the arc's start: c[0] is r
+   at the arc's end, c[1] the slope (the trace of the return Jacobian), and so on.  In balls: params and arc are of
+   num_arb, and c encloses the coefficients at every point of the arc's enclosures. */
 int dyn_return_jet(arb_ptr c, slong n, const struct num_vec *params, const struct dyn_arc *arc);
 int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *params, const void *z10, const void *z20,
                            const double guess[4]);
@@ -117,9 +118,9 @@ int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct 
                                  const struct num_vec *in, const void *t);
 int dyn_return_jacobian_saltation(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc);
 /* The same two by central differences in double precision, extrapolated from two steps; the step is chosen by the least
-   estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each; err
-   has an element for each direction, and one (or NULL), of the worst entry, for the whole map: truncation (from the change between
-   steps, about 15 times too large) plus rounding (from measured noise). */
+   estimated error.  The local one gives its derivatives along n_dir directions at the start, N_STATE numbers for each;
+   err has an element for each direction, and one (or NULL), of the worst entry, for the whole map: truncation (from the
+   change between steps, about 15 times too large) plus rounding (from measured noise). */
 int dyn_local_differences_d(double *out, double *err, enum phase ph, const double params[N_PARAMS],
                             const double in[N_STATE], double t, const double (*dir)[N_STATE], int n_dir);
 int dyn_return_jacobian_d(double j[4], double *err, const double params[N_PARAMS], const double start[2],
@@ -188,24 +189,24 @@ struct dyn_orbits {
 };
 
 /* Every orbit that the search finds, by increasing z10, each enclosed with relative radius below 2^-prec where the
-   conditioning allows (the working precision is raised up to four times; beyond 512 bits it is planned from what the orbit
-   loses at a low one).  The one unknown of the search is t_b: r at the stick phase follows from it, and t_b runs over the
-   times at which the switching function of phase Gamma reaches a new maximum, up to a bound beyond which the energy of
-   phase H cannot supply the r that is needed.  Zeros are found from sign changes and from slopes that point at a hidden
-   pair; jumps (a grazing event) are closed in on from both sides.  SS_UNABLE, with a list that is valid as far as it goes, when the search ran out of its budget of steps (hard
-   parameters, after about half a second) or when a zero could not be told from a double one even at 16 times the
-   precision.  lim may be NULL. */
+   conditioning allows (the working precision is raised up to four times; beyond 512 bits it is planned from what the
+   orbit loses at a low one).  The one unknown of the search is t_b: r at the stick phase follows from it, and t_b runs
+   over the times at which the switching function of phase Gamma reaches a new maximum, up to a bound beyond which the
+   energy of phase H cannot supply the r that is needed.  Zeros are found from sign changes and from slopes that point
+   at a hidden pair; jumps (a grazing event) are closed in on from both sides.  SS_UNABLE, with a list that is valid as
+   far as it goes, when the search ran out of its budget of steps (hard parameters, after about half a second) or when a
+   zero could not be told from a double one even at 16 times the precision.  lim may be NULL. */
 int dyn_orbits_find(struct dyn_orbits *list, const fmpq *params, slong prec, const struct dyn_limits *lim);
 void dyn_orbits_clear(struct dyn_orbits *list);
 
 /* The one-dimensional return map in double precision: r at the end of phase C from r at the stick phase, and its slope
-   (NULL if not wanted).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that does
-   not. */
+   (NULL if not wanted).  In plain double precision, for guesses: return_map.h says what it errs by, and has one that
+   does not. */
 int dyn_return_map_d(double *r_out, double *slope, double t[4], const double params[N_PARAMS], double r,
                      const struct dyn_limits *lim);
 
-/* A gsl_error_handler_t for code that looks at what GSL returns.  Memory that ran out ends the program (arena.h), since GSL
-   does not look itself whether it got any. */
+/* A gsl_error_handler_t for code that looks at what GSL returns.  Memory that ran out ends the program (arena.h), since
+   GSL does not look itself whether it got any. */
 void dyn_gsl_quiet(const char *reason, const char *file, int line, int number);
 
 #endif

@@ -17,9 +17,9 @@ struct spectrum {
   val om[2], above, below, couple, back; /* the last four divided by the gap; couple = chi, back = chi eta */
   val gap;
 };
-/* The one statement of the frequencies for every number type; slip.h and polish.h need one without branches for lanes of vectors,
-   return_map_double.c one that holds to the ends of the range of doubles, and check_dynamics.c compares all four.  Of p,
-   chi and eta alone are read. */
+/* The one statement of the frequencies for every number type; slip.h and polish.h need one without branches for lanes
+   of vectors, return_map_double.c one that holds to the ends of the range of doubles, and check_dynamics.c compares all
+   four.  Of p, chi and eta alone are read. */
 struct spectrum flow_spectrum(struct calc *c, const val p[N_PARAMS]);
 void flow_function(val out[4], struct calc *c, const struct spectrum *s, val f1, val f2);
 struct blocks flow_blocks(struct calc *c, enum phase ph, const val p[N_PARAMS], val t);

@@ -1,8 +1,9 @@
 /* The search for orbits that have two given quantities, in double precision.
 
-   The two sheets (sheet.h) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a point.  A
-   cell between samples is tried when the given values can occur in it: Newton's iteration on the four equations starts
-   from each of its corners.  On a line, cells in which a sheet ends or changes much are halved first. */
+   The two sheets (sheet.h) are sampled over a grid of (t_b, t_c), of which one given time leaves a line and two a
+   point.  A cell between samples is tried when the given values can occur in it: Newton's iteration on the four
+   equations starts from each of its corners.  On a line, cells in which a sheet ends or changes much are halved
+   first. */
 #include "given_search.h"
 #include "num/solve.h"
 
@@ -143,8 +144,8 @@ static bool meets(const struct range *r, double slack, double low, double high) 
   return r->low - margin <= high && r->high + margin >= low;
 }
 
-/* Whether m1 has clearly overtaken the belt at a watched time before t_c: then no first event is near.  Clearly: by half
-   of what it has fallen behind so far. */
+/* Whether m1 has clearly overtaken the belt at a watched time before t_c: then no first event is near.  Clearly: by
+   half of what it has fallen behind so far. */
 static bool overtaken(struct scan *s, const struct sheet *p) {
   struct gamma_turn b = gamma_turn_at(p->x[QUANTITY_TB]);
   double behind = 0;

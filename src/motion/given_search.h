@@ -1,5 +1,5 @@
-/* Where the orbits may be that have two given quantities: the cells of a grid over (t_b, t_c) in which the given values can
-   occur, and Newton's iteration on the four equations from there, all in double precision. */
+/* Where the orbits may be that have two given quantities: the cells of a grid over (t_b, t_c) in which the given values
+   can occur, and Newton's iteration on the four equations from there, all in double precision. */
 #ifndef STICKSLIP_GIVEN_SEARCH_H
 #define STICKSLIP_GIVEN_SEARCH_H
 
@@ -25,8 +25,8 @@ struct seeds {
   size_t n, cap;
   long evaluations; /* of the sheets */
 };
-/* All that the grid shows, none twice.  SS_UNABLE when a row alone would be too long, or when the budget of work was used up
-   before the end; the seeds are valid as far as they go.  The caller frees seed. */
+/* All that the grid shows, none twice.  SS_UNABLE when a row alone would be too long, or when the budget of work was
+   used up before the end; the seeds are valid as far as they go.  The caller frees seed. */
 int given_search(struct seeds *out, const struct given_problem *q);
 
 #endif

@@ -47,8 +47,8 @@ static val entry(const struct blocks *b, int i, int j) {
   return j < 2 ? b->n[2 * (i - 2) + j] : b->c[2 * (i - 2) + j - 2];
 }
 
-/* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of the
-   switching function there. */
+/* The end of a phase at time t from a state: the propagator, the state, its vector field, the gradient and the rate of
+   the switching function there. */
 struct phase_end {
   struct blocks b;
   val z[N_STATE], f[N_STATE], n[N_STATE], rate;
@@ -190,8 +190,9 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
   return c.status;
 }
 
-/* What the rounding of a phase's switching function, on the scale of its terms, moves the end of the phase by in double: where
-   the function is flat, a Newton step from the unperturbed time ends where it began, and no noise is seen between neighbours. */
+/* What the rounding of a phase's switching function, on the scale of its terms, moves the end of the phase by in
+   double: where the function is flat, a Newton step from the unperturbed time ends where it began, and no noise is seen
+   between neighbours. */
 static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
                         val t) {
   struct calc c;

@@ -1,9 +1,9 @@
 /* Long runs: the two routes of coulomb.h in double precision, from one start, beside the same closed forms in MPFR.
 
-   Rounding puts the routes on neighbouring motions.  On an orbit with multiplier m (the eigenvalue of the return Jacobian
-   that is not 0, which is its trace) what separates two motions is multiplied by m from one return to the next: routes
-   part where |m| > 1, by 1e-6 after about log(1e-6/2^-52)/log|m| returns, and never where |m| < 1.  A run records how far
-   apart they are at every return to the global stick phase, and measures that growth.
+   Rounding puts the routes on neighbouring motions.  On an orbit with multiplier m (the eigenvalue of the return
+   Jacobian that is not 0, which is its trace) what separates two motions is multiplied by m from one return to the
+   next: routes part where |m| > 1, by 1e-6 after about log(1e-6/2^-52)/log|m| returns, and never where |m| < 1.  A run
+   records how far apart they are at every return to the global stick phase, and measures that growth.
 
    Where |m| is so near to 1 that (|m| - 1) times a few units in the last place rounds away, a route in double precision
    can stay on an unstable orbit for good; it then parts from MPFR all the same, which goes.
@@ -34,8 +34,8 @@ struct long_run {
 };
 
 /* Runs the three routes over the given number of returns, or for the given time (finite) where they do not come.  The
-   ODE route starts further in x_1 by displaced; with prec 0 MPFR is left out.  SS_DOMAIN outside the domain of coulomb.h; what became of each route
-   stands in end.  The run is valid in every case and is to be cleared. */
+   ODE route starts further in x_1 by displaced; with prec 0 MPFR is left out.  SS_DOMAIN outside the domain of
+   coulomb.h; what became of each route stands in end.  The run is valid in every case and is to be cleared. */
 int long_run_make(struct long_run *run, const double params[N_COULOMB], const double start[N_STATE], long returns,
                   double duration, double displaced, slong prec);
 void long_run_clear(struct long_run *run);

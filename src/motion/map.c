@@ -1,12 +1,12 @@
 /* The pass through the word at many digits, from known rough times.
 
-   In w = z_1 - chi z_2 and r = z_2 - z_1 a switching function is a drift and one oscillation (phase Gamma) or two (phase
-   H), so that at a time near its root one sine and cosine for each frequency give the function itself and every
+   In w = z_1 - chi z_2 and r = z_2 - z_1 a switching function is a drift and one oscillation (phase Gamma) or two
+   (phase H), so that at a time near its root one sine and cosine for each frequency give the function itself and every
    derivative.  The root is then some products away: a first step of fourth order, Newton's iteration with the kept
-   sines turned by what it moved, and the motion at the root comes with it.  Phase C ends at an angle that differs from a
-   kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision.  It
-   starts from times that are right to an eighth of its bits; those come from a pass at that precision, and the first of
-   all from doubles.
+   sines turned by what it moved, and the motion at the root comes with it.  Phase C ends at an angle that differs from
+   a kept one by an arcsine, and its state is a square root.  So a pass takes four sines and cosines at its precision.
+   It starts from times that are right to an eighth of its bits; those come from a pass at that precision, and the first
+   of all from doubles.
 
    In balls the same arithmetic is carried out around exact middles.  The last step is an interval Newton step: the
    second derivative of oscillations is bounded by their amplitudes all over, so that proving one root costs a
@@ -88,8 +88,8 @@ static void derivatives(val *bend, val *jerk, struct calc *c, const struct motio
   *jerk = calc_dot(c, cube[0], m->b[0], cube[1], m->b[1]);
 }
 
-/* The step to the root to fourth order, u - c2 u^2 + (2 c2^2 - c3) u^3 with u = -f/f' and c_k = f^(k)/(k! f'); the error
-   is about 2^(-3 small) of it. */
+/* The step to the root to fourth order, u - c2 u^2 + (2 c2^2 - c3) u^3 with u = -f/f' and c_k = f^(k)/(k! f'); the
+   error is about 2^(-3 small) of it. */
 static val first_step(slong *small, struct calc *c, const struct motion *exact, val f) {
   struct motion m = shortened(c, exact);
   val bend, jerk, fastest = m.om[m.n - 1];
@@ -164,8 +164,8 @@ static val proved_step(struct calc *c, const struct motion *m, val f, val rate) 
   return h;
 }
 
-/* x + move, for a part x of the oscillation of a and b that turns by a small angle; in balls with what the square of the
-   angle can change. */
+/* x + move, for a part x of the oscillation of a and b that turns by a small angle; in balls with what the square of
+   the angle can change. */
 static val moved(struct calc *c, val x, val move, val turned, val a, val b) {
   val sum = calc_add(c, x, move);
   if (!c->ctx.type->rigorous) return sum;
@@ -316,8 +316,8 @@ static void pass_h(val *r, val *q, struct course *o, struct maker *k, const val 
   set_state(o->z[3], z1, calc_add(c, z1, *r), V, v2);
 }
 
-/* q = omega (y cos - r sin)(omega t) with y = q_c/omega, so that r comes to +-hypot(r, y) at the end, and the sine of the
-   angle from there back to a kept one is known. */
+/* q = omega (y cos - r sin)(omega t) with y = q_c/omega, so that r comes to +-hypot(r, y) at the end, and the sine of
+   the angle from there back to a kept one is known. */
 static void pass_c(struct course *o, struct maker *k, val r, val q, val near) {
   struct calc *c = k->c;
   const struct ball_params *m = &k->m;
@@ -359,8 +359,8 @@ static val rounded(struct calc *c, val x, bool exact) {
   return z;
 }
 
-/* A pass at the precision, from given->near; the times go there if it is not the last, else all to the arc.  *lost: as in
-   struct maker. */
+/* A pass at the precision, from given->near; the times go there if it is not the last, else all to the arc.  *lost: as
+   in struct maker. */
 static int level(struct dyn_arc *a, slong *lost, struct given *g, slong prec, bool last) {
   struct calc c, half;
   struct maker k = {&c, &half, .lost = 0};

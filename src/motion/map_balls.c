@@ -204,7 +204,8 @@ static bool rises_above(struct calc *c, const struct ball_params *m, const struc
   return above;
 }
 
-/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no root. */
+/* A walk along the velocity from t = 0, where f = start, by parabolas that it cannot cross, so that it passes no
+   root. */
 enum walk_end { WALK_PASSED, WALK_STANDS, WALK_TIRED };
 
 /* To last, or to where a root is near.  *t: how far it came. */

@@ -1,6 +1,6 @@
-/* The two equations of a periodic orbit in the unknowns (t_b, t_c), over balls (a calc of num_arb) or over types that behave
-   as balls do (dual.h): z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b.  And proofs
-   about the motion between: which roots are first, which velocity stays below the belt's. */
+/* The two equations of a periodic orbit in the unknowns (t_b, t_c), over balls (a calc of num_arb) or over types that
+   behave as balls do (dual.h): z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b.
+   And proofs about the motion between: which roots are first, which velocity stays below the belt's. */
 #ifndef STICKSLIP_MAP_BALLS_H
 #define STICKSLIP_MAP_BALLS_H
 
@@ -41,7 +41,8 @@ truth ball_first_rise(struct calc *c, const struct ball_params *m, const struct 
    it is a root.  At most max_steps. */
 truth ball_slower(struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass, val start,
                   val end, bool root_at_end, long max_steps);
-/* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to t_max. */
+/* A time near the first root of z'_mass - V, from the same start, found by the same steps; false where none is up to
+   t_max. */
 bool ball_first_root(double *t, struct calc *c, const struct ball_params *m, const struct ball_modes *modes, int mass,
                      val start, double t_max, long max_steps);
 

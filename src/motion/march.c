@@ -1,10 +1,10 @@
 /* Strips of t_b marched through phase H until every t_c lies behind them.
 
-   Looked for are the orbits, the common zeros of p = z_1' - V and of the return's equation (cell.c).  A strip advances cell by
-   cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved,
-   or the strip is.  The part of a strip on which p is proved positive has met its first root, since p starts below zero,
-   and is cut off: this is what bounds t_c.  A strip that no time brings to a zero (strip_never, strip_turns,
-   strip_misses) is done with as well. */
+   Looked for are the orbits, the common zeros of p = z_1' - V and of the return's equation (cell.c).  A strip advances
+   cell by cell.  A cell is passed once it is proved to hold no zero, or one; else the step is halved, or the strip is.
+   The part of a strip on which p is proved positive has met its first root, since p starts below zero, and is cut off:
+   this is what bounds t_c.  A strip that no time brings to a zero (strip_never, strip_turns, strip_misses) is done with
+   as well. */
 #include "march.h"
 #include "cell.h"
 #include "num/pi.h"

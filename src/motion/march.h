@@ -1,5 +1,5 @@
-/* The complete search: strips marched through phase H until t_c lies behind them, so that every common zero is collected.
-   complete.c says from that whether a list of orbits is complete. */
+/* The complete search: strips marched through phase H until t_c lies behind them, so that every common zero is
+   collected. complete.c says from that whether a list of orbits is complete. */
 #ifndef STICKSLIP_MARCH_H
 #define STICKSLIP_MARCH_H
 
@@ -27,9 +27,9 @@ struct march {
   bool crest;      /* t_b at the very crest of the rise could not be excluded */
   double where[2]; /* t_b and t_c of the first cell that was stuck */
 };
-/* Every common zero of p and H_k, k = 0, 1, ..., with 0 < t_b <= t* and t_c no later than the first root of p: in zeros,
-   each once or twice, or among the known ones that were met; unless spent, stuck or crest says that something was left
-   open.  false outside what double precision can hold. */
+/* Every common zero of p and H_k, k = 0, 1, ..., with 0 < t_b <= t* and t_c no later than the first root of p: in
+   zeros, each once or twice, or among the known ones that were met; unless spent, stuck or crest says that something
+   was left open.  false outside what double precision can hold. */
 bool march_run(struct march *s, const fmpq *params, struct known *known, size_t n_known, long budget);
 void march_clear(struct march *s);
 

@@ -178,8 +178,8 @@ static val rise_at(const struct shape *x, val t) {
   return calc_dot(c, x->m.a, calc_sub(c, t, sine), x->m.p[P_E1], calc_sub(c, x->m.one, cosine));
 }
 
-/* chi r is highest at t_b, where it must be e2, or at a crest before; crests rise from one period of Gamma to the next, so that
-   the last one before t_b is the highest, and the one before that is surely in the phase. */
+/* chi r is highest at t_b, where it must be e2, or at a crest before; crests rise from one period of Gamma to the next,
+   so that the last one before t_b is the highest, and the one before that is surely in the phase. */
 static void gamma_r(struct dyn_margin *m, const struct shape *x, val pi) {
   struct calc *c = x->c;
   val chi = x->m.p[P_CHI];
@@ -266,8 +266,8 @@ static bool narrow_root(arb_t piece, int *steps, const struct shape *x, int mass
   return any;
 }
 
-/* Whether the margin stays above its least value so far through the piece because the slow mode alone does, by more than
-   the amplitude of the fast one: pieces far longer than an oscillation of the fast mode can be left out. */
+/* Whether the margin stays above its least value so far through the piece because the slow mode alone does, by more
+   than the amplitude of the fast one: pieces far longer than an oscillation of the fast mode can be left out. */
 static bool slow_is_above(const struct dyn_margin *m, const struct shape *x, int mass, val piece, val mid, val shift) {
   struct calc *c = x->c;
   struct motion at = slow_at(x, mass, mid), all = slow_at(x, mass, piece);

@@ -17,8 +17,9 @@
 
 enum { RAISES = 4, SPARE = 8 }; /* of the precision; bits beyond what a pilot lost */
 
-/* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one.  The calc and
-   what it holds, the kept sines and cosines near the solution, are those of the last precision, 0 when there is none. */
+/* A solution (t_b, t_c) of the two equations: the enclosures x, and the boxes in which it is the only one.  The calc
+   and what it holds, the kept sines and cosines near the solution, are those of the last precision, 0 when there is
+   none. */
 struct solution {
   arb_t x[2], box[2];
   bool up, grazing;

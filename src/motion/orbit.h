@@ -5,8 +5,8 @@
 #include "dynamics.h"
 
 /* The first working precision for prec bits of every number of an orbit.  How many bits the worst of them loses is the
-   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are left; 0:
-   none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
+   orbit's own (its condition) and hardly depends on the precision, so that a pilot tells, of which `left` bits are
+   left; 0: none was run, since up to DYN_PLANNED_FROM bits a failed attempt costs less than one, or it told nothing. */
 enum { DYN_GUARD = 40, DYN_PLANNED_FROM = 512, DYN_PILOT = 192 };
 slong dyn_planned_bits(slong prec, slong left);
 

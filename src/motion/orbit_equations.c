@@ -1,8 +1,8 @@
 /* The equations of the word in the six quantities e1, e2, t_a, t_b, t_c, t_d, and proofs of their solutions.
 
-   With z_1' = V and z_2' = V where they must be, phase C turns (r, q/omega) by omega t_d into (r_0, 0): the four equations
-   of given.h.  Any two quantities may be known exactly; Krawczyk's operator on the other four proves that a box holds
-   exactly one solution. */
+   With z_1' = V and z_2' = V where they must be, phase C turns (r, q/omega) by omega t_d into (r_0, 0): the four
+   equations of given.h.  Any two quantities may be known exactly; Krawczyk's operator on the other four proves that a
+   box holds exactly one solution. */
 #include "orbit_equations.h"
 #include "flow.h"
 #include "given.h"

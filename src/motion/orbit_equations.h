@@ -1,5 +1,5 @@
-/* The four equations of given.h in the six quantities e1, e2, t_a, t_b, t_c, t_d, over any number type; Newton's iteration
-   on any four of the six, and the proof that a box holds exactly one solution. */
+/* The four equations of given.h in the six quantities e1, e2, t_a, t_b, t_c, t_d, over any number type; Newton's
+   iteration on any four of the six, and the proof that a box holds exactly one solution. */
 #ifndef STICKSLIP_ORBIT_EQUATIONS_H
 #define STICKSLIP_ORBIT_EQUATIONS_H
 

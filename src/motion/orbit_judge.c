@@ -1,7 +1,7 @@
 /* The numbers and the conditions of an orbit, read off one pass in balls from its (t_b, t_c).
 
-   Phase C turns (r, q/omega) about the origin, so that its end, its length t_d and the extremes of the force w during it are
-   known in closed form.  What must hold all along phase Gamma or H is proved by map_balls.c. */
+   Phase C turns (r, q/omega) about the origin, so that its end, its length t_d and the extremes of the force w during
+   it are known in closed form.  What must hold all along phase Gamma or H is proved by map_balls.c. */
 #include "orbit_judge.h"
 
 #include "warm.h"

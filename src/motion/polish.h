@@ -1,10 +1,10 @@
-/* The outputs at the orbit near (t_b, t_c), and those of one pass of the return map, by the formulas of slip.h with numbers of
-   twice the precision.
+/* The outputs at the orbit near (t_b, t_c), and those of one pass of the return map, by the formulas of slip.h with
+   numbers of twice the precision.
 
    What cancels loses digits there that double precision would have needed: the radius against the rise near a fold, the
-   sums of the modes after a long phase H, positions over 1 - chi.  All is evaluated once, at t_b and t_c in double precision;
-   Newton's step from there is so short that every quantity follows it to the first order.  Each output is rounded
-   once.  Straight-line code, for the scalar solver and for lanes. */
+   sums of the modes after a long phase H, positions over 1 - chi.  All is evaluated once, at t_b and t_c in double
+   precision; Newton's step from there is so short that every quantity follows it to the first order.  Each output is
+   rounded once.  Straight-line code, for the scalar solver and for lanes. */
 #ifndef STICKSLIP_POLISH_H
 #define STICKSLIP_POLISH_H
 

@@ -1,12 +1,12 @@
 /* The return map of r in double precision.
 
-   t_b: the rise of r in phase Gamma is the same seen backwards from its crest, so only the first half of it is ever solved,
-   from a start that is good to some percent.  t_c: slip.c.  For either event the sine and cosine are computed once or twice
-   and then turned by each step.  Where this quick way fails, the walk of trig_sum.c finds the events.
+   t_b: the rise of r in phase Gamma is the same seen backwards from its crest, so only the first half of it is ever
+   solved, from a start that is good to some percent.  t_c: slip.c.  For either event the sine and cosine are computed
+   once or twice and then turned by each step.  Where this quick way fails, the walk of trig_sum.c finds the events.
 
-   At half of all points terms cancel by more than the promised error, and to tell where that harms an output costs as much as
-   forming the output in twice the precision.  So dyn_return_map forms every output anew near the events (polish.h), and
-   dyn_return_map_d none. */
+   At half of all points terms cancel by more than the promised error, and to tell where that harms an output costs as
+   much as forming the output in twice the precision.  So dyn_return_map forms every output anew near the events
+   (polish.h), and dyn_return_map_d none. */
 #include "return_map.h"
 
 #include <string.h>

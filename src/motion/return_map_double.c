@@ -27,8 +27,8 @@ int return_map_double_init(struct return_map_double *k, const double params[N_PA
   k->root_eta = sqrt(k->eta);
 
   /* Matrix [1, -chi sqrt(eta); -chi sqrt(eta), chi eta]: the larger eigenvalue lies `above` above 1, the smaller
-     `below` below it, and above * below = chi^2 eta.  Nothing is squared, as slip_set does, so that the search can be asked about
-     parameters of any size. */
+     `below` below it, and above * below = chi^2 eta.  Nothing is squared, as slip_set does, so that the search can be
+     asked about parameters of any size. */
   double stiff = k->chi * k->eta, couple = k->chi * k->root_eta, above, below;
   double gap = hypot(stiff - 1, 2 * couple);
   if (stiff > 1) {

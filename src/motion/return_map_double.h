@@ -1,5 +1,5 @@
-/* The return map of the word in double precision, with t_b as its argument: phases Gamma, H and C, of which t_b alone fixes
-   where they start, and the two oscillations of phase H, which are worked out once for given parameters. */
+/* The return map of the word in double precision, with t_b as its argument: phases Gamma, H and C, of which t_b alone
+   fixes where they start, and the two oscillations of phase H, which are worked out once for given parameters. */
 #ifndef STICKSLIP_RETURN_MAP_DOUBLE_H
 #define STICKSLIP_RETURN_MAP_DOUBLE_H
 
@@ -27,7 +27,8 @@ struct pass {
   bool grazing;
   long steps;
 };
-/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an iteration. */
+/* SS_DOMAIN outside the domain of dynamics.h.  rise is left to return_map_double_records: few need it, and it takes an
+   iteration. */
 int return_map_double_init(struct return_map_double *k, const double params[N_PARAMS]);
 void return_map_double_records(struct return_map_double *k);
 /* How far chi r / chi has risen t after the start of phase Gamma. */

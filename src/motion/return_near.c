@@ -1,8 +1,8 @@
 /* The return map over balls, twice.
 
-   dyn_return_near starts from rough times of the events: return_map.c falls back on it where roundings in double precision
-   would show.  dyn_return_first finds the events in balls and proves them to be first ones: the tests hold the map in double
-   precision against it. */
+   dyn_return_near starts from rough times of the events: return_map.c falls back on it where roundings in double
+   precision would show.  dyn_return_first finds the events in balls and proves them to be first ones: the tests hold
+   the map in double precision against it. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,9 +1,9 @@
 /* Functions of dynamics.h in double precision: worked out in balls and rounded once.
 
-   In plain double precision the closed forms lose digits that the problem does not: where the terms of an entry cancel (chi
-   small, chi eta near 1, short times), where om t is rounded before its sine is taken, where a product overflows though the
-   result does not.  So the same code runs in balls, at a precision that rises until every result is known beyond a double,
-   and what a double cannot hold is a status.  The usual point takes one pass at FIRST bits. */
+   In plain double precision the closed forms lose digits that the problem does not: where the terms of an entry cancel
+   (chi small, chi eta near 1, short times), where om t is rounded before its sine is taken, where a product overflows
+   though the result does not.  So the same code runs in balls, at a precision that rises until every result is known
+   beyond a double, and what a double cannot hold is a status.  The usual point takes one pass at FIRST bits. */
 #include <math.h>
 #include <stdint.h>
 
@@ -22,8 +22,8 @@ static bool to_balls(struct num_vec *z, const struct num_vec *x) {
   return finite;
 }
 
-/* The double nearest to x; *known is false when x is not known well enough for that.  A number below the normal doubles has
-   fewer digits than they: SS_UNABLE; what cannot be told from zero at the last precision is zero. */
+/* The double nearest to x; *known is false when x is not known well enough for that.  A number below the normal doubles
+   has fewer digits than they: SS_UNABLE; what cannot be told from zero at the last precision is zero. */
 static int round_ball(double *z, bool *known, arb_srcptr x, bool last) {
   *z = 0;
   if (arb_is_zero(x)) return SS_OK;

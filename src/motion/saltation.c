@@ -1,8 +1,8 @@
 /* The return Jacobian by saltation matrices: perturbations are compared at equal times, carried through a phase by the
-   matrix exponential and across a switch by S = I + (f+ - f-) n^T / (n.f-), f- and f+ the vector fields before and after
-   it and n the gradient of the switching function.  Only at the end, of the period or of the one phase that is asked for,
-   are they taken back along the motion from equal times to each motion's own event.  Nothing is differentiated at the
-   events, and no closed form of a phase is used. */
+   matrix exponential and across a switch by S = I + (f+ - f-) n^T / (n.f-), f- and f+ the vector fields before and
+   after it and n the gradient of the switching function.  Only at the end, of the period or of the one phase that is
+   asked for, are they taken back along the motion from equal times to each motion's own event.  Nothing is
+   differentiated at the events, and no closed form of a phase is used. */
 #include <stdbool.h>
 
 #include "dynamics.h"

@@ -1,5 +1,5 @@
-/* The zeros of the return map's defect in double precision, that is, the candidates for periodic orbits: one for each t_b
-   at which r after one return is the r that the return started from. */
+/* The zeros of the return map's defect in double precision, that is, the candidates for periodic orbits: one for each
+   t_b at which r after one return is the r that the return started from. */
 #ifndef STICKSLIP_SEARCH_H
 #define STICKSLIP_SEARCH_H
 

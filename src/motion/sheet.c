@@ -1,7 +1,7 @@
 /* Orbits of the equations of given.h at given t_b and t_c.
 
-   The state at t_c and r_0 are linear in e1 and e2.  p_c = 0 is a line of (e1, e2), and along it the squares of the equations
-   for r_c and q_c/omega add up to a quadratic, whose two roots are the two sheets. */
+   The state at t_c and r_0 are linear in e1 and e2.  p_c = 0 is a line of (e1, e2), and along it the squares of the
+   equations for r_c and q_c/omega add up to a quadratic, whose two roots are the two sheets. */
 #include "sheet.h"
 
 #include <math.h>

@@ -1,5 +1,5 @@
-/* The two sheets over (t_b, t_c), in double precision: at given t_b and t_c the equations of given.h leave a quadratic, so
-   that at most two orbits have these times, and all six quantities of either are known in closed form. */
+/* The two sheets over (t_b, t_c), in double precision: at given t_b and t_c the equations of given.h leave a quadratic,
+   so that at most two orbits have these times, and all six quantities of either are known in closed form. */
 #ifndef STICKSLIP_SHEET_H
 #define STICKSLIP_SHEET_H
 

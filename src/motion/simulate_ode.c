@@ -13,7 +13,8 @@
 #include "base/work.h"
 #include "coulomb_impl.h"
 
-/* Of work: a step of the integrator; those that one simulation does before any is counted, more than usual motions need. */
+/* Of work: a step of the integrator; those that one simulation does before any is counted, more than usual motions
+   need. */
 enum { UNITS_OF_ODE_STEP = 16, FREE_STEPS = 1 << 17 };
 
 struct ode {

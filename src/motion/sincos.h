@@ -1,16 +1,17 @@
-/* Sine and cosine in straight-line code that a compiler can vectorise: no call, no branch, nothing that depends on data.
+/* Sine and cosine in straight-line code that a compiler can vectorise: no call, no branch, nothing that depends on
+   data.
 
    x = k pi/2 + r + tail with |r| <= pi/4 (1 + 2^-30): k is rounded by adding 1.5 * 2^52, whose last bits then hold k
    modulo 4; pi/2 is taken off in three pieces, of which k times the first two is exact.  Polynomials (minimax, leading
    coefficients rounded first) give sin and 1 - cos of r; k chooses, swaps and changes signs through bits.
 
-   For |x| <= SINCOS_REACH, with u = 2^-53: sine and cosine are within 1.7 u |their value| + 2^-97 (that of the reduction:
-   three roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9), the others as told at struct sine_cosine.
-   check_sincos.c proves it: truncation in balls, rounding operation by operation.  For other x, NaN and infinities too, the
-   results have no meaning, and nothing traps: the caller asks |x| <= SINCOS_REACH.
+   For |x| <= SINCOS_REACH, with u = 2^-53: sine and cosine are within 1.7 u |their value| + 2^-97 (that of the
+   reduction: three roundings of at most 2^-101, and what pi/2 has beyond its pieces, 2^-102.9), the others as told at
+   struct sine_cosine. check_sincos.c proves it: truncation in balls, rounding operation by operation.  For other x, NaN
+   and infinities too, the results have no meaning, and nothing traps: the caller asks |x| <= SINCOS_REACH.
 
-   Only +, -, *, bit operations and, of comparisons, one: the bits of the results are the same at any width of vectors as
-   long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 65. */
+   Only +, -, *, bit operations and, of comparisons, one: the bits of the results are the same at any width of vectors
+   as long as the compiler fuses nothing (-ffp-contract=off).  Fused operations would save 15 of about 65. */
 #ifndef STICKSLIP_SINCOS_H
 #define STICKSLIP_SINCOS_H
 
@@ -105,9 +106,9 @@ SINCOS_INLINE double sincos_angle_part(double z) {
                                                  z * (0x1.3a69f27493c39p-5 + z * -0x1.2abdade2ebe2cp-6)))))))));
 }
 
-/* The angle in [0, pi] of the point (x, y), y >= 0, not both zero: within 4 u of its value, where neither is so large or
-   small that sums overflow or quotients underflow.  The tangent is brought to |q| <= tan(pi/8) by turning the point by a
-   multiple of pi/4, which costs one division. */
+/* The angle in [0, pi] of the point (x, y), y >= 0, not both zero: within 4 u of its value, where neither is so large
+   or small that sums overflow or quotients underflow.  The tangent is brought to |q| <= tan(pi/8) by turning the point
+   by a multiple of pi/4, which costs one division. */
 SINCOS_INLINE double sincos_angle(double y, double x) {
   const double eighth = 0x1.921fb54442d18p-1, lost = 0x1.1a62633145c07p-55; /* pi/4, and what it lacks */
   double across = x < 0 ? -x : x;

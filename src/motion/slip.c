@@ -1,8 +1,8 @@
 /* First roots in phase H by nodes.
 
-   A stretch of a radian or two of the fast mode between two nodes is decided at once (slip.h).  Nodes are marched from the
-   start, each turned from the one before, until one lies above zero; there Householder's iteration goes to the root, all
-   of its derivatives being linear in the state.  A stretch that stays open is halved. */
+   A stretch of a radian or two of the fast mode between two nodes is decided at once (slip.h).  Nodes are marched from
+   the start, each turned from the one before, until one lies above zero; there Householder's iteration goes to the
+   root, all of its derivatives being linear in the state.  A stretch that stays open is halved. */
 #include "slip.h"
 
 enum { MOST_NODES = 96, MOST_STEPS = 8 };

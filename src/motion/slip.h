@@ -140,8 +140,8 @@ static inline struct slip_modes slip_modes(const struct slip *k, const struct ga
                               (k->own[1] * g->w - k->cross * k->pull_b) * k->inverse[1]}};
 }
 
-/* A time in phase H: velocities over the belt's, w, and pull = chi eta r; how far pull has come, and the sum of pull there and
-   at the start. */
+/* A time in phase H: velocities over the belt's, w, and pull = chi eta r; how far pull has come, and the sum of pull
+   there and at the start. */
 struct node {
   double p, q, w, pull, pull_change, pull_sum;
 };
@@ -276,7 +276,8 @@ static inline double slip_td(const struct slip *k, const struct node *n, double 
   return atan2(fabs(n->q), (r_end > 0 ? k->omc : -k->omc) * r) / k->omc;
 }
 
-/* How far m1 falls behind the belt: z_1 is where it was when t_a + t_b + t_c + t_d of the belt's way has made up for it. */
+/* How far m1 falls behind the belt: z_1 is where it was when t_a + t_b + t_c + t_d of the belt's way has made up for
+   it. */
 static inline double slip_behind(const struct slip *k, const struct gamma_end *g, const struct slip_modes *m,
                                  const struct half_angle x[2], double tc) {
   double way[2];

@@ -1,8 +1,8 @@
 /* Phase H from a narrow interval of t_b, in disks, with bounds of its derivatives that hold for all time.
 
-   At t_b the velocity of z_1 and the force on it are constants plus u and w, where w = e1 cos t_b + a sin t_b and u = w'
-   turn about the origin; everything later is linear in them.  So every derivative by t_b is a motion of phase H again,
-   and the amplitudes of its two modes bound it for all time. */
+   At t_b the velocity of z_1 and the force on it are constants plus u and w, where w = e1 cos t_b + a sin t_b and u =
+   w' turn about the origin; everything later is linear in them.  So every derivative by t_b is a motion of phase H
+   again, and the amplitudes of its two modes bound it for all time. */
 #include "strip.h"
 #include "flow.h"
 #include "map_balls.h"

@@ -1,5 +1,5 @@
-/* A strip: phase Gamma ends at some t_b of a narrow interval, and phase H from there, in disks, with bounds of its derivatives
-   that hold for all time.  With what the strips stand on: the parameters and times as disks. */
+/* A strip: phase Gamma ends at some t_b of a narrow interval, and phase H from there, in disks, with bounds of its
+   derivatives that hold for all time.  With what the strips stand on: the parameters and times as disks. */
 #ifndef STICKSLIP_STRIP_H
 #define STICKSLIP_STRIP_H
 

@@ -1,8 +1,8 @@
 /* Sines and cosines close to angles whose own are kept.
 
    Near convergence an angle moves by far less than one: turning the pair that is known by the step takes a few terms of
-   Taylor's series, where a sine and a cosine from scratch take hundreds of products.  In balls the series is cut where the
-   first term left out, which bounds the rest of an alternating series, goes into the radius. */
+   Taylor's series, where a sine and a cosine from scratch take hundreds of products.  In balls the series is cut where
+   the first term left out, which bounds the rest of an alternating series, goes into the radius. */
 #include "turn.h"
 
 /* Whether |x| <= 1/4, where the terms fall fast. */

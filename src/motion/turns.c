@@ -1,10 +1,11 @@
-/* How many full periods of phase Gamma, k, can come before a strip's t_b, and which strips hold no orbit at any time of phase H.
+/* How many full periods of phase Gamma, k, can come before a strip's t_b, and which strips hold no orbit at any time of
+   phase H.
 
    r at the stick phase is r_0 = base - k turn, and it must be r_end.  In phase H twice the energy,
-   2E = eta z_1'^2 + z_2'^2 + eta (w^2 + 2 chi w r + chi r^2)/(1 - chi), is kept, and is the sum of the squared amplitudes
-   of its modes.  At its end z_1' = V, z_2' = V + q, the last term is least at w = -chi r, and r_end^2 = r^2 +
-   q^2/omega^2, so that 2E >= (1 + eta) V^2 + 2 V q + omega^2 r_end^2.  Where q >= 0 (r_end >= 0) this bounds omega r_end
-   by sqrt(2E - (1 + eta) V^2); else |q| <= omega |r_end| bounds omega |r_end| by V + sqrt(2E - eta V^2).
+   2E = eta z_1'^2 + z_2'^2 + eta (w^2 + 2 chi w r + chi r^2)/(1 - chi), is kept, and is the sum of the squared
+   amplitudes of its modes.  At its end z_1' = V, z_2' = V + q, the last term is least at w = -chi r, and r_end^2 = r^2
+   + q^2/omega^2, so that 2E >= (1 + eta) V^2 + 2 V q + omega^2 r_end^2.  Where q >= 0 (r_end >= 0) this bounds omega
+   r_end by sqrt(2E - (1 + eta) V^2); else |q| <= omega |r_end| bounds omega |r_end| by V + sqrt(2E - eta V^2).
 
    The phases of the two modes are t_b's own plus om t.  If no pair of phases at all meets the equations, then no time
    does. */

@@ -1,4 +1,5 @@
-/* How many full periods of phase Gamma can precede a strip's t_b, and strips that no time of phase H brings to a zero. */
+/* How many full periods of phase Gamma can precede a strip's t_b, and strips that no time of phase H brings to a
+   zero. */
 #ifndef STICKSLIP_TURNS_H
 #define STICKSLIP_TURNS_H
 

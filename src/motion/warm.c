@@ -1,9 +1,9 @@
 /* Newton's iteration on (t_b, t_c) in double precision, and what can be said of the orbit it ends at.
 
-   The two equations are z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b; both stay
-   smooth where an event grazes.  Near convergence sines and cosines are turned by the step rather than computed again.
-   dyn_orbit_warm forms every output in twice the precision after the last step (polish.h).  The proof that t_c is a first
-   root, and that z_2' stays below V, needs no further sine where phase H is short. */
+   The two equations are z_1' = V at the end of phase H, and r at the end of phase C = the r that leads to t_b; both
+   stay smooth where an event grazes.  Near convergence sines and cosines are turned by the step rather than computed
+   again. dyn_orbit_warm forms every output in twice the precision after the last step (polish.h).  The proof that t_c
+   is a first root, and that z_2' stays below V, needs no further sine where phase H is short. */
 #include "warm.h"
 
 #include "num/pi.h"
@@ -120,7 +120,8 @@ int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const d
 
 /* --- Conditions. --- */
 
-/* The greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0, and on a hill where q falls. */
+/* The greatest w in phase C, wf at its end; inside it w' = a - chi q vanishes only where q > 0, and on a hill where q
+   falls. */
 static double most_force(const struct slip *k, const struct point *x, double wf, double td) {
   double most = fmax(x->n.w, wf), fast = k->chi * k->omc * x->r_end, turn = k->omc * td;
   if (!(fast > k->a)) return most;

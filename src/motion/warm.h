@@ -1,12 +1,13 @@
 /* The periodic orbit of the word near a guess, with its multiplier, in double precision.
 
-   For a caller who knows roughly where the orbit is: Newton's iteration on (t_b, t_c), r being what t_b makes it, and outputs
-   formed once in twice the precision, a microsecond or two.  Nothing is searched.  What the answer claims is checked, and
-   where double precision cannot tell the status or `unsure` says so; the search of dynamics.h then decides.
+   For a caller who knows roughly where the orbit is: Newton's iteration on (t_b, t_c), r being what t_b makes it, and
+   outputs formed once in twice the precision, a microsecond or two.  Nothing is searched.  What the answer claims is
+   checked, and where double precision cannot tell the status or `unsure` says so; the search of dynamics.h then
+   decides.
 
    Errors of dyn_orbit_warm, with u = 2^-53 and kappa the condition number of the output, the sum over the parameters of
-   |d ln output / d ln parameter|: at most 8 (1 + kappa) u in every output.  Measured, not proved: tests/check_warm.c asserts
-   it over random sets and extreme ones, and that the error is at most 2 u whatever kappa is. */
+   |d ln output / d ln parameter|: at most 8 (1 + kappa) u in every output.  Measured, not proved: tests/check_warm.c
+   asserts it over random sets and extreme ones, and that the error is at most 2 u whatever kappa is. */
 #ifndef STICKSLIP_MOTION_WARM_H
 #define STICKSLIP_MOTION_WARM_H
 
@@ -28,26 +29,26 @@ enum dyn_output {
   N_DYN_OUT
 };
 
-/* The orbit near guess = (t_b, t_c).  Bit i of *violations is set when condition i of dyn_condition_id is surely broken;
-   of *unsure when double precision cannot tell.  Both zero: the orbit is admissible.
-   SS_OK: out is an orbit of the word, t_b, t_c and t_d proved to be first roots up to rounding.
-   SS_DOMAIN: outside the domain of dynamics.h.
+/* The orbit near guess = (t_b, t_c).  Bit i of *violations is set when condition i of dyn_condition_id is surely
+   broken; of *unsure when double precision cannot tell.  Both zero: the orbit is admissible. SS_OK: out is an orbit of
+   the word, t_b, t_c and t_d proved to be first roots up to rounding. SS_DOMAIN: outside the domain of dynamics.h.
    SS_UNABLE: no convergence near the guess (a time moved by half of itself); t_b or t_c is not a first root; too near a
-   grazing event, a fold or another double zero; t_b later than the first crest of the rise, where m1 outruns the belt in phase
-   Gamma.  Such an orbit can exist all the same. */
+   grazing event, a fold or another double zero; t_b later than the first crest of the rise, where m1 outruns the belt
+   in phase Gamma.  Such an orbit can exist all the same. */
 int dyn_orbit_warm(double out[N_DYN_OUT], unsigned *violations, unsigned *unsure, const double params[N_PARAMS],
                    const double guess[2]);
 
-/* The same without conditions, u1 and u2, without the proof of first roots and in double precision throughout, a few hundred
-   nanoseconds: what a solver of equations gives.  out[DYN_OUT_U1] and after are not set.  Errors: within 8 (1 + kappa) u in
-   97 outputs of 100, and beyond that the worst seen being a few hundred of them: the trace and t_d near a fold after a
-   long phase H, and positions where 1 - chi is small.  Where more than about 8 bits would be lost the answer is SS_UNABLE. */
+/* The same without conditions, u1 and u2, without the proof of first roots and in double precision throughout, a few
+   hundred nanoseconds: what a solver of equations gives.  out[DYN_OUT_U1] and after are not set.  Errors: within 8 (1 +
+   kappa) u in 97 outputs of 100, and beyond that the worst seen being a few hundred of them: the trace and t_d near a
+   fold after a long phase H, and positions where 1 - chi is small.  Where more than about 8 bits would be lost the
+   answer is SS_UNABLE. */
 int dyn_orbit_bare(double out[N_DYN_OUT], const double params[N_PARAMS], const double guess[2]);
 
-/* The orbit near (t_b, t_c) enclosed, each of its numbers to prec relative bits where its conditioning allows, and everything
-   about it decided, as dyn_orbits_find does; some tens of microseconds.  up: phase C ends above (z_20 > z_10), else below.
-   *first: whether t_b and t_c are proved to be first roots and phase C to go that way.  SS_UNABLE: no single solution is
-   proved near there.  The orbit is to be cleared whatever the status is.  lim may be NULL. */
+/* The orbit near (t_b, t_c) enclosed, each of its numbers to prec relative bits where its conditioning allows, and
+   everything about it decided, as dyn_orbits_find does; some tens of microseconds.  up: phase C ends above (z_20 >
+   z_10), else below. *first: whether t_b and t_c are proved to be first roots and phase C to go that way.  SS_UNABLE:
+   no single solution is proved near there.  The orbit is to be cleared whatever the status is.  lim may be NULL. */
 int dyn_orbit_near(struct dyn_orbit *o, truth *first, const fmpq *params, double tb, double tc, bool up, slong prec,
                    const struct dyn_limits *lim);
 void dyn_orbit_clear(struct dyn_orbit *o);

@@ -11,8 +11,8 @@
 
 enum { CALC_CHUNK = 32, KEPT_CALCS = 4, KEPT_CHUNKS = 32, KEPT_BITS = 2048 };
 
-/* Balls of more than two words own memory, and a pass takes hundreds of them: the elements of the last few calcs wait for
-   the next ones.  flint_cleanup, which each thread calls at its end, frees them. */
+/* Balls of more than two words own memory, and a pass takes hundreds of them: the elements of the last few calcs wait
+   for the next ones.  flint_cleanup, which each thread calls at its end, frees them. */
 static _Thread_local struct kept {
   char **pool;
   slong made, cap;

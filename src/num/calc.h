@@ -1,9 +1,9 @@
 /* Formulas over any number type (num.h), written as nested calls: calc_add(c, x, calc_mul(c, y, z)).
 
-   Every operation gives a new element and ORs its status (SS_OK, SS_DOMAIN, SS_UNABLE) into the calc, so that the status is
-   looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared; an operation never
-   changes its operands.  Operands may have another precision (mpfr) than the calc; results have that of the calc.  A calc
-   belongs to one thread. */
+   Every operation gives a new element and ORs its status (SS_OK, SS_DOMAIN, SS_UNABLE) into the calc, so that the
+   status is looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared; an
+   operation never changes its operands.  Operands may have another precision (mpfr) than the calc; results have that of
+   the calc.  A calc belongs to one thread. */
 #ifndef STICKSLIP_CALC_H
 #define STICKSLIP_CALC_H
 

@@ -6,9 +6,10 @@
      num_double   IEEE binary64.  Rounded to nearest; the precision argument is ignored.
      num_mpfr     MPFR, rounded to nearest at prec bits (element precision is fixed by init).
      num_arb      Arb balls.  Every operation returns an enclosure of the exact result on the exact inputs.
-     num_exact    rational functions over Q in generators that are given a meaning elsewhere (exact.h).  Exact; what is not
-                  rational (sines, roots, pi, balls) is SS_UNABLE, and so is what could grow beyond NUM_EXACT_PRODUCT terms;
-                  after a failure the output means nothing, it has no NaN.  get_d only tells zero from the rest.
+     num_exact    rational functions over Q in generators that are given a meaning elsewhere (exact.h).  Exact; what is
+                  not rational (sines, roots, pi, balls) is SS_UNABLE, and so is what could grow beyond
+                  NUM_EXACT_PRODUCT terms; after a failure the output means nothing, it has no NaN.  get_d only tells
+                  zero from the rest.
 
    Conventions.  Output first, then inputs, then the precision in bits.  An output may alias any input.  Elements are
    initialised by init and released by clear; init leaves the value 0.  Every arithmetic method returns status flags
@@ -41,8 +42,9 @@ struct num_type {
   void (*set)(void *z, const void *x);
   void (*swap)(void *x, void *y);
 
-  /* Conversions.  set_q rounds once (arb: encloses); a number that would round to 0 cannot be held.  get_arb is exact for double and mpfr.  set_arb takes the
-     midpoint, rounded (arb: the ball itself).  get_d rounds the value or the midpoint to nearest. */
+  /* Conversions.  set_q rounds once (arb: encloses); a number that would round to 0 cannot be held.  get_arb is exact
+     for double and mpfr.  set_arb takes the midpoint, rounded (arb: the ball itself).  get_d rounds the value or the
+     midpoint to nearest. */
   int (*set_q)(void *z, const fmpq_t q, slong prec);
   int (*set_d)(void *z, double x, slong prec);
   int (*set_arb)(void *z, const arb_t x, slong prec);
@@ -82,8 +84,8 @@ const fmpz_mpoly_ctx_struct *num_exact_ctx(void);
 slong num_exact_terms(const fmpz_mpoly_q_struct *x);
 /* How many terms their product, quotient or (sum) sum or difference can have. */
 slong num_exact_work(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y, bool sum);
-/* The value where the generators have those NUM_EXACT_GENERATORS values; of a quotient SS_DOMAIN where its denominator is
-   zero. */
+/* The value where the generators have those NUM_EXACT_GENERATORS values; of a quotient SS_DOMAIN where its denominator
+   is zero. */
 void num_exact_polynomial_at(fmpq_t z, const fmpz_mpoly_struct *p, const fmpq *value);
 int num_exact_at(fmpq_t z, const fmpz_mpoly_q_struct *x, const fmpq *value);
 

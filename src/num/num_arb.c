@@ -141,7 +141,8 @@ static void stumpff_series(arb_t z, const arb_t y, slong prec) {
   arb_clear(term);
 }
 
-/* stumpff x is the integral of (1 - s)^2 cos(x s) / 2 for s from 0 to 1, so that its slope is at most |x|/60, and 1/24. */
+/* stumpff x is the integral of (1 - s)^2 cos(x s) / 2 for s from 0 to 1, so that its slope is at most |x|/60, and
+   1/24. */
 static void stumpff_near_zero(arb_t z, const arb_t x, slong prec) {
   mag_t slope, most;
   arb_t y;

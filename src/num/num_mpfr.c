@@ -191,8 +191,9 @@ static int m_hypot(void *z, const void *x, const void *y, slong prec) {
   return held(z);
 }
 
-/* Arb's sine and cosine take a third of MPFR's time at a few hundred bits.  The middle of a ball that lies on one side of
-   every rounding boundary rounds as the exact value does, so that the result is MPFR's own; false when it does not. */
+/* Arb's sine and cosine take a third of MPFR's time at a few hundred bits.  The middle of a ball that lies on one side
+   of every rounding boundary rounds as the exact value does, so that the result is MPFR's own; false when it does
+   not. */
 static bool sin_cos_by_balls(mpfr_ptr s, mpfr_ptr c, mpfr_srcptr x) {
   enum { GUARD = 32 };
   slong prec_s = mpfr_get_prec(s), prec_c = mpfr_get_prec(c);

@@ -414,8 +414,8 @@ static int isolated_root(void *z, const struct num_vec *coeffs, slong k) {
   return status;
 }
 
-/* A root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the last few
-   are kept, in double and in balls that own no memory, up to 128 bits or so. */
+/* A root is asked for at one set of parameters and many times, and finding it costs more than all the rest: the last
+   few are kept, in double and in balls that own no memory, up to 128 bits or so. */
 enum { KEPT = 4, KEPT_LENGTH = 8 };
 struct kept_root {
   double coeff[KEPT_LENGTH], root;

@@ -57,8 +57,8 @@ static void check_shape(const struct num_vec *x, slong rows, slong cols) {
   if (rows < 0 || cols < 0 || x->len != rows * cols) abort();
 }
 
-/* In double precision the calls would cost more than the arithmetic.  What is not finite on the way is not finite at the
-   end, so that the status is that of the steps. */
+/* In double precision the calls would cost more than the arithmetic.  What is not finite on the way is not finite at
+   the end, so that the status is that of the steps. */
 static int double_mat_mul(double *z, const double *x, const double *y, slong m, slong n, slong p) {
   int status = SS_OK;
   double *sum = ss_malloc((size_t)(m * p) * sizeof *sum);

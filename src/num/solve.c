@@ -1,8 +1,8 @@
 /* Newton's iteration and Krawczyk's operator over the number table.
 
-   The caller's function hands over pointers to its own elements; what is formed here lives in vectors of the iteration or of
-   the operator.  In balls a step is the product of the values with a rounded inverse of the derivative, which may be any
-   matrix and is the operator's too; in the other types it comes from num_mat_solve's elimination. */
+   The caller's function hands over pointers to its own elements; what is formed here lives in vectors of the iteration
+   or of the operator.  In balls a step is the product of the values with a rounded inverse of the derivative, which may
+   be any matrix and is the operator's too; in the other types it comes from num_mat_solve's elimination. */
 #include "solve.h"
 
 #include <stdlib.h>

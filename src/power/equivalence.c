@@ -83,8 +83,8 @@ enum {
   N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
 };
 
-/* A definition that can be held as a matrix of unknowns where it does not read what is damaged: products of such matrices
-   can be compared where their entries written out are too large. */
+/* A definition that can be held as a matrix of unknowns where it does not read what is damaged: products of such
+   matrices can be compared where their entries written out are too large. */
 struct opaque {
   struct override name;
   struct model_use use;
@@ -290,8 +290,8 @@ static bool has_relations(struct exact_field *f, const struct sentence *sa, cons
   return true;
 }
 
-/* Whether both say the same (with a sign known, if given): of values, and of sentences with an oracle, that the left sides are equal; else that the sets
-   of relations are. */
+/* Whether both say the same (with a sign known, if given): of values, and of sentences with an oracle, that the left
+   sides are equal; else that the sets of relations are. */
 static bool same_sentences(const struct sentence *a, const struct sentence *b, bool values, const struct facts *facts,
                            const struct claim *c, const struct exact_fact *sign) {
   values = values || a->oracle;

@@ -1,5 +1,5 @@
-/* Which statements can be damaged, and by which names.  A statement's names are exchanged for others that mean something
-   in its section; shapes come from elaborating every definition once. */
+/* Which statements can be damaged, and by which names.  A statement's names are exchanged for others that mean
+   something in its section; shapes come from elaborating every definition once. */
 #include "mutants.h"
 
 #include <stdlib.h>

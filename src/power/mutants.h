@@ -27,8 +27,8 @@ struct mutants {
   size_t n, cap;
 };
 
-/* The one-token edits of the model's statements of the paper and of the errata, in the order of the files; only those of
-   the named records or files ("eq-40", "4-stability.eq", "4-stability") when n_only > 0. */
+/* The one-token edits of the model's statements of the paper and of the errata, in the order of the files; only those
+   of the named records or files ("eq-40", "4-stability.eq", "4-stability") when n_only > 0. */
 void mutants_init(struct mutants *m, const struct model *model, const char *const *only, int n_only);
 void mutants_clear(struct mutants *m);
 /* Is some of them in the file or record of that name? */
@@ -43,7 +43,8 @@ void lexicon_edits(struct edits *out, struct arena *a, struct lexicon *l, const 
 /* The target of a statement. */
 struct target target_of(const struct model *model, size_t record, int stmt);
 
-/* A model that shares everything with another, and in which statements can be exchanged: the overlay that a mutation is. */
+/* A model that shares everything with another, and in which statements can be exchanged: the overlay that a mutation
+   is. */
 struct overlay {
   struct model model;
   const struct model *under;
@@ -55,8 +56,8 @@ void overlay_set(struct overlay *o, const struct target *t, const struct stmt *s
 /* Leaves the target's statement out of its record, or puts it back; for statements that define nothing. */
 void overlay_leave_out(struct overlay *o, const struct target *t, bool out);
 
-/* What holds on every motion of the word by the definition of its phases: velocities that are V, forces at their limits,
-   perturbations that are zero.  Exact algebra uses it. */
+/* What holds on every motion of the word by the definition of its phases: velocities that are V, forces at their
+   limits, perturbations that are zero.  Exact algebra uses it. */
 extern const char *const motion_facts[][2]; /* a name, and an expression that it equals */
 extern const int n_motion_facts;
 struct facts;
@@ -66,16 +67,16 @@ void facts_free(struct facts *f);
 void facts_use(struct facts *f, bool use);
 
 /* Proves that a claim says the same in two models that differ in one statement, with its own text as printed and with
-   everything corrected: its sides are equal as rational functions on every motion, or its statement is the other's times
-   something positive.  false: not proved. */
+   everything corrected: its sides are equal as rational functions on every motion, or its statement is the other's
+   times something positive.  false: not proved. */
 bool claim_same_in(const struct claim *c, const struct target *t, const struct model *a, const struct model *b,
                    const struct facts *f);
 /* The same for the statement itself or, failing that, for every statement that uses it, and what uses those: then no
    claim can tell. */
 bool target_same_in(const struct target *t, const struct model *a, const struct model *b, const struct claims *claims,
                     const struct facts *f);
-/* Whether a claim with its text as in model a, read as printed, says the same as in model b with everything corrected; a
-   record says what the set of its relations says. */
+/* Whether a claim with its text as in model a, read as printed, says the same as in model b with everything corrected;
+   a record says what the set of its relations says. */
 bool claim_says_corrected(const struct claim *c, const struct model *a, const struct model *b, const struct facts *f);
 bool stands_in_statement(const struct stmt *s, const char *name);
 /* Sets record[i] where record i is the target's or names, through whatever definitions, what the target defines. */

@@ -1,7 +1,7 @@
 /* Would the audit have noticed?  Every claim is judged once as things stand, and what it reads is recorded; then each
    mutant is put in place and the claims that read it are asked again: with the least effort that can refute; by exact
-   algebra, whether the mutant says anything else at all; in full; and last the kinds that take long, with the same little
-   effort with which they were asked as things stood.  Claims that simulate are not asked. */
+   algebra, whether the mutant says anything else at all; in full; and last the kinds that take long, with the same
+   little effort with which they were asked as things stood.  Claims that simulate are not asked. */
 #include <stdlib.h>
 #include <string.h>
 

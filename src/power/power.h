@@ -17,12 +17,12 @@ struct mutation_options {
   void (*progress)(size_t n, size_t of); /* or NULL */
 };
 
-/* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the claims
-   that read it, those with the fewest definitions first, until a verdict changes: that of the claim, of its correction or
-   of a restricted claim.  The text damaged is the one that everything reads, the errata's where they correct the paper;
-   the printed text that they correct is damaged too and counted apart.  What survives is compared with the original by
-   exact algebra, then judged in full.  The result is the same for any number of processes.  false with d set when the
-   files are at fault or a process ended early. */
+/* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the
+   claims that read it, those with the fewest definitions first, until a verdict changes: that of the claim, of its
+   correction or of a restricted claim.  The text damaged is the one that everything reads, the errata's where they
+   correct the paper; the printed text that they correct is damaged too and counted apart.  What survives is compared
+   with the original by exact algebra, then judged in full.  The result is the same for any number of processes.  false
+   with d set when the files are at fault or a process ended early. */
 bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
                   const struct scene *scene, const struct mutation_options *opt, struct diag *d);
 
@@ -32,10 +32,9 @@ struct repair_options {
   int jobs; /* processes, 1 to 64 */
 };
 
-/* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every one
-   edit, and where none helps, or the correction on file is not among those that do, with pairs of exchanged names within a
-   budget; those with which the claim passes the checks that
-   refuted it, the smallest first. */
+/* Searches repairs of the refuted claims about formulas (all, or those selected): the claim's printed text with every
+   one edit, and where none helps, or the correction on file is not among those that do, with pairs of exchanged names
+   within a budget; those with which the claim passes the checks that refuted it, the smallest first. */
 bool audit_repairs(struct repair_result *out, const struct model *m, const struct claims *claims,
                    const struct scene *scene, const struct repair_options *opt, struct diag *d);
 

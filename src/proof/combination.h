@@ -2,16 +2,18 @@
 
    Equations among the premises eliminate one unknown each; then the margin of the conclusion must be a sum of at most
    three premises (the domain chi, 1 - chi, eta, V, e_1, e_2, u_s1, u_s2 > 0 among them), each times a factor that is
-   positive on the domain.  The sum is looked for in rounded numbers and accepted only as an identity of rational functions
-   in the symbols, values of the motion such as z_1(t) being symbols too.  "increasing: h Gamma" in the claim adds the mean
-   value theorem: where h'(t) is such a sum, h(t) lies strictly between its values at the ends of the phase. */
+   positive on the domain.  The sum is looked for in rounded numbers and accepted only as an identity of rational
+   functions in the symbols, values of the motion such as z_1(t) being symbols too.  "increasing: h Gamma" in the claim
+   adds the mean value theorem: where h'(t) is such a sum, h(t) lies strictly between its values at the ends of the
+   phase. */
 #ifndef STICKSLIP_CERTIFICATE_H
 #define STICKSLIP_CERTIFICATE_H
 
 #include "claim/judging.h"
 #include "condition.h"
 
-/* Appends the proof of every condition of the conclusion; false when one has none (j->d set when the claim is at fault). */
+/* Appends the proof of every condition of the conclusion; false when one has none (j->d set when the claim is at
+   fault). */
 bool certificate_find(struct text *out, struct judge *j, const struct claim *c, const struct conditions *premises,
                       const struct conditions *conclusion, bool sliding_friction, struct view view);
 

@@ -1,7 +1,7 @@
 /* Conditions: inequalities and equations of the paper as margins along a phase of a periodic orbit.
 
-   A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus the
-   left one of "<") or zero.  The margin is affine in Z(t), t and u_s1, u_s2, so along a phase Z' = A Z gives its
+   A condition is one step of a relation of the equation files, its margin what must be positive (the right side minus
+   the left one of "<") or zero.  The margin is affine in Z(t), t and u_s1, u_s2, so along a phase Z' = A Z gives its
    derivative too, and time is halved until an enclosure of the margin, or near an end where the margin vanishes by
    definition one of its derivative, has a sign. */
 #ifndef STICKSLIP_CONDITION_H
@@ -29,14 +29,14 @@ struct conditions {
   int n;
 };
 
-/* "eq-51, eq-52#1, eq-59#1.2, eq-56 D": records, the statement and the step of its chain (all without), and the phase of
-   a record that names the time t without a range.  false with j->d set. */
+/* "eq-51, eq-52#1, eq-59#1.2, eq-56 D": records, the statement and the step of its chain (all without), and the phase
+   of a record that names the time t without a range.  false with j->d set. */
 bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
                      struct view view);
 void conditions_clear(struct conditions *list);
 
-/* The least margin over samples of the open phase at u_s1 = u_s2 = 0 (of an equality minus the largest deviation), and its
-   slopes in them; in double, in units of V.  Status flags. */
+/* The least margin over samples of the open phase at u_s1 = u_s2 = 0 (of an equality minus the largest deviation), and
+   its slopes in them; in double, in units of V.  Status flags. */
 struct sampled {
   double least, slope[2];
 };

@@ -1,6 +1,6 @@
-/* The model's matrices on an exact motion: the derivative of each phase's event-located map, the propagator of the period,
-   and the Jacobian of the period.  That Jacobian is the product of the corners that the paper keeps, once it is known that
-   each phase carries perturbations to where the next corner takes them up. */
+/* The model's matrices on an exact motion: the derivative of each phase's event-located map, the propagator of the
+   period, and the Jacobian of the period.  That Jacobian is the product of the corners that the paper keeps, once it is
+   known that each phase carries perturbations to where the next corner takes them up. */
 #include <stdio.h>
 #include <string.h>
 

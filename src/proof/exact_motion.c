@@ -1,6 +1,6 @@
-/* What the paper's symbols stand for on an exact motion: each name is taken apart (value/names.c) and made of the motion's
-   parameters, states and perturbations.  Before anything is made, the names that a sentence reads are looked through for the
-   earliest state it needs, since what lies before need not be computed. */
+/* What the paper's symbols stand for on an exact motion: each name is taken apart (value/names.c) and made of the
+   motion's parameters, states and perturbations.  Before anything is made, the names that a sentence reads are looked
+   through for the earliest state it needs, since what lies before need not be computed. */
 #include <stdio.h>
 #include <string.h>
 
@@ -157,7 +157,8 @@ static int periodic_entry(element *z, struct exact_motion *m, int row) {
   return s;
 }
 
-/* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known what it does to its own start. */
+/* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known
+   what it does to its own start. */
 static int bind_entry(element *z, struct exact_motion *m, const char *name) {
   int row, col, end = motion_meeting(name);
   if (has_word(m) && end > 0 && sscanf(name + 3, "[%d,1]", &row) == 1) {

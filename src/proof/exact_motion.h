@@ -1,8 +1,10 @@
-/* The model's motions over a field of rational functions: what the paper's symbols stand for, exactly and for all parameters.
+/* The model's motions over a field of rational functions: what the paper's symbols stand for, exactly and for all
+   parameters.
 
-   A motion of the word is made of what dynamics.h says of its phases and of nothing of the paper's: the matrix A of each
-   phase's first-order system, the switching functions and their rates.  Its states at the switching times are free, but
-   for what their phase and their event say of them, or each follows from the one before; likewise the perturbations. */
+   A motion of the word is made of what dynamics.h says of its phases and of nothing of the paper's: the matrix A of
+   each phase's first-order system, the switching functions and their rates.  Its states at the switching times are
+   free, but for what their phase and their event say of them, or each follows from the one before; likewise the
+   perturbations. */
 #ifndef STICKSLIP_AUDIT_EXACT_MOTION_H
 #define STICKSLIP_AUDIT_EXACT_MOTION_H
 
@@ -57,14 +59,14 @@ void exact_motion_clear(struct exact_motion *m);
 int exact_motion_bind(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name, void *motion);
 /* The model's quantity of the oracle's name, as long as its rows times its columns. */
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name);
-/* What is positive on the whole domain: chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time to
-   its end; as many elements as are returned, at most EXACT_POSITIVE. */
+/* What is positive on the whole domain: chi, eta, V, 1 - chi and, inside a phase, the time since its start and the time
+   to its end; as many elements as are returned, at most EXACT_POSITIVE. */
 enum { EXACT_POSITIVE = 6 };
 int exact_motion_positive(struct num_vec *out, struct exact_motion *m);
 /* exp(A u) of a phase; SS_UNABLE, too, where exact_propagator_proved says no. */
 int exact_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const fmpz_mpoly_q_struct *u);
-/* Whether the phase's exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once, when a
-   proof first reaches the phase. */
+/* Whether the phase's exp(A t), as made here, has the derivative A exp(A t) and is the identity at 0; computed once,
+   when a proof first reaches the phase. */
 bool exact_propagator_proved(enum phase ph);
 
 #endif

@@ -1,6 +1,6 @@
-/* What the files about exact motions share.  exact_params.c stands below the others, then exact_propagator.c, exact_states.c,
-   exact_matrices.c and exact_motion.c, each on those before it.  All return status flags; what they make is rewritten by the
-   relations of the motion's field, where nothing else is said. */
+/* What the files about exact motions share.  exact_params.c stands below the others, then exact_propagator.c,
+   exact_states.c, exact_matrices.c and exact_motion.c, each on those before it.  All return status flags; what they
+   make is rewritten by the relations of the motion's field, where nothing else is said. */
 #ifndef STICKSLIP_EXACT_MOTION_IMPL_H
 #define STICKSLIP_EXACT_MOTION_IMPL_H
 

@@ -1,6 +1,6 @@
-/* The parameters of an exact motion.  They are free generators, or numbers where a sentence is asked about under a condition
-   such as V = 1; with modes, chi and eta are made of two free frequencies instead, so that the roots of phase H are no new
-   unknowns.  Quantities that the model makes of the parameters alone are here too. */
+/* The parameters of an exact motion.  They are free generators, or numbers where a sentence is asked about under a
+   condition such as V = 1; with modes, chi and eta are made of two free frequencies instead, so that the roots of phase
+   H are no new unknowns.  Quantities that the model makes of the parameters alone are here too. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -74,8 +74,8 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
   return zero;
 }
 
-/* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi and
-   eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
+/* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi
+   and eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
 static int take_modes(struct exact_motion *m) {
   const struct num_type *t = &num_exact;
   struct num_vec w;

@@ -1,6 +1,6 @@
-/* Proofs by exact algebra: both sides of a sentence as elements of one field, the paper's from its formulas, the model's
-   from exact_motion.h.  An entry is proved when the difference of its sides is zero; more of what holds on motions is used
-   only as far as needed.  What remains is said in words: why a sentence is not proved. */
+/* Proofs by exact algebra: both sides of a sentence as elements of one field, the paper's from its formulas, the
+   model's from exact_motion.h.  An entry is proved when the difference of its sides is zero; more of what holds on
+   motions is used only as far as needed.  What remains is said in words: why a sentence is not proved. */
 #include "exact_proof.h"
 
 #include "claim/kinds.h"
@@ -213,8 +213,8 @@ static void add_unknown(struct override *o, int *n, const char *name) {
   if (q && *n < EXACT_UNKNOWNS) o[(*n)++] = (struct override){name, oracle_rows(q), oracle_cols(q)};
 }
 
-/* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of which
-   J is made. */
+/* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of
+   which J is made. */
 static int choose_unknowns(struct override *o, const struct claim *c) {
   const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
   int n = 0;

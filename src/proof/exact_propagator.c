@@ -1,5 +1,6 @@
-/* exp(A u) of a phase over the field: a polynomial in A with the sines and cosines of the phase's frequencies.  How it is made
-   is no proof; once in a run it is held against what defines it, P' = A P and P(0) = I, and used only if it fulfils that. */
+/* exp(A u) of a phase over the field: a polynomial in A with the sines and cosines of the phase's frequencies.  How it
+   is made is no proof; once in a run it is held against what defines it, P' = A P and P(0) = I, and used only if it
+   fulfils that. */
 #include "exact_motion_impl.h"
 
 #include "base/work.h"

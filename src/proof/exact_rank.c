@@ -1,7 +1,7 @@
-/* Elimination over a field in which every symbol is free.  What holds of free symbols holds of those of a motion, so the
-   rank is the number of pivots wherever the entries are defined if each pivot is a number other than zero times powers of
-   symbols that are positive on the whole domain, and zeros are all that is left.  Of other pivots nothing is concluded:
-   they may be zero somewhere. */
+/* Elimination over a field in which every symbol is free.  What holds of free symbols holds of those of a motion, so
+   the rank is the number of pivots wherever the entries are defined if each pivot is a number other than zero times
+   powers of symbols that are positive on the whole domain, and zeros are all that is left.  Of other pivots nothing is
+   concluded: they may be zero somewhere. */
 #include "exact_rank.h"
 
 #include <stdlib.h>

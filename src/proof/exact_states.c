@@ -1,6 +1,6 @@
-/* The states of an exact motion at its switching times, and their perturbations.  Each is free, but for what its phase and its
-   event say of it, or follows from the one before by the propagator of the phase between them.  An event is an affine
-   equation: it decides one component of a free state, or e_1 or e_2 where the whole state is known. */
+/* The states of an exact motion at its switching times, and their perturbations.  Each is free, but for what its phase
+   and its event say of it, or follows from the one before by the propagator of the phase between them.  An event is an
+   affine equation: it decides one component of a free state, or e_1 or e_2 where the whole state is known. */
 #include <stdio.h>
 #include <string.h>
 
@@ -199,8 +199,8 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
   return s;
 }
 
-/* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that phase's
-   system, is the belt's with and without the perturbation. */
+/* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that
+   phase's system, is the belt's with and without the perturbation. */
 static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
   static const char letters[] = "xyuv", places[] = "abcf";
   struct num_vec a;

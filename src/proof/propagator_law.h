@@ -1,5 +1,6 @@
-/* What makes a matrix function of time the propagator of a phase: P' = A P and P(0) = I.  Stated once, for every number type:
-   the exact proofs hold the model's own propagators against it, the route `ode` the paper's matrices at points. */
+/* What makes a matrix function of time the propagator of a phase: P' = A P and P(0) = I.  Stated once, for every number
+   type: the exact proofs hold the model's own propagators against it, the route `ode` the paper's matrices at
+   points. */
 #ifndef STICKSLIP_PROPAGATOR_LAW_H
 #define STICKSLIP_PROPAGATOR_LAW_H
 

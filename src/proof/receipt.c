@@ -1,6 +1,6 @@
-/* stickslip explain ID --receipt: a proof as a program for another computer algebra system.  The sentence is printed from
-   the tape of its parsed formulas, the model as the matrices of its first-order systems; what motions are is said again in
-   verify/receipt/model.py, which ends each receipt. */
+/* stickslip explain ID --receipt: a proof as a program for another computer algebra system.  The sentence is printed
+   from the tape of its parsed formulas, the model as the matrices of its first-order systems; what motions are is said
+   again in verify/receipt/model.py, which ends each receipt. */
 #include <stdlib.h>
 #include <string.h>
 

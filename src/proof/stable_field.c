@@ -1,7 +1,7 @@
-/* The field in which two forms of one quantity are compared.  It knows the frequencies of phase H and makes chi and eta of
-   them, so that their square roots need no generators; and it knows the half angles over each time, of which the stable
-   forms are made where the corrected ones have whole angles.  What is to be shown is then that differences of rational
-   functions are zero. */
+/* The field in which two forms of one quantity are compared.  It knows the frequencies of phase H and makes chi and eta
+   of them, so that their square roots need no generators; and it knows the half angles over each time, of which the
+   stable forms are made where the corrected ones have whole angles.  What is to be shown is then that differences of
+   rational functions are zero. */
 #include <string.h>
 
 #include "stable_impl.h"
@@ -19,7 +19,8 @@ static void combine_si(struct stable_field *s, num_binary op, element *z, const 
   exact_clear(&y, s->field);
 }
 
-/* omega is the root of omega_1^2 + omega_2^2 - 1, and its product with sqrt(chi) that of (1 - omega_1^2)(omega_2^2 - 1). */
+/* omega is the root of omega_1^2 + omega_2^2 - 1, and its product with sqrt(chi) that of (1 - omega_1^2)(omega_2^2 -
+   1). */
 static void make_parameters(struct stable_field *s) {
   element a, b, *omega = &s->positive[0], *root_chi = &s->positive[1];
   exact_init(&a, s->field);

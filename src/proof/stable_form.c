@@ -1,13 +1,14 @@
-/* Both forms of one quantity, read from their layers onto tapes and compared entry by entry in the field.  Quantities that
-   both forms are made of may be held as unknowns: forms that are equal whatever these are need no expansion of them. */
+/* Both forms of one quantity, read from their layers onto tapes and compared entry by entry in the field.  Quantities
+   that both forms are made of may be held as unknowns: forms that are equal whatever these are need no expansion of
+   them. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "stable_impl.h"
 
-/* Quantities that long forms are made of in both layers alike.  Where forms are equal whatever these are, they are equal if
-   each of these is the same in both layers.  Of the first that is proved directly; g_1 = 1 - omega_1^2 has a name in the stable
-   layer alone.  Of the others it follows from what is proved before, or is. */
+/* Quantities that long forms are made of in both layers alike.  Where forms are equal whatever these are, they are
+   equal if each of these is the same in both layers.  Of the first that is proved directly; g_1 = 1 - omega_1^2 has a
+   name in the stable layer alone.  Of the others it follows from what is proved before, or is. */
 const struct override stable_held[N_HELD] = {{"J_b", 2, 1},      {"ktilde_1", 1, 1}, {"H_13", 1, 1},     {"H_23", 1, 1},
                                              {"ktilde_3", 1, 1}, {"ktilde_4", 1, 1}, {"ktilde_5", 1, 1}, {"g_1", 1, 1},
                                              {"N_1", 2, 2},      {"N_2", 2, 2},      {"N_3", 2, 2},      {"N_4", 2, 2},
@@ -80,7 +81,8 @@ static bool value_parts(struct stable_field *s, struct part_value v[MOST_PARTS],
   return ok;
 }
 
-/* Sets p->why_not to the reason for which entries are not shown equal in a field with angles over that unit, or to NULL. */
+/* Sets p->why_not to the reason for which entries are not shown equal in a field with angles over that unit, or to
+   NULL. */
 static bool compare_in(struct stable_proof *p, struct reading r[2], slong unit, const struct model *m,
                        const struct unknowns *u, struct diag *d) {
   struct stable_field s;

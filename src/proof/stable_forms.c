@@ -1,6 +1,6 @@
-/* The stable layer held against the corrected one, definition by definition and relation by relation.  What is proved is
-   used for what follows: a form proved the same in both layers may be held as an unknown in the proofs of longer ones.
-   Each proof is first tried at points, which refuse a wrong form quickly. */
+/* The stable layer held against the corrected one, definition by definition and relation by relation.  What is proved
+   is used for what follows: a form proved the same in both layers may be held as an unknown in the proofs of longer
+   ones. Each proof is first tried at points, which refuse a wrong form quickly. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -228,8 +228,8 @@ static const struct statement_record *home(const struct model *m, const struct d
   return NULL;
 }
 
-/* What a definition equals in the corrected layer: its own name there (NAME or NAME(t)), or for the last one of a record
-   what "equals" says; NULL when it is a part of others. */
+/* What a definition equals in the corrected layer: its own name there (NAME or NAME(t)), or for the last one of a
+   record what "equals" says; NULL when it is a part of others. */
 static const char *counterpart(const char *value, const struct model *m, const struct definition *def, struct diag *d) {
   struct view corrected = {m, LAYER_CORRECTED, NULL, NULL};
   bool own = view_lookup(&corrected, def->name, def->section, d) != NULL;

@@ -1,5 +1,5 @@
-/* What the files that prove the stable layer share: the field (stable_field.c), two forms on tapes (stable_form.c), the same
-   forms at points (stable_points.c); stable_forms.c goes through all forms with them. */
+/* What the files that prove the stable layer share: the field (stable_field.c), two forms on tapes (stable_form.c), the
+   same forms at points (stable_points.c); stable_forms.c goes through all forms with them. */
 #ifndef STICKSLIP_STABLE_IMPL_H
 #define STICKSLIP_STABLE_IMPL_H
 
@@ -12,8 +12,8 @@ typedef fmpz_mpoly_q_struct element;
 
 enum { N_POSITIVE = 6, N_TIMES = 5, N_ANGLES = 4, STABLE_TERMS = 4096 };
 
-/* A definition that has no counterpart in the corrected layer and yet a value there, by its record's attribute "equals".
-   As an unknown it stands for that value. */
+/* A definition that has no counterpart in the corrected layer and yet a value there, by its record's attribute
+   "equals". As an unknown it stands for that value. */
 struct part {
   const char *name, *section, *equals;
   int rows, cols;
@@ -38,7 +38,8 @@ struct stable_field {
 
 extern const char *const stable_time[N_TIMES]; /* t, t_a, t_b, t_c, t_d */
 
-/* Its angles are those over times divided by the unit.  Sines and cosines of their multiples up to 8 are made of theirs. */
+/* Its angles are those over times divided by the unit.  Sines and cosines of their multiples up to 8 are made of
+   theirs. */
 void stable_field_make(struct stable_field *s, slong unit);
 void stable_field_clear(struct stable_field *s);
 
@@ -81,8 +82,8 @@ bool readings_compare(struct stable_proof *p, struct reading r[2], const struct 
 
 /* --- Points: stable_points.c --- */
 
-/* Why points refuse the equality of two readings of one shape, or NULL; only_values: disagreement is not asked about, only
-   whether the stable form has a value wherever the corrected one has. */
+/* Why points refuse the equality of two readings of one shape, or NULL; only_values: disagreement is not asked about,
+   only whether the stable form has a value wherever the corrected one has. */
 const char *readings_refused(const struct reading r[2], bool only_values);
 
 #endif

@@ -1,5 +1,5 @@
-/* Two forms of one quantity at points, in balls: a route of its own beside the algebra, and soon told.  The algebra shows that
-   the forms agree where both have a value; that they do have one is shown here. */
+/* Two forms of one quantity at points, in balls: a route of its own beside the algebra, and soon told.  The algebra
+   shows that the forms agree where both have a value; that they do have one is shown here. */
 #include <math.h>
 #include <stdint.h>
 #include <stdlib.h>
@@ -9,8 +9,8 @@
 
 enum { NEAR = 3, POINTS = 8 };
 
-/* Near 1 in the first trials, then over orders of magnitude and of either sign where that is free; chi in (0, 1).  Of each
-   name its own. */
+/* Near 1 in the first trials, then over orders of magnitude and of either sign where that is free; chi in (0, 1).  Of
+   each name its own. */
 static double draw(const char *name, int trial) {
   uint64_t h = 14695981039346656037U + (uint64_t)trial;
   for (const char *c = name; *c; c++) h = (h ^ (unsigned char)*c) * 0x100000001b3U;
@@ -58,8 +58,8 @@ static void look_there(struct seen *seen, const struct reading r[2], int trial) 
   }
 }
 
-/* Why points refuse the equality, or NULL: a route of its own, and soon told.  The algebra shows that two forms agree where
-   both have a value; that they do have one somewhere is shown here. */
+/* Why points refuse the equality, or NULL: a route of its own, and soon told.  The algebra shows that two forms agree
+   where both have a value; that they do have one somewhere is shown here. */
 const char *readings_refused(const struct reading r[2], bool only_values) {
   struct seen seen = {.met = ss_malloc((size_t)(r[0].n + 1) * sizeof *seen.met)};
   bool empty = false;

@@ -78,11 +78,11 @@ int system_propagators(struct system *s);
 /* Newton's iteration in double precision from x, in place.  false when it does not converge within 12 steps, or some
    unknown leaves start by more than 1 + |start|. */
 bool readings_newton(double x[N_X], struct system *s, unsigned eqs, unsigned unknown);
-/* Balls around the solution near the middles of x, the other entries of which may be balls: proved (Krawczyk's operator)
-   to hold exactly one solution for each value of those.  s is one of num_arb. */
+/* Balls around the solution near the middles of x, the other entries of which may be balls: proved (Krawczyk's
+   operator) to hold exactly one solution for each value of those.  s is one of num_arb. */
 bool readings_enclose(arb_ptr x, struct system *s, unsigned eqs, unsigned unknown);
-/* d(unknown)/d(known) at x (N_X by N_X; rows of unknowns and columns of known quantities are set), and d(unknown)/d(right
-   side of an equation) (N_X by N_EQ).  Either may be NULL. */
+/* d(unknown)/d(known) at x (N_X by N_X; rows of unknowns and columns of known quantities are set), and
+   d(unknown)/d(right side of an equation) (N_X by N_EQ).  Either may be NULL. */
 bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, arb_srcptr x, unsigned eqs,
                      unsigned unknown);
 
@@ -151,8 +151,8 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
 /* How the whole procedure answers to the residuals of what the reading drops. */
 void reading_answers(struct example_reading *r, struct audit_result *out, const struct candidate *c, arb_srcptr x,
                      const struct example *e, struct system *s, struct system *search);
-/* The whole procedure, nothing dropped: from the scene's data, and from any two printed numbers.  search is the system in
-   double precision, s in balls. */
+/* The whole procedure, nothing dropped: from the scene's data, and from any two printed numbers.  search is the system
+   in double precision, s in balls. */
 void readings_procedure(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,
                         struct system *search);
 void readings_pairs(struct readings *r, struct audit_result *out, const struct example *e, struct system *s,

@@ -6,10 +6,11 @@
 #include "record/result.h"
 #include "scene/scene.h"
 
-/* How the printed numbers of the scene could have arisen: which of them were inputs, exactly as printed, which equations
-   were solved and which dropped, how numbers were carried from one formula into the next.  The equations are the paper's,
-   (12), (14), (16), (18), (44)-(46), with its matrices in the corrected layer, and in the printed one where that gives
-   another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was nothing to search. */
+/* How the printed numbers of the scene could have arisen: which of them were inputs, exactly as printed, which
+   equations were solved and which dropped, how numbers were carried from one formula into the next.  The equations are
+   the paper's, (12), (14), (16), (18), (44)-(46), with its matrices in the corrected layer, and in the printed one
+   where that gives another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was
+   nothing to search. */
 const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
 
 #endif

@@ -1,4 +1,5 @@
-/* The result records of the audit of the audit: what became of damaged formulas, and which edits repair a refuted one. */
+/* The result records of the audit of the audit: what became of damaged formulas, and which edits repair a refuted
+   one. */
 #ifndef STICKSLIP_RECORD_MUTATION_H
 #define STICKSLIP_RECORD_MUTATION_H
 
@@ -6,10 +7,10 @@
 
 #include "base/arena.h"
 
-/* What became of a mutant.  Noticed: a verdict changed, or the damaged text cannot be read or evaluated, or (unproved) a
-   claim that an exact proof decides is no longer proved, and none is refuted.  Else it survived: equivalent (proved to say the same, by algebra alone); on_motions (proved to say the same on every motion of
-   the word, by what defines its phases, so that nothing tried on motions can tell); undecided; or read by no claim that
-   asserts anything. */
+/* What became of a mutant.  Noticed: a verdict changed, or the damaged text cannot be read or evaluated, or (unproved)
+   a claim that an exact proof decides is no longer proved, and none is refuted.  Else it survived: equivalent (proved
+   to say the same, by algebra alone); on_motions (proved to say the same on every motion of the word, by what defines
+   its phases, so that nothing tried on motions can tell); undecided; or read by no claim that asserts anything. */
 #define FATES(X)                                                                                                       \
   X(NOTICED, noticed)                                                                                                  \
   X(UNREADABLE, unreadable)                                                                                            \

@@ -67,8 +67,8 @@ struct skipped_work {
 enum change { CHANGE_CHANGES, CHANGE_AGREES, CHANGE_SAME_FORMULA, CHANGE_UNDECIDED, CHANGE_UNDEFINED };
 
 /* One derived quantity (formula as the paper's notation is typed, and typeset).  size: the largest relative difference,
-   as the power of ten above it; entry, printed, corrected, where: one point at which it changes.  chain: the value there
-   with the whole paper as printed; NULL when that is the same formula as with this equation alone as printed. */
+   as the power of ten above it; entry, printed, corrected, where: one point at which it changes.  chain: the value
+   there with the whole paper as printed; NULL when that is the same formula as with this equation alone as printed. */
 struct derived {
   const char *formula, *latex, *title;
   enum change change;
@@ -187,8 +187,8 @@ struct route_pair {
 };
 
 /* A run over many periods beside an orbit, of both routes in double precision and of MPFR, against what the multiplier
-   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of one
-   route grows or shrinks at that rate. */
+   says: where |tr J| > 1 the routes leave MPFR at that rate, where |tr J| < 1 they stay with it; and a displacement of
+   one route grows or shrinks at that rate. */
 enum { N_LONG_PAIRS = 3 }; /* integration and closed forms, integration and MPFR, closed forms and MPFR */
 struct long_result {
   const char *orbit, *multiplier;
@@ -201,8 +201,8 @@ struct long_result {
   double machine_displaced;            /* that of a displacement */
 };
 
-/* What every reader of an audit.json takes, and no writer exceeds: the bytes of the file, the elements of any list in it, and
-   of the bytes those of values that a scene asks for, which alone can be many. */
+/* What every reader of an audit.json takes, and no writer exceeds: the bytes of the file, the elements of any list in
+   it, and of the bytes those of values that a scene asks for, which alone can be many. */
 enum { LARGEST_AUDIT = 8 << 20, MOST_AUDIT_ELEMENTS = 10000, LARGEST_VALUES = 4 << 20 };
 
 /* A value that the scene asks for; NULL where it is not defined or its digits stayed open. */
@@ -228,8 +228,8 @@ struct data_table {
   const char *name, *text;
 };
 
-/* What stands beside a report's folder, and is no part of audit.json: index.html alone shows it, and so is a function of
-   audit.json, of the tables beside it, and of these. */
+/* What stands beside a report's folder, and is no part of audit.json: index.html alone shows it, and so is a function
+   of audit.json, of the tables beside it, and of these. */
 
 /* A file of another command that the page links to: its path from the report, and what it is. */
 struct neighbour {

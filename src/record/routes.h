@@ -1,9 +1,9 @@
 /* The routes and what each of them uses: one table for the evidence, the report and the study that holds routes against
    each other.
 
-   A route is a way to one kind of quantity, and its means are what it uses itself besides the equations of motion.  What
-   two routes share is what both use, or use through the located events that they start from.  They are independent of
-   each other when neither uses only means of the other. */
+   A route is a way to one kind of quantity, and its means are what it uses itself besides the equations of motion.
+   What two routes share is what both use, or use through the located events that they start from.  They are independent
+   of each other when neither uses only means of the other. */
 #ifndef STICKSLIP_AUDIT_ROUTES_H
 #define STICKSLIP_AUDIT_ROUTES_H
 
@@ -101,7 +101,8 @@ struct route_info {
 };
 extern const struct route_info route_table[N_ROUTE_ROWS];
 
-/* Whether two routes, by their names in evidence, are independent of each other.  Aborts on a name that no row bears. */
+/* Whether two routes, by their names in evidence, are independent of each other.  Aborts on a name that no row
+   bears. */
 bool routes_independent(const char *a, const char *b);
 /* What both use, themselves or through the located events. */
 unsigned route_means_shared(const struct route_info *a, const struct route_info *b);

@@ -1,13 +1,15 @@
-/* The result record of the study of digits: for every formula and every region of its arguments the worst point found, how
-   many digits double precision loses there, how many of them the problem loses and how many the formula, where and why.
+/* The result record of the study of digits: for every formula and every region of its arguments the worst point found,
+   how many digits double precision loses there, how many of them the problem loses and how many the formula, where and
+   why.
 
    Errors are relative, in units of 2^-53 of the true value; a matrix is measured by its largest entry.  With kappa the
-   condition number, the sum over the inputs of |x df/dx| / |f|, the problem loses log10 max(1, kappa) digits (where a change of
-   an input by 2^-53 is too large for a derivative, the change of the result itself takes its place if it is larger); the formula
-   what is lost beyond that.  A formula loses where its error exceeds STABILITY_ALLOWED max(1, kappa) 2^-53, and is at fault
-   where it loses or where it does not return a value that double precision can hold: stability_loses and stability_at_fault say
-   so for every report.  Digits are counted from 0 to STABILITY_DIGITS, all there are; what is worse than the loss of all of
-   them, a relative error beyond 1, counts in `excess`, which orders the points. */
+   condition number, the sum over the inputs of |x df/dx| / |f|, the problem loses log10 max(1, kappa) digits (where a
+   change of an input by 2^-53 is too large for a derivative, the change of the result itself takes its place if it is
+   larger); the formula what is lost beyond that.  A formula loses where its error exceeds STABILITY_ALLOWED max(1,
+   kappa) 2^-53, and is at fault where it loses or where it does not return a value that double precision can hold:
+   stability_loses and stability_at_fault say so for every report.  Digits are counted from 0 to STABILITY_DIGITS, all
+   there are; what is worse than the loss of all of them, a relative error beyond 1, counts in `excess`, which orders
+   the points. */
 #ifndef STICKSLIP_RECORD_STABILITY_H
 #define STICKSLIP_RECORD_STABILITY_H
 
@@ -18,8 +20,8 @@
 #define STABILITY_DIGITS 15.9
 enum { STABILITY_ALLOWED = 8 };
 
-/* Why digits are lost, at the node named; the last three return no value, or 0 or a coarse number for a true value that a
-   double holds: failures. */
+/* Why digits are lost, at the node named; the last three return no value, or 0 or a coarse number for a true value that
+   a double holds: failures. */
 #define LOSS_CAUSES(X)                                                                                                 \
   X(ROUNDING, "roundings that add up")                                                                                 \
   X(CANCELLATION, "cancellation")                                                                                      \
@@ -92,8 +94,8 @@ struct stability_row {
   const char *failure_node, *failure_source, *failure_witness; /* NULL without one */
 };
 
-/* A formula of the corrected layer beside its stable form, both in balls at points of the regions where the corrected one has a
-   finite value: does the stable one have it too? */
+/* A formula of the corrected layer beside its stable form, both in balls at points of the regions where the corrected
+   one has a finite value: does the stable one have it too? */
 struct stability_pair {
   const char *formula;
   long points, undecided;       /* undecided: the value is not known to 32 bits, as where it is zero */
@@ -101,7 +103,8 @@ struct stability_pair {
   const char *region, *witness; /* of the first of these; NULL: there is none */
 };
 
-/* Digits lost by the formula over two inputs, the others as at a witness; NaN where nothing is known, INFINITY a failure. */
+/* Digits lost by the formula over two inputs, the others as at a witness; NaN where nothing is known, INFINITY a
+   failure. */
 enum { STABILITY_MAP = 41 };
 struct stability_map {
   int formula;

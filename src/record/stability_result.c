@@ -1,4 +1,5 @@
-/* The result record of the study: the names of causes and bins, and the rules by which a row counts as a loss or a fault. */
+/* The result record of the study: the names of causes and bins, and the rules by which a row counts as a loss or a
+   fault. */
 #include <math.h>
 
 #include "stability.h"

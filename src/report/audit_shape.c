@@ -1,5 +1,5 @@
-/* The members of audit.json, as tables that its writer and its reader share.  What is not here is not in the file, and what
-   is not in the file is on no page. */
+/* The members of audit.json, as tables that its writer and its reader share.  What is not here is not in the file, and
+   what is not in the file is on no page. */
 #include <math.h>
 #include <stddef.h>
 #include <string.h>

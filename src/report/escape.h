@@ -8,7 +8,8 @@
    any kind a blank. */
 void escape_html_n(struct text *out, const char *s, size_t len);
 void escape_html(struct text *out, const char *s); /* nothing for NULL */
-/* Markdown and LaTeX; control characters become blanks.  TeX is given ASCII: what lies beyond is named by its code point. */
+/* Markdown and LaTeX; control characters become blanks.  TeX is given ASCII: what lies beyond is named by its code
+   point. */
 void escape_markdown(struct text *out, const char *s, size_t len);
 void escape_tex(struct text *out, const char *s, size_t len);
 /* A cell of a table of Markdown whose text may have markup of its own: only a bar would end it. */

@@ -1,4 +1,5 @@
-/* What several reports ask the record about a claim: whether it fails, how bad that is, what decided it, what mends it. */
+/* What several reports ask the record about a claim: whether it fails, how bad that is, what decided it, what mends
+   it. */
 #ifndef STICKSLIP_REPORT_FINDING_H
 #define STICKSLIP_REPORT_FINDING_H
 

@@ -1,6 +1,6 @@
-/* The files that a command writes to one folder.  Of a report audit.json comes first; every other one is written from what is
-   read back out of it and from the tables beside it, by verify as by `stickslip report`, which therefore writes the same
-   bytes. */
+/* The files that a command writes to one folder.  Of a report audit.json comes first; every other one is written from
+   what is read back out of it and from the tables beside it, by verify as by `stickslip report`, which therefore writes
+   the same bytes. */
 #include "report/folder.h"
 
 #include <stdlib.h>

@@ -17,8 +17,8 @@ struct text *output_add(struct output *out, const char *name);
 void output_drop(struct output *out);
 /* The tables of a result, a file for each. */
 void output_add_tables(struct output *out, const struct audit_result *r);
-/* audit.json of the result, and what is written from it alone; false with d set where it cannot be read back.  score: of the
-   study of damages that stands beside the folder, or NULL. */
+/* audit.json of the result, and what is written from it alone; false with d set where it cannot be read back.  score:
+   of the study of damages that stands beside the folder, or NULL. */
 bool output_add_report(struct output *out, const struct audit_result *r, const struct mutation_score *score,
                        struct diag *d);
 /* Everything that shows what audit.json and its tables hold. */

@@ -1,5 +1,5 @@
-/* Where two formulas differ, symbol by symbol: a symbol is a letter with its accent, primes and index, so that u_{r1} and
-   u_{r2} differ as a whole.  The longest common sequence of symbols stays, the rest is marked. */
+/* Where two formulas differ, symbol by symbol: a symbol is a letter with its accent, primes and index, so that u_{r1}
+   and u_{r2} differ as a whole.  The longest common sequence of symbols stays, the rest is marked. */
 #include <stdint.h>
 #include <stdlib.h>
 #include <string.h>

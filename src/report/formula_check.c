@@ -1,5 +1,6 @@
-/* Whether a formula can be passed on to LaTeX, which stops at a brace, a script or an argument that is missing, and which
-   would obey commands that are not of formulas.  A formula that is not understood here is shown as it is typed. */
+/* Whether a formula can be passed on to LaTeX, which stops at a brace, a script or an argument that is missing, and
+   which would obey commands that are not of formulas.  A formula that is not understood here is shown as it is
+   typed. */
 #include <string.h>
 
 #include "formula.h"

@@ -1,6 +1,6 @@
-/* TeX to MathML.  What the checker of formulas accepts is set by descent along the braces; nothing else is tried, so that
-   each function may rely on groups that close and arguments that are there.  Presentation MathML as browsers draw it
-   (MathML Core): italics are theirs, the form of a sign is said where its place in the row would mislead. */
+/* TeX to MathML.  What the checker of formulas accepts is set by descent along the braces; nothing else is tried, so
+   that each function may rely on groups that close and arguments that are there.  Presentation MathML as browsers draw
+   it (MathML Core): italics are theirs, the form of a sign is said where its place in the row would mislead. */
 #include <string.h>
 
 #include "escape.h"

@@ -6,7 +6,8 @@
 
 /* Text in which $...$ is mathematics; changed as in formula_mathml, or NULL. */
 void html_text(struct text *out, const char *s, const bool *changed);
-/* The same without mathematics between dollar signs, but with names like z_10 and powers like 1e-9 and s^2 set as such. */
+/* The same without mathematics between dollar signs, but with names like z_10 and powers like 1e-9 and s^2 set as
+   such. */
 void html_prose_n(struct text *out, const char *s, size_t len);
 void html_prose(struct text *out, const char *s);
 /* One formula, without dollar signs. */

@@ -1,5 +1,5 @@
-/* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the one
-   on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
+/* junit.xml, for what shows the results of tests: a case for each claim, which fails when the verdict differs from the
+   one on record; cases for the controls, which fail when not noticed, and for routes that must agree. */
 #include "escape.h"
 #include "finding.h"
 #include "report.h"

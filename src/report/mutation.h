@@ -1,4 +1,5 @@
-/* mutation.json, mutation.md, repairs.json and repairs.md from their result records: pure functions, the same bytes twice. */
+/* mutation.json, mutation.md, repairs.json and repairs.md from their result records: pure functions, the same bytes
+   twice. */
 #ifndef STICKSLIP_REPORT_MUTATION_H
 #define STICKSLIP_REPORT_MUTATION_H
 

@@ -31,8 +31,8 @@ void page_begin_link(const struct page *p, const char *prefix, const char *id);
 /* Begins a section with its heading; the ids are s-NAME and h-NAME. */
 void page_begin_section(const struct page *p, const char *name, const char *heading);
 
-/* A table that may be wider than the page.  With class "stack" it is read row by row on a narrow screen: each cell but the
-   first says its column before it. */
+/* A table that may be wider than the page.  With class "stack" it is read row by row on a narrow screen: each cell but
+   the first says its column before it. */
 struct column {
   const char *name; /* plain text without markup */
   bool number;      /* set to the right */

@@ -1,5 +1,5 @@
-/* What needs attention, worst first: the paper's own text beside the corrected one, what is wrong with it and how large it
-   is, a certificate, what depends on it, and how to recheck it. */
+/* What needs attention, worst first: the paper's own text beside the corrected one, what is wrong with it and how large
+   it is, a certificate, what depends on it, and how to recheck it. */
 #include <stdlib.h>
 #include <string.h>
 

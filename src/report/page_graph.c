@@ -1,5 +1,6 @@
 /* What rests on what, as a picture: a column for each level, on which stand the claims that rest on the levels to its
-   left.  Claims on which nothing rests and that rest on nothing are left out; so are arrows that a longer way implies. */
+   left.  Claims on which nothing rests and that rest on nothing are left out; so are arrows that a longer way
+   implies. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* How independent the routes are: for each quantity every two routes against each other, with what both rest on; then the
-   long runs and the statements made wrong on purpose. */
+/* How independent the routes are: for each quantity every two routes against each other, with what both rest on; then
+   the long runs and the statements made wrong on purpose. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,6 +1,6 @@
-/* The page's style sheet and script.  Both stand in well-formed XML, so that neither holds "<" or "&".  The sheet has light,
-   dark and print colours and names each verdict by a sign besides its colour; the script filters, sorts and opens what is
-   there without it. */
+/* The page's style sheet and script.  Both stand in well-formed XML, so that neither holds "<" or "&".  The sheet has
+   light, dark and print colours and names each verdict by a sign besides its colour; the script filters, sorts and
+   opens what is there without it. */
 #include "sections.h"
 
 const char *const page_style =

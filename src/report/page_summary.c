@@ -1,5 +1,5 @@
-/* The verdict first: counts, answers to what a reader asks first with how to run it again, the worst that was found in a few
-   sentences, how the audit itself was tested.  Every sentence is made of the record. */
+/* The verdict first: counts, answers to what a reader asks first with how to run it again, the worst that was found in
+   a few sentences, how the audit itself was tested.  Every sentence is made of the record. */
 #include <string.h>
 
 #include "escape.h"
@@ -37,8 +37,8 @@ static void add_counts(const struct page *p, const long count[N_VERDICTS]) {
 
 /* --- The most important findings --- */
 
-/* How much a failure says: failures that it rests on, which it sums up, then what fails with it, then what it is said to
-   follow from. */
+/* How much a failure says: failures that it rests on, which it sums up, then what fails with it, then what it is said
+   to follow from. */
 static long weight(const struct page *p, const struct finding *f) {
   long w = f->n_depends_on;
   for (int i = 0; i < f->n_depends_on; i++) {
@@ -338,8 +338,8 @@ static void add_both_texts(const struct page *p, const struct finding *f) {
   text_add(p->out, " (right)");
 }
 
-/* The parameters that a certificate ends with, "... at chi = 1/2, t = 5", as --at takes them; NULL where it ends with more,
-   such as the number of an orbit. */
+/* The parameters that a certificate ends with, "... at chi = 1/2, t = 5", as --at takes them; NULL where it ends with
+   more, such as the number of an orbit. */
 static const char *point_of(struct text *out, const char *note) {
   const char *at = note ? strstr(note, ", at ") : NULL;
   text_reset(out);

@@ -49,8 +49,8 @@ static void add_dots(struct plot *p, const struct rows *t, const char *motion, c
       plot_dot(p, class, rows_number(t, i, x), rows_number(t, i, y));
 }
 
-/* The names of the orbit's marks, O_1 a_1 b_1 c_1 d_1 for the first mass; those at one place share a label, which stands
-   below or above the curve. */
+/* The names of the orbit's marks, O_1 a_1 b_1 c_1 d_1 for the first mass; those at one place share a label, which
+   stands below or above the curve. */
 static void add_names(struct plot *p, const struct rows *t, int mass, size_t x, size_t y, const char *below) {
   static const char *const marks[] = {"O", "a", "b", "c", "d"};
   enum { N = sizeof marks / sizeof *marks };

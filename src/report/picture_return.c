@@ -1,4 +1,5 @@
-/* The return map: the whole of it, and close to the orbit with the steps that lead away from the printed start or to it. */
+/* The return map: the whole of it, and close to the orbit with the steps that lead away from the printed start or to
+   it. */
 #include <math.h>
 #include <stdio.h>
 #include <string.h>

@@ -1,5 +1,5 @@
-/* Panels with axes, curves and labels as SVG.  Coordinates are sums, products and quotients of the tables' decimals alone, and
-   so the same on every machine. */
+/* Panels with axes, curves and labels as SVG.  Coordinates are sums, products and quotients of the tables' decimals
+   alone, and so the same on every machine. */
 #include "plot.h"
 
 #include <math.h>

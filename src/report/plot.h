@@ -1,5 +1,5 @@
-/* Pictures from tables: what they are made of.  A picture is an SVG with one panel or more below each other; colours and
-   dashes come from a style sheet, by the class of a curve, so that it can be read in dark mode and in grey. */
+/* Pictures from tables: what they are made of.  A picture is an SVG with one panel or more below each other; colours
+   and dashes come from a style sheet, by the class of a curve, so that it can be read in dark mode and in grey. */
 #ifndef STICKSLIP_REPORT_PLOT_H
 #define STICKSLIP_REPORT_PLOT_H
 
@@ -42,8 +42,8 @@ struct plot {
 
 /* Widens [low, high] to hold x; NaN is passed over. */
 void plot_hold(double *low, double *high, double x);
-/* A panel at `top`: frame, ticks and labels; axis labels in the markup of plot_text.  Then what is drawn is cut off at its
-   frame until plot_free. */
+/* A panel at `top`: frame, ticks and labels; axis labels in the markup of plot_text.  Then what is drawn is cut off at
+   its frame until plot_free. */
 void plot_panel(struct plot *p, double top, double height, const char *x_label, const char *y_label);
 /* From here on nothing is cut off. */
 void plot_free(struct plot *p);

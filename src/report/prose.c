@@ -1,5 +1,6 @@
-/* Names and numbers in plain sentences as a book sets them: z_10 with a lowered index, chi as the Greek letter, 1e-9 as a
-   power of ten, s^2 and 2^-52 with a raised exponent, a minus as long as a plus.  What stands between quotation marks is meant to be copied and stays as it is. */
+/* Names and numbers in plain sentences as a book sets them: z_10 with a lowered index, chi as the Greek letter, 1e-9 as
+   a power of ten, s^2 and 2^-52 with a raised exponent, a minus as long as a plus.  What stands between quotation marks
+   is meant to be copied and stays as it is. */
 #include <string.h>
 
 #include "base/tex.h"
@@ -114,7 +115,8 @@ static size_t add_exponent(struct text *out, const char *all, size_t i, size_t l
   return end;
 }
 
-/* A minus, as a sign before a number or between two blanks after a name or number; a product of what stands beside it. */
+/* A minus, as a sign before a number or between two blanks after a name or number; a product of what stands beside
+   it. */
 static const char *operator_at(const char *all, size_t i, size_t len) {
   char before = i ? all[i - 1] : ' ', after = i + 1 < len ? all[i + 1] : ' ';
   if (all[i] == '*')

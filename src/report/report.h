@@ -1,8 +1,8 @@
-/* Reports: pure functions of the result record, which evaluate nothing and know neither formulas nor numbers but as text.
-   In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, errata.c, csv.c, junit.c, dot.c;
-   page.c with its sections, page_*.c, for index.html; picture*.c for the SVG files) stands on what they share: questions to
-   the record (finding.h, graph.h), formulas (formula.h), text as each format shows it (escape.h, html.h, sheet.h), and JSON by
-   one table for writer and reader (audit_shape.h). */
+/* Reports: pure functions of the result record, which evaluate nothing and know neither formulas nor numbers but as
+   text. In src/report a writer for each file that a run leaves (audit_json.c, audit_markdown.c, errata.c, csv.c,
+   junit.c, dot.c; page.c with its sections, page_*.c, for index.html; picture*.c for the SVG files) stands on what they
+   share: questions to the record (finding.h, graph.h), formulas (formula.h), text as each format shows it (escape.h,
+   html.h, sheet.h), and JSON by one table for writer and reader (audit_shape.h). */
 #ifndef STICKSLIP_REPORT_REPORT_H
 #define STICKSLIP_REPORT_REPORT_H
 
@@ -29,8 +29,8 @@ void report_errata(struct text *out, const struct audit_result *r);
 void report_errata_tex(struct text *out, const struct audit_result *r);
 /* The page index.html: one file, HTML and well-formed XML, that shows all of the record; formulas as MathML. */
 void report_html(struct text *out, const struct audit_result *r);
-/* The pictures drawn from the record's tables: how many there are, the name of one (a file's, without .svg), and the SVG as
-   a document of its own; false, and nothing added, where its table is missing. */
+/* The pictures drawn from the record's tables: how many there are, the name of one (a file's, without .svg), and the
+   SVG as a document of its own; false, and nothing added, where its table is missing. */
 int report_pictures(void);
 const char *report_picture_id(int i);
 bool report_picture(struct text *out, const struct audit_result *r, int i);

@@ -1,5 +1,5 @@
-/* Text with formulas in it, for Markdown and for LaTeX.  What a report quotes was written by others: a bar must not end a
-   table's cell, an underscore must not begin italics, and a percent sign must not hide the rest of a line. */
+/* Text with formulas in it, for Markdown and for LaTeX.  What a report quotes was written by others: a bar must not end
+   a table's cell, an underscore must not begin italics, and a percent sign must not hide the rest of a line. */
 #include <string.h>
 
 #include "escape.h"

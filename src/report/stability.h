@@ -8,7 +8,8 @@
 void report_stability_json(struct text *out, const struct stability_result *r);
 /* The worst first; maps: whether the pictures of the maps are there. */
 void report_stability_markdown(struct text *out, const struct stability_result *r, bool maps);
-/* A row for each formula and region.  "by the formula" is the excess of stability.h: it counts on where all digits are lost. */
+/* A row for each formula and region.  "by the formula" is the excess of stability.h: it counts on where all digits are
+   lost. */
 void report_stability_tsv(struct text *out, const struct stability_result *r);
 /* For a terminal: the worst formulas, counts, the confusion matrix. */
 void report_stability_text(struct text *out, const struct stability_result *r);

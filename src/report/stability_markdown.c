@@ -1,5 +1,5 @@
-/* Where digits are lost, for people: the worst formulas, their replacements, the nodes, the failures, and how well the rule
-   that explains the loss predicts it. */
+/* Where digits are lost, for people: the worst formulas, their replacements, the nodes, the failures, and how well the
+   rule that explains the loss predicts it. */
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>

@@ -1,4 +1,5 @@
-/* Where digits are lost, as tables: each row of the ledger as tab-separated fields, and the worst formulas for a terminal. */
+/* Where digits are lost, as tables: each row of the ledger as tab-separated fields, and the worst formulas for a
+   terminal. */
 #include <math.h>
 #include <stdlib.h>
 

@@ -1,5 +1,6 @@
-/* What the writers of the study of digits share: digits as text, the order of the ledger, a cause in words, counts.  Digits are
-   rounded to tenths: the library's sines and cosines may differ in their last bit from one machine to the next. */
+/* What the writers of the study of digits share: digits as text, the order of the ledger, a cause in words, counts.
+   Digits are rounded to tenths: the library's sines and cosines may differ in their last bit from one machine to the
+   next. */
 #include "stability_words.h"
 
 #include <math.h>

@@ -17,8 +17,8 @@ const char *stability_lost(char buffer[80], const struct stability_row *row);
 /* Digits that the other layer's form keeps where the formula loses them; NaN without one. */
 double stability_gained(const struct stability_row *row);
 
-/* The order of pointers to rows in the ledger, for qsort: losses of the formula's own, the largest first, those of more than
-   all digits by how much more; equal ones as they come. */
+/* The order of pointers to rows in the ledger, for qsort: losses of the formula's own, the largest first, those of more
+   than all digits by how much more; equal ones as they come. */
 int stability_by_loss(const void *a, const void *b);
 /* One row a formula: its worst, in that order.  An array to be freed. */
 const struct stability_row **stability_ledger(int *n, const struct stability_result *r);

@@ -28,13 +28,14 @@ struct jacobian_request {
   slong digits;
 };
 
-/* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them; the radius of a ball
-   is the accuracy that the method states (differences: an estimate).  METHOD_ANALYTIC: the paper's J_f J_c J_b J_a; at
-   printed numbers its states are those at the printed times.  The other methods start at the printed state and locate the
-   events.  METHOD_FD_DOUBLE works in double precision, METHOD_ODE integrates (1)-(2); they give the digits they have,
-   about eleven and eight, whatever is asked for, and their accuracy holds what rounding the inputs to doubles does.  det is exactly 0 wherever the method proves or confirms it (all that
-   precedes t_a is a map to one number).  A scene that does not give e1 and e2 has those of its orbit, at printed numbers
-   the printed ones.  false with d set on failure. */
+/* j (4 balls, row-major), trace and det, good for the digits asked for where the method reaches them; the radius of a
+   ball is the accuracy that the method states (differences: an estimate).  METHOD_ANALYTIC: the paper's J_f J_c J_b
+   J_a; at printed numbers its states are those at the printed times.  The other methods start at the printed state and
+   locate the events.  METHOD_FD_DOUBLE works in double precision, METHOD_ODE integrates (1)-(2); they give the digits
+   they have, about eleven and eight, whatever is asked for, and their accuracy holds what rounding the inputs to
+   doubles does.  det is exactly 0 wherever the method proves or confirms it (all that precedes t_a is a map to one
+   number).  A scene that does not give e1 and e2 has those of its orbit, at printed numbers the printed ones.  false
+   with d set on failure. */
 bool audit_jacobian(arb_ptr j, arb_t trace, arb_t det, const struct model *m, const struct scene *s,
                     const struct jacobian_request *q, struct diag *d);
 /* trace and det of a 2x2 matrix of balls, det as above. */
@@ -64,8 +65,8 @@ struct jacobian_phases {
 };
 void jacobian_phases_init(struct jacobian_phases *p);
 void jacobian_phases_clear(struct jacobian_phases *p);
-/* method and layer of the request are not looked at.  At printed numbers the paper's formulas stand at other states than
-   the methods that locate events (see audit_jacobian). */
+/* method and layer of the request are not looked at.  At printed numbers the paper's formulas stand at other states
+   than the methods that locate events (see audit_jacobian). */
 bool audit_phases(struct jacobian_phases *out, const struct model *m, const struct scene *s,
                   const struct jacobian_request *q, struct diag *d);
 

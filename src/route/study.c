@@ -1,9 +1,9 @@
 /* Routes held against each other, quantity by quantity.
 
    The points are fixed: random ones from one seed, orbits of parameters drawn likewise with V and eta different from 1,
-   and the scene's own orbits.  At each, every route of the table that applies is asked for the whole quantity, and every
-   two answers are compared, entry by entry, relative to max(1, the largest entry).  A route that applies and gives no
-   answer disagrees with all the others. */
+   and the scene's own orbits.  At each, every route of the table that applies is asked for the whole quantity, and
+   every two answers are compared, entry by entry, relative to max(1, the largest entry).  A route that applies and
+   gives no answer disagrees with all the others. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -364,8 +364,8 @@ static int stated_digits(enum route_row a, enum route_row b) {
   return route_table[a].digits < route_table[b].digits ? route_table[a].digits : route_table[b].digits;
 }
 
-/* Within the stated accuracy, or within the estimates (log2 of the larger) where these are larger, but at most half of the
-   digits may be given away so. */
+/* Within the stated accuracy, or within the estimates (log2 of the larger) where these are larger, but at most half of
+   the digits may be given away so. */
 static bool keeps(enum route_row a, enum route_row b, struct gap gap, double estimate) {
   double bits = stated_digits(a, b) * log2(10), allowed = fmin(1 + estimate - gap.scale, -bits / 2);
   return gap.off <= fmax(-bits, allowed);

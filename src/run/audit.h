@@ -7,13 +7,13 @@
 #include "record/result.h"
 #include "scene/scene.h"
 
-/* Whether each item that the scene asks for selects some claim and names some quantity; false with d set, at the place in
-   the scene's file or option. */
+/* Whether each item that the scene asks for selects some claim and names some quantity; false with d set, at the place
+   in the scene's file or option. */
 bool scene_check_asked(const struct scene *s, const struct claims *c, const struct model *m, struct diag *d);
 
 /* What pieces of an audit were measured to cost, by a table of tab-separated rows "what, name, units, milliseconds"
-   (verify/costs.tsv, made by "stickslip bench --job costs").  It decides which piece comes first and how long the rest may
-   take, and nothing else. */
+   (verify/costs.tsv, made by "stickslip bench --job costs").  It decides which piece comes first and how long the rest
+   may take, and nothing else. */
 struct cost {
   char what[16], name[48]; /* claim eq-27; control ctl-...; consequence eq-40; study routes */
   double units, ms;
@@ -42,10 +42,10 @@ struct audit_options {
   double (*seconds_now)(void); /* seconds, for what run.json says of the pieces; or NULL */
 };
 
-/* Judges the claims that are selected (by --only and, where the scene asks for some, by the scene: those that both name),
-   then the controls that stand beside them; the same bytes for any number of jobs.  A scene's budget is for each claim and
-   each control: what runs out of it is unknown.  false with d set when the claim files or the equation files are at
-   fault. */
+/* Judges the claims that are selected (by --only and, where the scene asks for some, by the scene: those that both
+   name), then the controls that stand beside them; the same bytes for any number of jobs.  A scene's budget is for each
+   claim and each control: what runs out of it is unknown.  false with d set when the claim files or the equation files
+   are at fault. */
 bool audit_run(struct audit_result *out, const struct model *m, const struct claims *claims,
                const struct claims *controls, const struct scene *scene, const struct audit_options *opt,
                struct diag *d);
@@ -53,13 +53,13 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
 void audit_abandon(void);
 
 /* One claim for a reader: the paper's text, the formula as read (LaTeX), where and how it is tried, its verdict and
-   evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and the
-   tape when asked for. */
+   evidence now, both sides in each number type at the scene's parameters changed by at ("chi=1/2,V=2", or NULL), and
+   the tape when asked for. */
 bool audit_explain(struct text *out, const struct model *m, const struct claims *claims, const struct scene *scene,
                    const char *id, const char *at, bool tape, struct diag *d);
 
-/* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be checked
-   without judging: syntax, names, shapes, attributes. */
+/* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be
+   checked without judging: syntax, names, shapes, attributes. */
 bool audit_check_file(const char *path, const char *data, struct diag *d);
 
 #endif

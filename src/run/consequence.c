@@ -1,7 +1,7 @@
 /* What a failed formula does to what is derived from it.  The paper is read twice, corrected throughout and with only
-   the failed equation as printed.  Each result of the claim files is put in full in both readings: the same program means
-   that it cannot change; else both are evaluated in balls, on the scene's orbits and on orbits at random parameters.
-   The claims that reach the corrected text are judged again with the printed one. */
+   the failed equation as printed.  Each result of the claim files is put in full in both readings: the same program
+   means that it cannot change; else both are evaluated in balls, on the scene's orbits and on orbits at random
+   parameters. The claims that reach the corrected text are judged again with the printed one. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -298,8 +298,8 @@ static bool asserts_nothing(const struct claim *c) {
   return !kind || strcmp(kind, "definition") == 0 || strcmp(kind, "report") == 0;
 }
 
-/* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with the
-   printed one; what rests on a notation keeps its own formula, and its verdict. */
+/* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with
+   the printed one; what rests on a notation keeps its own formula, and its verdict. */
 static void judge_downstream(struct consequence *q, struct memory *m, struct failure *f, size_t at) {
   struct judge *j = f->j;
   const char *own = claim_own(f->c);

@@ -1,5 +1,5 @@
-/* From what is asked for back to what must be computed.  Points say which motions a claim is tried on, its kind what else it
-   looks at; the formulas say which matrices; costs are those of the table. */
+/* From what is asked for back to what must be computed.  Points say which motions a claim is tried on, its kind what
+   else it looks at; the formulas say which matrices; costs are those of the table. */
 #include "plan.h"
 
 #include <string.h>
@@ -182,7 +182,8 @@ static bool fails_with(const struct claim *a, const struct claim *b) {
   return strcmp(claim_own(a), claim_own(b)) == 0;
 }
 
-/* The row of the claim, or of another that fails together with it, since a run names the first of those that it judges. */
+/* The row of the claim, or of another that fails together with it, since a run names the first of those that it
+   judges. */
 static const struct cost *consequence_cost(const struct planner *pl, const struct claim *c) {
   const struct claims *all = pl->judge.claims;
   for (size_t i = 0; i < all->n; i++) {
@@ -196,8 +197,8 @@ static bool fails_on_record(const struct planner *pl, const struct claim *c) {
   return c && !is_left_out(pl, c) && verdict_fails(claim_recorded(c, pl->judge.scene));
 }
 
-/* What fails is not known before it is judged; what fails on record is expected to, and costs what it did: a failure without
-   a correction, which has no consequences, has no row either. */
+/* What fails is not known before it is judged; what fails on record is expected to, and costs what it did: a failure
+   without a correction, which has no consequences, has no row either. */
 static void plan_consequences(struct planner *pl, const struct pieces *first) {
   for (size_t i = 0; i < first->n; i++) {
     const struct claim *c = first->item[i].claim;

@@ -11,10 +11,10 @@ struct plan_list {
   int n;
 };
 
-/* One claim.  routes: those by which it is tried, the decisive one first; none where the kind has its own.  parts: what it
-   may need of work.h's parts, but for precisions: phases, orbits, simulations, proofs.  matrices: those of the model's
-   matrices that its formulas reach under the paper's names.  Precision rises from first_bits only while a verdict is
-   undecided; 0: nothing is tried in balls. */
+/* One claim.  routes: those by which it is tried, the decisive one first; none where the kind has its own.  parts: what
+   it may need of work.h's parts, but for precisions: phases, orbits, simulations, proofs.  matrices: those of the
+   model's matrices that its formulas reach under the paper's names.  Precision rises from first_bits only while a
+   verdict is undecided; 0: nothing is tried in balls. */
 struct planned_claim {
   const char *id, *kind, *points;
   struct plan_list routes, parts, matrices, controls;

@@ -1,6 +1,6 @@
-/* The run: what is asked for becomes pieces, pieces become parts of the result.  First the claims and the studies, which
-   need nothing of each other; then, since they speak of verdicts, the consequences of failures and the controls.  Parts are put
-   together in the order of the report, so that the result is the same whoever did them. */
+/* The run: what is asked for becomes pieces, pieces become parts of the result.  First the claims and the studies,
+   which need nothing of each other; then, since they speak of verdicts, the consequences of failures and the controls.
+   Parts are put together in the order of the report, so that the result is the same whoever did them. */
 #include "run.h"
 
 #include <stdlib.h>
@@ -343,8 +343,8 @@ static void add_raises(struct audit_result *out, const struct work_raises *r) {
   }
 }
 
-/* What the claims see of a box of parameters: no parameters and no printed numbers, so that each says that it is about one
-   set of them, or does with random points. */
+/* What the claims see of a box of parameters: no parameters and no printed numbers, so that each says that it is about
+   one set of them, or does with random points. */
 static struct scene without_data(const struct scene *s) {
   struct scene bare = *s;
   for (int k = 0; k < N_KEYS; k++) bare.given[k] = false;

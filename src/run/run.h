@@ -46,8 +46,8 @@ bool pieces_controls(struct pieces *p, const struct claims *claims, const struct
 void pieces_clear(struct pieces *p);
 /* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
 bool value_is_named(const struct model *m, const char *name);
-/* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where they
-   are more than an audit.json may hold. */
+/* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where
+   they are more than an audit.json may hold. */
 bool values_asked(struct judge *j);
 /* What the piece is expected to take, in milliseconds. */
 double piece_cost(const struct piece *p, const struct costs *costs);

@@ -1,5 +1,5 @@
-/* The ledger of what was not done: claims, controls and studies by the pieces that were made, routes by the evidence, the
-   rest by what the work has touched. */
+/* The ledger of what was not done: claims, controls and studies by the pieces that were made, routes by the evidence,
+   the rest by what the work has touched. */
 #include "skipped.h"
 
 #include <string.h>

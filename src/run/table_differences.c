@@ -1,5 +1,5 @@
-/* The error of tr J by central differences of the return map, against their step: with 53 bits it falls as the square of the
-   step until rounding takes over, and rises again; with more bits the turn comes later, or not at all.
+/* The error of tr J by central differences of the return map, against their step: with 53 bits it falls as the square
+   of the step until rounding takes over, and rises again; with more bits the turn comes later, or not at all.
 
    53 bits are those of double precision, but in MPFR, whose roundings are the same on every machine. */
 #include <math.h>

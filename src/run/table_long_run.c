@@ -1,5 +1,5 @@
-/* How far a motion is from a periodic orbit, period by period: what lies beside an orbit by 1/1000, carried by the return map
-   in balls, and what Coulomb's law makes of the printed start, by closed forms in MPFR. */
+/* How far a motion is from a periodic orbit, period by period: what lies beside an orbit by 1/1000, carried by the
+   return map in balls, and what Coulomb's law makes of the printed start, by closed forms in MPFR. */
 #include <math.h>
 
 #include "motion/coulomb.h"

@@ -1,8 +1,8 @@
 /* Motions of one period, sampled: the paper's figures 3 and 4, and how far the conditions of an orbit are from failing.
 
-   Two motions are held side by side: the orbit nearest to the printed numbers, and what the printed start itself leads to,
-   its decimals taken exactly and its events located.  A phase is sampled at equal times, its ends included; the marks O, a,
-   b, c, d are the figures' names of those ends. */
+   Two motions are held side by side: the orbit nearest to the printed numbers, and what the printed start itself leads
+   to, its decimals taken exactly and its events located.  A phase is sampled at equal times, its ends included; the
+   marks O, a, b, c, d are the figures' names of those ends. */
 #include <math.h>
 
 #include "tables.h"

@@ -1,9 +1,9 @@
-/* The one-dimensional return map r -> r' of the word (r = z_2 - z_1 at the end of the global stick phase), as a table: the
-   whole map about its fixed points, the same closer to the orbit, the fixed points with their slopes, and the iterates of a
-   start.
+/* The one-dimensional return map r -> r' of the word (r = z_2 - z_1 at the end of the global stick phase), as a table:
+   the whole map about its fixed points, the same closer to the orbit, the fixed points with their slopes, and the
+   iterates of a start.
 
-   Events are found in double precision and r' is then enclosed near them, so that its printed digits are known.  A piece of
-   the map ends where an event jumps to another root. */
+   Events are found in double precision and r' is then enclosed near them, so that its printed digits are known.  A
+   piece of the map ends where an event jumps to another root. */
 #include <math.h>
 
 #include "motion/return_map.h"
@@ -54,8 +54,8 @@ static void add_row(struct return_table *t, const char *curve, long piece) {
   text_add_char(&t->body, '\n');
 }
 
-/* An event has moved further than it can from one r of the grid to the next unless it has become another one: a good part
-   of the shortest half period. */
+/* An event has moved further than it can from one r of the grid to the next unless it has become another one: a good
+   part of the shortest half period. */
 static bool jumped(const struct return_table *t, const double before[N_PHASES]) {
   double most = 0.5 / sqrt(1 + t->params[P_CHI] * t->params[P_ETA]);
   return fabs(t->t[PHASE_H] - before[PHASE_H]) > most || fabs(t->t[PHASE_GAMMA] - before[PHASE_GAMMA]) > most;

@@ -26,7 +26,8 @@ void table_number(struct text *out, const arb_t x, int decimals);
 void table_finish(struct table_source *s, const char *name, const struct text *body);
 
 /* From what dyn_return_near returned at r to the next period: r becomes its middle, so that enclosures do not grow by
-   themselves, and error, how far that may be from the true iterate, by little more than the slope; false once that could be seen. */
+   themselves, and error, how far that may be from the true iterate, by little more than the slope; false once that
+   could be seen. */
 bool table_go_on(arb_t r, mag_t error, const struct num_vec *returned);
 
 /* figure-3.tsv, figure-4.tsv, margins.tsv: along the orbit, and from the printed start. */

@@ -1,5 +1,5 @@
-/* The parent maps the pages, has a crew made, and takes tasks itself from the same queue; what the crew leaves open is done by
-   the parent in the end. */
+/* The parent maps the pages, has a crew made, and takes tasks itself from the same queue; what the crew leaves open is
+   done by the parent in the end. */
 #define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
 #include "tasks.h"
 
@@ -13,8 +13,8 @@
 #include "base/arena.h"
 #include "base/crew.h"
 
-/* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the paper
-   says a few million. */
+/* A process has ROOM bytes for what its tasks say, of which only those written to take memory; a whole audit of the
+   paper says a few million. */
 enum { ROOM = 32 << 20, EXIT_INTERNAL = 5, TELL_EVERY = 100 }; /* milliseconds */
 
 struct team {

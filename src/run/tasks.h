@@ -1,9 +1,9 @@
 /* Pieces of an audit, done in any order by any number of processes, each into a result of its own.
 
-   The processes are forked and write into pages that they share with their parent at the same addresses, so that whatever
-   a task has put into its arena is at hand afterwards, pointers and all.  A task may point to constants and to what was there
-   before tasks_run, but to nothing else outside its arena.  What a process leaves undone, because it ended early, could not
-   be made or had no room, the parent does itself. */
+   The processes are forked and write into pages that they share with their parent at the same addresses, so that
+   whatever a task has put into its arena is at hand afterwards, pointers and all.  A task may point to constants and to
+   what was there before tasks_run, but to nothing else outside its arena.  What a process leaves undone, because it
+   ended early, could not be made or had no room, the parent does itself. */
 #ifndef STICKSLIP_AUDIT_TASKS_H
 #define STICKSLIP_AUDIT_TASKS_H
 

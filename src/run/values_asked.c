@@ -1,5 +1,6 @@
-/* Values that a scene asks for: numbers of its orbits, and the paper's corrected formulas in balls, at the parameters where
-   these are enough, else at each of the scene's orbits; the precision doubles until every digit asked for is certain. */
+/* Values that a scene asks for: numbers of its orbits, and the paper's corrected formulas in balls, at the parameters
+   where these are enough, else at each of the scene's orbits; the precision doubles until every digit asked for is
+   certain. */
 #include <math.h>
 #include <stddef.h>
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* What a scene asks: lists are cut at commas and checked as far as a scene alone can be; claims and quantities are looked up
-   when the files that hold them are there. */
+/* What a scene asks: lists are cut at commas and checked as far as a scene alone can be; claims and quantities are
+   looked up when the files that hold them are there. */
 #include <stdlib.h>
 #include <string.h>
 

@@ -1,5 +1,5 @@
-/* One number for what is audited.  Formulas count as they are read, so that comments and blanks do not; the hash is for telling
-   what stands beside each other by honest mistake, not for defence. */
+/* One number for what is audited.  Formulas count as they are read, so that comments and blanks do not; the hash is for
+   telling what stands beside each other by honest mistake, not for defence. */
 #include "base/random.h"
 
 #include "fingerprint.h"

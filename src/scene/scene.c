@@ -233,7 +233,8 @@ static void say_missing(struct reader *r, const char *name) {
       r->s->path, name);
 }
 
-/* A third of the six: the last one in the file, or the one that an override adds, which also could take another away. */
+/* A third of the six: the last one in the file, or the one that an override adds, which also could take another
+   away. */
 static void say_third(struct reader *r) {
   int last = -1, added = -1;
   struct text others;
@@ -508,8 +509,8 @@ static void trim(const char *text, struct span *w) {
   while (w->end > w->begin && scene_blank(text[w->end - 1])) w->end--;
 }
 
-/* NAME=VALUE with a known name that no other override of the list bears.  Only printed may come again: each gives a number
-   beside the file's, and an empty one takes away the file's alone, wherever it stands among them. */
+/* NAME=VALUE with a known name that no other override of the list bears.  Only printed may come again: each gives a
+   number beside the file's, and an empty one takes away the file's alone, wherever it stands among them. */
 static bool split_override(struct reader *r, struct override *o, const char *item, const char *option) {
   struct source src;
   source_from_string(&src, option, item);

@@ -9,20 +9,22 @@
      printed: t_a = 0.6784
      ask: matrices, section stability
 
-   A scene gives chi, eta, V and any two of e1, e2, t_a, t_b, t_c, t_d; u_r1 and u_r2 if it likes.  Parameters are constant
-   expressions (decimals, + - * / ^, parentheses, the exact root of a square, sqrt(4/9)), kept exact; they may use the scene's
-   other parameters, e2 = e1/3, in any order but not in a circle.  Domain: 0 < chi < 1, all others positive but t_a, which
-   has any sign; u_r1 and u_r2 exceed e1 and e2 where these are given.  A printed line gives a decimal to be tested.
+   A scene gives chi, eta, V and any two of e1, e2, t_a, t_b, t_c, t_d; u_r1 and u_r2 if it likes.  Parameters are
+   constant expressions (decimals, + - * / ^, parentheses, the exact root of a square, sqrt(4/9)), kept exact; they may
+   use the scene's other parameters, e2 = e1/3, in any order but not in a circle.  Domain: 0 < chi < 1, all others
+   positive but t_a, which has any sign; u_r1 and u_r2 exceed e1 and e2 where these are given.  A printed line gives a
+   decimal to be tested.
 
-   It may name a sequence of phases in place of the paper's (explore/words.h), word: D Gamma H Gamma; then it gives e1 and e2, or
-   for the word Gamma H C, which is the paper's with a phase D of no length, t_a = 0 and one other of the six.
+   It may name a sequence of phases in place of the paper's (explore/words.h), word: D Gamma H Gamma; then it gives e1
+   and e2, or for the word Gamma H C, which is the paper's with a phase D of no length, t_a = 0 and one other of the
+   six.
 
    A scene that gives chi, eta, V, e1 and e2 may give any of them as an interval, e2 = [1.7, 1.9]: then it is a box of
    parameters, and what is said holds for each point of it.
 
    Limits: a file of 1 MiB; a value of MAX_VALUE_BITS bits (60000 digits); in
-   all parameters together MAX_VALUE_DEPTH operations on the way to any number and MAX_VALUE_WORK bits of results; exponents
-   as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
+   all parameters together MAX_VALUE_DEPTH operations on the way to any number and MAX_VALUE_WORK bits of results;
+   exponents as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
 #ifndef STICKSLIP_SCENE_SCENE_H
 #define STICKSLIP_SCENE_SCENE_H
 
@@ -45,15 +47,15 @@ enum scene_takes {
 };
 extern const char *const scene_takes_text[TAKES_BUDGET + 1];
 
-/* What a key of a scene is used by: of the commands that take a scene, those whose answer it can change, and those that refuse a
-   scene with it.  Times stand in place of e1 or e2, without which parameters are not exact; jacobian has use for the friction in
-   words with a mass faster than the belt. */
+/* What a key of a scene is used by: of the commands that take a scene, those whose answer it can change, and those that
+   refuse a scene with it.  Times stand in place of e1 or e2, without which parameters are not exact; jacobian has use
+   for the friction in words with a mass faster than the belt. */
 #define SCENE_TIMES    "verify, orbit, jacobian, simulate, readings, plot; refused by bifurcate, words, sweep"
 #define SCENE_FRICTION "verify, orbit, jacobian, simulate, bifurcate, words, sweep, plot"
 
-/* Every key of a scene: KEY_..., its name, what it takes, what it means, and what it is used by.  The reader, its messages,
-   stickslip list --scene-keys and the tests of stickslip-scene(5) and of every command with every key are made from this
-   table.  Parameters stand first: they are written "NAME = value", the others "NAME: value". */
+/* Every key of a scene: KEY_..., its name, what it takes, what it means, and what it is used by.  The reader, its
+   messages, stickslip list --scene-keys and the tests of stickslip-scene(5) and of every command with every key are
+   made from this table.  Parameters stand first: they are written "NAME = value", the others "NAME: value". */
 #define SCENE_KEYS(K)                                                                                                  \
   K(CHI, "chi", TAKES_INTERVAL, "the paper's stiffness chi, above 0 and below 1", "every command")                     \
   K(ETA, "eta", TAKES_INTERVAL, "the paper's mass eta, positive", "every command")                                     \
@@ -128,9 +130,9 @@ struct scene_asked {
   unsigned long long budget; /* of work for each claim, in units that no machine changes; 0: none */
 };
 
-/* What stands in place of lines of a scene's file, or beside them: texts NAME=VALUE, VALUE as after "NAME =" or "NAME:"; an
-   empty VALUE takes the line away.  printed may come more than once; empty, it takes away the file's printed lines, and in
-   whatever order they stand, none of the overrides' own. */
+/* What stands in place of lines of a scene's file, or beside them: texts NAME=VALUE, VALUE as after "NAME =" or
+   "NAME:"; an empty VALUE takes the line away.  printed may come more than once; empty, it takes away the file's
+   printed lines, and in whatever order they stand, none of the overrides' own. */
 struct scene_overrides {
   const char *const *item;
   int n;
@@ -158,7 +160,8 @@ struct scene {
 };
 
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes.  Bytes of the file's name that
-   cannot be shown become "?" in the scene's.  o may be NULL; any: intervals and other words than the paper's are welcome. */
+   cannot be shown become "?" in the scene's.  o may be NULL; any: intervals and other words than the paper's are
+   welcome. */
 bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
                      struct diag *d);
 /* The same from a text of at most MAX_SCENE_FILE bytes, which stands in no file; name is what it is called. */
@@ -167,8 +170,8 @@ bool scene_load_text(struct scene *s, const char *name, const char *text, const 
 /* The same without overrides, and without or with intervals and other words. */
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
 bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d);
-/* The names of the scenes in the data folder, in alphabetical order, in an array to be freed and an arena; NULL with d set when
-   there are none. */
+/* The names of the scenes in the data folder, in alphabetical order, in an array to be freed and an arena; NULL with d
+   set when there are none. */
 struct arena;
 char **scene_names(size_t *n, const char *data, struct arena *a, struct diag *d);
 /* The folder for the reports of such a scene, to be freed. */
@@ -179,7 +182,8 @@ bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
 /* false, with the message for those who cannot take a box, when it is one. */
 bool scene_one_point(const struct scene *s, struct diag *d);
-/* Is it the paper's solution II, t_a = 0 with the word Gamma-H-C?  It is solved as D-Gamma-H-C and counts as no other word. */
+/* Is it the paper's solution II, t_a = 0 with the word Gamma-H-C?  It is solved as D-Gamma-H-C and counts as no other
+                                                                    word. */
 bool scene_solution_ii(const struct scene *s);
 /* Does the scene name another word than the paper's? */
 bool scene_other_word(const struct scene *s);

@@ -5,8 +5,8 @@
 #include "expr/expr.h"
 #include "scene.h"
 
-/* A constant expression under evaluation.  symbol gives the value of a name, or reports why it has none; NULL where names
-   have no place.  depth and work are shared by expressions that refer to each other. */
+/* A constant expression under evaluation.  symbol gives the value of a name, or reports why it has none; NULL where
+   names have no place.  depth and work are shared by expressions that refer to each other. */
 struct constant {
   const struct source *src;
   struct diag *d;

@@ -1,9 +1,10 @@
 /* The rule that says why digits are lost.
 
-   A node v of the tape that is rounded once moves the result f by |v df/dv / f| units: the adjoint df/dv comes from one pass
-   from the result down, in balls.  The sum over the nodes (as if roundings were independent) is the predicted error; it
-   knows the true values alone, and nothing of what double precision did.  The cause is read off the way from the node whose
-   rounding matters most up to the result: where the relative error grows most on it, there the digits go. */
+   A node v of the tape that is rounded once moves the result f by |v df/dv / f| units: the adjoint df/dv comes from one
+   pass from the result down, in balls.  The sum over the nodes (as if roundings were independent) is the predicted
+   error; it knows the true values alone, and nothing of what double precision did.  The cause is read off the way from
+   the node whose rounding matters most up to the result: where the relative error grows most on it, there the digits
+   go. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -135,8 +136,8 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
 
 /* --- The adjoint --- */
 
-/* log2 of what rounding the true value of a node once changes in it, relative to it and in units of 2^-53: -inf where it is
-   a double. */
+/* log2 of what rounding the true value of a node once changes in it, relative to it and in units of 2^-53: -inf where
+   it is a double. */
 static double rounding(arb_srcptr v) {
   double nearest = arf_get_d(arb_midref(v), ARF_RND_NEAR);
   if (!isfinite(nearest)) return 0;
@@ -241,7 +242,8 @@ double digits_amplification(struct digits_bench *w, slong which) {
   return sum - digits_log2(value(w, w->f->out[which]));
 }
 
-/* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of it. */
+/* Rounded to a double, the true values of its operands or of itself are zero, and so is whatever is a multiple of
+   it. */
 static bool becomes_zero(const struct digits_bench *w, const bool *zero, slong i) {
   const struct tape_instr *in = &w->f->tape.code[i];
   if (digits_log2(value(w, i)) < LEAST_NUMBER) return true;

@@ -1,7 +1,7 @@
-/* The program's own functions of dynamics.h, studied like the paper's formulas: the same code over balls is the truth, since
-   what it returns there encloses the exact result; of the return map, which is in double alone, the arc in balls between events
-   that are found and proved to be first there.  They are no tapes: condition numbers are differences in balls at a high
-   precision, and no node is named.  An error status is an answer, a wrong value is not. */
+/* The program's own functions of dynamics.h, studied like the paper's formulas: the same code over balls is the truth,
+   since what it returns there encloses the exact result; of the return map, which is in double alone, the arc in balls
+   between events that are found and proved to be first there.  They are no tapes: condition numbers are differences in
+   balls at a high precision, and no node is named.  An error status is an answer, a wrong value is not. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

@@ -7,8 +7,8 @@
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
 enum { TRUTH_BITS = 64, TRUTH_FIRST = 128, TRUTH_LAST = 4096 };
 
-/* log2 of a condition number below which second derivatives so large that 2^-53 of an input is not small are not to be feared
-   where the first vanish, as at the crests of a fast oscillation. */
+/* log2 of a condition number below which second derivatives so large that 2^-53 of an input is not small are not to be
+   feared where the first vanish, as at the crests of a fast oscillation. */
 static const double NOT_STEADY = 10;
 
 static slong n_nodes(const struct digits_formula *f) {
@@ -68,8 +68,8 @@ static void run(struct num_vec *out, int *flags, const struct digits_formula *f,
   for (slong k = 0; k < f->n; k++) flags[k] = status;
 }
 
-/* The true values of all nodes at the working precision.  DIGITS_LOST: the entries are known well enough; *size is log2 of
-   the largest. */
+/* The true values of all nodes at the working precision.  DIGITS_LOST: the entries are known well enough; *size is log2
+   of the largest. */
 static enum digits_kind truth_at(double *size, struct digits_bench *w) {
   const struct digits_formula *f = w->f;
   w->b.ctx.prec = w->bx.ctx.prec = w->adjoint.ctx.prec = w->prec;
@@ -145,8 +145,8 @@ static void set_inputs(struct digits_bench *w, const double *x) {
   }
 }
 
-/* log2 of the sum over the inputs of what a change by 2^-53 of one, up or down, does to the result, in units of 2^-53 of
-   2^size: where a change that small is not small, the derivative does not tell. */
+/* log2 of the sum over the inputs of what a change by 2^-53 of one, up or down, does to the result, in units of 2^-53
+   of 2^size: where a change that small is not small, the derivative does not tell. */
 static double moved(const struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
   struct num_vec x, b;
@@ -232,7 +232,8 @@ struct digits_loss digits_measure(struct digits_bench *w, const double *x, doubl
 
 /* --- Condition numbers from symbolic derivatives --- */
 
-/* log2 of the largest sum over the inputs [from, to), over the size; NaN when not known to a few digits at this precision. */
+/* log2 of the largest sum over the inputs [from, to), over the size; NaN when not known to a few digits at this
+   precision. */
 static double condition_at(struct digits_bench *w, slong from, slong to, slong prec) {
   const struct digits_formula *f = w->f;
   slong n = f->tape.n_inputs;

@@ -1,6 +1,7 @@
 /* How near a formula is to returning no value, from the true values of its nodes, so that a search can climb towards
-   failures instead of meeting them by chance: the largest node against the largest double, the smallest that still matters
-   against the smallest normal one, and for each quotient how many of the 53 bits of its divisor's operands cancel. */
+   failures instead of meeting them by chance: the largest node against the largest double, the smallest that still
+   matters against the smallest normal one, and for each quotient how many of the 53 bits of its divisor's operands
+   cancel. */
 #include <math.h>
 
 #include "stability.h"

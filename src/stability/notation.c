@@ -1,5 +1,5 @@
-/* A node in the paper's notation: subexpressions are printed by the names that the paper gives them, for equal scalars of one
-   elaboration are one pointer. */
+/* A node in the paper's notation: subexpressions are printed by the names that the paper gives them, for equal scalars
+   of one elaboration are one pointer. */
 #include <string.h>
 
 #include "stability.h"

@@ -1,9 +1,9 @@
 /* The extreme regions as a table.  A region takes coordinates in [0, 1) to a point, so that a search in the coordinates
    stays in the region; two coordinates for each input place it near 1 in size, and the region moves what it is about.
 
-   Where a region is the neighbourhood of a zero of an expression (a pole of a formula, a grazing end of a phase, tr J = 1), the
-   zero is looked for along one input by bisection in double precision, and the point is put beside it at a distance from
-   half the input down to its last bit. */
+   Where a region is the neighbourhood of a zero of an expression (a pole of a formula, a grazing end of a phase, tr J =
+   1), the zero is looked for along one input by bisection in double precision, and the point is put beside it at a
+   distance from half the input down to its last bit. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>

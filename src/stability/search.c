@@ -1,7 +1,8 @@
-/* The worst point of a formula in a region: random coordinates, then a climb from the worst of them.  A step of the climb
-   moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses decides.
-   The form of the other layer has a climb of its own, in the same coordinates.  So has each way of returning no value, by how
-   near the nodes are to it; the worst failure is the one at the least extreme inputs, since there it does most harm. */
+/* The worst point of a formula in a region: random coordinates, then a climb from the worst of them.  A step of the
+   climb moves one or two coordinates, anywhere or by any power of two down to their last bits; what the formula loses
+   decides. The form of the other layer has a climb of its own, in the same coordinates.  So has each way of returning
+   no value, by how near the nodes are to it; the worst failure is the one at the least extreme inputs, since there it
+   does most harm. */
 #include <math.h>
 #include <string.h>
 

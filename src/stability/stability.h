@@ -43,8 +43,8 @@ struct digits_formula {
   slong first;                        /* of its results, the first that is an entry */
 };
 
-/* The formulas of one layer: every definition and every side of a statement that computes something, entry by entry, and
-   their matrices.  Formulas that are the same but for the names of their inputs are there once. */
+/* The formulas of one layer: every definition and every side of a statement that computes something, entry by entry,
+   and their matrices.  Formulas that are the same but for the names of their inputs are there once. */
 struct digits_set {
   struct arena arena;
   struct elaboration el;
@@ -61,11 +61,12 @@ void digits_set_clear(struct digits_set *s);
 /* Does the operand select the formula: its id or that of its matrix, one of its other names, its record? */
 bool digits_selected(const struct digits_formula *f, const char *operand);
 const struct digits_formula *digits_find(const struct digits_set *s, const char *id);
-/* A formula that stands in none of them, from its text as it is seen from a section; strings are borrowed.  To be cleared by
-   itself where that succeeds. */
+/* A formula that stands in none of them, from its text as it is seen from a section; strings are borrowed.  To be
+   cleared by itself where that succeeds. */
 bool digits_formula_of(struct digits_formula *f, struct digits_set *s, const char *id, const char *text,
                        const char *section, struct diag *d);
-/* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning there. */
+/* A tape of one scalar of the set's elaboration, as text seen from a section; false when the text has no meaning
+   there. */
 bool digits_tape_of(struct tape *t, struct digits_set *s, const char *text, const char *section);
 
 /* --- One formula (formula.c) --- */
@@ -94,8 +95,8 @@ bool digits_slopes(struct digits_formula *f, struct digits_set *s, struct diag *
 
 /* --- In the paper's notation (notation.c) --- */
 
-/* The node: subexpressions that have a name in the paper by that name (whole: the node itself too), factors 1 and terms 0 of
-   matrix products left out, what is deep as f(what it is made of). */
+/* The node: subexpressions that have a name in the paper by that name (whole: the node itself too), factors 1 and terms
+   0 of matrix products left out, what is deep as f(what it is made of). */
 void digits_print_node(struct text *out, struct digits_set *s, const struct digits_formula *f, slong node, bool whole);
 
 /* --- Where nodes are written (place.c) --- */
@@ -158,23 +159,24 @@ double digits_log2(arb_srcptr x);
 double digits_log2_mag(const mag_t x);
 /* What is lost at x.  Where the excess cannot be more than `floor` digits, nothing but that is computed. */
 struct digits_loss digits_measure(struct digits_bench *w, const double *x, double floor);
-/* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they have no
-   value there. */
+/* log2 of the condition number from the symbolic derivatives, after digits_measure at the same point; NaN where they
+   have no value there. */
 double digits_condition(struct digits_bench *w);
 /* log2 of |x_k f_k| over the size of the values, for input k. */
 double digits_condition_by(struct digits_bench *w, slong k);
 
 /* --- Why (cause.c) --- */
 
-/* What rounding in every node does to entry `which` to first order, from the true values alone: log2 of the error predicted
-   relative to 2^size, in units of 2^-53, and log2 of what the inputs' roundings would do.  Fills w->adjoint. */
+/* What rounding in every node does to entry `which` to first order, from the true values alone: log2 of the error
+   predicted relative to 2^size, in units of 2^-53, and log2 of what the inputs' roundings would do.  Fills
+   w->adjoint. */
 struct digits_effect {
   double predicted, condition;
   bool known; /* to three digits, where the inputs matter at all */
 };
 struct digits_effect digits_adjoint(struct digits_bench *w, slong which, double size);
-/* log2 of what roundings of all nodes at w->prec bits, and the radii of the inputs, do to entry `which`, in units of 2^-prec of
-   its value: how many bits it loses.  Fills w->adjoint. */
+/* log2 of what roundings of all nodes at w->prec bits, and the radii of the inputs, do to entry `which`, in units of
+   2^-prec of its value: how many bits it loses.  Fills w->adjoint. */
 double digits_amplification(struct digits_bench *w, slong which);
 /* Does the rule predict that no value comes out? */
 bool digits_predicts_failure(const struct digits_bench *w);
@@ -193,8 +195,8 @@ bool digits_underflows(struct digits_bench *w, const struct digits_loss *r, doub
 /* --- Nearness to failure (nearness.c) --- */
 
 enum digits_nearness { NEARNESS_OVER, NEARNESS_UNDER, NEARNESS_DIVISOR, N_NEARNESSES };
-/* Of the point measured last: each grows towards a failure of its kind, which comes at about 1; -inf where there is no node
-   that can fail so, and for a function of the program. */
+/* Of the point measured last: each grows towards a failure of its kind, which comes at about 1; -inf where there is no
+   node that can fail so, and for a function of the program. */
 void digits_nearness(double strain[N_NEARNESSES], struct digits_bench *w);
 /* The largest |log2| of an input, of 1 - chi too: how far the point is from ordinary numbers. */
 double digits_extreme(const struct digits_formula *f, const double *x);
@@ -233,8 +235,8 @@ struct digits_found {
   double x[DIGITS_INPUTS], failure_x[DIGITS_INPUTS], after_x[DIGITS_INPUTS];
   int confusion[N_LOSS_BINS][N_LOSS_BINS];
 };
-/* The worst point of a formula in a region; `after` is the same formula in another layer and `rounded` that under rounded(),
-   or both are NULL. */
+/* The worst point of a formula in a region; `after` is the same formula in another layer and `rounded` that under
+   rounded(), or both are NULL. */
 void digits_search(struct digits_found *out, struct digits_formula *f, struct digits_set *s,
                    struct digits_formula *after, struct digits_formula *rounded, int region,
                    struct digits_effort effort);
@@ -247,8 +249,8 @@ double digits_uniform(uint64_t *state);
 struct digits_pair {
   struct digits_formula *corrected, *stable;
 };
-/* Every formula that is another one in the stable layer, a matrix as a whole, by its name; and the stable layer's parts that
-   are proved equal to something of the corrected one. */
+/* Every formula that is another one in the stable layer, a matrix as a whole, by its name; and the stable layer's parts
+   that are proved equal to something of the corrected one. */
 struct digits_pairs {
   struct digits_set corrected, stable;
   struct digits_formula *part; /* of both layers, one after the other */
@@ -273,8 +275,8 @@ void digits_agree(struct digits_agreement *out, struct digits_pairs *p, size_t p
 
 /* --- What replaces a formula (replace.c) --- */
 
-/* The records of the stable layer that make the formula, joined by ", ", of those that have proofs (proof/stable_forms.h); whether all of
-   them are proved. */
+/* The records of the stable layer that make the formula, joined by ", ", of those that have proofs
+   (proof/stable_forms.h); whether all of them are proved. */
 bool digits_replacement(struct text *out, const struct model *m, const struct stable_proofs *p,
                         const struct digits_formula *f);
 

@@ -1,5 +1,5 @@
-/* The study as a whole: the formulas of a layer, each in each region that says something of its inputs, by processes; then
-   what they found in words, and maps of the worst. */
+/* The study as a whole: the formulas of a layer, each in each region that says something of its inputs, by processes;
+   then what they found in words, and maps of the worst. */
 #include <stdlib.h>
 
 #include "base/crew.h"
@@ -141,7 +141,8 @@ static bool hold_pairs(struct digits_study *st, const struct stability_options *
 
 /* --- All --- */
 
-/* Every formula was studied, and a region has seen none of them: what the report says of it would be said of nothing. */
+/* Every formula was studied, and a region has seen none of them: what the report says of it would be said of
+   nothing. */
 static bool check_regions(const struct stability_result *r, struct diag *d) {
   int k = stability_empty_region(r);
   if (k >= 0) diag_set(d, "error: no formula has a value at any point of the region %s", r->region[k].id);

@@ -1,9 +1,9 @@
 /* The orbit from a guess (warm.h), studied like the functions of kernel.c: the truth is the orbit that dyn_orbit_near
    encloses at the same exact parameters.
 
-   A point names chi, eta, V, e_1, e_2 and the guess t_b, t_c.  Forces at random hardly ever have an orbit near a guess at
-   random, so a point of a region is moved to where there is one: t_b and t_c alone leave a quadratic equation for e_1
-   and e_2 (given.h), whose solution, rounded, takes the place of the region's forces. */
+   A point names chi, eta, V, e_1, e_2 and the guess t_b, t_c.  Forces at random hardly ever have an orbit near a guess
+   at random, so a point of a region is moved to where there is one: t_b and t_c alone leave a quadratic equation for
+   e_1 and e_2 (given.h), whose solution, rounded, takes the place of the region's forces. */
 #include <math.h>
 
 #include "motion/given.h"
@@ -42,8 +42,8 @@ static int warm_in_double(struct num_vec *out, const struct num_vec *params, con
   return status;
 }
 
-/* Two orbits can be near one guess: that at which double precision comes to rest is meant, if it does.  Directions of phase C
-   that are to be tried: from *up to the one returned. */
+/* Two orbits can be near one guess: that at which double precision comes to rest is meant, if it does.  Directions of
+   phase C that are to be tried: from *up to the one returned. */
 static int settle(double guess[2], int *up, const fmpq *params) {
   double p[N_PARAMS], y[N_DYN_OUT];
   unsigned violations, unsure;

@@ -1,6 +1,6 @@
-/* One pass over a tape in a field: each instruction makes one element of elements before it.  Sums and products are rewritten
-   by the field's relations at once.  An instruction that has no value, or whose value is too large, leaves none to those that
-   read it; the other outputs are computed all the same. */
+/* One pass over a tape in a field: each instruction makes one element of elements before it.  Sums and products are
+   rewritten by the field's relations at once.  An instruction that has no value, or whose value is too large, leaves
+   none to those that read it; the other outputs are computed all the same. */
 #include <stdlib.h>
 #include <string.h>
 

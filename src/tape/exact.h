@@ -1,18 +1,20 @@
 /* Tapes over rational functions with rational coefficients: to prove that two tapes compute the same.
 
-   A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root of a
-   polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u),
-   cos(-u) = cos(u), cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3, hypot(u, v) = sqrt(u^2 + v^2).  The relations cos^2 = 1 - sin^2, and sqrt(u)^2 = u where u is a polynomial, rewrite
-   the generator with the square (|u|^2 = u^2 likewise) by generators that are older; their leading terms are coprime, so they are a Groebner
-   basis, and a numerator is in their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept
-   rewritten.  Symbols may be defined by facts or by a binder.
+   A field is Q(g1, g2, ...) modulo relations, with a generator for each free symbol, sine, cosine, square root and root
+   of a polynomial, known again when its argument (its coefficients) is equal in the field; sin(-u) = -sin(u), cos(-u) =
+   cos(u), cot = cos/sin, sinc = sin u/u, stumpff = (u - sin u)/u^3, hypot(u, v) = sqrt(u^2 + v^2).  The relations cos^2
+   = 1 - sin^2, and sqrt(u)^2 = u where u is a polynomial, rewrite the generator with the square (|u|^2 = u^2 likewise)
+   by generators that are older; their leading terms are coprime, so they are a Groebner basis, and a numerator is in
+   their ideal exactly when it is rewritten to zero.  Numerators and denominators are kept rewritten.  Symbols may be
+   defined by facts or by a binder.
 
    Equal elements are equal functions wherever both are defined.  Elements that differ are different functions of their
    generators; that says something about the formulas only when these know of no relation but those used
    (exact_independent).
 
    A computation that would hold more than the field's limit of terms (EXACT_TERMS unless set) in a numerator or
-   denominator, or need more than EXACT_GENERATORS generators, is given up: SS_UNABLE.  Elements are those of num_exact. */
+   denominator, or need more than EXACT_GENERATORS generators, is given up: SS_UNABLE.  Elements are those of
+   num_exact. */
 #ifndef STICKSLIP_TAPE_EXACT_H
 #define STICKSLIP_TAPE_EXACT_H
 
@@ -41,16 +43,16 @@ void exact_field_roots(struct exact_field *f, const fmpz_mpoly_q_struct *root, i
 
 /* Elements that are positive wherever the answer is used: the root of the square of one is that element.  Borrowed. */
 void exact_field_positive(struct exact_field *f, const fmpz_mpoly_q_struct *positive, int n);
-/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -8 to 8 and a, b of one group (of
-   consecutive elements, n a multiple of its size), which are different monomials over integers.  Borrowed. */
+/* Angles of which sines and cosines of others are made: x = i a + k b with i and k from -8 to 8 and a, b of one group
+   (of consecutive elements, n a multiple of its size), which are different monomials over integers.  Borrowed. */
 void exact_field_angles(struct exact_field *f, const fmpz_mpoly_q_struct *angle, int n, int group);
 
 /* The generator of a free symbol; the square root of an element; sine and cosine of one. */
 int exact_symbol(fmpz_mpoly_q_struct *z, struct exact_field *f, const char *name);
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x);
 int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_field *f, const fmpz_mpoly_q_struct *x);
-/* Rewrites by the relations what was computed by num_exact.  SS_DOMAIN when the denominator is zero, SS_UNABLE beyond the
-   limit. */
+/* Rewrites by the relations what was computed by num_exact.  SS_DOMAIN when the denominator is zero, SS_UNABLE beyond
+   the limit. */
 int exact_reduce(fmpz_mpoly_q_struct *z, const struct exact_field *f);
 /* The derivative by a free symbol, of which the arguments of sines and cosines may be functions and roots may not. */
 int exact_derivative(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name);
@@ -61,7 +63,8 @@ struct exact_vec {
   slong len;
   fmpz_mpoly_q_struct *x;
 };
-/* SS_OK, SS_DOMAIN (a division by zero) or SS_UNABLE; then the values mean nothing, but must be cleared all the same. */
+/* SS_OK, SS_DOMAIN (a division by zero) or SS_UNABLE; then the values mean nothing, but must be cleared all the
+   same. */
 int exact_eval(struct exact_vec *out, struct exact_field *f, const struct tape *t);
 /* The same with the status of each output (its value means nothing unless SS_OK); returns their union.  Only the wanted
    outputs (NULL: all) are computed, the others are SS_UNABLE. */
@@ -80,8 +83,8 @@ void exact_print_generators(struct text *out, const struct exact_field *f);
    zeros give 1. */
 int exact_ratio_sign(struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y,
                      const char *const *positive, int n_positive);
-/* The sign of a product of a rational number and of powers of some of these elements, which must be positive polynomials;
-   0 when x is not known to be one. */
+/* The sign of a product of a rational number and of powers of some of these elements, which must be positive
+   polynomials; 0 when x is not known to be one. */
 int exact_product_sign(const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *positive, int n);
 bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x);
 bool exact_equal(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *y);
@@ -91,12 +94,12 @@ bool exact_sub(fmpz_mpoly_q_struct *z, const struct exact_field *f, const fmpz_m
 void exact_init(fmpz_mpoly_q_struct *x, const struct exact_field *f);
 void exact_clear(fmpz_mpoly_q_struct *x, const struct exact_field *f);
 
-/* Rational values of the generators, which obey the relations, at which x is defined and not zero, as "chi = 1/2, ...", and
-   x there.  false when none was found among a few hundred. */
+/* Rational values of the generators, which obey the relations, at which x is defined and not zero, as "chi = 1/2, ...",
+   and x there.  false when none was found among a few hundred. */
 bool exact_witness(struct text *out, const struct exact_field *f, const fmpz_mpoly_q_struct *x);
-/* Whether the generators obey no relations but those used, so that elements that differ are different functions of the free
-   symbols: no roots, at most one square root, and that not of a square, and angles whose arguments are distinct monomials
-   (then linearly independent, and so their sines algebraically).  false: it cannot be told. */
+/* Whether the generators obey no relations but those used, so that elements that differ are different functions of the
+   free symbols: no roots, at most one square root, and that not of a square, and angles whose arguments are distinct
+   monomials (then linearly independent, and so their sines algebraically).  false: it cannot be told. */
 bool exact_independent(const struct exact_field *f);
 /* Is x zero where the free symbol has the value (which must be of the form p/q)? */
 bool exact_vanishes_at(const struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name, const fmpq_t value);

@@ -1,7 +1,7 @@
-/* Sines and cosines in a field.  The sine of an angle is a generator, and its cosine another one whose square is 1 - sin^2;
-   the sign of the angle is taken off first, since sin(-u) = -sin(u) and cos(-u) = cos(u).  Where the field was given angles,
-   the sine of a sum of their multiples is made of theirs by the addition theorems, so that sin(2 u) is no new unknown
-   beside sin(u). */
+/* Sines and cosines in a field.  The sine of an angle is a generator, and its cosine another one whose square is 1 -
+   sin^2; the sign of the angle is taken off first, since sin(-u) = -sin(u) and cos(-u) = cos(u).  Where the field was
+   given angles, the sine of a sum of their multiples is made of theirs by the addition theorems, so that sin(2 u) is no
+   new unknown beside sin(u). */
 #include <stdlib.h>
 
 #include "exact_impl.h"
@@ -69,7 +69,8 @@ static int make_sum(fmpz_mpoly_q_struct p[2], struct exact_field *f, int a, int 
   return s;
 }
 
-/* The integer i from -MOST_ANGLES to MOST_ANGLES for which x and i a agree at the one monomial of a; false without one. */
+/* The integer i from -MOST_ANGLES to MOST_ANGLES for which x and i a agree at the one monomial of a; false without
+   one. */
 static bool multiple_at(int *i, const fmpz_mpoly_q_struct *x, const fmpz_mpoly_q_struct *a) {
   enum { MOST_ANGLES = 8 };
   fmpz_t up, down, c;
@@ -170,7 +171,8 @@ int exact_circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op o
   return status;
 }
 
-/* Can the numerator vanish on a whole domain though it is not zero here, as sqrt(4 V) - 2 sqrt(V) or |z| - z do?  Not when
+/* Can the numerator vanish on a whole domain though it is not zero here, as sqrt(4 V) - 2 sqrt(V) or |z| - z do?  Not
+                                                                                                                   when
    the product over all signs of the generators that have squares is no zero.  True also when that grows too large. */
 static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   fmpz_mpoly_q_struct p, conjugate;
@@ -195,7 +197,8 @@ static bool may_vanish(const struct exact_field *f, const fmpz_mpoly_q_struct *x
   return may;
 }
 
-/* sin u/u, or (u - sin u)/u^3: they have values where u is zero, so that u is a divisor only if that is no whole domain. */
+/* sin u/u, or (u - sin u)/u^3: they have values where u is zero, so that u is a divisor only if that is no whole
+   domain. */
 int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x) {
   if (fmpz_mpoly_q_is_zero(x, ring())) {
     fmpz_mpoly_q_set_si(z, 1, ring());

@@ -1,7 +1,7 @@
-/* A field of rational functions modulo relations: its elements, its generators, and the rewriting that keeps elements small.
-   What is not rational (sines, roots) becomes a generator of its own, found again by its argument; the table of generators
-   belongs to the field, so that several tapes share them.  A younger generator stands earlier in the ring's order, so that
-   each relation rewrites its own square. */
+/* A field of rational functions modulo relations: its elements, its generators, and the rewriting that keeps elements
+   small. What is not rational (sines, roots) becomes a generator of its own, found again by its argument; the table of
+   generators belongs to the field, so that several tapes share them.  A younger generator stands earlier in the ring's
+   order, so that each relation rewrites its own square. */
 #include <stdlib.h>
 #include <string.h>
 

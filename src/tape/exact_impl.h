@@ -1,7 +1,9 @@
-/* What the files about exact fields share: the field with its generators, and the operations that rewrite what they make.
+/* What the files about exact fields share: the field with its generators, and the operations that rewrite what they
+   make.
 
-   exact_field.c stands below all others; exact_angle.c and exact_root.c make generators of functions; exact.c runs a tape over
-   them; exact_derivative.c, exact_sign.c and exact_print.c ask elements something.  Status flags are those of exact.h. */
+   exact_field.c stands below all others; exact_angle.c and exact_root.c make generators of functions; exact.c runs a
+   tape over them; exact_derivative.c, exact_sign.c and exact_print.c ask elements something.  Status flags are those of
+   exact.h. */
 #ifndef STICKSLIP_EXACT_IMPL_H
 #define STICKSLIP_EXACT_IMPL_H
 

@@ -1,5 +1,5 @@
-/* Elements in print and at points: written with the names of their symbols; with rational values of the generators at which
-   they are not zero; and whether they are zero where one symbol has a given value. */
+/* Elements in print and at points: written with the names of their symbols; with rational values of the generators at
+   which they are not zero; and whether they are zero where one symbol has a given value. */
 #include <string.h>
 
 #include "exact_impl.h"
@@ -51,7 +51,8 @@ static bool square_root(fmpq_t z, const fmpq_t x) {
   return true;
 }
 
-/* Small rationals, distinct for the generators; sines by half-angle tangents.  false when a root is irrational there. */
+/* Small rationals, distinct for the generators; sines by half-angle tangents.  false when a root is irrational
+   there. */
 static bool draw_values(fmpq *value, const struct exact_field *f, ulong *state) {
   fmpq_t square;
   fmpq_init(square);

@@ -1,4 +1,5 @@
-/* The evaluation keeps the status flags of each instruction, so that an output is blamed only for what it depends on. */
+/* The evaluation keeps the status flags of each instruction, so that an output is blamed only for what it depends
+   on. */
 #include <math.h>
 #include <stdlib.h>
 
@@ -70,7 +71,8 @@ static void run_all(struct num_vec *reg, int *flags, const struct tape *t, const
 
 /* --- What is rounded once --- */
 
-/* By so many bits a ball is narrower than the last place of what it is rounded to; below 2^LEAST_SIZE a double becomes 0. */
+/* By so many bits a ball is narrower than the last place of what it is rounded to; below 2^LEAST_SIZE a double becomes
+   0. */
 enum { GUARD_BITS = 8, LEAST_SIZE = -1100, FIRST_BITS = 128, LAST_BITS = 4096 };
 
 static bool is_tiny(arb_srcptr x) {

@@ -42,7 +42,8 @@ struct tape {
   slong n_links;
   slong *outputs;
   slong n_outputs;
-  /* Of each instruction: the outputs given to tape_build reach it through TAPE_ROUNDED alone.  NULL: there is no TAPE_ROUNDED. */
+  /* Of each instruction: the outputs given to tape_build reach it through TAPE_ROUNDED alone.  NULL: there is no
+     TAPE_ROUNDED. */
   bool *only_under_rounded;
 };
 
@@ -65,10 +66,10 @@ static inline bool tape_shelters(const struct tape *t, slong i) {
 /* Evaluates with the given inputs (n_inputs of them, same context as out).  status, when given, receives the flags of
    each output: those of every operation it depends on.  Returns their union.
 
-   In balls and in exact numbers TAPE_ROUNDED changes nothing.  In double and MPFR it is the value of its operand at exactly the
-   given inputs, found in balls of rising precision and rounded: off by at most 0.51 units in the last place (double: below
-   2^-1100 it is 0); SS_UNABLE when the balls do not tell it to so much at 4096 bits, or at eight times the precision if that is
-   more. */
+   In balls and in exact numbers TAPE_ROUNDED changes nothing.  In double and MPFR it is the value of its operand at
+   exactly the given inputs, found in balls of rising precision and rounded: off by at most 0.51 units in the last place
+   (double: below 2^-1100 it is 0); SS_UNABLE when the balls do not tell it to so much at 4096 bits, or at eight times
+   the precision if that is more. */
 int tape_eval(struct num_vec *out, int *status, const struct tape *t, const struct num_vec *in);
 
 #endif

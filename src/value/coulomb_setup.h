@@ -10,7 +10,8 @@ struct coulomb_setup {
   double trace;      /* tr J of the orbit; NaN at printed numbers */
   bool own_friction; /* some u_r is ours, 5/4 max(e_i, u_ri_min of the orbits in question), not the scene's */
 };
-/* orbit counts from 0, as in struct jacobian_request.  false with d set when there is no such orbit, or no printed start. */
+/* orbit counts from 0, as in struct jacobian_request.  false with d set when there is no such orbit, or no printed
+   start. */
 bool audit_coulomb_setup(struct coulomb_setup *sim, const struct scene *s, slong orbit, bool printed, struct diag *d);
 /* From a start of one's own, "x1,x2,v1,v2" as constant expressions; friction as at printed numbers. */
 bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, const char *start, struct diag *d);

@@ -24,7 +24,8 @@ int expression_value(arb_ptr out, const struct expression *x, const struct point
 int expression_at(arb_ptr out, int *n, struct view v, const char *expression, const char *section,
                   const struct point *p, slong prec, struct orbit_cache *cache, struct diag *d);
 
-/* The outputs of a tape at a point, in the context of out; *known is false where a symbol has no value at such a point. */
+/* The outputs of a tape at a point, in the context of out; *known is false where a symbol has no value at such a
+   point. */
 int tape_at_point(struct num_vec *out, bool *known, const struct tape *t, const struct point *p,
                   struct orbit_cache *cache);
 

@@ -2,8 +2,8 @@
 #include "local_maps.h"
 
 /* What the paper keeps of a phase's derivative.  A local Jacobian of the paper is a corner of the 4x4 derivative of an
-   event-located map: which perturbations go in, and which components come out, from the paper's own sentences around (27),
-   (32), (36) and (40). */
+   event-located map: which perturbations go in, and which components come out, from the paper's own sentences around
+   (27), (32), (36) and (40). */
 
 const struct local_map local_maps[N_PHASES] = {
     /* (27): (x, y) -> y_a */

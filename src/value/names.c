@@ -1,6 +1,6 @@
-/* How the paper's names are built: "z'_1b" is a component of the state Z_b, "dt_a" a change of a time, "x_2''(t)" a motion with
-   its primes and its argument.  Only the words are read here; what they are worth is symbols.c, and over exact algebra
-   proof/exact_motion.c. */
+/* How the paper's names are built: "z'_1b" is a component of the state Z_b, "dt_a" a change of a time, "x_2''(t)" a
+   motion with its primes and its argument.  Only the words are read here; what they are worth is symbols.c, and over
+   exact algebra proof/exact_motion.c. */
 #include "values.h"
 
 #include <string.h>

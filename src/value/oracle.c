@@ -106,9 +106,9 @@ static int eval_k2(struct num_vec *out, struct values *v) {
 
 /* --- The same matrices from Newton's law for the two blocks and their springs --- */
 
-/* Springs and masses with the scene's chi and eta: k_2 = chi, k_1 = 1 - chi (so k_1 + k_2 = 1), m_1 = eta, m_2 = 1.  The
-   springs' forces on the blocks are the derivatives of the energy k_1 x_1^2/2 + k_2 (x_2 - x_1)^2/2; accelerations in the
-   paper's time are them over the masses, divided by omega_3^2 = (k_1 + k_2)/m_1. */
+/* Springs and masses with the scene's chi and eta: k_2 = chi, k_1 = 1 - chi (so k_1 + k_2 = 1), m_1 = eta, m_2 = 1.
+   The springs' forces on the blocks are the derivatives of the energy k_1 x_1^2/2 + k_2 (x_2 - x_1)^2/2; accelerations
+   in the paper's time are them over the masses, divided by omega_3^2 = (k_1 + k_2)/m_1. */
 static int newton(struct num_vec *out, struct values *v, bool slips1, bool slips2) {
   const struct num_type *t = v->ctx.type;
   slong p = v->ctx.prec;

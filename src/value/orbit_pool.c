@@ -1,5 +1,5 @@
-/* The draws of orbit_pool.h: t_b and t_c up to 10, so that the motion of m_1 against a sticking m_2 (period 2 pi) is met
-   before and after its first return towards the belt. */
+/* The draws of orbit_pool.h: t_b and t_c up to 10, so that the motion of m_1 against a sticking m_2 (period 2 pi) is
+   met before and after its first return towards the belt. */
 #include "orbit_pool.h"
 
 #include <stdlib.h>

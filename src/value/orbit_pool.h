@@ -1,5 +1,5 @@
-/* Periodic orbits all over the parameter space, drawn once for every claim that searches among them: at exact chi, eta, V,
-   t_b, t_c there are at most two, in closed form, so that thousands of draws cost little. */
+/* Periodic orbits all over the parameter space, drawn once for every claim that searches among them: at exact chi, eta,
+   V, t_b, t_c there are at most two, in closed form, so that thousands of draws cost little. */
 #ifndef STICKSLIP_ORBIT_POOL_H
 #define STICKSLIP_ORBIT_POOL_H
 

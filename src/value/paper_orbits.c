@@ -1,6 +1,6 @@
-/* The paper's own route to an orbit, (44)-(46), at a scene: where Newton's iteration starts, where it ends, and which of
-   the model's orbits lies there.  The printed times are where the paper's readers would start; without them the model's
-   orbits, moved, stand in for a guess that somebody had. */
+/* The paper's own route to an orbit, (44)-(46), at a scene: where Newton's iteration starts, where it ends, and which
+   of the model's orbits lies there.  The printed times are where the paper's readers would start; without them the
+   model's orbits, moved, stand in for a guess that somebody had. */
 #include <stdlib.h>
 
 #include "base/arena.h"

@@ -1,6 +1,6 @@
 /* Points at which sentences are tried.  A point is exact: rational parameters, states or times, and which orbit of its
-   parameters is meant; how it is written, and which orbit that is once the orbits have been found.  What the paper's symbols
-   are worth there is values.c, and how points are drawn is sampler.c. */
+   parameters is meant; how it is written, and which orbit that is once the orbits have been found.  What the paper's
+   symbols are worth there is values.c, and how points are drawn is sampler.c. */
 #include "point.h"
 
 const struct restriction restrictions[] = {{"V = 1", Q_V, "1"}, {"eta = 1", Q_ETA, "1"}};

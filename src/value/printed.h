@@ -14,8 +14,8 @@ bool printed_point(struct point *out, const struct scene *s);
 /* The scene's orbit nearest to its printed numbers (the first without any); false when it has none. */
 bool nearest_orbit_point(struct point *out, const struct scene *s, struct orbit_cache *cache);
 
-/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to the
-   printed numbers.  Status flags. */
+/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
+   the printed numbers.  Status flags. */
 int scene_numbers(struct num_vec *params, struct judge *j);
 
 /* The orbits at the scene's parameters. */
@@ -32,8 +32,8 @@ void printed_ball(arb_t x, const struct printed_number *p);
    values the caller clears. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
 
-/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to the
-   printed numbers.  Status flags. */
+/* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
+   the printed numbers.  Status flags. */
 int scene_numbers(struct num_vec *params, struct judge *j);
 
 /* The orbits at the scene's parameters. */

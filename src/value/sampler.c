@@ -1,5 +1,5 @@
-/* Points drawn at random, always the same ones for the same id.  The parameters are small fractions, with e1 and e2 in units
-   of V so that arcs and orbits are not rare; V = 1 is avoided, since many wrong formulas are right there. */
+/* Points drawn at random, always the same ones for the same id.  The parameters are small fractions, with e1 and e2 in
+   units of V so that arcs and orbits are not rare; V = 1 is avoided, since many wrong formulas are right there. */
 #include "point.h"
 
 #include <string.h>

@@ -50,8 +50,8 @@ struct trial {
 };
 
 /* Both sides in balls, from 128 bits, doubled while undecided up to 1024.  Differs when the balls of an equality are
-   disjoint, or those of an inequality are ordered the other way; agrees when every inequality is proved, and the sides of
-   every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
+   disjoint, or those of an inequality are ordered the other way; agrees when every inequality is proved, and the sides
+   of every equality overlap and are narrower than 2^(-bits/2) max(1, scale). */
 struct trial sentence_try_balls(struct sentence *s, const struct point *p, enum variant variant,
                                 struct orbit_cache *cache);
 /* Two vectors of balls (as long as each other, in one context) as the sides of equalities, decided in the same way at

@@ -1,5 +1,5 @@
-/* Orbits to the digits asked for: the precision doubles until every number of every orbit has them; then what the search may
-   have missed, then the proofs. */
+/* Orbits to the digits asked for: the precision doubles until every number of every orbit has them; then what the
+   search may have missed, then the proofs. */
 #include "solved.h"
 
 #include <stddef.h>

@@ -1,5 +1,5 @@
-/* The orbits of a scene as the command and the library give them: to so many digits, proved, the list held against the search
-   for completeness. */
+/* The orbits of a scene as the command and the library give them: to so many digits, proved, the list held against the
+   search for completeness. */
 #ifndef STICKSLIP_VALUE_SOLVED_H
 #define STICKSLIP_VALUE_SOLVED_H
 
@@ -11,7 +11,8 @@ enum { ORBIT_NUMBERS = 12 };
 const char *orbit_number_name(int i);
 const char *orbit_number_meaning(int i);
 arb_srcptr orbit_number(const struct dyn_orbit *o, int i);
-/* The value that the scene gives exactly under a number's name, or NULL: its decimal may be a tie, which no ball decides. */
+/* The value that the scene gives exactly under a number's name, or NULL: its decimal may be a tie, which no ball
+   decides. */
 const fmpq *scene_given_number(const struct scene *s, int i);
 
 /* A list with the proof of each orbit; what a proof decides of an orbit stands in the orbit too. */
@@ -20,8 +21,8 @@ struct solved {
   struct dyn_certificate *proof;
   int found; /* of the search, before the list was held against the one for completeness */
 };
-/* false: some number of an orbit could not be enclosed to so many digits.  Solution II is judged as the three phases that it
-   is.  Clear it all the same. */
+/* false: some number of an orbit could not be enclosed to so many digits.  Solution II is judged as the three phases
+   that it is.  Clear it all the same. */
 bool solved_find(struct solved *z, const struct scene *s, slong digits);
 /* The proofs of a list that is there, likewise. */
 void solved_prove(struct solved *z, const struct scene *s);
@@ -35,7 +36,8 @@ void judge_three_phases(struct dyn_orbits *list, struct dyn_certificate *proof);
 /* Whether one of them has that condition or margin (margins.h): it is not of phase D. */
 bool three_phases_have(int margin);
 
-/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0], u[1]. */
+/* Whether the orbit fulfils every condition, those on the static friction that the scene gives among them: u[0],
+   u[1]. */
 truth orbit_admissible(truth u[2], const struct scene *s, const struct dyn_orbit *o);
 
 #endif

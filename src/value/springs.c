@@ -1,7 +1,7 @@
-/* The blocks and springs behind the numbers of (1).  A motion in the paper's units fixes chi, eta and the forces u_i alone, so
-   the stiffness of all springs and the mass of the second block are free; here they are 1 + e_1 and 3 + e_2, numbers that
-   no symbol of the paper has.  Newton's law for the blocks, m_1 X_1'' + (k_1 + k_2) X_1 - k_2 X_2 = F_1 and
-   m_2 X_2'' + k_2 (X_2 - X_1) = F_2, must become (1) when time is counted in units of 1/omega_3. */
+/* The blocks and springs behind the numbers of (1).  A motion in the paper's units fixes chi, eta and the forces u_i
+   alone, so the stiffness of all springs and the mass of the second block are free; here they are 1 + e_1 and 3 + e_2,
+   numbers that no symbol of the paper has.  Newton's law for the blocks, m_1 X_1'' + (k_1 + k_2) X_1 - k_2 X_2 = F_1
+   and m_2 X_2'' + k_2 (X_2 - X_1) = F_2, must become (1) when time is counted in units of 1/omega_3. */
 #include "values.h"
 
 #include <string.h>

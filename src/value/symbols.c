@@ -1,6 +1,6 @@
-/* The values of the paper's symbols at a point: each name is taken apart and looked up in the values that were made for the
-   point.  A name that has no value there, as a state of an orbit has none at bare parameters, is told from one whose value
-   could not be computed. */
+/* The values of the paper's symbols at a point: each name is taken apart and looked up in the values that were made for
+   the point.  A name that has no value there, as a state of an orbit has none at bare parameters, is told from one
+   whose value could not be computed. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -50,8 +50,8 @@ static int state_at_tb(struct num_vec *z, struct values *v) {
   return s;
 }
 
-/* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At the
-   perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
+/* z at one of the times that the paper's sentences name: flows at 0 and t, arcs at t and at the switching times.  At
+   the perturbed switching times the motion is the perturbed one; it has a value only where there is one. */
 static int motion_value(void *z, bool *known, struct values *v, int component, int primes, const char *argument) {
   const struct num_type *t = v->ctx.type;
   *known = true;

@@ -1,6 +1,6 @@
-/* The perturbations x_a ... v_f and dt_a ... dt_d of an arc.  Of the first order they are the direction (x, y) carried along
-   the word by the local Jacobians; finite ones are the differences between two motions; at patched points they are any
-   numbers. */
+/* The perturbations x_a ... v_f and dt_a ... dt_d of an arc.  Of the first order they are the direction (x, y) carried
+   along the word by the local Jacobians; finite ones are the differences between two motions; at patched points they
+   are any numbers. */
 #include "local_maps.h"
 #include "values_impl.h"
 

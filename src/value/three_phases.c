@@ -1,12 +1,13 @@
 /* stickslip orbit on solution II: the word Gamma-H-C, of which t_a = 0 is given.
 
    It solves the equations of D-Gamma-H-C, but has no phase D: at the end of phase C m_2 comes to stick in the moment in
-   which m_1 breaks loose.  So (51) asks nothing of t_a, and w = z_1 - chi z_2 reaches e1 at the end of phase C as it must,
-   rising all the time by (60), where z_2' < V.  What (54) says of chi r is still asked: m_2 comes to stick only then.
+   which m_1 breaks loose.  So (51) asks nothing of t_a, and w = z_1 - chi z_2 reaches e1 at the end of phase C as it
+   must, rising all the time by (60), where z_2' < V.  What (54) says of chi r is still asked: m_2 comes to stick only
+   then.
 
-   The return map keeps its slope tr J there.  A small displacement makes either of the two events the first; the saltation
-   of m_2's capture sets z_2' - V to zero, that of m_1's break changes z_1' by -e1/w' times the change of w, neither heeds
-   what the other changes, so they commute, and tr J is the slope on either side. */
+   The return map keeps its slope tr J there.  A small displacement makes either of the two events the first; the
+   saltation of m_2's capture sets z_2' - V to zero, that of m_1's break changes z_1' by -e1/w' times the change of w,
+   neither heeds what the other changes, so they commute, and tr J is the slope on either side. */
 #include "explore/family.h"
 #include "motion/certify.h"
 #include "solved.h"

@@ -1,6 +1,6 @@
-/* What a point is worth in one number type: its parameters, the motion through it and that motion's neighbour, made afresh by
-   the model and never by the paper's formulas.  The routes differ in how the states follow from one another: by the closed
-   flow, or by the matrix exponential of each phase. */
+/* What a point is worth in one number type: its parameters, the motion through it and that motion's neighbour, made
+   afresh by the model and never by the paper's formulas.  The routes differ in how the states follow from one another:
+   by the closed flow, or by the matrix exponential of each phase. */
 #include "values_impl.h"
 
 #include <stdlib.h>

@@ -1,5 +1,5 @@
-/* The checker on any bytes, in this process.  It ends by exit(), which jumps back here; what it holds then is lost, as it is
-   when it ends, so that leaks do not count.  Law: an exit status of its own. */
+/* The checker on any bytes, in this process.  It ends by exit(), which jumps back here; what it holds then is lost, as
+   it is when it ends, so that leaks do not count.  Law: an exit status of its own. */
 #include <setjmp.h>
 
 #include "fuzz.h"

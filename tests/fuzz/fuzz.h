@@ -1,7 +1,8 @@
 /* Fuzz targets: each file of this folder but file.c and replay.c is one, the entry point of libFuzzer for one reader.
 
-   `make fuzz` runs them under libFuzzer for a while; replay.c feeds them the files of corpus/TARGET instead, without it, which
-   the tests do.  A target aborts when a law of the reader does not hold; memory errors and leaks are the sanitizers'. */
+   `make fuzz` runs them under libFuzzer for a while; replay.c feeds them the files of corpus/TARGET instead, without
+   it, which the tests do.  A target aborts when a law of the reader does not hold; memory errors and leaks are the
+   sanitizers'. */
 #ifndef STICKSLIP_TESTS_FUZZ_H
 #define STICKSLIP_TESTS_FUZZ_H
 

@@ -1,5 +1,5 @@
-/* An equation file from any bytes: names, shapes, roots, and every scalar that comes of it as a tape, run in double and in
-   balls.  Laws: refused with a message or taken without one; a tape that was built passes its own check. */
+/* An equation file from any bytes: names, shapes, roots, and every scalar that comes of it as a tape, run in double and
+   in balls.  Laws: refused with a message or taken without one; a tape that was built passes its own check. */
 #include "model/model.h"
 #include "fuzz.h"
 

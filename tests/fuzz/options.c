@@ -1,5 +1,5 @@
-/* A command line from any bytes: words ended by NUL, the first of them the command.  Laws: a status of the contract, and numbers
-   within their bounds. */
+/* A command line from any bytes: words ended by NUL, the first of them the command.  Laws: a status of the contract,
+   and numbers within their bounds. */
 #include <string.h>
 
 #include "cli/cli.h"

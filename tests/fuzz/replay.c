@@ -1,5 +1,5 @@
-/* Feeds a fuzz target the files named on the command line, and every file in the folders among them; a target that does not
-   return, or aborts, has failed.  The last line says how many files there were. */
+/* Feeds a fuzz target the files named on the command line, and every file in the folders among them; a target that does
+   not return, or aborts, has failed.  The last line says how many files there were. */
 #include <dirent.h>
 #include <stdio.h>
 #include <stdlib.h>

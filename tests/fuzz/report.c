@@ -1,5 +1,5 @@
-/* audit.json from any bytes, and every report from what is read.  Laws: refused with a message or read without one; what was
-   read says the same when it is written and read again. */
+/* audit.json from any bytes, and every report from what is read.  Laws: refused with a message or read without one;
+   what was read says the same when it is written and read again. */
 #include "report/report.h"
 #include "fuzz.h"
 

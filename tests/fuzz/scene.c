@@ -1,6 +1,6 @@
 /* A scene file and what --set puts in its place, from any bytes: the parts between NUL bytes are the file, then one
-   NAME=VALUE each.  Laws: refused with a message or taken without one; what was taken lies in the domain, and nothing in it
-   controls a terminal; a word prints as text that reads as the same word. */
+   NAME=VALUE each.  Laws: refused with a message or taken without one; what was taken lies in the domain, and nothing
+   in it controls a terminal; a word prints as text that reads as the same word. */
 #include "scene/scene.h"
 
 #include <string.h>

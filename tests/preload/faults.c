@@ -1,7 +1,7 @@
-/* Preloaded into the program under test, lets things go wrong (glibc only; not part of the program).  Of the allocations that
-   it asks for from main on, the FAIL_ALLOC-th alone fails, or with a "+" behind the number that and every later one;
-   FAIL_ALLOC_COUNT names a file that gets the number of allocations of a run.  SIGNAL_AT_RENAME=SIGNAL or SIGNAL:K
-   is the number of a signal that arrives right before the first rename, or the K-th. */
+/* Preloaded into the program under test, lets things go wrong (glibc only; not part of the program).  Of the
+   allocations that it asks for from main on, the FAIL_ALLOC-th alone fails, or with a "+" behind the number that and
+   every later one; FAIL_ALLOC_COUNT names a file that gets the number of allocations of a run.  SIGNAL_AT_RENAME=SIGNAL
+   or SIGNAL:K is the number of a signal that arrives right before the first rename, or the K-th. */
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>

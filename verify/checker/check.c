@@ -3,21 +3,23 @@
    It shares no source with the program that writes them.  Equations (1) of the paper, x_1'' + x_1 - chi x_2 = u_1 and
    x_2'' + chi eta (x_2 - x_1) = eta u_2, with Coulomb's law (2), u_i = u_si on a mass slower than the belt and x_i' = V
    while one sticks, become Z' = A Z for z = x - d, d the rest under both sliding forces: z_1'' = -(z_1 - chi z_2) while
-   m1 slips, z_2'' = -chi eta (z_2 - z_1) while m2 slips, else 0.  A sticking mass breaks away at the force u_ri: z_1 - chi z_2
-   = e1 = u_r1 - u_s1, or chi (z_2 - z_1) = e2 = u_r2 - u_s2; a slipping one sticks when z_i' = V.  An orbit of the word D
-   (both stick), Gamma (m1 slips), H (both), C (m2) has eight numbers, two of them known, and six equations.
+   m1 slips, z_2'' = -chi eta (z_2 - z_1) while m2 slips, else 0.  A sticking mass breaks away at the force u_ri: z_1 -
+   chi z_2 = e1 = u_r1 - u_s1, or chi (z_2 - z_1) = e2 = u_r2 - u_s2; a slipping one sticks when z_i' = V.  An orbit of
+   the word D (both stick), Gamma (m1 slips), H (both), C (m2) has eight numbers, two of them known, and six equations.
 
    All motion is exp(A t), by Arb's matrix exponential.  Krawczyk's operator on the six equations proves one solution in
    the file's box and then narrows it.  The trace follows from their derivatives.  That a function f of the motion stays
-   below zero is proved by halving the phase until f(0) + f'(0) s + B s^2/2 < 0 on each piece; B >= |f''| by what is conserved:
+   below zero is proved by halving the phase until f(0) + f'(0) s + B s^2/2 < 0 on each piece; B >= |f''| by what is
+   conserved:
 
      Gamma  w = z_1 - chi z_2, w'' = -w:            w^2 + w'^2, and p = z_1' - V, r = z_2 - z_1: p'' = -w', r'' = w
      C      r'' = -chi eta r:                       r'^2 + chi eta r^2, and z_2''' = -chi eta r', w'' = chi^2 eta r
-     H      E = eta v_1'^2 + v_2'^2 + eta ((v_1 - chi v_2)^2 + chi (1 - chi) v_2^2), the energy of the derivative v = z'; it is
-            at least eta (v_1 - chi v_2)^2 and chi eta (v_2 - v_1)^2, and z_1''' = chi v_2 - v_1, z_2''' = chi eta (v_1 - v_2)
+     H      E = eta v_1'^2 + v_2'^2 + eta ((v_1 - chi v_2)^2 + chi (1 - chi) v_2^2), the energy of the derivative v =
+            z'; it is at least eta (v_1 - chi v_2)^2 and chi eta (v_2 - v_1)^2, and z_1''' = chi v_2 - v_1, z_2''' = chi
+            eta (v_1 - v_2)
 
-   A zero that f has at an end of its phase by the equations is factored out by the sign of f' there.  The precision doubles
-   while anything is undecided.  Exit status: 0 verified, 1 rejected, 2 usage, 3 not a certificate. */
+   A zero that f has at an end of its phase by the equations is factored out by the sign of f' there.  The precision
+   doubles while anything is undecided.  Exit status: 0 verified, 1 rejected, 2 usage, 3 not a certificate. */
 #include <flint/fmpq.h>
 #include <stdarg.h>
 #include <stdbool.h>
@@ -540,7 +542,8 @@ static void recheck(struct entry *o, int i) {
   }
   o->digits = o->open != NULL;
   for (int k = E1; k <= TD; k++) settle(o, i, number_name[k], k == TA ? YES : sign_of(x[k]));
-  /* First events.  D: w is affine.  Gamma and H: the conditions gamma_r and h_v1.  C: a sine with zeros pi/omega apart. */
+  /* First events.  D: w is affine.  Gamma and H: the conditions gamma_r and h_v1.  C: a sine with zeros pi/omega
+     apart. */
   for (int ph = 0; ph < N_PHASES; ph++) settle(o, i, phase_name[ph], claimed(i, "first_events", phase_name[ph]));
   num turns = sub(square(pi()), mul(stiff, square(x[TD])));
   settle(o, i, phase_name[C], arb_contains_zero(value(F_V2, &w.z[C], x)) ? OPEN : sign_of(turns));
