@@ -99,8 +99,8 @@ static enum newton_next settles(const struct num_vec *x, const struct num_vec *s
   e->quiet++;
   for (int k = 0; k < 2; k++) {
     arf_srcptr by = arb_midref((arb_srcptr)num_vec_at(step, k)), at = arb_midref((arb_srcptr)num_vec_at(x, k));
-    slong size = arf_is_zero(by) ? -ARF_PREC_EXACT : arf_abs_bound_lt_2exp_si(by);
-    if (size > arf_abs_bound_lt_2exp_si(at) - x->ctx.prec / 2) e->quiet = 0;
+    if (arf_is_zero(by)) continue;
+    if (arf_is_zero(at) || arf_abs_bound_lt_2exp_si(by) > arf_abs_bound_lt_2exp_si(at) - x->ctx.prec / 2) e->quiet = 0;
   }
   return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
