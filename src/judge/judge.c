@@ -1,9 +1,7 @@
 /* One claim: it is judged with its own text as printed and everything it uses corrected; a refuted one is
    judged again as corrected and under restrictions; every control beside it must be noticed.  run.c says which are. */
-#include <stdarg.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/mman.h>
 
 #include "base/work.h"
 #include "judge.h"

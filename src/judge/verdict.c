@@ -1,11 +1,7 @@
 /* From evidence to verdict, in one place.  Nothing else in the program assigns a verdict to a claim that was tried. */
-#include <math.h>
-#include <stdarg.h>
-#include <stdlib.h>
-#include <string.h>
 
-#include "record/routes.h"
 #include "verdict.h"
+#include "record/routes.h"
 
 int independent_routes(const struct route_result *w, int n) {
   int count = 0;
