@@ -27,7 +27,7 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
-LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
+LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lnettle -lm -ldl
 ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
@@ -49,7 +49,7 @@ FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/rep
 OBJ   = $(SRC:%.c=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
-PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
+PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all quick quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help

@@ -2,7 +2,7 @@
 
    An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
    the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it
-   may carry "paper: TITLE".  Records:
+   may carry "paper: TITLE" and "text: sha256 ...", the digest of the text that is quoted (quote/quote.h).  Records:
 
      symbol NAME        a free quantity; "means: text" says what it is
      define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
@@ -10,8 +10,8 @@
      inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
      relation ID        statements that hold along a motion: "trajectory z_1(t)" names an unknown function of time
 
-   with the attributes section, equation (the paper's number), tex (what was transcribed, as printed), note, when (a
-   condition in words) and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
+   with the attributes section, equation (the paper's number), tex (in the paper's own files a quotation to the letter),
+   place (where it stands, quote/quote.h), note, when (a condition in words) and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
    symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
    a section, then that of another section, if there is only one.
 
@@ -63,7 +63,8 @@ enum { MODEL_BUCKETS = 256 };
 
 struct model {
   struct arena arena;
-  const char *paper; /* the paper's title; NULL where its files say none */
+  const char *paper;      /* the paper's title; NULL where its files say none */
+  const char *paper_text; /* the digest of its text; NULL likewise */
   struct record_file **files;
   size_t n_files, cap_files;
   struct definition *defs;
