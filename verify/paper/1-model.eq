@@ -3,15 +3,15 @@ section: model
 
 relation eq-1
   equation: 1
-  tex: x_1'' + x_1 - \chi x_2 = u_1, \quad x_2'' + \chi \eta (x_2 - x_1) = \eta u_2
+  tex: x_1'' + x_1 - \chi x_2 = u_1 ... x_2'' + \chi \eta (x_2 - x_1) = \eta u_2
   trajectory x_1(t), x_2(t)
   x_1''(t) + x_1(t) - chi*x_2(t) = u_1
   x_2''(t) + chi*eta*(x_2(t) - x_1(t)) = eta*u_2
 
 equation eq-1b
   equation: 1
-  tex: \chi = \frac{k_2}{k_1 + k_2}, \quad \eta = \frac{m_1}{m_2}, \quad u_i = \frac{F_i}{k_1 + k_2} \quad (i=1,2),
-    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}, \quad (o') = \frac{d(o)}{dt}
+  tex: \chi = \frac{k_2}{k_1 + k_2}, \quad \eta = \frac{m_1}{m_2} ... u_i = \frac{F_i}{k_1 + k_2} \quad (i=1,2)
+    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}
   chi = k_2/(k_1 + k_2)
   eta = m_1/m_2
   u_1 = F_1/(k_1 + k_2)
@@ -37,7 +37,7 @@ relation eq-2b
 
 relation eq-2c
   equation: 2
-  tex: u_1 = \varepsilon u_{s1} \quad \text{if } \varepsilon(x_1 - \chi x_2) > u_{r1} \quad (\varepsilon = \pm 1)
+  tex: u_1 = ... \varepsilon u_{s1} \quad \text{if } \varepsilon(x_1 - \chi x_2) > u_{r1} \quad (\varepsilon = \pm 1)
   when: V - x_i'(t) = 0
   u_1 = eps*u_s1 for eps in {+1, -1}
   eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in {+1, -1}
@@ -51,7 +51,7 @@ relation eq-2d
 
 relation eq-2e
   equation: 2
-  tex: u_2 = \varepsilon u_{s2} \quad \text{if } \varepsilon \chi(x_2 - x_1) > u_{r2} \quad (\varepsilon = \pm 1)
+  tex: u_2 = ... \varepsilon u_{s2} \quad \text{if } \varepsilon \chi(x_2 - x_1) > u_{r2} \quad (\varepsilon = \pm 1)
   when: V - x_2'(t) = 0
   u_2 = eps*u_s2 for eps in {+1, -1}
   eps*chi*(x_2(t) - x_1(t)) > u_r2 for eps in {+1, -1}

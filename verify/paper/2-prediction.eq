@@ -8,14 +8,13 @@ define eq-3
 
 define eq-3b
   equation: 3
-  tex: z_i = x_i - d_{0i}, \quad d_{01} = \frac{u_{s1} + u_{s2}}{1 - \chi}, \quad
-    d_{02} = \frac{u_{s1} \chi + u_{s2}}{(1 - \chi) \chi}
+  tex: d_{01} = \frac{u_{s1} + u_{s2}}{1 - \chi}, \quad d_{02} = \frac{u_{s1} \chi + u_{s2}}{(1 - \chi) \chi}
   d_01 := (u_s1 + u_s2)/(1 - chi)
   d_02 := (u_s1*chi + u_s2)/((1 - chi)*chi)
 
 relation eq-3c
   equation: 3
-  tex: z'' + Kz = 0, \quad z = (z_1, z_2)'
+  tex: z'' + Kz = 0 ... z = (z_1, z_2)'
   note: the prime of (z_1, z_2)' is the transpose
   trajectory z_1(t), z_2(t)
   [z_1''(t); z_2''(t)] + K*[z_1(t); z_2(t)] = 0
@@ -69,7 +68,7 @@ relation eq-8
 
 relation eq-9
   equation: 9
-  tex: z'' = 0, \quad z'_1 = z'_2 = V, \quad e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1, \quad
+  tex: z'' = 0, \quad z'_1 = z'_2 = V, \quad e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1 \quad
     e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
   [z_1''(t); z_2''(t)] = 0
   z_1'(t) = z_2'(t) = V

@@ -74,7 +74,6 @@ equation eq-18
 
 # The motion as patched together from (12)-(18), as functions of the six unknowns z_10, z_20, t_a, t_b, t_c, t_d.
 define text-patched
-  tex: Z_0 = (z_{10}, z_{20}, V, V)^t, Z_a = D(t_a)Z_0, Z_b = \Gamma(t_b)Z_a, Z_c = H(t_c)Z_b, Z = C(t_d)Z_c
   S_0 := [z_10; z_20; V; V]
   S_a := D(t_a)*S_0
   S_b := Gamma(t_b)*S_a
@@ -82,19 +81,19 @@ define text-patched
   S_f := C(t_d)*S_c
 
 equation text-six-equations
-  tex: z_{1a} - \chi z_{2a} = e_1, \chi(z_{2b} - z_{1b}) = e_2, z'_{1c} = V, Z(t_a + t_b + t_c + t_d) = Z_0
+  note: (12), (14), (16) and (18) in the states of text-patched
   S_a[1] - chi*S_a[2] = e_1
   chi*(S_b[2] - S_b[1]) = e_2
   S_c[3] = V
   S_f = S_0
 
 equation text-periodicity-and-16
-  tex: Z(t_a + t_b + t_c + t_d) = Z_0, z'_{1c} = V
+  note: (18) and (16) in the states of text-patched
   S_f = S_0
   S_c[3] = V
 
 equation text-periodicity-alone
-  tex: Z(t_a + t_b + t_c + t_d) = Z_0
+  note: (18) in the states of text-patched
   S_f = S_0
 
 equation eq-16c

@@ -288,7 +288,7 @@ equation eq-43b
   det(J_b*J_a) = 0
 
 equation text-singular
-  tex: J \text{ is a singular matrix}
+  note: "J is a singular matrix"
   det(J) = 0
 
 equation text-charpoly

@@ -3,10 +3,10 @@ section: appendix_a
 
 define eq-47
   equation: 47
-  tex: H = \begin{pmatrix} H_1 & H_2 \\ H_3 & H_1 \end{pmatrix} \quad H_i = \Lambda B_i \Lambda^{-1} \quad (i = 1,2,3),
-    \Lambda = \begin{pmatrix} 1 & 1 \\ \lambda_1 & \lambda_2 \end{pmatrix}
+  tex: H = \begin{pmatrix} H_1 & H_2 \\ H_3 & H_1 \end{pmatrix} \quad H_i = \Lambda B_i \Lambda^{-1} \quad (i = 1,2,3) \quad
+    \Lambda = \begin{pmatrix} 1 & 1 \\ \lambda_1 & \lambda_2 \end{pmatrix} \quad
     B_1 = \begin{pmatrix} c_1 & 0 \\ 0 & c_2 \end{pmatrix},
-    B_2 = \begin{pmatrix} \frac{s_1}{\omega_1} & 0 \\ 0 & \frac{s_2}{\omega_2} \end{pmatrix}, \quad B_3 = B_1',
+    B_2 = \begin{pmatrix} \frac{s_1}{\omega_1} & 0 \\ 0 & \frac{s_2}{\omega_2} \end{pmatrix}, \quad B_3 = B_1' \quad
     c_i = \cos(\omega_i t), \quad s_i = \sin(\omega_i t), \quad (i = 1,2)
   note: the prime of B_1' is the derivative
   H(t) := [H_1(t), H_2(t); H_3(t), H_1(t)]
@@ -47,7 +47,7 @@ equation eq-48c
 define eq-49
   equation: 49
   tex: \Gamma = \begin{pmatrix} \Gamma_1 & \Gamma_2 \\ \Gamma_3 & \Gamma_1 \end{pmatrix}, \quad
-    \Gamma_i = \Sigma \gamma_i \Sigma^{-1}, \quad (i = 1,2,3),
+    \Gamma_i = \Sigma \gamma_i \Sigma^{-1}, \quad (i = 1,2,3) \quad
     \Sigma = \begin{pmatrix} 1 & \mathcal{X} \\ 0 & 1 \end{pmatrix}, \quad
     \gamma_1 = \begin{pmatrix} \cos t & 0 \\ 0 & 1 \end{pmatrix},
     \gamma_2 = \begin{pmatrix} \sin t & 0 \\ 0 & t \end{pmatrix}, \quad \gamma_3 = \gamma_1'
@@ -64,7 +64,7 @@ define eq-49
 define eq-50
   equation: 50
   tex: C = \begin{pmatrix} C_1 & C_2 \\ C_3 & C_1 \end{pmatrix}, \quad C_i = \Pi A_i \Pi^{-1} \quad (i = 1, 2, 3), \quad
-    \Pi = \begin{pmatrix} 1 & 0 \\ 1 & 1 \end{pmatrix},
+    \Pi = \begin{pmatrix} 1 & 0 \\ 1 & 1 \end{pmatrix} \quad
     A_1 = \begin{pmatrix} 1 & 0 \\ 0 & \cos(\omega t) \end{pmatrix}, \quad
     A_2 = \begin{pmatrix} t & 0 \\ 0 & \frac{\sin(\omega t)}{\omega} \end{pmatrix}, \quad
     A_3 = A_1', \quad \omega^2 = \chi \eta

@@ -99,12 +99,10 @@ equation eq-61
 
 # What the text of the appendix says between its numbered lines.
 equation text-h-start
-  tex: h(t_a) = \chi(z_{20} - z_{10})
   note: (55) at t_a, where the stick phase ends and h begins
   h(t_a) = chi*(z_20 - z_10)
 
 equation text-hbar-start
-  tex: \bar{h}(t_a + t_b + t_c) = z_{1c} - \chi z_{2c}
   note: (60) at the start of its interval
   hbar(t_a + t_b + t_c) = z_1c - chi*z_2c
 
@@ -118,7 +116,6 @@ inequality text-first
   u_r1 > e_1
 
 equation text-start-w
-  tex: z_{10} - \chi z_{20} = e_1 - V t_a (1 - \chi)
   note: (55) at t = 0
   z_10 - chi*z_20 = e_1 - V*t_a*(1 - chi)
 
