@@ -2,7 +2,8 @@
 
    A claim file holds records "claim ID" with these attributes:
 
-     equation, section, title, quote   where the claim stands and what it says
+     equation, section, title   where the claim stands and what it says
+     quote, place   what the paper says, to the letter, and where in its text (quote/quote.h)
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name

@@ -244,7 +244,8 @@ struct mutation_score {
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
-  const char *paper; /* the title of the paper; NULL where its files say none */
+  const char *paper;      /* the title of the paper; NULL where its files say none */
+  const char *paper_text; /* the digest of the text that is quoted (quote/quote.h); NULL likewise */
   const char
       *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
   struct finding *findings;

@@ -245,6 +245,9 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
 
 void report_markdown(struct text *out, const struct audit_result *r) {
   text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
+  if (r->paper_text)
+    text_printf(out, "The paper's text that is quoted, as its tokens: `%s` (`stickslip quotes FILE`).\n\n",
+                r->paper_text);
   add_counts(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);

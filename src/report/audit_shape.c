@@ -323,6 +323,7 @@ static const struct member audit_shape_member[] = {
     STRING(struct audit_result, scene, MEMBER_NEEDED),
     STRING(struct audit_result, title, MEMBER_NULLABLE),
     STRING(struct audit_result, paper, MEMBER_SPARSE),
+    STRING(struct audit_result, paper_text, MEMBER_SPARSE),
     STRING(struct audit_result, subject, MEMBER_SPARSE),
     TOLD("summary", tell_summary),
     LIST("claims", findings, MEMBER_NEEDED, &finding),

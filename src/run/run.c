@@ -358,6 +358,7 @@ static void name_subject(struct audit_result *out, const struct model *m, const 
   audit_fingerprint(&subject, m, scene);
   out->subject = result_str(out, "%s", text_str(&subject));
   out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
+  out->paper_text = m->paper_text ? result_str(out, "%s", m->paper_text) : NULL;
   text_clear(&subject);
 }
 

@@ -2,6 +2,7 @@
 # z_1a is the paper's z_{1a}, a component of the state at the end of the phase whose letter it carries; z'_1b is a
 # velocity there; x_a, u_b, ... are the first-order perturbations of (21)-(41).
 paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
+text: sha256 0471731b31d650f6140ab34b22f807547735cef9890bbc0cacbd4f7f59f62857
 section: nomenclature
 
 symbol chi
