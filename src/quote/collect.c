@@ -64,6 +64,7 @@ static bool add(struct quotations *q, enum quote_kind kind, const struct source 
   const struct field *f = record_field(r, key), *place = record_field(r, "place");
   if (!f) return true;
   struct quotation item = {.kind = kind, .id = r->id_name ? r->id_name : "", .src = src, .field = f};
+  item.equation = record_get(r, "equation");
   item.first = q->n_pieces;
   add_pieces(q, f->text);
   item.n = q->n_pieces - item.first;

@@ -1,5 +1,6 @@
 /* Pieces of quotations looked for in a text: at their places, then everywhere. */
 #include <stdlib.h>
+#include <string.h>
 
 #include "quote.h"
 
@@ -34,6 +35,23 @@ static int by_place(const void *a, const void *b) {
   return x < y ? -1 : x > y;
 }
 
+/* Is the equation's number, if one is named, that of the formula at the place? */
+static bool named_well(const char *equation, const struct quote_tokens *text, size_t place) {
+  if (!equation) return true;
+  size_t next = 0, len = strlen(equation);
+  while (next < text->n_tags && text->tag[next].behind < place) next++;
+  for (size_t i = next > 0 ? next - 1 : 0; i <= next && i < text->n_tags; i++)
+    if (text->tag[i].number.len == len && memcmp(text->tag[i].number.s, equation, len) == 0) return true;
+  return false;
+}
+
+static void check_names(struct quotations *q, const struct quote_tokens *text) {
+  for (size_t i = 0; i < q->n; i++) {
+    struct quote_piece *p = &q->piece[q->item[i].first];
+    if (p->outcome == QUOTE_FOUND && !named_well(q->item[i].equation, text, p->place)) p->outcome = QUOTE_MISNAMED;
+  }
+}
+
 /* In the order of places, since what was put into a text moves all that follows it by as much: a piece is looked for
    where the one before it went. */
 void quotations_compare(struct quotations *q, const struct quote_tokens *text) {
@@ -53,6 +71,7 @@ void quotations_compare(struct quotations *q, const struct quote_tokens *text) {
     moved = p->elsewhere - p->place;
   }
   free(order);
+  check_names(q, text);
 }
 
 bool quotation_found(const struct quotations *q, const struct quotation *item) {

@@ -22,7 +22,8 @@
    All else must be the same.  In a quotation "..." leaves something out; what stands between, a piece, ends without
    the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the number of its first token,
    counted from 1 at the beginning of the text: `place: 812` beside the quotation, `place: 812 4410` for two pieces, in
-   the order of the text.  A piece counts as found at its place only.
+   the order of the text.  A piece counts as found at its place only.  Where the record that quotes names an equation,
+   the number printed next behind the first piece's place, or last before it, must be that one.
 
    Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
 #ifndef STICKSLIP_QUOTE_QUOTE_H
@@ -41,10 +42,17 @@ struct quote_token {
   size_t len;
 };
 
-/* A text, or a piece of a quotation; the bytes are the source's. */
+/* A text, or a piece of a quotation; the bytes are the source's.  The numbers of its equations stand beside the tokens:
+   `behind` tokens stand before one. */
+struct quote_tag {
+  struct quote_token number;
+  size_t behind;
+};
 struct quote_tokens {
   struct quote_token *token;
   size_t n, cap;
+  struct quote_tag *tag;
+  size_t n_tags, cap_tags;
 };
 
 bool quote_token_same(const struct quote_token *a, const struct quote_token *b);
@@ -61,6 +69,7 @@ enum quote_kind { QUOTE_TITLE, QUOTE_TEX, QUOTE_CLAIM, N_QUOTE_KINDS };
 enum quote_outcome {
   QUOTE_FOUND,
   QUOTE_PLACELESS, /* no place is kept with it */
+  QUOTE_MISNAMED,  /* at its place, where equations have other numbers than its record says */
   QUOTE_ELSEWHERE, /* not at its place, but at another */
   QUOTE_NOWHERE
 };
@@ -76,6 +85,7 @@ struct quote_piece {
 struct quotation {
   enum quote_kind kind;
   const char *id;           /* of the record; "" for the title */
+  const char *equation;     /* that the record names, or NULL */
   const struct source *src; /* of the file that quotes */
   const struct field *field;
   size_t first, n; /* its pieces */

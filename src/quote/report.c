@@ -113,6 +113,10 @@ static void say_piece(struct text *out, const struct quotations *q, const struct
     say_placeless(out, p, text);
     return;
   }
+  if (p->outcome == QUOTE_MISNAMED) {
+    text_printf(out, "at token %zu, but no equation (%s) ends there\n", p->place, item->equation);
+    return;
+  }
   text_printf(out, "not at token %zu", p->place);
   if (p->outcome == QUOTE_ELSEWHERE) text_printf(out, ", but at %zu", p->elsewhere);
   text_add_char(out, '\n');

@@ -19,6 +19,7 @@ struct reader {
 struct bite {
   size_t len;
   bool drop;
+  struct quote_token number; /* of an equation; of length 0: it is none */
 };
 
 static const char *skip_white(const char *s, const char *end) {
@@ -26,15 +27,18 @@ static const char *skip_white(const char *s, const char *end) {
   return s;
 }
 
-/* The end of an equation's number that begins behind s, if the dollars that end its formula follow; else s. */
-static const char *behind_tag(const char *s, const char *end) {
+/* The end of an equation's number that begins behind s, if the dollars that end its formula follow, with the number; else
+   s. */
+static const char *behind_tag(struct quote_token *number, const char *s, const char *end) {
   const char *p = skip_white(s, end);
   if (p == end || *p != '(') return s;
   const char *digits = ++p;
   while (p < end && char_is_digit(*p)) p++;
   if (p == digits || p == end || *p != ')') return s;
-  const char *dollars = skip_white(++p, end);
-  return end - dollars >= 2 && dollars[0] == '$' && dollars[1] == '$' ? p : s;
+  const char *dollars = skip_white(p + 1, end);
+  if (end - dollars < 2 || dollars[0] != '$' || dollars[1] != '$') return s;
+  *number = (struct quote_token){digits, (size_t)(p - digits)};
+  return p + 1;
 }
 
 /* \begin{name} and \end{name}; a name is short, so that braces without end cost no more than others. */
@@ -43,7 +47,7 @@ static struct bite environment(struct reader *r, const struct tex_token *t) {
   const char *brace = t->s + t->len;
   size_t len;
   const char *name = tex_braced(&len, brace, r->end - brace > LONGEST ? brace + LONGEST : r->end);
-  if (!name) return (struct bite){t->len, false};
+  if (!name) return (struct bite){.len = t->len, .drop = false};
   bool lines = (len == 7 && memcmp(name, "aligned", 7) == 0) || (len == 5 && memcmp(name, "cases", 5) == 0);
   if (t->kind == TEX_BEGIN) {
     r->counts = ss_grow(r->counts, r->n, &r->cap, sizeof *r->counts);
@@ -51,17 +55,24 @@ static struct bite environment(struct reader *r, const struct tex_token *t) {
   } else if (r->n > 0) {
     r->n--;
   }
-  return (struct bite){(size_t)(name + len + 1 - t->s), lines};
+  return (struct bite){.len = (size_t)(name + len + 1 - t->s), .drop = lines};
 }
 
 /* What formulas do not have, or Markdown has besides. */
 static struct bite stranger(const struct reader *r, const struct tex_token *t) {
   unsigned char c = (unsigned char)*t->s;
-  if (t->len == 2 && strchr("()[]", t->s[1])) return (struct bite){2, true}; /* \( and the like */
+  if (t->len == 2 && strchr("()[]", t->s[1])) return (struct bite){.len = 2, .drop = true}; /* \( and the like */
   if (t->len > 1 || c < 0x80) return (struct bite){t->len, t->len == 1 && strchr("$~\n\t\r\f\v", c)};
   size_t len = 1;
   while (t->s + len < r->end && ((unsigned char)t->s[len] & 0xC0) == 0x80) len++; /* one character of UTF-8 */
-  return (struct bite){len, false};
+  return (struct bite){.len = len, .drop = false};
+}
+
+/* \quad, with the number of the equation that may stand behind it. */
+static struct bite space(const struct reader *r, const struct tex_token *t) {
+  struct bite b = {.drop = true};
+  b.len = (size_t)(behind_tag(&b.number, t->s + t->len, r->end) - t->s);
+  return b;
 }
 
 static struct bite bite_at(struct reader *r, const char *s) {
@@ -71,9 +82,9 @@ static struct bite bite_at(struct reader *r, const char *s) {
   case TEX_GAP:
   case TEX_LEFT:
   case TEX_RIGHT:
-    return (struct bite){t.len, true};
+    return (struct bite){.len = t.len, .drop = true};
   case TEX_DIGIT:
-    return (struct bite){tex_number_length(s, r->end), false};
+    return (struct bite){.len = tex_number_length(s, r->end), .drop = false};
   case TEX_CELL:
   case TEX_ROW:
     return (struct bite){t.len, r->n == 0 || !r->counts[r->n - 1]};
@@ -81,14 +92,13 @@ static struct bite bite_at(struct reader *r, const char *s) {
   case TEX_FINISH:
     return environment(r, &t);
   case TEX_WORD:
-    if (t.word->role != TEX_ROLE_SPACE) return (struct bite){t.len, false};
-    return (struct bite){(size_t)(behind_tag(s + t.len, r->end) - s), true};
+    return t.word->role == TEX_ROLE_SPACE ? space(r, &t) : (struct bite){.len = t.len, .drop = false};
   case TEX_SIGN:
     return (struct bite){t.len, *s == '*' && (s == r->begin || !strchr("^{", s[-1]))};
   case TEX_STRANGE:
     return stranger(r, &t);
   default:
-    return (struct bite){t.len, false};
+    return (struct bite){.len = t.len, .drop = false};
   }
 }
 
@@ -104,6 +114,10 @@ void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len) {
       t->token = ss_grow(t->token, t->n, &t->cap, sizeof *t->token);
       t->token[t->n++] = (struct quote_token){s, b.len};
     }
+    if (b.number.len) {
+      t->tag = ss_grow(t->tag, t->n_tags, &t->cap_tags, sizeof *t->tag);
+      t->tag[t->n_tags++] = (struct quote_tag){b.number, t->n};
+    }
     s += b.len;
   }
   free(r.counts);
@@ -111,6 +125,7 @@ void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len) {
 
 void quote_tokens_clear(struct quote_tokens *t) {
   free(t->token);
+  free(t->tag);
   *t = (struct quote_tokens){.n = 0};
 }
 

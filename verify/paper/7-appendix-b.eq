@@ -11,7 +11,7 @@ inequality eq-51
 
 inequality eq-52
   equation: 52
-  tex: e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1, \quad e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
+  tex: e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1 \quad e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
   e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
   e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
 
