@@ -59,7 +59,8 @@ bool quote_token_same(const struct quote_token *a, const struct quote_token *b);
 /* The tokens of len bytes, behind those that there are. */
 void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len);
 void quote_tokens_clear(struct quote_tokens *t);
-/* "sha256 " and 64 hexadecimal digits: the digest of the tokens, each with a line feed behind it. */
+/* "sha256 " and 64 hexadecimal digits: the digest of the tokens and, where they stand, the numbers of equations in their
+   parentheses, each with a line feed behind it. */
 void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t);
 
 /* --- Quotations --- */

@@ -127,17 +127,13 @@ static bool number_found(const struct quotations *q, const struct quoted_number 
   return n->same && quotation_found(q, n->of);
 }
 
-static void say_number(struct text *out, const struct quotations *q, const struct quoted_number *n) {
-  if (number_found(q, n)) return;
+/* One that is quoted, but whose quotation is not found, has been said. */
+static void say_number(struct text *out, const struct quoted_number *n) {
+  if (n->same) return;
   say_file(out, n->src, n->field->value.begin);
   text_printf(out, ": printed %s: ", n->field->text);
-  if (!n->of) {
-    text_add(out, "no claim quotes it\n");
-    return;
-  }
-  text_add(out, n->same ? "the quotation is not found: " : "quoted as another number: ");
-  say_quotation(out, n->of);
-  text_printf(out, " %s\n", n->of->field->text);
+  if (n->of) say_quotation(out, n->of);
+  text_printf(out, "%s%s\n", n->of ? ", is " : "no claim quotes it", n->of ? n->of->field->text : "");
 }
 
 static void say_count(struct text *out, const char *what, size_t found, size_t n) {
@@ -155,7 +151,7 @@ bool quotations_report(struct text *out, const struct quotations *q, const struc
   }
   for (size_t i = 0; i < q->n_numbers; i++) {
     if (number_found(q, &q->number[i])) numbers++;
-    say_number(out, q, &q->number[i]);
+    say_number(out, &q->number[i]);
   }
   for (int k = 0; k < N_QUOTE_KINDS; k++) all += found[k];
   say_count(out, "quotations: ", all, q->n);

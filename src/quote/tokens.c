@@ -22,6 +22,10 @@ struct bite {
   struct quote_token number; /* of an equation; of length 0: it is none */
 };
 
+static struct bite bite(size_t len, bool drop) {
+  return (struct bite){.len = len, .drop = drop};
+}
+
 static const char *skip_white(const char *s, const char *end) {
   while (s < end && strchr(" \n\t\r\f\v", *s)) s++;
   return s;
@@ -47,7 +51,7 @@ static struct bite environment(struct reader *r, const struct tex_token *t) {
   const char *brace = t->s + t->len;
   size_t len;
   const char *name = tex_braced(&len, brace, r->end - brace > LONGEST ? brace + LONGEST : r->end);
-  if (!name) return (struct bite){.len = t->len, .drop = false};
+  if (!name) return bite(t->len, false);
   bool lines = (len == 7 && memcmp(name, "aligned", 7) == 0) || (len == 5 && memcmp(name, "cases", 5) == 0);
   if (t->kind == TEX_BEGIN) {
     r->counts = ss_grow(r->counts, r->n, &r->cap, sizeof *r->counts);
@@ -55,17 +59,17 @@ static struct bite environment(struct reader *r, const struct tex_token *t) {
   } else if (r->n > 0) {
     r->n--;
   }
-  return (struct bite){.len = (size_t)(name + len + 1 - t->s), .drop = lines};
+  return bite((size_t)(name + len + 1 - t->s), lines);
 }
 
 /* What formulas do not have, or Markdown has besides. */
 static struct bite stranger(const struct reader *r, const struct tex_token *t) {
   unsigned char c = (unsigned char)*t->s;
-  if (t->len == 2 && strchr("()[]", t->s[1])) return (struct bite){.len = 2, .drop = true}; /* \( and the like */
-  if (t->len > 1 || c < 0x80) return (struct bite){t->len, t->len == 1 && strchr("$~\n\t\r\f\v", c)};
+  if (t->len == 2 && strchr("()[]", t->s[1])) return bite(2, true); /* \( and the like */
+  if (t->len > 1 || c < 0x80) return bite(t->len, t->len == 1 && strchr("$~\n\t\r\f\v", c));
   size_t len = 1;
   while (t->s + len < r->end && ((unsigned char)t->s[len] & 0xC0) == 0x80) len++; /* one character of UTF-8 */
-  return (struct bite){.len = len, .drop = false};
+  return bite(len, false);
 }
 
 /* \quad, with the number of the equation that may stand behind it. */
@@ -82,23 +86,23 @@ static struct bite bite_at(struct reader *r, const char *s) {
   case TEX_GAP:
   case TEX_LEFT:
   case TEX_RIGHT:
-    return (struct bite){.len = t.len, .drop = true};
+    return bite(t.len, true);
   case TEX_DIGIT:
-    return (struct bite){.len = tex_number_length(s, r->end), .drop = false};
+    return bite(tex_number_length(s, r->end), false);
   case TEX_CELL:
   case TEX_ROW:
-    return (struct bite){t.len, r->n == 0 || !r->counts[r->n - 1]};
+    return bite(t.len, r->n == 0 || !r->counts[r->n - 1]);
   case TEX_BEGIN:
   case TEX_FINISH:
     return environment(r, &t);
   case TEX_WORD:
-    return t.word->role == TEX_ROLE_SPACE ? space(r, &t) : (struct bite){.len = t.len, .drop = false};
+    return t.word->role == TEX_ROLE_SPACE ? space(r, &t) : bite(t.len, false);
   case TEX_SIGN:
-    return (struct bite){t.len, *s == '*' && (s == r->begin || !strchr("^{", s[-1]))};
+    return bite(t.len, *s == '*' && (s == r->begin || !strchr("^{", s[-1])));
   case TEX_STRANGE:
     return stranger(r, &t);
   default:
-    return (struct bite){.len = t.len, .drop = false};
+    return bite(t.len, false);
   }
 }
 
@@ -129,13 +133,21 @@ void quote_tokens_clear(struct quote_tokens *t) {
   *t = (struct quote_tokens){.n = 0};
 }
 
+static void add_line(struct sha256_ctx *c, const char *before, const struct quote_token *t, const char *behind) {
+  sha256_update(c, strlen(before), (const uint8_t *)before);
+  sha256_update(c, t->len, (const uint8_t *)t->s);
+  sha256_update(c, strlen(behind), (const uint8_t *)behind);
+}
+
 void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t) {
   struct sha256_ctx c;
   uint8_t bytes[SHA256_DIGEST_SIZE];
   sha256_init(&c);
-  for (size_t i = 0; i < t->n; i++) {
-    sha256_update(&c, t->token[i].len, (const uint8_t *)t->token[i].s);
-    sha256_update(&c, 1, (const uint8_t *)"\n");
+  for (size_t i = 0, k = 0; i < t->n || k < t->n_tags;) {
+    if (k < t->n_tags && t->tag[k].behind == i)
+      add_line(&c, "(", &t->tag[k++].number, ")\n");
+    else
+      add_line(&c, "", &t->token[i++], "\n");
   }
   sha256_digest(&c, sizeof bytes, bytes);
   size_t n = (size_t)snprintf(digest, QUOTE_DIGEST, "sha256 ");
