@@ -42,6 +42,7 @@ int main(void) {
   srunner_add_suite(r, html_suite());
   srunner_add_suite(r, pictures_suite());
   srunner_add_suite(r, diff_suite());
+  srunner_add_suite(r, quotes_suite());
   srunner_add_suite(r, report_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, terminal_suite());

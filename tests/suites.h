@@ -32,6 +32,7 @@ Suite *certify_suite(void);
 Suite *html_suite(void);
 Suite *pictures_suite(void);
 Suite *diff_suite(void);
+Suite *quotes_suite(void);
 Suite *report_suite(void);
 Suite *cli_suite(void);
 Suite *terminal_suite(void);
