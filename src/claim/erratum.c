@@ -91,7 +91,8 @@ static void add_statement(struct text *out, struct arena *a, const struct stmt *
 /* The record's TeX, once. */
 static void add_quote(struct text *out, const struct statement_record **last, const struct statement_record *r) {
   if (!r || r == *last || !*r->tex) return;
-  text_printf(out, "%s$%s$", out->len ? " " : "", r->tex);
+  if (out->len) text_add_char(out, ' ');
+  record_quote(out, r);
   *last = r;
 }
 

@@ -52,7 +52,8 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
     if (!claim_is_about(r, c)) continue;
-    if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
+    if (*r->tex && tex.len) text_add_char(&tex, ' ');
+    if (*r->tex) record_quote(&tex, r);
     for (int k = 0; k < r->n_stmts; k++) {
       text_add(&parsed, parsed.len ? ", \\quad " : "");
       stmt_latex(&parsed, r->stmts[k]);

@@ -285,6 +285,17 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
   return ok;
 }
 
+void record_quote(struct text *out, const struct statement_record *r) {
+  static const char gap[] = " ... ";
+  const char *s = r->tex;
+  for (const char *end; (end = strstr(s, gap)) != NULL; s = end + strlen(gap)) {
+    text_add_char(out, '$');
+    text_add_n(out, s, (size_t)(end - s));
+    text_printf(out, "$%s", gap);
+  }
+  text_printf(out, "$%s$", s);
+}
+
 /* Whether the view sees something of this rank, equation and record. */
 static bool sees(const struct view *v, enum rank rank, const char *equation, const char *id) {
   bool stable = v->layer == LAYER_STABLE || (v->model->stable && v->layer == LAYER_CORRECTED);

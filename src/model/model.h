@@ -54,6 +54,9 @@ struct statement_record {
   int n_stmts;
 };
 
+/* Its tex as text with mathematics between dollar signs, outside of which "..." stands. */
+void record_quote(struct text *out, const struct statement_record *r);
+
 /* What look-ups have returned so far, by index in the model's arrays. */
 struct model_use {
   bool *def, *record;
