@@ -228,6 +228,7 @@ static void edit(const char *file, const char *command) {
 }
 
 /* The copy, with one edit, says this and ends so. */
+#define FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
 START_TEST(differences_are_told) {
   static const struct {
     const char *file, *command;
@@ -248,6 +249,11 @@ START_TEST(differences_are_told) {
        "6 pieces of quotations stand 1 token later than their places, from token 2 to token 179\n"},
       {"note.md", "s/(2)/(3)/", 1, "eq-2 tex: at token 179, but no equation (2) ends there\n"},
       {"note.md", "s/state goes/stat\x1b goes/", 1, "stat>>?<< goes"},
+      {"claims/note.claim", "s/= 1 + t.$/&,./", 0, "quotations: 5 of 5 found"},
+      {"claims/note.claim", "s/57 83/83 83/", 3, "a place is the number of a token, or 2 rising ones"},
+      /* the same words stand nearer than where all else has gone */
+      {"note.md", "1a " FIFTY FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxx \\\\det D(t) = 1 + t " FIFTY, 1,
+       "5 pieces of quotations stand 189 tokens later than their places, from token 57 to token 179\n"},
       {"paper/note.eq", "s/^  place: 179$//", 1, "eq-2 tex: no place is kept; it stands at token 179\n"},
       {"paper/note.eq", "s/^  place: 179$//;s/1 + t$/2 + t/", 1, "eq-2 tex: no place is kept, and it stands nowhere\n"},
       {"paper/note.eq", "s/^text:.*//", 0, "; none is on file\n"},
