@@ -293,6 +293,7 @@ START_TEST(printed_numbers) {
                {"t_a = 1.52", 1, "paper.scene:99: printed t_a = 1.52: "},
                {"t_a = -1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
                {"t_a = .25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
+               {"t_a = = 1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
                {"t_b = 1.25", 1, "printed t_b = 1.25: no claim quotes it\n"}};
   static const char claim[] =
       "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147\\n";
