@@ -35,12 +35,12 @@ RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
 SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
-FUZZ  = reader model claims scene json report options certificate
+FUZZ  = reader latex model claims scene json report options certificate
 # one for each tests/check_*.c; those that take longest are begun first
 SLOW  = scene
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
-QUICK = num base expr edit tape model dynamics map given argument law routes behaviour audit diff
+QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
 # processes at a time
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
