@@ -10,6 +10,7 @@
 #include "judge/judge.h"
 #include "laws_num.h"
 #include "paper_model.h"
+#include "paper_value.h"
 #include "power/mutants.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
@@ -660,7 +661,7 @@ static bool refuted_by_balls(const struct model *m, const struct claim *c, struc
 
 /* Every so many one-token damages, and the claims under the same equation: what is proved must not be refuted. */
 START_TEST(what_balls_refute_is_not_proved) {
-  enum { STRIDE = 41 };
+  enum { STRIDE = 83 };
   struct overlay o;
   struct mutants all;
   int refuted = 0;
