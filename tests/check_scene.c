@@ -797,7 +797,7 @@ static const struct use {
             {NULL, {"simulate", "SCENE", "--at", "printed"}},
             {NULL, {"bifurcate", "SCENE", "--along", "V=0.9:1.1"}},
             {NULL, {"bifurcate", "SCENE", "--along", "e1=2.78:3.2"}},
-            {NULL, {"words", "SCENE", "--longest", "1"}},
+            {NULL, {"words", "SCENE", "--longest", "2"}},
             {NULL, {"readings", "SCENE"}},
             {NULL, {"sweep", "SCENE", "--over", "V=0.9:1.1:3"}},
             {NULL, {"sweep", "SCENE", "--over", "e1=2.7:2.9:3"}},
