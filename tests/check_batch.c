@@ -304,7 +304,7 @@ END_TEST
 START_TEST(as_the_scalar_solver) {
   struct table t;
   slong both = 0, left = 0, alone = 0;
-  table_init(&t, 1000);
+  table_init(&t, 3000);
   state = 35;
   for (double p[N_PARAMS]; t.n < t.cap;) {
     any_params(p);
