@@ -9,7 +9,6 @@ define eq-47
     B_2 = \begin{pmatrix} \frac{s_1}{\omega_1} & 0 \\ 0 & \frac{s_2}{\omega_2} \end{pmatrix}, \quad B_3 = B_1' \quad
     c_i = \cos(\omega_i t), \quad s_i = \sin(\omega_i t), \quad (i = 1,2)
   place: 13181
-  note: the prime of B_1' is the derivative
   H(t) := [H_1(t), H_2(t); H_3(t), H_1(t)]
   H_1(t) := Lambda*B_1(t)*inv(Lambda)
   H_2(t) := Lambda*B_2(t)*inv(Lambda)
@@ -27,6 +26,7 @@ define eq-48
   equation: 48
   tex: \det(K - I\omega^2) = 0
   place: 13374
+  reads: \omega^2) = 0 as \omega_i^2) = 0, (i = 1, 2)
   note: of the four roots of this quartic the two positive ones are meant, in increasing order
   root omega_1: det(K - I*omega_1^2), smallest positive
   root omega_2: det(K - I*omega_2^2), largest positive
@@ -35,16 +35,20 @@ define eq-48b
   equation: 48
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
   place: 13386
+  psi_1 := [1; lambda_1]
+  psi_2 := [1; lambda_2]
+
+define text-mode-shapes
+  equation: 48
   note: lambda_i from the first row of (K - I omega_i^2) psi_i = 0; the second row is claim eq-48c
   lambda_1 := (1 - omega_1^2)/chi
   lambda_2 := (1 - omega_2^2)/chi
-  psi_1 := [1; lambda_1]
-  psi_2 := [1; lambda_2]
 
 equation eq-48c
   equation: 48
   tex: (K - I\omega_i^2)\psi_i = 0
   place: 13405
+  reads: \psi_i = 0 as \psi_i = 0, (i = 1, 2)
   (K - I*omega_1^2)*psi_1 = 0
   (K - I*omega_2^2)*psi_2 = 0
 
@@ -56,7 +60,8 @@ define eq-49
     \gamma_1 = \begin{pmatrix} \cos t & 0 \\ 0 & 1 \end{pmatrix},
     \gamma_2 = \begin{pmatrix} \sin t & 0 \\ 0 & t \end{pmatrix}, \quad \gamma_3 = \gamma_1'
   place: 13421
-  note: \mathcal{X} is read as chi, the only letter of that shape in the nomenclature
+  reads: \mathcal{X} as \chi
+  note: \mathcal{X} is the only letter of that shape in the nomenclature, chi
   Gamma(t) := [Gamma_1(t), Gamma_2(t); Gamma_3(t), Gamma_1(t)]
   Gamma_1(t) := Sigma*gamma_1(t)*inv(Sigma)
   Gamma_2(t) := Sigma*gamma_2(t)*inv(Sigma)

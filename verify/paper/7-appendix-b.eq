@@ -26,8 +26,8 @@ inequality eq-53
 
 inequality eq-54
   equation: 54
-  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
-  place: 14383
+  tex: 0 < t < t_a ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
+  place: 14376 14383
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (0, t_a)
   e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
 
@@ -51,8 +51,9 @@ inequality eq-56
 
 inequality eq-57
   equation: 57
-  tex: z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
-  place: 14624
+  tex: t_a < t < t_a + t_b ... z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
+  place: 14611 14624
+  reads: h(t) \equiv \chi(z_2 - z_1) as h(t)
   z_1'(t) < V for t in (t_a, t_a + t_b)
   e_2 - 2*u_r2 < h(t) < e_2 for t in (t_a, t_a + t_b)
 
@@ -86,8 +87,8 @@ equation eq-58b
 
 inequality eq-59
   equation: 59
-  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
-  place: 14975
+  tex: t_a + t_b + t_c < t < t_a + t_b + t_c + t_d ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
+  place: 14946 14975
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
@@ -125,8 +126,8 @@ equation text-hbar-start
   hbar(t_a + t_b + t_c) = z_1c - chi*z_2c
 
 inequality text-h-phase
-  tex: z'_1 < V, z'_2 < V
-  place: 14909
+  tex: t_a + t_b < t < t_a + t_b + t_c ... z'_1 < V, z'_2 < V
+  place: 14874 14909
   z_1'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
   z_2'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
 
