@@ -233,8 +233,7 @@ static void scene_orbit_fates(struct behaviour *b) {
           plan.returns = PERIODS;
           struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
           const char *end = trajectory_ending(b, &t);
-          int k = 0;
-          while (k < words && strcmp(word[k], end) != 0) k++;
+          int k = word_find(end, word, words);
           if (k < MAX_WORDS) word[k] = end;
           if (k < MAX_WORDS) count[k]++;
           if (k == words && words < MAX_WORDS) words++;

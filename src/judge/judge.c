@@ -96,9 +96,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
 
 static bool known_fault(const char *s) {
   static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-    if (strcmp(faults[i], s) == 0) return true;
-  return false;
+  return word_find(s, faults, 4) < 4;
 }
 
 /* Does the diagnostic point into a file that counts as the paper's text? */

@@ -46,8 +46,7 @@ static bool letters_of(char out[16], const char *word) {
   size_t n = 0;
   int used;
   for (; n < 14 && sscanf(word, " %15s%n", name, &used) == 1; word += used) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    int ph = word_find(name, phase_name, N_PHASES);
     if (ph == N_PHASES) return false;
     out[n++] = letter[ph];
   }
@@ -111,11 +110,11 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
 static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
   for (int i = 0; i < 2; i++) {
     char name[8], number[24];
-    int used, k = 0;
+    int used;
     if (!text || sscanf(text, " %7[a-z_0-9] = %23[0-9./]%n", name, number, &used) != 2) return false;
     text += used;
     while (*text == ',' || *text == ' ') text++;
-    while (k < N_QUANTITIES && strcmp(dyn_quantity_id[k], name) != 0) k++;
+    int k = word_find(name, dyn_quantity_id, N_QUANTITIES);
     if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
     which[i] = (enum dyn_quantity)k;
   }
@@ -160,8 +159,7 @@ static int read_phases(enum phase through[N_PHASES], const char *text) {
   char name[16];
   int n = 0, used;
   for (; text && n < N_PHASES && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    int ph = word_find(name, phase_name, N_PHASES);
     if (ph == N_PHASES) return 0;
     through[n++] = (enum phase)ph;
   }

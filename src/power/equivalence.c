@@ -10,10 +10,6 @@
 #include "tape/exact.h"
 #include "value/sentence.h"
 
-/* What the domain of the claims keeps positive. */
-static const char *const positive[] = {"chi", "eta", "V", "e_1", "e_2"};
-enum { N_POSITIVE = sizeof positive / sizeof *positive };
-
 /* --- What holds on every motion --- */
 
 /* (9)-(18) as definitions of the states at the switching times, (21)-(41) as definitions of their perturbations. */
@@ -270,7 +266,7 @@ static bool same_relation(struct exact_field *f, const struct sentence *sa, cons
   exact_init(&y, f);
   int sign = 0;
   if (exact_sub(&x, f, &a->x[i], &a->x[sa->n + i]) && exact_sub(&y, f, &b->x[k], &b->x[sb->n + k]))
-    sign = exact_ratio_sign(f, &x, &y, positive, N_POSITIVE);
+    sign = exact_ratio_sign(f, &x, &y, name_param, N_PARAMS); /* which the domain of the claims keeps positive */
   bool both_zero = exact_is_zero(f, &x) && exact_is_zero(f, &y);
   exact_clear(&y, f);
   exact_clear(&x, f);

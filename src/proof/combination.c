@@ -86,7 +86,7 @@ static bool expressions_tape(struct tape *t, struct elaboration *el, const char 
 /* --- Eliminating by equations --- */
 
 static bool is_parameter(const char *name) {
-  return strcmp(name, "chi") == 0 || strcmp(name, "eta") == 0 || strcmp(name, "V") == 0;
+  return word_find(name, name_param, P_V + 1) <= P_V;
 }
 
 /* Never zero on the domain: a constant times powers of chi, 1 - chi, eta and V, which are the first facts. */
@@ -268,8 +268,6 @@ static const char *const domain_text[N_DOMAIN] = {"chi > 0", "chi < 1", "eta > 0
                                                   "e_1 > 0", "e_2 > 0", "u_s1 > 0", "u_s2 > 0"};
 static const char *const friction[] = {"u_r1 - u_s1 - e_1", "u_r2 - u_s2 - e_2"};
 static const char *const friction_text[] = {"(7)", "(5)"};
-static const char *const switching[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c",
-                                                    "t_a + t_b + t_c + t_d"};
 
 /* The tapes that do not come from conditions. */
 struct extra {
@@ -290,23 +288,22 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   const char *which = claim_get(c, "increasing"), *section = claim_get(c, "section");
   if (!which) return true;
   char name[32], phase[16];
-  int ph = 0;
   if (sscanf(which, "%31s %15s", name, phase) != 2) return claim_error(j, c, "increasing", "reads NAME PHASE");
-  while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
+  int ph = word_find(phase, phase_name, N_PHASES);
   if (ph == N_PHASES) return claim_error(j, c, "increasing", "no such phase");
   take_phase(&x->phase, ph);
   x->monotone = true;
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
-  x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, switching[ph]);
-  x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, switching[ph + 1], name);
+  x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, name_switching[ph]);
+  x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, name_switching[ph + 1], name);
   return expressions_tape(&x->increase, &x->el, x->increase_text, 3, section ? section : "", j->d);
 }
 
 /* Where the time t lies. */
 static bool clock_tape(struct extra *x, struct judge *j) {
   if (x->phase < 0 || x->phase == N_PHASES) return true;
-  x->clock_text[0] = result_str(j->out, "t - (%s)", switching[x->phase]);
-  x->clock_text[1] = result_str(j->out, "%s - t", switching[x->phase + 1]);
+  x->clock_text[0] = result_str(j->out, "t - (%s)", name_switching[x->phase]);
+  x->clock_text[1] = result_str(j->out, "%s - t", name_switching[x->phase + 1]);
   return expressions_tape(&x->clock, &x->el, x->clock_text, 2, "", j->d);
 }
 

@@ -24,9 +24,8 @@ static bool reads(const struct expr *e, const char *as) {
 
 /* The phase that lasts just as long as the statement's range. */
 static bool phase_of_range(enum phase *ph, const struct stmt *st, const struct source *src, struct diag *d) {
-  static const char *const end[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
   int i = 0;
-  while (i < N_PHASES && !(reads(st->range_lo, end[i]) && reads(st->range_hi, end[i + 1]))) i++;
+  while (i < N_PHASES && !(reads(st->range_lo, name_switching[i]) && reads(st->range_hi, name_switching[i + 1]))) i++;
   *ph = (enum phase)i;
   if (i == N_PHASES) diag_at(d, src, st->range_lo->span.begin, "no phase of the motion begins and ends as this range");
   return i < N_PHASES;
@@ -97,12 +96,6 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
   return any || claim_error(j, claim, attribute, "there is no such statement or step in the record");
 }
 
-static int phase_named(const char *name) {
-  for (int ph = 0; ph < N_PHASES; ph++)
-    if (strcmp(phase_name[ph], name) == 0) return ph;
-  return -1;
-}
-
 bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
                      struct view view) {
   const char *p = claim_get(c, attribute);
@@ -120,10 +113,11 @@ bool conditions_read(struct conditions *list, struct judge *j, const struct clai
         return claim_error(j, c, attribute, "a statement of a record reads ID#1 or ID#1.2");
       *mark = '\0';
     }
-    if (*phase && phase_named(phase) < 0) return claim_error(j, c, attribute, "no such phase");
+    int ph = *phase ? word_find(phase, phase_name, N_PHASES) : -1;
+    if (ph == N_PHASES) return claim_error(j, c, attribute, "no such phase");
     const struct statement_record *r = view_record(&view, id);
     if (!r) return claim_error(j, c, attribute, "there is no such record in the equation files");
-    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, *phase ? phase_named(phase) : -1, view)) return false;
+    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, ph, view)) return false;
   }
   return true;
 }

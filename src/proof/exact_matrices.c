@@ -144,8 +144,7 @@ static int perturbation_named(const char *name) {
 
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name) {
   static const char *const rational[] = {"K", "K_1", "K_2", "d_01", "d_02"};
-  for (size_t i = 0; i < sizeof rational / sizeof *rational; i++)
-    if (strcmp(name, rational[i]) == 0) return motion_of_params(out, m, name);
+  if (word_find(name, rational, 5) < 5) return motion_of_params(out, m, name);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char propagator[16];
     snprintf(propagator, sizeof propagator, "%s(t)", phase_name[ph]);

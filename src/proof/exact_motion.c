@@ -170,14 +170,11 @@ static int bind_entry(element *z, struct exact_motion *m, const char *name) {
 }
 
 int exact_motion_bind(element *z, struct exact_field *f, const char *name, void *motion) {
-  static const char *const params[] = {"chi", "eta", "V", "e_1", "e_2"};
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
-  int index, status;
-  for (int i = 0; i < N_PARAMS; i++)
-    if (strcmp(name, params[i]) == 0) return bind_param(z, m, i);
-  for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++)
-    if (strcmp(name, free_names[i]) == 0) return exact_symbol(z, f, name);
+  int index, status, param = word_find(name, name_param, N_PARAMS);
+  if (param < N_PARAMS) return bind_param(z, m, param);
+  if (word_find(name, free_names, 3) < 3) return exact_symbol(z, f, name);
   if (strcmp(name, "t") == 0) return time_now(z, m);
   if (strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0) {
     struct num_vec w;

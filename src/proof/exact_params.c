@@ -27,20 +27,14 @@ int motion_op(num_binary f, element *z, const struct exact_motion *m, const elem
 
 int motion_symbol(element *z, struct exact_motion *m, const char *name) {
   const struct restriction *r = m->restriction;
-  static const struct {
-    const char *name;
-    int q;
-  } restricted[] = {{"chi", Q_CHI}, {"eta", Q_ETA}, {"V", Q_V}};
-  for (size_t i = 0; r && i < sizeof restricted / sizeof *restricted; i++) {
-    if (restricted[i].q != r->quantity || strcmp(restricted[i].name, name) != 0) continue;
-    fmpq_t q;
-    fmpq_init(q);
-    int s = num_parse_decimal(q, r->value, strlen(r->value));
-    if (s == SS_OK) s = num_exact.set_q(z, q, 0);
-    fmpq_clear(q);
-    return s;
-  }
-  return exact_symbol(z, m->field, name);
+  if (!r || r->quantity > Q_V || strcmp(name_param[r->quantity - Q_CHI], name) != 0)
+    return exact_symbol(z, m->field, name);
+  fmpq_t q;
+  fmpq_init(q);
+  int s = num_parse_decimal(q, r->value, strlen(r->value));
+  if (s == SS_OK) s = num_exact.set_q(z, q, 0);
+  fmpq_clear(q);
+  return s;
 }
 
 int motion_unknown(struct exact_motion *m, const char *name) {
@@ -100,9 +94,9 @@ static int take_modes(struct exact_motion *m) {
 }
 
 static int take_params(struct exact_motion *m) {
-  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   int s = SS_OK;
-  for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++) s |= motion_symbol(at(&m->params, i), m, names[i]);
+  for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++)
+    s |= motion_symbol(at(&m->params, i), m, name_param[i]);
   if (!m->attempt.modes) return s;
   if (m->restriction && (m->restriction->quantity == Q_ETA || m->restriction->quantity == Q_CHI)) return SS_UNABLE;
   return s | take_modes(m);

@@ -7,8 +7,7 @@
 #include "exact_motion_impl.h"
 
 int motion_length(element *z, struct exact_motion *m, int phase) {
-  static const char *const names[] = {"t_a", "t_b", "t_c", "t_d"};
-  return motion_symbol(z, m, names[phase]);
+  return motion_symbol(z, m, name_time[phase]);
 }
 
 /* What a switching function says of a vector: its value, or without its constant, for perturbations. */
@@ -43,14 +42,14 @@ static int obey(struct num_vec *v, struct exact_motion *m, int phase, int i, boo
 /* For each end of a phase, from the start of the period on: which components are free, which one the event decides (-1:
    none), and which are those of a mass that sticks to the belt. */
 static const struct {
-  const char *name[N_STATE], *small[N_STATE];
+  bool free[N_STATE];
   int decided;
   bool sticks[N_STATE];
-} ends[5] = {{{"z_10", "z_20", NULL, NULL}, {"x", "y", NULL, NULL}, -1, {[DZ_1] = true, [DZ_2] = true}},
-             {{NULL, "z_2a", NULL, NULL}, {NULL, "y_a", NULL, NULL}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
-             {{"z_1b", NULL, "z'_1b", NULL}, {"x_b", NULL, "u_b", NULL}, Z_2, {[DZ_2] = true}},
-             {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
-             {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
+} ends[5] = {{{[Z_1] = true, [Z_2] = true}, -1, {[DZ_1] = true, [DZ_2] = true}},
+             {{[Z_2] = true}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
+             {{[Z_1] = true, [DZ_1] = true}, Z_2, {[DZ_2] = true}},
+             {{[Z_1] = true, [Z_2] = true, [DZ_2] = true}, DZ_1, {false}},
+             {{[Z_1] = true, [Z_2] = true}, DZ_2, {[DZ_1] = true}}};
 
 /* Any state at all: no mass sticks, no event has been. */
 static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
@@ -66,8 +65,7 @@ static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
 static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool perturbation) {
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
-    const char *name = perturbation ? ends[k].small[i] : ends[k].name[i];
-    if (name) s |= exact_symbol(at(v, i), m->field, name);
+    if (ends[k].free[i]) s |= exact_symbol(at(v, i), m->field, (perturbation ? name_tangent : name_state)[k][i]);
     if (ends[k].sticks[i] && !perturbation) num_exact.set(at(v, i), at(&m->params, P_V));
     if (ends[k].sticks[i] && perturbation) s |= num_exact.set_d(at(v, i), 0, 0);
   }
@@ -162,8 +160,7 @@ int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_ve
 }
 
 static int free_shift(element *dt, struct exact_motion *m, int phase) {
-  static const char *const names[] = {"dt_a", "dt_b", "dt_c", "dt_d"};
-  return exact_symbol(dt, m->field, names[phase]);
+  return exact_symbol(dt, m->field, name_shift[phase]);
 }
 
 /* P dz + f dt, with dt where the event asks for it (located) or free. */
@@ -202,16 +199,13 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
 /* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that
    phase's system, is the belt's with and without the perturbation. */
 static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
-  static const char letters[] = "xyuv", places[] = "abcf";
   struct num_vec a;
   vec_init(&a, 16);
   int s = k > 0 ? motion_system(&a, m, (enum phase)(k - 1)) : SS_OK;
   for (int i = 0; i < N_STATE; i++) {
-    char name[8];
     bool sticks = k > 0 && i >= DZ_1;
     for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
-    snprintf(name, sizeof name, k > 0 ? "%c_%c" : "%c", letters[i], places[k > 0 ? k - 1 : 0]);
-    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name);
+    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name_tangent[k][i]);
   }
   num_vec_clear(&a);
   return s;

@@ -47,15 +47,13 @@ static void make_parameters(struct stable_field *s) {
   exact_clear(&a, s->field);
 }
 
-const char *const stable_time[N_TIMES] = {"t", "t_a", "t_b", "t_c", "t_d"};
-
 /* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
 static void make_angles(struct stable_field *s, slong unit) {
   const element *rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
   element half;
   exact_init(&half, s->field);
   for (int i = 0; i < N_TIMES; i++) {
-    s->status |= exact_symbol(&half, s->field, stable_time[i]);
+    s->status |= exact_symbol(&half, s->field, i ? name_time[i - 1] : "t");
     combine_si(s, num_exact.div, &half, &half, unit);
     for (int k = 0; k < 3; k++) combine(s, num_exact.mul, &s->angle[i * N_ANGLES + k], &half, rate[k]);
     num_exact.set(&s->angle[i * N_ANGLES + 3], &half);

@@ -17,10 +17,10 @@ static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)
 
 static bool name_inputs(struct formulas *f) {
   static const char *const names[] = {"chi", "eta", "V", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
+  enum { N_NAMES = sizeof names / sizeof *names };
   for (slong i = 0; i < f->tape.n_inputs; i++) {
-    int k = 0;
-    while (k < (int)(sizeof names / sizeof *names) && strcmp(names[k], f->tape.inputs[i]) != 0) k++;
-    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == (int)(sizeof names / sizeof *names)) return false;
+    int k = word_find(f->tape.inputs[i], names, N_NAMES);
+    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == N_NAMES) return false;
     f->input[i] = k;
   }
   return true;

@@ -98,9 +98,7 @@ void audit_control(struct audit_result *out, const char *id, const char *claim, 
 }
 
 enum verdict verdict_parse(const char *name) {
-  int i = 0;
-  while (i < N_VERDICTS && strcmp(verdict_name[i], name) != 0) i++;
-  return (enum verdict)i;
+  return (enum verdict)word_find(name, verdict_name, N_VERDICTS);
 }
 
 bool verdict_fails(enum verdict v) {

@@ -42,7 +42,6 @@ struct study {
 };
 
 static const int entries[N_STUDIED] = {MATRIX, 2 * MATRIX, N_PHASES *(1 + N_STATE), 4};
-static const char *const matrix_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 
 static void get_all(arb_ptr out, const struct num_vec *v) {
   for (slong i = 0; i < v->len; i++) v->ctx.type->get_arb(out + i, num_vec_at(v, i));
@@ -123,7 +122,7 @@ static int paper_matrix(arb_ptr out, const struct study *s, const char *suffix) 
   struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
   char text[32];
   int n;
-  snprintf(text, sizeof text, "%s%s", matrix_name[s->site.p.phase], suffix);
+  snprintf(text, sizeof text, "%s%s", phase_name[s->site.p.phase], suffix);
   int status = expression_at(out, &n, view, text, "", &s->site.p, PREC, s->j->cache, NULL);
   return n == MATRIX ? status : status | SS_UNABLE;
 }
@@ -377,7 +376,7 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   if (t->n++ > 0 && gap.off <= t->worst) return;
   struct text where;
   text_init(&where);
-  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", matrix_name[s->site.p.phase]);
+  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->site.p.phase]);
   point_print(&where, &s->site.p);
   t->worst = gap.off;
   t->where = result_str(s->j->out, "%s", text_str(&where));
@@ -514,7 +513,7 @@ static void read_paper(struct study *s) {
   s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", NULL, 0, &d);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char name[16];
-    snprintf(name, sizeof name, "%s(t)", matrix_name[ph]);
+    snprintf(name, sizeof name, "%s(t)", phase_name[ph]);
     if (!sentence_from_value(&s->propagator[ph], view, name, "", NULL, 0, &d)) s->readable = false;
   }
   if (!s->readable)

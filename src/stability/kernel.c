@@ -9,6 +9,7 @@
 #include "motion/return_map.h"
 #include "motion/warm.h"
 #include "stability.h"
+#include "value/names.h"
 
 struct digits_kernel {
   const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */
@@ -104,7 +105,6 @@ static const struct digits_kernel kernels[] = {
 /* --- Running one --- */
 
 int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in) {
-  static const char *const parameter[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   const struct digits_kernel *k = f->kernel;
   const struct num_type *type = out->ctx.type;
   struct num_vec all, params, state;
@@ -116,8 +116,7 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
   for (slong i = 0; i < N_PARAMS; i++) type->set_d(num_vec_at(&params, i), 1, out->ctx.prec); /* some are not read */
   for (slong i = 0; i < in->len; i++) {
     const char *name = f->tape.inputs[i];
-    int p = 0;
-    while (p < N_PARAMS && strcmp(name, parameter[p]) != 0) p++;
+    int p = word_find(name, name_param, N_PARAMS);
     if (p < N_PARAMS)
       type->set(num_vec_at(&params, p), num_vec_at(in, i));
     else if (strcmp(name, "t") == 0)

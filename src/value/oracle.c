@@ -217,36 +217,28 @@ static int components(struct num_vec *out, struct values *v, const char *const n
 }
 /* The states in which phases meet. */
 static int eval_sa(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"z_1a", "z_2a", "z'_1a", "z'_2a"};
-  return components(out, v, name);
+  return components(out, v, name_state[1]);
 }
 static int eval_sb(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"z_1b", "z_2b", "z'_1b", "z'_2b"};
-  return components(out, v, name);
+  return components(out, v, name_state[2]);
 }
 static int eval_sc(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"z_1c", "z_2c", "z'_1c", "z'_2c"};
-  return components(out, v, name);
+  return components(out, v, name_state[3]);
 }
 static int eval_dz0(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"x", "y", "u", "v"};
-  return components(out, v, name);
+  return components(out, v, name_tangent[0]);
 }
 static int eval_dza(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"x_a", "y_a", "u_a", "v_a"};
-  return components(out, v, name);
+  return components(out, v, name_tangent[1]);
 }
 static int eval_dzb(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"x_b", "y_b", "u_b", "v_b"};
-  return components(out, v, name);
+  return components(out, v, name_tangent[2]);
 }
 static int eval_dzc(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"x_c", "y_c", "u_c", "v_c"};
-  return components(out, v, name);
+  return components(out, v, name_tangent[3]);
 }
 static int eval_dzf(struct num_vec *out, struct values *v) {
-  static const char *const name[] = {"x_f", "y_f", "u_f", "v_f"};
-  return components(out, v, name);
+  return components(out, v, name_tangent[4]);
 }
 
 static const struct oracle oracles[] = {

@@ -22,13 +22,11 @@ static const void *arc_symbol(const struct values *v, const char *name) {
 }
 
 static const void *exact_symbol(const struct values *v, const char *name) {
-  static const struct {
-    const char *name;
-    int q;
-  } table[] = {{"chi", Q_CHI},  {"eta", Q_ETA},  {"V", Q_V}, {"e_1", Q_E1}, {"e_2", Q_E2},
-               {"u_s1", Q_US1}, {"u_s2", Q_US2}, {"x", Q_X}, {"y", Q_Y},    {"lambda", Q_LAMBDA}};
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-    if (strcmp(table[i].name, name) == 0) return num_vec_at(&v->q, table[i].q);
+  enum { N_REST = Q_T - Q_US1 };
+  static const char *const rest[N_REST] = {"u_s1", "u_s2", "x", "y", "lambda"};
+  int param = word_find(name, name_param, N_PARAMS), other = word_find(name, rest, N_REST);
+  if (param < N_PARAMS) return num_vec_at(&v->q, Q_CHI + param);
+  if (other < N_REST) return num_vec_at(&v->q, Q_US1 + other);
   if (strcmp(name, "t") == 0)
     return num_vec_at(v->point->kind == POINT_PARAMS ? &v->q : &v->t, v->point->kind == POINT_PARAMS ? Q_T : 0);
   return NULL;
