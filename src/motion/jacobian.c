@@ -69,9 +69,8 @@ static struct phase_end phase_end(struct calc *c, enum phase ph, const struct nu
 
 static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                      const void *t) {
-  struct calc c;
   val from[N_STATE], out[N_STATE][N_STATE];
-  calc_init(&c, j->ctx);
+  struct calc c = calc_begin(j->ctx);
   flow_vals(from, in, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, from, t);
   for (int col = 0; col < N_STATE; col++) {
@@ -153,9 +152,8 @@ static void difference(val *out, struct calc *c, const struct event_map *map, co
 /* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
    to 2h, plus a few units in the last place of the scale over h. */
 static int differentiate(struct num_vec *j, void *err, const struct event_map *map, const struct num_vec *x) {
-  struct calc c;
   slong prec = x->ctx.prec;
-  calc_init(&c, x->ctx);
+  struct calc c = calc_begin(x->ctx);
   val scale = scale_of(&c, x, num_vec_at(map->params, P_V));
   val h = calc_mul(&c, scale, calc_two_to(&c, -prec / 3)), twice = calc_add(&c, h, h);
   val rounding = calc_div(&c, calc_mul(&c, scale, calc_two_to(&c, 3 - prec)), h), worst = calc_d(&c, 0);
@@ -177,9 +175,8 @@ static int differentiate(struct num_vec *j, void *err, const struct event_map *m
 }
 
 static int run_phase(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
-  struct calc c;
   val p[N_PARAMS], in[N_STATE], z[N_STATE];
-  calc_init(&c, x->ctx);
+  struct calc c = calc_begin(x->ctx);
   flow_vals(p, map->params, 0, N_PARAMS);
   flow_vals(in, x, 0, N_STATE);
   val t = event_newton(&c, map->ph, p, in, num_vec_at(&map->near, 0));
@@ -195,10 +192,9 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
    between neighbours. */
 static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
                         val t) {
-  struct calc c;
   val in[N_STATE];
   double terms = 0, speed = 0;
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   double (*const size)(const void *) = c.ctx.type->get_d;
   flow_vals(in, from, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, in, t);

@@ -1,9 +1,9 @@
 /* Formulas over any number type (num.h), written as nested calls: calc_add(c, x, calc_mul(c, y, z)).
 
    Every operation gives a new element and ORs its status (SS_OK, SS_DOMAIN, SS_UNABLE) into the calc, so that the
-   status is looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared; an
-   operation never changes its operands.  Operands may have another precision (mpfr) than the calc; results have that of
-   the calc.  A calc belongs to one thread. */
+   status is looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared, its
+   vectors until it is cleared; an operation never changes its operands.  Operands may have another precision (mpfr)
+   than the calc; results have that of the calc.  A calc belongs to one thread. */
 #ifndef STICKSLIP_CALC_H
 #define STICKSLIP_CALC_H
 
@@ -20,9 +20,17 @@ struct calc {
   slong used, made, cap; /* elements in use, initialised ones, chunks */
   size_t stride;         /* from element to element: an mpfr number has its limbs behind it */
   char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
+  struct num_vec *vec;   /* those of calc_vec */
+  size_t n_vecs, cap_vecs;
+  /* Exact algebra: what rewrites a result by the relations of a field; where it is set, no operation is begun once one
+     has failed. */
+  int (*reduce)(void *z, const void *field);
+  const void *field;
 };
-void calc_init(struct calc *c, struct num_ctx ctx);
+struct calc calc_begin(struct num_ctx ctx);
 void calc_clear(struct calc *c);
+/* n zeros in the calc's context. */
+struct num_vec calc_vec(struct calc *c, slong n);
 slong calc_mark(const struct calc *c);
 void calc_release(struct calc *c, slong mark);
 void *calc_new(struct calc *c);

@@ -122,9 +122,8 @@ static bool split_line(val *start, val *slope, struct calc *c, const fmpz_mpoly_
 
 /* x with the generator g replaced; false when x is not of degree at most 1 in it above and below. */
 static bool substitute(element *x, slong g, const element *by) {
-  struct calc c;
   val start, slope;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   bool ok = split_line(&start, &slope, &c, &x->num, g);
   if (ok) {
     val above = calc_add(&c, start, calc_mul(&c, slope, by));
@@ -147,9 +146,8 @@ static bool substitute_all(struct proof *p, int next, slong g, const element *by
 /* Solves equation i for some generator, those of the motion first, and puts it in everywhere else. */
 static bool eliminate(struct proof *p, int i) {
   const element *e = &p->zero[i].x;
-  struct calc c;
   val start, slope;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
   for (int motion = 1; !done && motion >= 0; motion--)
     for (slong g = 0; !done && g < p->n_names; g++) {
@@ -196,8 +194,7 @@ static void probe_all(struct fact *list, int n) {
 
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
-  struct calc c;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   val rest = &goal->x;
   for (int i = 0; i < n; i++)
     rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, &p->factor[t[i]->factor].x));
