@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "num/calc.h"
 #include "value/values.h"
 #include "verdict.h"
 
@@ -34,17 +35,15 @@ static truth has_growth(const struct num_vec *m) {
 
 /* Unstable by the product of the phases' propagators? */
 static truth unstable_by_propagators(struct values *v) {
-  struct num_vec step, product;
-  num_vec_init(&step, N_STATE * N_STATE, v->ctx);
-  num_vec_init(&product, N_STATE * N_STATE, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec step = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * N_STATE);
   int s = values_propagator(&product, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     s |= values_propagator(&step, v, (enum phase)ph);
     s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
   }
   truth t = s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
-  num_vec_clear(&product);
-  num_vec_clear(&step);
+  calc_clear(&c);
   return t;
 }
 

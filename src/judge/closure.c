@@ -1,5 +1,6 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
 #include "judge.h"
+#include "num/calc.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,10 +10,9 @@
    slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
 static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *j, arb_srcptr start) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec params, jac;
   struct dyn_arc arc;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&jac, 4, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), jac = calc_vec(&c, 4);
   dyn_arc_init(&arc, ctx);
   int s = scene_numbers(&params, j);
   if (s == SS_OK) s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
@@ -25,8 +25,7 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
   arb_sub(gap, gap + 2, gap + 1, FIRST_PREC);
   for (int i = 0; times && i < 4; i++) arb_set(times + i, num_vec_at(&arc.t, i));
   dyn_arc_clear(&arc);
-  num_vec_clear(&jac);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return s;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/work.h"
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/exact_rank.h"
 
 enum { MAX_NAMES = RANK_NAMES };
@@ -62,12 +63,10 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   struct num_ctx ctx = m->ctx;
   const struct num_type *t = ctx.type;
   struct values v;
-  struct num_vec in, out, back, w;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
-  num_vec_init(&in, y->s.tape.n_inputs, ctx);
-  num_vec_init(&out, y->s.tape.n_outputs, ctx);
-  num_vec_init(&back, y->s.tape.n_outputs, ctx);
-  num_vec_init(&w, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec in = calc_vec(&c, y->s.tape.n_inputs), out = calc_vec(&c, y->s.tape.n_outputs),
+                 back = calc_vec(&c, y->s.tape.n_outputs), w = calc_vec(&c, 2);
   bool known;
   for (slong i = 0; s == SS_OK && i < y->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, y->s.tape.inputs[i]);
@@ -90,10 +89,7 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
       s |= t->div(d, d, h, ctx.prec);
     }
   }
-  num_vec_clear(&w);
-  num_vec_clear(&back);
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   values_clear(&v);
   return s;
 }

@@ -1,5 +1,6 @@
 /* Sentences about form: thresholds that two inequalities share, ranges of indices, definitions. */
 #include "judge.h"
+#include "num/calc.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,11 +37,10 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
                           enum variant variant) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct values v;
-  struct num_vec in, out;
   truth holds = TRUTH_UNKNOWN;
   int s = values_init(&v, p, variant, ctx, j->cache);
-  num_vec_init(&in, t->s.tape.n_inputs, ctx);
-  num_vec_init(&out, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec in = calc_vec(&c, t->s.tape.n_inputs), out = calc_vec(&c, 2);
   bool known = true;
   for (slong i = 0; s == SS_OK && i < t->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, t->s.tape.inputs[i]);
@@ -69,8 +69,7 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
     arb_clear(bound);
   }
   if (s == SS_OK) ++*accepted;
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   values_clear(&v);
   return s == SS_OK ? holds : TRUTH_UNKNOWN;
 }

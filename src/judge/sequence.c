@@ -7,6 +7,7 @@
 #include "base/work.h"
 #include "judge.h"
 #include "motion/given.h"
+#include "num/calc.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
 
@@ -124,11 +125,8 @@ static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *te
 /* Does the state return, carried through the given phases over the orbit's times?  By closed forms or exponentials. */
 static truth returns(const struct judge *j, const struct dyn_orbit *o, const enum phase *through, int n, bool closed) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec params, m, z, start;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&m, 16, ctx);
-  num_vec_init(&z, 4, ctx);
-  num_vec_init(&start, 4, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, 16), z = calc_vec(&c, 4), start = calc_vec(&c, 4);
   int s = SS_OK;
   for (int i = 0; i < 3; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &j->scene->value[i], ctx.prec);
   arb_set(num_vec_at(&params, P_E1), o->e1);
@@ -148,10 +146,7 @@ static truth returns(const struct judge *j, const struct dyn_orbit *o, const enu
   truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
   for (int i = 0; s == SS_OK && i < 4; i++)
     if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
-  num_vec_clear(&start);
-  num_vec_clear(&z);
-  num_vec_clear(&m);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return back;
 }
 

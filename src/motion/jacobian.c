@@ -11,6 +11,7 @@
 #include "differences.h"
 #include "event.h"
 #include "flow.h"
+#include "num/calc.h"
 #include "rounded.h"
 
 /* f = Z' at the state z. */
@@ -92,10 +93,9 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
   struct num_ctx ctx = params->ctx;
-  struct num_vec local, product;
   int status = SS_OK;
-  num_vec_init(&local, N_STATE * N_STATE, ctx);
-  num_vec_init(&product, N_STATE * 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec local = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * 2);
   for (slong i = 0; i < 2; i++) status |= ctx.type->set_d(num_vec_at(&product, 3 * i), 1, ctx.prec);
   for (int ph = PHASE_D; ph < N_PHASES; ph++) {
     struct num_vec in = {ctx, N_STATE, num_vec_at(&arc->z, ph * N_STATE)};
@@ -103,8 +103,7 @@ int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const s
     status |= num_mat_mul(&product, &local, &product, N_STATE, N_STATE, 2);
   }
   for (slong i = 0; i < 4; i++) ctx.type->set(num_vec_at(j, i), num_vec_at(&product, i));
-  num_vec_clear(&local);
-  num_vec_clear(&product);
+  calc_clear(&c);
   return status;
 }
 
@@ -250,14 +249,12 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
 /* The event map on doubles, which are the elements of num_double. */
 static int run_doubles(double *out, const double *x, const void *self) {
   const struct event_map *map = self;
-  struct num_vec in, end;
-  num_vec_init(&in, map->n, num_ctx_double());
-  num_vec_init(&end, map->n, num_ctx_double());
+  struct calc c = calc_begin(num_ctx_double());
+  struct num_vec in = calc_vec(&c, map->n), end = calc_vec(&c, map->n);
   memcpy(in.data, x, (size_t)map->n * sizeof *x);
   int status = map->run(&end, &in, map);
   memcpy(out, end.data, (size_t)map->n * sizeof *out);
-  num_vec_clear(&end);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return status;
 }
 

@@ -6,18 +6,17 @@
 #include <stdbool.h>
 
 #include "dynamics.h"
+#include "num/calc.h"
 
 /* The switching functions are affine, so their gradient applied to v is a difference. */
 static int along_gradient(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
   const struct num_type *t = params->ctx.type;
-  struct num_vec zero, at_zero;
-  num_vec_init(&zero, N_STATE, params->ctx);
-  num_vec_init(&at_zero, 1, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec zero = calc_vec(&c, N_STATE), at_zero = calc_vec(&c, 1);
   int s = dyn_switching(out, ph, params, v);
   s |= dyn_switching(num_vec_at(&at_zero, 0), ph, params, &zero);
   s |= t->sub(out, out, num_vec_at(&at_zero, 0), params->ctx.prec);
-  num_vec_clear(&at_zero);
-  num_vec_clear(&zero);
+  calc_clear(&c);
   return s;
 }
 
@@ -63,11 +62,9 @@ static int cross(struct num_vec *column, const struct num_vec *to, const struct 
    taken back along the motion that follows, to the perturbed motion's own event. */
 static int carry_phase(struct num_vec *column, enum phase ph, const struct num_vec *params, const struct num_vec *end,
                        const void *t, bool home) {
-  struct num_vec phi, before, after, lead;
-  num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
-  num_vec_init(&before, N_STATE, params->ctx);
-  num_vec_init(&after, N_STATE, params->ctx);
-  num_vec_init(&lead, 1, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), before = calc_vec(&c, N_STATE), after = calc_vec(&c, N_STATE),
+                 lead = calc_vec(&c, 1);
   int s = dyn_propagator(&phi, ph, params, t);
   s |= num_mat_mul(column, &phi, column, N_STATE, N_STATE, 1);
   s |= vector_field(&before, ph, params, end);
@@ -75,10 +72,7 @@ static int carry_phase(struct num_vec *column, enum phase ph, const struct num_v
   s |= delay(num_vec_at(&lead, 0), ph, params, column, &before);
   s |= cross(column, &after, &before, num_vec_at(&lead, 0));
   if (home) s |= cross(column, NULL, &after, num_vec_at(&lead, 0));
-  num_vec_clear(&lead);
-  num_vec_clear(&after);
-  num_vec_clear(&before);
-  num_vec_clear(&phi);
+  calc_clear(&c);
   return s;
 }
 
@@ -95,19 +89,15 @@ static int carry(struct num_vec *column, slong k, const struct num_vec *params, 
 
 int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
                                  const struct num_vec *in, const void *t) {
-  struct num_vec column, phi, end;
-  num_vec_init(&column, N_STATE, params->ctx);
-  num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
-  num_vec_init(&end, N_STATE, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec column = calc_vec(&c, N_STATE), phi = calc_vec(&c, N_STATE * N_STATE), end = calc_vec(&c, N_STATE);
   int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(&end, &phi, in, N_STATE, N_STATE, 1);
   for (slong k = 0; k < N_STATE; k++) {
     for (slong i = 0; i < N_STATE; i++) s |= params->ctx.type->set_d(num_vec_at(&column, i), i == k, params->ctx.prec);
     s |= carry_phase(&column, ph, params, &end, t, true);
     for (slong i = 0; i < N_STATE; i++) j->ctx.type->set(num_vec_at(j, N_STATE * i + k), num_vec_at(&column, i));
   }
-  num_vec_clear(&end);
-  num_vec_clear(&phi);
-  num_vec_clear(&column);
+  calc_clear(&c);
   return s;
 }
 

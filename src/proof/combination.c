@@ -56,16 +56,14 @@ static bool names_of(struct proof *p, const struct tape *t) {
 
 /* The outputs of a tape as facts of a list; false where one is no rational function, or divides by zero. */
 static bool facts_of(struct fact *list, int *n, const struct tape *t, const char *const *text, struct proof *p) {
-  struct num_vec in, out;
   if (*n + (int)t->n_outputs > MAX_FACTS) return false;
-  num_vec_init(&in, t->n_inputs, num_ctx_exact());
-  num_vec_init(&out, t->n_outputs, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
   for (slong i = 0; i < t->n_inputs; i++)
     fmpz_mpoly_q_gen(num_vec_at(&in, i), generator(p, t->inputs[i]), num_exact_ctx());
   bool ok = tape_eval(&out, NULL, t, &in) == SS_OK;
   for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, num_vec_at(&out, i), text[i]);
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return ok;
 }
 

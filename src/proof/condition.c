@@ -2,6 +2,7 @@
 
    The rest of a tape's inputs are bound once for an orbit; only what moves is set anew for each time. */
 #include "condition.h"
+#include "num/calc.h"
 #include "record/result.h"
 
 #include <math.h>
@@ -165,9 +166,8 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
 
 /* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
 static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
-  struct num_vec z, m;
-  num_vec_init(&z, 4, v->ctx);
-  num_vec_init(&m, 16, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec z = calc_vec(&c, 4), m = calc_vec(&c, 16);
   const struct num_type *t = v->ctx.type;
   for (int i = 0; i < 4; i++) t->set(num_vec_at(&z, i), num_vec_at(&v->arc.z, 4 * (int)ph + i));
   int s = SS_OK;
@@ -191,8 +191,7 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
   for (int k = 0; k < (int)ph; k++) s |= t->add(time, time, num_vec_at(&v->arc.t, k), v->ctx.prec);
-  num_vec_clear(&m);
-  num_vec_clear(&z);
+  calc_clear(&c);
   return s;
 }
 
@@ -282,10 +281,9 @@ struct affine {
 
 static int affine_init(struct affine *f, struct bound *b) {
   const struct num_type *t = b->v->ctx.type;
-  struct num_vec x, sum;
   num_vec_init(&f->c, N_MOVING + 1, b->v->ctx);
-  num_vec_init(&x, N_MOVING, b->v->ctx);
-  num_vec_init(&sum, 2, b->v->ctx);
+  struct calc w = calc_begin(b->v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), sum = calc_vec(&w, 2);
   void *constant = num_vec_at(&f->c, N_MOVING), *total = num_vec_at(&sum, 0), *all = num_vec_at(&sum, 1);
   int s = margin_at(constant, b, &x);
   t->set(total, constant);
@@ -299,18 +297,15 @@ static int affine_init(struct affine *f, struct bound *b) {
   for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
   s |= margin_at(all, b, &x);
   if (!arb_overlaps(all, total)) s |= SS_UNABLE; /* not affine */
-  num_vec_clear(&sum);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return s;
 }
 
 /* The margin and its rate for every time of the ball tau. */
 static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
                      const arb_t tau) {
-  struct num_vec x, a, z;
-  num_vec_init(&x, N_MOVING, v->ctx);
-  num_vec_init(&a, 16, v->ctx);
-  num_vec_init(&z, 4, v->ctx);
+  struct calc w = calc_begin(v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), a = calc_vec(&w, 16), z = calc_vec(&w, 4);
   slong prec = v->ctx.prec;
   int s = moving_at(&x, v, ph, tau);
   s |= dyn_system(&a, ph, &v->params);
@@ -323,9 +318,7 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct val
     arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
     arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
   }
-  num_vec_clear(&z);
-  num_vec_clear(&a);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return s;
 }
 
@@ -420,9 +413,8 @@ static truth sign_of(const struct condition *c, const arb_t m, slong prec) {
 
 /* At a fraction of the phase, or at the one moment that the condition names. */
 static truth holds_at(struct bound *b, double where, slong prec) {
-  struct num_vec x, tau;
-  num_vec_init(&x, N_MOVING, b->v->ctx);
-  num_vec_init(&tau, 2, b->v->ctx);
+  struct calc w = calc_begin(b->v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), tau = calc_vec(&w, 2);
   arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
   int s = SS_OK;
   if (b->c->moving) {
@@ -432,8 +424,7 @@ static truth holds_at(struct bound *b, double where, slong prec) {
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
   truth holds = s == SS_OK ? sign_of(b->c, m, prec) : TRUTH_UNKNOWN;
-  num_vec_clear(&tau);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return holds;
 }
 

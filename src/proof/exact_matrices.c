@@ -5,15 +5,14 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 /* The 4x4 derivative of the event-located map of a phase: column by column what it makes of a perturbation. */
 static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) {
-  struct num_vec z, f, col, dt, p, u;
-  vec_init(&f, 4);
-  vec_init(&col, 4);
-  vec_init(&dt, 1);
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct num_vec z;
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec f = calc_vec(&c, 4), col = calc_vec(&c, 4), dt = calc_vec(&c, 1), p = calc_vec(&c, 16),
+                 u = calc_vec(&c, 1);
   int s = motion_state(&z, m, phase + 1);
   s |= motion_rate(&f, m, phase, &z);
   s |= motion_length(at(&u, 0), m, phase);
@@ -26,11 +25,7 @@ static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) 
       if (s == SS_OK) s = motion_op(num_exact.add, at(j, 4 * i + k), m, at(j, 4 * i + k), at(&col, i));
     }
   }
-  num_vec_clear(&u);
-  num_vec_clear(&p);
-  num_vec_clear(&dt);
-  num_vec_clear(&col);
-  num_vec_clear(&f);
+  calc_clear(&c);
   return s;
 }
 
@@ -45,9 +40,8 @@ static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
 }
 
 static int period_matrix(struct num_vec *out, struct exact_motion *m) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = SS_OK;
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s = motion_length(at(&u, 0), m, ph);
@@ -57,8 +51,7 @@ static int period_matrix(struct num_vec *out, struct exact_motion *m) {
     else if (s == SS_OK)
       s = motion_multiply(out, m, &p, out, 4, 4, 4);
   }
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
@@ -78,11 +71,9 @@ static int direction(struct num_vec *v, struct exact_motion *m, int phase, int k
 /* Does the phase carry the perturbations of its corner's columns to those of the next corner's, as the corner says? */
 static bool hands_over(struct exact_motion *m, int phase) {
   const struct local_map *map = &local_maps[phase];
-  struct num_vec j, c, v, w;
-  vec_init(&j, 16);
-  vec_init(&c, map->rows * map->cols);
-  vec_init(&v, 4);
-  vec_init(&w, 4);
+  struct calc scratch = calc_begin(num_ctx_exact());
+  struct num_vec j = calc_vec(&scratch, 16), c = calc_vec(&scratch, map->rows * map->cols), v = calc_vec(&scratch, 4),
+                 w = calc_vec(&scratch, 4);
   int s = local_jacobian(&j, m, phase);
   if (s == SS_OK) s = corner(&c, m, phase);
   for (int k = 0; s == SS_OK && k < map->cols; k++) {
@@ -98,10 +89,7 @@ static bool hands_over(struct exact_motion *m, int phase) {
     for (int i = 0; i < 4; i++)
       if (!exact_is_zero(m->field, at(&v, i))) s |= SS_UNABLE;
   }
-  num_vec_clear(&w);
-  num_vec_clear(&v);
-  num_vec_clear(&c);
-  num_vec_clear(&j);
+  calc_clear(&scratch);
   return s == SS_OK;
 }
 

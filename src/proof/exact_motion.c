@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 /* The last switch before the time t, or at it. */
 static int end_now(const struct exact_motion *m) {
@@ -31,9 +32,8 @@ static int time_now(element *z, struct exact_motion *m) {
 /* Z(t) or, for the second derivative, its rate. */
 static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   static const char *const start[] = {"z_1(0)", "z_2(0)", "z_1'(0)", "z_2'(0)"};
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
   if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
   if (has_word(m)) s |= motion_perturbed(out, m, end_now(m), m->finite);
@@ -41,8 +41,7 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   s |= exact_propagator(&p, m, m->phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(out, m, &p, out, 4, 4, 1);
   if (s == SS_OK && rate) s = motion_rate(out, m, (int)m->phase, out);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 enum { TERMS = 1500 }; /* of the largest polynomial of a motion's field */
 
@@ -51,10 +52,8 @@ int motion_system(struct num_vec *a, struct exact_motion *m, enum phase ph) {
 
 /* Is w^2 an eigenvalue of the stiffness of phase H, as the first-order system has it? */
 static bool is_frequency(struct exact_motion *m, const element *w) {
-  struct num_vec a, k, det;
-  vec_init(&a, 16);
-  vec_init(&k, 4);
-  vec_init(&det, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec a = calc_vec(&c, 16), k = calc_vec(&c, 4), det = calc_vec(&c, 1);
   int s = motion_system(&a, m, PHASE_H);
   for (int i = 0; i < 4; i++) s |= num_exact.neg(at(&k, i), at(&a, 8 + 4 * (i / 2) + i % 2), 0);
   s |= num_exact.mul(at(&det, 0), w, w, 0);
@@ -62,9 +61,7 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
   s |= num_mat_det(at(&det, 0), &k, 2);
   s |= exact_reduce(at(&det, 0), m->field);
   bool zero = s == SS_OK && exact_is_zero(m->field, at(&det, 0));
-  num_vec_clear(&det);
-  num_vec_clear(&k);
-  num_vec_clear(&a);
+  calc_clear(&c);
   return zero;
 }
 

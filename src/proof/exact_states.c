@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 int motion_length(element *z, struct exact_motion *m, int phase) {
   return motion_symbol(z, m, name_time[phase]);
@@ -85,29 +86,25 @@ static int decide_limit(struct exact_motion *m, int k, struct num_vec *z) {
 }
 
 static int carried(struct num_vec *z, struct exact_motion *m, int k, const struct num_vec *from, const element *more) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = motion_length(at(&u, 0), m, k - 1);
   if (more) s |= motion_op(num_exact.add, at(&u, 0), m, at(&u, 0), more);
   s |= exact_propagator(&p, m, (enum phase)(k - 1), at(&u, 0));
   if (s == SS_OK) s = motion_multiply(z, m, &p, from, 4, 4, 1);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
 /* Z_c = exp(-A_C t_d) Z_0. */
 static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = motion_length(at(&u, 0), m, PHASE_C);
   s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
   if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(z, m, &p, start, 4, 4, 1);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 

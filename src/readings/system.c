@@ -8,6 +8,7 @@
    derivative by a time is that inverse times the derivative of (44) along the motion that starts at the solution. */
 #include <string.h>
 
+#include "num/calc.h"
 #include "readings.h"
 
 static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)",  "C(t_d)",
@@ -140,10 +141,8 @@ static int from_tape(struct system *s) {
 
 static int from_model(struct system *s) {
   const struct num_type *t = s->ctx.type;
-  struct num_vec params, unit, a;
-  num_vec_init(&params, N_PARAMS, s->ctx);
-  num_vec_init(&unit, N_STATE, s->ctx);
-  num_vec_init(&a, 16, s->ctx);
+  struct calc c = calc_begin(s->ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), unit = calc_vec(&c, N_STATE), a = calc_vec(&c, 16);
   for (int i = 0; i < 3; i++) t->set(num_vec_at(&params, i), num_vec_at(&s->model, i));
   int status = t->set_d(num_vec_at(&params, P_E1), 1, s->ctx.prec); /* the motion does not depend on them */
   status |= t->set_d(num_vec_at(&params, P_E2), 1, s->ctx.prec);
@@ -156,9 +155,7 @@ static int from_model(struct system *s) {
     status |= dyn_system(&a, (enum phase)k, &params);
     status |= num_mat_mul(&s->dp[k], &a, &s->p[k], 4, 4, 4);
   }
-  num_vec_clear(&a);
-  num_vec_clear(&unit);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return status;
 }
 
@@ -250,11 +247,8 @@ static int row_along(struct system *s, int eq) {
 static int rows_solved(struct system *s, int block) {
   const struct num_type *t = s->ctx.type;
   slong prec = s->ctx.prec;
-  struct num_vec a, gap, rate, one;
-  num_vec_init(&a, 4, s->ctx);
-  num_vec_init(&gap, 2, s->ctx);
-  num_vec_init(&rate, 8, s->ctx);
-  num_vec_init(&one, 1, s->ctx);
+  struct calc w = calc_begin(s->ctx);
+  struct num_vec a = calc_vec(&w, 4), gap = calc_vec(&w, 2), rate = calc_vec(&w, 8), one = calc_vec(&w, 1);
   int status = t->set_d(num_vec_at(&one, 0), 1, prec);
   for (int i = 0; i < 2; i++) {
     int row = 2 * block + i;
@@ -277,10 +271,7 @@ static int rows_solved(struct system *s, int block) {
     for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), c == X_Z10 + i, prec);
     for (int c = 0; c < 4; c++) t->set(num_vec_at(&s->slope, eq * N_X + X_TA + c), num_vec_at(&rate, 4 * i + c));
   }
-  num_vec_clear(&one);
-  num_vec_clear(&rate);
-  num_vec_clear(&gap);
-  num_vec_clear(&a);
+  calc_clear(&w);
   return status;
 }
 

@@ -9,6 +9,7 @@
 #include "base/work.h"
 #include "consequence.h"
 #include "judge/judge.h"
+#include "num/calc.h"
 #include "proof/exact_proof.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
@@ -117,17 +118,15 @@ static int tape_at(struct num_vec *out, const struct tape *t, struct values *v, 
 
 static struct trial try_result(const struct failure *f, struct result *r, struct values *v) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
-  struct num_vec own, corrected;
-  num_vec_init(&own, r->rows * r->cols, v->ctx);
-  num_vec_init(&corrected, r->rows * r->cols, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec own = calc_vec(&c, r->rows * r->cols), corrected = calc_vec(&c, r->rows * r->cols);
   int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v, NULL);
   if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v, f);
   if (s == SS_OK)
     t = balls_compare(&own, &corrected);
   else if (!(s & SS_DOMAIN))
     t.outcome = OUTCOME_UNDECIDED;
-  num_vec_clear(&corrected);
-  num_vec_clear(&own);
+  calc_clear(&c);
   return t;
 }
 

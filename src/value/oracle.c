@@ -1,6 +1,7 @@
 /* The model's own quantities under the names that the paper gives its formulas. */
 #include "oracle.h"
 #include "local_maps.h"
+#include "num/calc.h"
 
 #include <string.h>
 
@@ -154,15 +155,13 @@ static int eval_k2_newton(struct num_vec *out, struct values *v) {
 /* Where both blocks rest under the sliding forces u_s1, u_s2 (per k_1 + k_2): the minimum of the springs' energy less
    the forces' work; K d = (u_s1, eta u_s2) solved with the stiffness of the model. */
 static int equilibrium(struct num_vec *out, struct values *v) {
-  struct num_vec k, f;
-  num_vec_init(&k, 4, v->ctx);
-  num_vec_init(&f, 2, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec k = calc_vec(&c, 4), f = calc_vec(&c, 2);
   int s = stiffness(&k, v, PHASE_H);
   v->ctx.type->set(num_vec_at(&f, 0), num_vec_at(&v->q, Q_US1));
   s |= v->ctx.type->mul(num_vec_at(&f, 1), num_vec_at(&v->q, Q_US2), num_vec_at(&v->params, P_ETA), v->ctx.prec);
   s |= num_mat_solve(out, &k, &f, 2, 1);
-  num_vec_clear(&f);
-  num_vec_clear(&k);
+  calc_clear(&c);
   return s;
 }
 static int one_of(struct num_vec *out, struct values *v, int (*pair)(struct num_vec *, struct values *), int i) {
@@ -184,9 +183,8 @@ static int eval_d02(struct num_vec *out, struct values *v) {
 static int frequencies(struct num_vec *out, struct values *v) {
   const struct num_type *t = v->ctx.type;
   slong p = v->ctx.prec;
-  struct num_vec k, c;
-  num_vec_init(&k, 4, v->ctx);
-  num_vec_init(&c, 3, v->ctx);
+  struct calc w = calc_begin(v->ctx);
+  struct num_vec k = calc_vec(&w, 4), c = calc_vec(&w, 3);
   int s = stiffness(&k, v, PHASE_H);
   s |= num_mat_det(num_vec_at(&c, 0), &k, 2);
   s |= t->add(num_vec_at(&c, 1), num_vec_at(&k, 0), num_vec_at(&k, 3), p);
@@ -196,8 +194,7 @@ static int frequencies(struct num_vec *out, struct values *v) {
     s |= num_poly_root(num_vec_at(out, i), &c, i + 1);
     s |= t->sqrt(num_vec_at(out, i), num_vec_at(out, i), p);
   }
-  num_vec_clear(&c);
-  num_vec_clear(&k);
+  calc_clear(&w);
   return s;
 }
 static int eval_omega1(struct num_vec *out, struct values *v) {
