@@ -230,6 +230,10 @@ slong calc_exponent(const struct calc *c, val x) {
   return size == 0 ? CALC_TINY : isfinite(size) ? e : -CALC_TINY;
 }
 
+void calc_store(const struct calc *c, void *z, val x) {
+  c->ctx.type->set(z, x);
+}
+
 val calc_round(struct calc *c, val x) {
   void *z = calc_new(c);
   if (c->ctx.type == &num_arb)

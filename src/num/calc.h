@@ -49,7 +49,8 @@ val calc_atan2(struct calc *c, val y, val x);
 val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
 /* start + a x + b y, or start + a x - b y; start may be NULL for 0. */
 val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, val y);
-val calc_round(struct calc *c, val x); /* to the calc's precision */
+void calc_store(const struct calc *c, void *z, val x); /* z = x */
+val calc_round(struct calc *c, val x);                 /* to the calc's precision */
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
 val calc_div_ui(struct calc *c, val x, ulong n);

@@ -68,25 +68,18 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
 /* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi
    and eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
 static int take_modes(struct exact_motion *m) {
-  const struct num_type *t = &num_exact;
-  struct num_vec w;
-  vec_init(&w, 4);
-  element *one = at(&w, 0), *a = at(&w, 1), *b = at(&w, 2), *stiff = at(&w, 3);
-  int s = exact_symbol(at(&m->frequency, 0), m->field, "w_1");
-  s |= exact_symbol(at(&m->frequency, 1), m->field, "w_2");
-  s |= t->set_d(one, 1, 0);
-  s |= t->mul(a, at(&m->frequency, 0), at(&m->frequency, 0), 0);
-  s |= t->mul(b, at(&m->frequency, 1), at(&m->frequency, 1), 0);
-  s |= t->add(stiff, a, b, 0);
-  s |= t->sub(stiff, stiff, one, 0);
-  s |= t->sub(a, one, a, 0);
-  s |= t->sub(b, b, one, 0);
-  s |= t->mul(a, a, b, 0);
-  s |= t->div(at(&m->params, P_CHI), a, stiff, 0);
-  s |= t->div(at(&m->params, P_ETA), stiff, at(&m->params, P_CHI), 0);
-  num_vec_clear(&w);
-  if (s == SS_OK && !(is_frequency(m, at(&m->frequency, 0)) && is_frequency(m, at(&m->frequency, 1)))) s = SS_UNABLE;
-  exact_field_roots(m->field, at(&m->frequency, 0), 2);
+  struct calc c = calc_begin(num_ctx_exact());
+  element *w1 = at(&m->frequency, 0), *w2 = at(&m->frequency, 1);
+  c.status = exact_symbol(w1, m->field, "w_1") | exact_symbol(w2, m->field, "w_2");
+  val one = calc_d(&c, 1), a = calc_mul(&c, w1, w1), b = calc_mul(&c, w2, w2);
+  val stiff = calc_sub(&c, calc_add(&c, a, b), one);
+  val det = calc_mul(&c, calc_sub(&c, one, a), calc_sub(&c, b, one));
+  calc_store(&c, at(&m->params, P_CHI), calc_div(&c, det, stiff));
+  calc_store(&c, at(&m->params, P_ETA), calc_div(&c, stiff, at(&m->params, P_CHI)));
+  calc_clear(&c);
+  int s = c.status;
+  if (s == SS_OK && !(is_frequency(m, w1) && is_frequency(m, w2))) s = SS_UNABLE;
+  exact_field_roots(m->field, w1, 2);
   return s;
 }
 

@@ -199,48 +199,36 @@ static int motion_run(struct motion *m, const struct system *s) {
 
 /* --- Rows --- */
 
-/* z += (one + with_chi chi) x */
-static int add_share(void *z, const struct system *s, const struct equation *e, int i, const void *x,
-                     struct num_vec *scratch) {
-  const struct num_type *t = s->ctx.type;
-  slong prec = s->ctx.prec;
-  void *c = num_vec_at(scratch, 0), *chi = num_vec_at(scratch, 1);
-  int status = t->set_d(c, e->with_chi[i], prec);
-  status |= t->mul(c, c, num_vec_at(&s->model, 0), prec);
-  status |= t->set_d(chi, e->one[i], prec);
-  status |= t->add(c, c, chi, prec);
-  status |= t->mul(c, c, x, prec);
-  return status | t->add(z, z, c, prec);
+/* z += factor (end - start); without a start, factor end. */
+static void add_share(void *z, struct calc *c, val factor, val end, val start) {
+  calc_store(c, z, calc_add(c, z, calc_mul(c, factor, start ? calc_sub(c, end, start) : end)));
 }
 
 static int row_along(struct system *s, int eq) {
   const struct equation *e = &equations[eq];
   const struct num_type *t = s->ctx.type;
-  slong prec = s->ctx.prec;
-  struct num_vec w;
-  num_vec_init(&w, 3, s->ctx);
-  void *x = num_vec_at(&w, 2), *value = num_vec_at(&s->value, eq);
-  int status = t->set_d(value, 0, prec);
+  struct calc w = calc_begin(s->ctx);
+  void *value = num_vec_at(&s->value, eq);
+  int status = t->set_d(value, 0, s->ctx.prec);
   bool returns = e->right == RIGHT_START;
-  for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), 0, prec);
+  for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), 0, s->ctx.prec);
   for (int i = 0; i < 4; i++) {
     if (e->one[i] == 0 && e->with_chi[i] == 0) continue;
-    t->set(x, num_vec_at(&s->own.state[e->end], i));
-    if (returns) status |= t->sub(x, x, num_vec_at(&s->own.state[0], i), prec);
-    status |= add_share(value, s, e, i, x, &w);
-    for (int c = 0; c < 6; c++) {
-      t->set(x, num_vec_at(&s->own.tangent[e->end], 6 * i + c));
-      if (returns) status |= t->sub(x, x, num_vec_at(&s->own.tangent[0], 6 * i + c), prec);
-      status |= add_share(num_vec_at(&s->slope, eq * N_X + c), s, e, i, x, &w);
-    }
+    val with_chi = calc_mul(&w, calc_d(&w, e->with_chi[i]), num_vec_at(&s->model, 0));
+    val factor = calc_add(&w, with_chi, calc_d(&w, e->one[i]));
+    add_share(value, &w, factor, num_vec_at(&s->own.state[e->end], i),
+              returns ? num_vec_at(&s->own.state[0], i) : NULL);
+    for (int c = 0; c < 6; c++)
+      add_share(num_vec_at(&s->slope, eq * N_X + c), &w, factor, num_vec_at(&s->own.tangent[e->end], 6 * i + c),
+                returns ? num_vec_at(&s->own.tangent[0], 6 * i + c) : NULL);
   }
-  if (e->right == RIGHT_V) status |= t->sub(value, value, num_vec_at(&s->model, 2), prec);
+  if (e->right == RIGHT_V) calc_store(&w, value, calc_sub(&w, value, num_vec_at(&s->model, 2)));
   if (e->right >= 0) {
-    status |= t->sub(value, value, num_vec_at(&s->x, e->right), prec);
-    status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, prec);
+    calc_store(&w, value, calc_sub(&w, value, num_vec_at(&s->x, e->right)));
+    status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, s->ctx.prec);
   }
-  num_vec_clear(&w);
-  return status;
+  calc_clear(&w);
+  return status | w.status;
 }
 
 /* Both rows of z_0 solved from the positions (block 0) or the velocities (block 1) of (44). */
