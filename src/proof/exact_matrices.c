@@ -9,24 +9,21 @@
 
 /* The 4x4 derivative of the event-located map of a phase: column by column what it makes of a perturbation. */
 static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) {
-  struct num_vec z;
-  struct calc c = calc_begin(num_ctx_exact());
-  struct num_vec f = calc_vec(&c, 4), col = calc_vec(&c, 4), dt = calc_vec(&c, 1), p = calc_vec(&c, 16),
-                 u = calc_vec(&c, 1);
-  int s = motion_state(&z, m, phase + 1);
-  s |= motion_rate(&f, m, phase, &z);
-  s |= motion_length(at(&u, 0), m, phase);
-  s |= exact_propagator(&p, m, (enum phase)phase, at(&u, 0));
-  for (int k = 0; s == SS_OK && k < 4; k++) {
+  struct calc c = exact_calc(m->field);
+  struct num_vec z, f = calc_vec(&c, 4), col = calc_vec(&c, 4), p = calc_vec(&c, 16);
+  void *dt = calc_new(&c), *u = calc_new(&c);
+  c.status = motion_state(&z, m, phase + 1);
+  c.status |= motion_rate(&f, m, phase, &z);
+  c.status |= motion_length(u, m, phase);
+  c.status |= exact_propagator(&p, m, (enum phase)phase, u);
+  for (int k = 0; c.status == SS_OK && k < 4; k++) {
     for (int i = 0; i < 4; i++) num_exact.set(at(&col, i), at(&p, 4 * i + k));
-    s = motion_delay(at(&dt, 0), m, phase + 1, &col, &z);
-    for (int i = 0; s == SS_OK && i < 4; i++) {
-      s = motion_op(num_exact.mul, at(j, 4 * i + k), m, at(&f, i), at(&dt, 0));
-      if (s == SS_OK) s = motion_op(num_exact.add, at(j, 4 * i + k), m, at(j, 4 * i + k), at(&col, i));
-    }
+    c.status = motion_delay(dt, m, phase + 1, &col, &z);
+    for (int i = 0; i < 4; i++)
+      calc_store(&c, at(j, 4 * i + k), calc_add(&c, calc_mul(&c, at(&f, i), dt), at(&col, i)));
   }
   calc_clear(&c);
-  return s;
+  return c.status;
 }
 
 static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
@@ -71,26 +68,24 @@ static int direction(struct num_vec *v, struct exact_motion *m, int phase, int k
 /* Does the phase carry the perturbations of its corner's columns to those of the next corner's, as the corner says? */
 static bool hands_over(struct exact_motion *m, int phase) {
   const struct local_map *map = &local_maps[phase];
-  struct calc scratch = calc_begin(num_ctx_exact());
-  struct num_vec j = calc_vec(&scratch, 16), c = calc_vec(&scratch, map->rows * map->cols), v = calc_vec(&scratch, 4),
-                 w = calc_vec(&scratch, 4);
-  int s = local_jacobian(&j, m, phase);
-  if (s == SS_OK) s = corner(&c, m, phase);
-  for (int k = 0; s == SS_OK && k < map->cols; k++) {
-    s = direction(&v, m, phase, k);
-    if (s == SS_OK) s = motion_multiply(&v, m, &j, &v, 4, 4, 1);
-    for (int r = 0; s == SS_OK && r < map->rows; r++) {
-      s = direction(&w, m, phase + 1, r);
-      for (int i = 0; s == SS_OK && i < 4; i++) {
-        s = motion_op(num_exact.mul, at(&w, i), m, at(&w, i), at(&c, r * map->cols + k));
-        if (s == SS_OK) s = motion_op(num_exact.sub, at(&v, i), m, at(&v, i), at(&w, i));
-      }
+  struct calc c = exact_calc(m->field);
+  struct num_vec j = calc_vec(&c, 16), kept = calc_vec(&c, map->rows * map->cols);
+  struct num_vec v = calc_vec(&c, 4), w = calc_vec(&c, 4);
+  c.status = local_jacobian(&j, m, phase);
+  if (c.status == SS_OK) c.status = corner(&kept, m, phase);
+  for (int k = 0; c.status == SS_OK && k < map->cols; k++) {
+    c.status = direction(&v, m, phase, k);
+    if (c.status == SS_OK) c.status = motion_multiply(&v, m, &j, &v, 4, 4, 1);
+    for (int r = 0; c.status == SS_OK && r < map->rows; r++) {
+      c.status = direction(&w, m, phase + 1, r);
+      val by = at(&kept, r * map->cols + k);
+      for (int i = 0; i < 4; i++) calc_store(&c, at(&v, i), calc_sub(&c, at(&v, i), calc_mul(&c, at(&w, i), by)));
     }
     for (int i = 0; i < 4; i++)
-      if (!exact_is_zero(m->field, at(&v, i))) s |= SS_UNABLE;
+      if (!exact_is_zero(m->field, at(&v, i))) c.status |= SS_UNABLE;
   }
-  calc_clear(&scratch);
-  return s == SS_OK;
+  calc_clear(&c);
+  return c.status == SS_OK;
 }
 
 /* The product of the corners, held as unknowns, once it is known that each phase hands over to the next. */

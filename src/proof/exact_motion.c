@@ -138,22 +138,22 @@ static int bind_param(element *z, struct exact_motion *m, int i) {
 
 /* N Z_0 = Z_0 on a periodic motion, solved for the column of N that multiplies z_1'. */
 static int periodic_entry(element *z, struct exact_motion *m, int row) {
-  struct num_vec v, w;
-  vec_init(&w, 1);
+  struct calc c = exact_calc(m->field);
+  struct num_vec v;
   char name[16];
   m->used_matrix = true;
-  int s = motion_state(&v, m, 0);
-  num_exact.set(z, at(&v, row - 1));
-  for (int j = 1; s == SS_OK && j <= 4; j++) {
+  c.status = motion_state(&v, m, 0);
+  val rest = at(&v, row - 1);
+  for (int j = 1; c.status == SS_OK && j <= 4; j++) {
     if (j == 3) continue;
+    void *entry = calc_new(&c);
     snprintf(name, sizeof name, "N[%d,%d]", row, j);
-    s = exact_symbol(at(&w, 0), m->field, name);
-    if (s == SS_OK) s = motion_op(num_exact.mul, at(&w, 0), m, at(&w, 0), at(&v, j - 1));
-    if (s == SS_OK) s = motion_op(num_exact.sub, z, m, z, at(&w, 0));
+    c.status = exact_symbol(entry, m->field, name);
+    rest = calc_sub(&c, rest, calc_mul(&c, entry, at(&v, j - 1)));
   }
-  if (s == SS_OK) s = motion_op(num_exact.div, z, m, z, at(&v, 2));
-  num_vec_clear(&w);
-  return s;
+  calc_store(&c, z, calc_div(&c, rest, at(&v, 2)));
+  calc_clear(&c);
+  return c.status;
 }
 
 /* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known

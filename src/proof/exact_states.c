@@ -145,15 +145,13 @@ int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const stru
 
 /* -n dz/(n f), by which the event comes later when the state at its time is dz off. */
 int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_vec *dz, const struct num_vec *z) {
-  struct num_vec w;
-  vec_init(&w, 1);
-  int s = switching(dt, m, k - 1, dz, true);
-  s |= dyn_switching_rate(at(&w, 0), (enum phase)(k - 1), &m->params, z);
-  s |= exact_reduce(at(&w, 0), m->field);
-  if (s == SS_OK) s = motion_op(num_exact.div, dt, m, dt, at(&w, 0));
-  if (s == SS_OK) s = num_exact.neg(dt, dt, 0);
-  num_vec_clear(&w);
-  return s;
+  struct calc c = exact_calc(m->field);
+  void *off = calc_new(&c), *rate = calc_new(&c);
+  c.status = switching(off, m, k - 1, dz, true);
+  c.status |= dyn_switching_rate(rate, (enum phase)(k - 1), &m->params, z) | exact_reduce(rate, m->field);
+  calc_store(&c, dt, calc_neg(&c, calc_div(&c, off, rate)));
+  calc_clear(&c);
+  return c.status;
 }
 
 static int free_shift(element *dt, struct exact_motion *m, int phase) {
@@ -162,20 +160,18 @@ static int free_shift(element *dt, struct exact_motion *m, int phase) {
 
 /* P dz + f dt, with dt where the event asks for it (located) or free. */
 static int first_order(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
-  struct num_vec z, f;
+  struct calc c = exact_calc(m->field);
+  struct num_vec z, f = calc_vec(&c, 4);
   element *dt = at(&m->shift, k - 1);
-  vec_init(&f, 4);
   int s = motion_state(&z, m, k);
   s |= carried(out, m, k, dz, NULL);
   if (s == SS_OK) s = motion_rate(&f, m, k - 1, &z);
   if (s == SS_OK)
     s = m->attempt.tangents == TANGENTS_LOCATED ? motion_delay(dt, m, k, out, &z) : free_shift(dt, m, k - 1);
-  for (int i = 0; s == SS_OK && i < 4; i++) {
-    s = motion_op(num_exact.mul, at(&f, i), m, at(&f, i), dt);
-    if (s == SS_OK) s = motion_op(num_exact.add, at(out, i), m, at(out, i), at(&f, i));
-  }
-  num_vec_clear(&f);
-  return s;
+  c.status = s;
+  for (int i = 0; i < 4; i++) calc_store(&c, at(out, i), calc_add(&c, at(out, i), calc_mul(&c, at(&f, i), dt)));
+  calc_clear(&c);
+  return c.status;
 }
 
 /* The other motion, Z + dZ, carried over the longer phase, less this one. */
