@@ -246,9 +246,7 @@ static const char *rational_text(struct argument *a, const fmpq *q) {
   struct text t;
   text_init(&t);
   num_print_q(&t, q);
-  const char *s = result_str(a->j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(a->j->out, &t);
 }
 
 static const char *scene_text(struct argument *a, const struct point *p) {
@@ -263,9 +261,7 @@ static const char *scene_text(struct argument *a, const struct point *p) {
     text_printf(&t, "%s%s = ", i ? "; " : "", line[i].name);
     num_print_q(&t, &p->q[line[i].q]);
   }
-  const char *s = result_str(a->j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(a->j->out, &t);
 }
 
 static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
@@ -494,8 +490,7 @@ static void describe_scene(struct finding *f, struct argument *a) {
                                               : "undecided");
     arb_clear(d.value);
   }
-  if (t.len) f->effect = result_str(a->j->out, "%s", text_str(&t));
-  text_clear(&t);
+  if (t.len) f->effect = result_take(a->j->out, &t);
   point_clear(&p);
 }
 

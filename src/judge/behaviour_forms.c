@@ -142,9 +142,7 @@ bool behaviour_closed_forms(struct behaviour *b) {
   }
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(count[0], count[1]);
-  behaviour_conclude(b, outcome, count[0] + count[1], count[1] ? a.where : NULL,
-                     result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  behaviour_conclude(b, outcome, count[0] + count[1], count[1] ? a.where : NULL, result_take(b->j->out, &note));
   state_overrun(b, &a);
   return true;
 }

@@ -95,8 +95,7 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       struct text t;
       text_init(&t);
       point_print(&t, p);
-      if (!s->where) s->where = result_str(b->j->out, "%s", text_str(&t));
-      text_clear(&t);
+      if (!s->where) s->where = result_take(b->j->out, &t);
     }
   }
   values_clear(&v);

@@ -52,8 +52,7 @@ bool behaviour_modes(struct behaviour *b) {
                   "belt, X x: one faster, one slower)");
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.rows[r], s.bad[r]);
-  behaviour_conclude(b, outcome, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  behaviour_conclude(b, outcome, w.motions, NULL, result_take(b->j->out, &note));
   return true;
 }
 
@@ -85,8 +84,7 @@ static void watch_visits(void *self, const struct motion *m, const struct trajec
   text_init(&t);
   motion_print(&t, m);
   v->fastest = lead;
-  v->where = result_str(v->b->j->out, "%s", text_str(&t));
-  text_clear(&t);
+  v->where = result_take(v->b->j->out, &t);
 }
 
 /* How many motions on admissible orbits stay inside. */

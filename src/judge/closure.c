@@ -105,17 +105,14 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
   int s = gap_over_box(gap, j, box);
   bool apart = s == SS_OK && !arb_contains_zero(gap);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = "model";
-  e->result = apart ? "differs" : "undecided";
-  e->bits = FIRST_PREC;
-  e->trials = 1;
-  e->worst = "every start that the printed digits of z10 and z20 allow";
+  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
+  const char *note = NULL;
   if (s == SS_OK)
-    e->note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
-                         apart ? ", which excludes 0: no start with these digits is periodic" : "");
-  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, s == SS_OK};
+    note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
+                      apart ? ", which excludes 0: no start with these digits is periodic" : "");
+  finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
+                    note);
+  w.trials = s == SS_OK;
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);
   /* a gap that may vanish is no proof that it does */

@@ -132,9 +132,7 @@ static const char *table(struct constraints *x) {
       sep = ", ";
     }
   }
-  const char *s = result_str(x->j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(x->j->out, &t);
 }
 
 /* --- Simulation --- */

@@ -175,8 +175,7 @@ static void conclude(struct behaviour *b, const struct tried *t) {
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
   w[0] = behaviour_route(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
-                         result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+                         result_take(b->j->out, &note));
   w[1] = behaviour_route(
       b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
       t->fate_as_said + t->fate_against + t->fate_open, NULL,

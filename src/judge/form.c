@@ -97,8 +97,7 @@ static void threshold_route(struct route_result *w, struct finding *f, struct ju
       struct text at;
       text_init(&at);
       point_print(&at, &p);
-      where = result_str(j->out, "%s", text_str(&at));
-      text_clear(&at);
+      where = result_take(j->out, &at);
     }
   }
   point_clear(&p);
@@ -168,13 +167,11 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
       out_of_range(&found, r->stmts[k]->sides[i], letter, lo, hi);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "printed";
-  e->result = found.len ? "differs" : "agrees";
-  e->trials = 1;
-  e->note = found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
-                      : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
+  struct route_result w = {"diagnostic", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+  const char *note =
+      found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
+                : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
+  finding_add_route(f, j->out, w, "printed", -1, NULL, note);
   f->verdict = found.len ? VERDICT_REFUTED : VERDICT_PROVED;
   const char *repaired = claim_get(c, "repaired-range");
   if (found.len && repaired && range_ends(&lo, &hi, repaired)) {

@@ -301,8 +301,7 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (t->rejected)
     text_printf(&note, "%s%ld further point%s not accepted", note.len ? "; " : "", t->rejected,
                 t->rejected == 1 ? "" : "s");
-  if (note.len) e->note = result_str(out, "%s", text_str(&note));
-  text_clear(&note);
+  if (note.len) e->note = result_take(out, &note);
 }
 
 static void conclude(struct finding *f, struct point_trials *r) {
@@ -432,8 +431,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
   text_printf(&t, "%s-if-", c->id);
   for (; *text; text++)
     if (*text != ' ' && *text != '=') text_add_char(&t, *text);
-  *id = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
+  *id = result_take(j->out, &t);
   return N_VERDICTS;
 }
 

@@ -51,8 +51,7 @@ static void try_point(struct tally *t, struct sentence *s, struct point *p, enum
   struct text where;
   text_init(&where);
   point_print(&where, p);
-  t->where = result_str(j->out, "%s", text_str(&where));
-  text_clear(&where);
+  t->where = result_take(j->out, &where);
 }
 
 static void run_route(struct tally *t, struct judge *j, const struct claim *c, struct sentence *s,

@@ -85,8 +85,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       expr_print(&t, st->sides[k]);
       text_add(&t, ops[st->ops[k]]);
       expr_print(&t, st->sides[k + 1]);
-      c->text = result_str(j->out, "%s", text_str(&t));
-      text_clear(&t);
+      c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
       if (ranged && !phase_of_range(&c->phase, st, r->src, j->d)) return false;
       if (c->moving && !ranged && phase < 0)

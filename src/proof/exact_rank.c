@@ -101,8 +101,7 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
                        : ", which are nowhere zero,",
         e->rank);
   }
-  r.note = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
+  r.note = result_take(out, &t);
   return r;
 }
 

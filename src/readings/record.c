@@ -19,9 +19,7 @@ static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
   struct text t;
   text_init(&t);
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
-  const char *s = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(out, &t);
 }
 
 static void *room(struct audit_result *out, int n, size_t size) {
@@ -291,8 +289,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
         p->n_given += fits;
         if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", e->printed[n]->name);
       }
-      if (ok) p->missed = result_str(out, "%s", text_str(&missed));
-      text_clear(&missed);
+      if (ok) p->missed = result_take(out, &missed);
     }
   _arb_vec_clear(x, N_PRINTED);
 }

@@ -362,8 +362,7 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->site.p.phase]);
   point_print(&where, &s->site.p);
   t->worst = gap.off;
-  t->where = result_str(s->j->out, "%s", text_str(&where));
-  text_clear(&where);
+  t->where = result_take(s->j->out, &where);
 }
 
 /* Every route to the quantity, and every two of them. */

@@ -344,8 +344,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
     }
     if (*sep == ',') text_add_char(&t, '.');
   }
-  if (t.len) f->effect = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
+  if (t.len) f->effect = result_take(out, &t);
 }
 
 static void consequence_of(struct judge *j, struct memory *m, struct finding *finding, size_t at) {
