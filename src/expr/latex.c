@@ -241,6 +241,18 @@ void expr_latex(struct text *out, const struct expr *e) {
   expr_write(out, e, latex_between);
 }
 
+bool expr_latex_of(struct text *out, const char *expression) {
+  struct arena a;
+  struct source s;
+  arena_init(&a);
+  source_from_string(&s, expression, expression);
+  const struct expr *e = expr_parse(&a, &s, (struct span){0, s.len}, NULL);
+  if (e) expr_latex(out, e);
+  source_clear(&s);
+  arena_clear(&a);
+  return e != NULL;
+}
+
 /* ---- statements */
 
 static void range_latex(struct text *out, const struct stmt *s) {

@@ -21,7 +21,7 @@ struct result {
   struct tape tape[N_READ];
   bool readable[N_READ];
   int rows, cols;
-  char *latex;
+  struct text latex;
   struct derived out;
   long agrees, differs, undecided;
   double worst_log;
@@ -42,29 +42,15 @@ struct failure {
 static bool read_result(struct result *r, int reading, struct view v) {
   const char *formula = claim_get(r->c, "formula"), *section = claim_get(r->c, "section");
   struct elaboration el;
-  struct arena a;
-  struct source src;
   struct matrix m;
   struct diag d;
   diag_init(&d);
   elaboration_init(&el, v, NULL, 0);
-  arena_init(&a);
-  source_from_string(&src, formula, formula);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  bool ok = e && elaborate(&m, &el, e, &src, section ? section : "", &d) &&
-            elaboration_tape(&r->tape[reading], &el, m.e, m.rows * m.cols, &d);
+  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, section ? section : "", &d);
   if (ok) {
     r->rows = m.rows;
     r->cols = m.cols;
   }
-  if (e && !r->latex) {
-    struct text t;
-    text_init(&t);
-    expr_latex(&t, e);
-    r->latex = t.data;
-  }
-  source_clear(&src);
-  arena_clear(&a);
   elaboration_clear(&el);
   return r->readable[reading] = ok;
 }
@@ -87,6 +73,7 @@ static void read_results(struct failure *f) {
   for (size_t i = 0; i < f->n; i++) {
     struct result *r = &f->result[i];
     *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
+    expr_latex_of(&r->latex, claim_get(r->c, "formula"));
     for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
@@ -225,7 +212,7 @@ static void conclude_result(struct failure *f, struct result *r) {
   long points = r->agrees + r->differs + r->undecided;
   d->formula = result_str(out, "%s", claim_get(r->c, "formula"));
   d->title = result_str(out, "%s", claim_get(r->c, "title"));
-  d->latex = r->latex ? result_str(out, "%s", r->latex) : NULL;
+  d->latex = r->latex.len ? result_str(out, "%s", text_str(&r->latex)) : NULL;
   if (r->differs) {
     d->change = CHANGE_CHANGES;
     d->verdict = result_str(out, "changes at %ld of %ld point%s", r->differs, points, points == 1 ? "" : "s");
@@ -369,7 +356,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
     conclude_result(&f, r);
     if (r->readable[READ_CORRECTED]) q.derived[q.n_derived++] = r->out;
     for (int k = 0; k < N_READ; k++) tape_clear(&r->tape[k]);
-    free(r->latex);
+    text_clear(&r->latex);
   }
   free(f.result);
   judge_downstream(&q, m, &f, at);
