@@ -105,7 +105,8 @@ static enum newton_next settles(const struct num_vec *x, const struct num_vec *s
   return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 
-int tube_newton(struct tube *t, slong prec) {
+/* Newton's iteration from the midpoints of x at the midpoints of p; x becomes exact. */
+static int tube_newton(struct tube *t, slong prec) {
   struct equations e = {.t = t, .middle = true};
   struct solve_system system = {2, values, &e};
   struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};

@@ -20,7 +20,8 @@ kind_fn judge_of(const struct claim *c) {
 
 /* --- Corrections --- */
 
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
+/* Judges the sentence again with everything corrected and fills f->correction. */
+static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t;
   text_init(&t);
   bool ok = true;

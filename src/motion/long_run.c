@@ -120,7 +120,8 @@ long long_run_length(const struct long_run *run, struct long_pair p) {
   return run->n[p.a] < run->n[p.b] ? run->n[p.a] : run->n[p.b];
 }
 
-double long_run_apart(const struct long_run *run, struct long_pair p, long i) {
+/* How far apart their positions are at return i, from 0. */
+static double long_run_apart(const struct long_run *run, struct long_pair p, long i) {
   const struct long_return *a = &run->at[p.a][i], *b = &run->at[p.b][i];
   if (p.b == LONG_MPFR) return a->off;
   if (p.a == LONG_MPFR) return b->off;

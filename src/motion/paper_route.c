@@ -262,7 +262,7 @@ static int condition_number(double *k, const struct num_vec *m, slong n) {
   return status;
 }
 
-int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
+static int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
   struct equations q;
   struct around a;
   struct num_vec t = {x->ctx, TIMES, x->data};

@@ -65,7 +65,8 @@ static bool write_out(struct text *out, const struct model *m, const char *name)
   return false;
 }
 
-bool value_is_named(const struct model *m, const char *name) {
+/* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
+static bool value_is_named(const struct model *m, const char *name) {
   struct text unused;
   text_init(&unused);
   bool named = write_out(&unused, m, name);
