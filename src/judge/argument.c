@@ -347,15 +347,10 @@ static void search(struct tally *t, struct argument *a, bool proved) {
 
 /* --- Evidence --- */
 
-static enum route_outcome said(const long decided[3]) {
-  if (decided[TRUTH_FALSE]) return ROUTE_DIFFERS;
-  if (decided[TRUTH_UNKNOWN]) return ROUTE_UNDECIDED;
-  return decided[TRUTH_TRUE] ? ROUTE_AGREES : ROUTE_NOTHING;
-}
-
 static struct route_result add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
                                      bool decisive, const char *note) {
-  struct route_result w = {route, said(decided), decisive, decided[0] + decided[1] + decided[2]};
+  struct route_result w = {route, outcome_of_counts(decided[TRUTH_TRUE], decided[TRUTH_FALSE], decided[TRUTH_UNKNOWN]),
+                           decisive, decided[0] + decided[1] + decided[2]};
   finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
   return w;
 }

@@ -130,7 +130,7 @@ bool behaviour_linearization(struct behaviour *b) {
                          : right ? ROUTE_DIFFERS
                                  : ROUTE_NOTHING,
                          true, right + wrong, s.where, note);
-  enum route_outcome fate = s.leaves ? ROUTE_DIFFERS : s.comes_back ? ROUTE_AGREES : ROUTE_NOTHING;
+  enum route_outcome fate = outcome_of_counts(s.comes_back, s.leaves, 0);
   int n = 1;
   if (wrong)
     w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,

@@ -173,8 +173,8 @@ static void count_at(struct count *n, struct rank_system *y, const struct point 
 
 static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
                                      const struct count *n, long bits, bool decisive) {
-  struct route_result w = {route, ROUTE_NOTHING, decisive, n->as_said + n->other + n->open};
-  if (w.trials) w.outcome = n->other ? ROUTE_DIFFERS : n->open ? ROUTE_UNDECIDED : ROUTE_AGREES;
+  struct route_result w = {route, outcome_of_counts(n->as_said, n->other, n->open), decisive,
+                           n->as_said + n->other + n->open};
   finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
                     result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d",
                                y->rows, y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));

@@ -173,11 +173,7 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     try_states(&l);
     for (int i = 0; i < 2; i++) {
       long trials = l.as_said[i] + l.against[i];
-      w[i] = (struct route_result){route[i],
-                                   !trials        ? ROUTE_NOTHING
-                                   : l.against[i] ? ROUTE_DIFFERS
-                                                  : ROUTE_AGREES,
-                                   i == 0, trials};
+      w[i] = (struct route_result){route[i], outcome_of_counts(l.as_said[i], l.against[i], 0), i == 0, trials};
       finding_add_route(
           f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
           result_str(j->out,

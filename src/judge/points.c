@@ -274,12 +274,6 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
 
 /* --- Summing up --- */
 
-static enum route_outcome outcome(const struct tally *t) {
-  if (t->trials == 0) return ROUTE_NOTHING;
-  if (t->differs) return ROUTE_DIFFERS;
-  return t->undecided ? ROUTE_UNDECIDED : ROUTE_AGREES;
-}
-
 static const char *layer_of(const struct point_trials *r) {
   return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
                                                          : layer_name[r->view.layer];
@@ -308,7 +302,8 @@ static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
-    w[i] = (struct route_result){t->route->name, outcome(t), i == 0, t->trials};
+    w[i] = (struct route_result){t->route->name, outcome_of_counts(t->agrees, t->differs, t->undecided), i == 0,
+                                 t->trials};
     add_evidence(f, r, t, w[i]);
   }
   finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);

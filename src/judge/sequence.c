@@ -174,9 +174,7 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
                      list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                      ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
-  enum route_outcome outcome = back[TRUTH_FALSE]           ? ROUTE_DIFFERS
-                               : back[TRUTH_UNKNOWN] || !o ? ROUTE_UNDECIDED
-                                                           : ROUTE_AGREES;
+  enum route_outcome outcome = outcome_of_counts(back[TRUTH_TRUE], back[TRUTH_FALSE], back[TRUTH_UNKNOWN] + !o);
   return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
 }
 

@@ -74,11 +74,7 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
 static struct route_result conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
                                     bool decisive) {
   long trials = t->reached + t->apart + t->open;
-  enum route_outcome outcome = !trials    ? ROUTE_NOTHING
-                               : t->apart ? ROUTE_DIFFERS
-                               : t->open  ? ROUTE_UNDECIDED
-                                          : ROUTE_AGREES;
-  struct route_result w = {route, outcome, decisive, trials};
+  struct route_result w = {route, outcome_of_counts(t->reached, t->apart, t->open), decisive, trials};
   const char *note =
       !trials ? "no accepted point"
       : t->apart
