@@ -19,7 +19,7 @@
 #define STICKSLIP_TAPE_EXACT_H
 
 #include "num/calc.h"
-#include "num/flint_compat.h"
+#include "num/num_exact.h"
 #include "tape.h"
 
 enum { EXACT_GENERATORS = NUM_EXACT_GENERATORS, EXACT_TERMS = 256 };
