@@ -155,10 +155,6 @@ static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, cons
   book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
 }
 
-static enum route_outcome says_of(long as_said, long against, long open) {
-  return against ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : as_said ? ROUTE_AGREES : ROUTE_NOTHING;
-}
-
 static void conclude(struct behaviour *b, const struct tried *t) {
   struct route_result w[3];
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
@@ -174,17 +170,16 @@ static void conclude(struct behaviour *b, const struct tried *t) {
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[0] = behaviour_route(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
-                         result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  w[0] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
+                         result_take(b->j->out, &note));
   w[1] = behaviour_route(
-      b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
+      b, "iteration", "model", outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), false,
       t->fate_as_said + t->fate_against + t->fate_open, NULL,
       result_str(b->j->out,
                  "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
                  t->fate_as_said, t->fate_against, t->fate_open));
   w[2] = behaviour_route(
-      b, "integration", "model", says_of(t->moved_as_said, t->moved_against, t->moved_open), false,
+      b, "integration", "model", outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), false,
       t->moved_as_said + t->moved_against + t->moved_open, NULL,
       result_str(b->j->out,
                  "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",

@@ -1,5 +1,6 @@
 /* Sentences about form: thresholds that two inequalities share, ranges of indices, definitions. */
 #include "judge.h"
+#include "num/calc.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,11 +37,10 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
                           enum variant variant) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct values v;
-  struct num_vec in, out;
   truth holds = TRUTH_UNKNOWN;
   int s = values_init(&v, p, variant, ctx, j->cache);
-  num_vec_init(&in, t->s.tape.n_inputs, ctx);
-  num_vec_init(&out, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec in = calc_vec(&c, t->s.tape.n_inputs), out = calc_vec(&c, 2);
   bool known = true;
   for (slong i = 0; s == SS_OK && i < t->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, t->s.tape.inputs[i]);
@@ -69,8 +69,7 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
     arb_clear(bound);
   }
   if (s == SS_OK) ++*accepted;
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   values_clear(&v);
   return s == SS_OK ? holds : TRUTH_UNKNOWN;
 }
@@ -98,8 +97,7 @@ static void threshold_route(struct route_result *w, struct finding *f, struct ju
       struct text at;
       text_init(&at);
       point_print(&at, &p);
-      where = result_str(j->out, "%s", text_str(&at));
-      text_clear(&at);
+      where = result_take(j->out, &at);
     }
   }
   point_clear(&p);
@@ -169,13 +167,11 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
   for (int k = 0; k < r->n_stmts; k++)
     for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
       out_of_range(&found, r->stmts[k]->sides[i], letter, lo, hi);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "printed";
-  e->result = found.len ? "differs" : "agrees";
-  e->trials = 1;
-  e->note = found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
-                      : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
+  struct route_result w = {"diagnostic", found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+  const char *note =
+      found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
+                : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
+  finding_add_route(f, j->out, w, "printed", -1, NULL, note);
   f->verdict = found.len ? VERDICT_REFUTED : VERDICT_PROVED;
   const char *repaired = claim_get(c, "repaired-range");
   if (found.len && repaired && range_ends(&lo, &hi, repaired)) {

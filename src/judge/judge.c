@@ -20,7 +20,8 @@ kind_fn judge_of(const struct claim *c) {
 
 /* --- Corrections --- */
 
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
+/* Judges the sentence again with everything corrected and fills f->correction. */
+static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t;
   text_init(&t);
   bool ok = true;
@@ -32,10 +33,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c)
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
-    for (int i = 0; ok && i < again.n_evidence; i++) {
-      struct evidence *e = finding_add(f, j->out);
-      *e = again.evidence[i];
-    }
+    for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, j->out) = again.evidence[i];
   }
   text_clear(&t);
   return ok;
@@ -63,8 +61,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
     f->quote = result_str(j->out, "%s", quote);
   else if (tex.len)
     f->quote = result_str(j->out, "%s", text_str(&tex));
-  if (parsed.len) f->printed = result_str(j->out, "%s", text_str(&parsed));
-  text_clear(&parsed);
+  if (parsed.len) f->printed = result_take(j->out, &parsed);
   text_clear(&tex);
 }
 
@@ -97,9 +94,7 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
 
 static bool known_fault(const char *s) {
   static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-    if (strcmp(faults[i], s) == 0) return true;
-  return false;
+  return word_find(s, faults, 4) < 4;
 }
 
 /* Does the diagnostic point into a file that counts as the paper's text? */
@@ -116,12 +111,9 @@ static bool about_paper(const struct judge *j) {
    claim, a control or an erratum spoils is an error of ours. */
 static bool notation_fault(struct finding *f, struct judge *j) {
   if (j->claim_at_fault || !about_paper(j)) return false;
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "own text printed, the rest corrected";
-  e->result = "differs";
-  e->trials = 1;
-  e->note = result_str(j->out, "%s", j->d->message);
+  struct route_result w = {"diagnostic", ROUTE_DIFFERS, true, 1};
+  finding_add_route(f, j->out, w, "own text printed, the rest corrected", -1, NULL,
+                    result_str(j->out, "%s", j->d->message));
   f->verdict = VERDICT_REFUTED;
   f->fault = "notation";
   diag_init(j->d);

@@ -41,7 +41,4 @@ bool judge_claim(struct judge *j, const struct claim *c);
    there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
-/* Judges the sentence again with everything corrected and fills f->correction. */
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c);
-
 #endif

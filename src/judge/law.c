@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/condition.h"
 
 enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };
@@ -73,14 +74,12 @@ static double symbol(const struct state *s, const char *name, int mass, double f
 /* A condition's margin as a ball. */
 static int margin(arb_t z, const struct condition *c, const struct state *s, int mass, double force, int eps) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec in, out;
-  num_vec_init(&in, c->s.tape.n_inputs, ctx);
-  num_vec_init(&out, 1, ctx);
+  struct calc w = calc_begin(ctx);
+  struct num_vec in = calc_vec(&w, c->s.tape.n_inputs), out = calc_vec(&w, 1);
   for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(s, c->s.tape.inputs[i], mass, force, eps));
   int status = tape_eval(&out, NULL, &c->s.tape, &in);
   arb_set(z, num_vec_at(&out, 0));
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&w);
   return status;
 }
 
@@ -174,11 +173,7 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     try_states(&l);
     for (int i = 0; i < 2; i++) {
       long trials = l.as_said[i] + l.against[i];
-      w[i] = (struct route_result){route[i],
-                                   !trials        ? ROUTE_NOTHING
-                                   : l.against[i] ? ROUTE_DIFFERS
-                                                  : ROUTE_AGREES,
-                                   i == 0, trials};
+      w[i] = (struct route_result){route[i], outcome_of_counts(l.as_said[i], l.against[i], 0), i == 0, trials};
       finding_add_route(
           f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
           result_str(j->out,

@@ -103,21 +103,14 @@ static const char *uses_text(struct judge *j, const struct use *u, int n) {
       again = again || (strcmp(u[k].symbol, u[i].symbol) == 0 && strcmp(u[k].meaning, u[i].meaning) == 0);
     if (!again) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
   }
-  const char *said = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return said;
+  return result_take(j->out, &t);
 }
 
 /* --- The kind --- */
 
 static void settle(struct finding *f, struct judge *j, const char *fault, long trials) {
   struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, trials};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "printed";
-  e->result = fault ? "differs" : "agrees";
-  e->trials = trials;
-  e->note = fault;
+  finding_add_route(f, j->out, w, "printed", -1, NULL, fault);
   f->verdict = verdict_of(&w, 1, true);
 }
 

@@ -63,6 +63,12 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) {
   return s;
 }
 
+const char *result_take(struct audit_result *r, struct text *t) {
+  const char *s = result_str(r, "%s", text_str(t));
+  text_clear(t);
+  return s;
+}
+
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
   for (size_t i = 0; i < r->n_consequences; i++)
     if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
@@ -98,9 +104,7 @@ void audit_control(struct audit_result *out, const char *id, const char *claim, 
 }
 
 enum verdict verdict_parse(const char *name) {
-  int i = 0;
-  while (i < N_VERDICTS && strcmp(verdict_name[i], name) != 0) i++;
-  return (enum verdict)i;
+  return (enum verdict)word_find(name, verdict_name, N_VERDICTS);
 }
 
 bool verdict_fails(enum verdict v) {

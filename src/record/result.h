@@ -284,6 +284,8 @@ void audit_result_clear(struct audit_result *r);
 void result_keep_pages(struct audit_result *r, void *pages, size_t size);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* What a text holds, kept likewise; the text is cleared. */
+const char *result_take(struct audit_result *r, struct text *t);
 /* The consequence of a failure, or NULL. */
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many findings have each verdict; the sum is n_findings (checked). */

@@ -52,9 +52,8 @@ static bool known_attribute(const char *key) {
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
       "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
       "slips",        "sticks",   "breaks",     "place"};
-  for (size_t i = 0; i < sizeof known / sizeof *known; i++)
-    if (strcmp(known[i], key) == 0) return true;
-  return false;
+  enum { N_KNOWN = sizeof known / sizeof *known };
+  return word_find(key, known, N_KNOWN) < N_KNOWN;
 }
 
 static bool complain(const struct claim *c, size_t at, struct diag *d, const char *what) {
@@ -82,10 +81,7 @@ static bool check_result(const struct claim *c, struct diag *d) {
   static const char *const known[] = {"section", "title", "formula"};
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const struct field *f = &c->record->fields[k];
-    bool ok = false;
-    for (size_t i = 0; f->attribute && i < sizeof known / sizeof *known; i++)
-      ok = ok || strcmp(known[i], f->key_name) == 0;
-    if (!ok)
+    if (!f->attribute || word_find(f->key_name, known, 3) == 3)
       return complain(c, f->attribute ? f->key.begin : f->value.begin, d, "a result has section, title and formula");
   }
   return (claim_get(c, "title") && claim_get(c, "formula")) ||
