@@ -282,6 +282,23 @@ static const struct {
     {"define eq-90\n  tex: G(\\chi) = t \\chi\n  G(t) := t*chi\n", "t here, chi in the TeX"},
     {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0\n  t > 0 for t in (0, chi)\n", ""},
     {"inequality eq-90\n  tex: 0 < t < 2\\chi, t > 0\n  t > 0 for t in (0, chi)\n", "chi here, 2*chi in the TeX"},
+    {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0\n  t > 0 for t in (0, chi]\n",
+     "the range is not what the TeX says: ( ] here, ( ) in the TeX at 4:8"},
+    {"inequality eq-90\n  tex: 0 \\le t < \\chi, t > 0\n  t > 0 for t in [0, chi)\n", ""},
+    {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0, t < 1\n  t > 0 for t in (0, chi)\n  t < 1\n",
+     "p.eq:6:3: error: eq-90: the range is not what the TeX says: none here, t in the TeX at 4:8"},
+    {"inequality eq-90\n  tex: 0 < t < 1, t > 0, 0 < t < \\chi, t < 1\n"
+     "  t > 0 for t in (0, 1)\n  t < 1 for t in (0, 1)\n",
+     "1 here, chi in the TeX"},
+    {"inequality eq-90\n  tex: 0 < t < 1, t > 0, 0 < t < \\chi\n  t > 0 for t in (0, 1)\n",
+     "error: eq-90: no formula of the record says this"},
+    {"equation eq-90\n  tex: t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=t\n  t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=t=chi\n",
+     "one chain goes on: longer here, shorter in the TeX"},
+    {"define eq-90\n  tex: K = K_1{}\n  reads: K_1{} as N_{1:1,1:2}\n  K := N[1,1:2]\nsymbol N\n",
+     "N[1,1:2] here, N[1:1,1:2] in the TeX"},
+    /* digits of a reading and of what is printed are not one number */
+    {"equation eq-90\n  tex: t = \\chi 2\n  reads: \\chi as 1\n  t = 1\n", "a number comes first in a product"},
+    {"equation eq-90\n  tex: t = 12\n  reads: 2 as \\chi\n  t = 1*chi\n", ""},
     {"inequality eq-90\n  tex: t > 0\n  t > 0 for t in (0, chi)\n", "the range is not what the TeX says: t here, none"},
 };
 
