@@ -104,9 +104,10 @@ static int bound_value(const struct latex_reader *r, const struct mark *m) {
   return -1;
 }
 
-static int digits(struct latex_reader *r) {
+/* A number of at most so many digits. */
+static int digits(struct latex_reader *r, int most) {
   int value = 0;
-  for (int n = 0; n < 4 && mark_in_hand(r)->kind == TEX_DIGIT; n++, r->at++)
+  for (int n = 0; n < most && mark_in_hand(r)->kind == TEX_DIGIT; n++, r->at++)
     value = 10 * value + (*mark_in_hand(r)->s - '0');
   return value;
 }
@@ -117,7 +118,7 @@ static bool read_subscript_part(struct text *out, struct latex_reader *r, bool b
   int value = bound_value(r, m);
   if (value >= 0) {
     r->at++;
-    if (braced && accept_sign(r, '-')) value -= digits(r);
+    if (braced && accept_sign(r, '-')) value -= digits(r, 4);
     text_printf(out, "%d", value);
     return true;
   }
@@ -304,11 +305,27 @@ static int power_of_ten(struct latex_reader *r) {
   return 0;
 }
 
+/* Whether the mark that is so far on stands right behind the one before it, which is not so where a reading begins. */
+static bool follows_closely(const struct latex_reader *r, size_t at) {
+  return at < r->end && r->m[at].s == r->m[at - 1].s + 1;
+}
+
+/* A point belongs to a number where a digit follows. */
+static void pass_number(struct latex_reader *r) {
+  bool point = false;
+  for (r->at++; follows_closely(r, r->at); r->at++) {
+    const struct mark *m = mark_in_hand(r);
+    const bool is_point = !point && mark_is_sign(m, '.') && follows_closely(r, r->at + 1) && m[1].kind == TEX_DIGIT;
+    if (m->kind != TEX_DIGIT && !is_point) break;
+    point = point || is_point;
+  }
+}
+
 static const struct expr *read_number(struct latex_reader *r) {
   size_t at = r->at;
   const char *s = mark_in_hand(r)->s;
-  size_t len = tex_number_length(s, r->m[r->end - 1].s + r->m[r->end - 1].len);
-  while (r->at < r->end && mark_in_hand(r)->s < s + len) r->at++;
+  pass_number(r);
+  const size_t len = r->at - at;
   char power[16] = "";
   int exponent = power_of_ten(r);
   if (exponent != 0) snprintf(power, sizeof power, "e%d", exponent);
@@ -347,6 +364,9 @@ static const struct expr *read_parentheses(struct latex_reader *r) {
 
 /* Between \begin{pmatrix} and \end; a comma before & sets entries apart and says nothing. */
 static const struct expr *read_matrix(struct latex_reader *r) {
+  const struct mark *begin = mark_in_hand(r);
+  const struct tex_environment *kind = tex_environment(begin->s, begin->len);
+  if (!kind) return latex_mistake(r, "{%.*s} is no matrix", (int)(begin->len < 40 ? begin->len : 40), begin->s);
   size_t at = r->at++;
   const struct expr *entries[MAX_ENTRIES];
   int n = 0, rows = 1, cols = 0;
@@ -364,23 +384,23 @@ static const struct expr *read_matrix(struct latex_reader *r) {
   return matrix(r, at, rows, cols, entries);
 }
 
-static const struct expr *read_group(struct latex_reader *r) {
+static const struct expr *read_group(struct latex_reader *r, const struct expr *(*read)(struct latex_reader *)) {
   if (!accept_kind(r, TEX_OPEN)) return latex_mistake(r, "\"{\" is expected here");
-  const struct expr *e = latex_sum(r);
+  const struct expr *e = read(r);
   if (e && !accept_kind(r, TEX_CLOSE)) return latex_mistake(r, "\"}\" is expected here");
   return e;
 }
 
 static const struct expr *read_fraction(struct latex_reader *r) {
   size_t at = r->at++;
-  const struct expr *top = read_group(r);
-  return top ? node2(r, EXPR_DIV, at, top, read_group(r)) : NULL;
+  const struct expr *top = read_group(r, latex_sum);
+  return top ? node2(r, EXPR_DIV, at, top, read_group(r, latex_sum)) : NULL;
 }
 
-/* A group, and with a subscript an entry of it. */
+/* A group, and with a subscript an entry of it.  It holds one factor, for braces are not printed. */
 static const struct expr *read_braced(struct latex_reader *r) {
   size_t at = r->at;
-  const struct expr *e = read_group(r);
+  const struct expr *e = read_group(r, read_factor);
   if (!e || mark_in_hand(r)->kind != TEX_LOWERED) return e;
   struct text indices;
   text_init(&indices);
@@ -415,7 +435,8 @@ static const struct expr *read_first_order(struct latex_reader *r) {
   } while (accept_sign(r, ','));
   if (!accept_sign(r, ')') || !accept_kind(r, TEX_RAISED)) return latex_mistake(r, "%s", form);
   const struct mark *open = mark_in_hand(r);
-  if (open->kind != TEX_OPEN || open->pair != r->at + 3 || !mark_is_role(open + 1, TEX_ROLE_BINARY) ||
+  enum relop op;
+  if (open->kind != TEX_OPEN || open->pair != r->at + 3 || !mark_relation(&op, open + 1) || op != REL_LE ||
       *open[2].s != '1')
     return latex_mistake(r, "%s", form);
   r->at = open->pair + 1;
@@ -427,8 +448,7 @@ static const struct expr *read_first_order(struct latex_reader *r) {
 
 /* --- Functions --- */
 
-/* The function that a mark names; EXPR_SYM for none. */
-static enum expr_kind function_of(const struct mark *m) {
+enum expr_kind latex_function(const struct mark *m) {
   static const struct {
     const char *name;
     enum expr_kind kind;
@@ -454,7 +474,12 @@ static bool starts_factor(const struct latex_reader *r) {
     if (mark_is_role(m, roles[i])) return true;
   return m->kind == TEX_LETTER || m->kind == TEX_DIGIT || m->kind == TEX_OPEN || m->kind == TEX_BEGIN ||
          mark_is_sign(m, '(') || mark_is_sign(m, '[') || (mark_is_sign(m, '|') && !r->bars) ||
-         function_of(m) != EXPR_SYM;
+         latex_function(m) != EXPR_SYM;
+}
+
+static bool is_times(const struct mark *m) {
+  return mark_is_role(m, TEX_ROLE_BINARY) &&
+         (strcmp(m->word->name, "cdot") == 0 || strcmp(m->word->name, "times") == 0);
 }
 
 /* What a function is applied to: parentheses, else one factor that no other follows. */
@@ -463,9 +488,11 @@ static const struct expr *read_argument(struct latex_reader *r) {
     const struct expr *e = latex_sum(r);
     return !e || accept_sign(r, ')') ? e : latex_mistake(r, "one argument in parentheses is read here");
   }
-  if (function_of(mark_in_hand(r)) != EXPR_SYM) return latex_mistake(r, "a function of a function needs parentheses");
+  if (latex_function(mark_in_hand(r)) != EXPR_SYM)
+    return latex_mistake(r, "a function of a function needs parentheses");
   const struct expr *e = read_factor(r);
-  if (e && starts_factor(r) && function_of(mark_in_hand(r)) == EXPR_SYM)
+  const struct mark *next = mark_in_hand(r);
+  if (e && (mark_is_sign(next, '/') || is_times(next) || (starts_factor(r) && latex_function(next) == EXPR_SYM)))
     return latex_mistake(r, "where the argument ends is doubtful: parentheses are needed");
   return e;
 }
@@ -481,7 +508,7 @@ static const struct expr *read_hypot(struct latex_reader *r, size_t at) {
 
 static const struct expr *read_function(struct latex_reader *r) {
   size_t at = r->at;
-  enum expr_kind kind = function_of(mark_in_hand(r));
+  enum expr_kind kind = latex_function(mark_in_hand(r));
   r->at++;
   if (kind == EXPR_HYPOT) return read_hypot(r, at);
   int exponent = 0;
@@ -509,19 +536,19 @@ static const struct expr *read_primary(struct latex_reader *r) {
   if (mark_is_role(m, TEX_ROLE_FRACTION)) return read_fraction(r);
   if (mark_is_role(m, TEX_ROLE_ROOT)) {
     size_t at = r->at++;
-    return node1(r, EXPR_SQRT, at, read_group(r));
+    return node1(r, EXPR_SQRT, at, read_group(r, latex_sum));
   }
-  if (function_of(m) != EXPR_SYM) return read_function(r);
+  if (latex_function(m) != EXPR_SYM) return read_function(r);
   if (starts_factor(r)) return read_name(r);
   return latex_mistake(
       r, r->at < r->end ? "\"%.*s\" does not stand here in a formula" : "something is missing behind this",
       (int)(m->len < 40 ? m->len : 40), m->s);
 }
 
-/* Digits, behind ^ and perhaps in braces with a sign; 0 for what is none. */
+/* One digit behind ^, or several in braces, with a sign perhaps; 0 for what is none. */
 static int read_exponent(struct latex_reader *r) {
   bool braced = accept_kind(r, TEX_OPEN), negative = braced && accept_sign(r, '-');
-  int value = mark_in_hand(r)->kind == TEX_DIGIT ? digits(r) : 0;
+  int value = digits(r, braced ? 4 : 1);
   if (braced && !accept_kind(r, TEX_CLOSE)) return 0;
   return negative ? -value : value;
 }
@@ -530,7 +557,8 @@ static int read_exponent(struct latex_reader *r) {
 static bool accept_transpose(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   if (m->kind == TEX_LETTER && *m->s == 't') return ++r->at;
-  if (m->kind != TEX_OPEN || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
+  if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
+  if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
   r->at = m->pair + 1;
   return true;
 }
@@ -554,20 +582,13 @@ static const struct expr *read_factor(struct latex_reader *r) {
   return e;
 }
 
-static bool accept_times(struct latex_reader *r) {
-  const struct mark *m = mark_in_hand(r);
-  if (!mark_is_role(m, TEX_ROLE_BINARY)) return false;
-  if (strcmp(m->word->name, "cdot") != 0 && strcmp(m->word->name, "times") != 0) return false;
-  r->at++;
-  return true;
-}
-
 static const struct expr *read_product(struct latex_reader *r) {
   size_t at = r->at;
   const struct expr *e = read_factor(r);
   for (;;) {
     if (!e) return NULL;
-    bool times = accept_times(r);
+    bool times = is_times(mark_in_hand(r));
+    r->at += times;
     if (!times && mark_in_hand(r)->kind == TEX_DIGIT) return latex_mistake(r, "a number comes first in a product");
     if (!times && !starts_factor(r)) break;
     e = node2(r, EXPR_MUL, at, e, read_factor(r));
