@@ -29,9 +29,8 @@ static bool listed(const char *list, const char *name) {
   return false;
 }
 
-static enum latex_name known(const char **param, const void *context, const char *name) {
+static enum latex_name known(const void *context, const char *name) {
   (void)context;
-  *param = "t";
   if (listed("H Gamma z_1 z_2 x_1 hbar B_1 Z z", name)) return LATEX_FUNCTION;
   return listed("chi eta omega omega_1 V t t_a t_b dt_a Z_0 dZ_0 z'_0 z_1b z'_1b u_r1 u_s1 u_1 u_2 u_s2 ktilde_1 "
                 "gammatilde_2 "
@@ -205,9 +204,8 @@ END_TEST
 
 /* --- What is printed is read --- */
 
-static enum latex_name any(const char **param, const void *context, const char *name) {
+static enum latex_name any(const void *context, const char *name) {
   const struct text *functions = context;
-  *param = "t";
   return listed(text_str(functions), name) ? LATEX_FUNCTION : LATEX_VALUE;
 }
 
@@ -303,6 +301,7 @@ static const struct {
     {"define eq-90\n  tex: w^2 - \\chi = 0\n  root w: w^2 - chi, smallest positive\n", ""},
     {"define eq-90\n  tex: w^2 - \\chi = 1\n  root w: w^2 - chi, smallest positive\n", "0 here, 1 in the TeX"},
     {"define eq-90\n  tex: G = t \\chi\n  G(t) := t*chi\n", ""},
+    {"define eq-90\n  tex: G = 2 t\n  G(chi) := 2*t\n", "chi here, t in the TeX"},
     {"define eq-90\n  tex: G(\\chi) = t \\chi\n  G(t) := t*chi\n", "t here, chi in the TeX"},
     {"inequality eq-90\n  tex: 0 < t < \\chi, t > 0\n  t > 0 for t in (0, chi)\n", ""},
     {"inequality eq-90\n  tex: 0 < t < 2\\chi, t > 0\n  t > 0 for t in (0, chi)\n", "chi here, 2*chi in the TeX"},

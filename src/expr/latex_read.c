@@ -182,8 +182,8 @@ static const char *typed_name(struct latex_reader *r, const struct printed_name 
   return copy;
 }
 
-static enum latex_name kind_of(const char **param, const struct latex_reader *r, const char *name) {
-  return r->names->kind(param, r->names->context, name);
+static enum latex_name kind_of(const struct latex_reader *r, const char *name) {
+  return r->names->kind(r->names->context, name);
 }
 
 static const struct expr *symbol(struct latex_reader *r, size_t at, const char *name) {
@@ -192,14 +192,14 @@ static const struct expr *symbol(struct latex_reader *r, size_t at, const char *
   return e;
 }
 
-/* A function of what stands in parentheses behind it, else of its own argument. */
-static const struct expr *call(struct latex_reader *r, size_t at, const char *name, int order, const char *param) {
+/* A function of what stands in parentheses behind it, else of the time. */
+static const struct expr *call(struct latex_reader *r, size_t at, const char *name, int order) {
   const struct expr *arg;
   if (accept_sign(r, '(')) {
     arg = latex_sum(r);
     if (arg && !accept_sign(r, ')')) return latex_mistake(r, "the argument of %s ends here", name);
   } else {
-    arg = symbol(r, at, param);
+    arg = symbol(r, at, "t");
   }
   struct expr *e = arg ? latex_node(r, EXPR_CALL, at, 1) : NULL;
   if (!e) return NULL;
@@ -233,23 +233,23 @@ static const struct expr *entry(struct latex_reader *r, size_t at, const struct 
 
 /* M_{12} and H_{12}(t_c): an entry of what the letters name. */
 static const struct expr *entry_by_name(struct latex_reader *r, size_t at, const struct printed_name *n) {
-  const char *indices = text_str(&n->subscript), *param = NULL;
+  const char *indices = text_str(&n->subscript);
   bool two = strlen(indices) == 2 && strspn(indices, "0123456789") == 2;
   if (n->inner || n->outer || (!two && !strchr(indices, ':'))) return NULL;
   const char *base = arena_strndup(r->arena, text_str(&n->base), n->base.len);
-  enum latex_name kind = kind_of(&param, r, base);
+  enum latex_name kind = kind_of(r, base);
   if (kind == LATEX_UNKNOWN) return NULL;
-  return entry(r, at, kind == LATEX_FUNCTION ? call(r, at, base, 0, param) : symbol(r, at, base), indices);
+  return entry(r, at, kind == LATEX_FUNCTION ? call(r, at, base, 0) : symbol(r, at, base), indices);
 }
 
 static const struct expr *resolve(struct latex_reader *r, size_t at, const struct printed_name *n) {
-  const char *plain = typed_name(r, n, 0), *param = NULL, *unused;
+  const char *plain = typed_name(r, n, 0);
   const char *primed = n->inner > 0 && n->subscript.len > 0 && !n->outer ? typed_name(r, n, n->inner) : NULL;
-  if (primed && kind_of(&unused, r, primed) == LATEX_VALUE) return symbol(r, at, primed);
-  enum latex_name kind = kind_of(&param, r, plain);
-  if (kind == LATEX_FUNCTION) return call(r, at, plain, n->inner + n->outer, param);
+  if (primed && kind_of(r, primed) == LATEX_VALUE) return symbol(r, at, primed);
+  enum latex_name kind = kind_of(r, plain);
+  if (kind == LATEX_FUNCTION) return call(r, at, plain, n->inner + n->outer);
   bool applied = kind == LATEX_VALUE && mark_is_sign(mark_in_hand(r), '(') && n->subscript.len == 2 &&
-                 kind_of(&unused, r, text_str(&n->base)) == LATEX_FUNCTION;
+                 kind_of(r, text_str(&n->base)) == LATEX_FUNCTION;
   if (kind == LATEX_VALUE && !applied && n->inner + n->outer == 0) return symbol(r, at, plain);
   const struct expr *e = entry_by_name(r, at, n);
   if (e || r->d->set) return e;
@@ -264,13 +264,12 @@ static const struct expr *resolve(struct latex_reader *r, size_t at, const struc
 static bool read_differential(struct printed_name *n, struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   size_t at = r->at;
-  const char *unused;
   if (m->kind != TEX_LETTER || *m->s != 'd') return false;
   r->at++;
   text_add(&n->base, "d");
   bool named = read_printed_name(n, r);
-  if (named && (kind_of(&unused, r, typed_name(r, n, 0)) != LATEX_UNKNOWN ||
-                kind_of(&unused, r, typed_name(r, n, n->inner)) != LATEX_UNKNOWN))
+  if (named &&
+      (kind_of(r, typed_name(r, n, 0)) != LATEX_UNKNOWN || kind_of(r, typed_name(r, n, n->inner)) != LATEX_UNKNOWN))
     return true;
   r->at = at;
   printed_name_clear(n);

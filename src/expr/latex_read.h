@@ -4,7 +4,7 @@
    (a, b) and their transposes (a, b)^t, inverses ^{-1}, names with accents, primes and subscripts, chains of relations;
    and what LaTeX of this library writes (expr_latex).  A name is looked up: \tilde{k}_1 is ktilde_1, z'_{1b} is z'_1b,
    \varepsilon is eps; M_{12} is M[1,2] where M is a matrix and M_12 no name; a d before a letter makes a differential,
-   dt_a.  A function without an argument is taken at its own, K of K(t) at t; a prime marks the derivative of a function.
+   dt_a.  Of a function without an argument it is t, the time: K is K(t); a prime marks its derivative.
 
    Statements are separated by ",", ";", \quad, \\ before anything but a relation, "..." after anything but one, and the
    words "if", "i.e.", "and", "for", "with".  Among them stand, in parentheses: another statement; words, which say
@@ -20,8 +20,7 @@
 
 enum latex_name { LATEX_UNKNOWN, LATEX_VALUE, LATEX_FUNCTION };
 struct latex_names {
-  /* What a name is; of a function, *param is its argument's name. */
-  enum latex_name (*kind)(const char **param, const void *context, const char *name);
+  enum latex_name (*kind)(const void *context, const char *name);
   const void *context;
 };
 

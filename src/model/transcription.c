@@ -13,19 +13,12 @@ struct seen_from {
   const char *section;
 };
 
-static const char *trajectory_argument(const struct stmt *s, const char *name) {
-  for (int i = 0; i < s->n_names; i++)
-    if (strcmp(s->names[i], name) == 0) return s->params[i];
-  return NULL;
-}
-
-static enum latex_name kind_of_name(const char **param, const void *context, const char *name) {
+static enum latex_name kind_of_name(const void *context, const char *name) {
   const struct seen_from *from = context;
   struct diag ambiguous;
   diag_init(&ambiguous);
   const struct definition *def = view_lookup(&from->view, name, from->section, &ambiguous);
-  *param = !def ? NULL : def->stmt->kind == STMT_TRAJECTORY ? trajectory_argument(def->stmt, name) : def->stmt->param;
-  if (*param) return LATEX_FUNCTION;
+  if (def && (def->stmt->param || def->stmt->kind == STMT_TRAJECTORY)) return LATEX_FUNCTION;
   return def || model_is_symbol(from->view.model, name) ? LATEX_VALUE : LATEX_UNKNOWN;
 }
 
