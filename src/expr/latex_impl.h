@@ -8,7 +8,8 @@
 #include "expr_impl.h"
 #include "latex_read.h"
 
-enum { LATEX_MAX_MARKS = 20000 };
+/* A reading is looked for everywhere in the formula. */
+enum { LATEX_MAX_MARKS = 5000, LATEX_MAX_READINGS = 20 };
 
 /* A token that says something: neither a blank nor how large a bracket is.  \begin, \end, \text and \operatorname
    include the word in braces behind them, and have it as s and len. */
