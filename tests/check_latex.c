@@ -152,7 +152,7 @@ static const struct {
     {"K^{\\mathsf{T} + 1} = x", "f:1:4: error: in the TeX: an exponent is an integer, and ^t the transpose"},
     {"K^{\\mathbf{2}} = x", "f:1:4: error: in the TeX: an exponent is an integer, and ^t the transpose"},
     {"K^{\\mathsf{T}} = x", "transpose(K) = x"},
-    {"x = [y]_{O(a)^{\\ge 1}}", "f:1:15: error: in the TeX: brackets are read as [f]_{O(x, y)^{\\le 1}} alone"},
+    {"x = [y]_{O(a)^{\\ge 1}}", "f:1:16: error: in the TeX: brackets are read as [f]_{O(x, y)^{\\le 1}} alone"},
     {"x = \\begin{vmatrix} a & b \\\\ x & y \\end{vmatrix}", "f:1:12: error: in the TeX: {vmatrix} is no matrix"},
     {"x = {a + b} y", "f:1:8: error: in the TeX: \"}\" is expected here"},
     {"x = a {-b}", "f:1:8: error: in the TeX: \"-\" does not stand here in a formula"},

@@ -417,29 +417,37 @@ static const struct expr *read_bars(struct latex_reader *r) {
   return node1(r, EXPR_ABS, at, e);
 }
 
+static bool accept_letter(struct latex_reader *r, char c) {
+  const struct mark *m = mark_in_hand(r);
+  return m->kind == TEX_LETTER && *m->s == c && ++r->at;
+}
+
+/* ^{\le 1} */
+static bool accept_up_to_one(struct latex_reader *r) {
+  enum relop op;
+  if (!accept_kind(r, TEX_RAISED) || !accept_kind(r, TEX_OPEN)) return false;
+  if (!mark_relation(&op, mark_in_hand(r)) || op != REL_LE) return false;
+  r->at++;
+  return mark_in_hand(r)->kind == TEX_DIGIT && digits(r, 4) == 1 && accept_kind(r, TEX_CLOSE);
+}
+
+/* ]_{O(x, y)^{\le 1}}, the names put behind what is there. */
+static bool read_small(const struct expr **args, int *n, struct latex_reader *r) {
+  if (!accept_sign(r, ']') || !accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN)) return false;
+  if (!accept_letter(r, 'O') || !accept_sign(r, '(')) return false;
+  do {
+    if (*n == MAX_ENTRIES || !(args[(*n)++] = read_name(r))) return false;
+  } while (accept_sign(r, ','));
+  return accept_sign(r, ')') && accept_up_to_one(r) && accept_kind(r, TEX_CLOSE);
+}
+
 /* [f]_{O(x, y)^{\le 1}}: f to the first order in x and y. */
 static const struct expr *read_first_order(struct latex_reader *r) {
-  static const char *const form = "brackets are read as [f]_{O(x, y)^{\\le 1}} alone";
   const struct expr *args[MAX_ENTRIES];
   int n = 0;
   size_t at = r->at++;
   if (!(args[n++] = latex_sum(r))) return NULL;
-  if (!accept_sign(r, ']') || !accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN))
-    return latex_mistake(r, "%s", form);
-  if (mark_in_hand(r)->kind != TEX_LETTER || *mark_in_hand(r)->s != 'O') return latex_mistake(r, "%s", form);
-  r->at++;
-  if (!accept_sign(r, '(')) return latex_mistake(r, "%s", form);
-  do {
-    if (n == MAX_ENTRIES || !(args[n++] = read_name(r))) return latex_mistake(r, "%s", form);
-  } while (accept_sign(r, ','));
-  if (!accept_sign(r, ')') || !accept_kind(r, TEX_RAISED)) return latex_mistake(r, "%s", form);
-  const struct mark *open = mark_in_hand(r);
-  enum relop op;
-  if (open->kind != TEX_OPEN || open->pair != r->at + 3 || !mark_relation(&op, open + 1) || op != REL_LE ||
-      *open[2].s != '1')
-    return latex_mistake(r, "%s", form);
-  r->at = open->pair + 1;
-  if (!accept_kind(r, TEX_CLOSE)) return latex_mistake(r, "%s", form);
+  if (!read_small(args, &n, r)) return latex_mistake(r, "brackets are read as [f]_{O(x, y)^{\\le 1}} alone");
   struct expr *e = latex_node(r, EXPR_FIRST_ORDER, at, n);
   if (e) memcpy(e->args, args, (size_t)n * sizeof *args);
   return e;
@@ -497,12 +505,9 @@ static const struct expr *read_argument(struct latex_reader *r) {
 }
 
 static const struct expr *read_hypot(struct latex_reader *r, size_t at) {
-  if (!accept_sign(r, '(')) return latex_mistake(r, "hypot has two arguments in parentheses");
-  const struct expr *a = latex_sum(r);
-  if (a && !accept_sign(r, ',')) return latex_mistake(r, "hypot has two arguments");
-  const struct expr *b = a ? latex_sum(r) : NULL;
-  if (b && !accept_sign(r, ')')) return latex_mistake(r, "hypot has two arguments");
-  return node2(r, EXPR_HYPOT, at, a, b);
+  const struct expr *a = accept_sign(r, '(') ? latex_sum(r) : NULL, *b = a && accept_sign(r, ',') ? latex_sum(r) : NULL;
+  if (b && accept_sign(r, ')')) return node2(r, EXPR_HYPOT, at, a, b);
+  return latex_mistake(r, "hypot has two arguments in parentheses");
 }
 
 static const struct expr *read_function(struct latex_reader *r) {
@@ -555,7 +560,7 @@ static int read_exponent(struct latex_reader *r) {
 /* ^t and ^{\mathsf{T}}: the transpose. */
 static bool accept_transpose(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
-  if (m->kind == TEX_LETTER && *m->s == 't') return ++r->at;
+  if (accept_letter(r, 't')) return true;
   if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
   if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
   r->at = m->pair + 1;

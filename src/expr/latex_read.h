@@ -37,7 +37,8 @@ struct latex_formula {
 };
 
 /* The statements of a formula, relations all, in the arena.  At most 5000 tokens, 20 readings, 200 levels of
-   brackets, 16 sides of a chain and EXPR_MAX_NODES nodes.  NULL with d set on failure; *n is at least 1 otherwise. */
+   brackets, 16 sides of a chain and EXPR_MAX_NODES nodes.  d is not set; NULL with d set on failure, else *n is at
+   least 1. */
 const struct stmt **latex_statements(size_t *n, struct arena *a, const struct latex_formula *f,
                                      const struct latex_names *names, struct diag *d);
 

@@ -303,21 +303,18 @@ const struct stmt **latex_statements(size_t *n, struct arena *a, const struct la
                                      const struct latex_names *names, struct diag *d) {
   struct marks marks = {0};
   struct list list = {0};
-  struct diag own;
-  diag_init(&own);
-  bool ok = latex_marks(&marks, f, &own);
-  struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = &own, .m = marks.m, .end = marks.n}};
+  bool ok = latex_marks(&marks, f, d);
+  struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = d, .m = marks.m, .end = marks.n}};
   if (ok && marks.n == 0) {
-    diag_at(&own, f->src, f->tex.begin, "the TeX is empty");
+    diag_at(d, f->src, f->tex.begin, "the TeX is empty");
     ok = false;
   }
   ok = ok && split(&s, 0, marks.n);
   for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&list, &s.r, &s.part[i]);
   if (ok && list.n == 0) {
-    diag_at(&own, f->src, f->tex.begin, "the TeX states nothing");
+    diag_at(d, f->src, f->tex.begin, "the TeX states nothing");
     ok = false;
   }
-  if (!ok && d) diag_again(d, own.message);
   const struct stmt **out = ok ? arena_alloc(a, list.n * sizeof *out) : NULL;
   if (ok) memcpy(out, list.stmt, list.n * sizeof *out);
   *n = ok ? list.n : 0;

@@ -64,23 +64,13 @@ static bool same_name(const char *a, const char *b) {
   return a == b || (a && b && strcmp(a, b) == 0);
 }
 
-static bool same_node(const struct expr *a, const struct expr *b) {
-  if (is_inverse(a) && is_inverse(b)) return true;
-  return a->kind == b->kind && same_name(a->name, b->name) && a->order == b->order && a->exponent == b->exponent &&
-         a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index && a->n_args == b->n_args &&
-         memcmp(a->index, b->index, sizeof a->index) == 0 &&
-         memcmp(a->index_range, b->index_range, sizeof a->index_range) == 0;
-}
-
 /* Where two trees part: the innermost pair that holds every difference; false where they are the same. */
 static bool find_difference(const struct expr **a, const struct expr **b) {
   const struct expr *x = without_parentheses(*a), *y = without_parentheses(*b);
-  bool differ = !same_node(x, y);
-  if (differ) {
-    *a = x;
-    *b = y;
-    return true;
-  }
+  *a = x;
+  *b = y;
+  if (!expr_same_node(x, y) && !(is_inverse(x) && is_inverse(y))) return true;
+  bool differ = false;
   for (int i = 0; i < x->n_args; i++) {
     const struct expr *left = x->args[i], *right = y->args[i];
     if (!find_difference(&left, &right)) continue;
