@@ -21,7 +21,10 @@ static bool append(struct claim **list, size_t *n, size_t *cap, const struct rec
 
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
   struct source src;
-  if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
+  return source_read(&src, path, MAX_CLAIM_FILE, d) && claims_add_source(c, src, kind, d);
+}
+
+bool claims_add_source(struct claims *c, struct source src, const char *kind, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
   c->files[c->n_files++] = f;

@@ -65,7 +65,8 @@ struct model {
   struct arena arena;
   const char *paper; /* the paper's title; NULL where its files say none */
   struct record_file **files;
-  size_t n_files, cap_files;
+  enum rank *ranks; /* of the files */
+  size_t n_files, cap_files, cap_ranks;
   struct definition *defs;
   size_t n_defs, cap_defs;
   struct {
@@ -81,6 +82,8 @@ struct model {
 
 void model_init(struct model *m);
 void model_clear(struct model *m);
+/* Adds a text, which it takes over, also on failure. */
+bool model_add_source(struct model *m, struct source src, enum rank rank, struct diag *d);
 /* Adds one file, or every *.eq file of a folder in the order of their names. */
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
