@@ -225,7 +225,7 @@ static bool load_records(struct model *m, const struct record_file *f, enum rank
   return true;
 }
 
-bool model_add_source(struct model *m, struct source src, enum rank rank, struct diag *d) {
+static bool add_source(struct model *m, struct source src, enum rank rank, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   m->files = ss_grow(m->files, m->n_files, &m->cap_files, sizeof *m->files);
   m->ranks = ss_grow(m->ranks, m->n_files, &m->cap_ranks, sizeof *m->ranks);
@@ -236,7 +236,13 @@ bool model_add_source(struct model *m, struct source src, enum rank rank, struct
 
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
   struct source src;
-  return source_read(&src, path, MAX_EQ_FILE, d) && model_add_source(m, src, rank, d);
+  return source_read(&src, path, MAX_EQ_FILE, d) && add_source(m, src, rank, d);
+}
+
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d) {
+  struct source src;
+  source_from_string(&src, name, text);
+  return add_source(m, src, rank, d);
 }
 
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {

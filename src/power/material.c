@@ -37,25 +37,25 @@ size_t material_named(const struct material *m, const char *name) {
   return i;
 }
 
-/* The text of the file, or the changed one in its place, under its short name. */
-static struct source text_of(const struct material *m, size_t i, size_t file, const char *text) {
-  struct source src;
-  source_from_string(&src, m->file[i].name, i == file ? text : m->file[i].parsed->src.text);
-  return src;
+/* The text of the file, or the changed one in its place. */
+static const char *text_of(const struct material *m, size_t i, size_t file, const char *text) {
+  return i == file ? text : m->file[i].parsed->src.text;
 }
 
 static bool change_claims(struct claims *out, const struct material *m, size_t file, const char *text, struct diag *d) {
   const char *kind = m->file[file].part == PART_CONTROLS ? "control" : "claim";
   bool ok = true;
   for (size_t i = 0; ok && i < m->n; i++)
-    if (m->file[i].part == m->file[file].part) ok = claims_add_source(out, text_of(m, i, file, text), kind, d);
+    if (m->file[i].part == m->file[file].part)
+      ok = claims_add_text(out, m->file[i].name, text_of(m, i, file, text), kind, d);
   return ok;
 }
 
 static bool change_model(struct model *out, const struct material *m, size_t file, const char *text, struct diag *d) {
   bool ok = true;
   for (size_t i = 0; ok && i < m->n; i++)
-    if (m->file[i].part == PART_EQUATIONS) ok = model_add_source(out, text_of(m, i, file, text), m->file[i].rank, d);
+    if (m->file[i].part == PART_EQUATIONS)
+      ok = model_add_text(out, m->file[i].name, text_of(m, i, file, text), m->file[i].rank, d);
   return ok;
 }
 
