@@ -256,7 +256,9 @@ void damage_control_claim(struct maker *k) {
       maker_put(k, k->field->value.begin, k->field->value.end, c->claim[i + 1].id);
 }
 
+/* Of what is wrong, by an attribute of the claim that the control has otherwise. */
 void damage_control_line(struct maker *k) {
+  if (strcmp(k->field->key_name, "claim") == 0) return;
   maker_digits(k);
   EXCHANGE(k, other_phase);
   maker_delete(k);

@@ -45,13 +45,13 @@ void damage_study_free(struct damage_study *s) {
 
 /* --- Judging --- */
 
-/* One claim, or the control beside it, with everything as in these data. */
-static bool judge_one(struct audit_result *out, struct damage_study *s, const struct audit_data *data,
-                      const struct scene *scene, const struct claim *c, const struct claim *control, struct diag *d) {
+/* One claim, or the control beside it, with everything as in this material. */
+static bool judge_one(struct audit_result *out, struct damage_study *s, const struct changed_material *of,
+                      const struct claim *c, const struct claim *control, struct diag *d) {
   struct judge j = {.out = out,
-                    .model = data->model,
-                    .claims = data->claims,
-                    .scene = scene,
+                    .model = of->data.model,
+                    .claims = of->data.claims,
+                    .scene = of->scene,
                     .cache = s->cache,
                     .pool = s->pool,
                     .d = d};
@@ -73,8 +73,8 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
   recording.use = &u->use;
   audit_result_init(&u->said);
   u->judged = true;
-  const struct audit_data data = {&recording, s->m->claims, s->m->controls};
-  u->readable = judge_one(&u->said, s, &data, s->m->scene, &s->m->claims->claim[i], NULL, &d);
+  const struct changed_material none = {.data = {&recording, s->m->claims, s->m->controls}, .scene = s->m->scene};
+  u->readable = judge_one(&u->said, s, &none, &s->m->claims->claim[i], NULL, &d);
   return u;
 }
 
@@ -160,7 +160,7 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
     audit_result_clear(&r);
     return false;
   }
-  if (!judge_one(&r, s, &c->data, c->scene, claim, NULL, &d)) {
+  if (!judge_one(&r, s, c, claim, NULL, &d)) {
     say(out, FATE_UNREADABLE, d.message);
     noticed = true;
   } else {
@@ -185,7 +185,7 @@ static bool control_notices(struct damage_said *out, struct damage_study *s, con
   }
   audit_result_init(&r);
   bool noticed = true;
-  if (!judge_one(&r, s, &c->data, c->scene, claim, control, &d))
+  if (!judge_one(&r, s, c, claim, control, &d))
     say(out, FATE_UNREADABLE, d.message);
   else
     noticed = r.n_controls > 0 && differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED);

@@ -10,7 +10,7 @@ static const struct {
   enum damage_class class;
   enum material_part part;
   enum rank rank;        /* of equations */
-  const char *attribute; /* NULL: a typed line; "": the record as a whole */
+  const char *attribute; /* NULL: a typed line; "": the record as a whole; "*": every attribute */
   damage_fn *damage;
 } rules[] = {
     {DAMAGE_TEX, PART_EQUATIONS, RANK_PAPER, "tex", damage_tex},
@@ -46,19 +46,7 @@ static const struct {
     {DAMAGE_CONTROL, PART_EQUATIONS, RANK_CONTROL, "", damage_record},
     {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "", damage_record},
     {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "claim", damage_control_claim},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "range", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "limit", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "jumps", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "shift", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "routes", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "reads", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "symbols", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "rank", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "absent", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "word", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "through", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "constraints", damage_control_line},
-    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "least-second", damage_control_line},
+    {DAMAGE_CONTROL, PART_CONTROLS, RANK_PAPER, "*", damage_control_line},
     {DAMAGE_TITLE, PART_CLAIMS, RANK_PAPER, "title", damage_title},
     {DAMAGE_ERRATUM, PART_EQUATIONS, RANK_ERRATA, "tex", damage_tex},
 };
@@ -100,7 +88,8 @@ static bool is_of_rule(const struct material_file *f, const struct field *field,
   enum rank rank = f->rank == RANK_USER ? RANK_PAPER : f->rank;
   if (f->part != rules[rule].part || rank != rules[rule].rank) return false;
   if (!field) return attribute && !*attribute;
-  return field->attribute ? attribute && strcmp(attribute, field->key_name) == 0 : !attribute;
+  if (!field->attribute) return !attribute;
+  return attribute && (strcmp(attribute, field->key_name) == 0 || strcmp(attribute, "*") == 0);
 }
 
 static void damage_file(struct damages *out, const struct material *m, size_t file, int rule) {
@@ -151,70 +140,19 @@ void maker_put(struct maker *k, size_t begin, size_t end, const char *now) {
   maker_add(k, begin, end, now, strlen(now), NULL);
 }
 
-/* From the beginning of a line to the end of one. */
-static struct span whole_lines(const char *text, size_t begin, size_t end) {
-  while (begin > 0 && text[begin - 1] != '\n') begin--;
-  end += strcspn(text + end, "\n");
-  return (struct span){begin, text[end] ? end + 1 : end};
-}
-
-static struct span lines_of(const char *text, const struct record *r, const struct field *f) {
-  if (f) return whole_lines(text, f->attribute ? f->key.begin : f->value.begin, f->value.end);
-  size_t end = r->n_fields ? r->fields[r->n_fields - 1].value.end : r->id.end;
-  return whole_lines(text, r->kind.begin, end);
-}
-
 struct span maker_lines(const struct maker *k) {
-  return lines_of(k->text, k->record, k->field);
+  const struct record *r = k->record;
+  const struct field *f = k->field;
+  size_t begin = !f ? r->kind.begin : f->attribute ? f->key.begin : f->value.begin;
+  size_t end = f ? f->value.end : r->n_fields ? r->fields[r->n_fields - 1].value.end : r->id.end;
+  while (begin > 0 && k->text[begin - 1] != '\n') begin--;
+  end += strcspn(k->text + end, "\n");
+  return (struct span){begin, k->text[end] ? end + 1 : end};
 }
 
 void maker_delete(struct maker *k) {
   struct span s = maker_lines(k);
   maker_put(k, s.begin, s.end, "");
-}
-
-/* --- By hand --- */
-
-static const struct record *record_named(const struct record_file *f, const char *id) {
-  for (size_t i = 0; i < f->n_records; i++)
-    if (strcmp(f->records[i].id_name, id) == 0) return &f->records[i];
-  return NULL;
-}
-
-/* The class of what the damage is of, or the last one. */
-static enum damage_class class_of(const struct material_file *f, const struct field *field) {
-  for (int rule = 0; rule < N_RULES; rule++)
-    if (is_of_rule(f, field, rule)) return rules[rule].class;
-  return N_DAMAGE_CLASSES;
-}
-
-bool damage_by_hand(struct damage *out, const struct material *m, const char *const place[3], const char *was,
-                    const char *now, struct diag *d) {
-  size_t file = material_named(m, place[0]);
-  const struct record_file *f = file < m->n ? m->file[file].parsed : NULL;
-  const struct record *r = f ? record_named(f, place[1]) : NULL;
-  const struct field *field = r && *place[2] ? record_field(r, place[2]) : NULL;
-  if (!r || (*place[2] && !field)) {
-    diag_set(d, "error: %s has no %s in a record %s", place[0], *place[2] ? place[2] : "field", place[1]);
-    return false;
-  }
-  struct span s = lines_of(f->src.text, r, field);
-  const char *found = *was ? strstr(f->src.text + s.begin, was) : NULL;
-  size_t begin = found ? (size_t)(found - f->src.text) : s.begin;
-  if (*was && (!found || begin + strlen(was) > s.end)) {
-    diag_set(d, "error: %s: record %s does not say %s", place[0], place[1], was);
-    return false;
-  }
-  *out = (struct damage){class_of(&m->file[file], field),
-                         file,
-                         begin,
-                         *was ? begin + strlen(was) : s.end,
-                         now,
-                         r->id_name,
-                         place[2],
-                         NULL,
-                         NULL};
-  return true;
 }
 
 void damage_text(struct text *out, const struct material *m, const struct damage *d) {

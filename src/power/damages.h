@@ -50,11 +50,6 @@ void damages_clear(struct damages *d);
 /* Is some of them in the file or record, or of the class, of that name? */
 bool damages_any(const struct damages *d, const struct material *m, const char *item);
 
-/* A damage by hand: in a record of the file, in the attribute, or where that is "" in the whole record, the text `was`,
-   which must stand there, becomes now; was "": the whole attribute with its name, or the whole record.  now is borrowed.
-   false with d set where there is no such place. */
-bool damage_by_hand(struct damage *out, const struct material *m, const char *const place[3], const char *was,
-                    const char *now, struct diag *d);
 /* The file's text with the damage in it. */
 void damage_text(struct text *out, const struct material *m, const struct damage *d);
 
