@@ -227,14 +227,14 @@ START_TEST(what_says_the_same_is_not_noticed) {
   for (size_t i = 0; i < all.n; i++) {
     struct damage d = all.damage[i];
     struct damage_said said;
-    if (!d.rule || i % 5) continue;
+    if (!d.rule || i % 3) continue;
     d.rule = NULL;
     damage_try(&said, study, &d);
     ck_assert_msg(said.fate == FATE_UNDECIDED, "%s, %s: %s (%s): %s", d.record, d.attribute, d.now, all.damage[i].rule,
                   said.says);
     tried++;
   }
-  ck_assert_uint_gt(tried, 40);
+  ck_assert_uint_gt(tried, 35);
   damages_clear(&all);
 }
 END_TEST
