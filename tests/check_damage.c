@@ -227,7 +227,7 @@ START_TEST(what_says_the_same_is_not_noticed) {
   for (size_t i = 0; i < all.n; i++) {
     struct damage d = all.damage[i];
     struct damage_said said;
-    if (!d.rule || i % 3) continue;
+    if (!d.rule) continue;
     d.rule = NULL;
     damage_try(&said, study, &d);
     ck_assert_msg(said.fate == FATE_UNDECIDED, "%s, %s: %s (%s): %s", d.record, d.attribute, d.now, all.damage[i].rule,

@@ -230,15 +230,10 @@ void damage_restriction(struct maker *k) {
   maker_delete(k);
 }
 
-/* The fault class of what does not fail is not said; and "formula" is the class of what names none. */
 void damage_fault(struct maker *k) {
   static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  const char *record = record_get(k->record, "record");
-  bool fails = record && verdict_fails(verdict_parse(record));
-  k->excuse = fails ? NULL : "the claim does not fail, so that its fault class is not said";
   for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
     maker_put(k, k->field->value.begin, k->field->value.end, faults[i]);
-  if (strcmp(k->field->text, "formula") == 0) k->excuse = "a claim that names no fault class has this one";
   maker_delete(k);
 }
 
