@@ -234,7 +234,7 @@ START_TEST(what_says_the_same_is_not_noticed) {
                   said.says);
     tried++;
   }
-  ck_assert_uint_gt(tried, 35);
+  ck_assert_uint_gt(tried, 50);
   damages_clear(&all);
 }
 END_TEST

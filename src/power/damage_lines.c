@@ -272,8 +272,9 @@ void damage_control_formula(struct maker *k) {
   struct span v = k->field->value;
   for (size_t i = v.begin; i < v.end; i++) {
     char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
-    if (char_is_digit(k->text[i]))
-      maker_add(k, i, i + 1, &next, 1, is_fine(k->text, i) ? "the control is as little wrong" : NULL);
+    k->excuse = is_fine(k->text, i) ? "the control is as little wrong" : NULL;
+    if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
   }
+  k->excuse = NULL;
   maker_signs(k);
 }
