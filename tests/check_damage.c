@@ -137,7 +137,7 @@ static const struct {
     {DAMAGE_TEX, 2000, "eq-40b", "{V  (z_{200}"},
     {DAMAGE_TEX, 2000, "eq-40b", "(z_{200} + z_{100})"},
     {DAMAGE_TEX, 2000, "eq-40b", "k_4 = \\frac{\\sin"},
-    {DAMAGE_TEX, 2000, "text-criterion", "|\\text{tr}(J)| < 1"},
+    {DAMAGE_TEX, 2000, "text-criterion", "tex: |\\text{tr}(J)| < 1"},
     {DAMAGE_TEX, 2000, "eq-3", "\\begin{pmatrix} -\\chi \\eta & \\chi \\eta  \\\\  1 & -\\chi \\end{pmatrix}"},
     {DAMAGE_TEX, 2000, "eq-13", "\\Gamma(t - t_b)Z_a"},
     {DAMAGE_TEX, 2000, "eq-60", "h(t) = z_1"},

@@ -300,7 +300,7 @@ static bool is_refused(struct damage_said *out, struct changed_material *c, cons
   diag_init(&diag);
   text_init(&t);
   damage_text(&t, m, d);
-  bool ok = material_change(c, m, d->file, text_str(&t), &diag) && data_check(&c->data, &diag);
+  bool ok = material_change(c, m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
   if (!ok) say(out, FATE_REFUSED, diag.message);
   text_clear(&t);
   return !ok;

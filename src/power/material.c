@@ -31,6 +31,10 @@ void material_clear(struct material *m) {
   free(m->file);
 }
 
+bool material_check(const struct audit_data *data, struct diag *d) {
+  return model_check_tex(data->model, RANK_STABLE, d) && data_check(data, d);
+}
+
 size_t material_named(const struct material *m, const char *name) {
   size_t i = 0;
   while (i < m->n && strcmp(m->file[i].name, name) != 0) i++;

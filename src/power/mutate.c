@@ -245,7 +245,7 @@ static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t
 static bool is_refused(const struct mutation_study *r) {
   struct diag d;
   diag_init(&d);
-  return r->sound && !data_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls}, &d);
+  return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls}, &d);
 }
 
 static enum mutant_fate fate_in_place(struct mutation_study *r, const struct target *t) {
@@ -425,7 +425,7 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   out->seed = opt->seed;
   struct diag none;
   diag_init(&none);
-  r.sound = data_check(data, &none);
+  r.sound = material_check(data, &none);
   bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, d) &&
             mutate_data(out, &material, &damages, opt, d);
   damages_clear(&damages);
