@@ -48,6 +48,7 @@ int main(void) {
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, terminal_suite());
   srunner_add_suite(r, mutate_suite());
+  srunner_add_suite(r, damage_suite());
   srunner_add_suite(r, bifurcate_suite());
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());

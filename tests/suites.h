@@ -38,6 +38,7 @@ Suite *report_suite(void);
 Suite *cli_suite(void);
 Suite *terminal_suite(void);
 Suite *mutate_suite(void);
+Suite *damage_suite(void);
 Suite *bifurcate_suite(void);
 Suite *box_suite(void);
 Suite *basin_suite(void);

@@ -36,6 +36,20 @@ void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
 
+/* --- What can be checked without judging (check.c) --- */
+
+/* All that an audit reads of a data folder besides scenes. */
+struct audit_data {
+  const struct model *model;
+  const struct claims *claims, *controls;
+};
+
+/* Every check that is made of the data when they have been loaded, by verify, and by mutate of damaged data: false with
+   d set, at the place, by the first that fails. */
+bool data_check(const struct audit_data *a, struct diag *d);
+/* The part of it that is about claims (and results), or controls, alone. */
+bool claims_check(const struct claims *c, bool controls, struct diag *d);
+
 /* --- What rests on what (depends.c) --- */
 
 /* Of all the claims, each with its own text as printed and all else corrected; model and claims must stay.  What a

@@ -19,9 +19,7 @@ static bool append(struct claim **list, size_t *n, size_t *cap, const struct rec
   return true;
 }
 
-bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
-  struct source src;
-  if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
+static bool add_source(struct claims *c, struct source src, const char *kind, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
   c->files[c->n_files++] = f;
@@ -45,6 +43,17 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
       return false;
   }
   return true;
+}
+
+bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
+  struct source src;
+  return source_read(&src, path, MAX_CLAIM_FILE, d) && add_source(c, src, kind, d);
+}
+
+bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d) {
+  struct source src;
+  source_from_string(&src, name, text);
+  return add_source(c, src, kind, d);
 }
 
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {

@@ -183,7 +183,8 @@ static void load_costs(struct costs *c, const char *data) {
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
-         claims_load_data(&v->controls, data, "controls", "control", d);
+         claims_load_data(&v->controls, data, "controls", "control", d) &&
+         data_check(&(struct audit_data){&v->model, &v->claims, &v->controls}, d);
 }
 
 int run_verify(const struct options *o, const char *data) {

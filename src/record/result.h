@@ -236,9 +236,11 @@ struct neighbour {
   const char *path, *says;
 };
 
-/* What became of the formulas' damages in the study (reports/mutation) beside the report. */
+/* What became of the damages in the study (reports/mutation) beside the report.  counted: those that change a meaning,
+   formulas of them in the paper's formulas; left out of it are those that mean the same, that make no difference on any
+   motion, that need the paper's text, and those of errata.eq, which is not the paper's. */
 struct mutation_score {
-  long total, noticed, unreadable, unproved, equivalent, on_motions, open;
+  long counted, noticed, formulas, equivalent, on_motions, needs_text, errata;
 };
 
 struct audit_result {
