@@ -9,7 +9,7 @@
 #include "record/routes.h"
 #include "value/orbit_pool.h"
 
-#define JUDGE(name, word, fn, tried, asked, scene, parts, balls) fn,
+#define JUDGE(name, word, fn, ...) fn,
 static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
 #undef JUDGE
 
@@ -94,13 +94,6 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   return true;
 }
 
-static bool known_fault(const char *s) {
-  static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-    if (strcmp(faults[i], s) == 0) return true;
-  return false;
-}
-
 /* Does the diagnostic point into a file that counts as the paper's text? */
 static bool about_paper(const struct judge *j) {
   for (size_t i = 0; i < j->model->n_records; i++) {
@@ -149,9 +142,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   keep_asked_routes(&f, j, c);
   const struct claim_kind *k = claim_kind_of(c);
   if (f.verdict == VERDICT_REFUTED) {
-    const char *fault = claim_get(c, "fault");
-    if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
-    if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
+    if (!f.fault) f.fault = fault_name[claim_fault(j->model, c)];
     if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c)) return false;
   }
   struct audit_result *out = j->out;

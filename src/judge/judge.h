@@ -19,8 +19,7 @@ bool route_is_asked(const struct scene *s, const char *route);
 /* Of a claim that was judged: evidence by other routes goes, and with it what rested on it; says so. */
 void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c);
 
-#define JUDGE(name, word, fn, tried, asked, scene, parts, balls)                                                       \
-  bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+#define JUDGE(name, word, fn, ...) bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 CLAIM_KINDS(JUDGE)
 #undef JUDGE
 /* That of the claim's kind; NULL when there is none. */
