@@ -19,6 +19,20 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
 /* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
    the end. */
 const char *claim_next_item(char *buf, size_t size, const char *list);
+/* A record that an argument cites: "eq-52#1.2 D" is step 2 of statement 1, in phase D; 0 or "" for all of them. */
+struct cited {
+  char id[48], phase[16];
+  int statement, step;
+};
+/* The first item of the list; where the rest begins, or NULL where there is none. */
+const char *claim_next_cited(struct cited *out, const char *list);
+/* Do both cite some step in common; does one of the list with this one; do two lists? */
+bool cited_overlap(const struct cited *a, const struct cited *b);
+bool cited_in(const struct cited *a, const char *list);
+bool cited_share(const char *a, const char *b);
+/* Whether the claim is an argument whose conclusion is more than its premises in other words, over all orbits: then
+   what cites the conclusion rests on it. */
+bool claim_deduces(const struct claim *c);
 /* The claim of that id, or NULL. */
 const struct claim *claim_named(const struct claims *claims, const char *id);
 /* Is the id that of a claim which a restriction of this one makes? */
@@ -51,6 +65,8 @@ struct dependences *dependences_new(const struct model *m, const struct claims *
 void dependences_free(struct dependences *d);
 /* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
 bool dependences_on(struct dependences *d, size_t a, size_t b);
+/* Whether argument a cites what argument b concludes. */
+bool dependences_argued(const struct dependences *d, size_t a, size_t b);
 /* The definitions that the formulas of claim a reach. */
 size_t dependences_n_used(struct dependences *d, size_t a);
 const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
@@ -58,7 +74,20 @@ const struct definition *dependences_used(struct dependences *d, size_t a, size_
 bool dependences_corrected(struct dependences *d, size_t a, const char *equation);
 /* Whether the claim names the id by hand. */
 bool dependences_named(const struct claim *c, const char *id);
-/* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
+/* Whether claim a rests on claim b at all: by its formulas, by what it cites, or as it names by hand. */
+bool dependences_any(struct dependences *d, size_t a, size_t b);
+/* Fills depends_on: all of these, in the order of the claims. */
 bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
+
+/* --- Rules that no claim breaks silently (rules.c) --- */
+
+/* One claim by itself: its points and routes are as many as its kind asks, or its attribute few says why not; an
+   argument's conclusion is not among its premises; its fault, where it names one, is what follows.  false with d set
+   at the place. */
+bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d);
+/* All of them, and what they have together: nothing rests on itself through others; every correction in the errata is
+   one of a claim; every kind, and every kind of correction, has its controls. */
+bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
+                       struct diag *d);
 
 #endif

@@ -221,6 +221,17 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
   return false;
 }
 
+bool dependences_argued(const struct dependences *d, size_t a, size_t b) {
+  const struct claim *x = &d->claims->claim[a], *y = &d->claims->claim[b];
+  if (a == b || !claim_deduces(x) || !claim_deduces(y)) return false;
+  return cited_share(claim_get(x, "premises"), claim_get(y, "conclusion"));
+}
+
+bool dependences_any(struct dependences *d, size_t a, size_t b) {
+  return dependences_on(d, a, b) || dependences_argued(d, a, b) ||
+         dependences_named(&d->claims->claim[a], d->claims->claim[b].id);
+}
+
 size_t dependences_n_used(struct dependences *d, size_t a) {
   return walk(d, a)->n_used;
 }
@@ -273,7 +284,7 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
   f->n_depends_on = 0;
   for (size_t b = 0; b < j->claims->n; b++) {
     const char *id = j->claims->claim[b].id;
-    if ((a < j->claims->n && dependences_on(j->dependences, a, b)) || dependences_named(c, id))
+    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : dependences_named(c, id))
       f->depends_on[f->n_depends_on++] = result_str(j->out, "%s", id);
   }
   return true;

@@ -7,6 +7,7 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "claim/claim.h"
 #include "cli.h"
 #include "interrupt.h"
 #include "report/report.h"
@@ -183,7 +184,8 @@ static void load_costs(struct costs *c, const char *data) {
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
-         claims_load_data(&v->controls, data, "controls", "control", d);
+         claims_load_data(&v->controls, data, "controls", "control", d) &&
+         claims_keep_rules(&v->model, &v->claims, &v->controls, d);
 }
 
 int run_verify(const struct options *o, const char *data) {
