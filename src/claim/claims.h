@@ -18,7 +18,8 @@
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
      formula     (report) the trace that decides
-     fault       the fault class a refutation of this claim has
+     fault       the fault class that a refutation of this claim has (it follows, fault.c, and must be that)
+     few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
@@ -36,6 +37,7 @@
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) premises that the corrected argument has besides
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
+     converse-of (argument) the claim whose argument this one turns round: neither rests on the other
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
                  friction while it slips (eps being the sign of V - x'), while it sticks and where it breaks away
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h

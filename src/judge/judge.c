@@ -140,6 +140,10 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   struct finding f;
   if (!judge_verdict(&f, j, c)) return false;
   keep_asked_routes(&f, j, c);
+  const char *few = claim_get(c, "few");
+  if (few)
+    finding_state(&f, j->out, "none", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(j->out, "fewer points or routes than its kind asks for: %s", few));
   const struct claim_kind *k = claim_kind_of(c);
   if (f.verdict == VERDICT_REFUTED) {
     if (!f.fault) f.fault = fault_name[claim_fault(j->model, c)];
