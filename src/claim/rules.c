@@ -242,11 +242,40 @@ static bool check_kind_controls(const struct claims *claims, const struct claims
   return complain(one, "kind", d, what);
 }
 
+/* What a correction in a claim's own file is, and by what kind of claim it is judged: "repaired of notation by law". */
+static bool correction_sort(char out[96], const struct claims *claims, const struct claim *c) {
+  static const char *const kept[] = {"repaired-range", "repaired", "repair"};
+  const struct claim *by = claim_named(claims, claim_get(c, "repaired-as"));
+  for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+    if (!claim_get(c, kept[i])) continue;
+    snprintf(out, 96, "%s%s of %s by %s", claim_get(c, "reads") ? "reads, " : "", kept[i], claim_kind_of(c)->word,
+             by && claim_kind_of(by) ? claim_kind_of(by)->word : "itself");
+    return true;
+  }
+  return false;
+}
+
+/* Each sort of correction is made wrong by some control. */
+static bool check_correction_controls(const struct claims *claims, const struct claims *controls, size_t a,
+                                      struct diag *d) {
+  char wanted[96], has[96];
+  if (!correction_sort(wanted, claims, &claims->claim[a])) return true;
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *c = claim_named(claims, record_get(controls->claim[i].record, "claim"));
+    if (c && record_get(controls->claim[i].record, "of") && correction_sort(has, claims, c) && strcmp(has, wanted) == 0)
+      return true;
+  }
+  char what[200];
+  snprintf(what, sizeof what, "no control makes a correction of this sort wrong (%s)", wanted);
+  return complain(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
+}
+
 bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
                        struct diag *d) {
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++)
     ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
   for (int k = 0; ok && k < N_KINDS; k++) ok = check_kind_controls(claims, controls, k, d);
+  for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
   return ok && check_errata(m, claims, d) && check_graph(m, claims, d);
 }

@@ -51,6 +51,8 @@ static void print_surprises(const struct audit_result *r) {
     const struct finding *f = &r->findings[i];
     if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
+    if (finding_miscorrected(f))
+      printf("%s: the correction is %s: %s\n", f->id, verdict_name[f->correction_verdict], f->correction);
   }
   for (size_t i = 0; i < r->n_pairs; i++)
     if (!r->pairs[i].within)

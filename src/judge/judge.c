@@ -169,14 +169,19 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
 }
 
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes
-   by those of the control's own record. */
+   by those of the control's own record.  One "of: correction" makes the correction wrong that the claim's file holds:
+   the claim fails as before, and so must the correction. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
   struct claim c = *claim;
   c.control = control->record;
   const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
   if (!k || !finding_describe(&f, j, &c)) return false;
+  const char *of = record_get(control->record, "of");
+  bool correction = of && strcmp(of, "correction") == 0;
+  if (of && !correction) return claim_error(j, control, "of", "\"correction\", or nothing");
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
+  if (correction) view = claim_view(j->model, &c);
   struct audit_result *out = j->out;
   j->effort = EFFORT_VERDICT;
   bool readable = judge_of(&c)(&f, j, &c, view);
@@ -187,6 +192,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
+  if (correction) f.verdict = f.correction ? f.correction_verdict : VERDICT_UNKNOWN;
   bool narrowed = j->scene->asked.routes.n > 0;
   if (f.verdict == VERDICT_UNKNOWN && narrowed) {
     audit_leave_out(out, result_str(out, "control %s", control->id), "undecided by the routes that the scene asks for");

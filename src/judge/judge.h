@@ -40,6 +40,23 @@ bool judge_claim(struct judge *j, const struct claim *c);
    there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
+/* A text read in the place of a record's statements; to be closed whether or not it could be read.  NULL with d set. */
+struct reread {
+  struct source src;
+  struct arena arena;
+  const struct stmt *stmt;
+  struct statement_record record;
+};
+const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
+                                            const char *name, struct diag *d);
+void reread_close(struct reread *r);
+
+/* The verdict on a correction that the claim's file holds, by the claim that its attribute repaired-as names: a
+   criterion reads it as its statement; a law as the heading over the branches of a mass that has the belt's velocity,
+   or, with ";", as the names of its sliding and its static friction.  Their evidence becomes the finding's.  false with
+   j->d set when there is no such claim. */
+bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, const char *repaired);
+
 /* Judges the sentence again with everything corrected and fills f->correction. */
 bool judge_correction(struct finding *f, struct judge *j, const struct claim *c);
 

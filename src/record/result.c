@@ -77,10 +77,18 @@ void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
   if (total != (long)r->n_findings) abort();
 }
 
+bool finding_miscorrected(const struct finding *f) {
+  if (!f->correction) return false;
+  bool holds = f->correction_verdict == VERDICT_PROVED || f->correction_verdict == VERDICT_SUPPORTED;
+  return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
+}
+
 long audit_result_unexpected(const struct audit_result *r) {
   long n = 0;
-  for (size_t i = 0; i < r->n_findings; i++)
+  for (size_t i = 0; i < r->n_findings; i++) {
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
+    n += finding_miscorrected(&r->findings[i]);
+  }
   for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
   for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
   for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;

@@ -287,7 +287,10 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
+/* A correction that is refuted itself; or, where the verdict is on record, is neither proved nor supported. */
+bool finding_miscorrected(const struct finding *f);
+/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed, and
+   routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

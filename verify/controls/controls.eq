@@ -224,3 +224,8 @@ inequality ctl-converse
   replaces: eq-58
   section: appendix_b
   e_2 - 3*u_r2 < h(t_a) < e_2
+
+# the correction of (40), wrong by one part in 10^30
+define ctl-correction-formula
+  section: stability
+  ktilde_4 := (V*sin(omega*t_d)/(omega*(z_200 - z_100)))*(1 + 1e-30)
