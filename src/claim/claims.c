@@ -27,7 +27,8 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
   c->files[c->n_files++] = f;
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
-  if (top->n_fields > 0) {
+  bool counted = top->n_fields == 1 && record_field(top, "count") && strcmp(kind, "control") == 0;
+  if (top->n_fields > 0 && !counted) {
     diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
             "outside a record; begin one with \"%s ID\"", kind);
     return false;

@@ -9,7 +9,7 @@
      points           the fewest points that a claim may ask for, over all items of its attribute points, each of which
                       asks for half as many; 0: its judge has its own
      routes           the fewest routes, balls among them, that are independent by the table of record/routes.h
-     controls         the fewest controls on file, or as many as there are claims where these are fewer
+     controls         the fewest controls on file where there is a claim of the kind
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
@@ -38,9 +38,9 @@ extern const char *const fault_name[N_FAULTS];
 #define CLAIM_KINDS(K)                                                                                                 \
   K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 0)          \
   K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, 2,  \
-    15)                                                                                                                \
+    1)                                                                                                                 \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
-    2, 20)                                                                                                             \
+    2, 1)                                                                                                              \
   K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true, FAULT_FORMULA, 0, 0, 1)               \
   K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1)              \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
@@ -52,18 +52,18 @@ extern const char *const fault_name[N_FAULTS];
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                             \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 3)                            \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
     0)                                                                                                                 \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 3)              \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 2)                \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1)              \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1)                \
   K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1)                     \
   K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1)                          \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
-    FAULT_ARGUMENT, 0, 0, 2)                                                                                           \
+    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 2)               \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)               \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
   K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true,               \
