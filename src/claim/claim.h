@@ -90,4 +90,23 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
 bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
                        struct diag *d);
 
+/* --- The paper's statements (statements.c) --- */
+
+/* Records "statement ID" of files *.statements beside the paper's equations, in the order of the paper:
+
+     quote     a few words that find it in the text, and it alone; at: their place (stickslip quotes)
+     equation  the number that is printed at it
+     claims    what answers it; or
+     reason    why nothing does */
+bool statements_add_file(struct claims *out, const char *path, struct diag *d);
+bool statements_load(struct claims *out, const char *data, struct diag *d);
+/* One by itself. */
+bool statement_check(const struct claim *s, struct diag *d);
+/* All together: the claims that they name are there; each claim is named; and each equation number of the paper, up to
+   the last, stands at some statement. */
+bool statements_keep_rules(const struct model *m, const struct claims *claims, const struct claims *statements,
+                           struct diag *d);
+/* Those without claims, by reason, among what is left out. */
+void statements_unanswered(struct audit_result *out, const struct claims *statements);
+
 #endif

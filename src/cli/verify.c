@@ -75,7 +75,7 @@ static void print_result(const struct audit_result *r, bool quiet) {
 /* What the scenes of one command share. */
 struct verify_data {
   struct model model;
-  struct claims claims, controls;
+  struct claims claims, controls, statements;
   struct costs costs;
   slong digits;
 };
@@ -126,6 +126,7 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
                               .readings = true,
                               .jobs = jobs,
                               .costs = &v->costs,
+                              .statements = &v->statements,
                               .seconds_now = now};
   int status;
   if (!load_scene(&s, spec, data, o, true, d) || !scene_four_phases(&s, d)) {
@@ -186,8 +187,9 @@ static void load_costs(struct costs *c, const char *data) {
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
-         claims_load_data(&v->controls, data, "controls", "control", d) &&
-         claims_keep_rules(&v->model, &v->claims, &v->controls, d);
+         claims_load_data(&v->controls, data, "controls", "control", d) && statements_load(&v->statements, data, d) &&
+         claims_keep_rules(&v->model, &v->claims, &v->controls, d) &&
+         statements_keep_rules(&v->model, &v->claims, &v->statements, d);
 }
 
 int run_verify(const struct options *o, const char *data) {
@@ -219,6 +221,7 @@ int run_verify(const struct options *o, const char *data) {
     status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));
   }
   costs_clear(&v.costs);
+  claims_clear(&v.statements);
   claims_clear(&v.controls);
   claims_clear(&v.claims);
   model_clear(&v.model);

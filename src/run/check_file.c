@@ -154,6 +154,26 @@ static bool check_claims(const char *path, const char *data, struct diag *d) {
   return ok;
 }
 
+/* By itself; where it bears the name of the data folder's own, beside the claims there. */
+static bool check_statements(const char *path, const char *data, struct diag *d) {
+  struct model m;
+  struct claims own = {.n = 0}, all = {.n = 0}, claims = {.n = 0};
+  model_init(&m);
+  bool ok = statements_add_file(&own, path, d), stands = false;
+  for (size_t i = 0; ok && i < own.n; i++) ok = statement_check(&own.claim[i], d);
+  ok = ok && statements_load(&all, data, d);
+  for (size_t i = 0; ok && i < all.n_files; i++)
+    stands = stands || strcmp(base_name(all.files[i]->src.name), base_name(path)) == 0;
+  if (ok && stands && all.n_files == 1)
+    ok = model_load(&m, data, NULL, NULL, d) && claims_load_data(&claims, data, "claims", "claim", d) &&
+         statements_keep_rules(&m, &claims, &own, d);
+  claims_clear(&claims);
+  claims_clear(&all);
+  claims_clear(&own);
+  model_clear(&m);
+  return ok;
+}
+
 /* The claims and the quantities that a scene asks for are looked up where it asks for any. */
 static bool check_asked(const struct scene *s, const char *data, struct diag *d) {
   if (!s->asked.claims.n && !s->asked.values.n) return true;
@@ -185,6 +205,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".eq")) return check_equations(path, data, d);
   if (has_suffix(path, ".claim")) return check_claims(path, data, d);
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
-  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim or .scene", path);
+  if (has_suffix(path, ".statements")) return check_statements(path, data, d);
+  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene or .statements", path);
   return false;
 }
