@@ -90,6 +90,9 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
 bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
                        struct diag *d);
 
+/* Whether the file says in its first line, "count: N", how many records it holds: one that is lost is missed. */
+bool records_counted(const struct record_file *f, struct diag *d);
+
 /* --- The paper's statements (statements.c) --- */
 
 /* Records "statement ID" of files *.statements beside the paper's equations, in the order of the paper:

@@ -98,6 +98,8 @@ bool claims_load(struct claims *c, const char *folder, const char *kind, struct 
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
+/* A text that messages call by the name. */
+bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);
 void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */

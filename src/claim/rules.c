@@ -270,15 +270,14 @@ static bool check_correction_controls(const struct claims *claims, const struct 
   return complain(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
 }
 
-/* A file of controls says how many it holds: one that is lost is missed. */
-static bool check_count(const struct record_file *f, struct diag *d) {
+bool records_counted(const struct record_file *f, struct diag *d) {
   const struct field *count = record_field(&f->records[0], "count");
   long n = (long)f->n_records - 1, said = count ? strtol(count->text, NULL, 10) : -1;
   if (said == n) return true;
   if (!count)
-    diag_at(d, &f->src, 0, "a file of controls begins with \"count: N\", the number of its controls; here %ld", n);
+    diag_at(d, &f->src, 0, "the file begins with \"count: N\", the number of its records; here %ld", n);
   else
-    diag_at(d, &f->src, count->value.begin, "there are %ld controls in this file, not %ld", n, said);
+    diag_at(d, &f->src, count->value.begin, "there are %ld records in this file, not %ld", n, said);
   return false;
 }
 
@@ -287,7 +286,7 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++)
     ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
-  for (size_t i = 0; ok && i < controls->n_files; i++) ok = check_count(controls->files[i], d);
+  for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
   for (int k = 0; ok && k < N_KINDS; k++) ok = check_kind_controls(claims, controls, k, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
   return ok && check_errata(m, claims, d) && check_graph(m, claims, d);

@@ -97,6 +97,8 @@ static bool check_equations(const struct model *m, const struct claims *statemen
 
 bool statements_keep_rules(const struct model *m, const struct claims *claims, const struct claims *statements,
                            struct diag *d) {
+  for (size_t i = 0; i < statements->n_files; i++)
+    if (!records_counted(statements->files[i], d)) return false;
   for (size_t i = 0; i < statements->n; i++)
     if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], claims, d)) return false;
   for (size_t i = 0; i < claims->n; i++)

@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "claim/claim.h"
+#include "claim/near.h"
 #include "cli.h"
 #include "interrupt.h"
 #include "report/report.h"
@@ -189,7 +190,8 @@ static bool load_all(struct verify_data *v, const struct options *o, const char 
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
          claims_load_data(&v->controls, data, "controls", "control", d) && statements_load(&v->statements, data, d) &&
          claims_keep_rules(&v->model, &v->claims, &v->controls, d) &&
-         statements_keep_rules(&v->model, &v->claims, &v->statements, d);
+         statements_keep_rules(&v->model, &v->claims, &v->statements, d) &&
+         near_controls_add(&v->model, &v->claims, &v->controls, d);
 }
 
 int run_verify(const struct options *o, const char *data) {

@@ -183,7 +183,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
   if (correction) view = claim_view(j->model, &c);
   struct audit_result *out = j->out;
-  j->effort = EFFORT_VERDICT;
+  j->effort = record_get(control->record, "near") ? EFFORT_REFUTE : EFFORT_VERDICT; /* decided where balls are */
   bool readable = judge_of(&c)(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {

@@ -81,8 +81,9 @@ struct model {
 
 void model_init(struct model *m);
 void model_clear(struct model *m);
-/* Adds one file, or every *.eq file of a folder in the order of their names. */
+/* Adds one file, a text that messages call by the name, or every *.eq file of a folder in the order of their names. */
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
 
 /* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the
