@@ -157,8 +157,9 @@ static bool only_drops(const struct model *m, const struct claim *c) {
   struct view printed = {m, LAYER_PRINTED, NULL, NULL};
   long kept = 0;
   for (size_t i = 0; i < m->n_records; i++) {
-    const struct statement_record *r = &m->records[i], *old = view_record(&printed, r->id);
+    const struct statement_record *r = &m->records[i];
     if (!erratum_is_about(r, c, true)) continue;
+    const struct statement_record *old = view_record(&printed, r->id);
     for (int k = 0; k < r->n_stmts; k++) {
       bool among = false;
       for (int q = 0; old && q < old->n_stmts && !among; q++) {

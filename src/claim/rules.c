@@ -74,14 +74,6 @@ static bool check_numbers(const struct claim *c, const struct claim_kind *kind, 
 
 /* --- Arguments --- */
 
-enum { MOST_STATEMENTS = 64 };
-
-static const struct stmt *cited_statement(const struct model *m, const struct cited *a, int i) {
-  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
-  const struct statement_record *r = view_record(&v, a->id);
-  return r && i < r->n_stmts && (!a->statement || a->statement == i + 1) ? r->stmts[i] : NULL;
-}
-
 static bool same_range(const struct stmt *a, const struct stmt *b) {
   if (!a->range_hi || !b->range_hi) return !a->range_hi && !b->range_hi;
   return expr_same(a->range_lo, b->range_lo) && expr_same(a->range_hi, b->range_hi);
@@ -100,14 +92,14 @@ static bool same_step(const struct stmt *s, int only_s, const struct stmt *t, in
 
 /* The same text under two names. */
 static bool same_text(const struct model *m, const struct cited *a, const struct cited *b) {
+  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
   if (strcmp(a->phase, b->phase) != 0) return false;
-  for (int i = 0; i < MOST_STATEMENTS; i++) {
-    const struct stmt *s = cited_statement(m, a, i);
-    for (int k = 0; s && k < MOST_STATEMENTS; k++) {
-      const struct stmt *t = cited_statement(m, b, k);
-      if (t && same_step(s, a->step, t, b->step)) return true;
-    }
-  }
+  const struct statement_record *r = view_record(&v, a->id), *q = view_record(&v, b->id);
+  for (int i = 0; r && i < r->n_stmts; i++)
+    for (int k = 0; q && k < q->n_stmts; k++)
+      if ((!a->statement || a->statement == i + 1) && (!b->statement || b->statement == k + 1) &&
+          same_step(r->stmts[i], a->step, q->stmts[k], b->step))
+        return true;
   return false;
 }
 
@@ -135,7 +127,7 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
   const struct claim_kind *kind = claim_kind_of(c);
   const char *fault = claim_get(c, "fault");
   if (!kind) return complain(c, "kind", d, "unknown kind of claim");
-  const char *follows = fault_name[claim_fault(m, c)];
+  const char *follows = fault ? fault_name[claim_fault(m, c)] : NULL;
   if (fault && strcmp(fault, follows) != 0) {
     char what[200];
     snprintf(what, sizeof what, "the fault is \"%s\": it follows from the kind of the claim and from its correction",
@@ -218,28 +210,24 @@ static bool check_errata(const struct model *m, const struct claims *claims, str
 
 /* --- Controls --- */
 
-static const char *kind_word(const struct claims *claims, const struct claim *control) {
+static enum kind control_kind(const struct claims *claims, const struct claim *control) {
   const struct claim *c = claim_named(claims, record_get(control->record, "claim"));
-  const struct claim_kind *kind = c ? claim_kind_of(c) : NULL;
-  return kind ? kind->word : "";
+  return c ? claim_kind(c) : N_KINDS;
 }
 
-static bool check_kind_controls(const struct claims *claims, const struct claims *controls, int k, struct diag *d) {
-  const struct claim *one = NULL;
-  int n = 0, have = 0;
-  for (size_t i = 0; i < claims->n; i++) {
-    if ((int)claim_kind(&claims->claim[i]) != k) continue;
-    one = one ? one : &claims->claim[i];
-    n++;
+static bool check_kind_controls(const struct claims *claims, const struct claims *controls, struct diag *d) {
+  const struct claim *one[N_KINDS] = {NULL};
+  int have[N_KINDS + 1] = {0};
+  for (size_t i = claims->n; i-- > 0;) one[claim_kind(&claims->claim[i])] = &claims->claim[i];
+  for (size_t i = 0; i < controls->n; i++) have[control_kind(claims, &controls->claim[i])]++;
+  for (int k = 0; k < N_KINDS; k++) {
+    if (!one[k] || have[k] >= claim_kinds[k].controls) continue;
+    char what[200];
+    snprintf(what, sizeof what, "claims of kind %s, such as this, have %d controls, and must have %d",
+             claim_kinds[k].word, have[k], claim_kinds[k].controls);
+    return complain(one[k], "kind", d, what);
   }
-  for (size_t i = 0; i < controls->n; i++)
-    have += strcmp(kind_word(claims, &controls->claim[i]), claim_kinds[k].word) == 0;
-  int wanted = n ? claim_kinds[k].controls : 0;
-  if (have >= wanted) return true;
-  char what[200];
-  snprintf(what, sizeof what, "claims of kind %s, such as this, have %d control%s, and must have %d",
-           claim_kinds[k].word, have, have == 1 ? "" : "s", wanted);
-  return complain(one, "kind", d, what);
+  return true;
 }
 
 /* What a correction in a claim's own file is, and by what kind of claim it is judged: "repaired of notation by law". */
@@ -287,7 +275,7 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   for (size_t i = 0; ok && i < claims->n; i++)
     ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
   for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
-  for (int k = 0; ok && k < N_KINDS; k++) ok = check_kind_controls(claims, controls, k, d);
+  ok = ok && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
   return ok && check_errata(m, claims, d) && check_graph(m, claims, d);
 }
