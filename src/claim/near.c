@@ -7,6 +7,8 @@
 
 #include <string.h>
 
+static const char source_name[] = "controls made by the program";
+
 #define NEAR_FACTOR "(1 + " NEAR_DELTA ")"
 
 /* What a claim is about, of the formulas. */
@@ -199,12 +201,15 @@ bool near_controls_add(struct model *m, const struct claims *claims, struct clai
     }
     if (made) text_printf(&records, "control %s\n  claim: %s\n  near: " NEAR_DELTA "\n", id, c->id);
   }
-  bool ok =
-      !records.len || (model_add_text(m, "controls made by the program", text_str(&formulas), RANK_CONTROL, d) &&
-                       claims_add_text(controls, "controls made by the program", text_str(&records), "control", d));
+  bool ok = !records.len || (model_add_text(m, source_name, text_str(&formulas), RANK_CONTROL, d) &&
+                             claims_add_text(controls, source_name, text_str(&records), "control", d));
   text_clear(&records);
   text_clear(&formulas);
   return ok;
+}
+
+bool near_made(const struct claim *control) {
+  return strcmp(control->file->src.name, source_name) == 0;
 }
 
 bool formula_has_control(const struct claim *c, const struct claims *claims, const struct claims *controls) {

@@ -5,7 +5,7 @@
 #include <string.h>
 
 const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
-                                            const char *name, struct diag *d) {
+                                           const char *name, struct diag *d) {
   source_from_string(&r->src, name, text);
   arena_init(&r->arena);
   const struct stmt *s = stmt_parse(&r->arena, &r->src, (struct span){0, r->src.len}, d);

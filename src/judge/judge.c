@@ -1,9 +1,11 @@
 /* One claim: it is judged with its own text as printed and everything it uses corrected; a refuted one is
    judged again as corrected and under restrictions; every control beside it must be noticed.  run.c says which are. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"
+#include "claim/near.h"
 #include "judge.h"
 #include "proof/exact_proof.h"
 #include "record/routes.h"
@@ -168,6 +170,22 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
   return false;
 }
 
+/* A control that says how near it is is no farther; where its claim is not tried at points, that is taken as said, and
+   so it is where the program has made the damage itself. */
+static bool measure_near(const char **distance, struct judge *j, const struct claim *c, const struct claim *control) {
+  const char *near = record_get(control->record, "near");
+  double log_distance, stated = near ? log2(strtod(near, NULL)) : 0;
+  if (!near) return true;
+  if (!isfinite(stated)) return claim_error(j, control, "near", "reads 1e-30: the most that the damage changes");
+  *distance = copy(j->out, near);
+  if (near_made(control) || !control_distance(&log_distance, j, c, control->id)) return true;
+  *distance = order_of_magnitude(j->out, log_distance);
+  if (log_distance <= stated + 1e-9) return true;
+  char what[120];
+  snprintf(what, sizeof what, "the damage changes a side by %.20s, which is more than that", *distance);
+  return claim_error(j, control, "near", what);
+}
+
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes
    by those of the control's own record.  One "of: correction" makes the correction wrong that the claim's file holds:
    the claim fails as before, and so must the correction. */
@@ -207,6 +225,8 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
     audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");
     return true;
   }
-  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
+  const char *distance = NULL;
+  if (!measure_near(&distance, j, &c, control)) return false;
+  audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict, distance);
   return true;
 }

@@ -40,6 +40,10 @@ bool judge_claim(struct judge *j, const struct claim *c);
    there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
+/* How far the control's damage takes the claim's sentence from what it says corrected: log2 of the largest difference of
+   a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
+bool control_distance(double *log_distance, struct judge *j, const struct claim *c, const char *control);
+
 /* A text read in the place of a record's statements; to be closed whether or not it could be read.  NULL with d set. */
 struct reread {
   struct source src;
@@ -48,7 +52,7 @@ struct reread {
   struct statement_record record;
 };
 const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
-                                            const char *name, struct diag *d);
+                                           const char *name, struct diag *d);
 void reread_close(struct reread *r);
 
 /* The verdict on a correction that the claim's file holds, by the claim that its attribute repaired-as names: a

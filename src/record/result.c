@@ -100,9 +100,10 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
 
-void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict,
+                   const char *distance) {
   out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
+  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED, distance};
 }
 
 enum verdict verdict_parse(const char *name) {

@@ -94,6 +94,7 @@ struct control_result {
   const char *id, *claim;
   enum verdict verdict;
   bool noticed;
+  const char *distance; /* from what it damages, relative; NULL where the control does not say that it is near */
 };
 
 /* --- How inconsistent printed numbers could have arisen: readings of the example --- */
