@@ -212,6 +212,27 @@ bool near_made(const struct claim *control) {
   return strcmp(control->file->src.name, source_name) == 0;
 }
 
-bool formula_has_control(const struct claim *c, const struct claims *claims, const struct claims *controls) {
-  return !formula_of(c) || is_damaged(c, claims, controls);
+/* A control's record stands in the place of the formula. */
+static bool is_replaced(const struct model *m, const char *statement, const char *value) {
+  size_t n = statement ? 0 : strcspn(value, "(");
+  for (size_t i = 0; statement && i < m->n_records; i++)
+    if (m->records[i].rank == RANK_CONTROL && strcmp(m->records[i].id, statement) == 0) return true;
+  for (size_t i = 0; !statement && i < m->n_defs; i++)
+    if (m->defs[i].rank == RANK_CONTROL && strlen(m->defs[i].name) == n && strncmp(m->defs[i].name, value, n) == 0)
+      return true;
+  return false;
+}
+
+bool formulas_have_controls(const struct model *m, const struct claims *claims, const struct claims *controls,
+                            struct diag *d) {
+  for (size_t i = 0; i < claims->n; i++) {
+    const struct claim *c = &claims->claim[i];
+    const char *statement = claim_get(c, "statement"), *value = claim_get(c, "value");
+    if (!formula_of(c) || is_damaged(c, claims, controls) || is_replaced(m, statement, value)) continue;
+    diag_at(d, &c->file->src, record_field(c->record, statement ? "statement" : "value")->value.begin,
+            "%s: no control damages this formula, and none can be made for a claim of kind %s", c->id,
+            claim_get(c, "kind"));
+    return false;
+  }
+  return true;
 }

@@ -13,7 +13,9 @@
 bool near_controls_add(struct model *m, const struct claims *claims, struct claims *controls, struct diag *d);
 /* Whether it is one of these. */
 bool near_made(const struct claim *control);
-/* Whether some control damages what the claim is about; true of a claim that is about no formula. */
-bool formula_has_control(const struct claim *c, const struct claims *claims, const struct claims *controls);
+/* Whether each formula that a claim is about is damaged by some control, one of these or one on file; false with d set at
+   a claim of which none is. */
+bool formulas_have_controls(const struct model *m, const struct claims *claims, const struct claims *controls,
+                            struct diag *d);
 
 #endif

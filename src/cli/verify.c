@@ -191,7 +191,8 @@ static bool load_all(struct verify_data *v, const struct options *o, const char 
          claims_load_data(&v->controls, data, "controls", "control", d) && statements_load(&v->statements, data, d) &&
          claims_keep_rules(&v->model, &v->claims, &v->controls, d) &&
          statements_keep_rules(&v->model, &v->claims, &v->statements, d) &&
-         near_controls_add(&v->model, &v->claims, &v->controls, d);
+         near_controls_add(&v->model, &v->claims, &v->controls, d) &&
+         formulas_have_controls(&v->model, &v->claims, &v->controls, d);
 }
 
 int run_verify(const struct options *o, const char *data) {
