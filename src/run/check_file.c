@@ -52,7 +52,8 @@ static bool known_attribute(const char *key) {
       "absent",       "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
       "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
-      "slips",        "sticks",   "breaks",     "few",         "converse-of",  "repaired-as",  "of"};
+      "slips",        "sticks",   "breaks",     "few",         "converse-of",  "repaired-as",  "of",
+      "near"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;
