@@ -63,6 +63,8 @@ static const struct damage rules[] = {
      "eq-40: the fault is \"formula\""},
     {"claims/5-validation.claim", "/^claim num-t_a$/,/^$/{s/fault: number/fault: argument/}", planned, 3,
      "num-t_a: the fault is \"number\""},
+    {"claims/5-validation.claim", "/^claim num-t_b$/,/^$/{s/fault: number/fault: nobody/}", planned, 3,
+     "num-t_b: the fault is \"number\""},
     /* the paper's statements */
     {"paper/paper.statements", "/^statement abstract-1$/,/^$/d", planned, 3, "there are 171 records in this file"},
     {"paper/paper.statements", "/^statement stability-otherwise$/,/^$/{s/claims: .*/reason: obvious/}", planned, 3,

@@ -36,6 +36,8 @@
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) premises that the corrected argument has besides
+     repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
+                 as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
      converse-of (argument) the claim whose argument this one turns round: neither rests on the other
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
@@ -53,6 +55,16 @@
      constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
+
+     A file of controls begins with "count: N", how many it holds.  A record "control ID" has the claim that it damages,
+     attributes in the place of the claim's own, and perhaps
+
+     of          correction: what is damaged is the correction that the claim's file holds, which must be refuted
+     near        1e-30: the most by which the damage changes a side of the claim's sentence; it is measured, and the
+                 control is decided by the decisive route alone
+     shift       (number, closure) units of the last digit by which the printed number is moved
+
+     For a formula that no control on file damages the program makes one (near.h).
 
      about       names of definitions that the sentence asserts something of, besides its value; (number) another
                  symbol for the number

@@ -191,7 +191,8 @@ void dependences_free(struct dependences *d) {
 
 /* The same name of the paper, whichever layer wrote the text. */
 static bool same_name(const struct definition *a, const struct definition *b) {
-  return *a->name == *b->name && strcmp(a->name, b->name) == 0 && (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
+  return *a->name == *b->name && strcmp(a->name, b->name) == 0 &&
+         (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
 }
 
 static bool is_about(const struct reach *r, const struct definition *def) {
