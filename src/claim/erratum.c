@@ -151,8 +151,8 @@ static void set_all_beside(struct beside *b, const struct model *m, const struct
       if (erratum_is_about(&m->records[i], c, pass == 0)) set_beside(b, m, &m->records[i], pass == 0);
 }
 
-/* Whether every statement of the erratum is one of the printed ones: it keeps some readings of an index and drops the
-   others. */
+/* Whether every statement of the erratum is one of the printed ones, of which there are more: it keeps some readings of
+   an index and drops the others. */
 static bool only_drops(const struct model *m, const struct claim *c) {
   struct view printed = {m, LAYER_PRINTED, NULL, NULL};
   long kept = 0;
@@ -160,9 +160,10 @@ static bool only_drops(const struct model *m, const struct claim *c) {
     const struct statement_record *r = &m->records[i];
     if (!erratum_is_about(r, c, true)) continue;
     const struct statement_record *old = view_record(&printed, r->id);
+    if (!old || old->n_stmts <= r->n_stmts) return false;
     for (int k = 0; k < r->n_stmts; k++) {
       bool among = false;
-      for (int q = 0; old && q < old->n_stmts && !among; q++) {
+      for (int q = 0; q < old->n_stmts && !among; q++) {
         struct replacements none = {.n = 0};
         among = compare_statements(&none, old->stmts[q], r->stmts[k]) && none.n == 0 && !none.too_many;
       }

@@ -65,6 +65,10 @@ static void print_surprises(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)
       printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);
+  for (size_t i = 0; i < r->n_controls; i++)
+    if (control_is_far(&r->controls[i]))
+      printf("control %s: it changes what it damages by %s, and says %s\n", r->controls[i].id, r->controls[i].distance,
+             r->controls[i].near);
 }
 
 static void print_result(const struct audit_result *r, bool quiet) {

@@ -272,7 +272,8 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     bool own = pass == 0;
     text_reset(&faults);
     check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
-    if (!own && repaired && !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL)) {
+    if (!own && repaired && claim_get(c, "repaired-as") &&
+        !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL)) {
       text_clear(&faults);
       return false;
     }

@@ -26,8 +26,7 @@ void finding_state(struct finding *f, struct audit_result *out, const char *rout
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 
 /* What became of a control; it is noticed when it is refuted. */
-void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict,
-                   const char *distance);
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict);
 /* Other work left out, with the reason. */
 void audit_leave_out(struct audit_result *out, const char *what, const char *why);
 

@@ -83,13 +83,17 @@ bool finding_miscorrected(const struct finding *f) {
   return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
 }
 
+bool control_is_far(const struct control_result *c) {
+  return c->near && c->distance && strtod(c->distance, NULL) > 1.0001 * strtod(c->near, NULL);
+}
+
 long audit_result_unexpected(const struct audit_result *r) {
   long n = 0;
   for (size_t i = 0; i < r->n_findings; i++) {
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
     n += finding_miscorrected(&r->findings[i]);
   }
-  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed || control_is_far(&r->controls[i]);
   for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
   for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
   return n;
@@ -100,10 +104,10 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
   out->skipped[out->n_skipped++] = (struct skipped_work){what, why};
 }
 
-void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict,
-                   const char *distance) {
+void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
   out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED, distance};
+  out->controls[out->n_controls++] =
+      (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED, NULL, NULL};
 }
 
 enum verdict verdict_parse(const char *name) {

@@ -94,7 +94,8 @@ struct control_result {
   const char *id, *claim;
   enum verdict verdict;
   bool noticed;
-  const char *distance; /* from what it damages, relative; NULL where the control does not say that it is near */
+  const char *near;     /* the most by which it changes what it damages; NULL where it does not say, */
+  const char *distance; /* and by how much it does, relative */
 };
 
 /* --- How inconsistent printed numbers could have arisen: readings of the example --- */
@@ -290,7 +291,9 @@ const struct consequence *audit_result_consequence(const struct audit_result *r,
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
 /* A correction that is refuted itself; or, where the verdict is on record, is neither proved nor supported. */
 bool finding_miscorrected(const struct finding *f);
-/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed, and
+/* A control that is farther from what it damages than it says. */
+bool control_is_far(const struct control_result *c);
+/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed or are far, and
    routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 

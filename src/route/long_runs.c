@@ -156,5 +156,5 @@ void study_long_runs(struct judge *j) {
   beside_scene(j);
   for (size_t i = 0; i < sizeof samples / sizeof *samples; i++) beside_sample(j, i);
   bool noticed = wrong_multiplier_noticed(j);
-  audit_control(j->out, "long-runs-multiplier", "long runs", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED, NULL);
+  audit_control(j->out, "long-runs-multiplier", "long runs", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
 }

@@ -420,7 +420,7 @@ static void control(struct study *s) {
   status |= propagator_closed(now + MATRIX, s);
   bool noticed =
       status == SS_OK && !keeps(ROUTE_P_EXPONENTIAL, ROUTE_P_CLOSED, gap_between(now, now + MATRIX, MATRIX), -INFINITY);
-  audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED, NULL);
+  audit_control(s->j->out, "routes-later", "routes", noticed ? VERDICT_REFUTED : VERDICT_SUPPORTED);
   fmpq_clear(shift);
   _arb_vec_clear(now, 2 * MATRIX);
 }
