@@ -267,11 +267,11 @@ inequality ctl-stays-slower
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V*(1 - 1e-6) for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
-# the lower bound of (56), which is above: hbar increases
+# the lower bound on both sides
 inequality ctl-comes-below
   replaces: eq-16b
   section: periodic
-  z_10 - chi*z_20 < z_1c - chi*z_2c < e_1
+  e_1 - 2*u_r1 < z_1c - chi*z_2c < e_1 - 2*u_r1
 
 # true with V (1 - chi) on the right, which is what (60) is worth
 inequality ctl-increases
