@@ -35,12 +35,12 @@ RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
 SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
-FUZZ  = reader model claims scene json report options certificate
+FUZZ  = reader latex model claims scene json report options certificate
 # one for each tests/check_*.c; those that take longest are begun first
-SLOW  = scene
+SLOW  = scene plan jacobian mutate stable sweep complete report terminal hostile cli
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
 # make quick: suites that find most in a second
-QUICK = num base expr edit tape model dynamics map given argument law routes behaviour audit diff
+QUICK = num base expr latex edit tape model dynamics map given argument law routes behaviour audit diff
 # processes at a time
 JOBS ?= $(shell nproc 2>/dev/null || echo 2)
 # seconds for each target of make fuzz; where what it finds new goes
@@ -49,6 +49,8 @@ FOBJ  = $(FUZZ:%=$(B)/tests/fuzz/%.o) $(B)/tests/fuzz/file.o $(B)/tests/fuzz/rep
 OBJ   = $(SRC:%.c=$(B)/%.o)
 BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
+# tests wait for what they call: optimising them costs more than it saves
+TEST_LEVEL = -O1
 PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
@@ -106,7 +108,7 @@ $(B)/faults.so: tests/preload/faults.c Makefile
 
 $(B)/tests/%.o: tests/%.c Makefile
 	@mkdir -p $(@D)
-	$(CC) $(ALL) -I. -MMD -MP -c -o $@ $<
+	$(CC) $(ALL) $(TEST_LEVEL) -I. -MMD -MP -c -o $@ $<
 
 # objects that were made without CVODE are made again once it is there, and the other way
 $(BOBJ): $(B)/cvode.$(if $(PEERS),there,absent)

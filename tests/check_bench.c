@@ -775,17 +775,6 @@ START_TEST(verdicts_are_timed) {
 }
 END_TEST
 
-START_TEST(json_follows_its_schema) {
-  struct text line;
-  ck_assert_int_eq(command(NULL, "--quick --json"), 0);
-  text_init(&line);
-  text_printf(&line, "%s tests/oracle/validate.py schema/bench.schema.json %s >&2", python(), scratch_path("out"));
-  ck_assert_int_eq(system(text_str(&line)), 0);
-  text_clear(&line);
-  ck_assert(says("out", "\"not measured\"")); /* the growth, which quick runs leave out */
-}
-END_TEST
-
 /* name: value (goal: ...) or (no goal), for each ratio that is asked for. */
 START_TEST(ratios_are_printed_with_their_goals) {
   ck_assert_int_eq(command(NULL, "--quick --job map"), 0);
@@ -827,7 +816,6 @@ Suite *bench_suite(void) {
   tcase_add_test(c, gnuplot_gets_its_script_in_the_folder);
   tcase_add_loop_test(c, peers_agree_with_the_truth, 0, 4);
   tcase_add_test(c, verdicts_are_timed);
-  tcase_add_test(c, json_follows_its_schema);
   tcase_add_test(c, ratios_are_printed_with_their_goals);
   suite_add_tcase(s, c);
   return s;

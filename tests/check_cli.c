@@ -1400,16 +1400,26 @@ START_TEST(json_obeys_its_schemas) {
   };
   free(renamed);
   free(damaged);
-  struct job j[N];
-  for (int i = 0; i < N; i++)
-    start(&j[i], NULL, python(),
-          (const char *const[]){"tests/oracle/validate.py", checks[i].schema, checks[i].file, NULL});
-  for (int i = 0; i < N; i++) finish(&j[i]);
+  /* those that obey by one interpreter, the damaged ones alone */
+  const char *words[2 * N + 2] = {"tests/oracle/validate.py"};
+  int n = 1;
   for (int i = 0; i < N; i++) {
-    ck_assert_msg(j[i].status == checks[i].want, "%s: status %d, %.1500s%.1500s", checks[i].file, j[i].status, j[i].out,
-                  j[i].err);
-    discard(&j[i]);
+    if (checks[i].want == 0) {
+      words[n++] = checks[i].schema;
+      words[n++] = checks[i].file;
+      continue;
+    }
+    struct job j;
+    start(&j, NULL, python(), (const char *const[]){words[0], checks[i].schema, checks[i].file, NULL});
+    finish(&j);
+    ck_assert_msg(j.status == checks[i].want, "%s: status %d, %.1500s", checks[i].file, j.status, j.err);
+    discard(&j);
   }
+  struct job all;
+  start(&all, NULL, python(), words);
+  finish(&all);
+  ck_assert_msg(all.status == 0, "status %d, %.1500s%.1500s", all.status, all.out, all.err);
+  discard(&all);
 }
 END_TEST
 

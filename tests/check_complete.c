@@ -250,7 +250,7 @@ START_TEST(bounds_hold_and_are_nearly_attained) {
   double angle = g.fall.mid * uniform(&state), reach = 1e-3;
   strip_make(&strip, &g, angle, angle, reach);
   const double bound[8] = {strip.p.f, strip.p.ff, strip.q.f, strip.q.ff, strip.r.f, strip.r.ff, strip.p.ft, strip.p.tt};
-  for (int trial = 0; trial < 8000; trial++) {
+  for (int trial = 0; trial < 4000; trial++) {
     double f[4], ff[4], none[4], x = angle + reach * (2 * uniform(&state) - 1),
                                  t = 4000 * uniform(&state) / g.om[0].mid;
     motion(none, p, x, t, 0);
@@ -431,7 +431,7 @@ START_TEST(the_return_map_has_no_other_fixed_point) {
   params_d(p, s);
   ck_assert_int_eq(dyn_orbits_complete(&list, s->p, 60, NULL, DYN_CELLS), SS_OK);
   ck_assert(list.complete);
-  long seen = fixed_points(&list, p, 12000);
+  long seen = fixed_points(&list, p, 6000);
   ck_assert_msg(seen <= s->n, "%s: %ld", s->name, seen);
   dyn_orbits_clear(&list);
 }
@@ -440,7 +440,7 @@ END_TEST
 START_TEST(random_parameters) {
   uint64_t state = (uint64_t)_i + 1;
   long complete = 0, seen = 0, orbits = 0;
-  enum { TRIALS = 150 };
+  enum { TRIALS = 100 };
   for (int trial = 0; trial < TRIALS; trial++) {
     double p[N_PARAMS] = {0.03 + 0.94 * uniform(&state), 0.05 * pow(400, uniform(&state)),
                           0.2 * pow(15, uniform(&state)), 0.2 * pow(30, uniform(&state)),
@@ -702,7 +702,7 @@ START_TEST(a_limit_scanned) {
   static const enum dyn_quantity which[2] = {QUANTITY_E1, QUANTITY_TB};
   uint64_t state = (uint64_t)_i + 11;
   long seen = 0, complete = 0;
-  enum { TRIALS = 40, STEPS = 1500 };
+  enum { TRIALS = 24, STEPS = 1500 };
   for (int trial = 0; trial < TRIALS; trial++) {
     double p[N_PARAMS] = {0.05 + 0.9 * uniform(&state), 0.1 + 3 * uniform(&state), 0.3 + uniform(&state),
                           0.2 + 4 * uniform(&state), 0};

@@ -784,13 +784,13 @@ END_TEST
 /* Under a limit, memory ends where it is asked for in earnest: mostly inside FLINT and GMP. */
 START_TEST(little_memory) {
   if (SANITIZED) return;
-  static const char *const words[] = {"orbit paper --digits 100000", "readings paper", "orbit four --digits 3000"};
+  static const char *const words[] = {"orbit paper --digits 30000", "readings paper", "orbit four --digits 3000"};
   for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
     struct job j;
     job_init(&j, words[i]);
     bool ended = false;
     const rlim_t least = 28, started = 32; /* with less the loader has no room for the libraries */
-    for (rlim_t mb = least; mb <= 128 && !ended; mb += 8) {
+    for (rlim_t mb = least; mb <= 128 && !ended; mb += 2) {
       j.memory = mb << 20;
       run(&j);
       ended = j.status == 0;

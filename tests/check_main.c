@@ -16,6 +16,7 @@ int main(void) {
   if (!getenv("CK_INCLUDE_TAGS")) setenv("CK_EXCLUDE_TAGS", "exhaustive", 0);
   SRunner *r = srunner_create(base_suite());
   srunner_add_suite(r, tex_suite());
+  srunner_add_suite(r, latex_suite());
   srunner_add_suite(r, num_suite());
   srunner_add_suite(r, solve_suite());
   srunner_add_suite(r, expr_suite());

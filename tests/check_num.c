@@ -2,6 +2,7 @@
    roots against polynomials made from chosen roots, printed digits against the C library's conversion and MPFR's. */
 #include "laws_num.h"
 #include "num/calc.h"
+#include "num/flint_more.h"
 #include "suites.h"
 
 #include <math.h>

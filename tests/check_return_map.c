@@ -322,7 +322,7 @@ static bool find_jump(double *low, double *high, double x[N_IN]) {
 START_TEST(no_root_is_passed_by_at_a_jump) {
   struct rng r = {(uint64_t)_i};
   int jumps = 0;
-  for (int trial = 0; trial < 400 && jumps < 12; trial++) {
+  for (int trial = 0; trial < 400 && jumps < 6; trial++) {
     double x[N_IN];
     random_input(x, &r);
     double top = x[P_E2] / x[P_CHI], low = top - 3 * x[P_V] * unit(&r), high = low + 0.25 * (top - low);

@@ -13,6 +13,7 @@
 
 #include "motion/sincos.h"
 #include "num/flint_compat.h"
+#include "num/flint_more.h"
 #include "suites.h"
 
 enum { BITS = 160, TERMS = 30, PIECES = 4096 };

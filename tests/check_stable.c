@@ -10,6 +10,7 @@
 
 #include "claim/claims.h"
 #include "paper_model.h"
+#include "paper_value.h"
 #include "run/audit.h"
 #include "scratch.h"
 #include "stability/stability.h"

@@ -41,7 +41,7 @@ static int count(const char *text, const char *part) {
 
 /* --- Colours and tables --- */
 
-static const char audit_args[] = "verify paper --only eq-10,eq-27,num-t_a --out";
+static const char audit_args[] = "verify paper --only eq-10,eq-27,eq-36b --out";
 
 static char *on_a_terminal(const char *settings, const char *more) {
   int status;
@@ -73,7 +73,7 @@ START_TEST(colours_only_where_they_are_wanted) {
     char *out = on_a_terminal(cases[i].settings, "");
     const char *said = after_progress(out);
     if (cases[i].colours)
-      ck_assert_msg(strstr(said, "\033[1;31mrefuted\033[0m     num-t_a"), "%s: %s", cases[i].settings, said);
+      ck_assert_msg(strstr(said, "\033[1;31mrefuted\033[0m     eq-36b"), "%s: %s", cases[i].settings, said);
     else
       ck_assert_msg(strcmp(said, plain) == 0, "%s: %s", cases[i].settings, said);
     ck_assert_int_eq(count(said, "\033[0m") * 2, count(said, "\033["));

@@ -706,19 +706,21 @@ START_TEST(a_survey_keeps_to_its_budget) {
 END_TEST
 
 START_TEST(output_obeys_its_schemas) {
-  static const char *const runs[][2] = {{"words overrun --json", "words"},
-                                        {"words none --longest 2 --digits 30 --json", "words"},
-                                        {"orbit overrun --json", "word-orbit"},
-                                        {"orbit other-word --json --digits 40", "word-orbit"},
-                                        {"jacobian overrun --json", "word-jacobian"},
-                                        {"jacobian other-word --method ode --json", "word-jacobian"}};
-  char *out;
+  static const char *const runs[][2] = {
+      {"words overrun --longest 2 --json", "words"}, {"words none --longest 2 --digits 30 --json", "words"},
+      {"orbit overrun --json", "word-orbit"},        {"orbit other-word --json --digits 40", "word-orbit"},
+      {"jacobian overrun --json", "word-jacobian"},  {"jacobian other-word --method ode --json", "word-jacobian"}};
+  char *out, name[20];
+  struct text line;
+  text_init(&line);
+  text_printf(&line, "%s tests/oracle/validate.py", python());
   for (size_t i = 0; i < sizeof runs / sizeof *runs; i++) {
-    ck_assert_int_eq(shell(&out, "%s %s > %s", program(), runs[i][0], scratch_path("o.json")), 0);
-    ck_assert_msg(shell(&out, "%s tests/oracle/validate.py schema/%s.schema.json %s 2>&1", python(), runs[i][1],
-                        scratch_path("o.json")) == 0,
-                  "%s: %s", runs[i][0], out);
+    snprintf(name, sizeof name, "%zu.json", i);
+    ck_assert_int_eq(shell(&out, "%s %s > %s", program(), runs[i][0], scratch_path(name)), 0);
+    text_printf(&line, " schema/%s.schema.json %s", runs[i][1], scratch_path(name));
   }
+  ck_assert_msg(shell(&out, "%s 2>&1", text_str(&line)) == 0, "%s", out);
+  text_clear(&line);
   const char *damaged = scratch_put("d.json", "{\"word\": [\"D\", \"Q\"], \"free\": [\"w1\"], \"J\": [[\"1\"]]}");
   ck_assert_int_eq(
       shell(&out, "%s tests/oracle/validate.py schema/word-jacobian.schema.json %s 2>&1", python(), damaged), 1);

@@ -6,7 +6,6 @@
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
-#include "tape/exact.h"
 
 /* Files besides the paper's, by path, or in place of those of verify/; all NULL: the paper with its corrections. */
 struct paper_layers {
@@ -25,9 +24,6 @@ bool paper_model_read(struct model *m, const struct paper_layers *with, struct d
 /* The claims on file, and the controls unless these are NULL; the scene of the paper's example.  To be cleared. */
 void paper_claims(struct claims *claims, struct claims *controls);
 void paper_scene(struct scene *s);
-
-/* The value of a text in a field (exact.h) by the corrected formulas, as a function of free symbols: a status. */
-int paper_value(fmpz_mpoly_q_struct *z, struct exact_field *f, const struct model *of, const char *text);
 
 /* By its id; fails the test where there is none. */
 const struct claim *claim_with_id(const struct claims *all, const char *id);

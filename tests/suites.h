@@ -6,6 +6,7 @@
 
 Suite *base_suite(void);
 Suite *tex_suite(void);
+Suite *latex_suite(void);
 Suite *num_suite(void);
 Suite *solve_suite(void);
 Suite *expr_suite(void);

@@ -12,13 +12,14 @@ equation eq-29
   equation: 29
   tex: Z(t_a + dt_a + t_b + dt_b) = \Gamma(t_b + dt_b)(Z_a + dZ_a)
   note: the slip-stick phase starts at Z_a + dZ_a, as (28) says
-  [z_1(t_a + dt_a + t_b + dt_b); z_2(t_a + dt_a + t_b + dt_b);
-   z_1'(t_a + dt_a + t_b + dt_b); z_2'(t_a + dt_a + t_b + dt_b)] = Gamma(t_b + dt_b)*(Z_a + dZ_a)
+  Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_a + dZ_a)
 
 equation eq-30b
   section: stability
   equation: 30
-  tex: dZ_b = \Gamma(t_b)dZ_a + \Gamma'(t_b)Z_a dt_b
+  tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_a + \Gamma'(t_b)Z_a dt_b
+  reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
+    [\Gamma(t_b + dt_b)(Z_a + dZ_a) - \Gamma(t_b)Z_a]_{O(x_a, y_a, dt_b)^{\le 1}}
   note: from (29) as corrected
   dZ_b = first_order(Gamma(t_b + dt_b)*(Z_a + dZ_a) - Gamma(t_b)*Z_a; x_a, y_a, dt_b)
     = Gamma(t_b)*dZ_a + Gamma'(t_b)*Z_a*dt_b
@@ -26,7 +27,7 @@ equation eq-30b
 equation eq-31
   section: stability
   equation: 31
-  tex: \chi(x_2 - x_1) = u_{r2}
+  tex: \chi(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_{r2}
   note: it is the second mass that breaks away, so its own static friction limits the force
   chi*(x_2(t_a + dt_a + t_b + dt_b) - x_1(t_a + dt_a + t_b + dt_b)) = u_r2
 

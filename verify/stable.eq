@@ -19,7 +19,6 @@ define stable-omega-40
 define stable-48
   section: appendix_a
   equation: 48
-  tex: \omega_2 \pm \omega_1 = \sqrt{(\omega \pm \sqrt{1 - \chi})^2 + \chi}
   note: the coefficients of the polynomial hold half the digits of roots that are close to each other (chi -> 0, chi*eta -> 1)
   slip_s := sqrt(1 - chi)
   omega_p := hypot(omega + slip_s, sqrt(chi))
@@ -30,7 +29,6 @@ define stable-48
 define stable-48b
   section: appendix_a
   equation: 48
-  tex: \lambda_1 = \frac{g_1}{\chi}, \lambda_2 = -\frac{\omega^2}{g_1}, g_1 = 1 - \omega_1^2, g_2 = \omega_2^2 - 1
   note: 1 - omega_1^2 and omega_2^2 - 1 cancel where a frequency is near 1; here every term is positive
   bend := (chi/2)*(1/(omega_p + (omega + slip_s)) + 1/(omega_m + abs(slip_s - omega)))
   g_1 := ((abs(slip_s - omega) + (slip_s - omega))/2 + bend)*(omega_2 + omega)
@@ -41,8 +39,6 @@ define stable-48b
 define stable-47
   section: appendix_a
   equation: 47
-  tex: H_1 = \begin{pmatrix} \alpha c_1 + \beta c_2 & \chi X \\ \omega^2 X & \beta c_1 + \alpha c_2 \end{pmatrix},
-    X = \frac{c_1 - c_2}{\omega_2^2 - \omega_1^2}, W = X', Y' = X
   note: the inverse of Lambda divides by lambda_2 - lambda_1.  Each entry is the sum of two forms of itself: in the half sum
     and difference of the frequencies, for close ones, and in the frequencies, for distant ones.  Their weights are rho and
     apart = 1 - rho, the square of detune = 1 - omega_1^2/omega_2^2.  Y is in turn the sum of a form for small times and one for large ones
@@ -118,7 +114,6 @@ define stable-47-less
 define stable-49
   section: appendix_a
   equation: 49
-  tex: 1 - \cos t = 2 \sin^2 \frac{t}{2}, t - \sin t
   note: 1 - cos t and t - sin t cancel at small times
   Gamma_1(t) := [cos(t), chi*(2*sin(t/2)^2); 0, 1]
   Gamma_2(t) := [sin(t), chi*(t^3*stumpff(t)); 0, t]
@@ -307,7 +302,6 @@ define stable-44-drift
 define stable-45
   section: validation
   equation: 45
-  tex: \det(N_1 - I) = (1 - \chi) \Delta_1, \det N_3 = (1 - \chi) \Delta_3
   note: by the images of (1, 1) and (chi, 1), so that the determinants are formed without their factor 1 - chi, and by
     the first mass and the distance of the second, each of size 1; t_a I stands in both terms of M and is left out
   even_size_1 := hypot(even_1[1], edge_1)
@@ -347,7 +341,6 @@ define stable-32
 define stable-36
   section: stability
   equation: 36
-  tex: H_{11} + H_{12}, H_{21} + H_{22} = c_1 + \omega_1^2 X, H_{31} + H_{32}, H_{41} + H_{42} = -(1 - \chi) \omega^2 Y
   note: the sums of two entries cancel at small t_c (the last one) and large omega_2 t_c; they are the motion from z_1 = z_2
   g_3 := chi*(1 - chi)/(g_2 + chi)
   alpha_c := (g_2 + chi)/(g_2 + chi + g_3)
@@ -434,7 +427,6 @@ define stable-41-rate
 define stable-trace
   section: stability
   equals: tr(J)
-  tex: \text{tr}(J) = \frac{\cos(\omega t_d) (y_c - x_c) + \frac{\sin(\omega t_d)}{\omega} v_c}{1 - \chi}
   note: J_f's rows differ by far less than they are where z_200 - z_100 is small
   trace_J := (cos(omega*t_d)*turn + t_d*sinc(omega*t_d)*rate)/(1 - chi)
 
@@ -449,7 +441,6 @@ define stable-41
 define stable-42
   section: stability
   equation: 42
-  tex: P(\lambda) = \lambda(\lambda - \text{tr}(J))
   note: J is singular
   P(lambda) := lambda*(lambda - trace_J)
 

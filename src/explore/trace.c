@@ -4,6 +4,7 @@
    prediction; the parameter is measured so that the line has length 4, times as they are (the slow and the fast
    frequency being of order 1).  Changes are seen as changes of sign between two spots and narrowed down by Newton's
    iteration, which starts from the secant and, where it leaves the stretch, from ever smaller parts of it. */
+#include "num/flint_more.h"
 #include <math.h>
 #include <string.h>
 

@@ -52,6 +52,7 @@
 #define STICKSLIP_EXPLORE_WORDS_H
 
 #include "motion/coulomb.h"
+#include "num/flint_more.h"
 
 /* --- Words. --- */
 

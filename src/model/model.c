@@ -132,7 +132,7 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
 
 static bool load_statements(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                             struct diag *d) {
-  static const char *const known[] = {"section", "equation", "tex", "note", "when", "replaces", "equals"};
+  static const char *const known[] = {"section", "equation", "tex", "note", "reads", "replaces", "equals"};
   if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
   bool defines = strcmp(r->kind_name, "define") == 0;
   const char *section = record_get(r, "section");
@@ -270,7 +270,7 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
     ok = part[i].add(m, text_str(&path), part[i].rank, d);
   }
   text_clear(&path);
-  return ok;
+  return ok && model_check_tex(m, paper ? RANK_USER : RANK_STABLE, d); /* another paper's names are not the errata's */
 }
 
 /* Whether the view sees something of this rank, equation and record. */

@@ -10,8 +10,9 @@
      inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
      relation ID        statements that hold along a motion: "trajectory z_1(t)" names an unknown function of time
 
-   with the attributes section, equation (the paper's number), tex (what was transcribed, as printed), note, when (a
-   condition in words) and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
+   with the attributes section, equation (the paper's number), tex (what was transcribed, as printed), reads (how the TeX
+   departs from what it says to the letter, "PIECE as TEX"; perhaps several), note and, in overlays, replaces.  Another
+   attribute is an error.  A name that is neither defined nor a
    symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
    a section, then that of another section, if there is only one.
 
@@ -89,6 +90,12 @@ bool model_add_folder(struct model *m, const char *path, enum rank rank, struct 
 /* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the
    errata, the stable forms and the controls' damages, by rank. */
 bool model_load(struct model *m, const char *data, const char *paper, const char *overlay, struct diag *d);
+
+/* Whether the TeX of every record up to that rank, read as expr/latex_read.h says, is its statements, one for one and
+   in their order; a trajectory declares and is not said.  "lo < t < hi" in the TeX is the range of the statements that
+   have one in t, "a^2 = b" defines a := sqrt(b), "p = 0" the root of p.  false with d set to the first difference, with
+   both places. */
+bool model_check_tex(const struct model *m, enum rank last, struct diag *d);
 
 /* What a reader sees: corrected, except that everything with the equation number `own` (may be NULL) is read as
    printed; controls with the id `control` (may be NULL) on top. */

@@ -4,6 +4,7 @@
    it, in balls Arb; in MPFR the Taylor series is summed for A t / 2^s and squared s times.  A squaring can multiply the
    error by twice the norm of what it squares: the norms met on the way tell how many guard bits were needed, and the
    computation is repeated with them if there were fewer. */
+#include "num/flint_more.h"
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_linalg.h>
 #include <math.h>

@@ -6,6 +6,7 @@
    r' = (1 - chi) V - w', phase H is y'' = -M y with M = [1, -chi^2 eta; -1, chi eta], and phase C ends at the extremum
    of r'' = -chi eta r. */
 #include "flow.h"
+#include "num/flint_more.h"
 
 struct jet {
   slong n, prec;

@@ -4,6 +4,7 @@
 
 #include "base/work.h"
 #include "num.h"
+#include "num/num_exact.h"
 
 const fmpz_mpoly_ctx_struct *num_exact_ctx(void) {
   static fmpz_mpoly_ctx_t ctx;

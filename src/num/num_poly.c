@@ -7,6 +7,7 @@
    for all polynomials in the balls, or not at all: then the precision is raised. */
 #include "base/arena.h"
 #include "num.h"
+#include "num/flint_more.h"
 
 #include <math.h>
 #include <stdlib.h>

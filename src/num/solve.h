@@ -14,6 +14,7 @@
 #ifndef STICKSLIP_NUM_SOLVE_H
 #define STICKSLIP_NUM_SOLVE_H
 
+#include "flint_more.h"
 #include "num.h"
 
 enum { SOLVE_MOST = 16 }; /* unknowns */

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "num/calc.h"
+#include "num/num_exact.h"
 #include "record/result.h"
 #include "tape/exact.h"
 

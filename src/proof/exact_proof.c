@@ -4,6 +4,7 @@
 #include "exact_proof.h"
 
 #include "claim/kinds.h"
+#include "num/num_exact.h"
 #include "record/finding.h"
 #include "value/local_maps.h"
 #include <stdlib.h>

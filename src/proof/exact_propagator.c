@@ -4,6 +4,7 @@
 #include "exact_motion_impl.h"
 
 #include "base/work.h"
+#include "num/num_exact.h"
 #include "propagator_law.h"
 
 /* The squares of the phase's frequencies, and how many it has besides 0 (twice in phase D). */

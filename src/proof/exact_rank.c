@@ -7,6 +7,7 @@
 #include <stdlib.h>
 
 #include "claim/claim.h"
+#include "num/num_exact.h"
 #include "record/result.h"
 #include "tape/exact.h"
 

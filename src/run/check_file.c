@@ -34,7 +34,7 @@ static bool check_equations(const char *path, const char *data, struct diag *d) 
   if (ok && !controls) {
     model_init(&m);
     ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
-         view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
+         model_check_tex(&m, RANK_USER, d) && view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
     model_clear(&m);
   }
   text_clear(&folder);

@@ -18,7 +18,7 @@
 #ifndef STICKSLIP_TAPE_EXACT_H
 #define STICKSLIP_TAPE_EXACT_H
 
-#include "num/flint_compat.h"
+#include "num/num_exact.h"
 #include "tape.h"
 
 enum { EXACT_GENERATORS = NUM_EXACT_GENERATORS, EXACT_TERMS = 256 };

@@ -4,7 +4,8 @@ Every number that orbit and jacobian print at 15 and at 40 digits, by every meth
 digits by implicit derivatives: it must be that number rounded to the digits shown, half a unit of the last one.  Each phase by
 each method has the implicit method's numbers beside it, but for the paper's formulas as printed, which may be wrong, and what
 the program itself marks as departing from the others.  A refusal (status 3) is an answer, except of orbit and implicit; fd-double
-and ode, which refuse for what they know in double precision, are asked for 40 digits where they knew 15.
+and ode, which refuse for what they know in double precision, are asked for 40 digits where they knew 15.  Where the search
+for more orbits runs through its budget, which takes each command a second, a method is asked for 15 digits or for 40.
 """
 import json
 import subprocess
@@ -59,8 +60,8 @@ def check(program, scene):
     for k in range(len(orbits["orbits"])):
         at = ["jacobian", scene, "--at", "orbit:%d" % (k + 1), "--method"]
         truth = run(program, *at, "implicit", "--digits", str(MANY))
-        for method in "implicit", "analytic", "saltation", "fd", "fd-double", "ode":
-            for digits in 15, 40:
+        for i, method in enumerate(("implicit", "analytic", "saltation", "fd", "fd-double", "ode")):
+            for digits in (15, 40) if orbits["complete"] else (15,) if i % 2 else (40,):
                 j = run(program, *at, method, "--digits", str(digits))
                 if j:
                     n += compare(numbers_of_jacobian(j), numbers_of_jacobian(truth), scene + " " + method)

@@ -1,4 +1,4 @@
-"""validate.py SCHEMA FILE: hold an output of the program against its JSON Schema, and against what no schema can say.
+"""validate.py SCHEMA FILE [SCHEMA FILE]...: hold outputs of the program against their JSON Schemas, and against what no schema can say.
 
 For audit.json that is: the counts of the summary are those of the claims and add up to the total, ids are unique, and
 every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  For phases: entries row by row,
@@ -149,13 +149,15 @@ def errors(schema_file, file):
 
 
 def main(args):
-    if len(args) != 2:
+    if not args or len(args) % 2 != 0:
         print(__doc__, file=sys.stderr)
         return 2
-    found = errors(*args)
-    for e in found:
-        print(args[1] + ": " + " ".join(e.split()))
-    return 1 if found else 0
+    failed = 0
+    for schema, file in zip(args[::2], args[1::2]):
+        for e in errors(schema, file):
+            print(file + ": " + " ".join(e.split()))
+            failed = 1
+    return failed
 
 
 if __name__ == "__main__":

@@ -2,7 +2,6 @@
 # z_1a is the paper's z_{1a}, a component of the state at the end of the phase whose letter it carries; z'_1b is a
 # velocity there; x_a, u_b, ... are the first-order perturbations of (21)-(41).
 paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
-section: nomenclature
 
 symbol chi
   means: non dimensional stiffness k_2/(k_1 + k_2)
@@ -143,3 +142,19 @@ symbol u_f
   means: perturbation of z_1' at the end of the period
 symbol v_f
   means: perturbation of z_2' at the end of the period
+
+# What the paper writes as one letter: states at the switching times and their parts, perturbations likewise.
+define text-states-named
+  z_0 := [z_10; z_20]
+  z'_0 := [z'_10; z'_20]
+  Z_0 := [z_0; z'_0]
+  z_a := [z_1a; z_2a]
+  z'_a := [z'_1a; z'_2a]
+  Z_a := [z_a; z'_a]
+  z_b := [z_1b; z_2b]
+  z'_b := [z'_1b; z'_2b]
+  Z_b := [z_b; z'_b]
+  z_c := [z_1c; z_2c]
+  z'_c := [z'_1c; z'_2c]
+  Z_c := [z_c; z'_c]
+  dZ_0 := [dz_0; dz'_0]

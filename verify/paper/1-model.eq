@@ -11,7 +11,8 @@ relation eq-1
 equation eq-1b
   equation: 1
   tex: \chi = \frac{k_2}{k_1 + k_2}, \quad \eta = \frac{m_1}{m_2}, \quad u_i = \frac{F_i}{k_1 + k_2} \quad (i=1,2),
-    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}, \quad (o') = \frac{d(o)}{dt}
+    \quad t = \omega_3 t', \quad \omega_3 = \sqrt{\frac{k_1 + k_2}{m_1}}
+  reads: t' as t_{prime}
   chi = k_2/(k_1 + k_2)
   eta = m_1/m_2
   u_1 = F_1/(k_1 + k_2)
@@ -23,35 +24,32 @@ equation eq-1b
 # breaks away.  The paper heads the branches of the first mass "V - x'_i = 0" and those of the second "V - x'_2 = 0".
 relation eq-2
   equation: 2
-  tex: V - x'_i \neq 0, u_i = u_{si} \text{sign}(V - x'_i) \quad (i=1,2)
-  when: eps*(V - x_i'(t)) > 0
+  tex: u_i = u_{si} \text{sign}(V - x'_i) \quad (i=1,2)
+  reads: u_{si} \text{sign}(V - x'_i) \quad (i=1,2) as \varepsilon u_{si} (i=1,2) (\varepsilon = \pm 1)
+  note: where eps (V - x'_i) > 0
   u_1 = eps*u_s1 for eps in {+1, -1}
   u_2 = eps*u_s2 for eps in {+1, -1}
 
 relation eq-2b
   equation: 2
-  tex: u_1 = x_1 - \chi x_2 \quad \text{if } |x_1 - \chi x_2| < u_{r1}
-  when: V - x_i'(t) = 0
+  tex: u_1 = ... x_1 - \chi x_2 & \text{if } |x_1 - \chi x_2| < u_{r1}
   u_1 = x_1(t) - chi*x_2(t)
   -u_r1 < x_1(t) - chi*x_2(t) < u_r1
 
 relation eq-2c
   equation: 2
-  tex: u_1 = \varepsilon u_{s1} \quad \text{if } \varepsilon(x_1 - \chi x_2) > u_{r1} \quad (\varepsilon = \pm 1)
-  when: V - x_i'(t) = 0
+  tex: u_1 = ... \varepsilon u_{s1} & \text{if } \varepsilon(x_1 - \chi x_2) > u_{r1} \quad (\varepsilon = \pm 1)
   u_1 = eps*u_s1 for eps in {+1, -1}
   eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps in {+1, -1}
 
 relation eq-2d
   equation: 2
-  tex: u_2 = \chi(x_2 - x_1) \quad \text{if } |\chi(x_2 - x_1)| < u_{r2}
-  when: V - x_2'(t) = 0
+  tex: u_2 = ... \chi(x_2 - x_1) & \text{if } |\chi(x_2 - x_1)| < u_{r2}
   u_2 = chi*(x_2(t) - x_1(t))
   -u_r2 < chi*(x_2(t) - x_1(t)) < u_r2
 
 relation eq-2e
   equation: 2
-  tex: u_2 = \varepsilon u_{s2} \quad \text{if } \varepsilon \chi(x_2 - x_1) > u_{r2} \quad (\varepsilon = \pm 1)
-  when: V - x_2'(t) = 0
+  tex: u_2 = ... \varepsilon u_{s2} & \text{if } \varepsilon \chi(x_2 - x_1) > u_{r2} \quad (\varepsilon = \pm 1)
   u_2 = eps*u_s2 for eps in {+1, -1}
   eps*chi*(x_2(t) - x_1(t)) > u_r2 for eps in {+1, -1}

@@ -3,22 +3,27 @@ section: prediction
 
 define eq-3
   equation: 3
-  tex: z'' + Kz = 0, \quad K = \begin{pmatrix} 1 & -\chi \\ -\chi \eta & \chi \eta \end{pmatrix}
+  tex: K = \begin{pmatrix} 1 & -\chi \\ -\chi \eta & \chi \eta \end{pmatrix}
   K := [1, -chi; -chi*eta, chi*eta]
 
 define eq-3b
   equation: 3
-  tex: z_i = x_i - d_{0i}, \quad d_{01} = \frac{u_{s1} + u_{s2}}{1 - \chi}, \quad
+  tex: d_{01} = \frac{u_{s1} + u_{s2}}{1 - \chi}, \quad
     d_{02} = \frac{u_{s1} \chi + u_{s2}}{(1 - \chi) \chi}
   d_01 := (u_s1 + u_s2)/(1 - chi)
   d_02 := (u_s1*chi + u_s2)/((1 - chi)*chi)
 
 relation eq-3c
   equation: 3
-  tex: z'' + Kz = 0, \quad z = (z_1, z_2)'
-  note: the prime of (z_1, z_2)' is the transpose
+  tex: z'' + Kz = 0
   trajectory z_1(t), z_2(t)
-  [z_1''(t); z_2''(t)] + K*[z_1(t); z_2(t)] = 0
+  z''(t) + K*z(t) = 0
+
+define eq-3e
+  equation: 3
+  tex: z = (z_1, z_2)'
+  reads: (z_1, z_2)' as (z_1, z_2)^t
+  z(t) := transpose([z_1(t), z_2(t)])
 
 inequality eq-3d
   equation: 3
@@ -28,12 +33,18 @@ inequality eq-3d
 
 relation eq-4
   equation: 4
-  tex: Z(t) = H(t)Z_0, \quad Z = \begin{pmatrix} z \\ z' \end{pmatrix}, \quad Z_0 = Z(0)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t)*[z_1(0); z_2(0); z_1'(0); z_2'(0)]
+  tex: Z(t) = H(t)Z_0
+  Z(t) = H(t)*Z_0
+
+define eq-4b
+  equation: 4
+  tex: Z = \begin{pmatrix} z \\ z' \end{pmatrix}, \quad Z_0 = Z(0)
+  Z(t) := [z(t); z'(t)]
+  Z_0 := Z(0)
 
 define eq-5
   equation: 5
-  tex: z'' + K_1 z = 0, \quad K_1 = \begin{pmatrix} 1 & -\chi \\ 0 & 0 \end{pmatrix}
+  tex: K_1 = \begin{pmatrix} 1 & -\chi \\ 0 & 0 \end{pmatrix}
   K_1 := [1, -chi; 0, 0]
 
 relation eq-5b
@@ -47,11 +58,11 @@ relation eq-5b
 relation eq-6
   equation: 6
   tex: Z(t) = \Gamma(t)Z_0
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = Gamma(t)*[z_1(0); z_2(0); z_1'(0); z_2'(0)]
+  Z(t) = Gamma(t)*Z_0
 
 define eq-7
   equation: 7
-  tex: z'' + K_2 z = 0, \quad K_2 = \begin{pmatrix} 0 & 0 \\ -\chi \eta & \chi \eta \end{pmatrix}
+  tex: K_2 = \begin{pmatrix} 0 & 0 \\ -\chi \eta & \chi \eta \end{pmatrix}
   K_2 := [0, 0; -chi*eta, chi*eta]
 
 relation eq-7b
@@ -65,20 +76,20 @@ relation eq-7b
 relation eq-8
   equation: 8
   tex: Z(t) = C(t)Z_0
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = C(t)*[z_1(0); z_2(0); z_1'(0); z_2'(0)]
+  Z(t) = C(t)*Z_0
 
 relation eq-9
   equation: 9
   tex: z'' = 0, \quad z'_1 = z'_2 = V, \quad e_1 - 2u_{r1} < z_{10} - \chi z_{20} < e_1, \quad
     e_2 - 2u_{r2} < \chi(z_{20} - z_{10}) < e_2
-  [z_1''(t); z_2''(t)] = 0
+  z''(t) = 0
   z_1'(t) = z_2'(t) = V
   e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
   e_2 - 2*u_r2 < chi*(z_20 - z_10) < e_2
 
 define eq-10
   equation: 10
-  tex: Z(t) = D(t)Z_0, \quad D = \begin{pmatrix} I & VtI \\ 0 & I \end{pmatrix}, \quad
+  tex: D = \begin{pmatrix} I & VtI \\ 0 & I \end{pmatrix}, \quad
     I = \begin{pmatrix} 1 & 0 \\ 0 & 1 \end{pmatrix}
   D(t) := [I, V*t*I; 0, I]
   I := [1, 0; 0, 1]
@@ -86,11 +97,11 @@ define eq-10
 relation eq-10b
   equation: 10
   tex: Z(t) = D(t)Z_0
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = D(t)*[z_1(0); z_2(0); z_1'(0); z_2'(0)]
+  Z(t) = D(t)*Z_0
 
 # The restoring forces in x and the same in z, which (2) and the conditions of (5), (7), (9) and (11) limit.
 equation text-shift
-  tex: z_i = x_i - d_{0i}
+  tex: z_i = x_i - d_{0i} ... (i=1,2)
   note: (3), as an equation between the motions
-  x_1(t) = z_1(t) + d_01
-  x_2(t) = z_2(t) + d_02
+  z_1(t) = x_1(t) - d_01
+  z_2(t) = x_2(t) - d_02

@@ -14,8 +14,10 @@ equation eq-12
   equation: 12
   tex: Z_a \equiv Z(t_a) = D(t_a)Z_0, \quad Z_a = \begin{pmatrix} z_a \\ z'_a \end{pmatrix}, \quad
     z'_a = (V, V)^t, \quad z_a = (z_{1a}, z_{2a})^t
-  [z_1a; z_2a; z'_1a; z'_2a] = D(t_a)*[z_10; z_20; z'_10; z'_20]
-  [z'_1a; z'_2a] = transpose([V, V])
+  Z_a = Z(t_a) = D(t_a)*Z_0
+  Z_a = [z_a; z'_a]
+  z'_a = transpose([V, V])
+  z_a = transpose([z_1a, z_2a])
 
 equation eq-12b
   equation: 12
@@ -25,13 +27,16 @@ equation eq-12b
 equation eq-13
   equation: 13
   tex: Z(t) = \Gamma(t - t_a)Z_a
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = Gamma(t - t_a)*[z_1a; z_2a; z'_1a; z'_2a]
+  Z(t) = Gamma(t - t_a)*Z_a
 
 equation eq-14
   equation: 14
   tex: Z_b \equiv Z(t_a + t_b) = \Gamma(t_b)Z_a, \quad Z_b = \begin{pmatrix} z_b \\ z'_b \end{pmatrix}, \quad
     z'_b = (z'_{1b}, V)^t, \quad z_b = (z_{1b}, z_{2b})^t
-  [z_1b; z_2b; z'_1b; V] = Gamma(t_b)*[z_1a; z_2a; z'_1a; z'_2a]
+  Z_b = Z(t_a + t_b) = Gamma(t_b)*Z_a
+  Z_b = [z_b; z'_b]
+  z'_b = transpose([z'_1b, V])
+  z_b = transpose([z_1b, z_2b])
 
 equation eq-14b
   equation: 14
@@ -41,7 +46,7 @@ equation eq-14b
 equation eq-15
   equation: 15
   tex: Z(t) = H(t - t_a - t_b)Z_b
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - t_b)*[z_1b; z_2b; z'_1b; z'_2b]
+  Z(t) = H(t - t_a - t_b)*Z_b
 
 equation eq-16
   equation: 16
@@ -56,7 +61,8 @@ inequality eq-16b
 equation eq-17
   equation: 17
   tex: Z(t) = C(t - t_a - t_b - t_c)Z_c, \quad Z_c = Z(t_a + t_b + t_c)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = C(t - t_a - t_b - t_c)*[z_1c; z_2c; z'_1c; z'_2c]
+  Z(t) = C(t - t_a - t_b - t_c)*Z_c
+  Z_c = Z(t_a + t_b + t_c)
 
 # What the range of (17) begins with.
 equation text-c-start
@@ -67,14 +73,10 @@ equation text-c-start
 equation eq-18
   equation: 18
   tex: Z(t_a + t_b + t_c + t_d) = Z_0
-  z_1(t_a + t_b + t_c + t_d) = z_10
-  z_2(t_a + t_b + t_c + t_d) = z_20
-  z_1'(t_a + t_b + t_c + t_d) = z'_10
-  z_2'(t_a + t_b + t_c + t_d) = z'_20
+  Z(t_a + t_b + t_c + t_d) = Z_0
 
 # The motion as patched together from (12)-(18), as functions of the six unknowns z_10, z_20, t_a, t_b, t_c, t_d.
 define text-patched
-  tex: Z_0 = (z_{10}, z_{20}, V, V)^t, Z_a = D(t_a)Z_0, Z_b = \Gamma(t_b)Z_a, Z_c = H(t_c)Z_b, Z = C(t_d)Z_c
   S_0 := [z_10; z_20; V; V]
   S_a := D(t_a)*S_0
   S_b := Gamma(t_b)*S_a
@@ -82,19 +84,19 @@ define text-patched
   S_f := C(t_d)*S_c
 
 equation text-six-equations
-  tex: z_{1a} - \chi z_{2a} = e_1, \chi(z_{2b} - z_{1b}) = e_2, z'_{1c} = V, Z(t_a + t_b + t_c + t_d) = Z_0
+  note: (12), (14), (16) and (18)
   S_a[1] - chi*S_a[2] = e_1
   chi*(S_b[2] - S_b[1]) = e_2
   S_c[3] = V
   S_f = S_0
 
 equation text-periodicity-and-16
-  tex: Z(t_a + t_b + t_c + t_d) = Z_0, z'_{1c} = V
+  note: (18) and (16)
   S_f = S_0
   S_c[3] = V
 
 equation text-periodicity-alone
-  tex: Z(t_a + t_b + t_c + t_d) = Z_0
+  note: (18)
   S_f = S_0
 
 equation eq-16c

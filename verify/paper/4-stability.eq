@@ -5,8 +5,7 @@ section: stability
 
 define eq-19
   equation: 19
-  tex: Z(t) = \varphi_k(t - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4), \quad
-    (\varphi_1 = D, \varphi_2 = \Gamma, \varphi_3 = H, \varphi_4 = C)
+  tex: \varphi_1 = D, \varphi_2 = \Gamma, \varphi_3 = H, \varphi_4 = C
   phi_1(t) := D(t)
   phi_2(t) := Gamma(t)
   phi_3(t) := H(t)
@@ -15,47 +14,51 @@ define eq-19
 # P_k as a function of the state at its start would need a matrix argument; the composition over the printed phases is here.
 equation eq-20
   equation: 20
-  tex: P_k : Z(t_{k-1}) \rightarrow Z(t_k) = \varphi_k(t_k - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4)
-  [z_1a; z_2a; z'_1a; z'_2a] = phi_1(t_a)*[z_10; z_20; z'_10; z'_20]
-  [z_1b; z_2b; z'_1b; z'_2b] = phi_2(t_b)*[z_1a; z_2a; z'_1a; z'_2a]
-  [z_1c; z_2c; z'_1c; z'_2c] = phi_3(t_c)*[z_1b; z_2b; z'_1b; z'_2b]
-  [z_1(t_a + t_b + t_c + t_d); z_2(t_a + t_b + t_c + t_d); z_1'(t_a + t_b + t_c + t_d); z_2'(t_a + t_b + t_c + t_d)]
-    = phi_4(t_d)*[z_1c; z_2c; z'_1c; z'_2c]
+  tex: Z(t_k) = \varphi_k(t_k - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4)
+  reads: Z(t_k) = \varphi_k(t_k - t_{k-1})Z(t_{k-1}), \quad (k=1, \dots, 4) as
+    Z_a = \varphi_1(t_a)Z_0, Z_b = \varphi_2(t_b)Z_a, Z_c = \varphi_3(t_c)Z_b,
+    Z(t_a + t_b + t_c + t_d) = \varphi_4(t_d)Z_c
+  Z_a = phi_1(t_a)*Z_0
+  Z_b = phi_2(t_b)*Z_a
+  Z_c = phi_3(t_c)*Z_b
+  Z(t_a + t_b + t_c + t_d) = phi_4(t_d)*Z_c
 
 define eq-21
   equation: 21
-  tex: z_0 = z_{00} + dz_0, z'_0 = z'_{00} + dz'_0, dz_0 = (x, y)^t, dz'_0 = (u, v)^t
+  tex: dz_0 = (x, y)^t, dz'_0 = (u, v)^t
   dz_0 := transpose([x, y])
   dz'_0 := transpose([u, v])
-  dZ_0 := [dz_0; dz'_0]
-  Z_0 := [z_10; z_20; z'_10; z'_20]
 
 equation eq-22
   equation: 22
-  tex: z'_1 = z'_2 = V, \text{ i.e. } u = v = 0
+  tex: u = v = 0
   u = v = 0
 
 equation eq-23
   equation: 23
-  tex: Z(t) = D(t)Z_0, Z_0 = \begin{pmatrix} z_0 \\ z'_0 \end{pmatrix}
+  tex: Z(t) = D(t)Z_0
+  reads: D(t)Z_0 as D(t)(Z_0 + dZ_0)
   note: Z_0 is the perturbed start, Z_0 + dZ_0 in the notation of (24)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = D(t)*(Z_0 + dZ_0)
+  Z(t) = D(t)*(Z_0 + dZ_0)
 
 equation eq-24
   equation: 24
   tex: Z(t_a + dt_a) = D(t_a + dt_a)(Z_0 + dZ_0)
-  [z_1(t_a + dt_a); z_2(t_a + dt_a); z_1'(t_a + dt_a); z_2'(t_a + dt_a)] = D(t_a + dt_a)*(Z_0 + dZ_0)
+  Z(t_a + dt_a) = D(t_a + dt_a)*(Z_0 + dZ_0)
 
 define eq-25
   equation: 25
   tex: dZ_a = \begin{pmatrix} dz_a \\ dz'_a \end{pmatrix}, dz_a = \begin{pmatrix} x_a \\ y_a \end{pmatrix}, dz'_a = 0
-  Z_a := [z_1a; z_2a; z'_1a; z'_2a]
-  dZ_a := [x_a; y_a; 0; 0]
+  reads: dz'_a = 0 as dz'_a = \begin{pmatrix} 0 \\ 0 \end{pmatrix}
+  dZ_a := [dz_a; dz'_a]
+  dz_a := [x_a; y_a]
+  dz'_a := [0; 0]
 
 equation eq-25b
   equation: 25
   tex: dZ_a = Z(t_a + dt_a) - Z(t_a) = D(t_a)dZ_0 + D'(t_a)Z_0 dt_a
-  note: the prime is the derivative; the difference is written with (24) and (12), to first order
+  reads: Z(t_a + dt_a) - Z(t_a) as [D(t_a + dt_a)(Z_0 + dZ_0) - D(t_a)Z_0]_{O(x, y, u, v, dt_a)^{\le 1}}
+  note: the difference is written with (24) and (12), to first order
   dZ_a = first_order(D(t_a + dt_a)*(Z_0 + dZ_0) - D(t_a)*Z_0; x, y, u, v, dt_a)
     = D(t_a)*dZ_0 + D'(t_a)*Z_0*dt_a
 
@@ -71,31 +74,33 @@ equation eq-26b
 
 define eq-27
   equation: 27
-  tex: y_a = J_a \begin{pmatrix} x \\ y \end{pmatrix}, J_a = \frac{1}{1-\chi} \begin{pmatrix} -1 & 1 \end{pmatrix}
+  tex: J_a = \frac{1}{1-\chi} \begin{pmatrix} -1 & 1 \end{pmatrix}
   J_a := (1/(1 - chi))*[-1, 1]
 
 equation eq-28
   equation: 28
   tex: Z(t) = \Gamma(t - t_a - dt_a)(Z_a + dZ_a)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = Gamma(t - t_a - dt_a)*(Z_a + dZ_a)
+  Z(t) = Gamma(t - t_a - dt_a)*(Z_a + dZ_a)
 
 equation eq-29
   equation: 29
   tex: Z(t_a + dt_a + t_b + dt_b) = \Gamma(t_b + dt_b)(Z_b + dZ_b)
-  [z_1(t_a + dt_a + t_b + dt_b); z_2(t_a + dt_a + t_b + dt_b);
-   z_1'(t_a + dt_a + t_b + dt_b); z_2'(t_a + dt_a + t_b + dt_b)] = Gamma(t_b + dt_b)*(Z_b + dZ_b)
+  Z(t_a + dt_a + t_b + dt_b) = Gamma(t_b + dt_b)*(Z_b + dZ_b)
 
 define eq-30
   equation: 30
   tex: dZ_b = \begin{pmatrix} dz_b \\ dz'_b \end{pmatrix}, dz_b = \begin{pmatrix} x_b \\ y_b \end{pmatrix},
     dz'_b = \begin{pmatrix} u_b \\ 0 \end{pmatrix}
-  Z_b := [z_1b; z_2b; z'_1b; z'_2b]
-  dZ_b := [x_b; y_b; u_b; 0]
+  dZ_b := [dz_b; dz'_b]
+  dz_b := [x_b; y_b]
+  dz'_b := [u_b; 0]
 
 equation eq-30b
   equation: 30
   tex: dZ_b = Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) = \Gamma(t_b)dZ_b + \Gamma'(t_b)Z_b dt_b
-  note: the prime is the derivative; the difference is written with (29) and (14), to first order
+  reads: Z(t_a + dt_a + t_b + dt_b) - Z(t_a + t_b) as
+    [\Gamma(t_b + dt_b)(Z_b + dZ_b) - \Gamma(t_b)Z_a]_{O(x_b, y_b, u_b, dt_b)^{\le 1}}
+  note: the difference is written with (29) and (14), to first order
   dZ_b = first_order(Gamma(t_b + dt_b)*(Z_b + dZ_b) - Gamma(t_b)*Z_a; x_b, y_b, u_b, dt_b)
     = Gamma(t_b)*dZ_b + Gamma'(t_b)*Z_b*dt_b
 
@@ -122,18 +127,21 @@ define eq-32
 define eq-32b
   equation: 32
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
+  reads: z'_i(t_b) / V, \quad (i=1,2) as z'_{1b} / V
   note: read with i = 1 and at the end of the slip-stick phase, t_a + t_b
   chi_b := z'_1b/V
 
 equation eq-32c
   equation: 32
   tex: \chi_b = z'_i(t_b) / V, \quad (i=1,2)
+  reads: z'_i(t_b) as z'_{ib}
   chi_b = z'_1b/V
   chi_b = z'_2b/V
 
 equation eq-32e
   equation: 32
   tex: \chi_b = z'_i(t_b) / V
+  reads: z'_i as z'_1
   note: the velocity at the time t_b of the motion, which starts at t = 0
   chi_b = z_1'(t_b)/V
 
@@ -145,19 +153,22 @@ equation eq-32d
 equation eq-33
   equation: 33
   tex: Z(t) = H(t - t_a - dt_a - t_b - dt_b)(Z_b + dZ_b)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
+  Z(t) = H(t - t_a - dt_a - t_b - dt_b)*(Z_b + dZ_b)
 
 define eq-34
   equation: 34
   tex: dZ_c = \begin{pmatrix} dz_c \\ dz'_c \end{pmatrix}, dz_c = \begin{pmatrix} x_c \\ y_c \end{pmatrix},
     dz'_c = \begin{pmatrix} u_c \\ v_c \end{pmatrix}
-  Z_c := [z_1c; z_2c; z'_1c; z'_2c]
-  dZ_c := [x_c; y_c; u_c; v_c]
+  dZ_c := [dz_c; dz'_c]
+  dz_c := [x_c; y_c]
+  dz'_c := [u_c; v_c]
 
 equation eq-34b
   equation: 34
   tex: dZ_c = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) = H(t_c)dZ_b + H'(t_c)Z_b dt_c
-  note: the prime is the derivative; the difference is written with (33) and (15), to first order
+  reads: Z(t_a + dt_a + t_b + dt_b + t_c + dt_c) - Z(t_a + t_b + t_c) as
+    [H(t_c + dt_c)(Z_b + dZ_b) - H(t_c)Z_b]_{O(x_b, y_b, u_b, dt_c)^{\le 1}}
+  note: the difference is written with (33) and (15), to first order
   dZ_c = first_order(H(t_c + dt_c)*(Z_b + dZ_b) - H(t_c)*Z_b; x_b, y_b, u_b, dt_c)
     = H(t_c)*dZ_b + H'(t_c)*Z_b*dt_c
 
@@ -198,17 +209,24 @@ define eq-36b
 define eq-36c
   equation: 36
   tex: H_{ij} = H_{ij}(t_c), (i, j = 1, 2, 3)
+  reads: (i, j = 1, 2, 3) as (i, j = 1, 2, 3, 4)
   note: the range is taken as 1 to 4, since J_c itself uses H_41 and H_42
   H_11 := H(t_c)[1,1]
   H_12 := H(t_c)[1,2]
   H_13 := H(t_c)[1,3]
+  H_14 := H(t_c)[1,4]
   H_21 := H(t_c)[2,1]
   H_22 := H(t_c)[2,2]
   H_23 := H(t_c)[2,3]
+  H_24 := H(t_c)[2,4]
   H_31 := H(t_c)[3,1]
   H_32 := H(t_c)[3,2]
+  H_33 := H(t_c)[3,3]
+  H_34 := H(t_c)[3,4]
   H_41 := H(t_c)[4,1]
   H_42 := H(t_c)[4,2]
+  H_43 := H(t_c)[4,3]
+  H_44 := H(t_c)[4,4]
 
 equation eq-36d
   equation: 36
@@ -218,19 +236,23 @@ equation eq-36d
 equation eq-37
   equation: 37
   tex: Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)(Z_c + dZ_c)
-  [z_1(t); z_2(t); z_1'(t); z_2'(t)] = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)*(Z_c + dZ_c)
+  Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)*(Z_c + dZ_c)
 
 define eq-38
   equation: 38
   tex: dZ_f = \begin{pmatrix} dz_f \\ dz'_f \end{pmatrix}, dz_f = \begin{pmatrix} x_f \\ y_f \end{pmatrix},
     dz'_f = \begin{pmatrix} 0 \\ v_f \end{pmatrix}
-  dZ_f := [x_f; y_f; 0; v_f]
+  dZ_f := [dz_f; dz'_f]
+  dz_f := [x_f; y_f]
+  dz'_f := [0; v_f]
 
 equation eq-38b
   equation: 38
   tex: dZ_f = Z(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) - Z(t_a + t_b + t_c + t_d)
     = C(t_d) dZ_c + C'(t_d) Z_c dt_d
-  note: the prime is the derivative; the difference is written with (37) and (17), to first order
+  reads: Z(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d) - Z(t_a + t_b + t_c + t_d) as
+    [C(t_d + dt_d)(Z_c + dZ_c) - C(t_d)Z_c]_{O(x_c, y_c, u_c, v_c, dt_d)^{\le 1}}
+  note: the difference is written with (37) and (17), to first order
   dZ_f = first_order(C(t_d + dt_d)*(Z_c + dZ_c) - C(t_d)*Z_c; x_c, y_c, u_c, v_c, dt_d)
     = C(t_d)*dZ_c + C'(t_d)*Z_c*dt_d
 
@@ -269,12 +291,12 @@ equation eq-40c
 
 define eq-41
   equation: 41
-  tex: \begin{pmatrix} x_f \\ y_f \end{pmatrix} = J \begin{pmatrix} x \\ y \end{pmatrix}, J = J_f J_c J_b J_a
+  tex: J = J_f J_c J_b J_a
   J := J_f*J_c*J_b*J_a
 
 define eq-42
   equation: 42
-  tex: P(\lambda) \equiv \det(J - \lambda I) = 0
+  tex: P(\lambda) \equiv \det(J - \lambda I)
   P(lambda) := det(J - lambda*I)
 
 equation eq-43
@@ -288,7 +310,7 @@ equation eq-43b
   det(J_b*J_a) = 0
 
 equation text-singular
-  tex: J \text{ is a singular matrix}
+  note: "J is a singular matrix"
   det(J) = 0
 
 equation text-charpoly
@@ -297,5 +319,5 @@ equation text-charpoly
 
 inequality text-criterion
   tex: |\text{tr}(J) < 1|
-  note: read as |tr(J)| < 1
+  reads: |\text{tr}(J) < 1| as |\text{tr}(J)| < 1
   -1 < tr(J) < 1

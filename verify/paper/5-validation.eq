@@ -4,13 +4,14 @@ section: validation
 define eq-44
   equation: 44
   tex: N = C(t_d) H(t_c) \Gamma(t_b) D(t_a) = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix}, \quad z'_0 = (V, V)'
-  note: the prime of (V, V)' is the transpose
+  reads: = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} as
+    , N_1 = N_{1:2,1:2}, N_2 = N_{1:2,3:4}, N_3 = N_{3:4,1:2}, N_4 = N_{3:4,3:4}
+  reads: (V, V)' as (V, V)^t
   N := C(t_d)*H(t_c)*Gamma(t_b)*D(t_a)
   N_1 := N[1:2,1:2]
   N_2 := N[1:2,3:4]
   N_3 := N[3:4,1:2]
   N_4 := N[3:4,3:4]
-  z_0 := [z_10; z_20]
   z'_0 := transpose([V, V])
 
 equation eq-44b
@@ -35,12 +36,11 @@ equation eq-45b
   M[2,1] + M[2,2] = 0
 
 equation text-45-suffices
-  tex: N_3 z_0 + (N_4 - I)z'_0 = -N_3 M z'_0 \text{ with } z_0 \text{ of (46)}
   note: the right side is zero where (45) holds, since z'_0 = (V, V)'
   N_3*(-inv(N_1 - I)*N_2*z'_0) + (N_4 - I)*z'_0 = -N_3*M*z'_0
 
 equation text-times-alone
-  tex: M_{11} + M_{12} = 0, M_{21} + M_{22} = 0, (12), (14) \text{ with } z_0 = -(N_1 - I)^{-1} N_2 z'_0
+  note: (45), and (12) and (14) with z_0 of (46)
   M[1,1] + M[1,2] = 0
   M[2,1] + M[2,2] = 0
   [1, -chi, 0, 0]*D(t_a)*[-inv(N_1 - I)*N_2*z'_0; z'_0] = e_1

@@ -4,11 +4,10 @@ section: appendix_a
 define eq-47
   equation: 47
   tex: H = \begin{pmatrix} H_1 & H_2 \\ H_3 & H_1 \end{pmatrix} \quad H_i = \Lambda B_i \Lambda^{-1} \quad (i = 1,2,3),
-    \Lambda = \begin{pmatrix} 1 & 1 \\ \lambda_1 & \lambda_2 \end{pmatrix}
+    \Lambda = \begin{pmatrix} 1 & 1 \\ \lambda_1 & \lambda_2 \end{pmatrix} ...
     B_1 = \begin{pmatrix} c_1 & 0 \\ 0 & c_2 \end{pmatrix},
     B_2 = \begin{pmatrix} \frac{s_1}{\omega_1} & 0 \\ 0 & \frac{s_2}{\omega_2} \end{pmatrix}, \quad B_3 = B_1',
     c_i = \cos(\omega_i t), \quad s_i = \sin(\omega_i t), \quad (i = 1,2)
-  note: the prime of B_1' is the derivative
   H(t) := [H_1(t), H_2(t); H_3(t), H_1(t)]
   H_1(t) := Lambda*B_1(t)*inv(Lambda)
   H_2(t) := Lambda*B_2(t)*inv(Lambda)
@@ -25,6 +24,7 @@ define eq-47
 define eq-48
   equation: 48
   tex: \det(K - I\omega^2) = 0
+  reads: \omega^2) = 0 as \omega_i^2) = 0, (i = 1, 2)
   note: of the four roots of this quartic the two positive ones are meant, in increasing order
   root omega_1: det(K - I*omega_1^2), smallest positive
   root omega_2: det(K - I*omega_2^2), largest positive
@@ -32,15 +32,19 @@ define eq-48
 define eq-48b
   equation: 48
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
+  psi_1 := [1; lambda_1]
+  psi_2 := [1; lambda_2]
+
+define text-mode-shapes
+  equation: 48
   note: lambda_i from the first row of (K - I omega_i^2) psi_i = 0; the second row is claim eq-48c
   lambda_1 := (1 - omega_1^2)/chi
   lambda_2 := (1 - omega_2^2)/chi
-  psi_1 := [1; lambda_1]
-  psi_2 := [1; lambda_2]
 
 equation eq-48c
   equation: 48
   tex: (K - I\omega_i^2)\psi_i = 0
+  reads: \psi_i = 0 as \psi_i = 0, (i = 1, 2)
   (K - I*omega_1^2)*psi_1 = 0
   (K - I*omega_2^2)*psi_2 = 0
 
@@ -51,7 +55,8 @@ define eq-49
     \Sigma = \begin{pmatrix} 1 & \mathcal{X} \\ 0 & 1 \end{pmatrix}, \quad
     \gamma_1 = \begin{pmatrix} \cos t & 0 \\ 0 & 1 \end{pmatrix},
     \gamma_2 = \begin{pmatrix} \sin t & 0 \\ 0 & t \end{pmatrix}, \quad \gamma_3 = \gamma_1'
-  note: \mathcal{X} is read as chi, the only letter of that shape in the nomenclature
+  reads: \mathcal{X} as \chi
+  note: \mathcal{X} is the only letter of that shape in the nomenclature, chi
   Gamma(t) := [Gamma_1(t), Gamma_2(t); Gamma_3(t), Gamma_1(t)]
   Gamma_1(t) := Sigma*gamma_1(t)*inv(Sigma)
   Gamma_2(t) := Sigma*gamma_2(t)*inv(Sigma)

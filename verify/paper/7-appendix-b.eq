@@ -23,7 +23,7 @@ inequality eq-53
 
 inequality eq-54
   equation: 54
-  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
+  tex: 0 < t < t_a ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad e_2 - 2u_{r2} < \chi(z_2 - z_1) < e_2
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (0, t_a)
   e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
 
@@ -44,7 +44,8 @@ inequality eq-56
 
 inequality eq-57
   equation: 57
-  tex: z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
+  tex: t_a < t < t_a + t_b ... z'_1 < V, \quad e_2 - 2u_{r2} < h(t) \equiv \chi(z_2 - z_1) < e_2
+  reads: h(t) \equiv \chi(z_2 - z_1) as h(t)
   z_1'(t) < V for t in (t_a, t_a + t_b)
   e_2 - 2*u_r2 < h(t) < e_2 for t in (t_a, t_a + t_b)
 
@@ -73,7 +74,7 @@ equation eq-58b
 
 inequality eq-59
   equation: 59
-  tex: e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
+  tex: t_a + t_b + t_c < t < t_a + t_b + t_c + t_d ... e_1 - 2u_{r1} < z_1 - \chi z_2 < e_1, \quad z'_2 < V
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
   z_2'(t) < V for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
 
@@ -109,7 +110,7 @@ equation text-hbar-start
   hbar(t_a + t_b + t_c) = z_1c - chi*z_2c
 
 inequality text-h-phase
-  tex: z'_1 < V, z'_2 < V
+  tex: t_a + t_b < t < t_a + t_b + t_c ... z'_1 < V, z'_2 < V
   z_1'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
   z_2'(t) < V for t in (t_a + t_b, t_a + t_b + t_c)
 

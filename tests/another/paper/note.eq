@@ -8,8 +8,10 @@ symbol t
 define eq-1
   equation: 1
   tex: D(t) = \begin{pmatrix} I & tI \\ 0 & I \end{pmatrix}
+  D(t) := [I, t*I; 0, I]
+
+define identity
   I := [1, 0; 0, 1]
-  D(t) := [I, t*I; 0*I, I]
 
 equation eq-2
   equation: 2

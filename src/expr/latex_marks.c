@@ -1,0 +1,220 @@
+/* LaTeX as marks: blanks, comments and sizes of brackets dropped, readings put in place of what they read, brackets
+   paired. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "latex_impl.h"
+
+static size_t offset(const struct source *src, const char *s) {
+  return (size_t)(s - src->text);
+}
+
+bool mark_is_sign(const struct mark *m, char c) {
+  return m->kind == TEX_SIGN && *m->s == c;
+}
+
+bool mark_is_role(const struct mark *m, enum tex_role role) {
+  return m->kind == TEX_WORD && m->word->role == role;
+}
+
+/* \text{word}, with or without blanks around the word. */
+bool mark_is_text(const struct mark *m, const char *word) {
+  if (!mark_is_role(m, TEX_ROLE_TEXT)) return false;
+  const char *s = m->s;
+  size_t len = m->len;
+  while (len > 0 && *s == ' ') s++, len--;
+  while (len > 0 && s[len - 1] == ' ') len--;
+  return strlen(word) == len && memcmp(s, word, len) == 0;
+}
+
+bool mark_relation(enum relop *op, const struct mark *m) {
+  static const struct {
+    const char *name;
+    enum relop op;
+  } relations[] = {{"=", REL_EQ},     {"<", REL_LT},    {">", REL_GT},     {"\\equiv", REL_EQ}, {"\\le", REL_LE},
+                   {"\\leq", REL_LE}, {"\\ge", REL_GE}, {"\\geq", REL_GE}, {"\\lt", REL_LT},    {"\\gt", REL_GT}};
+  if (m->kind != TEX_SIGN && m->kind != TEX_WORD) return false;
+  for (size_t i = 0; i < sizeof relations / sizeof *relations; i++)
+    if (strlen(relations[i].name) == m->len && memcmp(relations[i].name, m->s, m->len) == 0) {
+      *op = relations[i].op;
+      return true;
+    }
+  return false;
+}
+
+/* --- Characters to marks --- */
+
+static bool add(struct marks *out, struct mark m, const struct source *src, struct diag *d) {
+  if (out->n == LATEX_MAX_MARKS) {
+    diag_at(d, src, offset(src, m.s), "a formula in LaTeX of more than %d tokens", LATEX_MAX_MARKS);
+    return false;
+  }
+  out->m = ss_grow(out->m, out->n, &out->cap, sizeof *out->m);
+  out->m[out->n++] = m;
+  return true;
+}
+
+/* Past blanks, ends of lines, and lines that are comments. */
+static const char *skip_blanks(const char *s, const char *end) {
+  bool new_line = false;
+  for (; s < end; s++) {
+    if (*s == '#' && new_line)
+      while (s + 1 < end && *s != '\n') s++;
+    if (*s == '\n')
+      new_line = true;
+    else if (*s != ' ' && *s != '\t' && *s != '\r' && !(*s == '#' && new_line))
+      break;
+  }
+  return s;
+}
+
+/* Whether a token takes the word in the braces behind it along. */
+static bool takes_word(const struct tex_token *t) {
+  return t->kind == TEX_BEGIN || t->kind == TEX_FINISH ||
+         (t->kind == TEX_WORD && t->word->args == 1 &&
+          (t->word->role == TEX_ROLE_TEXT || t->word->role == TEX_ROLE_FUNCTION));
+}
+
+/* Environments that only set lines below each other say nothing. */
+static bool is_layout(const struct mark *m) {
+  static const char *const layouts[] = {"aligned", "cases"};
+  for (size_t i = 0; (m->kind == TEX_BEGIN || m->kind == TEX_FINISH) && i < 2; i++)
+    if (strlen(layouts[i]) == m->len && memcmp(layouts[i], m->s, m->len) == 0) return true;
+  return false;
+}
+
+static bool read_token(struct marks *out, const char **s, const char *end, const struct source *src, struct diag *d) {
+  struct tex_token t = tex_read(*s, end);
+  const char *next = t.s + t.len;
+  struct mark m = {.kind = t.kind, .s = t.s, .len = t.len, .word = t.word};
+  if (t.kind == TEX_STRANGE || t.kind == TEX_BRACE) {
+    diag_at(d, src, offset(src, t.s), "\"%.*s\" is not of the LaTeX that is read as a formula",
+            (int)(t.len < 40 ? t.len : 40), t.s);
+    return false;
+  }
+  if (takes_word(&t)) {
+    next = skip_blanks(next, end);
+    m.s = tex_braced(&m.len, next, end);
+    if (!m.s) {
+      diag_at(d, src, offset(src, t.s), "%.*s has no word in braces behind it", (int)t.len, t.s);
+      return false;
+    }
+    next = m.s + m.len + 1;
+  }
+  *s = next;
+  return t.kind == TEX_GAP || t.kind == TEX_LEFT || t.kind == TEX_RIGHT || is_layout(&m) || add(out, m, src, d);
+}
+
+static bool read_span(struct marks *out, const struct source *src, struct span where, struct diag *d) {
+  const char *end = src->text + where.end;
+  for (const char *s = src->text + where.begin; (s = skip_blanks(s, end)) < end;)
+    if (!read_token(out, &s, end, src, d)) return false;
+  return true;
+}
+
+/* --- Readings --- */
+
+static bool same_mark(const struct mark *a, const struct mark *b) {
+  return a->kind == b->kind && a->len == b->len && a->word == b->word && memcmp(a->s, b->s, a->len) == 0;
+}
+
+static bool stands_at(const struct marks *out, size_t at, const struct marks *piece) {
+  if (at + piece->n > out->n) return false;
+  for (size_t i = 0; i < piece->n; i++)
+    if (!same_mark(&out->m[at + i], &piece->m[i])) return false;
+  return true;
+}
+
+static bool replace(struct marks *out, const struct marks *printed, const struct marks *read, size_t at_source,
+                    const struct source *src, struct diag *d) {
+  size_t found = 0, at = 0;
+  for (size_t i = 0; i < out->n && printed->n > 0; i++)
+    if (stands_at(out, i, printed)) {
+      at = i;
+      found++;
+    }
+  if (found != 1) {
+    diag_at(d, src, at_source,
+            found ? "what is read in another way stands %zu times in the TeX; give a longer piece of it"
+                  : "what is read in another way does not stand in the TeX",
+            found);
+    return false;
+  }
+  struct marks all = {0};
+  bool ok = true;
+  for (size_t i = 0; ok && i < at; i++) ok = add(&all, out->m[i], src, d);
+  for (size_t i = 0; ok && i < read->n; i++) ok = add(&all, read->m[i], src, d);
+  for (size_t i = at + printed->n; ok && i < out->n; i++) ok = add(&all, out->m[i], src, d);
+  free(out->m);
+  *out = all;
+  return ok;
+}
+
+static bool apply(struct marks *out, const struct latex_reading *r, const struct source *src, struct diag *d) {
+  struct marks printed = {0}, read = {0};
+  bool ok = read_span(&printed, src, r->printed, d) && read_span(&read, src, r->read, d) &&
+            replace(out, &printed, &read, r->printed.begin, src, d);
+  free(printed.m);
+  free(read.m);
+  return ok;
+}
+
+/* --- Brackets --- */
+
+static bool opens(const struct mark *m) {
+  return mark_is_sign(m, '(') || mark_is_sign(m, '[') || m->kind == TEX_OPEN || m->kind == TEX_BEGIN;
+}
+
+static bool closes(const struct mark *m) {
+  return mark_is_sign(m, ')') || mark_is_sign(m, ']') || m->kind == TEX_CLOSE || m->kind == TEX_FINISH;
+}
+
+static bool are_partners(const struct mark *open, const struct mark *close) {
+  if (open->kind == TEX_BEGIN)
+    return close->kind == TEX_FINISH && open->len == close->len && memcmp(open->s, close->s, open->len) == 0;
+  if (open->kind == TEX_OPEN) return close->kind == TEX_CLOSE;
+  return mark_is_sign(close, *open->s == '(' ? ')' : ']');
+}
+
+static bool pair_brackets(struct marks *out, const struct source *src, struct diag *d) {
+  size_t open[EXPR_MAX_DEPTH], n = 0;
+  for (size_t i = 0; i < out->n; i++) {
+    struct mark *m = &out->m[i];
+    if (opens(m)) {
+      if (n == EXPR_MAX_DEPTH) {
+        diag_at(d, src, offset(src, m->s), "brackets nested more than %d levels deep", EXPR_MAX_DEPTH);
+        return false;
+      }
+      open[n++] = i;
+    } else if (closes(m)) {
+      if (n == 0 || !are_partners(&out->m[open[n - 1]], m)) {
+        diag_at(d, src, offset(src, m->s), n ? "this does not close the last bracket" : "this closes no bracket");
+        return false;
+      }
+      m->pair = open[--n];
+      out->m[m->pair].pair = i;
+    }
+  }
+  if (n == 0) return true;
+  diag_at(d, src, offset(src, out->m[open[n - 1]].s), "this bracket is not closed");
+  return false;
+}
+
+/* Outside matrices & only lines formulas up. */
+static void drop_alignment(struct marks *out) {
+  size_t kept = 0;
+  int matrices = 0;
+  for (size_t i = 0; i < out->n; i++) {
+    matrices += (out->m[i].kind == TEX_BEGIN) - (out->m[i].kind == TEX_FINISH);
+    if (out->m[i].kind != TEX_CELL || matrices > 0) out->m[kept++] = out->m[i];
+  }
+  out->n = kept;
+}
+
+bool latex_marks(struct marks *out, const struct latex_formula *f, struct diag *d) {
+  if (!read_span(out, f->src, f->tex, d)) return false;
+  for (size_t i = 0; i < f->n_readings; i++)
+    if (!apply(out, &f->readings[i], f->src, d)) return false;
+  drop_alignment(out);
+  return pair_brackets(out, f->src, d);
+}

@@ -1,0 +1,307 @@
+/* The statements of a formula in LaTeX: where each ends, and the values of the indices in it. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "latex_impl.h"
+
+/* The letters of an index and their values, or the name of a sign that is +1 and -1. */
+struct family {
+  char letter[2];
+  int n_letters, value[16], n_values;
+  const char *sign;
+};
+
+/* Marks that are one statement. */
+struct part {
+  size_t begin, end;
+  struct family family; /* both an index and a sign, perhaps */
+};
+
+struct splitter {
+  struct latex_reader r;
+  struct part *part;
+  size_t n, cap;
+};
+
+/* --- Families --- */
+
+static bool read_values(struct family *f, const struct mark *m, size_t at, size_t end) {
+  bool dots = false;
+  while (at < end) {
+    if (m[at].kind == TEX_DIGIT) {
+      int value = *m[at].s - '0';
+      do {
+        if (f->n_values == 16) return false;
+        int next = dots ? f->value[f->n_values - 1] + 1 : value;
+        if (next > value) return false;
+        f->value[f->n_values++] = next;
+      } while (dots && f->value[f->n_values - 1] < value);
+      dots = false;
+    } else if (mark_is_role(&m[at], TEX_ROLE_ORDINARY) && f->n_values > 0 && !dots) {
+      dots = true;
+    } else if (!mark_is_sign(&m[at], ',')) {
+      return false;
+    }
+    at++;
+  }
+  return f->n_values > 0 && !dots;
+}
+
+/* i = 1, 2 or i, j = 1, 2, 3 or \varepsilon = \pm 1. */
+static bool read_family(struct family *f, struct latex_reader *r, size_t begin, size_t end) {
+  const struct mark *m = r->m;
+  *f = (struct family){.n_letters = 0};
+  if (begin + 4 == end && mark_is_sign(&m[begin + 1], '=') && mark_is_role(&m[begin + 2], TEX_ROLE_BINARY) &&
+      strcmp(m[begin + 2].word->name, "pm") == 0 && m[begin + 3].kind == TEX_DIGIT && *m[begin + 3].s == '1') {
+    struct text name;
+    text_init(&name);
+    if (latex_letter(&name, &m[begin])) f->sign = arena_strndup(r->arena, text_str(&name), name.len);
+    text_clear(&name);
+    return f->sign != NULL;
+  }
+  size_t at = begin;
+  for (; at < end && f->n_letters < 2 && m[at].kind == TEX_LETTER; at++) {
+    f->letter[f->n_letters++] = *m[at].s;
+    if (at + 1 < end && mark_is_sign(&m[at + 1], ',')) at++;
+  }
+  return f->n_letters > 0 && at < end && mark_is_sign(&m[at], '=') && read_values(f, m, at + 1, end);
+}
+
+/* Whether a letter stands in a subscript of the part. */
+static bool has_index(const struct mark *m, const struct part *p, char letter) {
+  for (size_t i = p->begin; i + 1 < p->end; i++) {
+    if (m[i].kind != TEX_LOWERED) continue;
+    size_t last = m[i + 1].kind == TEX_OPEN ? m[i + 1].pair : i + 1;
+    for (size_t k = i + 1; k <= last; k++)
+      if (m[k].kind == TEX_LETTER && *m[k].s == letter) return true;
+  }
+  return false;
+}
+
+static bool has_sign(const struct mark *m, const struct part *p, const char *sign) {
+  struct text name;
+  text_init(&name);
+  bool found = false;
+  for (size_t i = p->begin; i < p->end && !found; i++) {
+    text_reset(&name);
+    found = latex_letter(&name, &m[i]) && strcmp(text_str(&name), sign) == 0;
+  }
+  text_clear(&name);
+  return found;
+}
+
+static bool concerns(const struct mark *m, const struct part *p, const struct family *f) {
+  if (f->sign) return has_sign(m, p, f->sign);
+  for (int i = 0; i < f->n_letters; i++)
+    if (has_index(m, p, f->letter[i])) return true;
+  return false;
+}
+
+/* The statements before it that have no values yet take them. */
+static bool give_family(struct splitter *s, const struct family *f) {
+  bool any = false;
+  for (size_t i = 0; i < s->n; i++) {
+    struct part *p = &s->part[i];
+    if ((f->sign ? p->family.sign != NULL : p->family.n_values > 0) || !concerns(s->r.m, p, f)) continue;
+    const char *sign = p->family.sign;
+    if (f->sign)
+      p->family.sign = f->sign;
+    else
+      p->family = *f, p->family.sign = sign;
+    any = true;
+  }
+  return any || latex_mistake(&s->r, "these are the values of an index that no statement before them has");
+}
+
+/* --- Where statements end --- */
+
+static bool is_relation(const struct mark *m) {
+  enum relop op;
+  return mark_relation(&op, m);
+}
+
+static bool spells(const struct mark *m, size_t at, size_t end, const char *word) {
+  size_t n = strlen(word);
+  if (at + n > end) return false;
+  for (size_t i = 0; i < n; i++)
+    if (m[at + i].len != 1 || *m[at + i].s != word[i]) return false;
+  return true;
+}
+
+/* How many marks of a separator stand here; 0: none. */
+static size_t separator(const struct mark *m, size_t at, size_t end) {
+  static const char *const words[] = {"if", "i.e.", "and", "for", "with"};
+  for (size_t i = 0; i < sizeof words / sizeof *words; i++)
+    if (mark_is_text(&m[at], words[i])) return 1;
+  if (spells(m, at, end, "i.e.")) return 4;
+  if (spells(m, at, end, "...")) return 3;
+  if (m[at].kind == TEX_ROW) return at + 1 == end || !is_relation(&m[at + 1]);
+  return mark_is_sign(&m[at], ',') || mark_is_sign(&m[at], ';') || mark_is_role(&m[at], TEX_ROLE_SPACE) ||
+         (mark_is_sign(&m[at], '.') && at + 1 == end);
+}
+
+/* What says nothing inside a statement: a line's end before a relation, "..." behind one. */
+static size_t filler(const struct mark *m, size_t begin, size_t at, size_t end) {
+  if (m[at].kind == TEX_ROW && at + 1 < end && is_relation(&m[at + 1])) return 1;
+  return at > begin && is_relation(&m[at - 1]) && spells(m, at, end, "...") ? 3 : 0;
+}
+
+/* Parentheses around words, or around a relation, are no operand. */
+static bool is_remark(const struct mark *m, size_t open) {
+  if (!mark_is_sign(&m[open], '(')) return false;
+  if (mark_is_role(&m[open + 1], TEX_ROLE_TEXT) && !mark_is_text(&m[open + 1], "tr")) return true;
+  for (size_t i = open + 1; i < m[open].pair; i++) {
+    if (is_relation(&m[i])) return true;
+    if (m[i].pair > i) i = m[i].pair;
+  }
+  return false;
+}
+
+static void put_part(struct splitter *s, size_t begin, size_t end) {
+  if (begin == end) return;
+  s->part = ss_grow(s->part, s->n, &s->cap, sizeof *s->part);
+  s->part[s->n++] = (struct part){.begin = begin, .end = end};
+}
+
+static bool split(struct splitter *s, size_t begin, size_t end);
+
+static bool read_remark(struct splitter *s, size_t open) {
+  const struct mark *m = s->r.m;
+  struct family f;
+  s->r.at = open;
+  if (mark_is_role(&m[open + 1], TEX_ROLE_TEXT)) return true;
+  return read_family(&f, &s->r, open + 1, m[open].pair) ? give_family(s, &f) : split(s, open + 1, m[open].pair);
+}
+
+static bool split(struct splitter *s, size_t begin, size_t end) {
+  const struct mark *m = s->r.m;
+  size_t from = begin, at = begin;
+  while (at < end) {
+    size_t n = filler(m, from, at, end);
+    if (n > 0) {
+      at += n;
+    } else if ((n = separator(m, at, end)) > 0) {
+      put_part(s, from, at);
+      from = at += n;
+    } else if (is_remark(m, at)) {
+      put_part(s, from, at);
+      if (!read_remark(s, at)) return false;
+      from = at = m[at].pair + 1;
+    } else {
+      at = (m[at].pair > at ? m[at].pair : at) + 1;
+    }
+  }
+  put_part(s, from, end);
+  return true;
+}
+
+/* --- One statement --- */
+
+/* |a| < b is -b < a < b. */
+static bool spread_bars(struct latex_reader *r, struct stmt *s) {
+  if (s->n_sides != 2 || s->sides[0]->kind != EXPR_ABS || (s->ops[0] != REL_LT && s->ops[0] != REL_LE)) return true;
+  const struct expr **sides = arena_alloc(r->arena, 3 * sizeof *sides);
+  enum relop *ops = arena_alloc(r->arena, 2 * sizeof *ops);
+  struct expr *minus = latex_node(r, EXPR_NEG, r->at - 1, 1);
+  if (!minus) return false;
+  minus->span = s->sides[1]->span;
+  minus->args[0] = s->sides[1];
+  sides[0] = minus;
+  sides[1] = s->sides[0]->args[0];
+  sides[2] = s->sides[1];
+  ops[0] = ops[1] = s->ops[0];
+  s->n_sides = 3;
+  s->sides = sides;
+  s->ops = ops;
+  return true;
+}
+
+enum { MAX_SIDES = 16 };
+
+static size_t past_filler(const struct latex_reader *r) {
+  size_t at = r->at;
+  for (size_t n; at < r->end && (n = filler(r->m, 0, at, r->end)) > 0;) at += n;
+  return at;
+}
+
+static const struct stmt *read_statement(struct latex_reader *r, const struct part *p) {
+  struct stmt *s = arena_alloc(r->arena, sizeof *s);
+  *s = (struct stmt){.kind = STMT_RELATION};
+  s->sides = arena_alloc(r->arena, MAX_SIDES * sizeof *s->sides);
+  s->ops = arena_alloc(r->arena, MAX_SIDES * sizeof *s->ops);
+  s->range_var = p->family.sign;
+  s->range_signs = p->family.sign != NULL;
+  r->at = p->begin;
+  r->end = p->end;
+  r->depth = r->bars = 0;
+  for (;;) {
+    if (s->n_sides == MAX_SIDES) return latex_mistake(r, "a chain of more than %d sides", MAX_SIDES);
+    r->at = past_filler(r);
+    if (!(s->sides[s->n_sides++] = latex_sum(r))) return NULL;
+    r->at = past_filler(r);
+    if (r->at == r->end || !mark_relation(&s->ops[s->n_sides - 1], &r->m[r->at])) break;
+    r->at++;
+  }
+  if (r->at < r->end) return latex_mistake(r, "this does not go on a formula");
+  if (s->n_sides < 2) return latex_mistake(r, "an expression alone says nothing: a statement is a relation");
+  s->span = (struct span){s->sides[0]->span.begin, s->sides[s->n_sides - 1]->span.end};
+  return spread_bars(r, s) ? s : NULL;
+}
+
+/* --- All of them --- */
+
+struct list {
+  const struct stmt **stmt;
+  size_t n, cap;
+};
+
+static bool put_statement(struct list *out, struct latex_reader *r, const struct part *p) {
+  const struct stmt *s = read_statement(r, p);
+  if (!s) return false;
+  out->stmt = ss_grow(out->stmt, out->n, &out->cap, sizeof *out->stmt);
+  out->stmt[out->n++] = s;
+  return true;
+}
+
+/* A statement for each value of its index, or each pair of values, the first letter's outermost. */
+static bool put_part_statements(struct list *out, struct latex_reader *r, const struct part *p) {
+  const struct family *f = &p->family;
+  int second = f->n_letters > 1 ? f->n_values : 1;
+  r->n_bound = f->n_letters;
+  if (f->n_values == 0) return put_statement(out, r, p);
+  for (int i = 0; i < f->n_values; i++)
+    for (int k = 0; k < second; k++) {
+      r->bound[0] = (struct binding){f->letter[0], f->value[i]};
+      r->bound[1] = (struct binding){f->letter[1], f->value[k]};
+      if (!put_statement(out, r, p)) return false;
+    }
+  return true;
+}
+
+const struct stmt **latex_statements(size_t *n, struct arena *a, const struct latex_formula *f,
+                                     const struct latex_names *names, struct diag *d) {
+  struct marks marks = {0};
+  struct list list = {0};
+  struct diag own;
+  diag_init(&own);
+  bool ok = latex_marks(&marks, f, &own);
+  struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = &own, .m = marks.m, .end = marks.n}};
+  if (ok && marks.n == 0) {
+    diag_at(&own, f->src, f->tex.begin, "the TeX is empty");
+    ok = false;
+  }
+  ok = ok && split(&s, 0, marks.n);
+  for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&list, &s.r, &s.part[i]);
+  if (ok && list.n == 0) {
+    diag_at(&own, f->src, f->tex.begin, "the TeX states nothing");
+    ok = false;
+  }
+  if (!ok && d) diag_again(d, own.message);
+  const struct stmt **out = ok ? arena_alloc(a, list.n * sizeof *out) : NULL;
+  if (ok) memcpy(out, list.stmt, list.n * sizeof *out);
+  *n = ok ? list.n : 0;
+  free(marks.m);
+  free(s.part);
+  free(list.stmt);
+  return out;
+}

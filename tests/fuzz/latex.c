@@ -1,0 +1,61 @@
+/* Formulas in LaTeX from any bytes, every name known.  Laws: what was refused has a message; what was read and printed,
+   if it is read again (long names print as words), prints the same again. */
+#include <string.h>
+
+#include "expr/latex_read.h"
+#include "fuzz.h"
+
+/* Capitals are functions; there are no differentials, which a product with d would be read as. */
+static enum latex_name known(const char **param, const void *context, const char *name) {
+  (void)context;
+  *param = "t";
+  if (name[0] == 'd' && name[1]) return LATEX_UNKNOWN;
+  return *name >= 'A' && *name <= 'Z' ? LATEX_FUNCTION : LATEX_VALUE;
+}
+
+static const struct latex_names names = {known, NULL};
+
+static const struct stmt **read_formula(size_t *n, struct arena *a, const struct source *src, struct diag *d) {
+  struct latex_formula f = {.src = src, .tex = {0, src->len}};
+  return latex_statements(n, a, &f, &names, d);
+}
+
+static void print_and_read(const struct stmt *s) {
+  struct text once, twice;
+  struct arena a;
+  struct source src;
+  struct diag d;
+  size_t n;
+  struct stmt plain = *s;
+  plain.range_var = NULL; /* ranges are printed for people */
+  text_init(&once);
+  text_init(&twice);
+  arena_init(&a);
+  diag_init(&d);
+  stmt_latex(&once, &plain);
+  source_from_string(&src, "printed", text_str(&once));
+  const struct stmt **again = read_formula(&n, &a, &src, &d);
+  fuzz_law(!again || n == 1, "one statement is printed");
+  if (again) stmt_latex(&twice, again[0]);
+  fuzz_law(!again || strcmp(text_str(&once), text_str(&twice)) == 0, "what is read again prints the same");
+  source_clear(&src);
+  arena_clear(&a);
+  text_clear(&once);
+  text_clear(&twice);
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size) {
+  struct source src;
+  struct diag d;
+  struct arena a;
+  size_t n;
+  if (!fuzz_source(&src, data, size)) return 0;
+  diag_init(&d);
+  arena_init(&a);
+  const struct stmt **s = read_formula(&n, &a, &src, &d);
+  fuzz_law((s != NULL) != d.set, "a formula is read, or there is a message");
+  for (size_t i = 0; i < n; i++) print_and_read(s[i]);
+  source_clear(&src);
+  arena_clear(&a);
+  return 0;
+}
