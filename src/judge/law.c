@@ -197,24 +197,17 @@ static void try_states(struct law *l) {
   }
 }
 
-/* The heading is what the record of the sticking branch says under "when", or a correction of it.  One that names no
-   velocity there is has a claim of its own. */
+/* The heading is the claim's, or a correction in its place. */
 static bool read_heading(struct law *l, struct reread *in, const struct claim *c, struct view view) {
-  char id[CLAIM_NAME];
-  const char *names = l->j->instead ? strchr(l->j->instead, ';') : NULL;
-  const char *sticks = claim_get(c, branch_name[STICKS]);
-  struct diag unread;
-  diag_init(&unread);
-  struct diag *d = l->j->instead && !names ? l->j->d : &unread;
-  snprintf(id, sizeof id, "%.*s", (int)strcspn(sticks, " #,"), sticks);
-  const struct statement_record *r = view_record(&view, id);
-  const char *text = l->j->instead && !names ? l->j->instead : r ? record_get(r->record, "when") : NULL;
+  bool corrected = l->j->instead && !strchr(l->j->instead, ';');
+  const char *text = corrected ? l->j->instead : claim_get(c, "heading");
+  static const struct statement_record nowhere = {.id = "heading", .section = "", .equation = "", .tex = ""};
   if (!text) return true;
-  r = reread_open(in, r, text, c->id, d);
-  l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, d);
+  const struct statement_record *r = reread_open(in, &nowhere, text, c->id, l->j->d);
+  l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, l->j->d);
   if (r && !l->headed) sentence_clear(&l->heading);
   reread_close(in);
-  return l->headed || d == &unread;
+  return l->headed;
 }
 
 /* "u_{si}" for the mass 1 is typed u_s1. */

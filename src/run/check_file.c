@@ -53,7 +53,7 @@ static bool known_attribute(const char *key) {
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
       "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
       "slips",        "sticks",   "breaks",     "few",         "converse-of",  "repaired-as",  "of",
-      "near"};
+      "near",         "heading"};
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i], key) == 0) return true;
   return false;
