@@ -364,7 +364,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
   t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
   t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
   t->q[i] = (struct consequence){t->id[i], {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
-  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0};
+  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
   t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};
   t->l[i] = (struct long_result){.orbit = trap, .multiplier = trap, .expected = trap, .obeys = i % 2 == 0};
   t->s[i] = (struct skipped_work){trap, trap};
@@ -594,7 +594,8 @@ START_TEST(claims_by_one_route) {
   f[0].evidence = f[3].evidence = e, f[0].n_evidence = f[3].n_evidence = 3;
   f[1].evidence = e + 3, f[1].n_evidence = 2;
   f[2].evidence = e + 4, f[2].n_evidence = 1;
-  struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true}, {"ctl-2", "two", VERDICT_REFUTED, true}};
+  struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true, NULL, NULL},
+                               {"ctl-2", "two", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4, .controls = c, .n_controls = 2};
   char *page = written(report_html, &r);
   ck_assert(strstr(page, "Claims with a control of their own: 1 of 3."));
@@ -660,7 +661,8 @@ START_TEST(junit_fails_where_the_record_differs) {
       small_finding("a", VERDICT_PROVED, VERDICT_PROVED),   small_finding("b", VERDICT_REFUTED, VERDICT_REFUTED),
       small_finding("c", VERDICT_SKIPPED, VERDICT_SKIPPED), small_finding("d", VERDICT_PROVED, VERDICT_REFUTED),
       small_finding("e", VERDICT_SKIPPED, VERDICT_PROVED),  small_finding("f", VERDICT_UNKNOWN, N_VERDICTS)};
-  struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false}, {"ctl-2", "a", VERDICT_REFUTED, true}};
+  struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false, NULL, NULL},
+                               {"ctl-2", "a", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 6, .controls = c, .n_controls = 2};
   char *xml = written(report_junit, &r);
   ck_assert_str_eq(

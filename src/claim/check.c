@@ -13,7 +13,8 @@ static bool known_attribute(const char *key) {
       "absent",       "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
       "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
-      "slips",        "sticks",   "breaks",     "place"};
+      "slips",        "sticks",   "breaks",     "place",       "few",          "converse-of",  "repaired-as",
+      "of",           "near",     "heading"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }
@@ -58,5 +59,7 @@ bool claims_check(const struct claims *c, bool controls, struct diag *d) {
 }
 
 bool data_check(const struct audit_data *a, struct diag *d) {
-  return claims_check(a->claims, false, d) && claims_check(a->controls, true, d);
+  return claims_check(a->claims, false, d) && claims_check(a->controls, true, d) &&
+         claims_keep_rules(a->model, a->claims, a->controls, d) &&
+         (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d));
 }

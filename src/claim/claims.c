@@ -25,7 +25,8 @@ static bool add_source(struct claims *c, struct source src, const char *kind, st
   c->files[c->n_files++] = f;
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
-  if (top->n_fields > 0) {
+  bool counted = top->n_fields == 1 && record_field(top, "count") && strcmp(kind, "claim") != 0;
+  if (top->n_fields > 0 && !counted) {
     diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
             "outside a record; begin one with \"%s ID\"", kind);
     return false;

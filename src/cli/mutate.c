@@ -52,7 +52,7 @@ static bool deliver(const struct text body[3], const char *const name[2], const 
 /* Everything that a search reads. */
 struct inputs {
   struct model model;
-  struct claims claims, controls;
+  struct claims claims, controls, statements;
   struct scene scene;
 };
 
@@ -62,10 +62,12 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
   return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
          claims_load_data(&in->controls, data, "controls", "control", d) &&
-         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls}, d);
+         statements_load(&in->statements, data, d) &&
+         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d);
 }
 
 static void inputs_clear(struct inputs *in) {
+  claims_clear(&in->statements);
   claims_clear(&in->controls);
   claims_clear(&in->claims);
   model_clear(&in->model);
@@ -86,7 +88,7 @@ int run_mutate(const struct options *o, const char *data) {
   diag_init(&d);
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  const struct audit_data all = {&in.model, &in.claims, &in.controls};
+  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements};
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&

@@ -66,7 +66,7 @@ static const char *next_record(const struct model *m, const char *name, size_t n
 static void rename_items(struct maker *k, const struct items *l) {
   for (int i = 0; i < l->n; i++) {
     size_t begin = l->item[i].begin, n = strcspn(k->text + begin, "#, \n");
-    const char *next = next_record(k->m->model, k->text + begin, n);
+    const char *next = next_record(k->m->data.model, k->text + begin, n);
     if (next) maker_put(k, begin, begin + n, next);
   }
 }
@@ -244,7 +244,7 @@ void damage_record(struct maker *k) {
 }
 
 void damage_control_claim(struct maker *k) {
-  const struct claims *c = k->m->claims;
+  const struct claims *c = k->m->data.claims;
   for (size_t i = 0; i + 1 < c->n; i++)
     if (strcmp(c->claim[i].id, k->field->text) == 0)
       maker_put(k, k->field->value.begin, k->field->value.end, c->claim[i + 1].id);

@@ -26,13 +26,13 @@ struct damage_study {
 struct damage_study *damage_study_new(const struct material *m) {
   struct damage_study *s = ss_malloc(sizeof *s);
   *s = (struct damage_study){.m = m, .cache = orbit_cache_new()};
-  s->claim = ss_malloc((m->claims->n + 1) * sizeof *s->claim);
-  memset(s->claim, 0, (m->claims->n + 1) * sizeof *s->claim);
+  s->claim = ss_malloc((m->data.claims->n + 1) * sizeof *s->claim);
+  memset(s->claim, 0, (m->data.claims->n + 1) * sizeof *s->claim);
   return s;
 }
 
 void damage_study_free(struct damage_study *s) {
-  for (size_t i = 0; i < s->m->claims->n; i++) {
+  for (size_t i = 0; i < s->m->data.claims->n; i++) {
     if (!s->claim[i].judged) continue;
     audit_result_clear(&s->claim[i].said);
     free(s->claim[i].use.def);
@@ -65,7 +65,7 @@ static bool judge_one(struct audit_result *out, struct damage_study *s, const st
 static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i) {
   struct undamaged *u = &s->claim[i];
   if (u->judged) return u;
-  const struct model *m = s->m->model;
+  const struct model *m = s->m->data.model;
   struct model recording = *m;
   struct diag d;
   diag_init(&d);
@@ -74,8 +74,8 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
   recording.use = &u->use;
   audit_result_init(&u->said);
   u->judged = true;
-  const struct changed_material none = {.data = {&recording, s->m->claims, s->m->controls}, .scene = s->m->scene};
-  u->readable = judge_one(&u->said, s, &none, &s->m->claims->claim[i], NULL, &d);
+  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls}, .scene = s->m->scene};
+  u->readable = judge_one(&u->said, s, &none, &s->m->data.claims->claim[i], NULL, &d);
   return u;
 }
 
@@ -159,12 +159,12 @@ static bool same_faults(const struct audit_result *is, const struct audit_result
 
 static bool claim_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                           const struct claim *claim) {
-  const struct claim *before = claim_named(s->m->claims, claim->id);
+  const struct claim *before = claim_named(s->m->data.claims, claim->id);
   struct audit_result r;
   struct diag d;
   diag_init(&d);
   audit_result_init(&r);
-  const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->claims->claim)) : NULL;
+  const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
   bool noticed = false;
   if (!u || !u->readable) {
     audit_result_clear(&r);
@@ -243,18 +243,18 @@ static bool reads_record(const struct undamaged *u, const struct model *m, size_
 
 static bool readers_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                            size_t record) {
-  for (size_t i = 0; i < s->m->claims->n; i++)
-    if (reads_record(undamaged_claim(s, i), s->m->model, record) && claim_notices(out, s, c, &s->m->claims->claim[i]))
+  for (size_t i = 0; i < s->m->data.claims->n; i++)
+    if (reads_record(undamaged_claim(s, i), s->m->data.model, record) && claim_notices(out, s, c, &s->m->data.claims->claim[i]))
       return true;
   return false;
 }
 
 static bool equations_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                              const struct damage *d) {
-  const struct model *was = s->m->model, *is = c->data.model;
+  const struct model *was = s->m->data.model, *is = c->data.model;
   const struct record_file *file = s->m->file[d->file].parsed;
   if (s->m->file[d->file].rank == RANK_CONTROL) {
-    const struct claim *control = claim_named(s->m->controls, d->record);
+    const struct claim *control = claim_named(s->m->data.controls, d->record);
     return control && control_notices(out, s, c, control);
   }
   for (size_t i = 0; i < was->n_records && i < is->n_records; i++)
@@ -265,8 +265,8 @@ static bool equations_notice(struct damage_said *out, struct damage_study *s, co
 }
 
 static bool scene_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c) {
-  for (size_t i = 0; i < s->m->claims->n; i++) {
-    const struct claim *claim = &s->m->claims->claim[i];
+  for (size_t i = 0; i < s->m->data.claims->n; i++) {
+    const struct claim *claim = &s->m->data.claims->claim[i];
     const char *over = claim_get(claim, "over");
     bool of_scene = claim_kind_of(claim)->of_scene || (over && strcmp(over, "scene") == 0);
     if (of_scene && claim_notices(out, s, c, claim)) return true;

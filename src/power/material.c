@@ -14,11 +14,11 @@ static void add_file(struct material *m, enum material_part part, enum rank rank
 }
 
 void material_init(struct material *m, const struct audit_data *data, const struct scene *scene) {
-  *m = (struct material){.model = data->model, .claims = data->claims, .controls = data->controls, .scene = scene};
-  m->file = ss_malloc((m->model->n_files + m->claims->n_files + m->controls->n_files + 1) * sizeof *m->file);
-  for (size_t i = 0; i < m->model->n_files; i++) add_file(m, PART_EQUATIONS, m->model->ranks[i], m->model->files[i]);
-  for (size_t i = 0; i < m->claims->n_files; i++) add_file(m, PART_CLAIMS, RANK_PAPER, m->claims->files[i]);
-  for (size_t i = 0; i < m->controls->n_files; i++) add_file(m, PART_CONTROLS, RANK_PAPER, m->controls->files[i]);
+  *m = (struct material){.data = *data, .scene = scene};
+  m->file = ss_malloc((data->model->n_files + data->claims->n_files + data->controls->n_files + 1) * sizeof *m->file);
+  for (size_t i = 0; i < data->model->n_files; i++) add_file(m, PART_EQUATIONS, data->model->ranks[i], data->model->files[i]);
+  for (size_t i = 0; i < data->claims->n_files; i++) add_file(m, PART_CLAIMS, RANK_PAPER, data->claims->files[i]);
+  for (size_t i = 0; i < data->controls->n_files; i++) add_file(m, PART_CONTROLS, RANK_PAPER, data->controls->files[i]);
   struct source src;
   struct diag d;
   diag_init(&d);
@@ -65,7 +65,7 @@ static bool change_model(struct model *out, const struct material *m, size_t fil
 
 bool material_change(struct changed_material *c, const struct material *m, size_t file, const char *text,
                      struct diag *d) {
-  *c = (struct changed_material){.data = {m->model, m->claims, m->controls}, .scene = m->scene};
+  *c = (struct changed_material){.data = m->data, .scene = m->scene};
   model_init(&c->own_model);
   switch (m->file[file].part) {
   case PART_EQUATIONS:

@@ -15,8 +15,7 @@ struct material_file {
 };
 
 struct material {
-  const struct model *model;
-  const struct claims *claims, *controls;
+  struct audit_data data;
   const struct scene *scene;
   struct material_file *file; /* equations, claims, controls, the scene, each in the order in which they were read */
   size_t n;

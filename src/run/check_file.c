@@ -1,6 +1,7 @@
 /* stickslip check: reads a file as its suffix says and reports the first thing wrong with it. */
 #include "audit.h"
 #include "claim/claim.h"
+#include <stdlib.h>
 #include <string.h>
 
 static bool has_suffix(const char *path, const char *suffix) {
@@ -40,8 +41,52 @@ static bool check_equations(const char *path, const char *data, struct diag *d) 
   return ok;
 }
 
+static const char *base_name(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
+/* The files of a data folder, with this one in the place of that of its name; *stands: there is one. */
+static bool load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
+                        bool *stands, struct diag *d) {
+  struct arena a;
+  struct text where;
+  size_t n;
+  arena_init(&a);
+  text_init(&where);
+  text_printf(&where, "%s/%s", data, folder);
+  char **file = folder_files(&n, text_str(&where), ".claim", &a, d);
+  bool ok = n > 0;
+  for (size_t i = 0; ok && i < n; i++) {
+    bool here = strcmp(base_name(file[i]), base_name(path)) == 0;
+    *stands = *stands || here;
+    ok = claims_add_file(c, here ? path : file[i], kind, d);
+  }
+  free(file);
+  text_clear(&where);
+  arena_clear(&a);
+  return ok;
+}
+
+/* The rules of each claim; where the file is one of the data folder, those of all claims together. */
+static bool check_rules(const struct claims *own, bool control, const char *path, const char *data, struct diag *d) {
+  struct model m;
+  struct claims claims = {.n = 0}, controls = {.n = 0};
+  bool stands = false;
+  model_init(&m);
+  bool ok = model_load(&m, data, NULL, NULL, d);
+  for (size_t i = 0; ok && !control && i < own->n; i++) ok = claim_keeps_rules(&m, &own->claim[i], d);
+  ok = ok && load_around(&claims, data, "claims", "claim", control ? "" : path, &stands, d) &&
+       load_around(&controls, data, "controls", "control", control ? path : "", &stands, d);
+  ok = ok && (!stands || claims_keep_rules(&m, &claims, &controls, d));
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&m);
+  return ok;
+}
+
 /* A file holds claims and results, or controls; its first record says which. */
-static bool check_claims(const char *path, struct diag *d) {
+static bool check_claims(const char *path, const char *data, struct diag *d) {
   struct claims c = {.n = 0};
   struct source src;
   if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
@@ -50,8 +95,28 @@ static bool check_claims(const char *path, struct diag *d) {
   bool control = ok && f.n_records > 1 && strcmp(f.records[1].kind_name, "control") == 0;
   record_file_clear(&f);
   ok = ok && claims_add_file(&c, path, control ? "control" : "claim", d);
-  ok = ok && claims_check(&c, control, d);
+  ok = ok && claims_check(&c, control, d) && (c.n == 0 || check_rules(&c, control, path, data, d));
   claims_clear(&c);
+  return ok;
+}
+
+/* By itself; where it bears the name of the data folder's own, beside the claims there. */
+static bool check_statements(const char *path, const char *data, struct diag *d) {
+  struct model m;
+  struct claims own = {.n = 0}, all = {.n = 0}, claims = {.n = 0};
+  model_init(&m);
+  bool ok = statements_add_file(&own, path, d), stands = false;
+  for (size_t i = 0; ok && i < own.n; i++) ok = statement_check(&own.claim[i], d);
+  ok = ok && statements_load(&all, data, d);
+  for (size_t i = 0; ok && i < all.n_files; i++)
+    stands = stands || strcmp(base_name(all.files[i]->src.name), base_name(path)) == 0;
+  if (ok && stands && all.n_files == 1)
+    ok = model_load(&m, data, NULL, NULL, d) && claims_load_data(&claims, data, "claims", "claim", d) &&
+         statements_keep_rules(&m, &claims, &own, d);
+  claims_clear(&claims);
+  claims_clear(&all);
+  claims_clear(&own);
+  model_clear(&m);
   return ok;
 }
 
@@ -84,8 +149,9 @@ static bool check_scene(const char *path, const char *data, struct diag *d) {
 
 bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".eq")) return check_equations(path, data, d);
-  if (has_suffix(path, ".claim")) return check_claims(path, d);
+  if (has_suffix(path, ".claim")) return check_claims(path, data, d);
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
-  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim or .scene", path);
+  if (has_suffix(path, ".statements")) return check_statements(path, data, d);
+  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene or .statements", path);
   return false;
 }
