@@ -16,7 +16,8 @@ static void add_file(struct material *m, enum material_part part, enum rank rank
 void material_init(struct material *m, const struct audit_data *data, const struct scene *scene) {
   *m = (struct material){.data = *data, .scene = scene};
   m->file = ss_malloc((data->model->n_files + data->claims->n_files + data->controls->n_files + 1) * sizeof *m->file);
-  for (size_t i = 0; i < data->model->n_files; i++) add_file(m, PART_EQUATIONS, data->model->ranks[i], data->model->files[i]);
+  for (size_t i = 0; i < data->model->n_files; i++)
+    add_file(m, PART_EQUATIONS, data->model->ranks[i], data->model->files[i]);
   for (size_t i = 0; i < data->claims->n_files; i++) add_file(m, PART_CLAIMS, RANK_PAPER, data->claims->files[i]);
   for (size_t i = 0; i < data->controls->n_files; i++) add_file(m, PART_CONTROLS, RANK_PAPER, data->controls->files[i]);
   struct source src;
