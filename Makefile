@@ -130,7 +130,7 @@ verify: ## audit the paper: writes reports/paper/, fails when a verdict differs 
 	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 
-mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
+mutate: $(B)/stickslip ## damage every formula by the token, and what stands beside them by class: writes reports/mutation/
 	$(B)/stickslip mutate --count all --out reports/mutation
 
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/

@@ -3,7 +3,7 @@
 #define STICKSLIP_CLI_H
 
 #include "base/json.h"
-#include "claim/claims.h"
+#include "claim/claim.h"
 #include "motion/certify.h"
 #include "motion/dynamics.h"
 #include "report/folder.h"

@@ -1,4 +1,4 @@
-/* stickslip mutate and repair: damage to formulas, and edits that undo it. */
+/* stickslip mutate and repair: damage to formulas and to what stands beside them, and edits that undo it. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -52,7 +52,7 @@ static bool deliver(const struct text body[3], const char *const name[2], const 
 /* Everything that a search reads. */
 struct inputs {
   struct model model;
-  struct claims claims;
+  struct claims claims, controls, statements;
   struct scene scene;
 };
 
@@ -60,13 +60,33 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
-  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d);
+  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
+         claims_load_data(&in->controls, data, "controls", "control", d) && statements_load(&in->statements, data, d) &&
+         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d);
 }
 
 static void inputs_clear(struct inputs *in) {
+  claims_clear(&in->statements);
+  claims_clear(&in->controls);
   claims_clear(&in->claims);
   model_clear(&in->model);
   scene_clear(&in->scene);
+}
+
+/* A text of the paper in which everything that is quoted is found. */
+static bool load_text(struct paper_text *t, const char *path, const struct audit_data *all, struct diag *d) {
+  struct quotations q = {.n = 0};
+  struct text says;
+  text_init(&says);
+  bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
+  if (ok) quotations_compare(&q, &t->tokens);
+  if (ok && !quotations_report(&says, &q, t)) {
+    diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
+    ok = false;
+  }
+  text_clear(&says);
+  quotations_clear(&q);
+  return ok;
 }
 
 int run_mutate(const struct options *o, const char *data) {
@@ -83,10 +103,13 @@ int run_mutate(const struct options *o, const char *data) {
   diag_init(&d);
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
+  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements};
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
+  struct paper_text text = {.tokens = {.n = 0}};
+  q.text = option(o, OPT_TEXT) ? &text : NULL;
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
+            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok) {
     report_mutation_json(&body[0], &r);
@@ -98,9 +121,11 @@ int run_mutate(const struct options *o, const char *data) {
   if (r.broken) status = EXIT_INTERNAL;
   for (int i = 0; i < 3; i++) text_clear(&body[i]);
   mutation_result_clear(&r);
+  paper_text_clear(&text);
   inputs_clear(&in);
   return status;
 }
+
 int run_repair(const struct options *o, const char *data) {
   const char *folder = option(o, OPT_OUT);
   static const char *const names[] = {"repairs.json", "repairs.md"};

@@ -21,6 +21,7 @@ void model_clear(struct model *m) {
     free(m->files[i]);
   }
   free(m->files);
+  free(m->ranks);
   free(m->defs);
   free(m->records);
   free(m->symbols);
@@ -245,13 +246,24 @@ static bool load_records(struct model *m, const struct record_file *f, enum rank
   return true;
 }
 
-bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
-  struct source src;
-  if (!source_read(&src, path, MAX_EQ_FILE, d)) return false;
+static bool add_source(struct model *m, struct source src, enum rank rank, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   m->files = ss_grow(m->files, m->n_files, &m->cap_files, sizeof *m->files);
+  m->ranks = ss_grow(m->ranks, m->n_files, &m->cap_ranks, sizeof *m->ranks);
+  m->ranks[m->n_files] = rank;
   m->files[m->n_files++] = f;
   return record_file_parse(f, src, d) && load_records(m, f, rank, d);
+}
+
+bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
+  struct source src;
+  return source_read(&src, path, MAX_EQ_FILE, d) && add_source(m, src, rank, d);
+}
+
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d) {
+  struct source src;
+  source_from_string(&src, name, text);
+  return add_source(m, src, rank, d);
 }
 
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {

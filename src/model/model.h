@@ -70,7 +70,8 @@ struct model {
   const char *paper;      /* the paper's title; NULL where its files say none */
   const char *paper_text; /* the digest of its text; NULL likewise */
   struct record_file **files;
-  size_t n_files, cap_files;
+  enum rank *ranks; /* of the files */
+  size_t n_files, cap_files, cap_ranks;
   struct definition *defs;
   size_t n_defs, cap_defs;
   struct {
@@ -86,8 +87,9 @@ struct model {
 
 void model_init(struct model *m);
 void model_clear(struct model *m);
-/* Adds one file, or every *.eq file of a folder in the order of their names. */
+/* Adds one file, a text that messages call by the name, or every *.eq file of a folder in the order of their names. */
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
 
 /* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the

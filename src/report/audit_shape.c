@@ -149,6 +149,8 @@ static const struct member control_member[] = {
     STRING(struct control_result, claim, MEMBER_NULLABLE),
     VERDICT("verdict", struct control_result, verdict, MEMBER_NEEDED),
     BOOLEAN(struct control_result, noticed),
+    STRING(struct control_result, near, MEMBER_SPARSE),
+    STRING(struct control_result, distance, MEMBER_SPARSE),
 };
 static SHAPE(control, struct control_result, .blank = NULL);
 

@@ -46,4 +46,7 @@ bool values_asked(struct judge *j);
 /* What the piece is expected to take, in milliseconds. */
 double piece_cost(const struct piece *p, const struct costs *costs);
 
+/* Whether nothing narrows the audit. */
+bool run_is_whole(const struct audit_options *opt, const struct scene *s);
+
 #endif
