@@ -140,6 +140,7 @@ static const struct {
     {"u_i = x, (i = 1, 2,)", "f:1:1: error: in the TeX: u_i is neither defined nor a symbol"},
     {"M_{ik} = x, (ik = 1, 2)", "f:1:1: error: in the TeX: M_ik is neither defined nor a symbol"},
     {"M_{ik} = x, (i, k = 1)", "M[1,1] = x"},
+    {"M_{i-k} = x, (i, k = 1)", "f:1:6: error: in the TeX: a number is expected here"},
     {"z_i = x, (i = 1, \\circ, 2)", "f:1:1: error: in the TeX: z_i is neither defined nor a symbol"},
     {"z_i = x, (i = 2, 4, \\dots, 8)", "f:1:1: error: in the TeX: z_i is neither defined nor a symbol"},
     {"x = y (\\text{tr} K)", "x = y*(tr(K))"},

@@ -118,7 +118,10 @@ static bool read_subscript_part(struct text *out, struct latex_reader *r, bool b
   int value = bound_value(r, m);
   if (value >= 0) {
     r->at++;
-    if (braced && accept_sign(r, '-')) value -= digits(r, 4);
+    if (braced && accept_sign(r, '-')) {
+      if (mark_in_hand(r)->kind != TEX_DIGIT) return latex_mistake(r, "a number is expected here");
+      value -= digits(r, 4);
+    }
     text_printf(out, "%d", value);
     return true;
   }
