@@ -235,7 +235,8 @@ START_TEST(differences_are_told) {
     int status;
     const char *says;
   } cases[] = {
-      {"note.md", "s/no such thing//", 0, "quotations: 7 of 7 found (title 1 of 1, tex 2 of 2, quote 2 of 2, statement 2 of 2)"},
+      {"note.md", "s/no such thing//", 0,
+       "quotations: 7 of 7 found (title 1 of 1, tex 2 of 2, quote 2 of 2, statement 2 of 2)"},
       {"note.md", "s/I & tI/\\nI\\&t  I/", 0, ", the one on file\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, "  quoted: \\det D(t) = 1 >>+<< t\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, " grows: \\det D(t) = 1 >>-<< t\n          at "},
