@@ -130,8 +130,8 @@ verify: ## audit the paper: writes reports/paper/, fails when a verdict differs 
 	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 
-mutate: $(B)/stickslip ## damage every formula by the token, and what stands beside them by class: writes reports/mutation/
-	$(B)/stickslip mutate --count all --out reports/mutation
+mutate: $(B)/stickslip ## damage every formula by the token, and what stands beside them by class: writes reports/mutation/; TEXT=FILE: a copy of the paper's text
+	$(B)/stickslip mutate --count all $(if $(TEXT),--text $(TEXT)) --out reports/mutation
 
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/
 	rm -f $(B)/peers/peers.tsv

@@ -404,6 +404,12 @@ static bool check_selection(const struct mutation_study *r, const struct damages
   return true;
 }
 
+static const char *keep_digest(struct mutation_result *out, const struct paper_text *text) {
+  char digest[QUOTE_DIGEST];
+  quote_tokens_digest(digest, &text->tokens);
+  return keep(out, digest);
+}
+
 bool audit_mutate(struct mutation_result *out, const struct audit_data *data, const struct scene *scene,
                   const struct mutation_options *opt, struct diag *d) {
   const struct model *m = data->model;
@@ -423,6 +429,7 @@ bool audit_mutate(struct mutation_result *out, const struct audit_data *data, co
   out->scene = keep(out, scene->name);
   out->subject = keep_subject(out, m, scene);
   out->seed = opt->seed;
+  if (opt->text) out->text = keep_digest(out, opt->text);
   struct diag none;
   diag_init(&none);
   r.sound = material_check(data, &none);

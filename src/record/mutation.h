@@ -94,6 +94,7 @@ struct mutation_result {
   struct arena arena; /* owns every string */
   const char *scene;
   const char *subject; /* as in an audit.json (result.h) */
+  const char *text;    /* the digest of the paper's text that quotations were held against; NULL: none was at hand */
   unsigned long long seed;
   long population, tried;           /* all damages, and how many of them were drawn */
   struct mutation_row formulas;     /* of the paper's formulas: the printed text, and what everything reads */

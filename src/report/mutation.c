@@ -76,6 +76,7 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
   json_string(&j, "seed", text_str(&seed));
+  json_string(&j, "text", r->text);
   json_long(&j, "population", r->population);
   json_long(&j, "tried", r->tried);
   write_score(&j, r);
@@ -276,6 +277,7 @@ void report_mutation_markdown(struct text *out, const struct mutation_result *r)
   text_add(out, "# Would the audit have noticed?\n\n");
   add_summary(out, r);
   text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
+  if (r->text) text_printf(out, "Quotations were looked for in the paper's text (`%s`). ", r->text);
   text_add(out, explanation);
   add_classes(out, r);
   struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
