@@ -8,6 +8,8 @@ struct oracle {
   const char *name;
   int rows, cols;
   int (*eval)(struct num_vec *out, struct values *v);
+  const char *what; /* with %s where the name of the phase stands; NULL: a second way to a quantity above */
+  enum phase phase; /* N_PHASES where it has none */
 };
 
 /* --- Local Jacobians --- */
@@ -250,34 +252,34 @@ static int eval_dzf(struct num_vec *out, struct values *v) {
 }
 
 static const struct oracle oracles[] = {
-    {"dZ_0", 4, 1, eval_dz0},
-    {"dZ_a", 4, 1, eval_dza},
-    {"dZ_b", 4, 1, eval_dzb},
-    {"dZ_c", 4, 1, eval_dzc},
-    {"dZ_f", 4, 1, eval_dzf},
-    {"S_a", 4, 1, eval_sa},
-    {"S_b", 4, 1, eval_sb},
-    {"S_c", 4, 1, eval_sc},
-    {"J_a", 1, 2, eval_ja},
-    {"J_b", 2, 1, eval_jb},
-    {"J_c", 3, 2, eval_jc},
-    {"J_f", 2, 3, eval_jf},
-    {"J", 2, 2, eval_j},
-    {"N", 4, 4, eval_n},
-    {"D(t)", 4, 4, eval_d},
-    {"Gamma(t)", 4, 4, eval_gamma},
-    {"H(t)", 4, 4, eval_h},
-    {"C(t)", 4, 4, eval_c},
-    {"K", 2, 2, eval_k},
-    {"K_1", 2, 2, eval_k1},
-    {"K_2", 2, 2, eval_k2},
-    {"d_01", 1, 1, eval_d01},
-    {"d_02", 1, 1, eval_d02},
-    {"omega_1", 1, 1, eval_omega1},
-    {"omega_2", 1, 1, eval_omega2},
-    {"K newton", 2, 2, eval_k_newton},
-    {"K_1 newton", 2, 2, eval_k1_newton},
-    {"K_2 newton", 2, 2, eval_k2_newton},
+    {"dZ_0", 4, 1, eval_dz0, "the perturbation of the state at the start of the period", N_PHASES},
+    {"dZ_a", 4, 1, eval_dza, "the perturbation of the state at the end of %s", PHASE_D},
+    {"dZ_b", 4, 1, eval_dzb, "the perturbation of the state at the end of %s", PHASE_GAMMA},
+    {"dZ_c", 4, 1, eval_dzc, "the perturbation of the state at the end of %s", PHASE_H},
+    {"dZ_f", 4, 1, eval_dzf, "the perturbation of the state at the end of %s", PHASE_C},
+    {"S_a", 4, 1, eval_sa, "the state at the end of %s", PHASE_D},
+    {"S_b", 4, 1, eval_sb, "the state at the end of %s", PHASE_GAMMA},
+    {"S_c", 4, 1, eval_sc, "the state at the end of %s", PHASE_H},
+    {"J_a", 1, 2, eval_ja, "the Jacobian of %s", PHASE_D},
+    {"J_b", 2, 1, eval_jb, "the Jacobian of %s", PHASE_GAMMA},
+    {"J_c", 3, 2, eval_jc, "the Jacobian of %s", PHASE_H},
+    {"J_f", 2, 3, eval_jf, "the Jacobian of %s", PHASE_C},
+    {"J", 2, 2, eval_j, "the Jacobian of the return map", N_PHASES},
+    {"N", 4, 4, eval_n, "the propagator of one period", N_PHASES},
+    {"D(t)", 4, 4, eval_d, "the propagator of %s", PHASE_D},
+    {"Gamma(t)", 4, 4, eval_gamma, "the propagator of %s", PHASE_GAMMA},
+    {"H(t)", 4, 4, eval_h, "the propagator of %s", PHASE_H},
+    {"C(t)", 4, 4, eval_c, "the propagator of %s", PHASE_C},
+    {"K", 2, 2, eval_k, "the stiffness matrix of %s", PHASE_H},
+    {"K_1", 2, 2, eval_k1, "the stiffness matrix of %s", PHASE_GAMMA},
+    {"K_2", 2, 2, eval_k2, "the stiffness matrix of %s", PHASE_C},
+    {"d_01", 1, 1, eval_d01, "the position of the first mass at rest under the sliding forces", N_PHASES},
+    {"d_02", 1, 1, eval_d02, "the position of the second mass at rest under the sliding forces", N_PHASES},
+    {"omega_1", 1, 1, eval_omega1, "the lower frequency of %s", PHASE_H},
+    {"omega_2", 1, 1, eval_omega2, "the upper frequency of %s", PHASE_H},
+    {"K newton", 2, 2, eval_k_newton, NULL, N_PHASES},
+    {"K_1 newton", 2, 2, eval_k1_newton, NULL, N_PHASES},
+    {"K_2 newton", 2, 2, eval_k2_newton, NULL, N_PHASES},
 };
 
 const struct oracle *oracle_find(const char *name) {
@@ -294,4 +296,8 @@ int oracle_cols(const struct oracle *o) {
 }
 int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v) {
   return o->eval(out, v);
+}
+const char *oracle_what(enum phase *phase, const struct oracle *o) {
+  *phase = o->phase;
+  return o->what;
 }
