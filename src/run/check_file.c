@@ -1,6 +1,7 @@
 /* stickslip check: reads a file as its suffix says and reports the first thing wrong with it. */
 #include "audit.h"
 #include "claim/kinds.h"
+#include "value/title.h"
 #include <string.h>
 
 static bool has_suffix(const char *path, const char *suffix) {
@@ -17,26 +18,31 @@ static bool check_controls(const struct model *m, struct diag *d) {
   return ok;
 }
 
+static bool add_paper(struct model *m, const char *data, struct diag *d) {
+  struct text folder;
+  text_init(&folder);
+  text_printf(&folder, "%s/paper", data);
+  bool ok = model_add_folder(m, text_str(&folder), RANK_PAPER, d);
+  text_clear(&folder);
+  return ok;
+}
+
 /* An equation file is read over the paper's own, so that it may use their names.  A file of controls damages one name
    several times over; its records bear ids that begin with ctl-. */
 static bool check_equations(const char *path, const char *data, struct diag *d) {
   struct model m;
-  struct text folder;
-  text_init(&folder);
-  text_printf(&folder, "%s/paper", data);
   model_init(&m);
-  bool ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_CONTROL, d);
+  bool ok = add_paper(&m, data, d) && model_add_file(&m, path, RANK_CONTROL, d);
   const struct record_file *f = ok ? m.files[m.n_files - 1] : NULL;
   bool controls = f && f->n_records > 1 && strncmp(f->records[1].id_name, "ctl-", 4) == 0;
   if (ok && controls) ok = check_controls(&m, d);
   model_clear(&m);
   if (ok && !controls) {
     model_init(&m);
-    ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
-         model_check_tex(&m, RANK_USER, d) && view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
+    ok = add_paper(&m, data, d) && model_add_file(&m, path, RANK_USER, d) && model_check_tex(&m, RANK_USER, d) &&
+         view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
     model_clear(&m);
   }
-  text_clear(&folder);
   return ok;
 }
 
@@ -62,7 +68,16 @@ static bool complain(const struct claim *c, size_t at, struct diag *d, const cha
   return false;
 }
 
-static bool check_claim(const struct claim *c, bool control, struct diag *d) {
+static bool check_title(const struct claim *c, const struct model *m, struct diag *d) {
+  struct text title;
+  text_init(&title);
+  bool ok = claim_title(&title, m, c, d);
+  text_clear(&title);
+  return ok;
+}
+
+/* m: NULL for a control. */
+static bool check_claim(const struct claim *c, const struct model *m, struct diag *d) {
   const char *record = claim_get(c, "record"), *kind = claim_get(c, "kind");
   size_t head = c->record->id.begin;
   for (size_t k = 0; k < c->record->n_fields; k++) {
@@ -70,12 +85,12 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
     if (!f->attribute) return complain(c, f->value.begin, d, "a claim has attributes only, \"word: text\"");
     if (!known_attribute(f->key_name)) return complain(c, f->key.begin, d, "unknown attribute");
   }
-  if (control) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
-  if (!kind || !claim_get(c, "title")) return complain(c, head, d, "a claim has a kind and a title");
+  if (!m) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
+  if (!kind) return complain(c, head, d, "a claim has a kind and a title, or the attributes that make one");
   if (!claim_kind_of(c)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
   if (record && verdict_parse(record) == N_VERDICTS)
     return complain(c, record_field(c->record, "record")->value.begin, d, "not a verdict");
-  return true;
+  return check_title(c, m, d);
 }
 
 static bool check_result(const struct claim *c, struct diag *d) {
@@ -92,8 +107,8 @@ static bool check_result(const struct claim *c, struct diag *d) {
          complain(c, c->record->id.begin, d, "a result has a title and a formula");
 }
 
-/* A file holds claims and results, or controls; its first record says which. */
-static bool check_claims(const char *path, struct diag *d) {
+/* A file holds claims and results, or controls; its first record says which.  What claims name is the paper's. */
+static bool check_claims(const char *path, const char *data, struct diag *d) {
   struct claims c = {.n = 0};
   struct source src;
   if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
@@ -102,8 +117,12 @@ static bool check_claims(const char *path, struct diag *d) {
   bool control = ok && f.n_records > 1 && strcmp(f.records[1].kind_name, "control") == 0;
   record_file_clear(&f);
   ok = ok && claims_add_file(&c, path, control ? "control" : "claim", d);
-  for (size_t i = 0; ok && i < c.n; i++) ok = check_claim(&c.claim[i], control, d);
+  struct model m;
+  model_init(&m);
+  ok = ok && (control || add_paper(&m, data, d));
+  for (size_t i = 0; ok && i < c.n; i++) ok = check_claim(&c.claim[i], control ? NULL : &m, d);
   for (size_t i = 0; ok && i < c.n_results; i++) ok = check_result(&c.result[i], d);
+  model_clear(&m);
   claims_clear(&c);
   return ok;
 }
@@ -113,18 +132,11 @@ static bool check_asked(const struct scene *s, const char *data, struct diag *d)
   if (!s->asked.claims.n && !s->asked.values.n) return true;
   struct model m;
   struct claims c = {.n = 0};
-  struct text claims, paper;
-  text_init(&claims);
-  text_init(&paper);
   model_init(&m);
-  text_printf(&claims, "%s/claims", data);
-  text_printf(&paper, "%s/paper", data);
-  bool ok = claims_load(&c, text_str(&claims), "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
-            scene_check_asked(s, &c, &m, d);
+  bool ok =
+      claims_load_data(&c, data, "claims", "claim", d) && add_paper(&m, data, d) && scene_check_asked(s, &c, &m, d);
   model_clear(&m);
   claims_clear(&c);
-  text_clear(&paper);
-  text_clear(&claims);
   return ok;
 }
 
@@ -137,7 +149,7 @@ static bool check_scene(const char *path, const char *data, struct diag *d) {
 
 bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".eq")) return check_equations(path, data, d);
-  if (has_suffix(path, ".claim")) return check_claims(path, d);
+  if (has_suffix(path, ".claim")) return check_claims(path, data, d);
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
   diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim or .scene", path);
   return false;
