@@ -27,7 +27,7 @@ CALCIUM = $(shell echo 'int main(void){return 0;}' | $(CC) -x c - -lcalcium -o /
 # SUNDIALS' CVODE is a peer in bench/ where it is installed (libsundials-dev)
 CVODE = -lsundials_cvode -lsundials_nvecserial
 PEERS := $(shell printf '\043include <cvode/cvode.h>\nint main(void){return 0;}\n' | $(CC) $(CFLAGS) -x c - $(CVODE) -o /dev/null 2>/dev/null && echo $(CVODE))
-LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lm -ldl
+LIBS  = $(CALCIUM) $(ARB) -lflint -lmpfr -lgmp -lgsl -lgslcblas -lnettle -lm -ldl
 ALL   = $(STD) $(WARN) -Iinclude -Isrc -DSTICKSLIP_DATADIR='"$(DATADIR)"' $(CFLAGS) $(EXTRA)
 
 CLI   = $(filter-out %_mpi.c,$(sort $(wildcard src/cli/*.c)))
@@ -35,7 +35,7 @@ RANKS = $(CLI:%.c=$(B)/mpi/%.o) $(B)/mpi/src/cli/sweep_mpi.o
 SRC   = $(filter-out src/cli/%,$(sort $(wildcard src/*/*.c)))
 BENCH = $(sort $(wildcard bench/*.c))
 TEST  = $(sort $(wildcard tests/*.c))
-FUZZ  = reader latex model claims scene json report options certificate
+FUZZ  = reader latex model claims scene json report options certificate quotes
 # one for each tests/check_*.c; those that take longest are begun first
 SLOW  = scene plan jacobian mutate stable sweep complete report terminal hostile cli
 SUITES = $(SLOW) $(filter-out main $(SLOW),$(patsubst tests/check_%.c,%,$(wildcard tests/check_*.c)))
@@ -51,7 +51,7 @@ BOBJ  = $(BENCH:%.c=$(B)/%.o)
 TOBJ  = $(TEST:%.c=$(B)/%.o)
 # tests wait for what they call: optimising them costs more than it saves
 TEST_LEVEL = -O1
-PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev check python3 python3-mpmath python3-jsonschema python3-sympy
+PKGS  = gcc libc6-dev make pkg-config libgsl-dev libmpfr-dev libgmp-dev libflint-dev nettle-dev check python3 python3-mpmath python3-jsonschema python3-sympy
 OLD   = libflint-arb-dev libcalcium-dev
 
 .PHONY: deps all quick quick-input quick-paper check check-build digests verify mutate bench stability scenes lint asan fuzz cover format install uninstall clean help
@@ -130,7 +130,7 @@ verify: ## audit the paper: writes reports/paper/, fails when a verdict differs 
 	@$(B)/stickslip plot paper --out reports/paper > /dev/null
 	$(B)/stickslip verify
 
-mutate: $(B)/stickslip ## damage every formula of the paper one token at a time: writes reports/mutation/
+mutate: $(B)/stickslip ## damage every formula by the token, and what stands beside them by class: writes reports/mutation/
 	$(B)/stickslip mutate --count all --out reports/mutation
 
 bench: $(B)/stickslip ## error against run time, by every method: writes reports/bench/

@@ -56,10 +56,9 @@ int bench_newton_mpfr(struct num_vec *out, long *steps, const double *params, do
   status |= num_mpfr.set_d(num_vec_at(&x, 0), tb, prec) | num_mpfr.set_d(num_vec_at(&x, 1), tc, prec);
   *steps = 0;
   while (n > 0 && !status) {
-    struct calc c;
     struct ball_params m;
     val p[N_PARAMS];
-    calc_init(&c, num_ctx_mpfr(ladder[--n]));
+    struct calc c = calc_begin(num_ctx_mpfr(ladder[--n]));
     for (int i = 0; i < N_PARAMS; i++) p[i] = calc_d(&c, params[i]);
     ball_params_make(&m, &c, p);
     *steps += level(&x, &c, &m, up);

@@ -20,10 +20,9 @@ void printed_by_row(arb_ptr out, arb_ptr slope, int row, const struct num_vec *p
   enum { SIZE = N_STATE * N_STATE };
   struct num_ctx ctx = params->ctx;
   struct num_vec a, step;
-  struct calc c;
   num_vec_init(&a, SIZE, ctx);
   num_vec_init(&step, SIZE, ctx);
-  calc_init(&c, ctx);
+  struct calc c = calc_begin(ctx);
   int status = dyn_flow_matrix(&a, PHASE_GAMMA, params, num_vec_at(t, 0));
   for (int k = 1; k < 3; k++) {
     status |= dyn_flow_matrix(&step, (enum phase)(PHASE_GAMMA + k), params, num_vec_at(t, k));

@@ -139,9 +139,8 @@ struct proof {
 
 static void prove_first(void *self) {
   struct proof *p = self;
-  struct calc c;
   struct ball_params m;
-  calc_init(&c, num_ctx_arb(PROOF_BITS));
+  struct calc c = calc_begin(num_ctx_arb(PROOF_BITS));
   ball_params_init(&m, &c, p->params);
   /* an admissible orbit has z_2' < V in phase C */
   p->proved = dyn_orbit_judge(&p->judged, &c, &m, p->orbit->t[PHASE_GAMMA], p->orbit->t[PHASE_H], false, PROOF_STEPS) ==

@@ -87,9 +87,8 @@ enum { N_POINTS = sizeof points / sizeof *points };
 START_TEST(slopes_are_those_written_out) {
   for (int i = 0; i < N_POINTS; i++)
     for (int up = 0; up < 2; up++) {
-      struct calc c;
       struct ball_pass s;
-      calc_init(&c, dual_ctx(128));
+      struct calc c = calc_begin(dual_ctx(128));
       pass_at(&s, &c, points[i], up);
       same(s.pc, DIR_TB, s.pc_tb, "pc by t_b");
       same(s.pc, DIR_TC, calc_neg(&c, s.wc), "pc by t_c");
@@ -107,10 +106,9 @@ END_TEST
 START_TEST(slopes_along_parameters_are_differences) {
   for (int i = 0; i < N_POINTS; i++)
     for (int d = 0; d < N_PARAMS; d++) {
-      struct calc c;
       struct ball_pass s, side[2];
       double h = ldexp(1, -40), x[N_DIRECTIONS];
-      calc_init(&c, dual_ctx(256));
+      struct calc c = calc_begin(dual_ctx(256));
       pass_at(&s, &c, points[i], false);
       for (int k = 0; k < 2; k++) {
         struct ball_params m;

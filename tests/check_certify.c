@@ -524,10 +524,9 @@ END_TEST
 
 /* A solution of the six equations in place of the first orbit, with every claim that the prover would make. */
 static void forge(struct study *s, const struct word_root *root, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct dyn_orbit *o = &s->list.orbit[0];
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, s->params);
   val x[N_QUANTITIES];
   struct word w;

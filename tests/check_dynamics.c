@@ -950,12 +950,11 @@ START_TEST(the_statements_of_the_frequencies_agree) {
   if (_i % 4 == 1) p[P_CHI] = 0x1p-30;
   if (_i % 4 == 2) p[P_CHI] = 1 - 0x1p-30;
   if (_i % 4 == 3) p[P_ETA] = 1 / p[P_CHI]; /* chi eta near 1 */
-  struct calc c;
   val at[N_PARAMS];
   struct return_map_double k;
   struct slip plain;
   struct fine_slip fine;
-  calc_init(&c, num_ctx_arb(400));
+  struct calc c = calc_begin(num_ctx_arb(400));
   for (int i = 0; i < N_PARAMS; i++) at[i] = calc_d(&c, p[i]);
   struct spectrum s = flow_spectrum(&c, at);
   ck_assert_int_eq(return_map_double_init(&k, p), SS_OK);

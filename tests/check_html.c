@@ -364,7 +364,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
   t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
   t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
   t->q[i] = (struct consequence){t->id[i], {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
-  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0};
+  t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
   t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};
   t->l[i] = (struct long_result){.orbit = trap, .multiplier = trap, .expected = trap, .obeys = i % 2 == 0};
   t->s[i] = (struct skipped_work){trap, trap};
@@ -552,7 +552,13 @@ END_TEST
 /* The score is shown as it was counted, digits beside the precision, and none where there is no study or no
    residual. */
 START_TEST(power_and_digits) {
-  struct mutation_score score = {1000, 700, 100, 50, 90, 40, 20};
+  struct mutation_score score = {.counted = 1000,
+                                 .noticed = 850,
+                                 .formulas = 600,
+                                 .equivalent = 90,
+                                 .on_motions = 40,
+                                 .needs_text = 20,
+                                 .errata = 70};
   struct evidence e[] = {{.route = "balls", .layer = "l", .result = "agrees", .bits = 128, .residual = "1e-37"},
                          {.route = "fd", .layer = "l", .result = "agrees", .bits = 256, .residual = "1e-51"},
                          {.route = "ode", .layer = "l", .result = "agrees", .bits = -1, .residual = "1e-8"},
@@ -564,9 +570,10 @@ START_TEST(power_and_digits) {
   char *without = written(report_html, &r);
   r.mutation = &score;
   char *with = written(report_html, &r);
-  ck_assert(!strstr(without, "one symbol at a time") && strstr(with, "in all 1000 ways") &&
-            strstr(with, "850 changes were noticed"));
-  ck_assert(strstr(with, "20 are open"));
+  ck_assert(!strstr(without, "one symbol of a formula") && strstr(with, "1000 damages that change a meaning") &&
+            strstr(with, "<strong>850 were noticed"));
+  ck_assert(strstr(with, "Left out: 90 that") && strstr(with, "; 40 that") && strstr(with, "; 20 that only") &&
+            strstr(with, "and 70 of the corrections"));
   ck_assert(strstr(with, ">37 of 38<") && strstr(with, ">51 of 77<") && !strstr(with, ">8 of ") &&
             !strstr(with, ">0 of "));
   free(without);
@@ -587,7 +594,8 @@ START_TEST(claims_by_one_route) {
   f[0].evidence = f[3].evidence = e, f[0].n_evidence = f[3].n_evidence = 3;
   f[1].evidence = e + 3, f[1].n_evidence = 2;
   f[2].evidence = e + 4, f[2].n_evidence = 1;
-  struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true}, {"ctl-2", "two", VERDICT_REFUTED, true}};
+  struct control_result c[] = {{"ctl", "two", VERDICT_REFUTED, true, NULL, NULL},
+                               {"ctl-2", "two", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4, .controls = c, .n_controls = 2};
   char *page = written(report_html, &r);
   ck_assert(strstr(page, "Claims with a control of their own: 1 of 3."));
@@ -653,7 +661,8 @@ START_TEST(junit_fails_where_the_record_differs) {
       small_finding("a", VERDICT_PROVED, VERDICT_PROVED),   small_finding("b", VERDICT_REFUTED, VERDICT_REFUTED),
       small_finding("c", VERDICT_SKIPPED, VERDICT_SKIPPED), small_finding("d", VERDICT_PROVED, VERDICT_REFUTED),
       small_finding("e", VERDICT_SKIPPED, VERDICT_PROVED),  small_finding("f", VERDICT_UNKNOWN, N_VERDICTS)};
-  struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false}, {"ctl-2", "a", VERDICT_REFUTED, true}};
+  struct control_result c[] = {{"ctl", "a", VERDICT_PROVED, false, NULL, NULL},
+                               {"ctl-2", "a", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 6, .controls = c, .n_controls = 2};
   char *xml = written(report_junit, &r);
   ck_assert_str_eq(

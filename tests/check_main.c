@@ -32,6 +32,7 @@ int main(void) {
   srunner_add_suite(r, plan_suite());
   srunner_add_suite(r, argument_suite());
   srunner_add_suite(r, law_suite());
+  srunner_add_suite(r, rules_suite());
   srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, jacobian_suite());
   srunner_add_suite(r, behaviour_suite());
@@ -43,10 +44,12 @@ int main(void) {
   srunner_add_suite(r, html_suite());
   srunner_add_suite(r, pictures_suite());
   srunner_add_suite(r, diff_suite());
+  srunner_add_suite(r, quotes_suite());
   srunner_add_suite(r, report_suite());
   srunner_add_suite(r, cli_suite());
   srunner_add_suite(r, terminal_suite());
   srunner_add_suite(r, mutate_suite());
+  srunner_add_suite(r, damage_suite());
   srunner_add_suite(r, bifurcate_suite());
   srunner_add_suite(r, box_suite());
   srunner_add_suite(r, basin_suite());

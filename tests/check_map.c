@@ -398,8 +398,7 @@ START_TEST(turns_enclose_sines) {
   struct rng r = {9};
   for (int n = 0; n < 400; n++) {
     slong prec = precisions[n % N_PRECISIONS];
-    struct calc c;
-    calc_init(&c, num_ctx_arb(prec));
+    struct calc c = calc_begin(num_ctx_arb(prec));
     double angle = part(&r, -50, 50), move = exp2(part(&r, -80, 1)) * (rng_between(&r, 0, 1) ? 1 : -1);
     if (n % 40 == 0) move = 0;
     arb_ptr x = calc_new(&c);

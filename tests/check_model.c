@@ -324,10 +324,10 @@ START_TEST(files_refused) {
                                  "    x := 1 +\n            ^"},
       /* a misspelt attribute would silently put the record into no section */
       {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
-                                             "tex note reads replaces equals\n    sectoin: a\n    ^"},
+                                             "tex place note reads replaces equals\n    sectoin: a\n    ^"},
       {"symbol x\n  mean: a\n", "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note\n    mean: a\n    ^"},
-      {"equation: 1\ndefine d\n",
-       "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper\n  equation: 1\n  ^"},
+      {"equation: 1\ndefine d\n", "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper "
+                                  "place text\n  equation: 1\n  ^"},
       {"define d\nx := 1\n",
        "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
        "of record d\n  x := 1\n  ^"},

@@ -27,7 +27,7 @@
 #include "value/orbit_pool.h"
 
 static struct model model;
-static struct claims claims;
+static struct claims claims, controls;
 static struct scene paper;
 static struct orbit_cache *cache;
 
@@ -35,12 +35,13 @@ static void open_paper(void) {
   scratch_open();
   cache = orbit_cache_new();
   paper_model(&model, NULL);
-  paper_claims(&claims, NULL);
+  paper_claims(&claims, &controls);
   paper_scene(&paper);
 }
 
 static void close_paper(void) {
   orbit_cache_free(cache);
+  claims_clear(&controls);
   claims_clear(&claims);
   model_clear(&model);
   scene_clear(&paper);
@@ -341,7 +342,8 @@ static void mutate_records(struct mutation_result *r, const char *const *record,
   diag_init(&d);
   mutation_result_init(r);
   const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = record, .n_only = n};
-  ck_assert_msg(audit_mutate(r, &model, asked, &paper, &opt, &d), "%s", d.message);
+  const struct audit_data data = {&model, asked, &controls, NULL};
+  ck_assert_msg(audit_mutate(r, &data, &paper, &opt, &d), "%s", d.message);
 }
 
 static void mutate(struct mutation_result *r, const char *record, const struct claims *asked, int jobs) {
@@ -391,8 +393,8 @@ static const struct {
     {"eq-12", "z'_b = transpose([V, V])", FATE_NOTICED},
     {"eq-31b", "y_b = y_b", FATE_NOTICED}, /* true, but no equation between the two */
     {"eq-31b", "-x_b = y_b", FATE_NOTICED},
-    {"eq-22", "v = v = 0", FATE_NOTICED},      /* says nothing of u */
-    {"eq-22", "u*2 = v = 0", FATE_ON_MOTIONS}, /* zero is zero */
+    {"eq-22", "v = v = 0", FATE_NOTICED},   /* says nothing of u */
+    {"eq-22", "u*2 = v = 0", FATE_NOTICED}, /* zero is zero, but not in the TeX */
     {"eq-9", "z''(t)*2 = 0", FATE_EQUIVALENT},
     {"eq-2", "u_1 = u_s1/eps for eps in {+1, -1}", FATE_EQUIVALENT}, /* eps is a sign */
     {"eq-2", "u_1 = -eps*u_s1 for eps in {+1, -1}", FATE_NOTICED},
@@ -433,14 +435,19 @@ END_TEST
 
 START_TEST(the_run_adds_up_and_has_every_kind_of_damage) {
   ck_assert_int_eq(known.tried, known.population);
-  ck_assert_int_eq(mutation_row_total(&known.total) + mutation_row_total(&known.printed), known.tried);
+  long all = mutation_row_total(&known.formulas) + mutation_row_total(&known.errata);
+  for (int k = 0; k < N_DAMAGE_CLASSES; k++) all += mutation_row_total(&known.data[k]);
+  ck_assert_int_eq(all, known.tried);
   long of_kinds = 0;
   for (size_t i = 0; i < known.n_kinds; i++) {
     ck_assert_msg(mutation_row_noticed(&known.kind[i]) > 0, "%s", known.kind[i].name);
     of_kinds += mutation_row_total(&known.kind[i]);
   }
-  ck_assert_int_eq(of_kinds, mutation_row_total(&known.total));
-  ck_assert_int_eq(known.total.count[FATE_UNDECIDED] + known.total.count[FATE_UNREAD], 0);
+  ck_assert_int_eq(of_kinds, mutation_row_total(&known.formulas));
+  ck_assert_int_gt(mutation_row_total(&known.errata), 0);
+  ck_assert_int_eq(mutation_row_noticed(&known.errata), mutation_row_total(&known.errata));
+  ck_assert_int_eq(known.formulas.count[FATE_UNDECIDED] + known.formulas.count[FATE_UNREAD],
+                   known.printed.count[FATE_UNDECIDED]);
 }
 END_TEST
 
@@ -639,12 +646,12 @@ START_TEST(a_missing_check_shows) {
   asked.n = 1;
   struct mutation_result r;
   mutate(&r, "eq-27", &asked, 1);
-  ck_assert_int_eq(r.total.count[FATE_UNREAD], r.tried);
+  ck_assert_int_eq(r.formulas.count[FATE_UNREAD] + r.formulas.count[FATE_REFUSED], mutation_row_total(&r.formulas));
   for (size_t i = 0; i < r.n_survivors; i++) ck_assert_str_eq(r.survivor[i].read_by, "");
   mutation_result_clear(&r);
   mutate(&r, "eq-26b", &asked, 1);
-  ck_assert_int_gt(mutation_row_noticed(&r.total), 10);
-  ck_assert_int_eq(r.total.count[FATE_UNDECIDED] + r.total.count[FATE_UNREAD], 0);
+  ck_assert_int_gt(mutation_row_noticed(&r.formulas), 10);
+  ck_assert_int_eq(r.formulas.count[FATE_UNDECIDED] + r.formulas.count[FATE_UNREAD], 0);
   mutation_result_clear(&r);
   mutate(&r, "eq-27", &claims, 1);
   ck_assert(r.n_survivors == 0);
@@ -652,14 +659,45 @@ START_TEST(a_missing_check_shows) {
 }
 END_TEST
 
-/* Damage to printed text that is refuted anyway shows in its restricted claim alone, and is counted apart. */
-START_TEST(printed_text_that_is_corrected_is_counted_apart) {
+/* Damage to printed text that is refuted anyway shows in its restricted claim alone; it counts like any other, and has
+   a row that says how many of the formulas' are such. */
+START_TEST(printed_text_that_is_corrected_counts) {
   struct mutation_result r;
   mutate(&r, "eq-10", &claims, 2);
   ck_assert_int_gt(mutation_row_total(&r.printed), 20);
   ck_assert_int_gt(r.printed.count[FATE_NOTICED], 5);
   for (size_t i = 0; i < r.n_survivors; i++)
     ck_assert(r.survivor[i].corrected == !strncmp(r.survivor[i].text, "D(", 2));
+  ck_assert_int_ge(mutation_row_total(&r.formulas), mutation_row_total(&r.printed));
+  mutation_result_clear(&r);
+}
+END_TEST
+
+/* Counted are formulas and the classes that count, without what means the same or needs the text; errata apart. */
+START_TEST(the_score_has_one_denominator) {
+  struct mutation_result r;
+  struct mutation_score s;
+  mutation_result_init(&r);
+  r.formulas.count[FATE_NOTICED] = 100;
+  r.formulas.count[FATE_REFUSED] = 10;
+  r.formulas.count[FATE_UNDECIDED] = 3;
+  r.formulas.count[FATE_EQUIVALENT] = 7;
+  r.formulas.count[FATE_ON_MOTIONS] = 5;
+  r.printed.count[FATE_NOTICED] = 50;
+  r.errata.count[FATE_NOTICED] = 1000;
+  r.data[DAMAGE_TITLE].count[FATE_REFUSED] = 20;
+  r.data[DAMAGE_TITLE].count[FATE_UNDECIDED] = 2;
+  r.data[DAMAGE_QUOTATION].count[FATE_NEEDS_TEXT] = 11;
+  r.data[DAMAGE_FAULT].count[FATE_EQUIVALENT] = 4;
+  r.data[DAMAGE_ERRATUM].count[FATE_UNDECIDED] = 13;
+  mutation_score_of(&s, &r);
+  ck_assert_int_eq(s.counted, 135);
+  ck_assert_int_eq(s.noticed, 130);
+  ck_assert_int_eq(s.formulas, 113);
+  ck_assert_int_eq(s.equivalent, 11);
+  ck_assert_int_eq(s.on_motions, 5);
+  ck_assert_int_eq(s.needs_text, 11);
+  ck_assert_int_eq(s.errata, 1013);
   mutation_result_clear(&r);
 }
 END_TEST
@@ -874,7 +912,7 @@ START_TEST(any_number_of_processes_gives_the_same_bytes) {
                    0);
   ck_assert_str_eq(scratch_list(scratch_path("j0")), "mutation.json mutation.md");
   /* the sample reaches from the first file to the last */
-  ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q errata.eq %s/t0", scratch_path(""), scratch_path("")), 0);
+  ck_assert_int_eq(shell("grep -q 1-model.eq %s/t0 && grep -q '^title' %s/t0", scratch_path(""), scratch_path("")), 0);
   ck_assert_int_eq(shell("%s mutate --count 120 --seed 4 --out %s/other >/dev/null", program(), scratch_path("")), 0);
   ck_assert_int_ne(shell("diff -q %s/j0 %s/other >/dev/null", scratch_path(""), scratch_path("")), 0);
 }
@@ -910,8 +948,8 @@ static const struct {
     {"mutate --jobs 2x", 2, "--jobs takes"},
     {"mutate paper", 2, "mutate takes no operand"},
     {"mutate --only eq-9999", 3, "eq-9999"},
-    {"mutate --only eq-27,eq-9999", 3, "record named eq-9999"},
-    {"mutate --only 0-symbols", 3, "record named 0-symbols"},
+    {"mutate --only eq-27,eq-9999", 3, "named eq-9999"},
+    {"mutate --only 0-symbols", 3, "named 0-symbols"},
     {"mutate --only eq-27 --out /dev/null/x", 3, "/dev/null"},
     {"mutate --digits 5", 2, "does not belong"},
     {"repair --jobs 1.5", 2, "--jobs takes"},
@@ -994,7 +1032,8 @@ Suite *mutate_suite(void) {
   tcase_add_test(c, what_is_touched_is_enough_for_scaling);
   tcase_add_test(c, a_correction_that_differs_is_not_called_the_same);
   tcase_add_test(c, a_missing_check_shows);
-  tcase_add_test(c, printed_text_that_is_corrected_is_counted_apart);
+  tcase_add_test(c, printed_text_that_is_corrected_counts);
+  tcase_add_test(c, the_score_has_one_denominator);
   suite_add_tcase(s, c);
   c = tcase_create("oracles");
   tcase_add_unchecked_fixture(c, open_paper, close_paper);

@@ -1087,9 +1087,8 @@ START_TEST(formulas_of_rationals) {
   fmpq_init(sum);
   for (uint64_t seed = 1; seed <= 50; seed++) {
     struct rng r = {seed};
-    struct calc c;
     val x[5];
-    calc_init(&c, law_context(_i));
+    struct calc c = calc_begin(law_context(_i));
     for (int i = 0; i < 5; i++) {
       random_rational(q[i], &r);
       x[i] = calc_q(&c, q[i]);
@@ -1130,7 +1129,7 @@ START_TEST(released_elements_are_used_again) {
   fmpq_t q;
   fmpq_init(q);
   for (int round = 0; round < 3; round++) { /* the pool of a cleared calc can be the next one's */
-    calc_init(&c, law_context(_i));
+    c = calc_begin(law_context(_i));
     val kept[40];
     for (int i = 0; i < 40; i++) kept[i] = calc_d(&c, i);
     slong mark = calc_mark(&c);
@@ -1156,8 +1155,7 @@ END_TEST
 
 START_TEST(exponents_bound_their_numbers) {
   struct num_ctx ctx = law_context(_i);
-  struct calc c;
-  calc_init(&c, ctx);
+  struct calc c = calc_begin(ctx);
   for (int k = -60; k <= 60; k++) {
     for (int part = 0; part < 3; part++) {
       double x = ldexp(part == 0 ? 1 : part == 1 ? 1.25 : 2 - 0x1p-40, k);

@@ -256,9 +256,9 @@ START_TEST(slopes_and_both_sources_of_the_equations) {
       for (int i = 0; i < N_EQ; i++) {
         double want = (up[i] - entry(&s, &s.value, i)) / (2 * h);
         ck_assert_msg(fabs(want - slope[i * N_X + c]) <= 1e-7 * (1 + fabs(want)), "%s by %s: %g, not %g",
-                      equations[i].text, quantity_name[c], slope[i * N_X + c], want);
+                      equations[i].text, orbit_number_name(c), slope[i * N_X + c], want);
         bool contains = equations[i].of >> c & 1;
-        ck_assert_msg(contains || slope[i * N_X + c] == 0, "%s contains %s", equations[i].text, quantity_name[c]);
+        ck_assert_msg(contains || slope[i * N_X + c] == 0, "%s contains %s", equations[i].text, orbit_number_name(c));
       }
     }
   }
@@ -285,7 +285,7 @@ START_TEST(rows_solved_for_the_start) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &scene.value[k]);
     static const int q[] = {Q_Z1, Q_Z2, Q_TA, Q_TB, Q_TC, Q_TD};
     for (int i = 0; i < 6; i++) {
-      const char *text = oracle_field("procedure", "whole", quantity_name[i]);
+      const char *text = oracle_field("procedure", "whole", orbit_number_name(i));
       bool negative = *text == '-';
       ck_assert_int_eq(num_parse_decimal(&p.q[q[i]], text + negative, strlen(text + negative)), SS_OK);
       if (negative) fmpq_neg(&p.q[q[i]], &p.q[q[i]]);
@@ -351,14 +351,14 @@ START_TEST(solutions_are_enclosed_or_refused) {
   arb_t want;
   arb_init(want);
   for (int i = 0; i < N_X; i++) { /* from three digits to all of them */
-    arb_set_d(x + i, round(oracle_value("procedure", "whole", quantity_name[i]) * 1e7) * 1e-7);
+    arb_set_d(x + i, round(oracle_value("procedure", "whole", orbit_number_name(i)) * 1e7) * 1e-7);
     if (i >= X_E1) arb_set_str(x + i, i == X_E1 ? "2.7123" : "0.8412", 128);
   }
   ck_assert(readings_enclose(x, &s, six, 0x3F));
   for (int i = 0; i < 6; i++) {
-    arb_set_str(want, oracle_field("procedure", "whole", quantity_name[i]), 128);
+    arb_set_str(want, oracle_field("procedure", "whole", orbit_number_name(i)), 128);
     arb_add_error_2exp_si(want, -63); /* twenty digits */
-    ck_assert_msg(arb_contains(want, x + i), "%s", quantity_name[i]);
+    ck_assert_msg(arb_contains(want, x + i), "%s", orbit_number_name(i));
   }
   arb_set_d(x + X_Z10, 0.4); /* no solution near: refused */
   arb_set_d(x + X_TB, 3.9);

@@ -18,15 +18,16 @@ def score(old):
     kept = [line for line in old.splitlines() if line.startswith(SCORE)]
     r = json.loads(path.read_text()) if path.exists() else None
     audit = json.loads(pathlib.Path("reports/paper/audit.json").read_text())
-    if not r or r["tried"] != r["population"]:
+    if not r or r["schema"] != "stickslip-mutation-2" or r["tried"] != r["population"]:
         return kept
     if r.get("subject") != audit.get("subject"):  # a study of other formulas, or of another scene
         return []
-    t = r["total"]
-    seen = t["noticed"] + t["unreadable"] + t["unproved"]
-    return [f"{SCORE}{seen} of {t['total']} mutants (one token of a formula damaged) are killed ({t['unreadable']} cannot be read, "
-            f"{t['unproved']} lose no more than a proof); {t['equivalent']} are proved equivalent, {t['on_motions']} say the same on "
-            f"every motion, {t['undecided'] + t['unread']} are alive (`make mutate`)."]
+    s = r["score"]
+    text = f"{s['needs_text']} that only the paper's text can tell, " if s["needs_text"] else ""
+    return [f"{SCORE}{s['noticed']} of {s['counted']} damages that change a meaning are noticed ({s['formulas']} of them are one token of "
+            f"a formula; the others are of TeX, quotations, numbers, claims, controls and titles).  Left out are {s['equivalent']} that are "
+            f"proved or known to mean the same, {s['on_motions']} that make no difference on any motion, {text}and {s['errata']} of "
+            f"the corrections, which are not the paper's (`make mutate`)."]
 
 
 def table(old):

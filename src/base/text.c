@@ -82,6 +82,12 @@ size_t text_valid_prefix(const char *text, size_t len) {
   return len;
 }
 
+int word_find(const char *word, const char *const *list, int n) {
+  int i = 0;
+  while (i < n && strcmp(list[i], word) != 0) i++;
+  return i;
+}
+
 const char *list_item(size_t *len, const char *s) {
   if (s) s += strspn(s, ", ");
   *len = s ? strcspn(s, ", ") : 0;

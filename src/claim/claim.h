@@ -19,6 +19,20 @@ int claim_names_listed(char (*names)[CLAIM_NAME], int max, const char *list);
 /* The next item of a list separated by commas, without blanks at its ends, into buf; where the rest begins, or NULL at
    the end. */
 const char *claim_next_item(char *buf, size_t size, const char *list);
+/* A record that an argument cites: "eq-52#1.2 D" is step 2 of statement 1, in phase D; 0 or "" for all of them. */
+struct cited {
+  char id[48], phase[16];
+  int statement, step;
+};
+/* The first item of the list; where the rest begins, or NULL where there is none. */
+const char *claim_next_cited(struct cited *out, const char *list);
+/* Do both cite some step in common; does one of the list with this one; do two lists? */
+bool cited_overlap(const struct cited *a, const struct cited *b);
+bool cited_in(const struct cited *a, const char *list);
+bool cited_share(const char *a, const char *b);
+/* Whether the claim is an argument whose conclusion is more than its premises in other words, over all orbits: then
+   what cites the conclusion rests on it. */
+bool claim_deduces(const struct claim *c);
 /* The claim of that id, or NULL. */
 const struct claim *claim_named(const struct claims *claims, const char *id);
 /* Is the id that of a claim which a restriction of this one makes? */
@@ -33,8 +47,30 @@ bool claim_is_about(const struct statement_record *r, const struct claim *c);
 bool erratum_is_about(const struct statement_record *r, const struct claim *c, bool by_statement);
 /* The correction of a claim and what it replaces as LaTeX, and where they differ. */
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c);
+/* Whether the correction that errata.eq holds for the claim puts other symbols in the place of symbols, or keeps
+   some of the readings of an index, and does nothing else. */
+bool erratum_renames(const struct model *m, const struct claim *c);
+/* The class of the claim's refutation: its kind's; of an identity or a matrix, whose sides are held against each other,
+   an argument's where an inequality is claimed, else a slip of notation where the correction only renames, else a
+   formula's.  A text that cannot be read at all is a slip of notation, whatever stands here. */
+enum fault claim_fault(const struct model *m, const struct claim *c);
 /* The correction that errata.eq holds for the sentence of a claim; false when it holds none. */
 bool erratum_text(struct text *out, const struct model *m, const struct claim *c);
+
+/* --- What can be checked without judging (check.c) --- */
+
+/* All that an audit reads of a data folder besides scenes. */
+struct audit_data {
+  const struct model *model;
+  const struct claims *claims, *controls;
+  const struct claims *statements; /* of the paper; NULL: they are not asked */
+};
+
+/* Every check that is made of the data when they have been loaded, by verify, and by mutate of damaged data: false with
+   d set, at the place, by the first that fails. */
+bool data_check(const struct audit_data *a, struct diag *d);
+/* The part of it that is about claims (and results), or controls, alone. */
+bool claims_check(const struct claims *c, bool controls, struct diag *d);
 
 /* --- What rests on what (depends.c) --- */
 
@@ -44,6 +80,8 @@ struct dependences *dependences_new(const struct model *m, const struct claims *
 void dependences_free(struct dependences *d);
 /* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
 bool dependences_on(struct dependences *d, size_t a, size_t b);
+/* Whether argument a cites what argument b concludes. */
+bool dependences_argued(const struct dependences *d, size_t a, size_t b);
 /* The definitions that the formulas of claim a reach. */
 size_t dependences_n_used(struct dependences *d, size_t a);
 const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
@@ -51,7 +89,42 @@ const struct definition *dependences_used(struct dependences *d, size_t a, size_
 bool dependences_corrected(struct dependences *d, size_t a, const char *equation);
 /* Whether the claim names the id by hand. */
 bool dependences_named(const struct claim *c, const char *id);
-/* Fills depends_on: what is computed and what the claim names by hand, in the order of the claims. */
+/* Whether claim a rests on claim b at all: by its formulas, by what it cites, or as it names by hand. */
+bool dependences_any(struct dependences *d, size_t a, size_t b);
+/* Fills depends_on: all of these, in the order of the claims. */
 bool dependences_list(struct finding *f, struct judge *j, const struct claim *c);
+
+/* --- Rules that no claim breaks silently (rules.c) --- */
+
+/* One claim by itself: its points and routes are as many as its kind asks, or its attribute few says why not; an
+   argument's conclusion is not among its premises; its fault, where it names one, is what follows.  false with d set
+   at the place. */
+bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d);
+/* All of them, and what they have together: nothing rests on itself through others; every correction in the errata is
+   one of a claim; every kind, and every kind of correction, has its controls. */
+bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
+                       struct diag *d);
+
+/* Whether the file says in its first line, "count: N", how many records it holds: one that is lost is missed. */
+bool records_counted(const struct record_file *f, struct diag *d);
+
+/* --- The paper's statements (statements.c) --- */
+
+/* Records "statement ID" of files *.statements beside the paper's equations, in the order of the paper:
+
+     quote     a few words that find it in the text, and it alone; at: their place (stickslip quotes)
+     equation  the number that is printed at it
+     claims    what answers it; or
+     reason    why nothing does */
+bool statements_add_file(struct claims *out, const char *path, struct diag *d);
+bool statements_load(struct claims *out, const char *data, struct diag *d);
+/* One by itself. */
+bool statement_check(const struct claim *s, struct diag *d);
+/* All together: the claims that they name are there; each claim is named; and each equation number of the paper, up to
+   the last, stands at some statement. */
+bool statements_keep_rules(const struct model *m, const struct claims *claims, const struct claims *statements,
+                           struct diag *d);
+/* Those without claims, by reason, among what is left out. */
+void statements_unanswered(struct audit_result *out, const struct claims *statements);
 
 #endif

@@ -19,15 +19,14 @@ static bool append(struct claim **list, size_t *n, size_t *cap, const struct rec
   return true;
 }
 
-bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
-  struct source src;
-  if (!source_read(&src, path, MAX_CLAIM_FILE, d)) return false;
+static bool add_source(struct claims *c, struct source src, const char *kind, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   c->files = ss_grow(c->files, c->n_files, &c->cap_files, sizeof *c->files);
   c->files[c->n_files++] = f;
   if (!record_file_parse(f, src, d)) return false;
   const struct record *top = &f->records[0];
-  if (top->n_fields > 0) {
+  bool counted = top->n_fields == 1 && record_field(top, "count") && strcmp(kind, "claim") != 0;
+  if (top->n_fields > 0 && !counted) {
     diag_at(d, &f->src, top->fields[0].attribute ? top->fields[0].key.begin : top->fields[0].value.begin,
             "outside a record; begin one with \"%s ID\"", kind);
     return false;
@@ -45,6 +44,17 @@ bool claims_add_file(struct claims *c, const char *path, const char *kind, struc
       return false;
   }
   return true;
+}
+
+bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d) {
+  struct source src;
+  return source_read(&src, path, MAX_CLAIM_FILE, d) && add_source(c, src, kind, d);
+}
+
+bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d) {
+  struct source src;
+  source_from_string(&src, name, text);
+  return add_source(c, src, kind, d);
 }
 
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {

@@ -2,7 +2,8 @@
 
    A claim file holds records "claim ID" with these attributes:
 
-     equation, section, title, quote   where the claim stands and what it says
+     equation, section, title   where the claim stands and what it says
+     quote, place   what the paper says, to the letter, and where in its text (quote/quote.h)
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
@@ -18,7 +19,8 @@
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
      formula     (report) the trace that decides
-     fault       the fault class a refutation of this claim has
+     fault       the fault class that a refutation of this claim has (it follows, fault.c, and must be that)
+     few         why the claim asks for fewer points or routes than its kind does (kinds.h)
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
@@ -35,9 +37,13 @@
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
      repair      (argument) premises that the corrected argument has besides
+     repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
+                 as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
+     converse-of (argument) the claim whose argument this one turns round: neither rests on the other
      mass, slips, sticks, breaks  (law) "1" or "2", and the statements of (2) for that mass, as in premises: its
                  friction while it slips (eps being the sign of V - x'), while it sticks and where it breaks away
+     heading     (law) the condition over the branches of a mass that has the belt's velocity
      reads, repaired       (notation) the text as printed, and as it should read, in the language of expr.h
      symbols, stands-for, found-in, repaired  (notation) lists with ";": symbols, what each is said to mean, and the
                  place, "quote" or a record, that prints it
@@ -51,6 +57,16 @@
      constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
+
+     A file of controls begins with "count: N", how many it holds.  A record "control ID" has the claim that it damages,
+     attributes in the place of the claim's own, and perhaps
+
+     of          correction: what is damaged is the correction that the claim's file holds, which must be refuted
+     near        1e-30: the most by which the damage changes a side of the claim's sentence; it is measured, and the
+                 control is decided by the decisive route alone
+     shift       (number, closure) units of the last digit by which the printed number is moved
+
+     For a formula that no control on file damages the program makes one (near.h).
 
      about       names of definitions that the sentence asserts something of, besides its value; (number) another
                  symbol for the number
@@ -96,6 +112,8 @@ bool claims_load(struct claims *c, const char *folder, const char *kind, struct 
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
+/* A text that messages call by the name. */
+bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);
 void claims_clear(struct claims *c);
 
 /* An attribute of the claim, or NULL. */

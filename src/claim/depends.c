@@ -15,6 +15,8 @@ struct reach {
   size_t n_about, cap_about;
   const char *record, *uses_record; /* the record that it is about; another that it is held against */
   const char *premises[2];          /* lists of the records that it argues from */
+  const char *concludes;            /* that it deduces from them; NULL of other claims */
+  const char *by_hand;              /* ids that it names */
   const char *number;               /* the printed number that it is about */
   const struct definition **used;
   size_t n_used, cap_used;
@@ -134,6 +136,8 @@ static void look_at_claim(struct reach *r, const struct model *m, const struct c
   read_about(r, &v, claim_get(c, "about"), section_of(c));
   r->premises[0] = claim_get(c, "premises");
   r->premises[1] = claim_get(c, "constraints");
+  r->concludes = claim_deduces(c) ? claim_get(c, "conclusion") : NULL;
+  r->by_hand = claim_get(c, "depends-on");
 }
 
 /* Puts the claim's formulas in full. */
@@ -187,7 +191,8 @@ void dependences_free(struct dependences *d) {
 
 /* The same name of the paper, whichever layer wrote the text. */
 static bool same_name(const struct definition *a, const struct definition *b) {
-  return strcmp(a->name, b->name) == 0 && (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
+  return *a->name == *b->name && strcmp(a->name, b->name) == 0 &&
+         (!*a->section || !*b->section || strcmp(a->section, b->section) == 0);
 }
 
 static bool is_about(const struct reach *r, const struct definition *def) {
@@ -219,6 +224,16 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
   for (size_t i = 0; i < ra->n_symbols; i++)
     if (same_number(rb->number, ra->symbols[i])) return true;
   return false;
+}
+
+bool dependences_argued(const struct dependences *d, size_t a, size_t b) {
+  const struct reach *x = &d->reach[a], *y = &d->reach[b];
+  return a != b && x->concludes && y->concludes && cited_share(x->premises[0], y->concludes);
+}
+
+bool dependences_any(struct dependences *d, size_t a, size_t b) {
+  return dependences_on(d, a, b) || dependences_argued(d, a, b) ||
+         (d->reach[a].by_hand && dependences_named(&d->claims->claim[a], d->claims->claim[b].id));
 }
 
 size_t dependences_n_used(struct dependences *d, size_t a) {
@@ -273,7 +288,7 @@ bool dependences_list(struct finding *f, struct judge *j, const struct claim *c)
   f->n_depends_on = 0;
   for (size_t b = 0; b < j->claims->n; b++) {
     const char *id = j->claims->claim[b].id;
-    if ((a < j->claims->n && dependences_on(j->dependences, a, b)) || dependences_named(c, id))
+    if (a < j->claims->n ? dependences_any(j->dependences, a, b) : dependences_named(c, id))
       f->depends_on[f->n_depends_on++] = result_str(j->out, "%s", id);
   }
   return true;

@@ -91,7 +91,8 @@ static void add_statement(struct text *out, struct arena *a, const struct stmt *
 /* The record's TeX, once. */
 static void add_quote(struct text *out, const struct statement_record **last, const struct statement_record *r) {
   if (!r || r == *last || !*r->tex) return;
-  text_printf(out, "%s$%s$", out->len ? " " : "", r->tex);
+  if (out->len) text_add_char(out, ' ');
+  record_quote(out, r);
   *last = r;
 }
 
@@ -141,15 +142,56 @@ static const char *keep(struct audit_result *out, struct text *t) {
   return s;
 }
 
+/* By statement; where no erratum is, by definition. */
+static void set_all_beside(struct beside *b, const struct model *m, const struct claim *c) {
+  text_init(&b->corrected);
+  text_init(&b->printed);
+  text_init(&b->quote);
+  for (int pass = 0; pass < 2 && !b->corrected.len; pass++)
+    for (size_t i = 0; i < m->n_records; i++)
+      if (erratum_is_about(&m->records[i], c, pass == 0)) set_beside(b, m, &m->records[i], pass == 0);
+}
+
+/* Whether every statement of the erratum is one of the printed ones, of which there are more: it keeps some readings of
+   an index and drops the others. */
+static bool only_drops(const struct model *m, const struct claim *c) {
+  struct view printed = {m, LAYER_PRINTED, NULL, NULL};
+  long kept = 0;
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    if (!erratum_is_about(r, c, true)) continue;
+    const struct statement_record *old = view_record(&printed, r->id);
+    if (!old || old->n_stmts <= r->n_stmts) return false;
+    for (int k = 0; k < r->n_stmts; k++) {
+      bool among = false;
+      for (int q = 0; q < old->n_stmts && !among; q++) {
+        struct replacements none = {.n = 0};
+        among = compare_statements(&none, old->stmts[q], r->stmts[k]) && none.n == 0 && !none.too_many;
+      }
+      if (!among) return false;
+      kept++;
+    }
+  }
+  return kept > 0;
+}
+
+bool erratum_renames(const struct model *m, const struct claim *c) {
+  struct arena a;
+  arena_init(&a);
+  struct beside b = {.arena = &a, .comparable = true};
+  set_all_beside(&b, m, c);
+  bool names = b.comparable && !b.change.too_many && b.change.n > 0;
+  for (int i = 0; i < b.change.n; i++) names = names && b.change.from[i]->kind == EXPR_SYM;
+  text_clear(&b.quote);
+  text_clear(&b.printed);
+  text_clear(&b.corrected);
+  arena_clear(&a);
+  return names || only_drops(m, c);
+}
+
 void erratum_typeset(struct finding *f, struct judge *j, const struct claim *c) {
   struct beside b = {.arena = &j->out->arena, .comparable = true};
-  text_init(&b.corrected);
-  text_init(&b.printed);
-  text_init(&b.quote);
-  for (int pass = 0; pass < 2 && !b.corrected.len; pass++)
-    for (size_t i = 0; i < j->model->n_records; i++)
-      if (erratum_is_about(&j->model->records[i], c, pass == 0))
-        set_beside(&b, j->model, &j->model->records[i], pass == 0);
+  set_all_beside(&b, j->model, c);
   struct text change;
   text_init(&change);
   if (b.comparable && !b.change.too_many) add_change(&change, &b.change);

@@ -26,6 +26,7 @@ struct judge {
   struct diag *d;
   bool claim_at_fault; /* the diagnostic is about the claim file, not about a formula */
   enum effort effort;
+  const char *instead; /* a corrected text, in the place of one that the claim's file names; or NULL */
   const bool *touched; /* by record of the model: what may say something else than it did; NULL: everything may */
 };
 

@@ -3,8 +3,11 @@
 
 #include <string.h>
 
+const char *const fault_name[N_FAULTS] = {"notation", "formula", "number", "argument"};
+
 const struct claim_kind claim_kinds[N_KINDS] = {
-#define KIND_ROW(name, word, judge, tried, asked, scene, parts, balls) {word, tried, asked, scene, parts, balls},
+#define KIND_ROW(name, word, judge, tried, asked, scene, parts, balls, fault, points, routes, controls)                \
+  {word, tried, asked, scene, parts, balls, fault, points, routes, controls},
     CLAIM_KINDS(KIND_ROW)
 #undef KIND_ROW
 };

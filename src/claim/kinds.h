@@ -5,6 +5,11 @@
      of scene         it is about the numbers of one scene, and of a box of parameters says nothing
      parts            those of work.h that it may need besides what its points are
      balls            it works in them
+     fault            the class of its refutations; FAULT_BY_EDIT: what the correction says of it (fault.c)
+     points           the fewest points that a claim may ask for, over all items of its attribute points, each of which
+                      asks for half as many; 0: its judge has its own
+     routes           the fewest routes, balls among them, that are independent by the table of record/routes.h
+     controls         the fewest controls on file where there is a claim of the kind
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
@@ -26,38 +31,48 @@ enum {
    reads no formula that others do not read, or asserts nothing. */
 enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 
-/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls) */
+enum fault { FAULT_NOTATION, FAULT_FORMULA, FAULT_NUMBER, FAULT_ARGUMENT, N_FAULTS, FAULT_BY_EDIT };
+extern const char *const fault_name[N_FAULTS];
+
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls, fault, points, routes, controls) */
 #define CLAIM_KINDS(K)                                                                                                 \
-  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false)                                   \
-  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true)                       \
-  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true)                   \
-  K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true)                                       \
-  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true)                                       \
-  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)            \
-  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false)                                \
-  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)                        \
-  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true)                     \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 0)          \
+  K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, 2,  \
+    1)                                                                                                                 \
+  K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
+    2, 1)                                                                                                              \
+  K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true, FAULT_FORMULA, 0, 0, 1)               \
+  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1)              \
+  K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
+    FAULT_NUMBER, 0, 0, 1)                                                                                             \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1)       \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, 1) \
+  K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, \
+    1)                                                                                                                 \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                             \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
-  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true)                       \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
+  K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
+    0)                                                                                                                 \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true)                                       \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false)                                         \
-  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false)                                             \
-  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false)                                                   \
-  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true)              \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1)              \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1)                \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1)                     \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1)                          \
+  K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
+    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true)                                        \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)               \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true)                                                     \
-  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true)               \
-  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true)                                              \
-  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false)
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
+  K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true,               \
+    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                      \
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0)
 
 enum kind {
-#define KIND_ENUM(name, word, judge, tried, asked, scene, parts, balls) KIND_##name,
+#define KIND_ENUM(name, ...) KIND_##name,
   CLAIM_KINDS(KIND_ENUM)
 #undef KIND_ENUM
       N_KINDS
@@ -70,6 +85,8 @@ struct claim_kind {
   bool of_scene;
   unsigned parts;
   bool balls;
+  enum fault fault;
+  int points, routes, controls;
 };
 extern const struct claim_kind claim_kinds[N_KINDS];
 

@@ -3,7 +3,7 @@
 #define STICKSLIP_CLI_H
 
 #include "base/json.h"
-#include "claim/claims.h"
+#include "claim/claim.h"
 #include "motion/certify.h"
 #include "motion/dynamics.h"
 #include "report/folder.h"
@@ -164,8 +164,6 @@ bool print_eigenvalues(struct text out[2], arb_srcptr j);
 bool show_phases(const struct options *o, const struct model *m, const struct scene *s,
                  const struct jacobian_request *q, struct diag *d);
 
-/* The largest radius of the orbit's enclosures to two digits, rounded up. */
-void print_radius(struct text *out, const struct dyn_orbit *o);
 /* true, false or null. */
 void json_truth(struct json *j, const char *key, truth t);
 

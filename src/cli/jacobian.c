@@ -14,15 +14,13 @@ static int parse_jacobian(struct jacobian_request *q, const struct options *o) {
     return usage("--phases shows every method and takes no %s", method ? "--method" : "--layer");
   if (option(o, OPT_PHASES) && !option(o, OPT_DIGITS) && !option(o, OPT_JSON)) q->digits = TABLE_DIGITS;
   if (method) {
-    int k = 0;
-    while (k < N_METHODS && strcmp(method, method_name[k]) != 0) k++;
+    int k = word_find(method, method_name, N_METHODS);
     if (k == N_METHODS)
       return usage("--method takes analytic, implicit, saltation, fd, fd-double or ode, not %.200s", method);
     q->method = (enum jacobian_method)k;
   }
   if (layer) {
-    int k = 0;
-    while (k < N_LAYERS && strcmp(layer, layer_name[k]) != 0) k++;
+    int k = word_find(layer, layer_name, N_LAYERS);
     if (k == N_LAYERS) return usage("--layer takes printed, corrected or stable, not %.200s", layer);
     q->layer = (enum layer)k;
   }

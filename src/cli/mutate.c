@@ -1,4 +1,4 @@
-/* stickslip mutate and repair: damage to formulas, and edits that undo it. */
+/* stickslip mutate and repair: damage to formulas and to what stands beside them, and edits that undo it. */
 #include <stdlib.h>
 #include <string.h>
 #include <unistd.h>
@@ -6,6 +6,7 @@
 #include "cli.h"
 #include "power/power.h"
 #include "report/mutation.h"
+#include "value/title.h"
 
 enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
 
@@ -52,7 +53,7 @@ static bool deliver(const struct text body[3], const char *const name[2], const 
 /* Everything that a search reads. */
 struct inputs {
   struct model model;
-  struct claims claims;
+  struct claims claims, controls, statements;
   struct scene scene;
 };
 
@@ -60,10 +61,15 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
-  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d);
+  return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
+         claims_load_data(&in->controls, data, "controls", "control", d) && statements_load(&in->statements, data, d) &&
+         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d) &&
+         titles_check(&in->model, &in->claims, d);
 }
 
 static void inputs_clear(struct inputs *in) {
+  claims_clear(&in->statements);
+  claims_clear(&in->controls);
   claims_clear(&in->claims);
   model_clear(&in->model);
   scene_clear(&in->scene);
@@ -83,10 +89,11 @@ int run_mutate(const struct options *o, const char *data) {
   diag_init(&d);
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
+  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements};
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_mutate(&r, &in.model, &in.claims, &in.scene, &q, &d);
+            audit_mutate(&r, &all, &in.scene, &q, &d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok) {
     report_mutation_json(&body[0], &r);

@@ -10,7 +10,8 @@
 
 enum { N_SHOWN = ORBIT_NUMBERS };
 
-void print_radius(struct text *out, const struct dyn_orbit *o) {
+/* The largest radius of the orbit's enclosures to two digits, rounded up. */
+static void print_radius(struct text *out, const struct dyn_orbit *o) {
   arb_t radius;
   arb_init(radius);
   dyn_orbit_radius(arb_radref(radius), o);

@@ -15,32 +15,31 @@ static long member_count(const struct json_value *v, const char *key) {
   return *end || n < 0 || n > 1000000000 ? -1 : n;
 }
 
-/* Only a study of every damage of the formulas that the audit read, in its scene, is a score. */
+/* Only a study of every damage of what the audit read, in its scene, is a score. */
 static bool read_score(struct mutation_score *s, const struct json_value *root, const struct audit_result *r) {
   static const struct {
     const char *key;
     size_t at;
-  } of[] = {{"total", offsetof(struct mutation_score, total)},
+  } of[] = {{"counted", offsetof(struct mutation_score, counted)},
             {"noticed", offsetof(struct mutation_score, noticed)},
-            {"unreadable", offsetof(struct mutation_score, unreadable)},
-            {"unproved", offsetof(struct mutation_score, unproved)},
+            {"formulas", offsetof(struct mutation_score, formulas)},
             {"equivalent", offsetof(struct mutation_score, equivalent)},
             {"on_motions", offsetof(struct mutation_score, on_motions)},
-            {"undecided", offsetof(struct mutation_score, open)}};
-  const struct json_value *total = json_member(root, "total");
+            {"needs_text", offsetof(struct mutation_score, needs_text)},
+            {"errata", offsetof(struct mutation_score, errata)}};
+  const struct json_value *score = json_member(root, "score");
   const char *schema = json_text(root, "schema"), *scene = json_text(root, "scene"),
              *subject = json_text(root, "subject");
-  bool ok = schema && strcmp(schema, "stickslip-mutation-1") == 0 && scene && strcmp(scene, r->scene) == 0 && subject &&
+  bool ok = schema && strcmp(schema, "stickslip-mutation-2") == 0 && scene && strcmp(scene, r->scene) == 0 && subject &&
             r->subject && strcmp(subject, r->subject) == 0;
-  ok = ok && member_count(root, "tried") > 0 && member_count(root, "tried") == member_count(root, "population");
+  ok =
+      ok && score && member_count(root, "tried") > 0 && member_count(root, "tried") == member_count(root, "population");
   for (size_t i = 0; ok && i < sizeof of / sizeof *of; i++) {
-    long n = member_count(total, of[i].key);
+    long n = member_count(score, of[i].key);
     memcpy((char *)s + of[i].at, &n, sizeof n);
     ok = n >= 0;
   }
-  long unread = member_count(total, "unread");
-  s->open += ok ? unread : 0;
-  return ok && unread >= 0;
+  return ok;
 }
 
 bool score_beside(struct mutation_score *s, const char *folder, const struct audit_result *r) {

@@ -7,9 +7,12 @@
 #include <time.h>
 #include <unistd.h>
 
+#include "claim/claim.h"
+#include "claim/near.h"
 #include "cli.h"
 #include "interrupt.h"
 #include "report/report.h"
+#include "value/title.h"
 
 static double now(void) {
   struct timespec t;
@@ -50,6 +53,8 @@ static void print_surprises(const struct audit_result *r) {
     const struct finding *f = &r->findings[i];
     if (f->recorded != N_VERDICTS && f->recorded != f->verdict)
       printf("%s: %s, recorded as %s\n", f->id, verdict_name[f->verdict], verdict_name[f->recorded]);
+    if (finding_miscorrected(f))
+      printf("%s: the correction is %s: %s\n", f->id, verdict_name[f->correction_verdict], f->correction);
   }
   for (size_t i = 0; i < r->n_pairs; i++)
     if (!r->pairs[i].within)
@@ -61,6 +66,10 @@ static void print_surprises(const struct audit_result *r) {
   for (size_t i = 0; i < r->n_controls; i++)
     if (!r->controls[i].noticed)
       printf("control %s: %s, must be refuted\n", r->controls[i].id, verdict_name[r->controls[i].verdict]);
+  for (size_t i = 0; i < r->n_controls; i++)
+    if (control_is_far(&r->controls[i]))
+      printf("control %s: it changes what it damages by %s, and says %s\n", r->controls[i].id, r->controls[i].distance,
+             r->controls[i].near);
 }
 
 static void print_result(const struct audit_result *r, bool quiet) {
@@ -72,7 +81,7 @@ static void print_result(const struct audit_result *r, bool quiet) {
 /* What the scenes of one command share. */
 struct verify_data {
   struct model model;
-  struct claims claims, controls;
+  struct claims claims, controls, statements;
   struct costs costs;
   slong digits;
 };
@@ -123,6 +132,7 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
                               .readings = true,
                               .jobs = jobs,
                               .costs = &v->costs,
+                              .statements = &v->statements,
                               .seconds_now = now};
   int status;
   if (!load_scene(&s, spec, data, o, true, d) || !scene_four_phases(&s, d)) {
@@ -183,7 +193,10 @@ static void load_costs(struct costs *c, const char *data) {
 
 static bool load_all(struct verify_data *v, const struct options *o, const char *data, struct diag *d) {
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
-         claims_load_data(&v->controls, data, "controls", "control", d);
+         claims_load_data(&v->controls, data, "controls", "control", d) && statements_load(&v->statements, data, d) &&
+         data_check(&(struct audit_data){&v->model, &v->claims, &v->controls, &v->statements}, d) &&
+         titles_check(&v->model, &v->claims, d) && near_controls_add(&v->model, &v->claims, &v->controls, d) &&
+         formulas_have_controls(&v->model, &v->claims, &v->controls, d);
 }
 
 int run_verify(const struct options *o, const char *data) {
@@ -215,6 +228,7 @@ int run_verify(const struct options *o, const char *data) {
     status = worse(status, verify_scene(&v, scene[i], data, o, jobs, &d));
   }
   costs_clear(&v.costs);
+  claims_clear(&v.statements);
   claims_clear(&v.controls);
   claims_clear(&v.claims);
   model_clear(&v.model);

@@ -167,7 +167,9 @@ static void proof_text(struct text *out, const struct word_orbit *o) {
   arb_clear(worst);
 }
 
-void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s, slong digits) {
+/* One orbit as lines. */
+static void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s,
+                            slong digits) {
   static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"};
   text_printf(out, "orbit %ld: ", number);
   text_printf(out, "%s, ", fate[o->stable]);

@@ -12,8 +12,7 @@ enum { WORD_DIGITS = 1000 }; /* the most that these commands take */
 void scene_friction(const fmpq *u_r[2], const struct scene *s);
 /* The working precision for so many digits. */
 slong word_bits(slong digits);
-/* One orbit as a member of an array, and as lines. */
+/* One orbit as a member of an array. */
 void word_orbit_json(struct json *j, const struct word_orbit *o, slong digits);
-void word_orbit_text(struct text *out, const struct word_orbit *o, long number, const struct scene *s, slong digits);
 
 #endif

@@ -47,7 +47,7 @@ static bool field_init(struct field *f, const fmpq *params, const fmpq *const u_
   double p[N_PARAMS];
   for (int i = 0; i < 2; i++) f->u_r[i] = u_r[i];
   for (int i = 0; i < N_PARAMS; i++) p[i] = fmpq_get_d(params + i);
-  calc_init(&f->c, num_ctx_arb(BASIN_PREC));
+  f->c = calc_begin(num_ctx_arb(BASIN_PREC));
   ball_params_init(&f->m, &f->c, params);
   arb_init(f->r);
   arb_init(f->image);

@@ -37,7 +37,7 @@ void curve_clear(struct curve *b) {
 int view_open(struct view *v, const struct curve *b, arb_srcptr x, slong prec) {
   val p[N_PARAMS];
   v->curve = b;
-  calc_init(&v->c, dual_ctx(prec));
+  v->c = calc_begin(dual_ctx(prec));
   for (int i = 0; i < N_PARAMS; i++)
     p[i] = i == b->vary ? dual_variable(&v->c, x, i) : dual_variable(&v->c, &b->p[i], -1);
   ball_params_make(&v->m, &v->c, p);

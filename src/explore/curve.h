@@ -20,8 +20,6 @@ struct tube {
 void tube_init(struct tube *t);
 void tube_clear(struct tube *t);
 void tube_set(struct tube *t, const struct tube *s);
-/* Newton's iteration from the midpoints of x at the midpoints of p; x becomes exact. */
-int tube_newton(struct tube *t, slong prec);
 /* The proof around x, from which Newton's iteration starts. */
 int tube_prove(struct tube *t, slong prec);
 /* About how far t_b and t_c move over the ball of one parameter. */

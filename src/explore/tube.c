@@ -105,12 +105,13 @@ static enum newton_next settles(const struct num_vec *x, const struct num_vec *s
   return e->quiet == 2 ? NEWTON_LAST : NEWTON_ON;
 }
 
-int tube_newton(struct tube *t, slong prec) {
+/* Newton's iteration from the midpoints of x at the midpoints of p; x becomes exact. */
+static int tube_newton(struct tube *t, slong prec) {
   struct equations e = {.t = t, .middle = true};
   struct solve_system system = {2, values, &e};
   struct num_vec x = {num_ctx_arb(prec), 2, (char *)t->x};
   for (int k = 0; k < 2; k++) arb_get_mid_arb(&t->x[k], &t->x[k]);
-  calc_init(&e.c, dual_ctx(prec));
+  e.c = calc_begin(dual_ctx(prec));
   int status = newton_run(&x, &system, x.ctx, 60, settles);
   calc_clear(&e.c);
   return status;
@@ -123,7 +124,7 @@ int tube_prove(struct tube *t, slong prec) {
   struct krawczyk k;
   int status = tube_newton(t, prec);
   if (status) return status;
-  calc_init(&e.c, dual_ctx(prec));
+  e.c = calc_begin(dual_ctx(prec));
   krawczyk_init(&k, &system, prec);
   status = krawczyk_centre(&k, &x);
   if (!status) status = krawczyk_follow(&k, -3);
@@ -151,7 +152,6 @@ static bool motion_of(arb_mat_t dx, const struct ball_pass *s, int param, slong 
 }
 
 double tube_reach(const struct tube *t, int param, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct ball_pass s;
   struct tube narrow;
@@ -163,7 +163,7 @@ double tube_reach(const struct tube *t, int param, slong prec) {
   for (int i = 0; i < N_PARAMS; i++) arb_get_mid_arb(&narrow.p[i], &t->p[i]);
   for (int k = 0; k < 2; k++) arb_get_mid_arb(&narrow.x[k], &t->x[k]);
   mag_set_ui_2exp_si(arb_radref(&narrow.p[param]), 1, -prec); /* so that its slopes are carried */
-  calc_init(&c, dual_ctx(prec));
+  struct calc c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, &narrow, narrow.x, false);
   if (!c.status && motion_of(dx, &s, param, prec))
     for (int k = 0; k < 2; k++) reach += fabs(num_arb.get_d(arb_mat_entry(dx, k, 0)));
@@ -192,7 +192,6 @@ static void sharp_numbers(val out[SHARP], struct calc *c, const struct ball_para
 
 /* number = its value at the middle of the parameters + the sum of its slopes along the orbits times p - p0. */
 static bool mean_values(arb_ptr number, const struct tube *t, const struct tube *middle, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct ball_pass s;
   val at[SHARP], all[SHARP];
@@ -201,7 +200,7 @@ static bool mean_values(arb_ptr number, const struct tube *t, const struct tube 
   arb_mat_init(dx, 2, 1);
   arb_init(slope);
   arb_init(off);
-  calc_init(&c, dual_ctx(prec));
+  struct calc c = calc_begin(dual_ctx(prec));
   look(&s, &c, &m, middle, middle->x, false);
   sharp_numbers(at, &c, &m, &s, t->up);
   look(&s, &c, &m, t, t->x, false);
@@ -251,10 +250,9 @@ void tube_sharpen(struct dyn_orbit *o, const struct tube *t, slong prec) {
 }
 
 int tube_orbit(struct dyn_orbit *o, truth *word, const struct tube *t, slong prec, long max_steps) {
-  struct calc c;
   struct ball_params m;
   val p[N_PARAMS];
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   for (int i = 0; i < N_PARAMS; i++) p[i] = &t->p[i];
   ball_params_make(&m, &c, p);
   int status = dyn_orbit_describe(o, &c, &m, &t->x[0], &t->x[1], t->up);

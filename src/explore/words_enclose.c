@@ -46,7 +46,7 @@ int word_unknowns_enclose(struct num_vec *x, const double *near, const struct ph
   struct solve_system system = {w->n + word_free(free, w), values, &e};
   struct num_vec at = {x->ctx, system.n, x->data}; /* x may be longer */
   struct krawczyk k;
-  calc_init(&e.c, x->ctx);
+  e.c = calc_begin(x->ctx);
   word_law_make(&e.m, &e.c, params, u_r);
   e.mark = calc_mark(&e.c);
   mag_init(e.least);

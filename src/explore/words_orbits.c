@@ -26,11 +26,10 @@ static void orbit_clear(struct word_orbit *o) {
 
 /* Everything that follows from the unknowns. */
 static int describe(struct word_orbit *o, const struct num_vec *x, const fmpq *params, const fmpq *const u_r[2]) {
-  struct calc c;
   struct word_law m;
   int n = o->word.n;
   val at[WORD_UNKNOWNS], f[WORD_UNKNOWNS], states[N_STATE * WORD_MOST];
-  calc_init(&c, x->ctx);
+  struct calc c = calc_begin(x->ctx);
   word_law_make(&m, &c, params, u_r);
   flow_vals(at, x, 0, n + o->n_free);
   word_equations(f, NULL, states, &c, &m, &o->word, at);

@@ -343,7 +343,7 @@ void word_search(struct word_finds *out, const struct phase_word *w, const fmpq 
                  const struct word_seeds *seeds) {
   struct searcher s = {.w = w, .out = out};
   *out = (struct word_finds){.n = 0};
-  calc_init(&s.c, num_ctx_double());
+  s.c = calc_begin(num_ctx_double());
   word_law_make(&s.m, &s.c, params, u_r);
   s.mark = calc_mark(&s.c);
   s.n = word_free(s.free, w);

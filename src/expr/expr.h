@@ -126,6 +126,8 @@ bool expr_same(const struct expr *a, const struct expr *b);
    (omega1 -> \omega_{1}, z'_1b -> z'_{1b}, k~: ktilde_1 -> \tilde{k}_{1}, gammatilde, hbar -> \bar{h}, Z_a -> Z_{a},
    e1 -> e_{1}, u_r1 -> u_{r1}, dt_b -> dt_{b}). */
 void expr_latex(struct text *out, const struct expr *e);
+/* The same of an expression as text; false, with nothing added, when it cannot be read. */
+bool expr_latex_of(struct text *out, const char *expression);
 void stmt_latex(struct text *out, const struct stmt *s);
 void name_latex(struct text *out, const char *name);
 

@@ -37,10 +37,14 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
 /* How tightly a form binds; an operand must bind at least as tightly as its place asks. */
 enum level { LEVEL_SUM, LEVEL_QUOTIENT, LEVEL_PRODUCT, LEVEL_POWER, LEVEL_POSTFIX, LEVEL_PRIMARY };
 
-/* What the grammar asks of operand i of a form. */
+/* How tightly e binds as it is printed; what the grammar asks of operand i of a form. */
+enum level expr_level(const struct expr *e);
 enum level expr_operand_level(enum expr_kind k, int i);
 /* The first factor of a product or quotient is a power that nothing encloses: a "-" before it would be doubtful. */
 bool expr_leads_with_power(const struct expr *e);
+
+/* The name of one of EXPR_FUNCTIONS; "" for another kind. */
+const char *expr_function_name(enum expr_kind k);
 
 /* Writes what stands before operand i of e, or after the last one when i == n_args; parent may be NULL. */
 typedef void expr_between(struct text *out, const struct expr *e, int i, const struct expr *parent);

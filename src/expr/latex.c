@@ -3,32 +3,27 @@
    cannot be misread; parentheses as written are kept except around a whole numerator or denominator. */
 #include <string.h>
 
+#include "base/tex.h"
 #include "expr_impl.h"
 
 #define LETTERS "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ"
 
 /* ---- names */
 
-/* The command of the Greek letter spelt by the first len bytes of s, or NULL. */
+/* The command, without its backslash, of the Greek letter spelt by the first len bytes of s, or NULL. */
 static const char *greek(const char *s, size_t len) {
-  static const char *const letters[] = {
-      "\\alpha",   "\\beta",   "\\gamma", "\\delta", "\\epsilon", "\\zeta",       "\\eta",    "\\theta", "\\iota",
-      "\\kappa",   "\\lambda", "\\mu",    "\\nu",    "\\xi",      "\\pi",         "\\rho",    "\\sigma", "\\tau",
-      "\\upsilon", "\\phi",    "\\chi",   "\\psi",   "\\omega",   "\\varepsilon", "\\varphi", "\\Gamma", "\\Delta",
-      "\\Theta",   "\\Lambda", "\\Xi",    "\\Pi",    "\\Sigma",   "\\Upsilon",    "\\Phi",    "\\Psi",   "\\Omega"};
-  if (len == 3 && !memcmp(s, "eps", 3)) return "\\varepsilon";
-  for (size_t i = 0; i < sizeof letters / sizeof *letters; i++)
-    if (strlen(letters[i] + 1) == len && !memcmp(letters[i] + 1, s, len)) return letters[i];
-  return NULL;
+  if (len == 3 && !memcmp(s, "eps", 3)) return "varepsilon";
+  const struct tex_word *w = tex_word(s, len);
+  return w && w->symbol && (w->role == TEX_ROLE_LETTER || w->role == TEX_ROLE_UPRIGHT) ? w->name : NULL;
 }
 
 /* A base of letters: one letter, a Greek one, a differential of either (dt, dZ, dchi), or an upright word. */
 static void base_latex(struct text *out, const char *s, size_t len) {
   const char *letter = greek(s, len), *differential = len > 1 && s[0] == 'd' ? greek(s + 1, len - 1) : NULL;
   if (letter)
-    text_add(out, letter);
+    text_printf(out, "\\%s", letter);
   else if (differential)
-    text_printf(out, "d%s", differential);
+    text_printf(out, "d\\%s", differential);
   else if (len <= 1 || (len == 2 && s[0] == 'd'))
     text_add_n(out, s, len);
   else
@@ -55,7 +50,7 @@ static void subscript_latex(struct text *out, const char *s, size_t len) {
   if (letters > len) letters = len;
   const char *letter = greek(s, letters);
   if (letter)
-    text_printf(out, letters < len ? "%s %.*s" : "%s%.*s", letter, (int)(len - letters), s + letters);
+    text_printf(out, letters < len ? "\\%s %.*s" : "\\%s%.*s", letter, (int)(len - letters), s + letters);
   else
     text_printf(out, letters >= 3 ? "\\mathrm{%.*s}" : "%.*s", (int)len, s);
 }
@@ -97,35 +92,23 @@ static bool raised_inside(const struct expr *e) {
   return e->kind == EXPR_POW && e->exponent > 0 && is_trigonometric(e->args[0]);
 }
 
-static enum level level(const struct expr *e) {
+/* Good as a factor, not as a base: a fraction, a function, and what already carries a superscript. */
+static bool takes_no_superscript(const struct expr *e) {
   switch (e->kind) {
-  case EXPR_ADD:
-  case EXPR_SUB:
-  case EXPR_NEG:
-    return LEVEL_SUM;
-  case EXPR_MUL:
-    return LEVEL_PRODUCT;
-  case EXPR_DIV: /* good as a factor, not as a base; so are functions and what already carries a superscript */
-  case EXPR_POW:
-  case EXPR_SIN:
-  case EXPR_COS:
-  case EXPR_COT:
-  case EXPR_SINC:
-  case EXPR_STUMPFF:
-  case EXPR_ROUNDED:
-  case EXPR_HYPOT:
-  case EXPR_DET:
-  case EXPR_TR:
-  case EXPR_INV:
-  case EXPR_TRANSPOSE:
-    return LEVEL_POWER;
+  case EXPR_DIV:
+#define FUNCTION(kind, name) case kind:
+    EXPR_FUNCTIONS(FUNCTION)
+#undef FUNCTION
+    return e->kind != EXPR_SQRT && e->kind != EXPR_ABS;
   case EXPR_NUM:
-    return strpbrk(e->name, "eE") ? LEVEL_POWER : LEVEL_PRIMARY;
-  case EXPR_INDEX:
-    return LEVEL_POSTFIX;
+    return strpbrk(e->name, "eE") != NULL;
   default:
-    return LEVEL_PRIMARY;
+    return false;
   }
+}
+
+static enum level level(const struct expr *e) {
+  return takes_no_superscript(e) ? LEVEL_POWER : expr_level(e);
 }
 
 static bool needs_parentheses(const struct expr *e, int i) {
@@ -172,27 +155,10 @@ static void indices_latex(struct text *out, const struct expr *e) {
   text_add(out, "}");
 }
 
-static const char *function_latex(enum expr_kind k) {
-  switch (k) {
-  case EXPR_SIN:
-    return "\\sin";
-  case EXPR_COS:
-    return "\\cos";
-  case EXPR_COT:
-    return "\\cot";
-  case EXPR_SINC:
-    return "\\operatorname{sinc}";
-  case EXPR_ROUNDED:
-    return "\\operatorname{rounded}";
-  case EXPR_STUMPFF:
-    return "\\operatorname{stumpff}";
-  case EXPR_HYPOT:
-    return "\\operatorname{hypot}";
-  case EXPR_DET:
-    return "\\det";
-  default:
-    return "\\operatorname{tr}";
-  }
+/* Those that LaTeX has stand in the table of its commands. */
+static void function_latex(struct text *out, enum expr_kind k) {
+  const char *name = expr_function_name(k);
+  text_printf(out, tex_word(name, strlen(name)) ? "\\%s" : "\\operatorname{%s}", name);
 }
 
 /* What e itself contributes before operand i, parentheses of the operands apart. */
@@ -258,7 +224,7 @@ static void symbols_latex(struct text *out, const struct expr *e, int i, const s
     if (last) indices_latex(out, e);
     break;
   default:
-    if (first) text_add(out, function_latex(e->kind));
+    if (first) function_latex(out, e->kind);
     if (first && parent && raised_inside(parent)) text_printf(out, "^{%d}", parent->exponent);
     text_add(out, first ? "\\left(" : last ? "\\right)" : ", ");
     break;
@@ -273,6 +239,18 @@ static void latex_between(struct text *out, const struct expr *e, int i, const s
 
 void expr_latex(struct text *out, const struct expr *e) {
   expr_write(out, e, latex_between);
+}
+
+bool expr_latex_of(struct text *out, const char *expression) {
+  struct arena a;
+  struct source s;
+  arena_init(&a);
+  source_from_string(&s, expression, expression);
+  const struct expr *e = expr_parse(&a, &s, (struct span){0, s.len}, NULL);
+  if (e) expr_latex(out, e);
+  source_clear(&s);
+  arena_clear(&a);
+  return e != NULL;
 }
 
 /* ---- statements */

@@ -55,7 +55,7 @@ bool expr_leads_with_power(const struct expr *e) {
   return e->kind == EXPR_POW;
 }
 
-static enum level level(const struct expr *e) {
+enum level expr_level(const struct expr *e) {
   switch (e->kind) {
   case EXPR_ADD:
   case EXPR_SUB:
@@ -76,11 +76,11 @@ static enum level level(const struct expr *e) {
 
 static bool needs_parentheses(const struct expr *e, int i) {
   const struct expr *arg = e->args[i];
-  return level(arg) < expr_operand_level(e->kind, i) || (e->kind == EXPR_NEG && expr_leads_with_power(arg)) ||
+  return expr_level(arg) < expr_operand_level(e->kind, i) || (e->kind == EXPR_NEG && expr_leads_with_power(arg)) ||
          (e->kind == EXPR_INDEX && arg->kind == EXPR_NUM);
 }
 
-static const char *function_name(enum expr_kind k) {
+const char *expr_function_name(enum expr_kind k) {
   switch (k) {
 #define NAME(kind, name)                                                                                               \
   case kind:                                                                                                           \
@@ -154,7 +154,7 @@ static void print_symbols(struct text *out, const struct expr *e, int i) {
     if (last) print_indices(out, e);
     break;
   default:
-    if (first) text_add(out, function_name(e->kind));
+    if (first) text_add(out, expr_function_name(e->kind));
     text_add(out, first ? "(" : last ? ")" : ", ");
     break;
   }
@@ -192,7 +192,7 @@ static bool is_understood(const struct expr *e) {
 /* The operand of a^-1 or a^t. */
 static bool needs_plain_parentheses(const struct expr *e) {
   bool raised = e->kind == EXPR_INV || (e->kind == EXPR_TRANSPOSE && !is_tuple(e->args[0], e));
-  return raised && level(e->args[0]) < LEVEL_POSTFIX;
+  return raised && expr_level(e->args[0]) < LEVEL_POSTFIX;
 }
 
 static void plain_symbols(struct text *out, const struct expr *e, int i, const struct expr *parent) {

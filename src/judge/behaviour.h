@@ -93,7 +93,6 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
 void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
                         const char *where, const char *note);
 /* Any bad one differs; none at all says nothing. */
-enum route_outcome behaviour_count(long good, long bad);
 
 /* --- The checks --- */
 

@@ -172,14 +172,11 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
 }
 
 /* One orbit that is stable refutes; no number of unstable ones proves. */
-static enum route_outcome says_of(long stable, long unstable, long open) {
-  return stable ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : unstable ? ROUTE_AGREES : ROUTE_NOTHING;
-}
-
 static void conclude(struct behaviour *b, const struct found *t) {
   struct route_result w[3];
   w[0] = behaviour_route(
-      b, "balls", "model", says_of(t->stable, t->unstable, t->open), true, t->stable + t->unstable + t->open, t->where,
+      b, "balls", "model", outcome_of_counts(t->unstable, t->stable, t->open), true, t->stable + t->unstable + t->open,
+      t->where,
       result_str(
           b->j->out,
           "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
@@ -187,7 +184,7 @@ static void conclude(struct behaviour *b, const struct found *t) {
           "unstable, %ld open",
           t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
           t->open));
-  w[1] = behaviour_route(b, "iteration", "model", says_of(t->back, t->away, t->unsure), false,
+  w[1] = behaviour_route(b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false,
                          t->back + t->away + t->unsure, NULL,
                          result_str(b->j->out,
                                     "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
@@ -195,8 +192,8 @@ static void conclude(struct behaviour *b, const struct found *t) {
                                     "half of it, %ld leave to twice as far",
                                     t->back, t->away));
   w[2] =
-      behaviour_route(b, "integration", "model", says_of(t->moved_back, t->moved_away, t->moved_unsure), false,
-                      t->moved_back + t->moved_away + t->moved_unsure, NULL,
+      behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
+                      false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
                       result_str(b->j->out,
                                  "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
                                  "nearer, %ld go farther",

@@ -156,9 +156,7 @@ static void say_table(struct behaviour *b, const struct table *t) {
       if (c[FATE_OPEN]) text_printf(&line, " (%ld open)", c[FATE_OPEN]);
       for (int k = 0; k < N_FATES; k++) trials += c[k];
     }
-    finding_state(b->f, b->j->out, "integration", "model", -1, trials, NULL,
-                  result_str(b->j->out, "%s", text_str(&line)));
-    text_clear(&line);
+    finding_state(b->f, b->j->out, "integration", "model", -1, trials, NULL, result_take(b->j->out, &line));
   }
 }
 
@@ -206,8 +204,7 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
     text_printf(&line, "%s %s", i ? ";" : "", places[i].words);
     for (int side = 1; side >= -1; side -= 2, trials++) add_reach(&line, b, o, &at, places[i].coordinate, side);
   }
-  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
-  text_clear(&line);
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
 }
 
 /* The scene's own orbit, when it is unstable: perturbed once in each phase and direction, where do motions go? */
@@ -233,8 +230,7 @@ static void scene_orbit_fates(struct behaviour *b) {
           plan.returns = PERIODS;
           struct trajectory t = motion_simulate(BY_CLOSED_FORMS, &m, &plan);
           const char *end = trajectory_ending(b, &t);
-          int k = 0;
-          while (k < words && strcmp(word[k], end) != 0) k++;
+          int k = word_find(end, word, words);
           if (k < MAX_WORDS) word[k] = end;
           if (k < MAX_WORDS) count[k]++;
           if (k == words && words < MAX_WORDS) words++;
@@ -251,8 +247,7 @@ static void scene_orbit_fates(struct behaviour *b) {
               "each of eight directions; after %d returns the motion goes",
               PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
-  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_str(b->j->out, "%s", text_str(&line)));
-  text_clear(&line);
+  finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
 }
 
 /* "Only conditionally stable": holds when perturbations that keep r near die out, and when among arbitrarily small ones

@@ -6,6 +6,7 @@
 
 #include "behaviour.h"
 #include "value/expression.h"
+#include "verdict.h"
 
 enum { ARCS_PER_LETTER = 4 };
 struct arcs {
@@ -141,10 +142,8 @@ bool behaviour_closed_forms(struct behaviour *b) {
     for (int k = 0; k < 2; k++) count[k] += a.printed[i][k];
   }
   enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(count[0], count[1]);
-  behaviour_conclude(b, outcome, count[0] + count[1], count[1] ? a.where : NULL,
-                     result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(count[0], count[1], 0);
+  behaviour_conclude(b, outcome, count[0] + count[1], count[1] ? a.where : NULL, result_take(b->j->out, &note));
   state_overrun(b, &a);
   return true;
 }

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "num/calc.h"
 #include "value/values.h"
 #include "verdict.h"
 
@@ -34,17 +35,15 @@ static truth has_growth(const struct num_vec *m) {
 
 /* Unstable by the product of the phases' propagators? */
 static truth unstable_by_propagators(struct values *v) {
-  struct num_vec step, product;
-  num_vec_init(&step, N_STATE * N_STATE, v->ctx);
-  num_vec_init(&product, N_STATE * N_STATE, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec step = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * N_STATE);
   int s = values_propagator(&product, v, PHASE_D);
   for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) {
     s |= values_propagator(&step, v, (enum phase)ph);
     s |= num_mat_mul(&product, &step, &product, N_STATE, N_STATE, N_STATE);
   }
   truth t = s == SS_OK ? has_growth(&product) : TRUTH_UNKNOWN;
-  num_vec_clear(&product);
-  num_vec_clear(&step);
+  calc_clear(&c);
   return t;
 }
 
@@ -96,8 +95,7 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       struct text t;
       text_init(&t);
       point_print(&t, p);
-      if (!s->where) s->where = result_str(b->j->out, "%s", text_str(&t));
-      text_clear(&t);
+      if (!s->where) s->where = result_take(b->j->out, &t);
     }
   }
   values_clear(&v);
@@ -132,7 +130,7 @@ bool behaviour_linearization(struct behaviour *b) {
                          : right ? ROUTE_DIFFERS
                                  : ROUTE_NOTHING,
                          true, right + wrong, s.where, note);
-  enum route_outcome fate = s.leaves ? ROUTE_DIFFERS : s.comes_back ? ROUTE_AGREES : ROUTE_NOTHING;
+  enum route_outcome fate = outcome_of_counts(s.comes_back, s.leaves, 0);
   int n = 1;
   if (wrong)
     w[n++] = behaviour_route(b, "iteration", "model", fate, false, s.comes_back + s.leaves, NULL,

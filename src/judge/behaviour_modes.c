@@ -51,9 +51,8 @@ bool behaviour_modes(struct behaviour *b) {
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
                   "belt, X x: one faster, one slower)");
   enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.rows[r], s.bad[r]);
-  behaviour_conclude(b, outcome, w.motions, NULL, result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.rows[r], s.bad[r], 0);
+  behaviour_conclude(b, outcome, w.motions, NULL, result_take(b->j->out, &note));
   return true;
 }
 
@@ -85,8 +84,7 @@ static void watch_visits(void *self, const struct motion *m, const struct trajec
   text_init(&t);
   motion_print(&t, m);
   v->fastest = lead;
-  v->where = result_str(v->b->j->out, "%s", text_str(&t));
-  text_clear(&t);
+  v->where = result_take(v->b->j->out, &t);
 }
 
 /* How many motions on admissible orbits stay inside. */
@@ -155,14 +153,13 @@ bool behaviour_configurations(struct behaviour *b) {
                  "%ld%s",
                  w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    outcome[r] = found ? ROUTE_DIFFERS : v.inside ? ROUTE_AGREES : ROUTE_NOTHING;
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
   behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note);
   if (b->f->verdict != VERDICT_REFUTED) return true;
   struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     all[r] =
-        behaviour_route(b, motion_route_name[r], "correction", behaviour_count(v.rows[r], v.bad[r]),
+        behaviour_route(b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0),
                         r == BY_INTEGRATION, v.rows[r] + v.bad[r], NULL,
                         "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
   b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
@@ -220,7 +217,7 @@ bool behaviour_switches(struct behaviour *b) {
                       "greater one. Where a force only touches the limit and turns back, (2) allows both",
                       w.motions, s.good[0] + s.bad[0]);
   enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.good[r], s.bad[r]);
+  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.good[r], s.bad[r], 0);
   behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note);
   return true;
 }
@@ -281,7 +278,8 @@ bool behaviour_jumps(struct behaviour *b) {
       "it; positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
       w.motions, s.loose, s.caught, s.rows);
   enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = behaviour_count(s.loose && s.caught ? s.rows : 0, s.bad[r]);
+  for (int r = 0; r < N_MOTION_ROUTES; r++)
+    outcome[r] = outcome_of_counts(s.loose && s.caught ? s.rows : 0, s.bad[r], 0);
   behaviour_conclude(b, outcome, s.loose + s.caught, NULL, note);
   return true;
 }

@@ -195,7 +195,3 @@ void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_
                            r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }
-
-enum route_outcome behaviour_count(long good, long bad) {
-  return bad ? ROUTE_DIFFERS : good ? ROUTE_AGREES : ROUTE_NOTHING;
-}

@@ -258,7 +258,7 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) 
   const char *words =
       result_str(b->j->out, "%ld admissible orbits, each with u_ri = 5/4 and 2 times what it needs: %s", orbits, note);
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", behaviour_count(good[r], bad[r]), r == BY_INTEGRATION,
+    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(good[r], bad[r], 0), r == BY_INTEGRATION,
                            good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
   b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
 }

@@ -1,5 +1,6 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
 #include "judge.h"
+#include "num/calc.h"
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -9,10 +10,9 @@
    slope[1] of gap[0] with respect to z_1, z_2; times of the four events, unless NULL. */
 static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *j, arb_srcptr start) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec params, jac;
   struct dyn_arc arc;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&jac, 4, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), jac = calc_vec(&c, 4);
   dyn_arc_init(&arc, ctx);
   int s = scene_numbers(&params, j);
   if (s == SS_OK) s |= dyn_arc_run(&arc, &params, start, start + 1, NULL);
@@ -25,8 +25,7 @@ static int closing_gap(arb_ptr gap, arb_ptr slope, arb_ptr times, struct judge *
   arb_sub(gap, gap + 2, gap + 1, FIRST_PREC);
   for (int i = 0; times && i < 4; i++) arb_set(times + i, num_vec_at(&arc.t, i));
   dyn_arc_clear(&arc);
-  num_vec_clear(&jac);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return s;
 }
 
@@ -106,17 +105,14 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   for (int i = 0; i < 2; i++) printed_ball(box + i, z[i]);
   int s = gap_over_box(gap, j, box);
   bool apart = s == SS_OK && !arb_contains_zero(gap);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = "model";
-  e->result = apart ? "differs" : "undecided";
-  e->bits = FIRST_PREC;
-  e->trials = 1;
-  e->worst = "every start that the printed digits of z10 and z20 allow";
+  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
+  const char *note = NULL;
   if (s == SS_OK)
-    e->note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
-                         apart ? ", which excludes 0: no start with these digits is periodic" : "");
-  struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, s == SS_OK};
+    note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
+                      apart ? ", which excludes 0: no start with these digits is periodic" : "");
+  finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
+                    note);
+  w.trials = s == SS_OK;
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);
   /* a gap that may vanish is no proof that it does */

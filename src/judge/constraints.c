@@ -132,9 +132,7 @@ static const char *table(struct constraints *x) {
       sep = ", ";
     }
   }
-  const char *s = result_str(x->j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(x->j->out, &t);
 }
 
 /* --- Simulation --- */
@@ -238,12 +236,6 @@ static void by_simulation(struct constraints *x) {
 
 /* --- The kind --- */
 
-static enum route_outcome says_of(long as_said, long against, long undecided) {
-  if (against) return ROUTE_DIFFERS;
-  if (undecided) return ROUTE_UNDECIDED;
-  return as_said ? ROUTE_AGREES : ROUTE_NOTHING;
-}
-
 static struct route_result add(struct finding *f, struct constraints *x, const char *route, enum route_outcome outcome,
                                bool decisive, long trials, const char *note) {
   struct route_result w = {route, outcome, decisive, trials};
@@ -258,14 +250,14 @@ static void describe(struct finding *f, struct constraints *x) {
       "the paper's constraints hold together just where the model's do on %ld orbits, differ on %ld, open on "
       "%ld; the closed forms are the infima %ld times, are not %ld times, open %ld times",
       x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
-  w[0] = add(f, x, "balls", says_of(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
+  w[0] = add(f, x, "balls", outcome_of_counts(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
              x->same + x->other + x->open, note);
   note = result_str(
       x->j->out,
       "one period under the Coulomb law, u_r 1/32 above or below the bounds: %ld end as the constraints say, "
       "%ld otherwise, %ld undecided",
       x->as_said, x->against, x->undecided);
-  w[1] = add(f, x, "integration", says_of(x->as_said, x->against, x->undecided), false,
+  w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
   f->verdict = verdict_of(w, 2, false);

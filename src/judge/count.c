@@ -5,6 +5,7 @@
 
 #include "base/work.h"
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/exact_rank.h"
 
 enum { MAX_NAMES = RANK_NAMES };
@@ -62,12 +63,10 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
   struct num_ctx ctx = m->ctx;
   const struct num_type *t = ctx.type;
   struct values v;
-  struct num_vec in, out, back, w;
   int s = values_init(&v, p, VARIANT_CLOSED, ctx, cache);
-  num_vec_init(&in, y->s.tape.n_inputs, ctx);
-  num_vec_init(&out, y->s.tape.n_outputs, ctx);
-  num_vec_init(&back, y->s.tape.n_outputs, ctx);
-  num_vec_init(&w, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec in = calc_vec(&c, y->s.tape.n_inputs), out = calc_vec(&c, y->s.tape.n_outputs),
+                 back = calc_vec(&c, y->s.tape.n_outputs), w = calc_vec(&c, 2);
   bool known;
   for (slong i = 0; s == SS_OK && i < y->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, y->s.tape.inputs[i]);
@@ -90,10 +89,7 @@ static int system_matrix(struct num_vec *m, struct rank_system *y, const struct 
       s |= t->div(d, d, h, ctx.prec);
     }
   }
-  num_vec_clear(&w);
-  num_vec_clear(&back);
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   values_clear(&v);
   return s;
 }
@@ -177,8 +173,8 @@ static void count_at(struct count *n, struct rank_system *y, const struct point 
 
 static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
                                      const struct count *n, long bits, bool decisive) {
-  struct route_result w = {route, ROUTE_NOTHING, decisive, n->as_said + n->other + n->open};
-  if (w.trials) w.outcome = n->other ? ROUTE_DIFFERS : n->open ? ROUTE_UNDECIDED : ROUTE_AGREES;
+  struct route_result w = {route, outcome_of_counts(n->as_said, n->other, n->open), decisive,
+                           n->as_said + n->other + n->open};
   finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
                     result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d",
                                y->rows, y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));

@@ -21,6 +21,7 @@ struct tried {
   long near[N_NEAR][N_SIDES];                    /* orbits with a slope within 0.05 of -1, of 1 */
   long fate_as_said, fate_against, fate_open;    /* the sentence against the iterates */
   long moved_as_said, moved_against, moved_open; /* and against motions beside admissible orbits */
+  long not_iterated, not_moved;                  /* orbits against the sentence of which these cannot tell */
   double nearest[N_NEAR][N_SIDES];               /* the slopes nearest to -1 and 1 */
   const char *where;
 };
@@ -148,15 +149,19 @@ static void try_orbit(struct tried *t, struct sentence *s, struct judge *j, cons
     t->where = result_str(j->out, "slope %.6f at %s", slope, text_str(&where));
     text_clear(&where);
   }
-  if (fabs(margin) < 0.002 || j->effort == EFFORT_REFUTE) return; /* the iterates would need too long */
+  bool against = stable != (side == INSIDE), slow = fabs(margin) < 0.002; /* the iterates would need too long */
+  t->not_iterated += against && slow;
+  t->not_moved += against && fabs(margin) < 0.015;
+  if (slow || j->effort == EFFORT_REFUTE) return;
   long steps = 8 + (long)(1.5 / fabs(margin));
   book(&t->fate_as_said, &t->fate_against, &t->fate_open, iterates_of(j, p, o, steps), stable);
   if (o->admissible != TRUTH_TRUE || fabs(margin) < 0.015 || t->moved_as_said + t->moved_against >= MOTIONS) return;
   book(&t->moved_as_said, &t->moved_against, &t->moved_open, motion_of(j, p, o, steps), stable);
 }
 
-static enum route_outcome says_of(long as_said, long against, long open) {
-  return against ? ROUTE_DIFFERS : open ? ROUTE_UNDECIDED : as_said ? ROUTE_AGREES : ROUTE_NOTHING;
+/* What agrees elsewhere says nothing of orbits that it could not try. */
+static enum route_outcome where_told(enum route_outcome said, long bad, long not_tried) {
+  return said == ROUTE_AGREES && bad && bad == not_tried ? ROUTE_UNDECIDED : said;
 }
 
 static void conclude(struct behaviour *b, const struct tried *t) {
@@ -174,17 +179,18 @@ static void conclude(struct behaviour *b, const struct tried *t) {
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[0] = behaviour_route(b, "fd", "model", says_of(good, bad, 0), true, good + bad, t->where,
-                         result_str(b->j->out, "%s", text_str(&note)));
-  text_clear(&note);
+  w[0] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
+                         result_take(b->j->out, &note));
   w[1] = behaviour_route(
-      b, "iteration", "model", says_of(t->fate_as_said, t->fate_against, t->fate_open), false,
+      b, "iteration", "model",
+      where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
       t->fate_as_said + t->fate_against + t->fate_open, NULL,
       result_str(b->j->out,
                  "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
                  t->fate_as_said, t->fate_against, t->fate_open));
   w[2] = behaviour_route(
-      b, "integration", "model", says_of(t->moved_as_said, t->moved_against, t->moved_open), false,
+      b, "integration", "model",
+      where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
       t->moved_as_said + t->moved_against + t->moved_open, NULL,
       result_str(b->j->out,
                  "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
@@ -245,12 +251,18 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   if (!read_side(&y.only, j, c)) return false;
   if (!statement) return claim_error(j, c, "statement", "the record that says when an orbit is stable");
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
-  if (!r) return false;
+  struct reread in;
+  if (r && j->instead) r = reread_open(&in, r, j->instead, c->id, j->d);
+  if (!r) {
+    if (j->instead) reread_close(&in);
+    return false;
+  }
   point_init(&p);
   bool ok = sentence_from_relations(&y.sentence, view, r, NULL, 0, j->d) && try_given(&y, &p);
   if (ok) try_pool(&y, &p);
   point_clear(&p);
   sentence_clear(&y.sentence);
+  if (j->instead) reread_close(&in);
   if (ok) conclude(&b, &y.t);
   return ok && !j->d->set;
 }

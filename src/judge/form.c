@@ -1,5 +1,6 @@
 /* Sentences about form: thresholds that two inequalities share, ranges of indices, definitions. */
 #include "judge.h"
+#include "num/calc.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -36,11 +37,10 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
                           enum variant variant) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
   struct values v;
-  struct num_vec in, out;
   truth holds = TRUTH_UNKNOWN;
   int s = values_init(&v, p, variant, ctx, j->cache);
-  num_vec_init(&in, t->s.tape.n_inputs, ctx);
-  num_vec_init(&out, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec in = calc_vec(&c, t->s.tape.n_inputs), out = calc_vec(&c, 2);
   bool known = true;
   for (slong i = 0; s == SS_OK && i < t->s.tape.n_inputs; i++)
     s |= values_bind(num_vec_at(&in, i), &known, &v, t->s.tape.inputs[i]);
@@ -69,8 +69,7 @@ static truth threshold_at(long *accepted, const struct threshold *t, struct judg
     arb_clear(bound);
   }
   if (s == SS_OK) ++*accepted;
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   values_clear(&v);
   return s == SS_OK ? holds : TRUTH_UNKNOWN;
 }
@@ -98,8 +97,7 @@ static void threshold_route(struct route_result *w, struct finding *f, struct ju
       struct text at;
       text_init(&at);
       point_print(&at, &p);
-      where = result_str(j->out, "%s", text_str(&at));
-      text_clear(&at);
+      where = result_take(j->out, &at);
     }
   }
   point_clear(&p);
@@ -137,58 +135,96 @@ bool judge_threshold(struct finding *f, struct judge *j, const struct claim *c, 
 
 /* --- Index ranges --- */
 
-/* Lists the names LETTER_ij in the tree that have an index outside [lo, hi]. */
-static void out_of_range(struct text *found, const struct expr *e, const char *letter, int lo, int hi) {
-  size_t n = strlen(letter);
-  if (e->kind == EXPR_SYM && strncmp(e->name, letter, n) == 0 && e->name[n] == '_') {
-    bool outside = false, digits = e->name[n + 1] != '\0';
-    for (const char *p = e->name + n + 1; *p; p++) {
-      if (*p < '0' || *p > '9')
-        digits = false;
-      else if (*p - '0' < lo || *p - '0' > hi)
-        outside = true;
+enum { MOST_INDEX = 9 };
+
+/* A range of the indices of a letter, as a text claims it. */
+struct index_range {
+  const char *letter;
+  int low, high;
+  int size;                  /* rows of the model's matrix of that letter */
+  bool used[MOST_INDEX + 1]; /* as an index of some entry */
+  struct text outside;       /* entries that have an index out of the range */
+};
+
+/* Books the names LETTER_ij in the tree. */
+static void book_entries(struct index_range *r, const struct expr *e) {
+  size_t n = strlen(r->letter);
+  if (e->kind == EXPR_SYM && strncmp(e->name, r->letter, n) == 0 && e->name[n] == '_') {
+    const char *index = e->name + n + 1;
+    bool outside = false, digits = strspn(index, "0123456789") == strlen(index) && *index;
+    for (const char *p = index; digits && *p; p++) {
+      r->used[*p - '0'] = true;
+      outside = outside || *p - '0' < r->low || *p - '0' > r->high;
     }
-    if (digits && outside && !strstr(text_str(found), e->name))
-      text_printf(found, "%s%s", found->len ? ", " : "", e->name);
+    if (outside && !strstr(text_str(&r->outside), e->name))
+      text_printf(&r->outside, "%s%s", r->outside.len ? ", " : "", e->name);
   }
-  for (int i = 0; i < e->n_args; i++) out_of_range(found, e->args[i], letter, lo, hi);
+  for (int i = 0; i < e->n_args; i++) book_entries(r, e->args[i]);
 }
 
 static bool range_ends(int *lo, int *hi, const char *text) {
   return text && sscanf(text, "%d %d", lo, hi) == 2;
 }
 
+/* What is wrong with the range, or NULL: entries outside it, indices that the matrix has not; and, of a correction,
+   ends that no entry has. */
+static const char *range_fault(struct index_range *r, struct judge *j, const struct statement_record *rec,
+                               bool smallest) {
+  const char *fault = NULL;
+  text_init(&r->outside);
+  for (int k = 0; k < rec->n_stmts; k++)
+    for (int i = 0; i < (rec->stmts[k]->kind == STMT_RELATION ? rec->stmts[k]->n_sides : 1); i++)
+      book_entries(r, rec->stmts[k]->sides[i]);
+  if (r->outside.len)
+    fault = result_str(j->out, "%s used with an index outside %d..%d: %s", r->letter, r->low, r->high,
+                       text_str(&r->outside));
+  else if (r->low < 1 || r->high > r->size)
+    fault = result_str(j->out, "%s has no index %d: it is a matrix of %d rows and columns", r->letter,
+                       r->low < 1 ? r->low : r->size + 1, r->size);
+  else if (smallest && (r->low > r->high || !r->used[r->low] || !r->used[r->high]))
+    fault = result_str(j->out, "no entry of %s is used with the index %d", r->letter,
+                       r->low > r->high || r->used[r->low] ? r->high : r->low);
+  text_clear(&r->outside);
+  return fault;
+}
+
+/* The model's matrix, a function of the time or not. */
+static int rows_of(const char *letter) {
+  char name[32];
+  snprintf(name, sizeof name, "%.20s(t)", letter);
+  const struct oracle *o = oracle_find(name);
+  if (!o) o = oracle_find(letter);
+  int rows = o ? oracle_rows(o) : 0;
+  return rows < MOST_INDEX ? rows : MOST_INDEX;
+}
+
 bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  const char *id = claim_get(c, "statement"), *letter = claim_get(c, "letter");
-  const struct statement_record *r = id ? view_record(&view, id) : NULL;
-  int lo, hi;
-  if (!r || !letter) return claim_error(j, c, "statement", "a record and a letter are needed");
-  if (!range_ends(&lo, &hi, claim_get(c, "range"))) return claim_error(j, c, "range", "a range reads LOW HIGH");
-  struct text found;
-  text_init(&found);
-  for (int k = 0; k < r->n_stmts; k++)
-    for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
-      out_of_range(&found, r->stmts[k]->sides[i], letter, lo, hi);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "printed";
-  e->result = found.len ? "differs" : "agrees";
-  e->trials = 1;
-  e->note = found.len ? result_str(j->out, "%s used with an index outside %d..%d: %s", letter, lo, hi, text_str(&found))
-                      : result_str(j->out, "every index of %s lies in %d..%d", letter, lo, hi);
-  f->verdict = found.len ? VERDICT_REFUTED : VERDICT_PROVED;
-  const char *repaired = claim_get(c, "repaired-range");
-  if (found.len && repaired && range_ends(&lo, &hi, repaired)) {
-    struct text again;
-    text_init(&again);
-    for (int k = 0; k < r->n_stmts; k++)
-      for (int i = 0; i < (r->stmts[k]->kind == STMT_RELATION ? r->stmts[k]->n_sides : 1); i++)
-        out_of_range(&again, r->stmts[k]->sides[i], letter, lo, hi);
-    f->correction = result_str(j->out, "indices %d..%d", lo, hi);
-    f->correction_verdict = again.len ? VERDICT_REFUTED : VERDICT_PROVED;
-    text_clear(&again);
+  const char *id = claim_get(c, "statement"), *repaired = claim_get(c, "repaired-range");
+  const struct statement_record *rec = id ? view_record(&view, id) : NULL;
+  struct index_range r = {.letter = claim_get(c, "letter")};
+  if (!rec || !r.letter) return claim_error(j, c, "statement", "a record and a letter are needed");
+  if (!range_ends(&r.low, &r.high, claim_get(c, "range"))) return claim_error(j, c, "range", "a range reads LOW HIGH");
+  r.size = rows_of(r.letter);
+  if (!r.size) return claim_error(j, c, "letter", "the model has no matrix of that name");
+  const char *fault = range_fault(&r, j, rec, false);
+  struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, 1};
+  finding_add_route(f, j->out, w, "printed", -1, NULL,
+                    fault ? fault : result_str(j->out, "every index of %s lies in %d..%d", r.letter, r.low, r.high));
+  f->verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
+  struct index_range again = {.letter = r.letter, .size = r.size};
+  if (fault && repaired) {
+    if (!range_ends(&again.low, &again.high, repaired))
+      return claim_error(j, c, "repaired-range", "a range reads LOW HIGH");
+    fault = range_fault(&again, j, rec, true);
+    f->correction = result_str(j->out, "indices %d..%d", again.low, again.high);
+    f->correction_verdict = fault ? VERDICT_REFUTED : VERDICT_PROVED;
+    finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
+                  fault ? fault
+                        : result_str(j->out,
+                                     "the smallest range that holds every index used, and the model's %s has all "
+                                     "its entries",
+                                     r.letter));
   }
-  text_clear(&found);
   return true;
 }
 

@@ -86,11 +86,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       }
       text_clear(&step);
     }
-  *w = (struct route_result){"balls",
-                             failed              ? ROUTE_DIFFERS
-                             : unknown || !tried ? ROUTE_UNDECIDED
-                                                 : ROUTE_AGREES,
-                             true, tried};
+  *w = (struct route_result){"balls", outcome_of_counts(tried, failed, unknown + !tried), true, tried};
   while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
   finding_add_route(f, j->out, *w, layer_name[view.layer], FIRST_PREC, where,
                     note.len ? result_str(j->out, "%s", text_str(&note)) : NULL);

@@ -1,16 +1,18 @@
 /* One claim: it is judged with its own text as printed and everything it uses corrected; a refuted one is
    judged again as corrected and under restrictions; every control beside it must be noticed.  run.c says which are. */
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/work.h"
+#include "claim/near.h"
 #include "judge.h"
 #include "proof/exact_proof.h"
 #include "record/routes.h"
 #include "value/orbit_pool.h"
 #include "value/title.h"
 
-#define JUDGE(name, word, fn, tried, asked, scene, parts, balls) fn,
+#define JUDGE(name, word, fn, ...) fn,
 static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
 #undef JUDGE
 
@@ -21,7 +23,8 @@ kind_fn judge_of(const struct claim *c) {
 
 /* --- Corrections --- */
 
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
+/* Judges the sentence again with everything corrected and fills f->correction. */
+static bool judge_correction(struct finding *f, struct judge *j, const struct claim *c) {
   struct text t;
   text_init(&t);
   bool ok = true;
@@ -33,10 +36,7 @@ bool judge_correction(struct finding *f, struct judge *j, const struct claim *c)
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
-    for (int i = 0; ok && i < again.n_evidence; i++) {
-      struct evidence *e = finding_add(f, j->out);
-      *e = again.evidence[i];
-    }
+    for (int i = 0; ok && i < again.n_evidence; i++) *finding_add(f, j->out) = again.evidence[i];
   }
   text_clear(&t);
   return ok;
@@ -53,7 +53,8 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
     if (!claim_is_about(r, c)) continue;
-    if (*r->tex) text_printf(&tex, "%s$%s$", tex.len ? " " : "", r->tex);
+    if (*r->tex && tex.len) text_add_char(&tex, ' ');
+    if (*r->tex) record_quote(&tex, r);
     for (int k = 0; k < r->n_stmts; k++) {
       text_add(&parsed, parsed.len ? ", \\quad " : "");
       stmt_latex(&parsed, r->stmts[k]);
@@ -63,8 +64,7 @@ static void quote_and_formula(struct finding *f, struct judge *j, const struct c
     f->quote = result_str(j->out, "%s", quote);
   else if (tex.len)
     f->quote = result_str(j->out, "%s", text_str(&tex));
-  if (parsed.len) f->printed = result_str(j->out, "%s", text_str(&parsed));
-  text_clear(&parsed);
+  if (parsed.len) f->printed = result_take(j->out, &parsed);
   text_clear(&tex);
 }
 
@@ -103,13 +103,6 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   return true;
 }
 
-static bool known_fault(const char *s) {
-  static const char *const faults[] = {"notation", "formula", "number", "argument"};
-  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
-    if (strcmp(faults[i], s) == 0) return true;
-  return false;
-}
-
 /* Does the diagnostic point into a file that counts as the paper's text? */
 static bool about_paper(const struct judge *j) {
   for (size_t i = 0; i < j->model->n_records; i++) {
@@ -124,12 +117,9 @@ static bool about_paper(const struct judge *j) {
    claim, a control or an erratum spoils is an error of ours. */
 static bool notation_fault(struct finding *f, struct judge *j) {
   if (j->claim_at_fault || !about_paper(j)) return false;
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "own text printed, the rest corrected";
-  e->result = "differs";
-  e->trials = 1;
-  e->note = result_str(j->out, "%s", j->d->message);
+  struct route_result w = {"diagnostic", ROUTE_DIFFERS, true, 1};
+  finding_add_route(f, j->out, w, "own text printed, the rest corrected", -1, NULL,
+                    result_str(j->out, "%s", j->d->message));
   f->verdict = VERDICT_REFUTED;
   f->fault = "notation";
   diag_init(j->d);
@@ -156,11 +146,13 @@ bool judge_claim(struct judge *j, const struct claim *c) {
   struct finding f;
   if (!judge_verdict(&f, j, c)) return false;
   keep_asked_routes(&f, j, c);
+  const char *few = claim_get(c, "few");
+  if (few)
+    finding_state(&f, j->out, "none", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  result_str(j->out, "fewer points or routes than its kind asks for: %s", few));
   const struct claim_kind *k = claim_kind_of(c);
   if (f.verdict == VERDICT_REFUTED) {
-    const char *fault = claim_get(c, "fault");
-    if (!f.fault) f.fault = copy(j->out, fault ? fault : "formula");
-    if (!known_fault(f.fault)) return claim_error(j, c, "fault", "one of notation, formula, number, argument");
+    if (!f.fault) f.fault = fault_name[claim_fault(j->model, c)];
     if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c)) return false;
   }
   struct audit_result *out = j->out;
@@ -182,17 +174,36 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
   return false;
 }
 
+/* Of a control that says how near it is; where its claim is not tried at points, that is taken as said, and so it is
+   where the program has made the damage itself. */
+static bool measure_near(const char **distance, struct judge *j, const struct claim *c, const struct claim *control) {
+  const char *near = record_get(control->record, "near");
+  double log_distance;
+  if (!near) return true;
+  if (!isfinite(log2(strtod(near, NULL))))
+    return claim_error(j, control, "near", "reads 1e-30: the most that the damage changes");
+  *distance = copy(j->out, near);
+  if (near_made(control) || !control_distance(&log_distance, j, c, control->id)) return true;
+  *distance = order_of_magnitude(j->out, log_distance);
+  return true;
+}
+
 /* A control is its claim with a part of it made wrong: formulas by an overlay that bears the control's id, attributes
-   by those of the control's own record. */
+   by those of the control's own record.  One "of: correction" makes the correction wrong that the claim's file holds:
+   the claim fails as before, and so must the correction. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim) {
   struct claim c = *claim;
   c.control = control->record;
   const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
   if (!k || !finding_describe(&f, j, &c)) return false;
+  const char *of = record_get(control->record, "of");
+  bool correction = of && strcmp(of, "correction") == 0;
+  if (of && !correction) return claim_error(j, control, "of", "\"correction\", or nothing");
   struct view view = {j->model, LAYER_CORRECTED, NULL, control->id};
+  if (correction) view = claim_view(j->model, &c);
   struct audit_result *out = j->out;
-  j->effort = EFFORT_VERDICT;
+  j->effort = record_get(control->record, "near") ? EFFORT_REFUTE : EFFORT_VERDICT; /* decided where balls are */
   bool readable = judge_of(&c)(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {
@@ -201,6 +212,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
     return true;
   }
   if (f.verdict == VERDICT_SKIPPED) return true;
+  if (correction) f.verdict = f.correction ? f.correction_verdict : VERDICT_UNKNOWN;
   bool narrowed = j->scene->asked.routes.n > 0;
   if (f.verdict == VERDICT_UNKNOWN && narrowed) {
     audit_leave_out(out, result_str(out, "control %s", control->id), "undecided by the routes that the scene asks for");
@@ -215,6 +227,11 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
     audit_leave_out(out, result_str(out, "control %s", control->id), "its claim does not hold here without damage");
     return true;
   }
+  const char *distance = NULL;
+  if (!measure_near(&distance, j, &c, control)) return false;
   audit_control(out, copy(out, control->id), copy(out, claim->id), f.verdict);
+  struct control_result *said = &out->controls[out->n_controls - 1];
+  said->near = copy(out, record_get(control->record, "near"));
+  said->distance = distance;
   return true;
 }

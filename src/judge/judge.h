@@ -19,8 +19,7 @@ bool route_is_asked(const struct scene *s, const char *route);
 /* Of a claim that was judged: evidence by other routes goes, and with it what rested on it; says so. */
 void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c);
 
-#define JUDGE(name, word, fn, tried, asked, scene, parts, balls)                                                       \
-  bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
+#define JUDGE(name, word, fn, ...) bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 CLAIM_KINDS(JUDGE)
 #undef JUDGE
 /* That of the claim's kind; NULL when there is none. */
@@ -41,7 +40,25 @@ bool judge_claim(struct judge *j, const struct claim *c);
    there. */
 bool judge_control(struct judge *j, const struct claim *control, const struct claim *claim);
 
-/* Judges the sentence again with everything corrected and fills f->correction. */
-bool judge_correction(struct finding *f, struct judge *j, const struct claim *c);
+/* How far the control's damage takes the claim's sentence from what it says corrected: log2 of the largest difference of
+   a side, relative where that is more than 1.  false: it is not tried at points, or has no value at those tried. */
+bool control_distance(double *log_distance, struct judge *j, const struct claim *c, const char *control);
+
+/* A text read in the place of a record's statements; to be closed whether or not it could be read.  NULL with d set. */
+struct reread {
+  struct source src;
+  struct arena arena;
+  const struct stmt *stmt;
+  struct statement_record record;
+};
+const struct statement_record *reread_open(struct reread *r, const struct statement_record *in, const char *text,
+                                           const char *name, struct diag *d);
+void reread_close(struct reread *r);
+
+/* The verdict on a correction that the claim's file holds, by the claim that its attribute repaired-as names: a
+   criterion reads it as its statement; a law as the heading over the branches of a mass that has the belt's velocity,
+   or, with ";", as the names of its sliding and its static friction.  Their evidence becomes the finding's.  false with
+   j->d set when there is no such claim. */
+bool judge_repaired(struct finding *f, struct judge *j, const struct claim *c, const char *repaired);
 
 #endif

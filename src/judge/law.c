@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/condition.h"
 
 enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };
@@ -17,6 +18,9 @@ static const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"}
 struct law {
   struct judge *j;
   struct conditions branch[N_BRANCHES];
+  struct sentence heading; /* over the branches of a mass that has the belt's velocity */
+  bool headed;
+  char names[2][16]; /* of the mass's sliding and static friction */
   int mass;
   long as_said[2], against[2]; /* balls, integration */
   const char *where;
@@ -26,6 +30,7 @@ struct law {
 struct state {
   double chi, eta, belt, x[2], limit[2], slide[2]; /* limit u_r, slide u_s */
   int speed;                                       /* sign of V - x_i' of the mass in question */
+  bool both;                                       /* the other mass has the belt's velocity */
 };
 
 static double pull(const struct state *s, int mass) {
@@ -55,14 +60,28 @@ static double simulated_force(enum branch *b, int *eps, const struct state *s, i
   return end.at.u[mass];
 }
 
-/* The law knows the forces, their limits and where the masses are; any other symbol may have any value. */
-static double symbol(const struct state *s, const char *name, int mass, double force, int eps) {
+static double velocity(const struct state *s, int mass, int which) {
+  if (which == mass) return s->belt * (1 - 0.25 * s->speed);
+  return s->both ? s->belt : 0.5 * s->belt;
+}
+
+/* The law knows the forces, their limits, where the masses are and how fast; any other symbol may have any value. */
+static double symbol(const struct law *l, const struct state *s, const char *name, double force, int eps) {
+  int mass = l->mass;
   const struct {
     const char *name;
     double value;
-  } known[] = {{mass ? "u_2" : "u_1", force}, {"eps", eps},          {"chi", s->chi},       {"x_1(t)", s->x[0]},
-               {"x_2(t)", s->x[1]},           {"u_r1", s->limit[0]}, {"u_r2", s->limit[1]}, {"u_s1", s->slide[0]},
-               {"u_s2", s->slide[1]},         {"V", s->belt},        {"eta", s->eta}};
+  } known[] = {{mass ? "u_2" : "u_1", force},
+               {"eps", eps},
+               {"chi", s->chi},
+               {"x_1(t)", s->x[0]},
+               {"x_2(t)", s->x[1]},
+               {"x_1'(t)", velocity(s, mass, 0)},
+               {"x_2'(t)", velocity(s, mass, 1)},
+               {l->names[0], s->slide[mass]},
+               {l->names[1], s->limit[mass]},
+               {"V", s->belt},
+               {"eta", s->eta}};
   unsigned h = 7;
   for (size_t i = 0; i < sizeof known / sizeof *known; i++)
     if (strcmp(known[i].name, name) == 0) return known[i].value;
@@ -71,29 +90,28 @@ static double symbol(const struct state *s, const char *name, int mass, double f
 }
 
 /* A condition's margin as a ball. */
-static int margin(arb_t z, const struct condition *c, const struct state *s, int mass, double force, int eps) {
+static int margin(arb_t z, const struct law *l, const struct condition *c, const struct state *s, double force,
+                  int eps) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec in, out;
-  num_vec_init(&in, c->s.tape.n_inputs, ctx);
-  num_vec_init(&out, 1, ctx);
-  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(s, c->s.tape.inputs[i], mass, force, eps));
+  struct calc w = calc_begin(ctx);
+  struct num_vec in = calc_vec(&w, c->s.tape.n_inputs), out = calc_vec(&w, 1);
+  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(l, s, c->s.tape.inputs[i], force, eps));
   int status = tape_eval(&out, NULL, &c->s.tape, &in);
   arb_set(z, num_vec_at(&out, 0));
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&w);
   return status;
 }
 
 /* Whether all inequalities of a branch hold, or all its equations. */
-static truth all_hold(const struct conditions *list, bool equations, const struct state *s, int mass, double force,
-                      int eps, double tolerance) {
+static truth all_hold(const struct law *l, const struct conditions *list, bool equations, const struct state *s,
+                      double force, int eps, double tolerance) {
   truth all = TRUTH_TRUE;
   arb_t m;
   arb_init(m);
   for (int k = 0; k < list->n; k++) {
     if (list->at[k].equality != equations) continue;
     truth holds = TRUTH_UNKNOWN;
-    if (margin(m, &list->at[k], s, mass, force, eps) == SS_OK && equations)
+    if (margin(m, l, &list->at[k], s, force, eps) == SS_OK && equations)
       holds = fabs(num_arb.get_d(m)) <= tolerance ? TRUTH_TRUE : TRUTH_FALSE;
     else if (arb_is_positive(m))
       holds = TRUTH_TRUE;
@@ -105,15 +123,33 @@ static truth all_hold(const struct conditions *list, bool equations, const struc
   return all;
 }
 
+/* Does the heading hold just where the mass has the belt's velocity?  Its sides are exact in balls. */
+static truth heading_agrees(const struct law *l, const struct state *s) {
+  struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
+  struct num_vec in, out;
+  const struct tape *t = &l->heading.tape;
+  bool holds = true;
+  if (!l->headed) return TRUTH_TRUE;
+  num_vec_init(&in, t->n_inputs, ctx);
+  num_vec_init(&out, t->n_outputs, ctx);
+  for (slong i = 0; i < in.len; i++) arb_set_d(num_vec_at(&in, i), symbol(l, s, t->inputs[i], 0, 1));
+  int status = tape_eval(&out, NULL, t, &in);
+  for (slong i = 0; i < l->heading.n; i++)
+    holds = holds && arb_overlaps(num_vec_at(&out, i), num_vec_at(&out, l->heading.n + i));
+  num_vec_clear(&out);
+  num_vec_clear(&in);
+  return status != SS_OK ? TRUTH_UNKNOWN : holds == (s->speed == 0) ? TRUTH_TRUE : TRUTH_FALSE;
+}
+
 /* Do the branches of the text that begin at the belt's velocity hold just as the law says, and is the force of the one
    that applies the law's? */
 static truth text_agrees(const struct law *l, const struct state *s, enum branch b, int eps, double force,
                          double tolerance) {
-  truth ok = all_hold(&l->branch[b], true, s, l->mass, force, eps, tolerance);
+  truth ok = truth_and(heading_agrees(l, s), all_hold(l, &l->branch[b], true, s, force, eps, tolerance));
   if (b == SLIPS) return ok;
   for (int sign = -1; sign <= 1; sign++) {
     const struct conditions *list = &l->branch[sign ? BREAKS : STICKS];
-    truth holds = all_hold(list, false, s, l->mass, force, sign ? sign : 1, tolerance);
+    truth holds = all_hold(l, list, false, s, force, sign ? sign : 1, tolerance);
     bool applies = sign ? b == BREAKS && sign == eps : b == STICKS;
     ok = truth_and(ok, applies ? holds : truth_not(holds));
   }
@@ -129,6 +165,7 @@ static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   }
   *s = (struct state){
       .chi = u[0] / 64, .eta = u[1] / 16, .belt = u[2] / 16, .x = {(u[3] - 30.5) / 8, (u[4] - 31.5) / 4}};
+  s->both = nth % 3 == 0;
   s->speed = nth % 4 < 2 ? 0 : nth % 4 == 2 ? 1 : -1;
   double off = ldexp(1, -4 - 10 * (nth / 4 % 3));
   for (int i = 0; i < 2; i++) {
@@ -159,6 +196,38 @@ static void try_states(struct law *l) {
   }
 }
 
+/* The heading is the claim's, or a correction in its place. */
+static bool read_heading(struct law *l, struct reread *in, const struct claim *c, struct view view) {
+  bool corrected = l->j->instead && !strchr(l->j->instead, ';');
+  const char *text = corrected ? l->j->instead : claim_get(c, "heading");
+  static const struct statement_record nowhere = {.id = "heading", .section = "", .equation = "", .tex = ""};
+  if (!text) return true;
+  const struct statement_record *r = reread_open(in, &nowhere, text, c->id, l->j->d);
+  l->headed = r && sentence_from_relations(&l->heading, view, r, NULL, 0, l->j->d);
+  if (r && !l->headed) sentence_clear(&l->heading);
+  reread_close(in);
+  return l->headed;
+}
+
+/* "u_{si}" for the mass 1 is typed u_s1. */
+static void typed_name(char out[16], const char *symbol, size_t n, int mass) {
+  size_t k = 0;
+  for (size_t i = 0; i < n && k + 1 < 16; i++)
+    if (symbol[i] != '{' && symbol[i] != '}' && symbol[i] != ' ') out[k++] = symbol[i];
+  if (k && out[k - 1] == 'i') out[k - 1] = mass ? '2' : '1';
+  out[k] = '\0';
+}
+
+static void read_names(struct law *l) {
+  const char *names = l->j->instead, *second = names ? strchr(names, ';') : NULL;
+  if (!second) {
+    names = "u_si;u_ri";
+    second = names + 4;
+  }
+  typed_name(l->names[0], names, (size_t)(second - names), l->mass);
+  typed_name(l->names[1], second + 1, strlen(second + 1), l->mass);
+}
+
 bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   static const char *const route[2] = {"balls", "integration"};
   struct law l = {.j = j};
@@ -169,25 +238,25 @@ bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct
     ok = conditions_read(&l.branch[b], j, c, branch_name[b], view);
     if (ok && l.branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
   }
+  struct reread in;
+  if (ok) read_names(&l);
+  ok = ok && read_heading(&l, &in, c, view);
   if (ok) {
     struct route_result w[2];
     try_states(&l);
     for (int i = 0; i < 2; i++) {
       long trials = l.as_said[i] + l.against[i];
-      w[i] = (struct route_result){route[i],
-                                   !trials        ? ROUTE_NOTHING
-                                   : l.against[i] ? ROUTE_DIFFERS
-                                                  : ROUTE_AGREES,
-                                   i == 0, trials};
+      w[i] = (struct route_result){route[i], outcome_of_counts(l.as_said[i], l.against[i], 0), i == 0, trials};
       finding_add_route(
           f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
           result_str(j->out,
-                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies, and "
+                     "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies%s, and "
                      "gives the friction of the law",
-                     l.as_said[i], trials));
+                     l.as_said[i], trials, l.headed ? ", under its heading" : ""));
     }
     f->verdict = verdict_of(w, 2, false);
   }
   for (int b = 0; b < N_BRANCHES; b++) conditions_clear(&l.branch[b]);
+  if (l.headed) sentence_clear(&l.heading);
   return ok;
 }

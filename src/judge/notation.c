@@ -103,21 +103,39 @@ static const char *uses_text(struct judge *j, const struct use *u, int n) {
       again = again || (strcmp(u[k].symbol, u[i].symbol) == 0 && strcmp(u[k].meaning, u[i].meaning) == 0);
     if (!again) text_printf(&t, "%s$%s$ for %s", t.len ? ", " : "", u[i].symbol, u[i].meaning);
   }
-  const char *said = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return said;
+  return result_take(j->out, &t);
+}
+
+/* --- Corrected symbols --- */
+
+/* Whether a record of the paper or a quotation prints the symbol. */
+static bool is_printed(const struct judge *j, const char *symbol) {
+  for (size_t i = 0; i < j->model->n_records; i++)
+    if (j->model->records[i].rank == RANK_PAPER && occurs(j->model->records[i].tex, symbol)) return true;
+  for (size_t i = 0; i < j->claims->n; i++)
+    if (occurs(claim_get(&j->claims->claim[i], "quote"), symbol)) return true;
+  return false;
+}
+
+/* A corrected symbol is one that the paper prints for this meaning among the uses, or is new to the paper: else it
+   stands for something else already. */
+static void borrowed(struct text *out, const struct judge *j, const struct use *now, int m, const struct use *printed,
+                     int n) {
+  for (int i = 0; i < m; i++) {
+    bool own = false;
+    for (int k = 0; k < n; k++)
+      own = own || (strcmp(printed[k].symbol, now[i].symbol) == 0 && strcmp(printed[k].meaning, now[i].meaning) == 0);
+    if (!own && is_printed(j, now[i].symbol))
+      text_printf(out, "%s$%s$ is printed elsewhere, and not for %s", out->len ? "; " : "", now[i].symbol,
+                  now[i].meaning);
+  }
 }
 
 /* --- The kind --- */
 
 static void settle(struct finding *f, struct judge *j, const char *fault, long trials) {
   struct route_result w = {"diagnostic", fault ? ROUTE_DIFFERS : ROUTE_AGREES, true, trials};
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "diagnostic";
-  e->layer = "printed";
-  e->result = fault ? "differs" : "agrees";
-  e->trials = trials;
-  e->note = fault;
+  finding_add_route(f, j->out, w, "printed", -1, NULL, fault);
   f->verdict = verdict_of(&w, 1, true);
 }
 
@@ -132,16 +150,24 @@ static bool judge_symbols(struct finding *f, struct judge *j, const struct claim
   clashes(&found, u, n);
   settle(f, j, found.len ? result_str(j->out, "%s", text_str(&found)) : NULL, n);
   const char *repaired = claim_get(c, "repaired");
+  bool ok = true;
   if (found.len && repaired && !view.control) {
-    int m = read_uses(u, c, repaired);
+    struct use now[MAX_USES];
+    int m = read_uses(now, c, repaired);
     text_reset(&found);
-    clashes(&found, u, m);
-    f->correction = uses_text(j, u, m);
+    clashes(&found, now, m);
+    if (!claim_get(c, "repaired-as")) borrowed(&found, j, now, m, u, n);
+    f->correction = uses_text(j, now, m);
     struct route_result w = {"diagnostic", m < n || found.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, m};
     f->correction_verdict = verdict_of(&w, 1, true);
+    if (found.len)
+      finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, m, NULL,
+                    result_str(j->out, "the correction: %s", text_str(&found)));
+    else if (claim_get(c, "repaired-as") && j->effort != EFFORT_REFUTE)
+      ok = judge_repaired(f, j, c, repaired);
   }
   text_clear(&found);
-  return true;
+  return ok;
 }
 
 static bool judge_reading(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -153,9 +179,9 @@ static bool judge_reading(struct finding *f, struct judge *j, const struct claim
   if (!ok && repaired && !view.control) {
     diag_init(&d);
     bool again = read_text(repaired, c->id, section ? section : "", view, &d);
-    struct route_result w = {"diagnostic", again ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
     f->correction = result_str(j->out, "%s", repaired);
-    f->correction_verdict = verdict_of(&w, 1, true);
+    f->correction_verdict = again ? VERDICT_UNKNOWN : VERDICT_REFUTED;
+    if (again && j->effort != EFFORT_REFUTE) return judge_repaired(f, j, c, repaired);
   }
   return true;
 }

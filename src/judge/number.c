@@ -23,8 +23,7 @@ static const char *units_off(struct judge *j, const arb_t x, const struct printe
   struct text t;
   text_init(&t);
   if (num_print(&t, d, 3) != SS_OK) num_print_ball(&t, d, 3);
-  const char *s = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
+  const char *s = result_take(j->out, &t);
   arb_clear(u);
   arb_clear(d);
   return s;
@@ -112,56 +111,55 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
+static enum route_outcome outcome_of(truth fits) {
+  return fits == TRUTH_TRUE ? ROUTE_AGREES : fits == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
+}
+
+/* "it is ..., which prints as 0.68 when rounded" or "it is ..., 3 units of the last printed digit away". */
+static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
+                      enum reading how) {
+  text_printf(note, "it is %s", ball_text(n->j, x, digits));
+  if (fits == TRUTH_TRUE)
+    text_printf(note, ", which prints as %s when %s.", n->p->decimal, reading_name[how]);
+  else
+    text_printf(note, ", %s units of the last printed digit away.", units_off(n->j, x, n->p));
+}
+
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
-static truth number_on_orbits(struct route_result *w, struct finding *f, const struct number_job *n) {
+static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
   struct point p;
-  point_init(&p);
-  arb_t x;
-  arb_init(x);
-  truth t = TRUTH_UNKNOWN;
   struct text note;
-  text_init(&note);
-  struct evidence *e = finding_add(f, j->out);
-  e->route = "balls";
-  e->layer = "corrected";
+  arb_t x;
+  truth t = TRUTH_UNKNOWN;
+  const char *where = NULL;
   slong bits = FIRST_PREC;
-  e->trials = 0;
+  point_init(&p);
+  arb_init(x);
+  text_init(&note);
   if (nearest_orbit_point(&p, j->scene, j->cache) && number_at(x, &bits, n, &p) == SS_OK) {
     enum reading how;
+    slong used = bits, nearest = p.orbit;
     t = printed_fits(x, n->p, &how);
-    e->bits = bits;
-    e->trials = 1;
-    e->worst =
-        result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
-    text_printf(&note, "On the orbit nearest to the printed numbers it is %s", ball_text(j, x, 10));
-    if (t == TRUTH_TRUE)
-      text_printf(&note, ", which prints as %s when %s. ", n->p->decimal, reading_name[how]);
-    else
-      text_printf(&note, ", %s units of the last printed digit away. ", units_off(j, x, n->p));
+    where = result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
+    text_add(&note, "On the orbit nearest to the printed numbers ");
+    add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) correct_number(f, n, x);
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "printed %s, computed %s: off by %s units of the last printed digit",
                              n->p->decimal, ball_text(j, x, 10), units_off(j, x, n->p));
-    slong nearest = p.orbit;
     for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, "On orbit %ld it is %s. ", (long)p.orbit + 1, ball_text(j, x, 6));
+        text_printf(&note, " On orbit %ld it is %s.", (long)p.orbit + 1, ball_text(j, x, 6));
+    bits = used;
+  } else {
+    text_add(&note, "no orbit was found, or the quantity could not be evaluated on it");
   }
-  if (!e->trials) e->bits = bits;
-  e->result = t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided";
-  while (note.len && note.data[note.len - 1] == ' ') note.data[--note.len] = '\0';
-  e->note = note.len ? result_str(j->out, "%s", text_str(&note))
-                     : "no orbit was found, or the quantity could not be evaluated on it";
-  *w = (struct route_result){"balls",
-                             t == TRUTH_TRUE    ? ROUTE_AGREES
-                             : t == TRUTH_FALSE ? ROUTE_DIFFERS
-                                                : ROUTE_UNDECIDED,
-                             true, e->trials};
-  text_clear(&note);
+  struct route_result w = {"balls", outcome_of(t), true, where != NULL};
+  finding_add_route(f, j->out, w, "corrected", bits, where, result_take(j->out, &note));
   arb_clear(x);
   point_clear(&p);
-  return t;
+  return w;
 }
 
 /* Whether some reading of the printed digits of e1 and e2, where these are the data, rescues the number: the orbit at
@@ -216,44 +214,33 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   fmpq_clear(shift);
 }
 
-/* What the other printed numbers give through the same formula. */
-static truth number_from_printed(struct route_result *w, struct finding *f, const struct number_job *n) {
+/* What the other printed numbers give through the same formula: a route that decides, or a statement beside it. */
+static struct route_result number_from_printed(struct finding *f, const struct number_job *n, bool decides) {
   struct judge *j = n->j;
   struct point p;
-  point_init(&p);
+  struct text note;
   arb_t x;
-  arb_init(x);
-  truth t = TRUTH_UNKNOWN;
   enum reading how = READ_ROUNDED;
   slong bits = FIRST_PREC;
+  point_init(&p);
+  arb_init(x);
+  text_init(&note);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
-  if (have) t = printed_fits(x, n->p, &how);
+  truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
+  struct route_result w = {"balls", outcome_of(t), true, have};
   if (have) {
-    struct evidence *e = finding_add(f, j->out);
-    e->route = "balls";
-    e->layer = "printed numbers";
-    e->result = w ? (t == TRUTH_TRUE ? "agrees" : t == TRUTH_FALSE ? "differs" : "undecided") : "states";
-    e->bits = bits;
-    e->trials = 1;
-    e->worst = "the printed numbers";
-    e->note =
-        t == TRUTH_TRUE
-            ? result_str(j->out, "From the other printed numbers, taken exactly, it is %s, which prints as %s when %s.",
-                         ball_text(j, x, 8), n->p->decimal, reading_name[how])
-            : result_str(
-                  j->out,
-                  "From the other printed numbers, taken exactly, it is %s, %s units of the last printed digit away.",
-                  ball_text(j, x, 8), units_off(j, x, n->p));
+    text_add(&note, "From the other printed numbers, taken exactly, ");
+    add_value(&note, n, x, 8, t, how);
+    const char *where = "the printed numbers", *says = result_str(j->out, "%s", text_str(&note));
+    if (decides)
+      finding_add_route(f, j->out, w, "printed numbers", bits, where, says);
+    else
+      finding_state(f, j->out, "balls", "printed numbers", bits, 1, where, says);
   }
-  if (w)
-    *w = (struct route_result){"balls",
-                               t == TRUTH_TRUE    ? ROUTE_AGREES
-                               : t == TRUTH_FALSE ? ROUTE_DIFFERS
-                                                  : ROUTE_UNDECIDED,
-                               true, have};
+  text_clear(&note);
   arb_clear(x);
   point_clear(&p);
-  return t;
+  return w;
 }
 
 bool judge_number(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -276,14 +263,10 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   name_latex(&latex, name);
   f->printed = result_str(j->out, "%s %s %s", text_str(&latex), n.relation, n.p->decimal);
   text_clear(&latex);
-  struct route_result w;
-  if (strcmp(from, "orbit") == 0) {
-    truth t = number_on_orbits(&w, f, &n);
-    if (t == TRUTH_FALSE) number_rescue(f, &n);
-    if (claim_get(c, "also-printed")) number_from_printed(NULL, f, &n);
-  } else {
-    number_from_printed(&w, f, &n);
-  }
+  bool on_orbits = strcmp(from, "orbit") == 0;
+  struct route_result w = on_orbits ? number_on_orbits(f, &n) : number_from_printed(f, &n, true);
+  if (on_orbits && w.outcome == ROUTE_DIFFERS) number_rescue(f, &n);
+  if (on_orbits && claim_get(c, "also-printed")) number_from_printed(f, &n, false);
   f->verdict = verdict_of(&w, 1, true);
   if (owned) {
     fmpq_clear(&own.value);

@@ -274,12 +274,6 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
 
 /* --- Summing up --- */
 
-static enum route_outcome outcome(const struct tally *t) {
-  if (t->trials == 0) return ROUTE_NOTHING;
-  if (t->differs) return ROUTE_DIFFERS;
-  return t->undecided ? ROUTE_UNDECIDED : ROUTE_AGREES;
-}
-
 static const char *layer_of(const struct point_trials *r) {
   return r->view.layer == LAYER_CORRECTED && r->view.own ? "own text printed, the rest corrected"
                                                          : layer_name[r->view.layer];
@@ -301,15 +295,15 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
   if (t->rejected)
     text_printf(&note, "%s%ld further point%s not accepted", note.len ? "; " : "", t->rejected,
                 t->rejected == 1 ? "" : "s");
-  if (note.len) e->note = result_str(out, "%s", text_str(&note));
-  text_clear(&note);
+  if (note.len) e->note = result_take(out, &note);
 }
 
 static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
-    w[i] = (struct route_result){t->route->name, outcome(t), i == 0, t->trials};
+    w[i] = (struct route_result){t->route->name, outcome_of_counts(t->agrees, t->differs, t->undecided), i == 0,
+                                 t->trials};
     add_evidence(f, r, t, w[i]);
   }
   finding_add_proof(f, r->j->out, &r->proof, layer_of(r), r->tally[0].differs > 0);
@@ -432,8 +426,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
   text_printf(&t, "%s-if-", c->id);
   for (; *text; text++)
     if (*text != ' ' && *text != '=') text_add_char(&t, *text);
-  *id = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
+  *id = result_take(j->out, &t);
   return N_VERDICTS;
 }
 

@@ -222,6 +222,43 @@ static const char *names_with_unit(struct judge *j, const char *prefixes) {
   return said;
 }
 
+/* --- A correction of the names that scale --- */
+
+static bool starts_any(const char *names, const char *full) {
+  for (size_t n; *names; names += n + strspn(names + n, " ")) {
+    char one[32];
+    n = strcspn(names, " ");
+    snprintf(one, sizeof one, "%.*s", (int)(n < sizeof one ? n : sizeof one - 1), names);
+    if (n && !starts(one, full)) return false;
+  }
+  return true;
+}
+
+/* The first symbol of the tree to which the two lists give other degrees. */
+static const char *differing(const struct expr *e, const char *list, const char *full) {
+  if (e->kind == EXPR_SYM && starts(e->name, list) != starts(e->name, full)) return e->name;
+  for (int i = 0; i < e->n_args; i++) {
+    const char *name = differing(e->args[i], list, full);
+    if (name) return name;
+  }
+  return NULL;
+}
+
+/* What the corrected names say of the record must be what the names of the claim repaired-as, with which every formula
+   is homogeneous, say of it.  false with j->d set when there is no such claim. */
+static bool check_repaired(struct text *faults, struct judge *j, const struct claim *c, const char *repaired,
+                           const struct statement_record *r) {
+  const struct claim *by = claim_named(j->claims, claim_get(c, "repaired-as"));
+  const char *full = by && claim_kind(by) == KIND_SCALING ? claim_get(by, "scaled") : NULL, *name = NULL;
+  if (!full || !r) return claim_error(j, c, "repaired-as", "the correction is judged by another claim of kind scaling");
+  if (!starts_any(repaired, full)) text_printf(faults, "%s: not all of %s scale in other formulas", r->id, repaired);
+  for (int i = 0; i < r->n_stmts && !name; i++)
+    for (int k = 0; k < r->stmts[i]->n_sides && !name; k++) name = differing(r->stmts[i]->sides[k], repaired, full);
+  if (name)
+    text_printf(faults, "%s%s: %s has another degree in the other formulas", faults->len ? ". " : "", r->id, name);
+  return true;
+}
+
 bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *scaled = claim_get(c, "scaled"), *repaired = claim_get(c, "repaired"), *only = claim_get(c, "statement");
   if (!scaled) return claim_error(j, c, "kind", "the attribute scaled is missing");
@@ -235,6 +272,11 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     bool own = pass == 0;
     text_reset(&faults);
     check_all(&faults, &checked, j, view, own, !own && repaired ? repaired : scaled, only);
+    if (!own && repaired && claim_get(c, "repaired-as") &&
+        !check_repaired(&faults, j, c, repaired, only ? view_record(&view, only) : NULL)) {
+      text_clear(&faults);
+      return false;
+    }
     struct route_result w = {"algebra", faults.len ? ROUTE_DIFFERS : ROUTE_AGREES, true, checked};
     finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
                       NULL,

@@ -7,6 +7,7 @@
 #include "base/work.h"
 #include "judge.h"
 #include "motion/given.h"
+#include "num/calc.h"
 #include "proof/condition.h"
 #include "value/coulomb_setup.h"
 
@@ -46,8 +47,7 @@ static bool letters_of(char out[16], const char *word) {
   size_t n = 0;
   int used;
   for (; n < 14 && sscanf(word, " %15s%n", name, &used) == 1; word += used) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    int ph = word_find(name, phase_name, N_PHASES);
     if (ph == N_PHASES) return false;
     out[n++] = letter[ph];
   }
@@ -111,11 +111,11 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
 static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *text) {
   for (int i = 0; i < 2; i++) {
     char name[8], number[24];
-    int used, k = 0;
+    int used;
     if (!text || sscanf(text, " %7[a-z_0-9] = %23[0-9./]%n", name, number, &used) != 2) return false;
     text += used;
     while (*text == ',' || *text == ' ') text++;
-    while (k < N_QUANTITIES && strcmp(dyn_quantity_id[k], name) != 0) k++;
+    int k = word_find(name, dyn_quantity_id, N_QUANTITIES);
     if (k == N_QUANTITIES || num_parse_decimal(&value[i], number, strlen(number)) != SS_OK) return false;
     which[i] = (enum dyn_quantity)k;
   }
@@ -125,11 +125,8 @@ static bool read_given(enum dyn_quantity which[2], fmpq value[2], const char *te
 /* Does the state return, carried through the given phases over the orbit's times?  By closed forms or exponentials. */
 static truth returns(const struct judge *j, const struct dyn_orbit *o, const enum phase *through, int n, bool closed) {
   struct num_ctx ctx = num_ctx_arb(FIRST_PREC);
-  struct num_vec params, m, z, start;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&m, 16, ctx);
-  num_vec_init(&z, 4, ctx);
-  num_vec_init(&start, 4, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), m = calc_vec(&c, 16), z = calc_vec(&c, 4), start = calc_vec(&c, 4);
   int s = SS_OK;
   for (int i = 0; i < 3; i++) s |= ctx.type->set_q(num_vec_at(&params, i), &j->scene->value[i], ctx.prec);
   arb_set(num_vec_at(&params, P_E1), o->e1);
@@ -149,10 +146,7 @@ static truth returns(const struct judge *j, const struct dyn_orbit *o, const enu
   truth back = s == SS_OK ? TRUTH_TRUE : TRUTH_UNKNOWN;
   for (int i = 0; s == SS_OK && i < 4; i++)
     if (!arb_overlaps(num_vec_at(&z, i), num_vec_at(&start, i))) back = TRUTH_FALSE;
-  num_vec_clear(&start);
-  num_vec_clear(&z);
-  num_vec_clear(&m);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return back;
 }
 
@@ -160,8 +154,7 @@ static int read_phases(enum phase through[N_PHASES], const char *text) {
   char name[16];
   int n = 0, used;
   for (; text && n < N_PHASES && sscanf(text, " %15s%n", name, &used) == 1; text += used) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], name) != 0) ph++;
+    int ph = word_find(name, phase_name, N_PHASES);
     if (ph == N_PHASES) return 0;
     through[n++] = (enum phase)ph;
   }
@@ -181,9 +174,7 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
                      list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                      ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
-  enum route_outcome outcome = back[TRUTH_FALSE]           ? ROUTE_DIFFERS
-                               : back[TRUTH_UNKNOWN] || !o ? ROUTE_UNDECIDED
-                                                           : ROUTE_AGREES;
+  enum route_outcome outcome = outcome_of_counts(back[TRUTH_TRUE], back[TRUTH_FALSE], back[TRUTH_UNKNOWN] + !o);
   return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
 }
 

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "judge.h"
+#include "num/calc.h"
 #include "proof/exact_proof.h"
 
 /* What a route saw: points at which every step becomes an equality, at which some step stays apart, and neither. */
@@ -16,9 +17,8 @@ struct tally {
    are disjoint. */
 static int steps_at(truth *holds, struct sentence *s, struct point *p, slong end, enum variant variant,
                     struct orbit_cache *cache) {
-  struct num_vec lhs, rhs;
-  num_vec_init(&lhs, s->n, num_ctx_arb(FIRST_PREC));
-  num_vec_init(&rhs, s->n, num_ctx_arb(FIRST_PREC));
+  struct calc c = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct num_vec lhs = calc_vec(&c, s->n), rhs = calc_vec(&c, s->n);
   fmpq_set_si(&p->q[Q_S], end, 1);
   int status = sentence_values(&lhs, &rhs, s, p, variant, cache);
   arb_t d;
@@ -33,8 +33,7 @@ static int steps_at(truth *holds, struct sentence *s, struct point *p, slong end
       holds[i] = TRUTH_TRUE;
   }
   arb_clear(d);
-  num_vec_clear(&rhs);
-  num_vec_clear(&lhs);
+  calc_clear(&c);
   return status;
 }
 
@@ -52,8 +51,7 @@ static void try_point(struct tally *t, struct sentence *s, struct point *p, enum
   struct text where;
   text_init(&where);
   point_print(&where, p);
-  t->where = result_str(j->out, "%s", text_str(&where));
-  text_clear(&where);
+  t->where = result_take(j->out, &where);
 }
 
 static void run_route(struct tally *t, struct judge *j, const struct claim *c, struct sentence *s,
@@ -76,11 +74,7 @@ static void run_route(struct tally *t, struct judge *j, const struct claim *c, s
 static struct route_result conclude(struct finding *f, struct judge *j, const struct tally *t, const char *route,
                                     bool decisive) {
   long trials = t->reached + t->apart + t->open;
-  enum route_outcome outcome = !trials    ? ROUTE_NOTHING
-                               : t->apart ? ROUTE_DIFFERS
-                               : t->open  ? ROUTE_UNDECIDED
-                                          : ROUTE_AGREES;
-  struct route_result w = {route, outcome, decisive, trials};
+  struct route_result w = {route, outcome_of_counts(t->reached, t->apart, t->open), decisive, trials};
   const char *note =
       !trials ? "no accepted point"
       : t->apart

@@ -3,6 +3,10 @@
 #include "verdict.h"
 #include "record/routes.h"
 
+enum route_outcome outcome_of_counts(long agrees, long differs, long undecided) {
+  return differs ? ROUTE_DIFFERS : undecided ? ROUTE_UNDECIDED : agrees ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
 int independent_routes(const struct route_result *w, int n) {
   int count = 0;
   for (int i = 0; i < n; i++) {

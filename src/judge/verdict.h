@@ -4,6 +4,8 @@
 
 #include "record/finding.h"
 
+/* What a route says that was tried so often with each outcome. */
+enum route_outcome outcome_of_counts(long agrees, long differs, long undecided);
 /* The one table from evidence to verdict. */
 enum verdict verdict_of(const struct route_result *w, int n, bool whole_domain);
 /* Of a sentence with that verdict, judged again under a condition. */

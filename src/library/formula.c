@@ -93,15 +93,9 @@ int ss_formula_latex(char **out, const ss_formula *f) {
   if (!out) return library_argument(__func__, "no place for the text");
   *out = NULL;
   if (!f) return library_argument(__func__, "no formula");
-  struct arena a;
-  struct source s;
   text_init(&t);
-  arena_init(&a);
-  source_from_string(&s, f->text, f->text);
-  expr_latex(&t, expr_parse(&a, &s, (struct span){0, s.len}, NULL)); /* which has been read before */
+  expr_latex_of(&t, f->text); /* which has been read before */
   *out = library_take(&t);
-  source_clear(&s);
-  arena_clear(&a);
   return SS_OK;
 }
 

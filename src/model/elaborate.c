@@ -131,6 +131,16 @@ static bool undefined(const struct expr *e, const struct scope *sc, struct diag 
   return false;
 }
 
+/* The definition that the scope sees, or NULL; false when there are several. */
+static bool look_up(const struct definition **def, const struct elaboration *el, const struct expr *e,
+                    const struct scope *sc, struct diag *d) {
+  struct diag ambiguous;
+  diag_init(&ambiguous);
+  *def = view_lookup(&el->view, e->name, sc->section, &ambiguous);
+  if (ambiguous.set) diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
+  return !ambiguous.set;
+}
+
 static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct expr *e, const struct scope *sc,
                         struct diag *d) {
   if (sc->param && strcmp(e->name, sc->param) == 0) {
@@ -146,13 +156,8 @@ static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct
     *out = override_value(el, o);
     return true;
   }
-  struct diag ambiguous;
-  diag_init(&ambiguous);
-  const struct definition *def = view_lookup(&el->view, e->name, sc->section, &ambiguous);
-  if (ambiguous.set) {
-    diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
-    return false;
-  }
+  const struct definition *def;
+  if (!look_up(&def, el, e, sc, d)) return false;
   if (!def) {
     if (!model_is_symbol(el->view.model, e->name)) return undefined(e, sc, d);
     *out = matrix_scalar(el, expr_sym(&el->pool, e->name));
@@ -204,13 +209,8 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
   struct matrix arg;
   if (!eval(&arg, el, tree, sc, d)) return false;
   if (!matrix_is_scalar(&arg)) return form_mistake(sc, tree, d, "the argument of a function is a scalar", &arg, NULL);
-  struct diag ambiguous;
-  diag_init(&ambiguous);
-  const struct definition *def = view_lookup(&el->view, e->name, sc->section, &ambiguous);
-  if (ambiguous.set) {
-    diag_at(d, sc->src, e->span.begin, "%s", ambiguous.message);
-    return false;
-  }
+  const struct definition *def;
+  if (!look_up(&def, el, e, sc, d)) return false;
   if (!def) return undefined(e, sc, d);
   if (def->stmt->kind == STMT_TRAJECTORY) {
     *out = matrix_scalar(el, expr_call(&el->pool, e->name, e->order, arg.e[0]));

@@ -28,7 +28,6 @@ bool form_mistake(const struct scope *sc, const struct expr *e, struct diag *d, 
 
 struct matrix matrix_new(struct elaboration *el, int rows, int cols);
 struct matrix matrix_scalar(struct elaboration *el, const struct expr *e);
-struct matrix matrix_zeros(struct elaboration *el, int rows, int cols);
 
 static inline const struct expr *matrix_at(const struct matrix *m, int i, int j) {
   return m->e[i * m->cols + j];

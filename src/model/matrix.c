@@ -29,7 +29,7 @@ struct matrix matrix_scalar(struct elaboration *el, const struct expr *e) {
   return m;
 }
 
-struct matrix matrix_zeros(struct elaboration *el, int rows, int cols) {
+static struct matrix matrix_zeros(struct elaboration *el, int rows, int cols) {
   struct matrix m = matrix_new(el, rows, cols);
   for (int i = 0; i < rows * cols; i++) m.e[i] = expr_num(&el->pool, "0");
   return m;

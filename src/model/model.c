@@ -21,6 +21,7 @@ void model_clear(struct model *m) {
     free(m->files[i]);
   }
   free(m->files);
+  free(m->ranks);
   free(m->defs);
   free(m->records);
   free(m->symbols);
@@ -132,7 +133,7 @@ static bool load_symbol(struct model *m, const struct record_file *f, const stru
 
 static bool load_statements(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                             struct diag *d) {
-  static const char *const known[] = {"section", "equation", "tex", "note", "reads", "replaces", "equals"};
+  static const char *const known[] = {"section", "equation", "tex", "place", "note", "reads", "replaces", "equals"};
   if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
   bool defines = strcmp(r->kind_name, "define") == 0;
   const char *section = record_get(r, "section");
@@ -174,27 +175,48 @@ static bool load_statements(struct model *m, const struct record_file *f, const 
   return true;
 }
 
-/* Whose formulas these are.  A file of the paper's own that is read over the paper says the same again. */
+/* Is it "sha256 " and 64 hexadecimal digits, in small letters? */
+static bool is_digest(const char *s) {
+  static const char name[] = "sha256 ";
+  const size_t n = strlen(name);
+  return strncmp(s, name, n) == 0 && strspn(s + n, "0123456789abcdef") == 64 && strlen(s) == n + 64;
+}
+
+/* One fact about the paper.  A file of the paper's own that is read over the paper says the same again. */
+static bool load_fact(const char **fact, const char *what, const struct record_file *f, const struct field *fd,
+                      enum rank rank, struct diag *d) {
+  if (rank != RANK_PAPER && *fact && strcmp(*fact, fd->text) == 0) return true;
+  if (rank != RANK_PAPER || *fact) {
+    diag_at(d, &f->src, fd->key.begin,
+            *fact ? "the paper's %s is given twice; leave one out"
+                  : "the paper's %s stands in one of its own files, not in one that is laid over them",
+            what);
+    return false;
+  }
+  *fact = fd->text;
+  return true;
+}
+
+/* Whose formulas these are, and the text that they are quoted from. */
 static bool load_title(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   const struct record *top = &f->records[0];
-  for (size_t k = 0; k < top->n_fields; k++) {
+  bool ok = true;
+  for (size_t k = 0; ok && k < top->n_fields; k++) {
     const struct field *fd = &top->fields[k];
-    if (!fd->attribute || strcmp(fd->key_name, "paper") != 0) continue;
-    if (rank != RANK_PAPER && m->paper && strcmp(m->paper, fd->text) == 0) continue;
-    if (rank != RANK_PAPER || m->paper) {
-      diag_at(d, &f->src, fd->key.begin,
-              m->paper ? "the paper's title is given twice; leave one out"
-                       : "the paper's title stands in one of its own files, not in one that is laid over them");
-      return false;
-    }
-    m->paper = fd->text;
+    if (!fd->attribute) continue;
+    if (strcmp(fd->key_name, "paper") == 0) ok = load_fact(&m->paper, "title", f, fd, rank, d);
+    if (strcmp(fd->key_name, "text") != 0) continue;
+    ok = load_fact(&m->paper_text, "text", f, fd, rank, d);
+    if (!ok || is_digest(fd->text)) continue;
+    diag_at(d, &f->src, fd->value.begin, "a text is named by its digest, \"sha256 \" and 64 hexadecimal digits");
+    ok = false;
   }
-  return true;
+  return ok;
 }
 
 static bool load_records(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
-  static const char *const attributes[] = {"section", "title", "note", "paper"};
+  static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text"};
   const struct record *top = &f->records[0];
   if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
     return false;
@@ -224,13 +246,24 @@ static bool load_records(struct model *m, const struct record_file *f, enum rank
   return true;
 }
 
-bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
-  struct source src;
-  if (!source_read(&src, path, MAX_EQ_FILE, d)) return false;
+static bool add_source(struct model *m, struct source src, enum rank rank, struct diag *d) {
   struct record_file *f = ss_malloc(sizeof *f);
   m->files = ss_grow(m->files, m->n_files, &m->cap_files, sizeof *m->files);
+  m->ranks = ss_grow(m->ranks, m->n_files, &m->cap_ranks, sizeof *m->ranks);
+  m->ranks[m->n_files] = rank;
   m->files[m->n_files++] = f;
   return record_file_parse(f, src, d) && load_records(m, f, rank, d);
+}
+
+bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d) {
+  struct source src;
+  return source_read(&src, path, MAX_EQ_FILE, d) && add_source(m, src, rank, d);
+}
+
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d) {
+  struct source src;
+  source_from_string(&src, name, text);
+  return add_source(m, src, rank, d);
 }
 
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d) {
@@ -262,6 +295,17 @@ bool model_load(struct model *m, const char *data, const char *paper, const char
   }
   text_clear(&path);
   return ok && model_check_tex(m, paper ? RANK_USER : RANK_STABLE, d); /* another paper's names are not the errata's */
+}
+
+void record_quote(struct text *out, const struct statement_record *r) {
+  static const char gap[] = " ... ";
+  const char *s = r->tex;
+  for (const char *end; (end = strstr(s, gap)) != NULL; s = end + strlen(gap)) {
+    text_add_char(out, '$');
+    text_add_n(out, s, (size_t)(end - s));
+    text_printf(out, "$%s", gap);
+  }
+  text_printf(out, "$%s$", s);
 }
 
 /* Whether the view sees something of this rank, equation and record. */

@@ -2,7 +2,7 @@
 
    An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
    the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it
-   may carry "paper: TITLE".  Records:
+   may carry "paper: TITLE" and "text: sha256 ...", the digest of the text that is quoted (quote/quote.h).  Records:
 
      symbol NAME        a free quantity; "means: text" says what it is
      define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
@@ -10,9 +10,9 @@
      inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
      relation ID        statements that hold along a motion: "trajectory z_1(t)" names an unknown function of time
 
-   with the attributes section, equation (the paper's number), tex (what was transcribed, as printed), reads (how the TeX
-   departs from what it says to the letter, "PIECE as TEX"; perhaps several), note and, in overlays, replaces.  Another
-   attribute is an error.  A name that is neither defined nor a
+   with the attributes section, equation (the paper's number), tex (in the paper's own files a quotation to the letter),
+   place (where it stands, quote/quote.h), reads (how the TeX departs from what it says to the letter, "PIECE as TEX";
+   perhaps several), note and, in overlays, replaces.  Another attribute is an error.  A name that is neither defined nor a
    symbol is an error where it is used.  Seen from a section, its own definition of a name comes first, then one without
    a section, then that of another section, if there is only one.
 
@@ -55,6 +55,9 @@ struct statement_record {
   int n_stmts;
 };
 
+/* Its tex as text with mathematics between dollar signs, outside of which "..." stands. */
+void record_quote(struct text *out, const struct statement_record *r);
+
 /* What look-ups have returned so far, by index in the model's arrays. */
 struct model_use {
   bool *def, *record;
@@ -64,9 +67,11 @@ enum { MODEL_BUCKETS = 256 };
 
 struct model {
   struct arena arena;
-  const char *paper; /* the paper's title; NULL where its files say none */
+  const char *paper;      /* the paper's title; NULL where its files say none */
+  const char *paper_text; /* the digest of its text; NULL likewise */
   struct record_file **files;
-  size_t n_files, cap_files;
+  enum rank *ranks; /* of the files */
+  size_t n_files, cap_files, cap_ranks;
   struct definition *defs;
   size_t n_defs, cap_defs;
   struct {
@@ -82,8 +87,9 @@ struct model {
 
 void model_init(struct model *m);
 void model_clear(struct model *m);
-/* Adds one file, or every *.eq file of a folder in the order of their names. */
+/* Adds one file, a text that messages call by the name, or every *.eq file of a folder in the order of their names. */
 bool model_add_file(struct model *m, const char *path, enum rank rank, struct diag *d);
+bool model_add_text(struct model *m, const char *name, const char *text, enum rank rank, struct diag *d);
 bool model_add_folder(struct model *m, const char *path, enum rank rank, struct diag *d);
 
 /* All of a data folder: its paper, or that of another folder (paper, or NULL), the user's overlay (or NULL), the

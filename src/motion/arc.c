@@ -31,9 +31,8 @@ static void to_doubles(double *out, const struct num_vec *v) {
 /* The event near the given time, an element of the arc's type. */
 static int event_near(void *t, enum phase ph, const struct num_vec *params, const struct num_vec *in, val near) {
   if (ph == PHASE_D || params->ctx.type == &num_arb) return dyn_event(t, ph, params, in, params->ctx.type->get_d(near));
-  struct calc c;
   val p[N_PARAMS], z[N_STATE];
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   c.ctx.type->set(t, event_newton(&c, ph, p, z, near));
@@ -57,11 +56,10 @@ static struct event_view view_of(struct calc *c, const val p[N_PARAMS], const va
 }
 
 static int first_event(double *t, enum phase ph, const struct num_vec *params, const struct num_vec *in) {
-  struct calc c;
   val p[N_PARAMS], z[N_STATE];
   double params_d[N_PARAMS];
   bool grazing;
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   to_doubles(params_d, params);

@@ -73,11 +73,10 @@ static void make_box(struct krawczyk *k, const val at[N_QUANTITIES], const struc
 /* A box around the solution's enclosures s->x, far wider than these, in which it is the only one: the first that
    Krawczyk's operator proves, made narrower by 2^-BOX_SAFETY so that another program's operator can prove it too. */
 static int widen(struct word_root *s, const struct word_data *d, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct krawczyk k;
   struct num_vec x;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   struct word_system w = {&c, &m, d->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -105,11 +104,10 @@ static int widen(struct word_root *s, const struct word_data *d, slong prec) {
 
 /* z10 and z20 of every solution whose quantities lie in the box, and somewhat more. */
 static int box_of_start(struct dyn_certificate *z, const struct word_data *d, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct word w;
   val at[N_QUANTITIES];
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, d->model);
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = z->box[i];
   word_make(&w, &c, &m, at);
@@ -215,12 +213,11 @@ static unsigned still_open(const struct dyn_certificate *z) {
 
 /* Everything but existence, at one precision. */
 static void decide(struct dyn_certificate *z, const struct dyn_question *q, const struct word_root *s, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct word w;
   struct dyn_orbit o;
   val at[N_QUANTITIES];
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   for (int i = 0; i < N_QUANTITIES; i++) at[i] = s->x[i];
   val p[N_PARAMS] = {calc_q(&c, q->model), calc_q(&c, q->model + 1), calc_q(&c, q->model + 2), at[QUANTITY_E1],
                      at[QUANTITY_E2]};

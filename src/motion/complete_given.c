@@ -92,10 +92,9 @@ static truth is_orbit(struct calc *c, const fmpq *model, const val e[2], val tb,
 
 static int both_times(struct dyn_orbits *list, const fmpq *model, const fmpq *tb, const fmpq *tc, slong prec,
                       long max_steps) {
-  struct calc c;
   struct plane of[N_OF];
   val e[2][2];
-  calc_init(&c, num_ctx_arb(2 * prec + 128));
+  struct calc c = calc_begin(num_ctx_arb(2 * prec + 128));
   val b = calc_q(&c, tb), t = calc_q(&c, tc), stiff = calc_mul(&c, calc_q(&c, model), calc_q(&c, model + 1));
   planes_at(of, &c, model, b, t);
   int n = solve_planes(e, &c, of, stiff), gap = n < 0 ? GAP_DOUBLE : GAP_UNTRIED;
@@ -136,8 +135,7 @@ static void ball_of(arb_ptr x, struct disk d) {
 /* A zero that no orbit of the list is: not an orbit, or a gap. */
 static void settle(struct dyn_orbits *list, const struct line_zero *z, const fmpq *params, int unknown, const fmpq *tb,
                    long max_steps) {
-  struct calc c;
-  calc_init(&c, num_ctx_arb(128));
+  struct calc c = calc_begin(num_ctx_arb(128));
   val e[2];
   arb_ptr tc = calc_new(&c), x = calc_new(&c), b = calc_new(&c);
   ball_of(tc, (struct disk){z->at, z->near});

@@ -177,8 +177,7 @@ int coulomb_params_set(struct num_vec *params, const struct num_vec *model, cons
 }
 
 int coulomb_start_set(struct num_vec *start, const struct num_vec *params, const void *z10, const void *z20) {
-  struct calc c;
-  calc_init(&c, start->ctx);
+  struct calc c = calc_begin(start->ctx);
   val p[N_COULOMB];
   flow_vals(p, params, 0, N_COULOMB);
   /* d_1 - chi d_2 = u_s1 and chi (d_2 - d_1) = u_s2. */

@@ -91,8 +91,7 @@ static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS],
   num_vec_init(&start, 1, num_ctx_mpfr(prec));
   status |= num_mpfr.set_d(num_vec_at(&start, 0), t0, prec);
   while (n > 0 && !status) {
-    struct calc c;
-    calc_init(&c, num_ctx_mpfr(ladder[--n]));
+    struct calc c = calc_begin(num_ctx_mpfr(ladder[--n]));
     num_mpfr.set(num_vec_at(&start, 0), event_newton(&c, ph, p, in, num_vec_at(&start, 0)));
     status |= c.status;
     calc_clear(&c);
@@ -103,8 +102,7 @@ static int event_mpfr(void *t, slong prec, enum phase ph, const val p[N_PARAMS],
 }
 
 static int event_double(double *t, enum phase ph, const val p[N_PARAMS], const val in[N_STATE], double t0) {
-  struct calc c;
-  calc_init(&c, num_ctx_double());
+  struct calc c = calc_begin(num_ctx_double());
   *t = *(const double *)event_newton(&c, ph, p, in, &t0);
   calc_clear(&c);
   return c.status;
@@ -145,11 +143,10 @@ static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *p
                      double t0) {
   struct num_vec mid;
   val all[N_PARAMS + N_STATE], p[N_PARAMS], z[N_STATE];
-  struct calc c;
   arb_t start;
   int status = SS_OK;
   num_vec_init(&mid, N_PARAMS + N_STATE + 1, num_ctx_mpfr(prec + 32));
-  calc_init(&c, num_ctx_arb(prec + 32));
+  struct calc c = calc_begin(num_ctx_arb(prec + 32));
   arb_init(start);
   flow_vals(all, params, 0, N_PARAMS);
   flow_vals(all + N_PARAMS, in, 0, N_STATE);
@@ -169,9 +166,8 @@ static int event_arb(arb_t t, slong prec, enum phase ph, const struct num_vec *p
 
 /* Phase D is linear: w has a constant speed. */
 static int event_stick(void *t, const struct num_vec *params, const struct num_vec *in) {
-  struct calc c;
   val p[N_PARAMS], z[N_STATE];
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(z, in, 0, N_STATE);
   val f = flow_switching(&c, PHASE_D, p, z);

@@ -181,9 +181,8 @@ val flow_switching_rate(struct calc *c, enum phase ph, const val p[N_PARAMS], co
 
 static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                     const void *t) {
-  struct calc c;
   val p[N_PARAMS], from[N_STATE], to[N_STATE];
-  calc_init(&c, out->ctx);
+  struct calc c = calc_begin(out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(from, in, 0, N_STATE);
   struct blocks b = flow_blocks(&c, ph, p, t);
@@ -195,10 +194,9 @@ static int flow_run(struct num_vec *out, enum phase ph, const struct num_vec *pa
 
 static int matrix_run(struct num_vec *out, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                       const void *t) {
-  struct calc c;
   val p[N_PARAMS];
   (void)in;
-  calc_init(&c, out->ctx);
+  struct calc c = calc_begin(out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   struct blocks b = flow_blocks(&c, ph, p, t);
   for (int i = 0; i < N_STATE; i++)
@@ -214,9 +212,8 @@ typedef val (*switching)(struct calc *c, enum phase ph, const val p[N_PARAMS], c
 
 static int value_run(struct num_vec *out, switching f, enum phase ph, const struct num_vec *params,
                      const struct num_vec *z) {
-  struct calc c;
   val p[N_PARAMS], at[N_STATE];
-  calc_init(&c, out->ctx);
+  struct calc c = calc_begin(out->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   flow_vals(at, z, 0, N_STATE);
   c.ctx.type->set(num_vec_at(out, 0), f(&c, ph, p, at));

@@ -63,9 +63,8 @@ static bool goes_up(struct calc *c, const struct ball_params *m, const struct wo
 
 /* The numbers of the orbit of a solution. */
 static int describe(struct dyn_orbit *o, const struct word_root *s, const struct given_problem *q, slong prec) {
-  struct calc c;
   struct ball_params m;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   orbit_params(&m, &c, s, q);
   int status = dyn_orbit_describe(o, &c, &m, s->x[QUANTITY_TB], s->x[QUANTITY_TC], goes_up(&c, &m, s));
   for (int i = 0; i < N_PHASES; i++) arb_set(o->t[i], s->x[QUANTITY_TA + i]);
@@ -75,9 +74,8 @@ static int describe(struct dyn_orbit *o, const struct word_root *s, const struct
 
 /* Its conditions.  Returns whether e1 and e2 are positive and the events proved to be the first ones. */
 static truth judge(struct dyn_orbit *o, const struct word_root *s, const struct given_problem *q, slong prec) {
-  struct calc c;
   struct ball_params m;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   orbit_params(&m, &c, s, q);
   arb_ptr pi = calc_new(&c);
   arb_const_pi(pi, prec);

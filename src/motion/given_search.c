@@ -376,7 +376,7 @@ static int scan_plane(struct scan *s) {
 int given_search(struct seeds *out, const struct given_problem *q) {
   struct scan s = {.q = q, .out = out};
   *out = (struct seeds){.n = 0};
-  calc_init(&s.c, num_ctx_double());
+  s.c = calc_begin(num_ctx_double());
   word_params(&s.m, &s.c, q->data.model);
   int status = scan_plane(&s);
   calc_clear(&s.c);

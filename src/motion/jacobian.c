@@ -11,6 +11,7 @@
 #include "differences.h"
 #include "event.h"
 #include "flow.h"
+#include "num/calc.h"
 #include "rounded.h"
 
 /* f = Z' at the state z. */
@@ -69,9 +70,8 @@ static struct phase_end phase_end(struct calc *c, enum phase ph, const struct nu
 
 static int local_run(struct num_vec *j, enum phase ph, const struct num_vec *params, const struct num_vec *in,
                      const void *t) {
-  struct calc c;
   val from[N_STATE], out[N_STATE][N_STATE];
-  calc_init(&c, j->ctx);
+  struct calc c = calc_begin(j->ctx);
   flow_vals(from, in, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, from, t);
   for (int col = 0; col < N_STATE; col++) {
@@ -93,10 +93,9 @@ int dyn_local_jacobian(struct num_vec *j, enum phase ph, const struct num_vec *p
 
 int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const struct dyn_arc *arc) {
   struct num_ctx ctx = params->ctx;
-  struct num_vec local, product;
   int status = SS_OK;
-  num_vec_init(&local, N_STATE * N_STATE, ctx);
-  num_vec_init(&product, N_STATE * 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec local = calc_vec(&c, N_STATE * N_STATE), product = calc_vec(&c, N_STATE * 2);
   for (slong i = 0; i < 2; i++) status |= ctx.type->set_d(num_vec_at(&product, 3 * i), 1, ctx.prec);
   for (int ph = PHASE_D; ph < N_PHASES; ph++) {
     struct num_vec in = {ctx, N_STATE, num_vec_at(&arc->z, ph * N_STATE)};
@@ -104,8 +103,7 @@ int dyn_return_jacobian(struct num_vec *j, const struct num_vec *params, const s
     status |= num_mat_mul(&product, &local, &product, N_STATE, N_STATE, 2);
   }
   for (slong i = 0; i < 4; i++) ctx.type->set(num_vec_at(j, i), num_vec_at(&product, i));
-  num_vec_clear(&local);
-  num_vec_clear(&product);
+  calc_clear(&c);
   return status;
 }
 
@@ -153,9 +151,8 @@ static void difference(val *out, struct calc *c, const struct event_map *map, co
 /* j receives the n x n derivative at x; err, unless NULL, the worst estimated error: a third of the change from step h
    to 2h, plus a few units in the last place of the scale over h. */
 static int differentiate(struct num_vec *j, void *err, const struct event_map *map, const struct num_vec *x) {
-  struct calc c;
   slong prec = x->ctx.prec;
-  calc_init(&c, x->ctx);
+  struct calc c = calc_begin(x->ctx);
   val scale = scale_of(&c, x, num_vec_at(map->params, P_V));
   val h = calc_mul(&c, scale, calc_two_to(&c, -prec / 3)), twice = calc_add(&c, h, h);
   val rounding = calc_div(&c, calc_mul(&c, scale, calc_two_to(&c, 3 - prec)), h), worst = calc_d(&c, 0);
@@ -177,9 +174,8 @@ static int differentiate(struct num_vec *j, void *err, const struct event_map *m
 }
 
 static int run_phase(struct num_vec *out, const struct num_vec *x, const struct event_map *map) {
-  struct calc c;
   val p[N_PARAMS], in[N_STATE], z[N_STATE];
-  calc_init(&c, x->ctx);
+  struct calc c = calc_begin(x->ctx);
   flow_vals(p, map->params, 0, N_PARAMS);
   flow_vals(in, x, 0, N_STATE);
   val t = event_newton(&c, map->ph, p, in, num_vec_at(&map->near, 0));
@@ -195,10 +191,9 @@ static int run_phase(struct num_vec *out, const struct num_vec *x, const struct 
    between neighbours. */
 static int phase_jitter(double *jitter, enum phase ph, const struct num_vec *params, const struct num_vec *from,
                         val t) {
-  struct calc c;
   val in[N_STATE];
   double terms = 0, speed = 0;
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   double (*const size)(const void *) = c.ctx.type->get_d;
   flow_vals(in, from, 0, N_STATE);
   const struct phase_end e = phase_end(&c, ph, params, in, t);
@@ -254,14 +249,12 @@ int dyn_return_jacobian_fd(struct num_vec *j, void *err, const struct num_vec *p
 /* The event map on doubles, which are the elements of num_double. */
 static int run_doubles(double *out, const double *x, const void *self) {
   const struct event_map *map = self;
-  struct num_vec in, end;
-  num_vec_init(&in, map->n, num_ctx_double());
-  num_vec_init(&end, map->n, num_ctx_double());
+  struct calc c = calc_begin(num_ctx_double());
+  struct num_vec in = calc_vec(&c, map->n), end = calc_vec(&c, map->n);
   memcpy(in.data, x, (size_t)map->n * sizeof *x);
   int status = map->run(&end, &in, map);
   memcpy(out, end.data, (size_t)map->n * sizeof *out);
-  num_vec_clear(&end);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return status;
 }
 

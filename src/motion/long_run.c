@@ -1,6 +1,7 @@
 /* Three simulations of one motion, return by return.  MPFR goes first and keeps its returns as they are, so that the
    others' distances from it are differences taken in MPFR, not of rounded numbers. */
 #include "long_run.h"
+#include "num/calc.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -63,17 +64,15 @@ static bool listen(void *self, const struct coulomb_event *e) {
 /* One route, in the context given. */
 static int run_closed(struct listener *l, struct num_ctx ctx, const double params[N_COULOMB],
                       const double start[N_STATE], const struct coulomb_plan *plan) {
-  struct num_vec p, x;
   struct coulomb_result r;
   struct coulomb_sink sink = {l, listen, NULL};
-  num_vec_init(&p, N_COULOMB, ctx);
-  num_vec_init(&x, N_STATE, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
   for (int i = 0; i < N_COULOMB; i++) ctx.type->set_d(num_vec_at(&p, i), params[i], ctx.prec);
   for (int i = 0; i < N_STATE; i++) ctx.type->set_d(num_vec_at(&x, i), start[i], ctx.prec);
   int status = coulomb_simulate_exact(&r, NULL, &p, &x, plan, &sink);
   l->run->end[l->route] = r.end;
-  num_vec_clear(&x);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return status;
 }
 
@@ -121,7 +120,8 @@ long long_run_length(const struct long_run *run, struct long_pair p) {
   return run->n[p.a] < run->n[p.b] ? run->n[p.a] : run->n[p.b];
 }
 
-double long_run_apart(const struct long_run *run, struct long_pair p, long i) {
+/* How far apart their positions are at return i, from 0. */
+static double long_run_apart(const struct long_run *run, struct long_pair p, long i) {
   const struct long_return *a = &run->at[p.a][i], *b = &run->at[p.b][i];
   if (p.b == LONG_MPFR) return a->off;
   if (p.a == LONG_MPFR) return b->off;

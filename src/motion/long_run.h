@@ -46,9 +46,7 @@ struct long_pair {
 };
 /* The returns that both have. */
 long long_run_length(const struct long_run *run, struct long_pair p);
-/* How far apart their positions are at return i, from 0. */
-double long_run_apart(const struct long_run *run, struct long_pair p, long i);
-/* The largest of these.  (Of times, the errors of every period add up, even on a stable orbit.) */
+/* How far apart their positions are at most.  (Of times, the errors of every period add up, even on a stable orbit.) */
 double long_run_most(const struct long_run *run, struct long_pair p);
 /* The first return, from 1, at which a position or the time differs by more than `by`; 0 when none does. */
 long long_run_parting(const struct long_run *run, struct long_pair p, double by);

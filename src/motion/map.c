@@ -362,14 +362,13 @@ static val rounded(struct calc *c, val x, bool exact) {
 /* A pass at the precision, from given->near; the times go there if it is not the last, else all to the arc.  *lost: as
    in struct maker. */
 static int level(struct dyn_arc *a, slong *lost, struct given *g, slong prec, bool last) {
-  struct calc c, half;
+  const struct num_type *type = g->params->ctx.type;
+  struct calc c = calc_begin((struct num_ctx){type, prec}), half;
   struct maker k = {&c, &half, .lost = 0};
   struct course o;
-  const struct num_type *type = g->params->ctx.type;
   val p[N_PARAMS], near[N_EVENTS], w[2] = {NULL, NULL}, r = NULL, q = NULL;
-  calc_init(&c, (struct num_ctx){type, prec});
   slong start = prec <= FIRST ? 44 : prec / 8; /* bits of the times */
-  calc_init(&half, (struct num_ctx){type, FLINT_MAX((prec + SPARE - start) / 2, 32)});
+  half = calc_begin((struct num_ctx){type, FLINT_MAX((prec + SPARE - start) / 2, 32)});
   for (int i = 0; i < N_PARAMS; i++) p[i] = rounded(&c, num_vec_at(g->params, i), !last);
   for (int i = 0; i < N_EVENTS; i++) near[i] = rounded(&c, num_vec_at(&g->near, i), true);
   ball_params_make(&k.m, &c, p);

@@ -403,10 +403,9 @@ static void lower_bounds(arb_t u_min, struct dyn_margin *one, struct dyn_margin 
 
 int dyn_margins_find(struct dyn_margins *m, const fmpq *model, const struct dyn_orbit *orbit, const fmpq *u_r1,
                      const fmpq *u_r2, slong prec) {
-  struct calc c;
   long pieces = DYN_MARGIN_PIECES;
   struct shape x = {.pieces = &pieces};
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   shape_init(&x, &c, model, orbit);
   if (!c.status) {
     stick_margins(m, &x);

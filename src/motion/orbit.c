@@ -68,7 +68,7 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
 static void open_calc(struct solution *s, slong prec) {
   close_calc(s);
   s->prec = prec;
-  calc_init(&s->c, num_ctx_arb(prec));
+  s->c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&s->m, &s->c, s->params);
   for (int k = 0; k < 2; k++) arb_set_round(s->x[k], s->x[k], prec);
   ball_params_keep(&s->m, &s->c, calc_middle(&s->c, s->x[0]), calc_middle(&s->c, s->x[1]));
@@ -140,10 +140,9 @@ static int slope_at(struct ball_pass *s, struct calc *c, const struct ball_param
 /* The extremum of the defect near a zero marked as fold, by the secant method on its slope.  *n of the two solutions
    receive starting values: none or two.  SS_UNABLE when the extremum cannot be told from zero at this precision. */
 static int split_fold(struct solution pair[2], int *n, const fmpq *params, const struct zero *zero, slong prec) {
-  struct calc c;
   struct ball_params m;
   struct ball_pass a, b;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, params);
   val width = calc_d(&c, fmax(zero->high - zero->low, 1e-12 * zero->tb)), tc = calc_d(&c, zero->tc);
   val tb = calc_d(&c, zero->tb), small = calc_mul(&c, width, calc_two_to(&c, -prec / 3)), bend = m.zero;
@@ -213,9 +212,8 @@ static bool undecided(const struct dyn_orbit *o) {
 }
 
 static truth judge(struct dyn_orbit *o, const fmpq *params, const struct solution *sol, slong prec, long max_steps) {
-  struct calc c;
   struct ball_params m;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   ball_params_init(&m, &c, params);
   truth first = dyn_orbit_judge(o, &c, &m, sol->x[0], sol->x[1], sol->up, max_steps);
   calc_clear(&c);

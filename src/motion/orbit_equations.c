@@ -153,10 +153,9 @@ struct refinement {
 static int refine_level(slong bits, void *self) {
   const struct refinement *r = self;
   const struct num_type *type = r->x->ctx.type;
-  struct calc c;
   struct ball_params m;
   struct num_vec free;
-  calc_init(&c, num_ctx_mpfr(bits));
+  struct calc c = calc_begin(num_ctx_mpfr(bits));
   word_params(&m, &c, r->q->model);
   struct word_system w = {&c, &m, r->q->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};
@@ -178,12 +177,11 @@ int word_refine(struct num_vec *x, const struct word_data *q) {
 }
 
 int word_enclose(struct word_root *s, const struct num_vec *x, const struct word_data *q) {
-  struct calc c;
   struct ball_params m;
   struct krawczyk k;
   struct num_vec mid;
   slong prec = x->ctx.prec;
-  calc_init(&c, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
   word_params(&m, &c, q->model);
   struct word_system w = {&c, &m, q->unknown, calc_mark(&c), {NULL}};
   struct solve_system system = {WORD_FREE, word_values, &w};

@@ -173,10 +173,9 @@ static val force_2(struct calc *c, val chi, const val z[N_STATE]) {
 static int equations_make(struct equations *q, const struct num_vec *params, const struct num_vec *t) {
   const struct num_ctx ctx = q->e.ctx;
   struct around a;
-  struct calc c;
   val p[N_PARAMS], z0[N_STATE], za[N_STATE], zb[N_STATE], sums[2];
   around_init(&a, ctx);
-  calc_init(&c, ctx);
+  struct calc c = calc_begin(ctx);
   flow_vals(p, params, 0, N_PARAMS);
   int status = around_make(&a, params, t);
   if (!status) {
@@ -263,7 +262,7 @@ static int condition_number(double *k, const struct num_vec *m, slong n) {
   return status;
 }
 
-int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
+static int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x) {
   struct equations q;
   struct around a;
   struct num_vec t = {x->ctx, TIMES, x->data};

@@ -25,7 +25,6 @@ struct paper_condition {
 /* From the four times in x, in double or mpfr: the solution in x, and the number of steps.  SS_UNABLE when it does not
    converge within 60 steps or leaves |t| < 1000, SS_DOMAIN when a matrix is exactly singular. */
 int paper_route_newton(struct num_vec *x, int *steps, const struct num_vec *params);
-int paper_route_condition(struct paper_condition *k, const struct num_vec *params, const struct num_vec *x);
 
 struct paper_route {
   int status_d;                     /* of the iteration in double precision */

@@ -12,9 +12,8 @@
 #include "flow.h"
 
 int dyn_system(struct num_vec *a, enum phase ph, const struct num_vec *params) {
-  struct calc c;
   val p[N_PARAMS];
-  calc_init(&c, a->ctx);
+  struct calc c = calc_begin(a->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   val zero = calc_d(&c, 0), one = calc_d(&c, 1), stiff = calc_mul(&c, p[P_CHI], p[P_ETA]);
   bool slips1 = ph == PHASE_GAMMA || ph == PHASE_H, slips2 = ph == PHASE_H || ph == PHASE_C;

@@ -101,7 +101,7 @@ struct slide {
 
 static void slide_init(struct slide *s, const struct jet *j) {
   const val p[N_PARAMS] = {j->chi, j->eta, j->V, j->e1, j->e2};
-  calc_init(&s->c, num_ctx_arb(j->prec));
+  s->c = calc_begin(num_ctx_arb(j->prec));
   s->k = flow_spectrum(&s->c, p);
   s->corner[0] = calc_mul(&s->c, p[P_CHI], s->k.back);
   s->corner[1] = calc_div(&s->c, calc_d(&s->c, 1), s->k.gap);

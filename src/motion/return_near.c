@@ -28,12 +28,11 @@ static val next_stick(struct calc *c, const val p[N_PARAMS], const struct dyn_ar
 }
 
 int dyn_return_near(struct num_vec *out, const struct num_vec *params, const void *r, const double guess[N_PHASES]) {
-  struct calc c;
   struct dyn_arc arc;
   val p[N_PARAMS], z[2];
   const double near[] = {0, guess[PHASE_GAMMA], guess[PHASE_H], guess[PHASE_C]};
   arb_ptr jet = _arb_vec_init(2);
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   dyn_arc_init(&arc, params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   positions(z, &c, p, r);
@@ -59,12 +58,11 @@ enum { SEARCH = 256 };
 
 /* t_b and t_c of out. */
 static truth are_first(const struct num_vec *params, const struct num_vec *out, long max_steps) {
-  struct calc c;
   struct ball_params m;
   struct ball_pass s;
   val p[N_PARAMS], tb = num_vec_at(out, RETURN_TB), tc = num_vec_at(out, RETURN_TC);
   truth before_crest;
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   ball_params_make(&m, &c, p);
   ball_pass_slip(&s, &c, &m, tb, tc);
@@ -77,13 +75,12 @@ static truth are_first(const struct num_vec *params, const struct num_vec *out, 
 
 /* Times near the first events: t_b from the middles of the balls, t_c by the walk in balls from there. */
 static int near_first(double t[N_PHASES], const struct num_vec *params, const void *r, long max_steps) {
-  struct calc c;
   struct ball_params m;
   struct ball_pass s;
   struct return_map_double k;
   val p[N_PARAMS];
   double middle[N_PARAMS];
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   flow_vals(p, params, 0, N_PARAMS);
   for (int i = 0; i < N_PARAMS; i++) middle[i] = num_arb.get_d(p[i]);
   ball_params_make(&m, &c, p);
@@ -128,8 +125,7 @@ static int first_scaled(struct num_vec *out, const struct num_vec *params, const
 }
 
 int dyn_return_first(struct num_vec *out, const struct num_vec *params, const void *r, long max_steps) {
-  struct calc c;
-  calc_init(&c, params->ctx);
+  struct calc c = calc_begin(params->ctx);
   slong size = calc_exponent(&c, num_vec_at(params, P_V));
   calc_clear(&c);
   return labs(size) < -CALC_TINY ? first_scaled(out, params, r, size, max_steps) : SS_UNABLE;

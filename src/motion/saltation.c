@@ -6,19 +6,17 @@
 #include <stdbool.h>
 
 #include "dynamics.h"
+#include "num/calc.h"
 
 /* The switching functions are affine, so their gradient applied to v is a difference. */
 static int along_gradient(void *out, enum phase ph, const struct num_vec *params, const struct num_vec *v) {
-  const struct num_type *t = params->ctx.type;
-  struct num_vec zero, at_zero;
-  num_vec_init(&zero, N_STATE, params->ctx);
-  num_vec_init(&at_zero, 1, params->ctx);
-  int s = dyn_switching(out, ph, params, v);
-  s |= dyn_switching(num_vec_at(&at_zero, 0), ph, params, &zero);
-  s |= t->sub(out, out, num_vec_at(&at_zero, 0), params->ctx.prec);
-  num_vec_clear(&at_zero);
-  num_vec_clear(&zero);
-  return s;
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec zero = calc_vec(&c, N_STATE);
+  void *at_v = calc_new(&c), *at_zero = calc_new(&c);
+  int s = dyn_switching(at_v, ph, params, v) | dyn_switching(at_zero, ph, params, &zero);
+  calc_store(&c, out, calc_sub(&c, at_v, at_zero));
+  calc_clear(&c);
+  return s | c.status;
 }
 
 static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *params, const struct num_vec *z) {
@@ -33,41 +31,32 @@ static int vector_field(struct num_vec *f, enum phase ph, const struct num_vec *
 /* How much earlier the perturbed motion ends its phase: lead = (n.column)/(n.before). */
 static int delay(void *lead, enum phase ph, const struct num_vec *params, const struct num_vec *column,
                  const struct num_vec *before) {
-  struct num_vec rate;
-  num_vec_init(&rate, 1, params->ctx);
-  int s = along_gradient(lead, ph, params, column) | along_gradient(num_vec_at(&rate, 0), ph, params, before);
-  s |= params->ctx.type->div(lead, lead, num_vec_at(&rate, 0), params->ctx.prec);
-  num_vec_clear(&rate);
-  return s;
+  struct calc c = calc_begin(params->ctx);
+  void *off = calc_new(&c), *rate = calc_new(&c);
+  int s = along_gradient(off, ph, params, column) | along_gradient(rate, ph, params, before);
+  calc_store(&c, lead, calc_div(&c, off, rate));
+  calc_clear(&c);
+  return s | c.status;
 }
 
 /* column += (to - from) lead; to may be NULL for zero. */
 static int cross(struct num_vec *column, const struct num_vec *to, const struct num_vec *from, const void *lead) {
-  const struct num_type *t = column->ctx.type;
-  slong prec = column->ctx.prec;
-  struct num_vec w;
-  num_vec_init(&w, 1, column->ctx);
-  void *x = num_vec_at(&w, 0);
-  int s = SS_OK;
+  struct calc c = calc_begin(column->ctx);
   for (slong i = 0; i < N_STATE; i++) {
-    if (to) t->set(x, num_vec_at(to, i));
-    s |= to ? t->sub(x, x, num_vec_at(from, i), prec) : t->neg(x, num_vec_at(from, i), prec);
-    s |= t->mul(x, x, lead, prec);
-    s |= t->add(num_vec_at(column, i), num_vec_at(column, i), x, prec);
+    val f = num_vec_at(from, i), jump = to ? calc_sub(&c, num_vec_at(to, i), f) : calc_neg(&c, f);
+    calc_store(&c, num_vec_at(column, i), calc_add(&c, num_vec_at(column, i), calc_mul(&c, jump, lead)));
   }
-  num_vec_clear(&w);
-  return s;
+  calc_clear(&c);
+  return c.status;
 }
 
 /* A perturbation carried through the phase, which ends at the state end after t, and across its end.  home: it is then
    taken back along the motion that follows, to the perturbed motion's own event. */
 static int carry_phase(struct num_vec *column, enum phase ph, const struct num_vec *params, const struct num_vec *end,
                        const void *t, bool home) {
-  struct num_vec phi, before, after, lead;
-  num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
-  num_vec_init(&before, N_STATE, params->ctx);
-  num_vec_init(&after, N_STATE, params->ctx);
-  num_vec_init(&lead, 1, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec phi = calc_vec(&c, N_STATE * N_STATE), before = calc_vec(&c, N_STATE), after = calc_vec(&c, N_STATE),
+                 lead = calc_vec(&c, 1);
   int s = dyn_propagator(&phi, ph, params, t);
   s |= num_mat_mul(column, &phi, column, N_STATE, N_STATE, 1);
   s |= vector_field(&before, ph, params, end);
@@ -75,10 +64,7 @@ static int carry_phase(struct num_vec *column, enum phase ph, const struct num_v
   s |= delay(num_vec_at(&lead, 0), ph, params, column, &before);
   s |= cross(column, &after, &before, num_vec_at(&lead, 0));
   if (home) s |= cross(column, NULL, &after, num_vec_at(&lead, 0));
-  num_vec_clear(&lead);
-  num_vec_clear(&after);
-  num_vec_clear(&before);
-  num_vec_clear(&phi);
+  calc_clear(&c);
   return s;
 }
 
@@ -95,19 +81,15 @@ static int carry(struct num_vec *column, slong k, const struct num_vec *params, 
 
 int dyn_local_jacobian_saltation(struct num_vec *j, enum phase ph, const struct num_vec *params,
                                  const struct num_vec *in, const void *t) {
-  struct num_vec column, phi, end;
-  num_vec_init(&column, N_STATE, params->ctx);
-  num_vec_init(&phi, N_STATE * N_STATE, params->ctx);
-  num_vec_init(&end, N_STATE, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec column = calc_vec(&c, N_STATE), phi = calc_vec(&c, N_STATE * N_STATE), end = calc_vec(&c, N_STATE);
   int s = dyn_propagator(&phi, ph, params, t) | num_mat_mul(&end, &phi, in, N_STATE, N_STATE, 1);
   for (slong k = 0; k < N_STATE; k++) {
     for (slong i = 0; i < N_STATE; i++) s |= params->ctx.type->set_d(num_vec_at(&column, i), i == k, params->ctx.prec);
     s |= carry_phase(&column, ph, params, &end, t, true);
     for (slong i = 0; i < N_STATE; i++) j->ctx.type->set(num_vec_at(j, N_STATE * i + k), num_vec_at(&column, i));
   }
-  num_vec_clear(&end);
-  num_vec_clear(&phi);
-  num_vec_clear(&column);
+  calc_clear(&c);
   return s;
 }
 

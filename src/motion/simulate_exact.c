@@ -271,7 +271,7 @@ static enum move exact_move(void *self, struct coulomb_run *run) {
 static void exact_begin(struct exact *e, const struct num_vec *params, const struct num_vec *start) {
   struct calc *c = &e->c;
   val x[N_STATE];
-  calc_init(c, params->ctx);
+  *c = calc_begin(params->ctx);
   num_vec_init(&e->now, N_EXACT, params->ctx);
   num_vec_init(&e->moved, N_EXACT, params->ctx);
   num_vec_init(&e->row, N_EXACT, params->ctx);

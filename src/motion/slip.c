@@ -10,7 +10,7 @@ static const double SETTLED = 0x1p-13; /* of an angle: the error after a step of
 static const double STRIDE = 1.5;      /* between nodes, of the angle of the fast mode; ... */
 static const struct half_angle STRIDE_TURN = {0.6816387600233341, 0.7316888688738209}; /* ... sine and cosine of 0.75 */
 
-void stop_at(struct stop *x, const struct slip_motion *h, double t) {
+static void stop_at(struct stop *x, const struct slip_motion *h, double t) {
   x->t = t;
   slip_turn(x->x, h->k, t);
   x->n = slip_node(h->k, &h->m, &h->g, x->x);

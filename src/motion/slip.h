@@ -251,7 +251,6 @@ struct stop {
 /* What is nearer to zero than this part of its size has no sign. */
 #define SLIP_DOUBT 0x1p-30
 
-void stop_at(struct stop *x, const struct slip_motion *h, double t);
 /* Whether z'_mass < V between the start and the stop, which for mass 0 is a root; a time surely above V says no. */
 truth slip_stays_below(const struct slip_motion *h, int mass, const struct stop *last);
 /* The first root of z_1' - V, proved to be that, and simple.  SS_UNABLE: not so plain, or beyond t_max. */

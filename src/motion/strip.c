@@ -49,11 +49,10 @@ static void disk_params_from(struct disk_params *s, struct calc *c, const struct
 }
 
 bool disk_params_init(struct disk_params *s, const fmpq *params) {
-  struct calc c;
   struct ball_params m;
   bool fits = true;
   for (int i = 0; i < 2; i++) arb_init(s->exact[i]);
-  calc_init(&c, num_ctx_arb(128));
+  struct calc c = calc_begin(num_ctx_arb(128));
   ball_params_init(&m, &c, params);
   disk_params_from(s, &c, &m);
   const struct disk all[] = {s->V,       s->a,       s->e1,   s->e2,        s->stiff,     s->turn,

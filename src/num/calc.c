@@ -40,18 +40,21 @@ static void free_kept(void) {
   registered = false;
 }
 
-void calc_init(struct calc *c, struct num_ctx ctx) {
-  *c = (struct calc){.ctx = ctx, .stride = ctx.type->size};
-  if (ctx.type == &num_mpfr) c->stride += mpfr_custom_get_size(ctx.prec);
+struct calc calc_begin(struct num_ctx ctx) {
+  struct calc c = {.ctx = ctx, .stride = ctx.type->size};
+  if (ctx.type == &num_mpfr) c.stride += mpfr_custom_get_size(ctx.prec);
   if (ctx.type == &num_arb && n_kept > 0) {
     const struct kept *k = &kept[--n_kept];
-    c->pool = k->pool;
-    c->made = k->made;
-    c->cap = k->cap;
+    c.pool = k->pool;
+    c.made = k->made;
+    c.cap = k->cap;
   }
+  return c;
 }
 
 void calc_clear(struct calc *c) {
+  for (size_t i = 0; i < c->n_vecs; i++) num_vec_clear(&c->vec[i]);
+  free(c->vec);
   if (c->ctx.type != &num_arb || n_kept == KEPT_CALCS || c->cap > KEPT_CHUNKS || c->ctx.prec > KEPT_BITS) {
     free_elements(c);
     return;
@@ -85,6 +88,13 @@ void *calc_new(struct calc *c) {
   return x;
 }
 
+struct num_vec calc_vec(struct calc *c, slong n) {
+  c->vec = ss_grow(c->vec, c->n_vecs, &c->cap_vecs, sizeof *c->vec);
+  struct num_vec *v = &c->vec[c->n_vecs++];
+  num_vec_init(v, n, c->ctx);
+  return *v;
+}
+
 val calc_d(struct calc *c, double x) {
   void *z = calc_new(c);
   c->status |= c->ctx.type->set_d(z, x, c->ctx.prec);
@@ -103,16 +113,24 @@ val calc_two_to(struct calc *c, slong n) {
   return z;
 }
 
+static bool begins(const struct calc *c) {
+  return !c->reduce || c->status == SS_OK;
+}
+
+static val finished(struct calc *c, void *z, int status) {
+  c->status |= status;
+  if (c->reduce && status == SS_OK) c->status |= c->reduce(z, c->field);
+  return z;
+}
+
 static val unary(struct calc *c, num_unary f, val x) {
   void *z = calc_new(c);
-  c->status |= f(z, x, c->ctx.prec);
-  return z;
+  return begins(c) ? finished(c, z, f(z, x, c->ctx.prec)) : z;
 }
 
 static val binary(struct calc *c, num_binary f, val x, val y) {
   void *z = calc_new(c);
-  c->status |= f(z, x, y, c->ctx.prec);
-  return z;
+  return begins(c) ? finished(c, z, f(z, x, y, c->ctx.prec)) : z;
 }
 
 val calc_neg(struct calc *c, val x) {
@@ -210,6 +228,10 @@ slong calc_exponent(const struct calc *c, val x) {
   double size = c->ctx.type->get_d(x);
   frexp(size, &e);
   return size == 0 ? CALC_TINY : isfinite(size) ? e : -CALC_TINY;
+}
+
+void calc_store(const struct calc *c, void *z, val x) {
+  c->ctx.type->set(z, x);
 }
 
 val calc_round(struct calc *c, val x) {

@@ -1,9 +1,9 @@
 /* Formulas over any number type (num.h), written as nested calls: calc_add(c, x, calc_mul(c, y, z)).
 
    Every operation gives a new element and ORs its status (SS_OK, SS_DOMAIN, SS_UNABLE) into the calc, so that the
-   status is looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared; an
-   operation never changes its operands.  Operands may have another precision (mpfr) than the calc; results have that of
-   the calc.  A calc belongs to one thread. */
+   status is looked at once, at the end.  Elements live until the calc is released to an earlier mark or cleared, its
+   vectors until it is cleared; an operation never changes its operands.  Operands may have another precision (mpfr)
+   than the calc; results have that of the calc.  A calc belongs to one thread. */
 #ifndef STICKSLIP_CALC_H
 #define STICKSLIP_CALC_H
 
@@ -20,9 +20,17 @@ struct calc {
   slong used, made, cap; /* elements in use, initialised ones, chunks */
   size_t stride;         /* from element to element: an mpfr number has its limbs behind it */
   char **pool;           /* chunks of CALC_CHUNK elements, each initialised when it is first used */
+  struct num_vec *vec;   /* those of calc_vec */
+  size_t n_vecs, cap_vecs;
+  /* Exact algebra: what rewrites a result by the relations of a field; where it is set, no operation is begun once one
+     has failed. */
+  int (*reduce)(void *z, const void *field);
+  const void *field;
 };
-void calc_init(struct calc *c, struct num_ctx ctx);
+struct calc calc_begin(struct num_ctx ctx);
 void calc_clear(struct calc *c);
+/* n zeros in the calc's context. */
+struct num_vec calc_vec(struct calc *c, slong n);
 slong calc_mark(const struct calc *c);
 void calc_release(struct calc *c, slong mark);
 void *calc_new(struct calc *c);
@@ -41,7 +49,8 @@ val calc_atan2(struct calc *c, val y, val x);
 val calc_dot(struct calc *c, val a, val x, val b, val y); /* a x + b y */
 /* start + a x + b y, or start + a x - b y; start may be NULL for 0. */
 val calc_dot_from(struct calc *c, val start, val a, val x, bool minus, val b, val y);
-val calc_round(struct calc *c, val x); /* to the calc's precision */
+void calc_store(const struct calc *c, void *z, val x); /* z = x */
+val calc_round(struct calc *c, val x);                 /* to the calc's precision */
 void calc_sin_cos(struct calc *c, val *sine, val *cosine, val x);
 bool calc_lt(const struct calc *c, val x, val y); /* surely */
 val calc_div_ui(struct calc *c, val x, ulong n);

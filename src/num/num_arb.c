@@ -268,21 +268,9 @@ const struct num_type num_arb = {
     .rigorous = true,
     .zeroed = true,
     .plain = false,
-    .init = b_init,
-    .clear = b_clear,
-    .set = b_set,
-    .swap = b_swap,
-    .set_q = b_set_q,
-    .set_d = b_set_d,
-    .set_arb = b_set_arb,
-    .get_arb = b_get_arb,
-    .get_d = b_get_d,
 #define NUM_UNARY(op)  .op = b_##op,
 #define NUM_BINARY(op) .op = b_##op,
 #include "ops.def"
-    .sin_cos = b_sin_cos,
-    .pow_si = b_pow_si,
-    .pi = b_pi,
-    .is_zero = b_is_zero,
-    .lt = b_lt,
+#define NUM_METHOD(name) b_##name
+#include "methods.def"
 };

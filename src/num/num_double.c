@@ -199,21 +199,9 @@ const struct num_type num_double = {
     .rigorous = false,
     .zeroed = true,
     .plain = true,
-    .init = d_init,
-    .clear = d_clear,
-    .set = d_set,
-    .swap = d_swap,
-    .set_q = d_set_q,
-    .set_d = d_set_d,
-    .set_arb = d_set_arb,
-    .get_arb = d_get_arb,
-    .get_d = d_get_d,
 #define NUM_UNARY(op)  .op = d_##op,
 #define NUM_BINARY(op) .op = d_##op,
 #include "ops.def"
-    .sin_cos = d_sin_cos,
-    .pow_si = d_pow_si,
-    .pi = d_pi,
-    .is_zero = d_is_zero,
-    .lt = d_lt,
+#define NUM_METHOD(name) d_##name
+#include "methods.def"
 };

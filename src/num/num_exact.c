@@ -193,15 +193,6 @@ const struct num_type num_exact = {
     .name = "exact",
     .size = sizeof(fmpz_mpoly_q_struct),
     .rigorous = true,
-    .init = e_init,
-    .clear = e_clear,
-    .set = e_set,
-    .swap = e_swap,
-    .set_q = e_set_q,
-    .set_d = e_set_d,
-    .set_arb = e_set_arb,
-    .get_arb = e_get_arb,
-    .get_d = e_get_d,
     .neg = e_neg,
     .abs = e_unary,
     .sqrt = e_unary,
@@ -216,11 +207,8 @@ const struct num_type num_exact = {
     .div = e_div,
     .atan2 = e_binary,
     .hypot = e_binary,
-    .sin_cos = e_sin_cos,
-    .pow_si = e_pow_si,
-    .pi = e_pi,
-    .is_zero = e_is_zero,
-    .lt = e_lt,
+#define NUM_METHOD(name) e_##name
+#include "methods.def"
 };
 
 struct num_ctx num_ctx_exact(void) {

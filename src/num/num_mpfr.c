@@ -252,21 +252,9 @@ const struct num_type num_mpfr = {
     .rigorous = false,
     .zeroed = false,
     .plain = false,
-    .init = m_init,
-    .clear = m_clear,
-    .set = m_set,
-    .swap = m_swap,
-    .set_q = m_set_q,
-    .set_d = m_set_d,
-    .set_arb = m_set_arb,
-    .get_arb = m_get_arb,
-    .get_d = m_get_d,
 #define NUM_UNARY(op)  .op = m_##op,
 #define NUM_BINARY(op) .op = m_##op,
 #include "ops.def"
-    .sin_cos = m_sin_cos,
-    .pow_si = m_pow_si,
-    .pi = m_pi,
-    .is_zero = m_is_zero,
-    .lt = m_lt,
+#define NUM_METHOD(name) m_##name
+#include "methods.def"
 };

@@ -1,13 +1,15 @@
-/* Would the audit have noticed?  Every claim is judged once as things stand, and what it reads is recorded; then each
-   mutant is put in place and the claims that read it are asked again: with the least effort that can refute; by exact
-   algebra, whether the mutant says anything else at all; in full; and last the kinds that take long, with the same
-   little effort with which they were asked as things stood.  Claims that simulate are not asked. */
+/* Would the audit have noticed a damaged formula?  Every claim is judged once as things stand, and what it reads is
+   recorded; then each mutant is put in place and the claims that read it are asked again: with the least effort that
+   can refute; by exact algebra, whether the mutant says anything else at all; in full; the kinds that take long, with
+   the same little effort with which they were asked as things stood; and last the checks of loaded data, so that what
+   the claims notice is measured without them.  Claims that simulate are not asked. */
 #include <stdlib.h>
 #include <string.h>
 
 #include "base/crew.h"
 #include "judge/judge.h"
 #include "mutants.h"
+#include "mutate_data.h"
 #include "power.h"
 #include "scene/fingerprint.h"
 #include "value/orbit_pool.h"
@@ -23,13 +25,14 @@ struct reader {
 
 struct mutation_study {
   const struct model *model;
-  const struct claims *claims;
+  const struct claims *claims, *controls;
   const struct scene *scene;
   struct orbit_cache *cache;
   struct reader *reader; /* the lightest first */
   size_t n_readers;
   struct overlay overlay;
   struct facts *facts;
+  bool sound; /* without damage the checks of loaded data pass */
   struct orbit_pool *pool;
   bool *touched; /* records */
   struct mutants mutants;
@@ -238,10 +241,17 @@ static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t
   return fate;
 }
 
+/* By what is checked when the data are loaded. */
+static bool is_refused(const struct mutation_study *r) {
+  struct diag d;
+  diag_init(&d);
+  return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls, NULL}, &d);
+}
+
 static enum mutant_fate fate_in_place(struct mutation_study *r, const struct target *t) {
   bool any = false;
   for (size_t i = 0; !any && i < r->n_readers; i++) any = reads(&r->reader[i], t);
-  if (!any) return FATE_UNREAD;
+  if (!any) return is_refused(r) ? FATE_REFUSED : FATE_UNREAD;
   enum mutant_fate f = ask_all(r, t, ASKED_EARLY, ask_quickly);
   facts_use(r->facts, false);
   target_reaches(r->touched, r->model, t);
@@ -250,6 +260,7 @@ static enum mutant_fate fate_in_place(struct mutation_study *r, const struct tar
   if (f == FATE_UNDECIDED) f = ask_all(r, t, ASKED_LATE, ask_late);
   if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_EQUIVALENT;
   facts_use(r->facts, true);
+  if (f == FATE_UNDECIDED && is_refused(r)) f = FATE_REFUSED;
   if (f == FATE_UNDECIDED && says_the_same(r, t)) f = FATE_ON_MOTIONS;
   return f;
 }
@@ -262,25 +273,6 @@ static void try_mutant(void *result, size_t i, void *arg) {
   enum mutant_fate f = fate_in_place(r, t);
   overlay_set(&r->overlay, t, NULL);
   memcpy(result, &f, sizeof f);
-}
-
-/* --- Which mutants --- */
-
-/* splitmix64 */
-static unsigned long long next_random(unsigned long long *state) {
-  unsigned long long z = (*state += 0x9E3779B97F4A7C15U);
-  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
-  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
-  return z ^ (z >> 31);
-}
-
-/* Selection sampling: each subset of the size asked for is equally likely, and the order is kept. */
-static void draw(struct mutation_study *r, const struct mutation_options *opt) {
-  size_t n = r->mutants.n, wanted = opt->count > 0 && (size_t)opt->count < n ? (size_t)opt->count : n;
-  unsigned long long state = opt->seed;
-  r->drawn = ss_malloc((n + 1) * sizeof *r->drawn);
-  for (size_t i = 0; i < n && r->n_drawn < wanted; i++)
-    if (next_random(&state) % (n - i) < wanted - r->n_drawn) r->drawn[r->n_drawn++] = i;
 }
 
 /* --- The report --- */
@@ -354,17 +346,18 @@ static void report(struct mutation_result *out, const struct mutation_study *r, 
   out->kind = arena_alloc(&out->arena, N_EDIT_KINDS * sizeof *out->kind);
   out->n_kinds = N_EDIT_KINDS;
   for (int k = 0; k < N_EDIT_KINDS; k++) out->kind[k].name = edit_kind_name[k];
-  out->population = (long)r->mutants.n;
-  out->tried = (long)r->n_drawn;
+  out->population += (long)r->mutants.n;
+  out->tried += (long)r->n_drawn;
   for (size_t i = 0; i < r->n_drawn; i++) {
     const struct mutant *m = &r->mutants.mutant[r->drawn[i]];
     const struct target *t = &r->mutants.target[m->target];
-    if (fate[i] > FATE_UNPROVED) add_survivor(out, r, m, fate[i]);
-    if (t->corrected) {
-      out->printed.count[fate[i]]++;
+    if (fate[i] >= FATE_EQUIVALENT) add_survivor(out, r, m, fate[i]);
+    if (r->model->records[t->record].rank == RANK_ERRATA) {
+      out->errata.count[fate[i]]++;
       continue;
     }
-    out->total.count[fate[i]]++;
+    if (t->corrected) out->printed.count[fate[i]]++;
+    out->formulas.count[fate[i]]++;
     out->kind[m->edit.kind].count[fate[i]]++;
     file_row(out, file_of(&r->model->records[t->record]))->count[fate[i]]++;
   }
@@ -388,38 +381,55 @@ static void run_clear(struct mutation_study *r) {
   orbit_cache_free(r->cache);
 }
 
-bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
-                  const struct scene *scene, const struct mutation_options *opt, struct diag *d) {
-  struct mutation_study r = {
-      .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .facts = facts_new(m)};
-  r.touched = ss_malloc(m->n_records + 1);
-  overlay_init(&r.overlay, m);
-  mutants_init(&r.mutants, m, opt->only, opt->n_only);
-  out->scene = keep(out, scene->name);
-  out->subject = keep_subject(out, m, scene);
-  out->seed = opt->seed;
-  draw(&r, opt);
-  bool ok = true;
-  for (int i = 0; ok && i < opt->n_only; i++) {
-    ok = mutants_any(&r.mutants, m, opt->only[i]);
-    if (!ok) diag_set(d, "error: no formula is in an equation file or record named %s", opt->only[i]);
-  }
-  enum mutant_fate *fate = ss_malloc((r.n_drawn + 1) * sizeof *fate);
-  ok =
-      ok && read_all(&r, d) && crew_results(fate, sizeof *fate, r.n_drawn, opt->jobs, try_mutant, &r, opt->progress, d);
-  if (ok) report(out, &r, fate);
+static bool mutate_formulas(struct mutation_result *out, struct mutation_study *r, const struct mutation_options *opt,
+                            struct diag *d) {
+  unsigned long long state = opt->seed;
+  r->drawn = draw_some(&r->n_drawn, r->mutants.n, (size_t)opt->count, &state);
+  enum mutant_fate *fate = ss_malloc((r->n_drawn + 1) * sizeof *fate);
+  bool ok = r->n_drawn == 0 || (read_all(r, d) && crew_results(fate, sizeof *fate, r->n_drawn, opt->jobs, try_mutant, r,
+                                                               opt->progress, d));
+  if (ok) report(out, r, fate);
   free(fate);
-  run_clear(&r);
   return ok;
 }
 
-void mutation_result_init(struct mutation_result *r) {
-  *r = (struct mutation_result){.total.name = "all", .printed.name = "printed text that the errata correct"};
-  arena_init(&r->arena);
+/* Every item of --only must name something that can be damaged. */
+static bool check_selection(const struct mutation_study *r, const struct damages *damages, const struct material *m,
+                            const struct mutation_options *opt, struct diag *d) {
+  for (int i = 0; i < opt->n_only; i++) {
+    if (mutants_any(&r->mutants, r->model, opt->only[i]) || damages_any(damages, m, opt->only[i])) continue;
+    diag_set(d, "error: nothing to damage is in a file or record, or of a class, named %s", opt->only[i]);
+    return false;
+  }
+  return true;
 }
 
-void mutation_result_clear(struct mutation_result *r) {
-  free(r->file);
-  free(r->survivor);
-  arena_clear(&r->arena);
+bool audit_mutate(struct mutation_result *out, const struct audit_data *data, const struct scene *scene,
+                  const struct mutation_options *opt, struct diag *d) {
+  const struct model *m = data->model;
+  struct mutation_study r = {.model = m,
+                             .claims = data->claims,
+                             .controls = data->controls,
+                             .scene = scene,
+                             .cache = orbit_cache_new(),
+                             .facts = facts_new(m)};
+  struct material material;
+  struct damages damages;
+  r.touched = ss_malloc(m->n_records + 1);
+  overlay_init(&r.overlay, m);
+  mutants_init(&r.mutants, m, opt->only, opt->n_only);
+  material_init(&material, data, scene);
+  damages_init(&damages, &material, opt->only, opt->n_only);
+  out->scene = keep(out, scene->name);
+  out->subject = keep_subject(out, m, scene);
+  out->seed = opt->seed;
+  struct diag none;
+  diag_init(&none);
+  r.sound = material_check(data, &none);
+  bool ok = check_selection(&r, &damages, &material, opt, d) && mutate_formulas(out, &r, opt, d) &&
+            mutate_data(out, &material, &damages, opt, d);
+  damages_clear(&damages);
+  material_clear(&material);
+  run_clear(&r);
+  return ok;
 }

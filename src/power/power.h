@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_POWER_POWER_H
 #define STICKSLIP_POWER_POWER_H
 
-#include "claim/claims.h"
+#include "claim/claim.h"
 #include "model/model.h"
 #include "record/mutation.h"
 #include "record/result.h"
@@ -10,21 +10,22 @@
 
 struct mutation_options {
   unsigned long long seed;
-  long count;              /* mutants drawn, in the order of the files; 0: all */
+  long count;              /* formulas drawn, and a quarter as many, rounded up, of each class of data; 0: all */
   int jobs;                /* processes, 1 to 64 */
-  const char *const *only; /* equation files or records */
+  const char *const *only; /* files, records or classes of data */
   int n_only;
   void (*progress)(size_t n, size_t of); /* or NULL */
 };
 
 /* Damages the formulas of the paper one token at a time (edit.h), each as an overlay of one statement, and asks the
    claims that read it, those with the fewest definitions first, until a verdict changes: that of the claim, of its
-   correction or of a restricted claim.  The text damaged is the one that everything reads, the errata's where they
-   correct the paper; the printed text that they correct is damaged too and counted apart.  What survives is compared
-   with the original by exact algebra, then judged in full.  The result is the same for any number of processes.  false
-   with d set when the files are at fault or a process ended early. */
-bool audit_mutate(struct mutation_result *out, const struct model *m, const struct claims *claims,
-                  const struct scene *scene, const struct mutation_options *opt, struct diag *d);
+   correction or of a restricted claim.  Both texts are damaged where the errata correct the paper: the one that
+   everything reads, and the printed one.  What survives is compared with the original by exact algebra, judged in full,
+   and put to the checks that are made of loaded data.  Then it damages what stands beside the formulas (damages.h,
+   damage_study.h), by class.  The result is the same for any number of processes.  false with d set when the files are
+   at fault or a process ended early. */
+bool audit_mutate(struct mutation_result *out, const struct audit_data *data, const struct scene *scene,
+                  const struct mutation_options *opt, struct diag *d);
 
 struct repair_options {
   const char *const *only; /* claims; none: all that are refuted and about formulas */

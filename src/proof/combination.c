@@ -57,16 +57,14 @@ static bool names_of(struct proof *p, const struct tape *t) {
 
 /* The outputs of a tape as facts of a list; false where one is no rational function, or divides by zero. */
 static bool facts_of(struct fact *list, int *n, const struct tape *t, const char *const *text, struct proof *p) {
-  struct num_vec in, out;
   if (*n + (int)t->n_outputs > MAX_FACTS) return false;
-  num_vec_init(&in, t->n_inputs, num_ctx_exact());
-  num_vec_init(&out, t->n_outputs, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
   for (slong i = 0; i < t->n_inputs; i++)
     fmpz_mpoly_q_gen(num_vec_at(&in, i), generator(p, t->inputs[i]), num_exact_ctx());
   bool ok = tape_eval(&out, NULL, t, &in) == SS_OK;
   for (slong i = 0; ok && i < t->n_outputs; i++) add_fact(list, n, num_vec_at(&out, i), text[i]);
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return ok;
 }
 
@@ -87,7 +85,7 @@ static bool expressions_tape(struct tape *t, struct elaboration *el, const char 
 /* --- Eliminating by equations --- */
 
 static bool is_parameter(const char *name) {
-  return strcmp(name, "chi") == 0 || strcmp(name, "eta") == 0 || strcmp(name, "V") == 0;
+  return word_find(name, name_param, P_V + 1) <= P_V;
 }
 
 /* Never zero on the domain: a constant times powers of chi, 1 - chi, eta and V, which are the first facts. */
@@ -123,9 +121,8 @@ static bool split_line(val *start, val *slope, struct calc *c, const fmpz_mpoly_
 
 /* x with the generator g replaced; false when x is not of degree at most 1 in it above and below. */
 static bool substitute(element *x, slong g, const element *by) {
-  struct calc c;
   val start, slope;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   bool ok = split_line(&start, &slope, &c, &x->num, g);
   if (ok) {
     val above = calc_add(&c, start, calc_mul(&c, slope, by));
@@ -148,9 +145,8 @@ static bool substitute_all(struct proof *p, int next, slong g, const element *by
 /* Solves equation i for some generator, those of the motion first, and puts it in everywhere else. */
 static bool eliminate(struct proof *p, int i) {
   const element *e = &p->zero[i].x;
-  struct calc c;
   val start, slope;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   bool done = fmpz_mpoly_q_is_zero(e, num_exact_ctx()), ok = done;
   for (int motion = 1; !done && motion >= 0; motion--)
     for (slong g = 0; !done && g < p->n_names; g++) {
@@ -197,8 +193,7 @@ static void probe_all(struct fact *list, int n) {
 
 /* goal - sum of terms is identically zero. */
 static bool exactly(const struct fact *goal, const struct term *const t[], int n, const struct proof *p) {
-  struct calc c;
-  calc_init(&c, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
   val rest = &goal->x;
   for (int i = 0; i < n; i++)
     rest = calc_sub(&c, rest, calc_mul(&c, &p->positive[t[i]->fact].x, &p->factor[t[i]->factor].x));
@@ -269,8 +264,6 @@ static const char *const domain_text[N_DOMAIN] = {"chi > 0", "chi < 1", "eta > 0
                                                   "e_1 > 0", "e_2 > 0", "u_s1 > 0", "u_s2 > 0"};
 static const char *const friction[] = {"u_r1 - u_s1 - e_1", "u_r2 - u_s2 - e_2"};
 static const char *const friction_text[] = {"(7)", "(5)"};
-static const char *const switching[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c",
-                                                    "t_a + t_b + t_c + t_d"};
 
 /* The tapes that do not come from conditions. */
 struct extra {
@@ -291,23 +284,22 @@ static bool monotone_tape(struct extra *x, struct judge *j, const struct claim *
   const char *which = claim_get(c, "increasing"), *section = claim_get(c, "section");
   if (!which) return true;
   char name[32], phase[16];
-  int ph = 0;
   if (sscanf(which, "%31s %15s", name, phase) != 2) return claim_error(j, c, "increasing", "reads NAME PHASE");
-  while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
+  int ph = word_find(phase, phase_name, N_PHASES);
   if (ph == N_PHASES) return claim_error(j, c, "increasing", "no such phase");
   take_phase(&x->phase, ph);
   x->monotone = true;
   x->increase_text[0] = result_str(j->out, "%s'(t)", name);
-  x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, switching[ph]);
-  x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, switching[ph + 1], name);
+  x->increase_text[1] = result_str(j->out, "%s(t) - %s(%s)", name, name, name_switching[ph]);
+  x->increase_text[2] = result_str(j->out, "%s(%s) - %s(t)", name, name_switching[ph + 1], name);
   return expressions_tape(&x->increase, &x->el, x->increase_text, 3, section ? section : "", j->d);
 }
 
 /* Where the time t lies. */
 static bool clock_tape(struct extra *x, struct judge *j) {
   if (x->phase < 0 || x->phase == N_PHASES) return true;
-  x->clock_text[0] = result_str(j->out, "t - (%s)", switching[x->phase]);
-  x->clock_text[1] = result_str(j->out, "%s - t", switching[x->phase + 1]);
+  x->clock_text[0] = result_str(j->out, "t - (%s)", name_switching[x->phase]);
+  x->clock_text[1] = result_str(j->out, "%s - t", name_switching[x->phase + 1]);
   return expressions_tape(&x->clock, &x->el, x->clock_text, 2, "", j->d);
 }
 

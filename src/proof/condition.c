@@ -2,6 +2,7 @@
 
    The rest of a tape's inputs are bound once for an orbit; only what moves is set anew for each time. */
 #include "condition.h"
+#include "num/calc.h"
 #include "record/result.h"
 
 #include <math.h>
@@ -24,9 +25,8 @@ static bool reads(const struct expr *e, const char *as) {
 
 /* The phase that lasts just as long as the statement's range. */
 static bool phase_of_range(enum phase *ph, const struct stmt *st, const struct source *src, struct diag *d) {
-  static const char *const end[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
   int i = 0;
-  while (i < N_PHASES && !(reads(st->range_lo, end[i]) && reads(st->range_hi, end[i + 1]))) i++;
+  while (i < N_PHASES && !(reads(st->range_lo, name_switching[i]) && reads(st->range_hi, name_switching[i + 1]))) i++;
   *ph = (enum phase)i;
   if (i == N_PHASES) diag_at(d, src, st->range_lo->span.begin, "no phase of the motion begins and ends as this range");
   return i < N_PHASES;
@@ -85,8 +85,7 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
       expr_print(&t, st->sides[k]);
       text_add(&t, ops[st->ops[k]]);
       expr_print(&t, st->sides[k + 1]);
-      c->text = result_str(j->out, "%s", text_str(&t));
-      text_clear(&t);
+      c->text = result_take(j->out, &t);
       bool ranged = st->range_hi;
       if (ranged && !phase_of_range(&c->phase, st, r->src, j->d)) return false;
       if (c->moving && !ranged && phase < 0)
@@ -95,12 +94,6 @@ static bool add_record(struct conditions *list, struct judge *j, const struct cl
     }
   }
   return any || claim_error(j, claim, attribute, "there is no such statement or step in the record");
-}
-
-static int phase_named(const char *name) {
-  for (int ph = 0; ph < N_PHASES; ph++)
-    if (strcmp(phase_name[ph], name) == 0) return ph;
-  return -1;
 }
 
 bool conditions_read(struct conditions *list, struct judge *j, const struct claim *c, const char *attribute,
@@ -120,10 +113,11 @@ bool conditions_read(struct conditions *list, struct judge *j, const struct clai
         return claim_error(j, c, attribute, "a statement of a record reads ID#1 or ID#1.2");
       *mark = '\0';
     }
-    if (*phase && phase_named(phase) < 0) return claim_error(j, c, attribute, "no such phase");
+    int ph = *phase ? word_find(phase, phase_name, N_PHASES) : -1;
+    if (ph == N_PHASES) return claim_error(j, c, attribute, "no such phase");
     const struct statement_record *r = view_record(&view, id);
     if (!r) return claim_error(j, c, attribute, "there is no such record in the equation files");
-    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, *phase ? phase_named(phase) : -1, view)) return false;
+    if (!add_record(list, j, c, attribute, r, only - 1, step - 1, ph, view)) return false;
   }
   return true;
 }
@@ -171,9 +165,8 @@ static int margin_at(void *z, struct bound *b, const struct num_vec *x) {
 
 /* The state after the time tau of the phase, by the variant's means, and the time since the start of the period. */
 static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const void *tau) {
-  struct num_vec z, m;
-  num_vec_init(&z, 4, v->ctx);
-  num_vec_init(&m, 16, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec z = calc_vec(&c, 4), m = calc_vec(&c, 16);
   const struct num_type *t = v->ctx.type;
   for (int i = 0; i < 4; i++) t->set(num_vec_at(&z, i), num_vec_at(&v->arc.z, 4 * (int)ph + i));
   int s = SS_OK;
@@ -197,8 +190,7 @@ static int moving_at(struct num_vec *x, struct values *v, enum phase ph, const v
   void *time = num_vec_at(x, MOVING_T);
   t->set(time, tau);
   for (int k = 0; k < (int)ph; k++) s |= t->add(time, time, num_vec_at(&v->arc.t, k), v->ctx.prec);
-  num_vec_clear(&m);
-  num_vec_clear(&z);
+  calc_clear(&c);
   return s;
 }
 
@@ -288,10 +280,9 @@ struct affine {
 
 static int affine_init(struct affine *f, struct bound *b) {
   const struct num_type *t = b->v->ctx.type;
-  struct num_vec x, sum;
   num_vec_init(&f->c, N_MOVING + 1, b->v->ctx);
-  num_vec_init(&x, N_MOVING, b->v->ctx);
-  num_vec_init(&sum, 2, b->v->ctx);
+  struct calc w = calc_begin(b->v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), sum = calc_vec(&w, 2);
   void *constant = num_vec_at(&f->c, N_MOVING), *total = num_vec_at(&sum, 0), *all = num_vec_at(&sum, 1);
   int s = margin_at(constant, b, &x);
   t->set(total, constant);
@@ -305,18 +296,15 @@ static int affine_init(struct affine *f, struct bound *b) {
   for (int m = 0; m < N_MOVING; m++) s |= t->set_d(num_vec_at(&x, m), 1, b->v->ctx.prec);
   s |= margin_at(all, b, &x);
   if (!arb_overlaps(all, total)) s |= SS_UNABLE; /* not affine */
-  num_vec_clear(&sum);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return s;
 }
 
 /* The margin and its rate for every time of the ball tau. */
 static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct values *v, enum phase ph,
                      const arb_t tau) {
-  struct num_vec x, a, z;
-  num_vec_init(&x, N_MOVING, v->ctx);
-  num_vec_init(&a, 16, v->ctx);
-  num_vec_init(&z, 4, v->ctx);
+  struct calc w = calc_begin(v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), a = calc_vec(&w, 16), z = calc_vec(&w, 4);
   slong prec = v->ctx.prec;
   int s = moving_at(&x, v, ph, tau);
   s |= dyn_system(&a, ph, &v->params);
@@ -329,9 +317,7 @@ static int affine_at(arb_t value, arb_t rate, const struct affine *f, struct val
     arb_addmul(rate, num_vec_at(&f->c, m), num_vec_at(&z, m), prec);
     arb_addmul(rate, num_vec_at(&f->c, MOVING_X + m), num_vec_at(&z, m), prec);
   }
-  num_vec_clear(&z);
-  num_vec_clear(&a);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return s;
 }
 
@@ -426,9 +412,8 @@ static truth sign_of(const struct condition *c, const arb_t m, slong prec) {
 
 /* At a fraction of the phase, or at the one moment that the condition names. */
 static truth holds_at(struct bound *b, double where, slong prec) {
-  struct num_vec x, tau;
-  num_vec_init(&x, N_MOVING, b->v->ctx);
-  num_vec_init(&tau, 2, b->v->ctx);
+  struct calc w = calc_begin(b->v->ctx);
+  struct num_vec x = calc_vec(&w, N_MOVING), tau = calc_vec(&w, 2);
   arb_ptr time = num_vec_at(&tau, 0), m = num_vec_at(&tau, 1);
   int s = SS_OK;
   if (b->c->moving) {
@@ -438,8 +423,7 @@ static truth holds_at(struct bound *b, double where, slong prec) {
   }
   s |= margin_at(m, b, b->c->moving ? &x : NULL);
   truth holds = s == SS_OK ? sign_of(b->c, m, prec) : TRUTH_UNKNOWN;
-  num_vec_clear(&tau);
-  num_vec_clear(&x);
+  calc_clear(&w);
   return holds;
 }
 

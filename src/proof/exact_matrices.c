@@ -5,33 +5,25 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 /* The 4x4 derivative of the event-located map of a phase: column by column what it makes of a perturbation. */
 static int local_jacobian(struct num_vec *j, struct exact_motion *m, int phase) {
-  struct num_vec z, f, col, dt, p, u;
-  vec_init(&f, 4);
-  vec_init(&col, 4);
-  vec_init(&dt, 1);
-  vec_init(&p, 16);
-  vec_init(&u, 1);
-  int s = motion_state(&z, m, phase + 1);
-  s |= motion_rate(&f, m, phase, &z);
-  s |= motion_length(at(&u, 0), m, phase);
-  s |= exact_propagator(&p, m, (enum phase)phase, at(&u, 0));
-  for (int k = 0; s == SS_OK && k < 4; k++) {
+  struct calc c = exact_calc(m->field);
+  struct num_vec z, f = calc_vec(&c, 4), col = calc_vec(&c, 4), p = calc_vec(&c, 16);
+  void *dt = calc_new(&c), *u = calc_new(&c);
+  c.status = motion_state(&z, m, phase + 1);
+  c.status |= motion_rate(&f, m, phase, &z);
+  c.status |= motion_length(u, m, phase);
+  c.status |= exact_propagator(&p, m, (enum phase)phase, u);
+  for (int k = 0; c.status == SS_OK && k < 4; k++) {
     for (int i = 0; i < 4; i++) num_exact.set(at(&col, i), at(&p, 4 * i + k));
-    s = motion_delay(at(&dt, 0), m, phase + 1, &col, &z);
-    for (int i = 0; s == SS_OK && i < 4; i++) {
-      s = motion_op(num_exact.mul, at(j, 4 * i + k), m, at(&f, i), at(&dt, 0));
-      if (s == SS_OK) s = motion_op(num_exact.add, at(j, 4 * i + k), m, at(j, 4 * i + k), at(&col, i));
-    }
+    c.status = motion_delay(dt, m, phase + 1, &col, &z);
+    for (int i = 0; i < 4; i++)
+      calc_store(&c, at(j, 4 * i + k), calc_add(&c, calc_mul(&c, at(&f, i), dt), at(&col, i)));
   }
-  num_vec_clear(&u);
-  num_vec_clear(&p);
-  num_vec_clear(&dt);
-  num_vec_clear(&col);
-  num_vec_clear(&f);
-  return s;
+  calc_clear(&c);
+  return c.status;
 }
 
 static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
@@ -45,9 +37,8 @@ static int corner(struct num_vec *out, struct exact_motion *m, int phase) {
 }
 
 static int period_matrix(struct num_vec *out, struct exact_motion *m) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = SS_OK;
   for (int ph = 0; s == SS_OK && ph < N_PHASES; ph++) {
     s = motion_length(at(&u, 0), m, ph);
@@ -57,8 +48,7 @@ static int period_matrix(struct num_vec *out, struct exact_motion *m) {
     else if (s == SS_OK)
       s = motion_multiply(out, m, &p, out, 4, 4, 4);
   }
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
@@ -78,31 +68,24 @@ static int direction(struct num_vec *v, struct exact_motion *m, int phase, int k
 /* Does the phase carry the perturbations of its corner's columns to those of the next corner's, as the corner says? */
 static bool hands_over(struct exact_motion *m, int phase) {
   const struct local_map *map = &local_maps[phase];
-  struct num_vec j, c, v, w;
-  vec_init(&j, 16);
-  vec_init(&c, map->rows * map->cols);
-  vec_init(&v, 4);
-  vec_init(&w, 4);
-  int s = local_jacobian(&j, m, phase);
-  if (s == SS_OK) s = corner(&c, m, phase);
-  for (int k = 0; s == SS_OK && k < map->cols; k++) {
-    s = direction(&v, m, phase, k);
-    if (s == SS_OK) s = motion_multiply(&v, m, &j, &v, 4, 4, 1);
-    for (int r = 0; s == SS_OK && r < map->rows; r++) {
-      s = direction(&w, m, phase + 1, r);
-      for (int i = 0; s == SS_OK && i < 4; i++) {
-        s = motion_op(num_exact.mul, at(&w, i), m, at(&w, i), at(&c, r * map->cols + k));
-        if (s == SS_OK) s = motion_op(num_exact.sub, at(&v, i), m, at(&v, i), at(&w, i));
-      }
+  struct calc c = exact_calc(m->field);
+  struct num_vec j = calc_vec(&c, 16), kept = calc_vec(&c, map->rows * map->cols);
+  struct num_vec v = calc_vec(&c, 4), w = calc_vec(&c, 4);
+  c.status = local_jacobian(&j, m, phase);
+  if (c.status == SS_OK) c.status = corner(&kept, m, phase);
+  for (int k = 0; c.status == SS_OK && k < map->cols; k++) {
+    c.status = direction(&v, m, phase, k);
+    if (c.status == SS_OK) c.status = motion_multiply(&v, m, &j, &v, 4, 4, 1);
+    for (int r = 0; c.status == SS_OK && r < map->rows; r++) {
+      c.status = direction(&w, m, phase + 1, r);
+      val by = at(&kept, r * map->cols + k);
+      for (int i = 0; i < 4; i++) calc_store(&c, at(&v, i), calc_sub(&c, at(&v, i), calc_mul(&c, at(&w, i), by)));
     }
     for (int i = 0; i < 4; i++)
-      if (!exact_is_zero(m->field, at(&v, i))) s |= SS_UNABLE;
+      if (!exact_is_zero(m->field, at(&v, i))) c.status |= SS_UNABLE;
   }
-  num_vec_clear(&w);
-  num_vec_clear(&v);
-  num_vec_clear(&c);
-  num_vec_clear(&j);
-  return s == SS_OK;
+  calc_clear(&c);
+  return c.status == SS_OK;
 }
 
 /* The product of the corners, held as unknowns, once it is known that each phase hands over to the next. */
@@ -144,8 +127,7 @@ static int perturbation_named(const char *name) {
 
 int exact_motion_oracle(struct num_vec *out, struct exact_motion *m, const char *name) {
   static const char *const rational[] = {"K", "K_1", "K_2", "d_01", "d_02"};
-  for (size_t i = 0; i < sizeof rational / sizeof *rational; i++)
-    if (strcmp(name, rational[i]) == 0) return motion_of_params(out, m, name);
+  if (word_find(name, rational, 5) < 5) return motion_of_params(out, m, name);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char propagator[16];
     snprintf(propagator, sizeof propagator, "%s(t)", phase_name[ph]);

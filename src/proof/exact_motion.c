@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 /* The last switch before the time t, or at it. */
 static int end_now(const struct exact_motion *m) {
@@ -31,9 +32,8 @@ static int time_now(element *z, struct exact_motion *m) {
 /* Z(t) or, for the second derivative, its rate. */
 static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   static const char *const start[] = {"z_1(0)", "z_2(0)", "z_1'(0)", "z_2'(0)"};
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = exact_symbol(at(&u, 0), m->field, has_word(m) ? "tau" : "t");
   if (has_word(m) && m->attempt.time != TIME_INSIDE) num_exact.set_d(at(&u, 0), 0, 0);
   if (has_word(m)) s |= motion_perturbed(out, m, end_now(m), m->finite);
@@ -41,8 +41,7 @@ static int state_now(struct num_vec *out, struct exact_motion *m, bool rate) {
   s |= exact_propagator(&p, m, m->phase, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(out, m, &p, out, 4, 4, 1);
   if (s == SS_OK && rate) s = motion_rate(out, m, (int)m->phase, out);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
@@ -139,22 +138,22 @@ static int bind_param(element *z, struct exact_motion *m, int i) {
 
 /* N Z_0 = Z_0 on a periodic motion, solved for the column of N that multiplies z_1'. */
 static int periodic_entry(element *z, struct exact_motion *m, int row) {
-  struct num_vec v, w;
-  vec_init(&w, 1);
+  struct calc c = exact_calc(m->field);
+  struct num_vec v;
   char name[16];
   m->used_matrix = true;
-  int s = motion_state(&v, m, 0);
-  num_exact.set(z, at(&v, row - 1));
-  for (int j = 1; s == SS_OK && j <= 4; j++) {
+  c.status = motion_state(&v, m, 0);
+  val rest = at(&v, row - 1);
+  for (int j = 1; c.status == SS_OK && j <= 4; j++) {
     if (j == 3) continue;
+    void *entry = calc_new(&c);
     snprintf(name, sizeof name, "N[%d,%d]", row, j);
-    s = exact_symbol(at(&w, 0), m->field, name);
-    if (s == SS_OK) s = motion_op(num_exact.mul, at(&w, 0), m, at(&w, 0), at(&v, j - 1));
-    if (s == SS_OK) s = motion_op(num_exact.sub, z, m, z, at(&w, 0));
+    c.status = exact_symbol(entry, m->field, name);
+    rest = calc_sub(&c, rest, calc_mul(&c, entry, at(&v, j - 1)));
   }
-  if (s == SS_OK) s = motion_op(num_exact.div, z, m, z, at(&v, 2));
-  num_vec_clear(&w);
-  return s;
+  calc_store(&c, z, calc_div(&c, rest, at(&v, 2)));
+  calc_clear(&c);
+  return c.status;
 }
 
 /* "J_a[1,2]": a matrix held as unknowns; S_a, S_b, S_c are the motion's states; of the matrix of the period it is known
@@ -170,14 +169,11 @@ static int bind_entry(element *z, struct exact_motion *m, const char *name) {
 }
 
 int exact_motion_bind(element *z, struct exact_field *f, const char *name, void *motion) {
-  static const char *const params[] = {"chi", "eta", "V", "e_1", "e_2"};
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
-  int index, status;
-  for (int i = 0; i < N_PARAMS; i++)
-    if (strcmp(name, params[i]) == 0) return bind_param(z, m, i);
-  for (size_t i = 0; i < sizeof free_names / sizeof *free_names; i++)
-    if (strcmp(name, free_names[i]) == 0) return exact_symbol(z, f, name);
+  int index, status, param = word_find(name, name_param, N_PARAMS);
+  if (param < N_PARAMS) return bind_param(z, m, param);
+  if (word_find(name, free_names, 3) < 3) return exact_symbol(z, f, name);
   if (strcmp(name, "t") == 0) return time_now(z, m);
   if (strcmp(name, "u_r1") == 0 || strcmp(name, "u_r2") == 0) {
     struct num_vec w;

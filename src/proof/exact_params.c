@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 enum { TERMS = 1500 }; /* of the largest polynomial of a motion's field */
 
@@ -27,20 +28,14 @@ int motion_op(num_binary f, element *z, const struct exact_motion *m, const elem
 
 int motion_symbol(element *z, struct exact_motion *m, const char *name) {
   const struct restriction *r = m->restriction;
-  static const struct {
-    const char *name;
-    int q;
-  } restricted[] = {{"chi", Q_CHI}, {"eta", Q_ETA}, {"V", Q_V}};
-  for (size_t i = 0; r && i < sizeof restricted / sizeof *restricted; i++) {
-    if (restricted[i].q != r->quantity || strcmp(restricted[i].name, name) != 0) continue;
-    fmpq_t q;
-    fmpq_init(q);
-    int s = num_parse_decimal(q, r->value, strlen(r->value));
-    if (s == SS_OK) s = num_exact.set_q(z, q, 0);
-    fmpq_clear(q);
-    return s;
-  }
-  return exact_symbol(z, m->field, name);
+  if (!r || r->quantity > Q_V || strcmp(name_param[r->quantity - Q_CHI], name) != 0)
+    return exact_symbol(z, m->field, name);
+  fmpq_t q;
+  fmpq_init(q);
+  int s = num_parse_decimal(q, r->value, strlen(r->value));
+  if (s == SS_OK) s = num_exact.set_q(z, q, 0);
+  fmpq_clear(q);
+  return s;
 }
 
 int motion_unknown(struct exact_motion *m, const char *name) {
@@ -57,10 +52,8 @@ int motion_system(struct num_vec *a, struct exact_motion *m, enum phase ph) {
 
 /* Is w^2 an eigenvalue of the stiffness of phase H, as the first-order system has it? */
 static bool is_frequency(struct exact_motion *m, const element *w) {
-  struct num_vec a, k, det;
-  vec_init(&a, 16);
-  vec_init(&k, 4);
-  vec_init(&det, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec a = calc_vec(&c, 16), k = calc_vec(&c, 4), det = calc_vec(&c, 1);
   int s = motion_system(&a, m, PHASE_H);
   for (int i = 0; i < 4; i++) s |= num_exact.neg(at(&k, i), at(&a, 8 + 4 * (i / 2) + i % 2), 0);
   s |= num_exact.mul(at(&det, 0), w, w, 0);
@@ -68,41 +61,32 @@ static bool is_frequency(struct exact_motion *m, const element *w) {
   s |= num_mat_det(at(&det, 0), &k, 2);
   s |= exact_reduce(at(&det, 0), m->field);
   bool zero = s == SS_OK && exact_is_zero(m->field, at(&det, 0));
-  num_vec_clear(&det);
-  num_vec_clear(&k);
-  num_vec_clear(&a);
+  calc_clear(&c);
   return zero;
 }
 
 /* chi eta = w1^2 + w2^2 - 1 and chi = (1 - w1^2)(w2^2 - 1)/(chi eta): the trace and the determinant of K solved for chi
    and eta; 0 < w1 < 1 < w2 is the domain 0 < chi < 1, eta > 0 once. */
 static int take_modes(struct exact_motion *m) {
-  const struct num_type *t = &num_exact;
-  struct num_vec w;
-  vec_init(&w, 4);
-  element *one = at(&w, 0), *a = at(&w, 1), *b = at(&w, 2), *stiff = at(&w, 3);
-  int s = exact_symbol(at(&m->frequency, 0), m->field, "w_1");
-  s |= exact_symbol(at(&m->frequency, 1), m->field, "w_2");
-  s |= t->set_d(one, 1, 0);
-  s |= t->mul(a, at(&m->frequency, 0), at(&m->frequency, 0), 0);
-  s |= t->mul(b, at(&m->frequency, 1), at(&m->frequency, 1), 0);
-  s |= t->add(stiff, a, b, 0);
-  s |= t->sub(stiff, stiff, one, 0);
-  s |= t->sub(a, one, a, 0);
-  s |= t->sub(b, b, one, 0);
-  s |= t->mul(a, a, b, 0);
-  s |= t->div(at(&m->params, P_CHI), a, stiff, 0);
-  s |= t->div(at(&m->params, P_ETA), stiff, at(&m->params, P_CHI), 0);
-  num_vec_clear(&w);
-  if (s == SS_OK && !(is_frequency(m, at(&m->frequency, 0)) && is_frequency(m, at(&m->frequency, 1)))) s = SS_UNABLE;
-  exact_field_roots(m->field, at(&m->frequency, 0), 2);
+  struct calc c = calc_begin(num_ctx_exact());
+  element *w1 = at(&m->frequency, 0), *w2 = at(&m->frequency, 1);
+  c.status = exact_symbol(w1, m->field, "w_1") | exact_symbol(w2, m->field, "w_2");
+  val one = calc_d(&c, 1), a = calc_mul(&c, w1, w1), b = calc_mul(&c, w2, w2);
+  val stiff = calc_sub(&c, calc_add(&c, a, b), one);
+  val det = calc_mul(&c, calc_sub(&c, one, a), calc_sub(&c, b, one));
+  calc_store(&c, at(&m->params, P_CHI), calc_div(&c, det, stiff));
+  calc_store(&c, at(&m->params, P_ETA), calc_div(&c, stiff, at(&m->params, P_CHI)));
+  calc_clear(&c);
+  int s = c.status;
+  if (s == SS_OK && !(is_frequency(m, w1) && is_frequency(m, w2))) s = SS_UNABLE;
+  exact_field_roots(m->field, w1, 2);
   return s;
 }
 
 static int take_params(struct exact_motion *m) {
-  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   int s = SS_OK;
-  for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++) s |= motion_symbol(at(&m->params, i), m, names[i]);
+  for (int i = m->attempt.modes ? P_V : P_CHI; i < N_PARAMS; i++)
+    s |= motion_symbol(at(&m->params, i), m, name_param[i]);
   if (!m->attempt.modes) return s;
   if (m->restriction && (m->restriction->quantity == Q_ETA || m->restriction->quantity == Q_CHI)) return SS_UNABLE;
   return s | take_modes(m);

@@ -77,11 +77,10 @@ static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmp
 }
 
 static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
-  static const char *const names[] = {"chi", "eta", "V"};
   fmpq_t value;
   fmpq_init(value);
   bool zero = r->quantity <= Q_V && num_parse_decimal(value, r->value, strlen(r->value)) == SS_OK &&
-              exact_vanishes_at(f, d, names[r->quantity - Q_CHI], value);
+              exact_vanishes_at(f, d, name_param[r->quantity - Q_CHI], value);
   fmpq_clear(value);
   return zero;
 }

@@ -2,6 +2,7 @@
    is made is no proof; once in a run it is held against what defines it, P' = A P and P(0) = I, and used only if it
    fulfils that. */
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 #include "base/work.h"
 #include "num/num_exact.h"
@@ -44,10 +45,8 @@ static int pair_of(element *c, element *s, struct exact_motion *m, const element
 static int add_share(struct num_vec *p, struct exact_motion *m, const struct num_vec *a, const element *c,
                      const element *s, const element *own, const element *skip) {
   const struct num_type *t = &num_exact;
-  struct num_vec square, factor, gap;
-  vec_init(&square, 16);
-  vec_init(&factor, 16);
-  vec_init(&gap, 2);
+  struct calc w = calc_begin(num_ctx_exact());
+  struct num_vec square = calc_vec(&w, 16), factor = calc_vec(&w, 16), gap = calc_vec(&w, 2);
   int status = motion_multiply(&square, m, a, a, 4, 4, 4);
   status |= t->sub(at(&gap, 0), own, skip, 0);
   for (int i = 0; i < 16; i++) {
@@ -60,19 +59,15 @@ static int add_share(struct num_vec *p, struct exact_motion *m, const struct num
   status |= motion_reduce(&square, m) | motion_reduce(&factor, m);
   if (status == SS_OK) status = motion_multiply(&square, m, &factor, &square, 4, 4, 4);
   for (int i = 0; status == SS_OK && i < 16; i++) status = motion_op(t->add, at(p, i), m, at(p, i), at(&square, i));
-  num_vec_clear(&gap);
-  num_vec_clear(&factor);
-  num_vec_clear(&square);
+  calc_clear(&w);
   return status;
 }
 
 static int make_propagator(struct num_vec *p, struct exact_motion *m, enum phase ph, const element *u) {
   const struct num_type *t = &num_exact;
-  struct num_vec a, own, f;
   element *w[2];
-  vec_init(&a, 16);
-  vec_init(&own, 2);
-  vec_init(&f, 6);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec a = calc_vec(&c, 16), own = calc_vec(&c, 2), f = calc_vec(&c, 6);
   int s = motion_system(&a, m, ph);
   s |= frequencies(w, m, ph, &own);
   for (int i = 0; s == SS_OK && i < 2; i++) {
@@ -89,21 +84,15 @@ static int make_propagator(struct num_vec *p, struct exact_motion *m, enum phase
     for (int i = 0; s == SS_OK && i < 2; i++)
       s = add_share(p, m, &a, at(&f, i), at(&f, 2 + i), at(&f, 4 + i), at(&f, 5 - i));
   }
-  num_vec_clear(&f);
-  num_vec_clear(&own);
-  num_vec_clear(&a);
+  calc_clear(&c);
   return s;
 }
 
 /* P' - A P and P(0) - I are zero. */
 static bool solves(struct exact_motion *m, enum phase ph) {
-  struct num_vec p, rate, start, a, rest, u;
-  vec_init(&p, 16);
-  vec_init(&rate, 16);
-  vec_init(&start, 16);
-  vec_init(&a, 16);
-  vec_init(&rest, PROPAGATOR_LAW);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), rate = calc_vec(&c, 16), start = calc_vec(&c, 16), a = calc_vec(&c, 16),
+                 rest = calc_vec(&c, PROPAGATOR_LAW), u = calc_vec(&c, 1);
   int s = exact_symbol(at(&u, 0), m->field, "t");
   s |= make_propagator(&p, m, ph, at(&u, 0));
   s |= make_propagator(&start, m, ph, NULL);
@@ -113,12 +102,7 @@ static bool solves(struct exact_motion *m, enum phase ph) {
   if (s == SS_OK) s = motion_reduce(&rest, m);
   bool ok = s == SS_OK;
   for (int i = 0; ok && i < PROPAGATOR_LAW; i++) ok = exact_is_zero(m->field, at(&rest, i));
-  num_vec_clear(&u);
-  num_vec_clear(&rest);
-  num_vec_clear(&a);
-  num_vec_clear(&start);
-  num_vec_clear(&rate);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return ok;
 }
 

@@ -27,11 +27,10 @@ static element *entry(const struct elimination *e, int row, int col) {
 
 /* Not zero for any values of the symbols in it. */
 static bool is_unit(const struct elimination *e, const element *x) {
-  static const char *const positive[] = {"chi", "eta", "V"};
   element one;
   exact_init(&one, e->field);
   num_exact.set_d(&one, 1, 0);
-  bool unit = exact_ratio_sign(e->field, x, &one, positive, sizeof positive / sizeof *positive) != 0;
+  bool unit = exact_ratio_sign(e->field, x, &one, name_param, P_V + 1) != 0;
   exact_clear(&one, e->field);
   return unit;
 }
@@ -103,8 +102,7 @@ static struct exact_rank conclude(struct audit_result *out, const struct elimina
                        : ", which are nowhere zero,",
         e->rank);
   }
-  r.note = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
+  r.note = result_take(out, &t);
   return r;
 }
 

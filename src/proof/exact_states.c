@@ -5,10 +5,10 @@
 #include <string.h>
 
 #include "exact_motion_impl.h"
+#include "num/calc.h"
 
 int motion_length(element *z, struct exact_motion *m, int phase) {
-  static const char *const names[] = {"t_a", "t_b", "t_c", "t_d"};
-  return motion_symbol(z, m, names[phase]);
+  return motion_symbol(z, m, name_time[phase]);
 }
 
 /* What a switching function says of a vector: its value, or without its constant, for perturbations. */
@@ -43,14 +43,14 @@ static int obey(struct num_vec *v, struct exact_motion *m, int phase, int i, boo
 /* For each end of a phase, from the start of the period on: which components are free, which one the event decides (-1:
    none), and which are those of a mass that sticks to the belt. */
 static const struct {
-  const char *name[N_STATE], *small[N_STATE];
+  bool free[N_STATE];
   int decided;
   bool sticks[N_STATE];
-} ends[5] = {{{"z_10", "z_20", NULL, NULL}, {"x", "y", NULL, NULL}, -1, {[DZ_1] = true, [DZ_2] = true}},
-             {{NULL, "z_2a", NULL, NULL}, {NULL, "y_a", NULL, NULL}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
-             {{"z_1b", NULL, "z'_1b", NULL}, {"x_b", NULL, "u_b", NULL}, Z_2, {[DZ_2] = true}},
-             {{"z_1c", "z_2c", NULL, "z'_2c"}, {"x_c", "y_c", NULL, "v_c"}, DZ_1, {false}},
-             {{"z_1f", "z_2f", NULL, NULL}, {"x_f", "y_f", NULL, NULL}, DZ_2, {[DZ_1] = true}}};
+} ends[5] = {{{[Z_1] = true, [Z_2] = true}, -1, {[DZ_1] = true, [DZ_2] = true}},
+             {{[Z_2] = true}, Z_1, {[DZ_1] = true, [DZ_2] = true}},
+             {{[Z_1] = true, [DZ_1] = true}, Z_2, {[DZ_2] = true}},
+             {{[Z_1] = true, [Z_2] = true, [DZ_2] = true}, DZ_1, {false}},
+             {{[Z_1] = true, [Z_2] = true}, DZ_2, {[DZ_1] = true}}};
 
 /* Any state at all: no mass sticks, no event has been. */
 static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
@@ -66,8 +66,7 @@ static int any_state(struct num_vec *v, struct exact_motion *m, int k) {
 static int free_end(struct num_vec *v, struct exact_motion *m, int k, bool perturbation) {
   int s = SS_OK;
   for (int i = 0; i < N_STATE; i++) {
-    const char *name = perturbation ? ends[k].small[i] : ends[k].name[i];
-    if (name) s |= exact_symbol(at(v, i), m->field, name);
+    if (ends[k].free[i]) s |= exact_symbol(at(v, i), m->field, (perturbation ? name_tangent : name_state)[k][i]);
     if (ends[k].sticks[i] && !perturbation) num_exact.set(at(v, i), at(&m->params, P_V));
     if (ends[k].sticks[i] && perturbation) s |= num_exact.set_d(at(v, i), 0, 0);
   }
@@ -87,29 +86,25 @@ static int decide_limit(struct exact_motion *m, int k, struct num_vec *z) {
 }
 
 static int carried(struct num_vec *z, struct exact_motion *m, int k, const struct num_vec *from, const element *more) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = motion_length(at(&u, 0), m, k - 1);
   if (more) s |= motion_op(num_exact.add, at(&u, 0), m, at(&u, 0), more);
   s |= exact_propagator(&p, m, (enum phase)(k - 1), at(&u, 0));
   if (s == SS_OK) s = motion_multiply(z, m, &p, from, 4, 4, 1);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
 /* Z_c = exp(-A_C t_d) Z_0. */
 static int carried_back(struct num_vec *z, struct exact_motion *m, const struct num_vec *start) {
-  struct num_vec p, u;
-  vec_init(&p, 16);
-  vec_init(&u, 1);
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec p = calc_vec(&c, 16), u = calc_vec(&c, 1);
   int s = motion_length(at(&u, 0), m, PHASE_C);
   s |= num_exact.neg(at(&u, 0), at(&u, 0), 0);
   if (s == SS_OK) s = exact_propagator(&p, m, PHASE_C, at(&u, 0));
   if (s == SS_OK) s = motion_multiply(z, m, &p, start, 4, 4, 1);
-  num_vec_clear(&u);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 
@@ -150,38 +145,33 @@ int motion_rate(struct num_vec *f, struct exact_motion *m, int phase, const stru
 
 /* -n dz/(n f), by which the event comes later when the state at its time is dz off. */
 int motion_delay(element *dt, struct exact_motion *m, int k, const struct num_vec *dz, const struct num_vec *z) {
-  struct num_vec w;
-  vec_init(&w, 1);
-  int s = switching(dt, m, k - 1, dz, true);
-  s |= dyn_switching_rate(at(&w, 0), (enum phase)(k - 1), &m->params, z);
-  s |= exact_reduce(at(&w, 0), m->field);
-  if (s == SS_OK) s = motion_op(num_exact.div, dt, m, dt, at(&w, 0));
-  if (s == SS_OK) s = num_exact.neg(dt, dt, 0);
-  num_vec_clear(&w);
-  return s;
+  struct calc c = exact_calc(m->field);
+  void *off = calc_new(&c), *rate = calc_new(&c);
+  c.status = switching(off, m, k - 1, dz, true);
+  c.status |= dyn_switching_rate(rate, (enum phase)(k - 1), &m->params, z) | exact_reduce(rate, m->field);
+  calc_store(&c, dt, calc_neg(&c, calc_div(&c, off, rate)));
+  calc_clear(&c);
+  return c.status;
 }
 
 static int free_shift(element *dt, struct exact_motion *m, int phase) {
-  static const char *const names[] = {"dt_a", "dt_b", "dt_c", "dt_d"};
-  return exact_symbol(dt, m->field, names[phase]);
+  return exact_symbol(dt, m->field, name_shift[phase]);
 }
 
 /* P dz + f dt, with dt where the event asks for it (located) or free. */
 static int first_order(struct num_vec *out, struct exact_motion *m, int k, const struct num_vec *dz) {
-  struct num_vec z, f;
+  struct calc c = exact_calc(m->field);
+  struct num_vec z, f = calc_vec(&c, 4);
   element *dt = at(&m->shift, k - 1);
-  vec_init(&f, 4);
   int s = motion_state(&z, m, k);
   s |= carried(out, m, k, dz, NULL);
   if (s == SS_OK) s = motion_rate(&f, m, k - 1, &z);
   if (s == SS_OK)
     s = m->attempt.tangents == TANGENTS_LOCATED ? motion_delay(dt, m, k, out, &z) : free_shift(dt, m, k - 1);
-  for (int i = 0; s == SS_OK && i < 4; i++) {
-    s = motion_op(num_exact.mul, at(&f, i), m, at(&f, i), dt);
-    if (s == SS_OK) s = motion_op(num_exact.add, at(out, i), m, at(out, i), at(&f, i));
-  }
-  num_vec_clear(&f);
-  return s;
+  c.status = s;
+  for (int i = 0; i < 4; i++) calc_store(&c, at(out, i), calc_add(&c, at(out, i), calc_mul(&c, at(&f, i), dt)));
+  calc_clear(&c);
+  return c.status;
 }
 
 /* The other motion, Z + dZ, carried over the longer phase, less this one. */
@@ -202,16 +192,13 @@ static int difference(struct num_vec *out, struct exact_motion *m, int k, const 
 /* At patched points any numbers, but that the velocity of a mass which sticks in the phase before, constant in that
    phase's system, is the belt's with and without the perturbation. */
 static int any_tangent(struct num_vec *dz, struct exact_motion *m, int k) {
-  static const char letters[] = "xyuv", places[] = "abcf";
   struct num_vec a;
   vec_init(&a, 16);
   int s = k > 0 ? motion_system(&a, m, (enum phase)(k - 1)) : SS_OK;
   for (int i = 0; i < N_STATE; i++) {
-    char name[8];
     bool sticks = k > 0 && i >= DZ_1;
     for (int c = 0; sticks && c < N_STATE; c++) sticks = exact_is_zero(m->field, at(&a, 4 * i + c));
-    snprintf(name, sizeof name, k > 0 ? "%c_%c" : "%c", letters[i], places[k > 0 ? k - 1 : 0]);
-    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name);
+    s |= sticks ? num_exact.set_d(at(dz, i), 0, 0) : exact_symbol(at(dz, i), m->field, name_tangent[k][i]);
   }
   num_vec_clear(&a);
   return s;

@@ -7,6 +7,7 @@
 #include "claim/claim.h"
 #include "exact_proof.h"
 #include "exact_rank.h"
+#include "num/calc.h"
 #include "receipt.h"
 #include "record/result.h"
 #include "value/title.h"
@@ -70,9 +71,8 @@ static void add_sides(struct text *out, const struct tape *t, int part) {
 
 static void add_system(struct text *out) {
   struct exact_field *f = exact_field_new(NULL, 0);
-  struct num_vec params, a;
-  num_vec_init(&params, N_PARAMS, num_ctx_exact());
-  num_vec_init(&a, N_STATE * N_STATE, num_ctx_exact());
+  struct calc c = calc_begin(num_ctx_exact());
+  struct num_vec params = calc_vec(&c, N_PARAMS), a = calc_vec(&c, N_STATE * N_STATE);
   exact_symbol(num_vec_at(&params, P_CHI), f, "chi");
   exact_symbol(num_vec_at(&params, P_ETA), f, "eta");
   text_add(out, "SYSTEM = {  # A of Z' = A Z in each phase, Z = (z_1, z_2, z_1', z_2')\n");
@@ -87,8 +87,7 @@ static void add_system(struct text *out) {
     text_add(out, "],\n");
   }
   text_add(out, "}\n");
-  num_vec_clear(&a);
-  num_vec_clear(&params);
+  calc_clear(&c);
   exact_field_free(f);
 }
 

@@ -6,61 +6,41 @@
 
 #include "stable_impl.h"
 
-static void combine(struct stable_field *s, num_binary op, element *z, const element *x, const element *y) {
-  if (s->status == SS_OK) s->status = op(z, x, y, 0);
-  if (s->status == SS_OK) s->status = exact_reduce(z, s->field);
-}
-
-static void combine_si(struct stable_field *s, num_binary op, element *z, const element *x, slong n) {
-  element y;
-  exact_init(&y, s->field);
-  num_exact.set_d(&y, (double)n, 0);
-  combine(s, op, z, x, &y);
-  exact_clear(&y, s->field);
-}
-
 /* omega is the root of omega_1^2 + omega_2^2 - 1, and its product with sqrt(chi) that of (1 - omega_1^2)(omega_2^2 -
    1). */
 static void make_parameters(struct stable_field *s) {
-  element a, b, *omega = &s->positive[0], *root_chi = &s->positive[1];
-  exact_init(&a, s->field);
-  exact_init(&b, s->field);
-  combine(s, num_exact.mul, &a, &s->frequency[0], &s->frequency[0]);
-  combine(s, num_exact.mul, &b, &s->frequency[1], &s->frequency[1]);
-  combine_si(s, num_exact.sub, &b, &b, 1);
-  combine(s, num_exact.add, omega, &a, &b);
-  s->status |= exact_sqrt(omega, s->field, omega);
-  combine_si(s, num_exact.sub, &a, &a, 1);
-  num_exact.neg(&a, &a, 0);
-  num_exact.set(&s->g_1, &a);
-  combine(s, num_exact.mul, &a, &a, &b);
-  s->status |= exact_sqrt(root_chi, s->field, &a);
-  combine(s, num_exact.div, root_chi, root_chi, omega);
-  combine(s, num_exact.div, &s->positive[2], omega, root_chi);
-  combine(s, num_exact.mul, &a, &s->frequency[0], &s->frequency[1]);
-  combine(s, num_exact.div, &s->positive[3], &a, omega);
-  combine(s, num_exact.add, &s->positive[4], &s->frequency[1], &s->frequency[0]);
-  combine(s, num_exact.sub, &s->positive[5], &s->frequency[1], &s->frequency[0]);
-  combine(s, num_exact.mul, &s->chi, root_chi, root_chi);
-  combine(s, num_exact.mul, &s->eta, &s->positive[2], &s->positive[2]);
-  exact_clear(&b, s->field);
-  exact_clear(&a, s->field);
+  struct calc c = exact_calc(s->field);
+  element *omega = &s->positive[0], *root_chi = &s->positive[1];
+  val first = &s->frequency[0], second = &s->frequency[1], one = calc_d(&c, 1), square = calc_mul(&c, first, first);
+  val above = calc_sub(&c, calc_mul(&c, second, second), one);
+  calc_store(&c, omega, calc_add(&c, square, above));
+  c.status |= exact_sqrt(omega, s->field, omega);
+  calc_store(&c, &s->g_1, calc_neg(&c, calc_sub(&c, square, one)));
+  calc_store(&c, root_chi, calc_mul(&c, &s->g_1, above));
+  c.status |= exact_sqrt(root_chi, s->field, root_chi);
+  calc_store(&c, root_chi, calc_div(&c, root_chi, omega));
+  calc_store(&c, &s->positive[2], calc_div(&c, omega, root_chi));
+  calc_store(&c, &s->positive[3], calc_div(&c, calc_mul(&c, first, second), omega));
+  calc_store(&c, &s->positive[4], calc_add(&c, second, first));
+  calc_store(&c, &s->positive[5], calc_sub(&c, second, first));
+  calc_store(&c, &s->chi, calc_mul(&c, root_chi, root_chi));
+  calc_store(&c, &s->eta, calc_mul(&c, &s->positive[2], &s->positive[2]));
+  s->status |= c.status;
+  calc_clear(&c);
 }
-
-const char *const stable_time[N_TIMES] = {"t", "t_a", "t_b", "t_c", "t_d"};
 
 /* omega_1 t, omega_2 t, omega t and t over the unit, for each time. */
 static void make_angles(struct stable_field *s, slong unit) {
-  const element *rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
-  element half;
-  exact_init(&half, s->field);
+  struct calc c = exact_calc(s->field);
+  val rate[] = {&s->frequency[0], &s->frequency[1], &s->positive[0]};
   for (int i = 0; i < N_TIMES; i++) {
-    s->status |= exact_symbol(&half, s->field, stable_time[i]);
-    combine_si(s, num_exact.div, &half, &half, unit);
-    for (int k = 0; k < 3; k++) combine(s, num_exact.mul, &s->angle[i * N_ANGLES + k], &half, rate[k]);
-    num_exact.set(&s->angle[i * N_ANGLES + 3], &half);
+    element *t = calc_new(&c), *angle = &s->angle[i * N_ANGLES];
+    c.status |= exact_symbol(t, s->field, i ? name_time[i - 1] : "t");
+    calc_store(&c, &angle[3], calc_div(&c, t, calc_d(&c, (double)unit)));
+    for (int k = 0; k < 3; k++) calc_store(&c, &angle[k], calc_mul(&c, &angle[3], rate[k]));
   }
-  exact_clear(&half, s->field);
+  s->status |= c.status;
+  calc_clear(&c);
 }
 
 /* An entry of a part, "rest_2[1,2]", by what it equals in the corrected layer; NULL when it is none. */

@@ -112,7 +112,7 @@ bool readings_same_shapes(const struct reading r[2]) {
 static int times_in(const struct tape *t) {
   int n = 0;
   for (slong k = 0; k < t->n_inputs; k++)
-    for (int i = 0; i < N_TIMES; i++) n += strcmp(t->inputs[k], stable_time[i]) == 0;
+    n += strcmp(t->inputs[k], "t") == 0 || word_find(t->inputs[k], name_time, N_PHASES) < N_PHASES;
   return n;
 }
 

@@ -165,10 +165,10 @@ static bool names_time(bool *yes, const char *function, const char *section, enu
   struct reading r;
   struct text there;
   text_init(&there);
-  text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, stable_time[1]);
+  text_printf(&there, "%.*s(%s)", (int)strcspn(function, "("), function, name_time[0]);
   reading_init(&r, m, layer, &none);
   bool ok = reading_value(&r, text_str(&there), section, d) && elaboration_tape(&r.tape, &r.el, r.e, r.n, d);
-  for (slong k = 0; ok && k < r.tape.n_inputs; k++) *yes = *yes || strcmp(r.tape.inputs[k], stable_time[0]) == 0;
+  for (slong k = 0; ok && k < r.tape.n_inputs; k++) *yes = *yes || strcmp(r.tape.inputs[k], "t") == 0;
   reading_clear(&r);
   text_clear(&there);
   return ok;

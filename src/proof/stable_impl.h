@@ -5,12 +5,13 @@
 
 #include "stable_forms.h"
 #include "tape/exact.h"
+#include "value/names.h"
 
 typedef fmpz_mpoly_q_struct element;
 
 /* --- The field: stable_field.c --- */
 
-enum { N_POSITIVE = 6, N_TIMES = 5, N_ANGLES = 4, STABLE_TERMS = 4096 };
+enum { N_POSITIVE = 6, N_TIMES = 1 + N_PHASES, N_ANGLES = 4, STABLE_TERMS = 4096 };
 
 /* A definition that has no counterpart in the corrected layer and yet a value there, by its record's attribute
    "equals". As an unknown it stands for that value. */
@@ -35,8 +36,6 @@ struct stable_field {
   int n_parts;
   int status;
 };
-
-extern const char *const stable_time[N_TIMES]; /* t, t_a, t_b, t_c, t_d */
 
 /* Its angles are those over times divided by the unit.  Sines and cosines of their multiples up to 8 are made of
    theirs. */

@@ -45,7 +45,7 @@ const char *example_init(struct example *e, const struct scene *s) {
     for (int i = 0; i < N_X; i++) fmpq_init(&e->fed[c][i]);
   int after[N_X], most = 0;
   for (int i = 0; i < N_X; i++) {
-    const struct printed_number *p = e->printed[i] = scene_printed(s, quantity_name[i]);
+    const struct printed_number *p = e->printed[i] = scene_printed(s, orbit_number_name(i));
     if (!p) return "it takes printed values of z10, z20, t_a, t_b, t_c, t_d, e1 and e2";
     e->value[i] = fmpq_get_d(&p->value);
     e->unit[i] = fmpq_get_d(&p->unit);
@@ -57,7 +57,7 @@ const char *example_init(struct example *e, const struct scene *s) {
       if (decimals_fed[c] && decimals_fed[c] < after[i]) round_decimals(&e->fed[c][i], &p->value, decimals_fed[c]);
     }
     for (int k = KEY_E1; k <= KEY_TD; k++)
-      if (s->given[k] && strcmp(scene_key_name[k], quantity_name[i]) == 0) e->data |= 1U << i;
+      if (s->given[k] && strcmp(scene_key_name[k], orbit_number_name(i)) == 0) e->data |= 1U << i;
   }
   for (int i = 0; i < N_X; i++) e->missing[i] = most - after[i];
   for (int i = 0; i < N_BOUNDS; i++) {

@@ -5,10 +5,10 @@
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
+#include "value/solved.h"
 
-/* The quantities of a printed example. */
+/* The quantities of a printed example: the first of an orbit's numbers (value/solved.h), which have their names. */
 enum { X_Z10, X_Z20, X_TA, X_TB, X_TC, X_TD, X_E1, X_E2, N_X };
-extern const char *const quantity_name[N_X];
 
 /* The equations of the paper, and two forms of them. */
 enum { EQ_12, EQ_14, EQ_16, EQ_V2, EQ_Z1, EQ_Z2, EQ_W, EQ_R, EQ_F1, EQ_F2, EQ_G1, EQ_G2, N_EQ };

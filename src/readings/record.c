@@ -19,9 +19,7 @@ static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
   struct text t;
   text_init(&t);
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
-  const char *s = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(out, &t);
 }
 
 static void *room(struct audit_result *out, int n, size_t size) {
@@ -32,7 +30,7 @@ static const char *names(struct audit_result *out, unsigned mask, const char *no
   struct text t;
   text_init(&t);
   for (int i = 0; i < N_X; i++)
-    if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", quantity_name[i]);
+    if (mask >> i & 1) text_printf(&t, "%s%s", t.len ? ", " : "", orbit_number_name(i));
   const char *s = result_str(out, "%s", t.len ? text_str(&t) : none);
   text_clear(&t);
   return s;
@@ -124,7 +122,7 @@ static void describe_slopes(struct example_reading *r, struct audit_result *out,
     if (d > r->decimals) r->decimals = d;
     for (int k = 0; k < N_X; k++)
       if (inputs >> k & 1)
-        r->slope[r->n_slopes++] = (struct reading_slope){quantity_name[i], quantity_name[k],
+        r->slope[r->n_slopes++] = (struct reading_slope){orbit_number_name(i), orbit_number_name(k),
                                                          digits_of(out, slope + i * N_X + k, SLOPE_DIGITS)};
   }
   if (!known) r->decimals = -1;
@@ -160,7 +158,7 @@ void reading_describe(struct example_reading *r, struct audit_result *out, const
   r->inputs = room(out, N_X, sizeof *r->inputs);
   for (int i = 0; i < N_X; i++)
     if (!(c->unknown >> i & 1))
-      r->inputs[r->n_inputs++] = result_str(out, "%s = %s", quantity_name[i], e->printed[i]->decimal);
+      r->inputs[r->n_inputs++] = result_str(out, "%s = %s", orbit_number_name(i), e->printed[i]->decimal);
   describe_assumptions(r, out, c, e);
   describe_equations(r, out, c, x, s);
   describe_numbers(r, out, c, x, e);
@@ -218,7 +216,7 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
       enum reading how;
       truth t = bracket ? printed_fits(wide + i, e->printed[i], &how) : TRUTH_UNKNOWN;
       if (t == TRUTH_UNKNOWN) t = truth_or(t, printed_fits(x + i, e->printed[i], &how));
-      p->output[p->n_outputs++] = (struct procedure_output){quantity_name[i],
+      p->output[p->n_outputs++] = (struct procedure_output){orbit_number_name(i),
                                                             result_str(out, "%s", e->printed[i]->decimal),
                                                             digits_of(out, x + i, VALUE_DIGITS),
                                                             bracket ? end_of(out, wide + i, false) : NULL,
@@ -229,7 +227,7 @@ void readings_procedure(struct readings *r, struct audit_result *out, const stru
                                                             decimals_needed(slope + i * N_X, e->data, e->printed[i])};
       for (int k = 0; k < N_X; k++)
         if (e->data >> k & 1)
-          p->slope[p->n_slopes++] = (struct reading_slope){quantity_name[i], quantity_name[k],
+          p->slope[p->n_slopes++] = (struct reading_slope){orbit_number_name(i), orbit_number_name(k),
                                                            digits_of(out, slope + i * N_X + k, SLOPE_DIGITS)};
     }
   }
@@ -255,7 +253,8 @@ void reading_answers(struct example_reading *r, struct audit_result *out, const 
     for (int i = 0; i < N_X; i++) {
       if (!(unknown >> i & 1)) continue;
       arb_srcptr a = answer + i * N_EQ + eq;
-      d->answer[d->n_answer++] = (struct reading_slope){quantity_name[i], "residual", digits_of(out, a, SLOPE_DIGITS)};
+      d->answer[d->n_answer++] =
+          (struct reading_slope){orbit_number_name(i), "residual", digits_of(out, a, SLOPE_DIGITS)};
       arb_addmul(sum + i, a, residual + eq, PREC);
     }
   }
@@ -263,7 +262,7 @@ void reading_answers(struct example_reading *r, struct audit_result *out, const 
   for (int i = 0; ok && i < N_X; i++) {
     if (!(unknown >> i & 1)) continue;
     arb_sub(whole + i, x + i, whole + i, PREC);
-    r->shift[r->n_shifts++] = (struct reading_shift){quantity_name[i], digits_of(out, whole + i, SLOPE_DIGITS),
+    r->shift[r->n_shifts++] = (struct reading_shift){orbit_number_name(i), digits_of(out, whole + i, SLOPE_DIGITS),
                                                      digits_of(out, sum + i, SLOPE_DIGITS)};
   }
   _arb_vec_clear(v, N_EQ + 2 * N_X + N_X * N_EQ);
@@ -290,8 +289,7 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
         p->n_given += fits;
         if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", e->printed[n]->name);
       }
-      if (ok) p->missed = result_str(out, "%s", text_str(&missed));
-      text_clear(&missed);
+      if (ok) p->missed = result_take(out, &missed);
     }
   _arb_vec_clear(x, N_PRINTED);
 }

@@ -2,6 +2,7 @@
    Krawczyk's operator in balls to prove, for each value of the quantities that are held fixed as balls. */
 #include <math.h>
 
+#include "num/calc.h"
 #include "num/solve.h"
 #include "readings.h"
 
@@ -118,9 +119,9 @@ bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, ar
                      unsigned unknown) {
   int eq[N_EQ], at[N_X], n = lists(eq, at, eqs, unknown);
   if (n <= 0) return false;
-  struct num_vec f, j, right;
-  num_vec_init(&f, n, s->ctx);
-  num_vec_init(&j, n * n, s->ctx);
+  struct num_vec right;
+  struct calc w = calc_begin(s->ctx);
+  struct num_vec f = calc_vec(&w, n), j = calc_vec(&w, n * n);
   num_vec_init(&right, n * (N_X + n), s->ctx); /* minus the derivative by every quantity; the unit matrix */
   for (int i = 0; i < N_X; i++) arb_set(num_vec_at(&s->x, i), x + i);
   bool ok = system_eval(s, eqs) == SS_OK;
@@ -138,7 +139,6 @@ bool readings_slopes(arb_ptr by_known, arb_ptr by_equation, struct system *s, ar
       arb_set(by_equation + at[i] * N_EQ + eq[c], num_vec_at(&right, i * (N_X + n) + N_X + c));
   }
   num_vec_clear(&right);
-  num_vec_clear(&j);
-  num_vec_clear(&f);
+  calc_clear(&w);
   return ok;
 }

@@ -232,8 +232,7 @@ static void conclude_first(struct hunt *h) {
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
     text_printf(&t, "  To be sure of the printed digits, its inputs must be right to %d decimals.", f->decimals);
-  say(h, &r->conclusion, &r->n_conclusions, result_str(h->out, "%s", text_str(&t)));
-  text_clear(&t);
+  say(h, &r->conclusion, &r->n_conclusions, result_take(h->out, &t));
 }
 
 static void conclude_pairs(struct hunt *h) {

@@ -8,6 +8,7 @@
    derivative by a time is that inverse times the derivative of (44) along the motion that starts at the solution. */
 #include <string.h>
 
+#include "num/calc.h"
 #include "readings.h"
 
 static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)",  "C(t_d)",
@@ -17,10 +18,10 @@ static const char *const propagator_text[8] = {"D(t_a)",  "Gamma(t_b)",  "H(t_c)
 
 static bool name_inputs(struct formulas *f) {
   static const char *const names[] = {"chi", "eta", "V", "z_10", "z_20", "t_a", "t_b", "t_c", "t_d"};
+  enum { N_NAMES = sizeof names / sizeof *names };
   for (slong i = 0; i < f->tape.n_inputs; i++) {
-    int k = 0;
-    while (k < (int)(sizeof names / sizeof *names) && strcmp(names[k], f->tape.inputs[i]) != 0) k++;
-    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == (int)(sizeof names / sizeof *names)) return false;
+    int k = word_find(f->tape.inputs[i], names, N_NAMES);
+    if (i >= (slong)(sizeof f->input / sizeof *f->input) || k == N_NAMES) return false;
     f->input[i] = k;
   }
   return true;
@@ -140,10 +141,8 @@ static int from_tape(struct system *s) {
 
 static int from_model(struct system *s) {
   const struct num_type *t = s->ctx.type;
-  struct num_vec params, unit, a;
-  num_vec_init(&params, N_PARAMS, s->ctx);
-  num_vec_init(&unit, N_STATE, s->ctx);
-  num_vec_init(&a, 16, s->ctx);
+  struct calc c = calc_begin(s->ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), unit = calc_vec(&c, N_STATE), a = calc_vec(&c, 16);
   for (int i = 0; i < 3; i++) t->set(num_vec_at(&params, i), num_vec_at(&s->model, i));
   int status = t->set_d(num_vec_at(&params, P_E1), 1, s->ctx.prec); /* the motion does not depend on them */
   status |= t->set_d(num_vec_at(&params, P_E2), 1, s->ctx.prec);
@@ -156,9 +155,7 @@ static int from_model(struct system *s) {
     status |= dyn_system(&a, (enum phase)k, &params);
     status |= num_mat_mul(&s->dp[k], &a, &s->p[k], 4, 4, 4);
   }
-  num_vec_clear(&a);
-  num_vec_clear(&unit);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return status;
 }
 
@@ -202,59 +199,44 @@ static int motion_run(struct motion *m, const struct system *s) {
 
 /* --- Rows --- */
 
-/* z += (one + with_chi chi) x */
-static int add_share(void *z, const struct system *s, const struct equation *e, int i, const void *x,
-                     struct num_vec *scratch) {
-  const struct num_type *t = s->ctx.type;
-  slong prec = s->ctx.prec;
-  void *c = num_vec_at(scratch, 0), *chi = num_vec_at(scratch, 1);
-  int status = t->set_d(c, e->with_chi[i], prec);
-  status |= t->mul(c, c, num_vec_at(&s->model, 0), prec);
-  status |= t->set_d(chi, e->one[i], prec);
-  status |= t->add(c, c, chi, prec);
-  status |= t->mul(c, c, x, prec);
-  return status | t->add(z, z, c, prec);
+/* z += factor (end - start); without a start, factor end. */
+static void add_share(void *z, struct calc *c, val factor, val end, val start) {
+  calc_store(c, z, calc_add(c, z, calc_mul(c, factor, start ? calc_sub(c, end, start) : end)));
 }
 
 static int row_along(struct system *s, int eq) {
   const struct equation *e = &equations[eq];
   const struct num_type *t = s->ctx.type;
-  slong prec = s->ctx.prec;
-  struct num_vec w;
-  num_vec_init(&w, 3, s->ctx);
-  void *x = num_vec_at(&w, 2), *value = num_vec_at(&s->value, eq);
-  int status = t->set_d(value, 0, prec);
+  struct calc w = calc_begin(s->ctx);
+  void *value = num_vec_at(&s->value, eq);
+  int status = t->set_d(value, 0, s->ctx.prec);
   bool returns = e->right == RIGHT_START;
-  for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), 0, prec);
+  for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), 0, s->ctx.prec);
   for (int i = 0; i < 4; i++) {
     if (e->one[i] == 0 && e->with_chi[i] == 0) continue;
-    t->set(x, num_vec_at(&s->own.state[e->end], i));
-    if (returns) status |= t->sub(x, x, num_vec_at(&s->own.state[0], i), prec);
-    status |= add_share(value, s, e, i, x, &w);
-    for (int c = 0; c < 6; c++) {
-      t->set(x, num_vec_at(&s->own.tangent[e->end], 6 * i + c));
-      if (returns) status |= t->sub(x, x, num_vec_at(&s->own.tangent[0], 6 * i + c), prec);
-      status |= add_share(num_vec_at(&s->slope, eq * N_X + c), s, e, i, x, &w);
-    }
+    val with_chi = calc_mul(&w, calc_d(&w, e->with_chi[i]), num_vec_at(&s->model, 0));
+    val factor = calc_add(&w, with_chi, calc_d(&w, e->one[i]));
+    add_share(value, &w, factor, num_vec_at(&s->own.state[e->end], i),
+              returns ? num_vec_at(&s->own.state[0], i) : NULL);
+    for (int c = 0; c < 6; c++)
+      add_share(num_vec_at(&s->slope, eq * N_X + c), &w, factor, num_vec_at(&s->own.tangent[e->end], 6 * i + c),
+                returns ? num_vec_at(&s->own.tangent[0], 6 * i + c) : NULL);
   }
-  if (e->right == RIGHT_V) status |= t->sub(value, value, num_vec_at(&s->model, 2), prec);
+  if (e->right == RIGHT_V) calc_store(&w, value, calc_sub(&w, value, num_vec_at(&s->model, 2)));
   if (e->right >= 0) {
-    status |= t->sub(value, value, num_vec_at(&s->x, e->right), prec);
-    status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, prec);
+    calc_store(&w, value, calc_sub(&w, value, num_vec_at(&s->x, e->right)));
+    status |= t->set_d(num_vec_at(&s->slope, eq * N_X + e->right), -1, s->ctx.prec);
   }
-  num_vec_clear(&w);
-  return status;
+  calc_clear(&w);
+  return status | w.status;
 }
 
 /* Both rows of z_0 solved from the positions (block 0) or the velocities (block 1) of (44). */
 static int rows_solved(struct system *s, int block) {
   const struct num_type *t = s->ctx.type;
   slong prec = s->ctx.prec;
-  struct num_vec a, gap, rate, one;
-  num_vec_init(&a, 4, s->ctx);
-  num_vec_init(&gap, 2, s->ctx);
-  num_vec_init(&rate, 8, s->ctx);
-  num_vec_init(&one, 1, s->ctx);
+  struct calc w = calc_begin(s->ctx);
+  struct num_vec a = calc_vec(&w, 4), gap = calc_vec(&w, 2), rate = calc_vec(&w, 8), one = calc_vec(&w, 1);
   int status = t->set_d(num_vec_at(&one, 0), 1, prec);
   for (int i = 0; i < 2; i++) {
     int row = 2 * block + i;
@@ -277,10 +259,7 @@ static int rows_solved(struct system *s, int block) {
     for (int c = 0; c < N_X; c++) status |= t->set_d(num_vec_at(&s->slope, eq * N_X + c), c == X_Z10 + i, prec);
     for (int c = 0; c < 4; c++) t->set(num_vec_at(&s->slope, eq * N_X + X_TA + c), num_vec_at(&rate, 4 * i + c));
   }
-  num_vec_clear(&one);
-  num_vec_clear(&rate);
-  num_vec_clear(&gap);
-  num_vec_clear(&a);
+  calc_clear(&w);
   return status;
 }
 

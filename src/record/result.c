@@ -63,6 +63,12 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) {
   return s;
 }
 
+const char *result_take(struct audit_result *r, struct text *t) {
+  const char *s = result_str(r, "%s", text_str(t));
+  text_clear(t);
+  return s;
+}
+
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
   for (size_t i = 0; i < r->n_consequences; i++)
     if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];
@@ -77,11 +83,23 @@ void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
   if (total != (long)r->n_findings) abort();
 }
 
+bool finding_miscorrected(const struct finding *f) {
+  if (!f->correction) return false;
+  bool holds = f->correction_verdict == VERDICT_PROVED || f->correction_verdict == VERDICT_SUPPORTED;
+  return f->correction_verdict == VERDICT_REFUTED || (f->recorded != N_VERDICTS && !holds);
+}
+
+bool control_is_far(const struct control_result *c) {
+  return c->near && c->distance && strtod(c->distance, NULL) > 1.0001 * strtod(c->near, NULL);
+}
+
 long audit_result_unexpected(const struct audit_result *r) {
   long n = 0;
-  for (size_t i = 0; i < r->n_findings; i++)
+  for (size_t i = 0; i < r->n_findings; i++) {
     n += r->findings[i].recorded != N_VERDICTS && r->findings[i].recorded != r->findings[i].verdict;
-  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed;
+    n += finding_miscorrected(&r->findings[i]);
+  }
+  for (size_t i = 0; i < r->n_controls; i++) n += !r->controls[i].noticed || control_is_far(&r->controls[i]);
   for (size_t i = 0; i < r->n_pairs; i++) n += !r->pairs[i].within;
   for (size_t i = 0; i < r->n_long_runs; i++) n += !r->long_runs[i].obeys || !r->long_runs[i].displaced;
   return n;
@@ -94,13 +112,12 @@ void audit_leave_out(struct audit_result *out, const char *what, const char *why
 
 void audit_control(struct audit_result *out, const char *id, const char *claim, enum verdict verdict) {
   out->controls = ss_grow(out->controls, out->n_controls, &out->cap_controls, sizeof *out->controls);
-  out->controls[out->n_controls++] = (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED};
+  out->controls[out->n_controls++] =
+      (struct control_result){id, claim, verdict, verdict == VERDICT_REFUTED, NULL, NULL};
 }
 
 enum verdict verdict_parse(const char *name) {
-  int i = 0;
-  while (i < N_VERDICTS && strcmp(verdict_name[i], name) != 0) i++;
-  return (enum verdict)i;
+  return (enum verdict)word_find(name, verdict_name, N_VERDICTS);
 }
 
 bool verdict_fails(enum verdict v) {

@@ -94,6 +94,8 @@ struct control_result {
   const char *id, *claim;
   enum verdict verdict;
   bool noticed;
+  const char *near;     /* the most by which it changes what it damages; NULL where it does not say, */
+  const char *distance; /* and by how much it does, relative */
 };
 
 /* --- How inconsistent printed numbers could have arisen: readings of the example --- */
@@ -236,15 +238,18 @@ struct neighbour {
   const char *path, *says;
 };
 
-/* What became of the formulas' damages in the study (reports/mutation) beside the report. */
+/* What became of the damages in the study (reports/mutation) beside the report.  counted: those that change a meaning,
+   formulas of them in the paper's formulas; left out of it are those that mean the same, that make no difference on any
+   motion, that need the paper's text, and those of errata.eq, which is not the paper's. */
 struct mutation_score {
-  long total, noticed, unreadable, unproved, equivalent, on_motions, open;
+  long counted, noticed, formulas, equivalent, on_motions, needs_text, errata;
 };
 
 struct audit_result {
   struct arena arena; /* owns every string */
   const char *scene, *title;
-  const char *paper; /* the title of the paper; NULL where its files say none */
+  const char *paper;      /* the title of the paper; NULL where its files say none */
+  const char *paper_text; /* the digest of the text that is quoted (quote/quote.h); NULL likewise */
   const char
       *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
   struct finding *findings;
@@ -283,11 +288,18 @@ void audit_result_clear(struct audit_result *r);
 void result_keep_pages(struct audit_result *r, void *pages, size_t size);
 /* A formatted string in the result's arena. */
 const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+/* What a text holds, kept likewise; the text is cleared. */
+const char *result_take(struct audit_result *r, struct text *t);
 /* The consequence of a failure, or NULL. */
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
 /* How many findings have each verdict; the sum is n_findings (checked). */
 void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
-/* Findings whose verdict differs from what is recorded, controls that went unnoticed, and routes that disagree. */
+/* A correction that is refuted itself; or, where the verdict is on record, is neither proved nor supported. */
+bool finding_miscorrected(const struct finding *f);
+/* A control that is farther from what it damages than it says. */
+bool control_is_far(const struct control_result *c);
+/* Findings whose verdict differs from what is recorded, corrections that are wrong, controls that went unnoticed or are far, and
+   routes that disagree. */
 long audit_result_unexpected(const struct audit_result *r);
 
 #endif

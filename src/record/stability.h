@@ -40,7 +40,6 @@ enum loss_cause {
       N_LOSS_CAUSES
 };
 extern const char *const loss_cause_says[N_LOSS_CAUSES];
-bool loss_cause_fails(enum loss_cause c);
 
 /* Predicted against observed loss: bins of digits [0,1), [1,2), [2,4), [4,8), [8,12), [12,...), and failures. */
 enum { N_LOSS_BINS = 7 };

@@ -10,10 +10,6 @@ const char *const loss_cause_says[N_LOSS_CAUSES] = {
 #undef CAUSE_SAYS
 };
 
-bool loss_cause_fails(enum loss_cause c) {
-  return c == CAUSE_OVERFLOW || c == CAUSE_UNDERFLOW || c == CAUSE_ZERO_DIVISOR;
-}
-
 const char *const loss_bin_name[N_LOSS_BINS] = {"below 1", "1 to 2",     "2 to 4", "4 to 8",
                                                 "8 to 12", "12 or more", "failure"};
 

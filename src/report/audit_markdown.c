@@ -78,13 +78,13 @@ static void add_overview(struct text *out, const struct audit_result *r) {
 
 static void add_controls(struct text *out, const struct audit_result *r) {
   if (r->n_controls == 0) return;
-  text_printf(
-      out,
-      "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict |\n| --- | --- | --- |\n",
-      controls_noticed(r), r->n_controls);
+  text_printf(out,
+              "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict | by |\n| --- | "
+              "--- | --- | --- |\n",
+              controls_noticed(r), r->n_controls);
   for (size_t i = 0; i < r->n_controls; i++)
-    text_printf(out, "| %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
-                verdict_name[r->controls[i].verdict]);
+    text_printf(out, "| %s | %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
+                verdict_name[r->controls[i].verdict], r->controls[i].distance ? r->controls[i].distance : "");
   text_add_char(out, '\n');
 }
 
@@ -245,6 +245,9 @@ static void add_consequences(struct text *out, const struct audit_result *r) {
 
 void report_markdown(struct text *out, const struct audit_result *r) {
   text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
+  if (r->paper_text)
+    text_printf(out, "The paper's text that is quoted, as its tokens: `%s` (`stickslip quotes FILE`).\n\n",
+                r->paper_text);
   add_counts(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);

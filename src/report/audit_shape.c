@@ -149,6 +149,8 @@ static const struct member control_member[] = {
     STRING(struct control_result, claim, MEMBER_NULLABLE),
     VERDICT("verdict", struct control_result, verdict, MEMBER_NEEDED),
     BOOLEAN(struct control_result, noticed),
+    STRING(struct control_result, near, MEMBER_SPARSE),
+    STRING(struct control_result, distance, MEMBER_SPARSE),
 };
 static SHAPE(control, struct control_result, .blank = NULL);
 
@@ -323,6 +325,7 @@ static const struct member audit_shape_member[] = {
     STRING(struct audit_result, scene, MEMBER_NEEDED),
     STRING(struct audit_result, title, MEMBER_NULLABLE),
     STRING(struct audit_result, paper, MEMBER_SPARSE),
+    STRING(struct audit_result, paper_text, MEMBER_SPARSE),
     STRING(struct audit_result, subject, MEMBER_SPARSE),
     TOLD("summary", tell_summary),
     LIST("claims", findings, MEMBER_NEEDED, &finding),

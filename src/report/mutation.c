@@ -1,4 +1,5 @@
-/* What became of the damaged formulas: survivors first, since each asks for a check or an argument. */
+/* What became of the damages: the one score, its rows, and what survived, since each survivor asks for a check or an
+   argument. */
 #include "mutation.h"
 #include "base/json.h"
 
@@ -36,6 +37,34 @@ static void write_survivor(struct json *j, const struct survivor *s) {
   json_end_object(j);
 }
 
+static void write_damaged(struct json *j, const struct damaged *g) {
+  json_object(j, NULL);
+  json_string(j, "class", damage_classes[g->class].words);
+  json_string(j, "fate", mutant_fate_name[g->fate]);
+  json_string(j, "file", g->file);
+  json_long(j, "line", (long)g->line);
+  json_string(j, "record", g->record);
+  json_string(j, "attribute", g->attribute);
+  json_string(j, "was", g->was);
+  json_string(j, "now", g->now);
+  json_string(j, "says", g->says);
+  json_end_object(j);
+}
+
+static void write_score(struct json *j, const struct mutation_result *r) {
+  struct mutation_score s;
+  mutation_score_of(&s, r);
+  json_object(j, "score");
+  json_long(j, "counted", s.counted);
+  json_long(j, "noticed", s.noticed);
+  json_long(j, "formulas", s.formulas);
+  json_long(j, "equivalent", s.equivalent);
+  json_long(j, "on_motions", s.on_motions);
+  json_long(j, "needs_text", s.needs_text);
+  json_long(j, "errata", s.errata);
+  json_end_object(j);
+}
+
 void report_mutation_json(struct text *out, const struct mutation_result *r) {
   struct json j;
   struct text seed;
@@ -43,18 +72,24 @@ void report_mutation_json(struct text *out, const struct mutation_result *r) {
   text_printf(&seed, "%llu", r->seed);
   json_init(&j, out);
   json_object(&j, NULL);
-  json_string(&j, "schema", "stickslip-mutation-1");
+  json_string(&j, "schema", "stickslip-mutation-2");
   json_string(&j, "scene", r->scene);
   json_string(&j, "subject", r->subject);
   json_string(&j, "seed", text_str(&seed));
   json_long(&j, "population", r->population);
   json_long(&j, "tried", r->tried);
-  write_row(&j, "total", &r->total);
+  write_score(&j, r);
+  write_row(&j, "formulas", &r->formulas);
   write_row(&j, "corrected_elsewhere", &r->printed);
+  write_row(&j, "errata", &r->errata);
   write_rows(&j, "files", r->file, r->n_files);
   write_rows(&j, "kinds", r->kind, r->n_kinds);
+  write_rows(&j, "classes", r->data, N_DAMAGE_CLASSES);
   json_array(&j, "survivors");
   for (size_t i = 0; i < r->n_survivors; i++) write_survivor(&j, &r->survivor[i]);
+  json_end_array(&j);
+  json_array(&j, "damages");
+  for (size_t i = 0; i < r->n_damaged; i++) write_damaged(&j, &r->damaged[i]);
   json_end_array(&j);
   json_end_object(&j);
   text_clear(&seed);
@@ -69,20 +104,54 @@ static const char *const fate_says[N_MUTANT_FATES] = {
     [FATE_UNREAD] = "Survivors in statements that no claim reads",
 };
 
-static void add_row(struct text *out, const struct mutation_row *r) {
+/* The columns of the tables, and the fates that stand in them. */
+struct column {
+  enum mutant_fate fate;
+  const char *words;
+};
+static const struct column formula_columns[] = {{FATE_UNREADABLE, "of them unreadable"},
+                                                {FATE_UNPROVED, "of them unproved"},
+                                                {FATE_REFUSED, "of them refused"},
+                                                {FATE_EQUIVALENT, "equivalent"},
+                                                {FATE_ON_MOTIONS, "same on motions"},
+                                                {FATE_UNDECIDED, "undecided"},
+                                                {FATE_UNREAD, "unread"}};
+static const struct column data_columns[] = {{FATE_REFUSED, "of them refused"},
+                                             {FATE_UNREADABLE, "of them unreadable"},
+                                             {FATE_EQUIVALENT, "same by rule"},
+                                             {FATE_NEEDS_TEXT, "needs the text"},
+                                             {FATE_UNDECIDED, "not noticed"}};
+
+static void add_row(struct text *out, const struct mutation_row *r, const struct column *column, size_t n) {
   text_printf(out, "| %s | %ld | %ld |", r->name, mutation_row_total(r), mutation_row_noticed(r));
-  for (int i = FATE_UNREADABLE; i < N_MUTANT_FATES; i++) text_printf(out, " %ld |", r->count[i]);
+  for (size_t i = 0; i < n; i++) text_printf(out, " %ld |", r->count[column[i].fate]);
   text_add_char(out, '\n');
 }
 
-static void add_table(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
-  text_printf(
-      out,
-      "| %s | mutants | noticed | of them unreadable | of them unproved | equivalent | same on motions | undecided | "
-      "unread |\n| --- | ---: | ---: | ---: | ---: | ---: | ---: | ---: | ---: |\n",
-      heading);
+static void add_heading(struct text *out, const char *heading, const struct column *column, size_t n) {
+  text_printf(out, "| %s | damages | noticed |", heading);
+  for (size_t i = 0; i < n; i++) text_printf(out, " %s |", column[i].words);
+  text_add(out, "\n| --- | ---: | ---: |");
+  for (size_t i = 0; i < n; i++) text_add(out, " ---: |");
+  text_add_char(out, '\n');
+}
+
+enum {
+  N_FORMULA_COLUMNS = sizeof formula_columns / sizeof *formula_columns,
+  N_DATA_COLUMNS = sizeof data_columns / sizeof *data_columns
+};
+
+static void add_formulas(struct text *out, const char *heading, const struct mutation_row *row, size_t n) {
+  add_heading(out, heading, formula_columns, N_FORMULA_COLUMNS);
   for (size_t i = 0; i < n; i++)
-    if (mutation_row_total(&row[i])) add_row(out, &row[i]);
+    if (mutation_row_total(&row[i])) add_row(out, &row[i], formula_columns, N_FORMULA_COLUMNS);
+  text_add_char(out, '\n');
+}
+
+static void add_classes(struct text *out, const struct mutation_result *r) {
+  add_heading(out, "what is damaged", data_columns, N_DATA_COLUMNS);
+  for (int k = 0; k < N_DAMAGE_CLASSES; k++)
+    if (mutation_row_total(&r->data[k])) add_row(out, &r->data[k], data_columns, N_DATA_COLUMNS);
   text_add_char(out, '\n');
 }
 
@@ -129,16 +198,13 @@ static void list_survivors(struct text *out, const struct mutation_result *r, en
 }
 
 static void add_summary(struct text *out, const struct mutation_result *r) {
-  long total = mutation_row_total(&r->total), noticed = mutation_row_noticed(&r->total);
-  text_printf(out, "%ld of %ld mutants noticed (%ld cannot be read, %ld lose no more than a proof)", noticed, total,
-              r->total.count[FATE_UNREADABLE], r->total.count[FATE_UNPROVED]);
-  text_printf(out, "; survivors: %ld equivalent, %ld the same on every motion, %ld undecided, %ld read by no claim",
-              r->total.count[FATE_EQUIVALENT], r->total.count[FATE_ON_MOTIONS], r->total.count[FATE_UNDECIDED],
-              r->total.count[FATE_UNREAD]);
-  long printed = mutation_row_total(&r->printed);
-  if (printed)
-    text_printf(out, "; of the printed text that the errata correct %ld of %ld", mutation_row_noticed(&r->printed),
-                printed);
+  struct mutation_score s;
+  mutation_score_of(&s, r);
+  text_printf(out, "%ld of %ld damages that change a meaning are noticed", s.noticed, s.counted);
+  text_printf(out, " (%ld of %ld of formulas)", mutation_row_noticed(&r->formulas), s.formulas);
+  text_printf(out, "; left out: %ld that are proved or known to mean the same, %ld the same on every motion, ",
+              s.equivalent, s.on_motions);
+  text_printf(out, "%ld that only the paper's text can tell, %ld of errata.eq", s.needs_text, s.errata);
 }
 
 /* The texts of what no claim reads, and of printed text that is refuted anyway, are in mutation.json alone. */
@@ -153,35 +219,81 @@ static void add_survivors(struct text *out, const struct mutation_result *r, enu
 static const enum mutant_fate survivor_order[] = {FATE_UNDECIDED, FATE_UNREAD, FATE_ON_MOTIONS, FATE_EQUIVALENT};
 enum { N_SURVIVOR_FATES = sizeof survivor_order / sizeof *survivor_order };
 
+static void add_damaged(struct text *out, const struct damaged *g) {
+  text_printf(out, "- %s:%zu, %s%s%s: `%s` for `%s`", g->file, g->line, *g->record ? g->record : "scene",
+              *g->attribute ? ", " : "", g->attribute, g->now, g->was);
+  if (*g->says) text_printf(out, ": %s", g->says);
+  text_add_char(out, '\n');
+}
+
+/* Those of a class that nothing noticed, the first ones; and examples of the others. */
+static void list_damaged(struct text *out, const struct mutation_result *r, int class) {
+  enum { MOST = 20 };
+  long left = r->data[class].count[FATE_UNDECIDED], listed = 0;
+  if (mutation_row_total(&r->data[class]) == 0) return;
+  text_printf(out, "## %s\n\n", damage_classes[class].words);
+  for (size_t i = 0; i < r->n_damaged; i++)
+    if (r->damaged[i].class == (enum damage_class) class && r->damaged[i].fate != FATE_UNDECIDED)
+      add_damaged(out, &r->damaged[i]);
+  if (left) text_printf(out, "\nNot noticed (%ld):\n\n", left);
+  for (size_t i = 0; i < r->n_damaged; i++)
+    if (r->damaged[i].class == (enum damage_class) class && r->damaged[i].fate == FATE_UNDECIDED && listed++ < MOST)
+      add_damaged(out, &r->damaged[i]);
+  if (left > MOST) text_printf(out, "- and %ld more, in mutation.json\n", left - MOST);
+  text_add_char(out, '\n');
+}
+
+static const char explanation[] =
+    "Each damage is put in place alone. Damages that change no meaning are no test: they are left out of the score, as "
+    "are "
+    "those of errata.eq, which is not the paper's and has rows of its own. All others count, of every class alike.\n\n"
+    "Formulas are damaged one token at a time, and the "
+    "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
+    "correction's, or that of a claim it makes under a restriction. Claims that search (arguments, counts, lists of "
+    "constraints, the criterion) are asked last and with little effort, in the same way as for the undamaged text; of "
+    "an argument the exact proof must be found again, for without it the verdict cannot be \"proved\". Claims that "
+    "simulate are not asked. Unreadable: the damaged text has a name, a shape or an index that cannot be, a symbol "
+    "without a value where the formula is used, or a range that is no phase. Refused: no verdict changes, but the "
+    "checks "
+    "that are made when the data are loaded say what is wrong. Where the errata correct a formula, both texts are "
+    "damaged.\n\n"
+    "What stands beside the formulas is damaged by class, as a tired transcriber would, one line at a time. The "
+    "damaged "
+    "file is read and checked like any other (refused), and what the record is about is judged again: noticed is "
+    "another "
+    "verdict of the claim, of its correction or of a claim that it makes, or a control that is not refuted. That a "
+    "checksum or a record of what was read differs does not count. Same by rule: it says the same, and the rule is "
+    "named.\n\n"
+    "Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
+    "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
+    "put in: velocities that are V at a switching time stand for one another, forces are at their limits, and "
+    "perturbations of a velocity that stays V are zero, whatever they are multiplied by. Such a mutant still says "
+    "something true of every motion of the word, though perhaps less, or by another name; a formula that is "
+    "used off the motions too is tried there (claims with points \"patched\"), and an equation that says "
+    "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n";
+
 void report_mutation_markdown(struct text *out, const struct mutation_result *r) {
   text_add(out, "# Would the audit have noticed?\n\n");
   add_summary(out, r);
-  text_printf(
-      out,
-      ".\n\n%ld of %ld one-token damages of the formulas, scene %s, seed %llu. Each is put in place alone, and the "
-      "claims that read the damaged formula are judged again until a verdict changes: a claim's, its "
-      "correction's, or that of a claim it makes under a restriction. Claims that search (arguments, counts, lists of "
-      "constraints, the criterion) are asked last and with little effort, in the same way as for the undamaged text; "
-      "of "
-      "an argument the exact proof must be found again, for without it the verdict cannot be \"proved\". Claims that "
-      "simulate are not asked. Unreadable: the damaged text has a name, a shape or an index that cannot be, a symbol "
-      "without a value where the formula is used, or a range that is no phase. Where the errata correct a formula, the "
-      "corrected text is damaged, since everything else reads it; damage to the printed text it replaces is "
-      "counted apart.\n\n"
-      "Equivalent: the damaged statement, or everything that uses it, is proved to say the same, by "
-      "rational functions in which sines and roots are unknowns. Same on motions: so with what defines the phases "
-      "put in: velocities that are V at a switching time stand for one another, forces are at their limits, and "
-      "perturbations of a velocity that stays V are zero, whatever they are multiplied by. Such a mutant still says "
-      "something true of every motion of the word, though perhaps less, or by another name; a formula that is "
-      "used off the motions too is tried there (claims with points \"patched\"), and an equation that says "
-      "nothing shows in a claim that counts equations. The text of every survivor is in mutation.json.\n\n",
-      r->tried, r->population, r->scene, r->seed);
-  add_table(out, "file", r->file, r->n_files);
-  add_table(out, "damage", r->kind, r->n_kinds);
-  struct mutation_row both[] = {r->total, r->printed};
-  add_table(out, "text", both, 2);
+  text_printf(out, ".\n\n%ld of %ld damages, scene %s, seed %llu. ", r->tried, r->population, r->scene, r->seed);
+  text_add(out, explanation);
+  add_classes(out, r);
+  struct mutation_row texts[] = {r->formulas, r->printed, r->errata};
+  add_formulas(out, "formulas", texts, 3);
+  add_formulas(out, "file", r->file, r->n_files);
+  add_formulas(out, "one token", r->kind, r->n_kinds);
+  for (int k = 0; k < N_DAMAGE_CLASSES; k++) list_damaged(out, r, k);
   for (int c = 0; c < 2; c++)
     for (int i = 0; i < N_SURVIVOR_FATES; i++) add_survivors(out, r, survivor_order[i], c);
+}
+
+/* Name, noticed, how many: left out are those that say the same or need the text. */
+static void print_row(struct text *out, const struct mutation_row *r) {
+  if (mutation_row_total(r) == 0) return;
+  text_printf(out, "%-20s %5ld of %5ld noticed", r->name, mutation_row_noticed(r), mutation_row_counted(r));
+  long left = mutation_row_total(r) - mutation_row_counted(r);
+  if (left) text_printf(out, ", %ld left out", left);
+  text_add_char(out, '\n');
 }
 
 void report_mutation_text(struct text *out, const struct mutation_result *r) {
@@ -191,13 +303,10 @@ void report_mutation_text(struct text *out, const struct mutation_result *r) {
     text_printf(out, "%s:\n", fate_says[f]);
     list_survivors(out, r, f, false, f == FATE_UNDECIDED);
   }
-  for (size_t i = 0; i < r->n_files; i++)
-    text_printf(out, "%-20s %5ld of %5ld noticed\n", r->file[i].name, mutation_row_noticed(&r->file[i]),
-                mutation_row_total(&r->file[i]));
-  for (size_t i = 0; i < r->n_kinds; i++)
-    if (mutation_row_total(&r->kind[i]))
-      text_printf(out, "%-20s %5ld of %5ld noticed\n", r->kind[i].name, mutation_row_noticed(&r->kind[i]),
-                  mutation_row_total(&r->kind[i]));
+  for (size_t i = 0; i < r->n_files; i++) print_row(out, &r->file[i]);
+  for (size_t i = 0; i < r->n_kinds; i++) print_row(out, &r->kind[i]);
+  print_row(out, &r->errata);
+  for (int k = 0; k < N_DAMAGE_CLASSES; k++) print_row(out, &r->data[k]);
   add_summary(out, r);
   text_add_char(out, '\n');
 }

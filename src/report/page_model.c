@@ -129,6 +129,13 @@ void page_limits(const struct page *p) {
   page_begin_section(p, "limits", "What the audit does not show");
   text_add(p->out, "<ul>\n");
   for (size_t i = 0; i < sizeof limits / sizeof *limits; i++) text_printf(p->out, "<li>%s</li>\n", limits[i]);
+  if (r->paper_text) {
+    text_add(p->out,
+             "<li>That your copy of the paper says what is quoted here: <code>stickslip quotes FILE</code> looks "
+             "for every quotation in a copy. The digest of the text quoted, as its tokens: <code>");
+    escape_html(p->out, r->paper_text);
+    text_add(p->out, "</code>.</li>\n");
+  }
   for (size_t i = 0; i < r->n_skipped; i++) {
     text_add(p->out, "<li>Left out: ");
     escape_html(p->out, r->skipped[i].what);

@@ -1,5 +1,5 @@
 /* Would the audit have noticed?  What was made wrong on purpose and found: statements in this run, and damages of the
-   formulas by the token in the study whose file stands beside the report; and which claims one route alone has
+   formulas and of what stands beside them in the study whose file stands beside the report; and which claims one route alone has
    judged. */
 #include <string.h>
 
@@ -91,13 +91,18 @@ static void add_mutation(const struct page *p) {
   if (!s) return;
   text_printf(
       p->out,
-      "<li>The paper's formulas were changed by one symbol at a time, in all %ld ways: "
-      "<strong>%ld changes were noticed</strong> (of these %ld make a formula that cannot be read, and %ld turn "
-      "a proof into mere support). Of the others %ld are proved to mean the same, %ld to make no difference "
-      "on any motion, and <strong>%ld are open</strong>: <a href=\"../mutation/mutation.md\">all of them</a>, "
-      "by <code>stickslip mutate --count all</code>.</li>\n",
-      s->total, s->noticed + s->unreadable + s->unproved, s->unreadable, s->unproved, s->equivalent, s->on_motions,
-      s->open);
+      "<li>Damages: in every way, one symbol of a formula was changed, and one thing of what stands beside the "
+      "formulas "
+      "as a tired transcriber would (TeX, quotations, printed numbers, the lines of claims and controls, titles). Of "
+      "<strong>%ld damages that change a meaning</strong>, %ld of them of formulas, <strong>%ld were noticed</strong>: "
+      "<a href=\"../mutation/mutation.md\">by class, with the others</a>. Left out: %ld that are proved, or known by a "
+      "rule, to mean the same; %ld that make no difference on any motion",
+      s->counted, s->formulas, s->noticed, s->equivalent, s->on_motions);
+  if (s->needs_text) text_printf(p->out, "; %ld that only the paper's text can tell", s->needs_text);
+  text_printf(p->out,
+              "; and %ld of the corrections, which are not the paper's and have rows of their own. By <code>stickslip "
+              "mutate --count all</code>.</li>\n",
+              s->errata);
 }
 
 static void add_pairs(const struct page *p) {

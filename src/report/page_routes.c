@@ -203,12 +203,13 @@ static void add_long_runs(const struct page *p) {
 static void add_controls(const struct page *p) {
   const struct audit_result *r = p->r;
   if (!r->n_controls) return;
-  text_add(p->out, "<h3 id=\"s-controls\">Statements made wrong on purpose</h3>\n<p>Each is a claim, or a check of the "
-                   "audit itself, with one part made wrong, and must be refuted in every "
-                   "run.</p>\n<details><summary>The controls</summary>\n<div class=\"wide\"><table "
-                   "class=\"narrow\">\n<caption>Controls and what they damage</caption>\n<thead><tr>"
-                   "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
-                   "<th scope=\"col\">noticed</th></tr></thead>\n<tbody>\n");
+  text_add(p->out,
+           "<h3 id=\"s-controls\">Statements made wrong on purpose</h3>\n<p>Each is a claim, or a check of the "
+           "audit itself, with one part made wrong, and must be refuted in every "
+           "run.</p>\n<details><summary>The controls</summary>\n<div class=\"wide\"><table "
+           "class=\"narrow\">\n<caption>Controls and what they damage</caption>\n<thead><tr>"
+           "<th scope=\"col\">control</th><th scope=\"col\">damages</th><th scope=\"col\">verdict</th>"
+           "<th scope=\"col\">noticed</th><th scope=\"col\">by how much it is wrong</th></tr></thead>\n<tbody>\n");
   for (size_t i = 0; i < r->n_controls; i++) {
     text_add(p->out, "<tr><th scope=\"row\">");
     html_code(p->out, r->controls[i].id);
@@ -216,7 +217,8 @@ static void add_controls(const struct page *p) {
     if (r->controls[i].claim) page_claim(p, r->controls[i].claim);
     text_add(p->out, "</td><td>");
     page_verdict(p, r->controls[i].verdict);
-    text_printf(p->out, "</td><td>%s</td></tr>\n", r->controls[i].noticed ? "yes" : "<strong>NO</strong>");
+    text_printf(p->out, "</td><td>%s</td><td>%s</td></tr>\n", r->controls[i].noticed ? "yes" : "<strong>NO</strong>",
+                r->controls[i].distance ? r->controls[i].distance : "");
   }
   text_add(p->out, "</tbody></table></div></details>\n");
 }

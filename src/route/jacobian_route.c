@@ -1,5 +1,6 @@
 /* One Jacobian by one method: of the whole period, or of one phase in the paper's corner of it, at one precision. */
 #include "jacobian.h"
+#include "num/calc.h"
 
 #include <string.h>
 
@@ -74,14 +75,14 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
   struct point p = point_for(job, method);
   struct num_ctx ctx = method == METHOD_FD ? num_ctx_mpfr(prec) : num_ctx_arb(prec);
   struct values v;
-  struct num_vec j, err, balls;
+  struct num_vec balls;
   arb_t e, chi;
   arb_init(e);
   arb_init(chi);
   slong n = map ? N_STATE * N_STATE : 4;
   int s = values_init(&v, &p, VARIANT_CLOSED, ctx, job->cache);
-  num_vec_init(&j, n, ctx);
-  num_vec_init(&err, 1, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec j = calc_vec(&c, n), err = calc_vec(&c, 1);
   num_vec_init(&balls, n, num_ctx_arb(prec));
   if (s == SS_OK)
     s |= map ? phase_matrix(&j, num_vec_at(&err, 0), method, map->phase, &v)
@@ -97,8 +98,7 @@ static int by_model(arb_ptr out, const struct jacobian_job *job, enum jacobian_m
     s |= corner(out, map, &balls, chi);
   }
   num_vec_clear(&balls);
-  num_vec_clear(&err);
-  num_vec_clear(&j);
+  calc_clear(&c);
   values_clear(&v);
   arb_clear(chi);
   arb_clear(e);
@@ -176,10 +176,11 @@ static void set_doubles(struct num_vec *out, const double *x) {
 static int rounded_simulation(struct rounded *r, const struct coulomb_setup *setup, const double x[N_STATE]) {
   static const int of[] = {COULOMB_CHI, COULOMB_ETA, COULOMB_V};
   struct num_ctx ctx = r->z.ctx;
-  struct num_vec all, at, still;
-  num_vec_init(&all, N_COULOMB, ctx);
+  struct num_vec at;
+  struct calc c = calc_begin(ctx);
+  struct num_vec all = calc_vec(&c, N_COULOMB);
   num_vec_init(&at, N_STATE, ctx); /* of z = 0 */
-  num_vec_init(&still, 1, ctx);
+  struct num_vec still = calc_vec(&c, 1);
   arb_zero(num_vec_at(&still, 0));
   set_doubles(&all, setup->params);
   for (int i = 0; i < 3; i++) arb_set(num_vec_at(&r->params, P_CHI + i), num_vec_at(&all, of[i]));
@@ -189,23 +190,20 @@ static int rounded_simulation(struct rounded *r, const struct coulomb_setup *set
   int s = coulomb_start_set(&at, &all, num_vec_at(&still, 0), num_vec_at(&still, 0));
   set_doubles(&r->z, x);
   for (int i = Z_1; i <= Z_2; i++) arb_sub(num_vec_at(&r->z, i), num_vec_at(&r->z, i), num_vec_at(&at, i), ctx.prec);
-  num_vec_clear(&still);
   num_vec_clear(&at);
-  num_vec_clear(&all);
+  calc_clear(&c);
   return s;
 }
 
 /* The derivative of the phase that starts at z and ends near t, in the paper's corner. */
 static int implicit_phase(arb_ptr out, const struct local_map *map, const struct num_vec *params,
                           const struct num_vec *z, double t) {
-  struct num_vec local, at;
-  num_vec_init(&local, N_STATE * N_STATE, params->ctx);
-  num_vec_init(&at, 1, params->ctx);
+  struct calc c = calc_begin(params->ctx);
+  struct num_vec local = calc_vec(&c, N_STATE * N_STATE), at = calc_vec(&c, 1);
   int s = dyn_event(num_vec_at(&at, 0), map->phase, params, z, t);
   if (!s) s = dyn_local_jacobian(&local, map->phase, params, z, num_vec_at(&at, 0));
   if (!s) s = corner(out, map, &local, num_vec_at(params, P_CHI));
-  num_vec_clear(&at);
-  num_vec_clear(&local);
+  calc_clear(&c);
   return s;
 }
 

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "jacobian.h"
+#include "num/calc.h"
 #include "record/finding.h"
 #include "record/routes.h"
 #include "studies.h"
@@ -42,7 +43,6 @@ struct study {
 };
 
 static const int entries[N_STUDIED] = {MATRIX, 2 * MATRIX, N_PHASES *(1 + N_STATE), 4};
-static const char *const matrix_name[N_PHASES] = {"D", "Gamma", "H", "C"};
 
 static void get_all(arb_ptr out, const struct num_vec *v) {
   for (slong i = 0; i < v->len; i++) v->ctx.type->get_arb(out + i, num_vec_at(v, i));
@@ -72,18 +72,14 @@ static int flow_of_units(struct num_vec *m, enum phase ph, const struct num_vec 
 }
 
 static int propagator(arb_ptr out, const struct study *s, struct num_ctx ctx, bool closed) {
-  struct num_vec params, t, m;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&t, 1, ctx);
-  num_vec_init(&m, MATRIX, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), t = calc_vec(&c, 1), m = calc_vec(&c, MATRIX);
   enum phase ph = s->site.p.phase;
   int status = params_in(&params, num_vec_at(&t, 0), &s->site.p);
   status |=
       closed ? flow_of_units(&m, ph, &params, num_vec_at(&t, 0)) : dyn_propagator(&m, ph, &params, num_vec_at(&t, 0));
   get_all(out, &m);
-  num_vec_clear(&m);
-  num_vec_clear(&t);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return status;
 }
 
@@ -102,13 +98,11 @@ static int propagator_gsl(arb_ptr out, struct study *s) {
 
 /* The paper's side of a sentence. */
 static int paper_side(arb_ptr out, struct study *s, struct sentence *sentence) {
-  struct num_vec lhs, rhs;
-  num_vec_init(&lhs, sentence->n, num_ctx_arb(PREC));
-  num_vec_init(&rhs, sentence->n, num_ctx_arb(PREC));
+  struct calc c = calc_begin(num_ctx_arb(PREC));
+  struct num_vec lhs = calc_vec(&c, sentence->n), rhs = calc_vec(&c, sentence->n);
   int status = sentence_values(&lhs, &rhs, sentence, &s->site.p, VARIANT_CLOSED, s->j->cache);
   get_all(out, &lhs);
-  num_vec_clear(&rhs);
-  num_vec_clear(&lhs);
+  calc_clear(&c);
   return status;
 }
 
@@ -123,7 +117,7 @@ static int paper_matrix(arb_ptr out, const struct study *s, const char *suffix) 
   struct view view = {s->j->model, LAYER_CORRECTED, NULL, NULL};
   char text[32];
   int n;
-  snprintf(text, sizeof text, "%s%s", matrix_name[s->site.p.phase], suffix);
+  snprintf(text, sizeof text, "%s%s", phase_name[s->site.p.phase], suffix);
   int status = expression_at(out, &n, view, text, "", &s->site.p, PREC, s->j->cache, NULL);
   return n == MATRIX ? status : status | SS_UNABLE;
 }
@@ -134,21 +128,16 @@ static int rate_paper(arb_ptr out, struct study *s) {
 
 static int rate_ode(arb_ptr out, struct study *s) {
   struct num_ctx ctx = num_ctx_arb(PREC);
-  struct num_vec params, t, a, m;
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&t, 1, ctx);
-  num_vec_init(&a, MATRIX, ctx);
-  num_vec_init(&m, MATRIX, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), t = calc_vec(&c, 1), a = calc_vec(&c, MATRIX),
+                 m = calc_vec(&c, MATRIX);
   int status = paper_matrix(out, s, "(t)");
   for (int i = 0; i < MATRIX; i++) arb_set(num_vec_at(&m, i), out + i);
   status |= params_in(&params, num_vec_at(&t, 0), &s->site.p) | dyn_system(&a, s->site.p.phase, &params);
   status |= num_mat_mul(&m, &a, &m, N_STATE, N_STATE, N_STATE);
   get_all(out, &m);
   for (int i = 0; i < MATRIX; i++) arb_set_si(out + MATRIX + i, i % (N_STATE + 1) == 0);
-  num_vec_clear(&m);
-  num_vec_clear(&a);
-  num_vec_clear(&t);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return status;
 }
 
@@ -230,13 +219,10 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct coulomb_setup sim;
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
-  struct num_vec model, limits, params, z, start;
   arb_ptr shift = _arb_vec_init(2);
-  num_vec_init(&model, N_PARAMS, ctx);
-  num_vec_init(&limits, 2, ctx);
-  num_vec_init(&params, N_COULOMB, ctx);
-  num_vec_init(&z, 2, ctx);
-  num_vec_init(&start, N_STATE, ctx);
+  struct calc w = calc_begin(ctx);
+  struct num_vec model = calc_vec(&w, N_PARAMS), limits = calc_vec(&w, 2), params = calc_vec(&w, N_COULOMB),
+                 z = calc_vec(&w, 2), start = calc_vec(&w, N_STATE);
   int status = coulomb_setup_on_orbit(&sim, s->site.p.q + Q_CHI, s->site.orbit, OWN_FRICTION);
   for (int i = 0; i < N_PARAMS; i++) status |= num_mpfr.set_q(num_vec_at(&model, i), s->site.p.q + Q_CHI + i, PREC);
   for (int i = 0; i < 2; i++) {
@@ -259,11 +245,7 @@ static int events_simulation(arb_ptr out, struct study *s) {
   struct coulomb_sink sink = {&c, catch_event, NULL};
   plan.returns = 1;
   if (!status) status = simulated(coulomb_simulate_exact(&result, NULL, &params, &start, &plan, &sink), &c);
-  num_vec_clear(&start);
-  num_vec_clear(&z);
-  num_vec_clear(&params);
-  num_vec_clear(&limits);
-  num_vec_clear(&model);
+  calc_clear(&w);
   _arb_vec_clear(shift, 2);
   return status;
 }
@@ -377,11 +359,10 @@ static void book(struct study *s, enum route_row a, enum route_row b, struct gap
   if (t->n++ > 0 && gap.off <= t->worst) return;
   struct text where;
   text_init(&where);
-  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", matrix_name[s->site.p.phase]);
+  if (s->site.p.kind == POINT_PARAMS) text_printf(&where, "%s, ", phase_name[s->site.p.phase]);
   point_print(&where, &s->site.p);
   t->worst = gap.off;
-  t->where = result_str(s->j->out, "%s", text_str(&where));
-  text_clear(&where);
+  t->where = result_take(s->j->out, &where);
 }
 
 /* Every route to the quantity, and every two of them. */
@@ -514,7 +495,7 @@ static void read_paper(struct study *s) {
   s->readable = sentence_from_value(&s->jacobian, view, "J", "stability", NULL, 0, &d);
   for (int ph = 0; ph < N_PHASES; ph++) {
     char name[16];
-    snprintf(name, sizeof name, "%s(t)", matrix_name[ph]);
+    snprintf(name, sizeof name, "%s(t)", phase_name[ph]);
     if (!sentence_from_value(&s->propagator[ph], view, name, "", NULL, 0, &d)) s->readable = false;
   }
   if (!s->readable)

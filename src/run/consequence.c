@@ -9,6 +9,7 @@
 #include "base/work.h"
 #include "consequence.h"
 #include "judge/judge.h"
+#include "num/calc.h"
 #include "proof/exact_proof.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
@@ -20,7 +21,7 @@ struct result {
   struct tape tape[N_READ];
   bool readable[N_READ];
   int rows, cols;
-  char *latex;
+  struct text latex;
   struct derived out;
   long agrees, differs, undecided;
   double worst_log;
@@ -41,29 +42,15 @@ struct failure {
 static bool read_result(struct result *r, int reading, struct view v) {
   const char *formula = claim_get(r->c, "formula"), *section = claim_get(r->c, "section");
   struct elaboration el;
-  struct arena a;
-  struct source src;
   struct matrix m;
   struct diag d;
   diag_init(&d);
   elaboration_init(&el, v, NULL, 0);
-  arena_init(&a);
-  source_from_string(&src, formula, formula);
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, &d);
-  bool ok = e && elaborate(&m, &el, e, &src, section ? section : "", &d) &&
-            elaboration_tape(&r->tape[reading], &el, m.e, m.rows * m.cols, &d);
+  bool ok = elaborate_tape(&r->tape[reading], &m, &el, formula, formula, section ? section : "", &d);
   if (ok) {
     r->rows = m.rows;
     r->cols = m.cols;
   }
-  if (e && !r->latex) {
-    struct text t;
-    text_init(&t);
-    expr_latex(&t, e);
-    r->latex = t.data;
-  }
-  source_clear(&src);
-  arena_clear(&a);
   elaboration_clear(&el);
   return r->readable[reading] = ok;
 }
@@ -86,6 +73,7 @@ static void read_results(struct failure *f) {
   for (size_t i = 0; i < f->n; i++) {
     struct result *r = &f->result[i];
     *r = (struct result){.c = &f->j->claims->result[i], .worst_log = -INFINITY};
+    expr_latex_of(&r->latex, claim_get(r->c, "formula"));
     for (int k = 0; k < N_READ; k++) read_result(r, k, views[k]);
     if (!r->readable[READ_OWN])
       r->out.change = CHANGE_UNDEFINED;
@@ -117,17 +105,15 @@ static int tape_at(struct num_vec *out, const struct tape *t, struct values *v, 
 
 static struct trial try_result(const struct failure *f, struct result *r, struct values *v) {
   struct trial t = {.outcome = OUTCOME_REJECTED};
-  struct num_vec own, corrected;
-  num_vec_init(&own, r->rows * r->cols, v->ctx);
-  num_vec_init(&corrected, r->rows * r->cols, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec own = calc_vec(&c, r->rows * r->cols), corrected = calc_vec(&c, r->rows * r->cols);
   int s = tape_at(&corrected, &r->tape[READ_CORRECTED], v, NULL);
   if (s == SS_OK) s = tape_at(&own, &r->tape[READ_OWN], v, f);
   if (s == SS_OK)
     t = balls_compare(&own, &corrected);
   else if (!(s & SS_DOMAIN))
     t.outcome = OUTCOME_UNDECIDED;
-  num_vec_clear(&corrected);
-  num_vec_clear(&own);
+  calc_clear(&c);
   return t;
 }
 
@@ -226,7 +212,7 @@ static void conclude_result(struct failure *f, struct result *r) {
   long points = r->agrees + r->differs + r->undecided;
   d->formula = result_str(out, "%s", claim_get(r->c, "formula"));
   d->title = result_str(out, "%s", claim_get(r->c, "title"));
-  d->latex = r->latex ? result_str(out, "%s", r->latex) : NULL;
+  d->latex = r->latex.len ? result_str(out, "%s", text_str(&r->latex)) : NULL;
   if (r->differs) {
     d->change = CHANGE_CHANGES;
     d->verdict = result_str(out, "changes at %ld of %ld point%s", r->differs, points, points == 1 ? "" : "s");
@@ -345,8 +331,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
     }
     if (*sep == ',') text_add_char(&t, '.');
   }
-  if (t.len) f->effect = result_str(out, "%s", text_str(&t));
-  text_clear(&t);
+  if (t.len) f->effect = result_take(out, &t);
 }
 
 static void consequence_of(struct judge *j, struct memory *m, struct finding *finding, size_t at) {
@@ -371,7 +356,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
     conclude_result(&f, r);
     if (r->readable[READ_CORRECTED]) q.derived[q.n_derived++] = r->out;
     for (int k = 0; k < N_READ; k++) tape_clear(&r->tape[k]);
-    free(r->latex);
+    text_clear(&r->latex);
   }
   free(f.result);
   judge_downstream(&q, m, &f, at);

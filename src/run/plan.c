@@ -88,16 +88,23 @@ static void plan_matrices(struct planner *pl, struct planned_claim *p, size_t a)
   }
 }
 
-static void plan_parts(struct planner *pl, struct planned_claim *p, const struct claim *c) {
-  const struct claim_kind *kind = claim_kind_of(c);
-  unsigned parts = parts_of_points(pl, c);
-  if (kind) {
-    parts |= kind->parts;
-    if (kind->parts & ALGEBRA) parts |= parts_of_names(&p->matrices);
-    if (kind->parts & ALGEBRA && parts & (OTHER | SCENE) && p->matrices.n) parts |= PHASES;
-    p->first_bits = kind->balls ? FIRST_PREC : 0;
-    p->last_bits = kind->balls ? LAST_PREC : 0;
+/* What judging the claim looks at besides its points; a correction is judged by another claim's judge. */
+static unsigned parts_of_kind(struct planned_claim *p, const struct claim *c) {
+  const struct claim_kind *kind = c ? claim_kind_of(c) : NULL;
+  if (!kind) return 0;
+  if (kind->balls) {
+    p->first_bits = FIRST_PREC;
+    p->last_bits = LAST_PREC;
   }
+  return kind->parts;
+}
+
+static void plan_parts(struct planner *pl, struct planned_claim *p, const struct claim *c) {
+  p->first_bits = p->last_bits = 0;
+  unsigned parts = parts_of_points(pl, c), own = parts_of_kind(p, c);
+  parts |= own | parts_of_kind(p, claim_named(pl->judge.claims, claim_get(c, "repaired-as")));
+  if (own & ALGEBRA) parts |= parts_of_names(&p->matrices);
+  if (own & ALGEBRA && parts & (OTHER | SCENE) && p->matrices.n) parts |= PHASES;
   if (pl->box) parts &= ~(unsigned)SCENE;
   for (int part = 0; part < WORK_BITS_128; part++)
     if (parts >> part & 1U) add_name(pl, &p->parts, work_part_name[part]);

@@ -22,11 +22,13 @@ const char *const piece_what[] = {"claim", "consequence", "control", "study", "s
 
 /* --- What is selected --- */
 
+/* Whether nothing narrows the audit. */
 bool run_is_whole(const struct audit_options *opt, const struct scene *s) {
   return opt->n_only == 0 && s->asked.claims.n == 0 && s->asked.values.n == 0 && s->asked.routes.n == 0;
 }
 
-bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c) {
+/* Whether --only and the scene both ask for the claim. */
+static bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c) {
   bool asked = s->asked.claims.n == 0 && (s->asked.values.n == 0 || opt->n_only > 0);
   for (size_t i = 0; i < s->asked.claims.n; i++) asked = asked || claim_asked_for(c, s->asked.claims.item[i]);
   return asked && claims_selects(opt->only, opt->n_only, c);
@@ -358,6 +360,7 @@ static void name_subject(struct audit_result *out, const struct model *m, const 
   audit_fingerprint(&subject, m, scene);
   out->subject = result_str(out, "%s", text_str(&subject));
   out->paper = m->paper ? result_str(out, "%s", m->paper) : NULL;
+  out->paper_text = m->paper_text ? result_str(out, "%s", m->paper_text) : NULL;
   text_clear(&subject);
 }
 

@@ -31,12 +31,8 @@ struct pieces {
   size_t n, cap;
 };
 
-/* Whether --only and the scene both ask for the claim. */
-bool run_selects(const struct audit_options *opt, const struct scene *s, const struct claim *c);
 bool run_check_selection(const struct model *m, const struct claims *claims, const struct audit_options *opt,
                          const struct scene *s, struct diag *d);
-/* Whether nothing narrows the audit. */
-bool run_is_whole(const struct audit_options *opt, const struct scene *s);
 /* What can be done before any claim is judged: claims, studies, readings. */
 void pieces_first(struct pieces *p, const struct claims *claims, const struct scene *s,
                   const struct audit_options *opt);
@@ -44,12 +40,13 @@ void pieces_first(struct pieces *p, const struct claims *claims, const struct sc
 bool pieces_controls(struct pieces *p, const struct claims *claims, const struct claims *controls,
                      const struct scene *s, const struct audit_options *opt, struct diag *d);
 void pieces_clear(struct pieces *p);
-/* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
-bool value_is_named(const struct model *m, const char *name);
 /* The values that the scene asks for, into the result (values_asked.c); false with j->d set, at the scene's line, where
    they are more than an audit.json may hold. */
 bool values_asked(struct judge *j);
 /* What the piece is expected to take, in milliseconds. */
 double piece_cost(const struct piece *p, const struct costs *costs);
+
+/* Whether nothing narrows the audit. */
+bool run_is_whole(const struct audit_options *opt, const struct scene *s);
 
 #endif

@@ -2,6 +2,8 @@
    the rest by what the work has touched. */
 #include "skipped.h"
 
+#include "claim/claim.h"
+
 #include <string.h>
 
 #include "audit.h"
@@ -81,5 +83,6 @@ void skipped_describe(struct audit_result *out, const struct claims *claims, con
   if (opt->readings && count(first, PIECE_READINGS) == 0)
     audit_leave_out(out, "readings of the printed numbers", "no claim about printed numbers is selected");
   skip_routes(out, s);
+  if (opt->statements && run_is_whole(opt, s)) statements_unanswered(out, opt->statements);
   skip_parts(out, touched);
 }

@@ -4,6 +4,7 @@
    53 bits are those of double precision, but in MPFR, whose roundings are the same on every machine. */
 #include <math.h>
 
+#include "num/calc.h"
 #include "tables.h"
 
 enum { DECIMALS = 3, FIRST_STEP = 3, LAST_STEP = 84 };
@@ -20,11 +21,10 @@ struct fine {
 /* r at the end of a period that starts at the orbit's positions, z_2 moved by sign 2^-k; times are the orbit's to some
    digits, from which Newton's iteration goes on. */
 static int end_of_period(arb_t r, const struct fine *s, struct num_ctx ctx, int k, int sign) {
-  struct num_vec params, z;
   struct dyn_arc arc;
   double near[N_PHASES];
-  num_vec_init(&params, N_PARAMS, ctx);
-  num_vec_init(&z, 2, ctx);
+  struct calc c = calc_begin(ctx);
+  struct num_vec params = calc_vec(&c, N_PARAMS), z = calc_vec(&c, 2);
   dyn_arc_init(&arc, ctx);
   int status = SS_OK;
   for (int i = 0; i < N_PARAMS; i++)
@@ -44,8 +44,7 @@ static int end_of_period(arb_t r, const struct fine *s, struct num_ctx ctx, int 
     num_mpfr.get_arb(r, end);
   }
   dyn_arc_clear(&arc);
-  num_vec_clear(&z);
-  num_vec_clear(&params);
+  calc_clear(&c);
   return status;
 }
 

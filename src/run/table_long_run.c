@@ -4,6 +4,7 @@
 
 #include "motion/coulomb.h"
 #include "motion/return_map.h"
+#include "num/calc.h"
 #include "tables.h"
 #include "value/coulomb_setup.h"
 
@@ -89,9 +90,8 @@ static void add_printed(struct text *body, const struct table_source *s) {
   struct coulomb_sink sink = {&l, listen, NULL};
   struct coulomb_plan plan = coulomb_plan_default;
   struct coulomb_result result;
-  struct num_vec p, x;
-  num_vec_init(&p, N_COULOMB, num_ctx_mpfr(FIRST_PREC));
-  num_vec_init(&x, N_STATE, num_ctx_mpfr(FIRST_PREC));
+  struct calc c = calc_begin(num_ctx_mpfr(FIRST_PREC));
+  struct num_vec p = calc_vec(&c, N_COULOMB), x = calc_vec(&c, N_STATE);
   for (int i = 0; i < N_COULOMB; i++) num_mpfr.set_d(num_vec_at(&p, i), sim.params[i], FIRST_PREC);
   for (int i = 0; i < N_STATE; i++) num_mpfr.set_d(num_vec_at(&x, i), sim.start[i], FIRST_PREC);
   arb_init(l.shift); /* z10 - z20 and x_2 - x_1 at the start belong together */
@@ -115,8 +115,7 @@ static void add_printed(struct text *body, const struct table_source *s) {
   coulomb_simulate_exact(&result, NULL, &p, &x, &plan, &sink);
   arb_clear(z);
   arb_clear(l.shift);
-  num_vec_clear(&x);
-  num_vec_clear(&p);
+  calc_clear(&c);
 }
 
 void table_of_long_runs(struct table_source *s) {

@@ -2,7 +2,6 @@
    where these are enough, else at each of the scene's orbits; the precision doubles until every digit asked for is
    certain. */
 #include <math.h>
-#include <stddef.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -12,6 +11,7 @@
 #include "scene/scene_impl.h"
 #include "stability/precision.h"
 #include "value/expression.h"
+#include "value/solved.h"
 
 /* What still surrounds zero with MOST_BITS_OF_ZERO is not told from it. */
 enum { DIGITS = 15, TO_ROUND = 16, MOST_BITS = 1 << 16, MOST_BITS_OF_ZERO = 1 << 11, MOST_ORBITS = 64 };
@@ -24,7 +24,7 @@ struct quantity {
   const char *name;
   size_t item;         /* in the scene's list */
   size_t *bytes;       /* that all values so far take */
-  int number;          /* in numbers[] below; -1: an expression */
+  int number;          /* of an orbit; -1: an expression */
   struct text formula; /* in the notation of the equation files */
   struct elaboration el;
   struct tape tape;
@@ -34,24 +34,13 @@ struct quantity {
 /* What is free at a point of ours, and so has no value at the scene. */
 static bool is_free(const char *input) {
   static const char *const names[] = {"t", "x", "y", "lambda", "u_s1", "u_s2"};
-  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
-    if (strcmp(names[i], input) == 0) return true;
-  return false;
+  return word_find(input, names, 6) < 6;
 }
 
-/* An orbit's own numbers under the names of the outputs. */
-static const struct {
-  const char *name;
-  size_t offset;
-} numbers[] = {
-#define NUMBER(name, member, meaning) {name, offsetof(struct dyn_orbit, member)},
-    DYN_ORBIT_NUMBERS(NUMBER)
-#undef NUMBER
-};
-
+/* Which of an orbit's own numbers the outputs call so. */
 static int number_named(const char *name) {
-  for (size_t i = 0; i < sizeof numbers / sizeof *numbers; i++)
-    if (strcmp(numbers[i].name, name) == 0) return (int)i;
+  for (int i = 0; i < ORBIT_NUMBERS; i++)
+    if (strcmp(orbit_number_name(i), name) == 0) return i;
   return -1;
 }
 
@@ -76,7 +65,8 @@ static bool write_out(struct text *out, const struct model *m, const char *name)
   return false;
 }
 
-bool value_is_named(const struct model *m, const char *name) {
+/* Whether a name can be among the values of a scene: one of the paper's, a number of an orbit, trace_J, det_J. */
+static bool value_is_named(const struct model *m, const char *name) {
   struct text unused;
   text_init(&unused);
   bool named = write_out(&unused, m, name);
@@ -149,8 +139,7 @@ static int number_at(struct num_vec *out, bool *known, const struct quantity *q,
   if (!*known) return SS_UNABLE;
   const struct dyn_orbits *list = point_orbits(p, cache, prec);
   if (p->orbit >= list->n) return SS_UNABLE;
-  const char *orbit = (const char *)&list->orbit[p->orbit];
-  arb_set(num_vec_at(out, 0), (arb_srcptr)(const void *)(orbit + numbers[q->number].offset));
+  arb_set(num_vec_at(out, 0), orbit_number(&list->orbit[p->orbit], q->number));
   return SS_OK;
 }
 

@@ -56,91 +56,6 @@ struct reader {
   size_t work;
 };
 
-/* --- Printed numbers --- */
-
-/* The unit of the last printed digit: 10^-(digits after the point), times the exponent part. */
-static bool last_digit_unit(fmpq_t unit, const char *decimal) {
-  struct text t;
-  text_init(&t);
-  bool any = false;
-  for (const char *p = decimal; *p; p++) {
-    bool digit = char_is_digit(*p);
-    if (*p == 'e' || *p == 'E') {
-      text_add(&t, p);
-      break;
-    }
-    any = any || digit;
-    bool last = digit && (p[1] == '\0' || p[1] == 'e' || p[1] == 'E' || (p[1] == '.' && !char_is_digit(p[2])));
-    text_add_char(&t, digit ? (last ? '1' : '0') : *p);
-  }
-  bool ok = any && num_parse_decimal(unit, text_str(&t), t.len) == SS_OK;
-  text_clear(&t);
-  return ok;
-}
-
-static void printed_clear(struct printed_number *p) {
-  free(p->name);
-  free(p->decimal);
-  fmpq_clear(&p->value);
-  fmpq_clear(&p->unit);
-}
-
-/* A new printed number of that name, or the file's when an override prints it again; NULL when it is printed twice. */
-static struct printed_number *printed_place(struct reader *r, const char *name, size_t n, bool override) {
-  struct scene *s = r->s;
-  struct printed_number *p = NULL;
-  for (size_t i = 0; i < s->n_printed && !p; i++)
-    if (strlen(s->printed[i].name) == n && strncmp(s->printed[i].name, name, n) == 0) p = &s->printed[i];
-  if (p && (!override || p->override)) return NULL;
-  if (p) {
-    printed_clear(p);
-  } else {
-    s->printed = ss_grow(s->printed, s->n_printed, &s->cap_printed, sizeof *s->printed);
-    p = &s->printed[s->n_printed++];
-  }
-  *p = (struct printed_number){.name = ss_strndup(name, n), .override = override};
-  fmpq_init(&p->value);
-  fmpq_init(&p->unit);
-  return p;
-}
-
-static bool add_printed(struct reader *r, const struct scene_line *l, bool override) {
-  const char *t = l->text;
-  size_t n = 0;
-  while (char_is_word(t[n])) n++;
-  const char *p = t + n;
-  while (*p == ' ') p++;
-  if (n == 0 || *p != '=' || !p[1]) {
-    diag_at(r->d, l->src, l->value.begin, "a printed line reads \"printed: NAME = DECIMAL\"");
-    return false;
-  }
-  p++;
-  while (*p == ' ') p++;
-  bool negative = *p == '-';
-  if (negative) p++;
-  struct printed_number *pn = printed_place(r, t, n, override);
-  if (!pn) {
-    diag_at(r->d, l->src, l->value.begin, "%.*s is printed twice; leave one of the lines out", (int)(n < 100 ? n : 100),
-            t);
-    return false;
-  }
-  size_t len = strlen(p) + 2;
-  pn->decimal = ss_malloc(len);
-  snprintf(pn->decimal, len, "%s%s", negative ? "-" : "", p);
-  if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->unit, p)) {
-    diag_at(r->d, l->src, l->value.begin, "%.100s is not a decimal; write one such as -2.1958 or 2.5e-3", pn->decimal);
-    return false;
-  }
-  if (negative) fmpq_neg(&pn->value, &pn->value);
-  return true;
-}
-
-const struct printed_number *scene_printed(const struct scene *s, const char *name) {
-  for (size_t i = 0; i < s->n_printed; i++)
-    if (strcmp(s->printed[i].name, name) == 0) return &s->printed[i];
-  return NULL;
-}
-
 /* --- Values --- */
 
 static bool evaluate(struct reader *r, enum scene_key k);
@@ -300,51 +215,6 @@ static bool check_domain(struct reader *r) {
          complain_about(r, k, "a scene with an interval gives %s and %s", "chi, eta, V, e1", "e2");
 }
 
-bool scene_has_forces(const struct scene *s) {
-  return s->given[KEY_E1] && s->given[KEY_E2];
-}
-
-bool scene_is_box(const struct scene *s) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (s->interval[k]) return true;
-  return false;
-}
-
-bool scene_is(const struct scene *s, const char *name) {
-  return s->on_file && !s->changed && strcmp(s->file, name) == 0;
-}
-
-bool scene_solution_ii(const struct scene *s) {
-  static const struct phase_word three = {
-      3, {{MODE_BELOW, MODE_STICK}, {MODE_BELOW, MODE_BELOW}, {MODE_STICK, MODE_BELOW}}};
-  return s->given[KEY_TA] && fmpq_is_zero(&s->value[KEY_TA]) && phase_word_same(&s->word, &three);
-}
-
-bool scene_four_phases(const struct scene *s, struct diag *d) {
-  if (!scene_papers_word(s, d)) return false;
-  if (!scene_solution_ii(s)) return true;
-  diag_set(d,
-           "%s: error: the word Gamma-H-C is judged by orbit and words alone; take it away with --set word= to judge "
-           "the motion as D-Gamma-H-C with t_a = 0",
-           s->path);
-  return false;
-}
-
-bool scene_other_word(const struct scene *s) {
-  return s->word.n > 0 && !phase_word_is_papers(&s->word) && !scene_solution_ii(s);
-}
-
-bool scene_papers_word(const struct scene *s, struct diag *d) {
-  if (!scene_other_word(s)) return true;
-  struct text word;
-  text_init(&word);
-  phase_word_print(&word, &s->word);
-  diag_set(d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
-           s->path, text_str(&word));
-  text_clear(&word);
-  return false;
-}
-
 /* --- Lines --- */
 
 /* The names of the keys, of parameters or of others, with commas between. */
@@ -412,7 +282,7 @@ static bool set_word(struct reader *r, const struct scene_line *l) {
 
 static bool read_line(struct reader *r, const struct scene_line *l) {
   bool override = l->src != r->file;
-  if (l->key == KEY_PRINTED) return add_printed(r, l, override);
+  if (l->key == KEY_PRINTED) return scene_printed_add(r->s, l, override, r->d);
   if (r->read[l->key]) {
     diag_at(r->d, l->src, l->value.begin, "%s is given twice; leave one of the lines out", scene_key_name[l->key]);
     return false;
@@ -564,15 +434,6 @@ static bool read_all(struct reader *r, const struct scene_overrides *o) {
 
 /* --- Scenes --- */
 
-bool scene_one_point(const struct scene *s, struct diag *d) {
-  for (int k = 0; k < N_SCENE_PARAMS; k++)
-    if (s->interval[k]) {
-      diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
-      return false;
-    }
-  return true;
-}
-
 static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,
                  bool any, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
@@ -613,7 +474,7 @@ bool scene_load_box(struct scene *s, const char *spec, const char *data, struct 
 void scene_clear(struct scene *s) {
   for (int k = 0; k < N_KEYS; k++) fmpq_clear(&s->value[k]);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_clear(&s->high[k]);
-  for (size_t i = 0; i < s->n_printed; i++) printed_clear(&s->printed[i]);
+  for (size_t i = 0; i < s->n_printed; i++) scene_printed_clear(&s->printed[i]);
   free(s->printed);
   scene_asked_clear(&s->asked);
   for (size_t i = 0; i < s->n_sources; i++) {

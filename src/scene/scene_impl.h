@@ -33,6 +33,9 @@ struct scene_line {
   struct span value;
   const char *text; /* the value with its lines joined */
 };
+/* A line `printed`, in place of the file's where an override prints the number again. */
+bool scene_printed_add(struct scene *s, const struct scene_line *l, bool override, struct diag *d);
+void scene_printed_clear(struct printed_number *p);
 /* ask, values, routes, digits and budget. */
 bool scene_read_asked(struct scene_asked *a, const struct scene_line *l, struct diag *d);
 void scene_asked_clear(struct scene_asked *a);

@@ -8,7 +8,9 @@
 
 #include "motion/return_map.h"
 #include "motion/warm.h"
+#include "num/calc.h"
 #include "stability.h"
+#include "value/names.h"
 
 struct digits_kernel {
   const char *id, *says, *inputs; /* separated by blanks; parameters and t by their names, the others are the state */
@@ -104,20 +106,16 @@ static const struct digits_kernel kernels[] = {
 /* --- Running one --- */
 
 int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const struct num_vec *in) {
-  static const char *const parameter[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   const struct digits_kernel *k = f->kernel;
   const struct num_type *type = out->ctx.type;
-  struct num_vec all, params, state;
   const void *t = NULL;
   slong n_state = 0;
-  num_vec_init(&all, k->rows * k->cols, out->ctx);
-  num_vec_init(&params, N_PARAMS, out->ctx);
-  num_vec_init(&state, N_STATE, out->ctx);
+  struct calc c = calc_begin(out->ctx);
+  struct num_vec all = calc_vec(&c, k->rows * k->cols), params = calc_vec(&c, N_PARAMS), state = calc_vec(&c, N_STATE);
   for (slong i = 0; i < N_PARAMS; i++) type->set_d(num_vec_at(&params, i), 1, out->ctx.prec); /* some are not read */
   for (slong i = 0; i < in->len; i++) {
     const char *name = f->tape.inputs[i];
-    int p = 0;
-    while (p < N_PARAMS && strcmp(name, parameter[p]) != 0) p++;
+    int p = word_find(name, name_param, N_PARAMS);
     if (p < N_PARAMS)
       type->set(num_vec_at(&params, p), num_vec_at(in, i));
     else if (strcmp(name, "t") == 0)
@@ -127,9 +125,7 @@ int digits_kernel_run(struct num_vec *out, const struct digits_formula *f, const
   }
   int status = k->run(&all, k->phase, &params, &state, t);
   for (slong i = 0; i < f->n && !status; i++) type->set(num_vec_at(out, i), num_vec_at(&all, f->first + i));
-  num_vec_clear(&all);
-  num_vec_clear(&params);
-  num_vec_clear(&state);
+  calc_clear(&c);
   return status;
 }
 
@@ -139,10 +135,8 @@ bool digits_kernel_place(double *x, const struct digits_formula *f) {
 
 /* The sum over the inputs of |f(x_k (1 + h)) - f(x)|/h for each entry, into sum. */
 static bool add_slopes(arb_ptr sum, const struct digits_formula *f, const struct num_vec *in, slong prec) {
-  struct num_vec x, at, moved;
-  num_vec_init(&x, in->len, num_ctx_arb(prec));
-  num_vec_init(&at, f->n, num_ctx_arb(prec));
-  num_vec_init(&moved, f->n, num_ctx_arb(prec));
+  struct calc c = calc_begin(num_ctx_arb(prec));
+  struct num_vec x = calc_vec(&c, in->len), at = calc_vec(&c, f->n), moved = calc_vec(&c, f->n);
   num_vec_set(&x, in);
   bool ok = digits_kernel_run(&at, f, &x) == SS_OK;
   for (slong k = 0; k < in->len && ok; k++) {
@@ -159,9 +153,7 @@ static bool add_slopes(arb_ptr sum, const struct digits_formula *f, const struct
     }
     arb_set(z, num_vec_at(in, k));
   }
-  num_vec_clear(&x);
-  num_vec_clear(&at);
-  num_vec_clear(&moved);
+  calc_clear(&c);
   return ok;
 }
 

@@ -2,6 +2,7 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "num/calc.h"
 #include "stability.h"
 
 /* The truth is known to so many bits beyond its size; precisions from the first to the last, doubled. */
@@ -149,12 +150,11 @@ static void set_inputs(struct digits_bench *w, const double *x) {
    of 2^size: where a change that small is not small, the derivative does not tell. */
 static double moved(const struct digits_bench *w, double size) {
   const struct digits_formula *f = w->f;
-  struct num_vec x, b;
   int *flags = ss_malloc((size_t)n_nodes(f) * sizeof *flags);
   arb_t step, off;
   double sum = 0;
-  num_vec_init(&x, f->tape.n_inputs, num_ctx_arb(w->prec));
-  num_vec_init(&b, n_nodes(f), num_ctx_arb(w->prec));
+  struct calc c = calc_begin(num_ctx_arb(w->prec));
+  struct num_vec x = calc_vec(&c, f->tape.n_inputs), b = calc_vec(&c, n_nodes(f));
   arb_init(step);
   arb_init(off);
   num_vec_set(&x, &w->bx);
@@ -174,8 +174,7 @@ static double moved(const struct digits_bench *w, double size) {
     sum += most;
   }
   free(flags);
-  num_vec_clear(&x);
-  num_vec_clear(&b);
+  calc_clear(&c);
   arb_clear(step);
   arb_clear(off);
   return sum > 0 ? log2(sum) + 53 : -INFINITY;

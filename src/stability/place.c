@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "stability.h"
+#include "value/names.h"
 
 static void note(struct digits_set *s, const struct expr *scalar, const struct source *src, size_t at) {
   if (scalar->kind == EXPR_NUM) return;
@@ -14,10 +15,8 @@ static void note(struct digits_set *s, const struct expr *scalar, const struct s
 
 static void note_at_times(struct digits_set *s, const struct expr *scalar, const char *param, const struct source *src,
                           size_t at) {
-  static const char *const times[] = {"t_a", "t_b", "t_c", "t_d"};
   struct expr_pool *p = &s->el.pool;
-  for (size_t i = 0; i < sizeof times / sizeof *times; i++)
-    note(s, expr_subst(p, scalar, param, expr_sym(p, times[i])), src, at);
+  for (int i = 0; i < N_PHASES; i++) note(s, expr_subst(p, scalar, param, expr_sym(p, name_time[i])), src, at);
 }
 
 /* A subexpression that has no meaning by itself, as a literal 0 for a block, is passed over. */

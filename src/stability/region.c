@@ -8,6 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "num/calc.h"
 #include "stability.h"
 
 /* How a region moves a point. */
@@ -236,14 +237,12 @@ static double value_at(const struct zero_of *z, const double *x) {
   struct digits_place *p = z->p;
   struct digits_bench *w = p->w;
   const struct tape *t = z->node < 0 ? &p->zero : &w->f->tape;
-  struct num_vec in, out;
-  num_vec_init(&in, t->n_inputs, num_ctx_double());
-  num_vec_init(&out, t->n_outputs, num_ctx_double());
+  struct calc c = calc_begin(num_ctx_double());
+  struct num_vec in = calc_vec(&c, t->n_inputs), out = calc_vec(&c, t->n_outputs);
   for (slong k = 0; k < t->n_inputs; k++) *(double *)num_vec_at(&in, k) = x[z->node < 0 ? p->input[k] : k];
   tape_eval(&out, NULL, t, &in);
   double v = *(const double *)num_vec_at(&out, z->node < 0 ? 0 : z->node);
-  num_vec_clear(&in);
-  num_vec_clear(&out);
+  calc_clear(&c);
   return v;
 }
 

@@ -5,6 +5,7 @@
 
 #include "claim/claims.h"
 #include "stability.h"
+#include "value/names.h"
 
 /* --- Text to scalars --- */
 
@@ -149,9 +150,8 @@ static void keep_names(struct digits_set *s, const char *text, const struct matr
 
 /* Names of values: of functions at every time that the paper names. */
 static bool name_definition(struct digits_set *s, const struct definition *def, struct diag *d) {
-  static const char *const times[] = {"", "t_a", "t_b", "t_c", "t_d"};
-  for (size_t i = 0; i < (def->stmt->param ? sizeof times / sizeof *times : 1); i++) {
-    const char *argument = i ? times[i] : argument_of(s, def);
+  for (int i = 0; i < (def->stmt->param ? 1 + N_PHASES : 1); i++) {
+    const char *argument = i ? name_time[i - 1] : argument_of(s, def);
     if (i && !model_is_symbol(s->el.view.model, argument)) continue;
     struct matrix m;
     const char *text = definition_text(s, def, argument);

@@ -18,6 +18,7 @@
 #ifndef STICKSLIP_TAPE_EXACT_H
 #define STICKSLIP_TAPE_EXACT_H
 
+#include "num/calc.h"
 #include "num/num_exact.h"
 #include "tape.h"
 
@@ -54,6 +55,8 @@ int exact_sin_cos(fmpz_mpoly_q_struct *s, fmpz_mpoly_q_struct *c, struct exact_f
 /* Rewrites by the relations what was computed by num_exact.  SS_DOMAIN when the denominator is zero, SS_UNABLE beyond
    the limit. */
 int exact_reduce(fmpz_mpoly_q_struct *z, const struct exact_field *f);
+/* Formulas in the field (num/calc.h): each result is rewritten so, and no operation is begun once one has failed. */
+struct calc exact_calc(const struct exact_field *f);
 /* The derivative by a free symbol, of which the arguments of sines and cosines may be functions and roots may not. */
 int exact_derivative(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x, const char *name);
 

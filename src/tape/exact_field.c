@@ -117,6 +117,17 @@ int exact_reduce(fmpz_mpoly_q_struct *z, const struct exact_field *f) {
   return num_exact_terms(z) <= f->limit ? SS_OK : SS_UNABLE;
 }
 
+static int rewrite(void *z, const void *field) {
+  return exact_reduce(z, field);
+}
+
+struct calc exact_calc(const struct exact_field *f) {
+  struct calc c = calc_begin(num_ctx_exact());
+  c.reduce = rewrite;
+  c.field = f;
+  return c;
+}
+
 bool exact_is_zero(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   (void)f;
   return fmpz_mpoly_q_is_zero(x, ring());

@@ -1,5 +1,6 @@
 
 #include "local_maps.h"
+#include "num/calc.h"
 
 /* What the paper keeps of a phase's derivative.  A local Jacobian of the paper is a corner of the 4x4 derivative of an
    event-located map: which perturbations go in, and which components come out, from the paper's own sentences around
@@ -17,24 +18,19 @@ const struct local_map local_maps[N_PHASES] = {
 };
 
 int local_map_corner(struct num_vec *out, const struct local_map *m, const struct num_vec *local, const void *chi) {
-  const struct num_type *t = out->ctx.type;
-  struct num_vec w;
-  num_vec_init(&w, 1, out->ctx);
-  void *x = num_vec_at(&w, 0);
-  int s = SS_OK;
+  struct calc c = calc_begin(out->ctx);
   for (int r = 0; r < m->rows; r++)
     for (int k = 0; k < m->cols; k++) {
-      void *sum = num_vec_at(out, r * m->cols + k);
-      s |= t->set_d(sum, 0, out->ctx.prec);
+      val sum = calc_d(&c, 0);
       for (int i = 0; i < N_STATE; i++) {
         if (m->in[k][i] == STAYS_OUT) continue;
-        t->set(x, num_vec_at(local, N_STATE * m->keep[r] + i));
-        if (m->in[k][i] == ENTERS_BY_CHI) s |= t->mul(x, x, chi, out->ctx.prec);
-        s |= t->add(sum, sum, x, out->ctx.prec);
+        val slope = num_vec_at(local, N_STATE * m->keep[r] + i);
+        sum = calc_add(&c, sum, m->in[k][i] == ENTERS_BY_CHI ? calc_mul(&c, slope, chi) : slope);
       }
+      calc_store(&c, num_vec_at(out, r * m->cols + k), sum);
     }
-  num_vec_clear(&w);
-  return s;
+  calc_clear(&c);
+  return c.status;
 }
 
 void local_map_directions(double dir[LOCAL_MOST][N_STATE], const struct local_map *m, double chi) {

@@ -1,36 +1,39 @@
 /* How the paper's names are built: "z'_1b" is a component of the state Z_b, "dt_a" a change of a time, "x_2''(t)" a
    motion with its primes and its argument.  Only the words are read here; what they are worth is symbols.c, and over
    exact algebra proof/exact_motion.c. */
-#include "values.h"
+#include "names.h"
 
-#include <string.h>
+#include "base/text.h"
+
+const char *const name_param[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
+const char *const name_time[N_PHASES] = {"t_a", "t_b", "t_c", "t_d"};
+const char *const name_shift[N_PHASES] = {"dt_a", "dt_b", "dt_c", "dt_d"};
+const char *const name_switching[N_PHASES + 1] = {"0", "t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
+const char *const name_state[N_PHASES + 1][N_STATE] = {{"z_10", "z_20", "z'_10", "z'_20"},
+                                                       {"z_1a", "z_2a", "z'_1a", "z'_2a"},
+                                                       {"z_1b", "z_2b", "z'_1b", "z'_2b"},
+                                                       {"z_1c", "z_2c", "z'_1c", "z'_2c"},
+                                                       {"z_1f", "z_2f", "z'_1f", "z'_2f"}};
+const char *const name_tangent[N_PHASES + 1][N_STATE] = {{"x", "y", "u", "v"},
+                                                         {"x_a", "y_a", "u_a", "v_a"},
+                                                         {"x_b", "y_b", "u_b", "v_b"},
+                                                         {"x_c", "y_c", "u_c", "v_c"},
+                                                         {"x_f", "y_f", "u_f", "v_f"}};
+
+/* The place in a list of states, or 100 and the place in one of times; -1 for another name. */
+static int place_of(const char *name, const char *const *states, int n, const char *const *times) {
+  int state = word_find(name, states, n), time = word_find(name, times, N_PHASES);
+  return state < n ? state : time < N_PHASES ? 100 + time : -1;
+}
 
 int name_of_arc(const char *name) {
-  static const struct {
-    const char *name;
-    int at;
-  } table[] = {{"t_a", 100},  {"t_b", 101},  {"t_c", 102}, {"t_d", 103}, {"z_10", 0},   {"z_20", 1},  {"z'_10", 2},
-               {"z'_20", 3},  {"z_1a", 4},   {"z_2a", 5},  {"z'_1a", 6}, {"z'_2a", 7},  {"z_1b", 8},  {"z_2b", 9},
-               {"z'_1b", 10}, {"z'_2b", 11}, {"z_1c", 12}, {"z_2c", 13}, {"z'_1c", 14}, {"z'_2c", 15}};
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-    if (strcmp(table[i].name, name) == 0) return table[i].at;
-  return -1;
+  return place_of(name, name_state[0], N_PHASES * N_STATE, name_time);
 }
 
 bool name_of_tangent(const char *name, int *index) {
-  static const char components[] = "xyuv", ends[] = "abcf", times[] = "abcd";
-  const char *c = name[0] ? strchr(components, name[0]) : NULL;
-  if (c && !name[1]) {
-    *index = (int)(c - components);
-    return true;
-  }
-  if (c && name[1] == '_' && name[2] && !name[3] && strchr(ends, name[2])) {
-    *index = 4 * (int)(strchr(ends, name[2]) - ends + 1) + (int)(c - components);
-    return true;
-  }
-  if (strncmp(name, "dt_", 3) != 0 || !name[3] || name[4] || !strchr(times, name[3])) return false;
-  *index = 100 + (int)(strchr(times, name[3]) - times);
-  return true;
+  int at = place_of(name, name_tangent[0], (N_PHASES + 1) * N_STATE, name_shift);
+  if (at >= 0) *index = at;
+  return at >= 0;
 }
 
 bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument) {
@@ -52,7 +55,6 @@ int name_of_switching_time(const char *argument) {
                                        "(t_a + dt_a + t_b + dt_b)",
                                        "(t_a + dt_a + t_b + dt_b + t_c + dt_c)",
                                        "(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)"};
-  for (int k = 0; k < 8; k++)
-    if (strcmp(argument, times[k]) == 0) return k;
-  return -1;
+  int k = word_find(argument, times, 8);
+  return k < 8 ? k : -1;
 }

@@ -9,8 +9,7 @@ static bool parse_spec(struct point_spec *s, const char *item) {
   long n;
   *s = (struct point_spec){.n = 0};
   if (sscanf(item, "%15s %15s %ld", word, phase, &n) == 3) {
-    int ph = 0;
-    while (ph < N_PHASES && strcmp(phase_name[ph], phase) != 0) ph++;
+    int ph = word_find(phase, phase_name, N_PHASES);
     if (ph == N_PHASES) return false;
     s->phase = (enum phase)ph;
   } else if (sscanf(item, "%15s %ld", word, &n) != 2) {

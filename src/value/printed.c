@@ -158,9 +158,7 @@ const char *ball_text(struct judge *j, const arb_t x, slong n) {
   struct text t;
   text_init(&t);
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
-  const char *s = result_str(j->out, "%s", text_str(&t));
-  text_clear(&t);
-  return s;
+  return result_take(j->out, &t);
 }
 
 int scene_numbers(struct num_vec *params, struct judge *j) {

@@ -6,6 +6,7 @@
 #include <string.h>
 
 #include "base/work.h"
+#include "num/calc.h"
 #include "record/result.h"
 #include "sentence.h"
 
@@ -132,9 +133,8 @@ void sentence_clear(struct sentence *s) {
 
 /* Both sides into lhs and rhs (n each). */
 static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, struct sentence *s, struct values *v) {
-  struct num_vec in, out;
-  num_vec_init(&in, s->tape.n_inputs, v->ctx);
-  num_vec_init(&out, s->tape.n_outputs, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec in = calc_vec(&c, s->tape.n_inputs), out = calc_vec(&c, s->tape.n_outputs);
   int status = SS_OK;
   for (slong i = 0; status == SS_OK && i < s->tape.n_inputs; i++) {
     bool known;
@@ -148,8 +148,7 @@ static int evaluate(struct num_vec *lhs, struct num_vec *rhs, struct trial *t, s
   for (slong i = 0; i < s->n; i++) v->ctx.type->set(num_vec_at(lhs, i), num_vec_at(&out, i));
   if (status == SS_OK && s->oracle) status |= oracle_eval(rhs, s->oracle, v);
   for (slong i = 0; !s->oracle && i < s->n; i++) v->ctx.type->set(num_vec_at(rhs, i), num_vec_at(&out, s->n + i));
-  num_vec_clear(&out);
-  num_vec_clear(&in);
+  calc_clear(&c);
   return status;
 }
 

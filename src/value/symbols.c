@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "base/arena.h"
+#include "num/calc.h"
 #include "values_impl.h"
 
 static bool has_arc(const struct values *v) {
@@ -22,13 +23,11 @@ static const void *arc_symbol(const struct values *v, const char *name) {
 }
 
 static const void *exact_symbol(const struct values *v, const char *name) {
-  static const struct {
-    const char *name;
-    int q;
-  } table[] = {{"chi", Q_CHI},  {"eta", Q_ETA},  {"V", Q_V}, {"e_1", Q_E1}, {"e_2", Q_E2},
-               {"u_s1", Q_US1}, {"u_s2", Q_US2}, {"x", Q_X}, {"y", Q_Y},    {"lambda", Q_LAMBDA}};
-  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
-    if (strcmp(table[i].name, name) == 0) return num_vec_at(&v->q, table[i].q);
+  enum { N_REST = Q_T - Q_US1 };
+  static const char *const rest[N_REST] = {"u_s1", "u_s2", "x", "y", "lambda"};
+  int param = word_find(name, name_param, N_PARAMS), other = word_find(name, rest, N_REST);
+  if (param < N_PARAMS) return num_vec_at(&v->q, Q_CHI + param);
+  if (other < N_REST) return num_vec_at(&v->q, Q_US1 + other);
   if (strcmp(name, "t") == 0)
     return num_vec_at(v->point->kind == POINT_PARAMS ? &v->q : &v->t, v->point->kind == POINT_PARAMS ? Q_T : 0);
   return NULL;
@@ -37,16 +36,14 @@ static const void *exact_symbol(const struct values *v, const char *name) {
 /* The motion t_b after its start: still in the stick phase where t_b < t_a, then in the slip-stick phase. */
 static int state_at_tb(struct num_vec *z, struct values *v) {
   const struct num_type *t = v->ctx.type;
-  struct num_vec w;
-  num_vec_init(&w, 2, v->ctx);
-  void *rest = num_vec_at(&w, 0), *zero = num_vec_at(&w, 1);
-  const void *ta = num_vec_at(&v->arc.t, 0), *tb = num_vec_at(&v->arc.t, 1);
-  int s = t->set_d(zero, 0, v->ctx.prec) | t->sub(rest, tb, ta, v->ctx.prec);
-  bool sticks = t->lt(rest, zero) == TRUTH_TRUE;
-  if (t->lt(zero, ta) != TRUTH_TRUE || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
+  struct calc c = calc_begin(v->ctx);
+  val ta = num_vec_at(&v->arc.t, 0), tb = num_vec_at(&v->arc.t, 1), rest = calc_sub(&c, tb, ta), zero = calc_d(&c, 0);
+  int s = c.status;
+  bool sticks = calc_lt(&c, rest, zero);
+  if (!calc_lt(&c, zero, ta) || (!sticks && t->lt(rest, zero) != TRUTH_FALSE)) s |= SS_UNABLE;
   for (int i = 0; i < 4; i++) t->set(num_vec_at(z, i), num_vec_at(&v->arc.z, 4 * !sticks + i));
   if (s == SS_OK) s |= dyn_flow(z, sticks ? PHASE_D : PHASE_GAMMA, &v->params, z, sticks ? tb : rest);
-  num_vec_clear(&w);
+  calc_clear(&c);
   return s;
 }
 

@@ -2,39 +2,30 @@
    along the word by the local Jacobians; finite ones are the differences between two motions; at patched points they
    are any numbers. */
 #include "local_maps.h"
+#include "num/calc.h"
 #include "values_impl.h"
 
 /* dt of a phase from dZ at its start: the switching function stays zero at the end, so its gradient applied to
    exp(A t) dZ is minus its rate times dt.  The switching functions are affine: their gradient is a difference. */
 static int event_shift(void *dt, struct values *v, int ph, const struct num_vec *dz) {
-  const struct num_type *t = v->ctx.type;
-  slong p = v->ctx.prec;
-  struct num_vec phi, end, w;
-  num_vec_init(&phi, 16, v->ctx);
-  num_vec_init(&end, 4, v->ctx);
-  num_vec_init(&w, 2, v->ctx);
-  void *at_zero = num_vec_at(&w, 0), *rate = num_vec_at(&w, 1);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec phi = calc_vec(&c, 16), end = calc_vec(&c, 4);
+  void *at_zero = calc_new(&c), *at_end = calc_new(&c), *rate = calc_new(&c);
   int s = dyn_switching(at_zero, (enum phase)ph, &v->params, &end);
   s |= values_propagator(&phi, v, (enum phase)ph);
   s |= num_mat_mul(&end, &phi, dz, 4, 4, 1);
-  s |= dyn_switching(dt, (enum phase)ph, &v->params, &end);
-  s |= t->sub(dt, dt, at_zero, p);
-  for (int i = 0; i < 4; i++) t->set(num_vec_at(&end, i), num_vec_at(&v->arc.z, 4 * (ph + 1) + i));
+  s |= dyn_switching(at_end, (enum phase)ph, &v->params, &end);
+  for (int i = 0; i < 4; i++) calc_store(&c, num_vec_at(&end, i), num_vec_at(&v->arc.z, 4 * (ph + 1) + i));
   s |= dyn_switching_rate(rate, (enum phase)ph, &v->params, &end);
-  s |= t->div(dt, dt, rate, p);
-  s |= t->neg(dt, dt, p);
-  num_vec_clear(&w);
-  num_vec_clear(&end);
-  num_vec_clear(&phi);
-  return s;
+  calc_store(&c, dt, calc_neg(&c, calc_div(&c, calc_sub(&c, at_end, at_zero), rate)));
+  calc_clear(&c);
+  return s | c.status;
 }
 
 /* The direction (x, y) carried along the word by the local Jacobians. */
 static int carry_tangent(struct values *v) {
-  struct num_vec dz, j, unused;
-  num_vec_init(&dz, 4, v->ctx);
-  num_vec_init(&j, 16, v->ctx);
-  num_vec_init(&unused, N_STATE * LOCAL_MOST, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec dz = calc_vec(&c, 4), j = calc_vec(&c, 16), unused = calc_vec(&c, N_STATE * LOCAL_MOST);
   v->ctx.type->set(num_vec_at(&dz, 0), num_vec_at(&v->q, Q_X));
   v->ctx.type->set(num_vec_at(&dz, 1), num_vec_at(&v->q, Q_Y));
   int s = SS_OK;
@@ -46,9 +37,7 @@ static int carry_tangent(struct values *v) {
     s |= num_mat_mul(&dz, &j, &dz, 4, 4, 1);
     for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&v->tangent, 4 * (ph + 1) + i), num_vec_at(&dz, i));
   }
-  num_vec_clear(&unused);
-  num_vec_clear(&j);
-  num_vec_clear(&dz);
+  calc_clear(&c);
   return s;
 }
 

@@ -394,6 +394,49 @@ static bool make_scaling(struct text *out, const struct title *t) {
   return true;
 }
 
+/* --- Behaviour --- */
+
+/* What each check (judge/behaviour.c) tries; of switches, by the transition. */
+static const struct {
+  const char *check, *transition, *says;
+} checks[] = {
+    {"modes", NULL, "every motion is a sequence of phases in which each mass sticks or slips"},
+    {"closed-forms", NULL, "the closed forms of {depends-on} hold wherever no mass is faster than the belt"},
+    {"configurations", NULL, "the four configurations of the paper partition the phase space"},
+    {"dimension", NULL, "the states of the phases fill {range} dimensions"},
+    {"linear", NULL, "within a configuration the differences of motions obey a linear law"},
+    {"switches", "slip to stick",
+     "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
+     "than "
+     "its static friction"},
+    {"switches", "stick to slip",
+     "a transition from {transition} occurs where the force on a mass reaches its static friction"},
+    {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
+    {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
+    {"fixed-points", NULL,
+     "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
+    {"linearization", NULL,
+     "linearizing the phases alone, without what happens at the switches, gives wrong answers about stability"},
+    {"equality", NULL, "periodic solutions on the boundary of the criterion, |tr(J)| = 1, are unstable"},
+    {"perturb", NULL, "of arbitrarily small perturbations of a stable orbit some stay near it and others do not"},
+    {"long-run", NULL, "what becomes of the printed initial state over many returns"},
+    {"patching", NULL, "patched solutions of chains of three and four masses agree with direct integration"}};
+
+static bool make_behaviour(struct text *out, const struct title *t) {
+  const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");
+  for (size_t i = 0; check && i < sizeof checks / sizeof *checks; i++)
+    if (strcmp(checks[i].check, check) == 0 &&
+        (!checks[i].transition || (transition && strcmp(checks[i].transition, transition) == 0)))
+      return title_expand(out, t, checks[i].says);
+  return missing(t);
+}
+
+static bool make_closure(struct text *out, const struct title *t) {
+  (void)t;
+  text_add(out, "the printed numbers are those of a periodic solution");
+  return true;
+}
+
 static bool make_none(struct text *out, const struct title *t) {
   (void)out;
   return missing(t);
@@ -408,9 +451,9 @@ static maker *const makers[N_KINDS] = {
     [KIND_SHARP] = make_sharp,
     [KIND_INDEX_RANGE] = make_index_range,
     [KIND_NUMBER] = make_number,
-    [KIND_CLOSURE] = make_none,
+    [KIND_CLOSURE] = make_closure,
     [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_none,
+    [KIND_BEHAVIOUR] = make_behaviour,
     [KIND_ARGUMENT] = make_argument,
     [KIND_NOTATION] = make_notation,
     [KIND_SCALING] = make_scaling,
@@ -423,6 +466,18 @@ static maker *const makers[N_KINDS] = {
     [KIND_OUTSIDE] = make_none,
     [KIND_REPORT] = make_report,
 };
+
+bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
+  struct text title;
+  text_init(&title);
+  bool ok = true;
+  for (size_t i = 0; ok && i < claims->n; i++) {
+    text_reset(&title);
+    ok = claim_title(&title, m, &claims->claim[i], d);
+  }
+  text_clear(&title);
+  return ok;
+}
 
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
   const struct title t = {m, c, d};

@@ -3,9 +3,9 @@
    Titles are made from the other attributes of the claim, so that a claim cannot say one thing and be another: the
    statement as a reader writes it (or "what (5) states" where it is long), and where it is claimed, from "points"; of a
    matrix its name and what the model's quantity is (value/oracle.h); of an argument what follows from what; and so on
-   for every kind but behaviour, closure and outside.
+   for every kind but outside.
 
-   Where the attribute title is given it is a sentence in words.  What stands in braces is the attribute of that name,
+   Where the attribute title is given it is a sentence in words, and takes the place of the one that would be made.  What stands in braces is the attribute of that name,
    as generated titles write it: {statement}, {premises}, {depends-on} (records, by their equation numbers), {range}
    ("two to four"), {formula}, {value}, {side}.  A formula, a name of the paper, a number (in digits, or a word from two
    to twelve) or the name of a phase outside braces is an error: nothing would hold it against the claim. */
@@ -17,5 +17,7 @@
 
 /* Appends the title.  false with d set where the title is at fault, or is not given and cannot be made. */
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
+/* Whether every claim has one; false with d set to the first fault. */
+bool titles_check(const struct model *m, const struct claims *claims, struct diag *d);
 
 #endif

@@ -1,5 +1,6 @@
 /* Titles that are given: sentences in words, in which every formula, name, number and phase is a slot. */
 #include "title_impl.h"
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -67,25 +68,34 @@ static const struct {
              {"formula", title_formula},   {"reads", title_formula},      {"repaired", title_formula},
              {"unknowns", write_list},     {"absent", write_list},        {"given", write_list}};
 
-static bool complain(const struct title *t, const struct field *f, size_t at, const char *what, const char *which) {
-  size_t offset = f->value.end - f->value.begin == strlen(f->text) ? at : 0;
-  diag_at(t->d, &t->c->file->src, f->value.begin + offset, what, t->c->id, which);
+/* A text and, where it is a claim's own, its field. */
+struct sentence_text {
+  const char *text;
+  const struct field *field;
+};
+
+static bool complain(const struct title *t, const struct sentence_text *s, const char *at, const char *what,
+                     const char *which) {
+  size_t place = t->c->record->id.begin;
+  if (s->field) place = s->field->value.begin;
+  if (s->field && s->field->value.end - s->field->value.begin == strlen(s->text)) place += (size_t)(at - s->text);
+  diag_at(t->d, &t->c->file->src, place, what, t->c->id, which);
   return false;
 }
 
 /* The slot that begins at p, up to its brace; where it ends, NULL with t->d set. */
-static const char *write_slot(struct text *out, const struct title *t, const struct field *f, const char *p) {
+static const char *write_slot(struct text *out, const struct title *t, const struct sentence_text *s, const char *p) {
   char name[32];
-  size_t at = (size_t)(p - f->text), len = strcspn(p + 1, "{}");
+  size_t len = strcspn(p + 1, "{}");
   if (p[1 + len] != '}' || len >= sizeof name) {
-    complain(t, f, at, "%s: {%s is no attribute in braces", "...");
+    complain(t, s, p, "%s: {%s is no attribute in braces", "...");
     return NULL;
   }
   memcpy(name, p + 1, len);
   name[len] = '\0';
   const char *text = strcmp(name, "title") == 0 ? NULL : claim_get(t->c, name);
   if (!text) {
-    complain(t, f, at, "%s: the claim has no attribute %s for its title", name);
+    complain(t, s, p, "%s: the claim has no attribute %s for its title", name);
     return NULL;
   }
   size_t i = 0, n = sizeof slots / sizeof *slots;
@@ -135,24 +145,32 @@ static size_t named_by_hand(size_t *plain, const struct model *m, const char *p,
   return phase ? phase : word_is_named(m, p, word) ? word : 0;
 }
 
-bool title_given(struct text *out, const struct title *t, const struct field *f) {
-  const char *p = f->text;
+static bool expand(struct text *out, const struct title *t, const struct sentence_text *s) {
+  const char *p = s->text;
   while (*p) {
+    size_t plain = 1, named = 0;
     if (*p == '{') {
-      if (!(p = write_slot(out, t, f, p))) return false;
+      if (!(p = write_slot(out, t, s, p))) return false;
       continue;
     }
-    size_t plain, named = named_by_hand(&plain, t->m, p, p == f->text || !char_is_word(p[-1]));
+    if (s->field) named = named_by_hand(&plain, t->m, p, p == s->text || !char_is_word(p[-1]));
     if (named) {
       char word[64];
-      size_t len = named < sizeof word ? named : sizeof word - 1;
-      memcpy(word, p, len);
-      word[len] = '\0';
-      return complain(t, f, (size_t)(p - f->text),
-                      "%s: the title names %s by hand, where an attribute in braces belongs", word);
+      snprintf(word, sizeof word, "%.*s", (int)named, p);
+      return complain(t, s, p, "%s: the title names %s by hand, where an attribute in braces belongs", word);
     }
     text_add_n(out, p, plain);
     p += plain;
   }
   return true;
+}
+
+bool title_given(struct text *out, const struct title *t, const struct field *title) {
+  const struct sentence_text s = {title->text, title};
+  return expand(out, t, &s);
+}
+
+bool title_expand(struct text *out, const struct title *t, const char *text) {
+  const struct sentence_text s = {text, NULL};
+  return expand(out, t, &s);
 }

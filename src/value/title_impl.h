@@ -45,10 +45,10 @@ void title_formulas(struct text *out, const struct statement_record *r);
 void title_first_formula(struct text *out, const struct statement_record *r);
 /* No other record of the paper states something under the same number. */
 bool title_owns_number(const struct title *t, const struct statement_record *r);
-/* "(18) and (16)": the note of a record that has no number, and when brief may have TeX, where it begins with the number
-   of another; else NULL. */
+/* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when brief
+   "(55) at t = 0", where it begins with one; else NULL. */
 const char *title_note(const struct statement_record *r, bool brief);
-/* A record by its equation number, by its note where it has no TeX and the note begins with an equation number, by its
+/* A record by its equation number, by its note where that names others, by its
    formulas where its equation number is not its own, or all the same when brief. */
 void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief);
 /* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
@@ -69,7 +69,9 @@ void title_place(struct text *out, const char *points);
 /* Does the text speak of several things? */
 bool title_is_plural(const char *text);
 
-/* The attribute title, with what stands in braces. */
+/* The attribute title, with what stands in braces; it names nothing by hand. */
 bool title_given(struct text *out, const struct title *t, const struct field *title);
+/* The same of a text of ours. */
+bool title_expand(struct text *out, const struct title *t, const char *text);
 
 #endif

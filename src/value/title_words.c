@@ -231,7 +231,9 @@ bool title_owns_number(const struct title *t, const struct statement_record *r) 
 
 const char *title_note(const struct statement_record *r, bool brief) {
   const char *note = record_get(r->record, "note");
-  return (brief || !*r->tex) && !*r->equation && note && note[0] == '(' && char_is_digit(note[1]) ? note : NULL;
+  if (*r->equation || !note || note[0] != '(' || !char_is_digit(note[1])) return NULL;
+  bool numbers = note[strlen(note) - 1] == ')';
+  return numbers || (brief && !strchr(note, ',')) ? note : NULL;
 }
 
 void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief) {
@@ -310,7 +312,7 @@ static bool is_numbered(const struct title *t, const struct part *p, const char 
   enum { SHORT = 16 };
   bool brief = detail != TITLE_FORMULAS, note = title_note(p->r, brief) != NULL;
   if (p->statement == 0 && (note || number_is_listed(t, list, p->r))) return true;
-  if (!brief || !*p->r->equation) return false;
+  if (!brief || !*p->r->equation || (p->step && detail == TITLE_BRIEF)) return false;
   if (detail == TITLE_NUMBERS) return true;
   struct text formulas;
   text_init(&formulas);

@@ -1,6 +1,7 @@
 /* What a point is worth in one number type: its parameters, the motion through it and that motion's neighbour, made
    afresh by the model and never by the paper's formulas.  The routes differ in how the states follow from one another:
    by the closed flow, or by the matrix exponential of each phase. */
+#include "num/calc.h"
 #include "values_impl.h"
 
 #include <stdlib.h>
@@ -41,9 +42,8 @@ int values_time(struct values *v) {
   if (!on_arc || v->have_t) return SS_OK;
   const struct dyn_arc *arc = v->point->finite ? &v->perturbed : &v->arc;
   const struct num_type *t = v->ctx.type;
-  struct num_vec z0, tau;
-  num_vec_init(&z0, 4, v->ctx);
-  num_vec_init(&tau, 1, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec z0 = calc_vec(&c, 4), tau = calc_vec(&c, 1);
   int ph = (int)v->point->phase;
   for (int i = 0; i < 4; i++) t->set(num_vec_at(&z0, i), num_vec_at(&arc->z, 4 * ph + i));
   int s = t->mul(num_vec_at(&tau, 0), num_vec_at(&v->q, Q_S), num_vec_at(&arc->t, ph), v->ctx.prec);
@@ -51,8 +51,7 @@ int values_time(struct values *v) {
   for (int k = 0; k < ph; k++)
     s |= t->add(num_vec_at(&v->t, 0), num_vec_at(&v->t, 0), num_vec_at(&arc->t, k), v->ctx.prec);
   s |= flow_from(v, &z0, num_vec_at(&tau, 0));
-  num_vec_clear(&tau);
-  num_vec_clear(&z0);
+  calc_clear(&c);
   v->have_t = s == SS_OK;
   return s;
 }
@@ -87,9 +86,8 @@ int values_propagator(struct num_vec *out, struct values *v, enum phase ph) {
 
 /* The states of an arc once more, each from the one before by the matrix exponential over the same times. */
 static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
-  struct num_vec p, z;
-  num_vec_init(&p, 16, v->ctx);
-  num_vec_init(&z, 4, v->ctx);
+  struct calc c = calc_begin(v->ctx);
+  struct num_vec p = calc_vec(&c, 16), z = calc_vec(&c, 4);
   int s = SS_OK;
   for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&z, i), num_vec_at(&arc->z, i));
   for (int ph = 0; ph < N_PHASES; ph++) {
@@ -98,8 +96,7 @@ static int carry_by_exponentials(struct dyn_arc *arc, struct values *v) {
     s |= num_mat_mul(&z, &p, &z, 4, 4, 1);
     for (int i = 0; i < 4; i++) v->ctx.type->set(num_vec_at(&arc->z, 4 * (ph + 1) + i), num_vec_at(&z, i));
   }
-  num_vec_clear(&z);
-  num_vec_clear(&p);
+  calc_clear(&c);
   return s;
 }
 

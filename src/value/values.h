@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_VALUES_H
 #define STICKSLIP_VALUES_H
 
+#include "names.h"
 #include "point.h"
 
 /* How they are got: closed form and implicit differentiation; states carried by matrix exponentials; tangents by finite
@@ -41,15 +42,5 @@ int values_bind(void *z, bool *known, struct values *v, const char *name);
 /* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
 bool springs_bind(int *status, void *z, struct values *v, const char *name);
 int springs_square_of_omega_3(void *z, struct values *v);
-
-/* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
-   "t_a" ... "t_d": 100 and more; -1 for another name. */
-int name_of_arc(const char *name);
-/* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
-bool name_of_tangent(const char *name, int *index);
-/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
-bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
-/* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
-int name_of_switching_time(const char *argument);
 
 #endif

@@ -100,6 +100,24 @@ def cited(attributes, key):
     return [re.split(r"[# ]", item.strip())[0] for item in attributes.get(key, "").split(",") if item.strip()]
 
 
+def steps(attributes, key):
+    """(record, statement, step, phase) of each item; None for all of them."""
+    found = []
+    for item in filter(None, (i.strip() for i in attributes.get(key, "").split(","))):
+        m = re.match(r"([^#\s]+)(?:#(\d+)(?:\.(\d+))?)?(?:\s+(\w+))?$", item)
+        found.append(m.groups())
+    return found
+
+
+def deduces(a):
+    """An argument that says more than its premises in other words, and of all orbits."""
+    return a.get("kind") == "argument" and not ({"converse", "converse-of"} & set(a)) and a.get("over") != "scene"
+
+
+def shares(a, b):
+    return any(all(x is None or y is None or x == y for x, y in zip(s, t)) for s in a for t in b)
+
+
 def main():
     verify, audit = sys.argv[1], json.load(open(sys.argv[2]))
     definitions, statements = load(sorted(glob.glob(verify + "/paper/*.eq")), 0)
@@ -135,6 +153,8 @@ def main():
                 want.add(other)
             about_record = b.get("bound", b.get("statement"))
             if about_record in cited(a, "premises") + cited(a, "constraints") and about_record != a.get("statement"):
+                want.add(other)
+            if deduces(a) and deduces(b) and shares(steps(a, "premises"), steps(b, "conclusion")):
                 want.add(other)
             if "bound" in a and a["statement"] == b.get("bound", b.get("statement")):
                 want.add(other)

@@ -64,7 +64,10 @@ def orbit_errors(out):
         yield "orbits: not by increasing z10"
 
 
-FATES = ("noticed", "unreadable", "equivalent", "on_motions", "undecided", "unread")
+FATES = ("noticed", "unreadable", "unproved", "refused", "equivalent", "on_motions", "needs_text", "undecided", "unread")
+SURVIVORS = ("equivalent", "on_motions", "undecided", "unread")
+NO_TEST = ("equivalent", "on_motions", "needs_text")
+NOT_THE_PAPERS = "TeX of errata.eq"
 
 
 def mutation_errors(out):
@@ -72,21 +75,40 @@ def mutation_errors(out):
         if sum(row[f] for f in FATES) != row["total"]:
             yield "%s: the fates do not add up to %d" % (where, row["total"])
 
-    yield from adds_up("total", out["total"])
-    yield from adds_up("corrected_elsewhere", out["corrected_elsewhere"])
-    for part in ("files", "kinds"):
+    for part in ("formulas", "corrected_elsewhere", "errata"):
+        yield from adds_up(part, out[part])
+    for part in ("files", "kinds", "classes"):
         for row in out[part]:
             yield from adds_up(part + "/" + row["name"], row)
+    for part in ("files", "kinds"):
         for f in FATES + ("total",):
-            if sum(row[f] for row in out[part]) != out["total"][f]:
-                yield "%s: %s does not add up to the total" % (part, f)
-    if out["total"]["total"] + out["corrected_elsewhere"]["total"] != out["tried"] or out["tried"] > out["population"]:
+            if sum(row[f] for row in out[part]) != out["formulas"][f]:
+                yield "%s: %s does not add up to the formulas" % (part, f)
+    rows = [out["formulas"], out["errata"]] + out["classes"]
+    if sum(row["total"] for row in rows) != out["tried"] or out["tried"] > out["population"]:
         yield "tried: %d, which the rows or the population contradict" % out["tried"]
-    for f in FATES[2:]:
-        for corrected, row in ((False, out["total"]), (True, out["corrected_elsewhere"])):
-            n = sum(s["fate"] == f and s["corrected_elsewhere"] == corrected for s in out["survivors"])
-            if n != row[f]:
-                yield "survivors: %d %s, the row says %d" % (n, f, row[f])
+    counted = [row for row in rows if row is not out["errata"] and row.get("name") != NOT_THE_PAPERS]
+    score = out["score"]
+    for f in NO_TEST:
+        if sum(row[f] for row in counted) != score[f]:
+            yield "score: %s is not what the rows say" % f
+    if sum(row[f] for row in counted for f in FATES if f not in NO_TEST) != score["counted"]:
+        yield "score: counted is not what the rows say"
+    if sum(row[f] for row in counted for f in ("noticed", "unreadable", "unproved", "refused")) != score["noticed"]:
+        yield "score: noticed is not what the rows say"
+    if score["errata"] != sum(row["total"] for row in rows if row not in counted):
+        yield "score: errata is not what the rows say"
+    for f in SURVIVORS:
+        n = sum(s["fate"] == f for s in out["survivors"])
+        if n != out["formulas"][f] + out["errata"][f]:
+            yield "survivors: %d %s, the rows say %d" % (n, f, out["formulas"][f] + out["errata"][f])
+        n = sum(s["fate"] == f and s["corrected_elsewhere"] for s in out["survivors"])
+        if n != out["corrected_elsewhere"][f]:
+            yield "survivors: %d %s of corrected text, the row says %d" % (n, f, out["corrected_elsewhere"][f])
+    for row in out["classes"]:
+        n = sum(d["class"] == row["name"] and d["fate"] == "undecided" for d in out["damages"])
+        if n != row["undecided"]:
+            yield "damages: %d of class %s undecided, the row says %d" % (n, row["name"], row["undecided"])
     for i, s in enumerate(out["survivors"]):
         if s["text"] == s["original"] or (s["fate"] == "unread") != (s["read_by"] == ""):
             yield "survivors/%d: undamaged, or read by somebody and by nobody" % i

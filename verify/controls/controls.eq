@@ -224,3 +224,57 @@ inequality ctl-converse
   replaces: eq-58
   section: appendix_b
   e_2 - 3*u_r2 < h(t_a) < e_2
+
+# the correction of (40), wrong by one part in 10^30
+define ctl-correction-formula
+  section: stability
+  ktilde_4 := (V*sin(omega*t_d)/(omega*(z_200 - z_100)))*(1 + 1e-30)
+
+# wrong by little, each where another formula is judged by it
+define ctl-phases
+  section: stability
+  phi_1(t) := (1 + 1e-30)*D(t)
+
+define ctl-start
+  section: stability
+  dz_0 := (1 + 1e-30)*transpose([x, y])
+
+define ctl-polynomial
+  section: stability
+  P(lambda) := (1 + 1e-30)*det(J - lambda*I)
+
+relation ctl-slips
+  replaces: eq-2
+  section: model
+  u_1 = eps*u_s1*(1 + 1e-12) for eps in {+1, -1}
+  u_2 = eps*u_s2 for eps in {+1, -1}
+
+inequality ctl-stays-below
+  replaces: eq-54
+  section: appendix_b
+  e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1*(1 - 1e-6) for t in (0, t_a)
+  e_2 - 2*u_r2 < chi*(z_2(t) - z_1(t)) < e_2 for t in (0, t_a)
+
+inequality ctl-stays-below-second
+  replaces: eq-57
+  section: appendix_b
+  z_1'(t) < V for t in (t_a, t_a + t_b)
+  e_2 - 2*u_r2 < h(t) < e_2*(1 - 1e-6) for t in (t_a, t_a + t_b)
+
+inequality ctl-stays-slower
+  replaces: eq-59
+  section: appendix_b
+  e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1 for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
+  z_2'(t) < V*(1 - 1e-6) for t in (t_a + t_b + t_c, t_a + t_b + t_c + t_d)
+
+# the lower bound on both sides
+inequality ctl-comes-below
+  replaces: eq-16b
+  section: periodic
+  e_1 - 2*u_r1 < z_1c - chi*z_2c < e_1 - 2*u_r1
+
+# true with V (1 - chi) on the right, which is what (60) is worth
+inequality ctl-increases
+  replaces: eq-60c
+  section: appendix_b
+  V - chi*z_2'(t) > V*(1 - chi)*(1 + 1e-6)

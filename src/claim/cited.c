@@ -1,0 +1,47 @@
+/* Lists of records that arguments cite: "eq-52#1.2, eq-59#2, eq-56 D". */
+#include "claim.h"
+
+#include <stdio.h>
+#include <string.h>
+
+const char *claim_next_cited(struct cited *out, const char *list) {
+  char item[64];
+  const char *rest = list ? claim_next_item(item, sizeof item, list) : NULL;
+  if (!rest) return NULL;
+  *out = (struct cited){.statement = 0};
+  sscanf(item, " %47s %15s", out->id, out->phase);
+  char *mark = strchr(out->id, '#');
+  if (mark) {
+    sscanf(mark, "#%d.%d", &out->statement, &out->step);
+    *mark = '\0';
+  }
+  return rest;
+}
+
+bool cited_overlap(const struct cited *a, const struct cited *b) {
+  if (strcmp(a->id, b->id) != 0) return false;
+  if (a->statement && b->statement && a->statement != b->statement) return false;
+  if (a->step && b->step && a->step != b->step) return false;
+  return !*a->phase || !*b->phase || strcmp(a->phase, b->phase) == 0;
+}
+
+bool cited_in(const struct cited *a, const char *list) {
+  struct cited b;
+  while ((list = claim_next_cited(&b, list)) != NULL)
+    if (cited_overlap(a, &b)) return true;
+  return false;
+}
+
+bool cited_share(const char *a, const char *b) {
+  struct cited one;
+  while ((a = claim_next_cited(&one, a)) != NULL)
+    if (cited_in(&one, b)) return true;
+  return false;
+}
+
+/* A conclusion that is drawn from premises alone: not at one scene, and not a repetition of them in other words. */
+bool claim_deduces(const struct claim *c) {
+  const char *over = claim_get(c, "over");
+  return claim_kind(c) == KIND_ARGUMENT && !claim_get(c, "converse") && !claim_get(c, "converse-of") &&
+         !(over && strcmp(over, "scene") == 0);
+}

@@ -1,0 +1,281 @@
+/* Rules that no claim breaks silently: see claim.h.  Each broken one is an error with its place, since what is checked
+   here is what the claims say of themselves, before anything is judged. */
+#include "claim.h"
+#include "record/routes.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+static bool complain(const struct claim *c, const char *attribute, struct diag *d, const char *what) {
+  const struct field *f = record_field(c->record, attribute);
+  diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
+  return false;
+}
+
+/* --- Points and routes --- */
+
+/* The number at the end of an item, "arcs Gamma 12". */
+static long points_of(const char *item) {
+  const char *last = strrchr(item, ' ');
+  return last ? strtol(last, NULL, 10) : 0;
+}
+
+/* All points, and the least of any item. */
+static void count_points(long *all, long *least, const struct claim *c) {
+  char item[64];
+  *all = 0;
+  *least = -1;
+  for (const char *p = claim_get(c, "points"); p && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+    long n = points_of(item);
+    *all += n;
+    if (*least < 0 || n < *least) *least = n;
+  }
+}
+
+static bool is_route(const char *name) {
+  for (int i = 0; i < N_ROUTE_ROWS; i++)
+    if (route_table[i].evidence && strcmp(route_table[i].evidence, name) == 0) return true;
+  return false;
+}
+
+/* Routes, balls first, of which each is independent of those before it. */
+static int count_routes(const struct claim *c) {
+  enum { MOST = 16 };
+  char name[MOST][CLAIM_NAME] = {"balls"}, listed[MOST][CLAIM_NAME];
+  int n = 1, m = claim_names_listed(listed, MOST - 1, claim_get(c, "routes"));
+  for (int i = 0; i < m; i++) {
+    bool fresh = is_route(listed[i]);
+    for (int k = 0; fresh && k < n; k++) fresh = routes_independent(name[k], listed[i]);
+    if (fresh) memcpy(name[n++], listed[i], CLAIM_NAME);
+  }
+  return n;
+}
+
+static bool check_numbers(const struct claim *c, const struct claim_kind *kind, struct diag *d) {
+  long all, least;
+  int routes = count_routes(c);
+  char what[200];
+  if (claim_get(c, "few")) return true;
+  count_points(&all, &least, c);
+  if (kind->points && (all < kind->points || 2 * least < kind->points)) {
+    snprintf(what, sizeof what,
+             "points for a claim of kind %s are at least %d in all and %d of each sort; more of them, or a reason in "
+             "\"few:\"",
+             kind->word, kind->points, kind->points / 2);
+    return complain(c, "points", d, what);
+  }
+  if (routes >= kind->routes) return true;
+  snprintf(what, sizeof what,
+           "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; more of "
+           "them, or a reason in \"few:\"",
+           kind->word, kind->routes, routes == 1 ? "it is alone" : "there are fewer");
+  return complain(c, "routes", d, what);
+}
+
+/* --- Arguments --- */
+
+static bool same_range(const struct stmt *a, const struct stmt *b) {
+  if (!a->range_hi || !b->range_hi) return !a->range_hi && !b->range_hi;
+  return expr_same(a->range_lo, b->range_lo) && expr_same(a->range_hi, b->range_hi);
+}
+
+/* Some step of either statement that the other has too, of those that are cited. */
+static bool same_step(const struct stmt *s, int only_s, const struct stmt *t, int only_t) {
+  if (s->kind != STMT_RELATION || t->kind != STMT_RELATION || !same_range(s, t)) return false;
+  for (int i = 0; i + 1 < s->n_sides; i++)
+    for (int k = 0; k + 1 < t->n_sides; k++)
+      if ((!only_s || only_s == i + 1) && (!only_t || only_t == k + 1) && s->ops[i] == t->ops[k] &&
+          expr_same(s->sides[i], t->sides[k]) && expr_same(s->sides[i + 1], t->sides[k + 1]))
+        return true;
+  return false;
+}
+
+/* The same text under two names. */
+static bool same_text(const struct model *m, const struct cited *a, const struct cited *b) {
+  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
+  if (strcmp(a->phase, b->phase) != 0) return false;
+  const struct statement_record *r = view_record(&v, a->id), *q = view_record(&v, b->id);
+  for (int i = 0; r && i < r->n_stmts; i++)
+    for (int k = 0; q && k < q->n_stmts; k++)
+      if ((!a->statement || a->statement == i + 1) && (!b->statement || b->statement == k + 1) &&
+          same_step(r->stmts[i], a->step, q->stmts[k], b->step))
+        return true;
+  return false;
+}
+
+/* What repeats its premises in other words says so, by being turned round. */
+static bool check_conclusion(const struct model *m, const struct claim *c, struct diag *d) {
+  static const char *const premises[] = {"premises", "repair"};
+  struct cited end, start;
+  bool repeats = claim_get(c, "converse");
+  for (const char *p = claim_get(c, "conclusion"); (p = claim_next_cited(&end, p)) != NULL;)
+    for (size_t i = 0; i < sizeof premises / sizeof *premises; i++)
+      for (const char *q = claim_get(c, premises[i]); (q = claim_next_cited(&start, q)) != NULL;) {
+        bool itself = cited_overlap(&end, &start);
+        if (!itself && (repeats || !same_text(m, &end, &start))) continue;
+        char what[200];
+        snprintf(what, sizeof what, "the conclusion %.40s is among its own premises%s%.40s", end.id,
+                 itself ? "" : ", as ", itself ? "" : start.id);
+        return complain(c, premises[i], d, what);
+      }
+  return true;
+}
+
+/* --- One claim --- */
+
+bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
+  const struct claim_kind *kind = claim_kind_of(c);
+  const char *fault = claim_get(c, "fault");
+  if (!kind) return complain(c, "kind", d, "unknown kind of claim");
+  const char *follows = fault ? fault_name[claim_fault(m, c)] : NULL;
+  if (fault && strcmp(fault, follows) != 0) {
+    char what[200];
+    snprintf(what, sizeof what, "the fault is \"%s\": it follows from the kind of the claim and from its correction",
+             follows);
+    return complain(c, "fault", d, what);
+  }
+  return check_numbers(c, kind, d) && check_conclusion(m, c, d);
+}
+
+/* --- The whole --- */
+
+/* "only": the other direction of an argument that stands by itself. */
+static bool check_turned(const struct claims *claims, const struct claim *c, struct diag *d) {
+  const char *id = claim_get(c, "converse-of");
+  const struct claim *other = claim_named(claims, id);
+  if (!id) return true;
+  if (other && cited_share(claim_get(c, "conclusion"), claim_get(other, "premises")) &&
+      cited_share(claim_get(other, "conclusion"), claim_get(c, "premises")))
+    return true;
+  return complain(c, "converse-of", d, "no argument of that name goes the other way round");
+}
+
+enum { UNSEEN, ON_THE_WAY, DONE };
+
+/* Depth first: a claim that is met again on the way rests on itself. */
+static bool walk(size_t *way, int n, char *state, struct dependences *rests, const struct claims *claims,
+                 struct diag *d) {
+  size_t a = way[n - 1];
+  state[a] = ON_THE_WAY;
+  for (size_t b = 0; b < claims->n; b++) {
+    if (state[b] == DONE || !dependences_any(rests, a, b)) continue;
+    if (state[b] == ON_THE_WAY) {
+      struct text round;
+      int first = 0;
+      text_init(&round);
+      while (way[first] != b) first++;
+      for (int i = first; i < n; i++) text_printf(&round, "%s, which rests on ", claims->claim[way[i]].id);
+      diag_at(d, &claims->claim[b].file->src, claims->claim[b].record->id.begin, "a claim rests on itself: %s%s",
+              text_str(&round), claims->claim[b].id);
+      text_clear(&round);
+      return false;
+    }
+    way[n] = b;
+    if (!walk(way, n + 1, state, rests, claims, d)) return false;
+  }
+  state[a] = DONE;
+  return true;
+}
+
+static bool check_graph(const struct model *m, const struct claims *claims, struct diag *d) {
+  struct dependences *rests = dependences_new(m, claims);
+  size_t *way = ss_malloc((claims->n + 1) * sizeof *way);
+  char *state = ss_malloc(claims->n + 1);
+  bool ok = true;
+  memset(state, UNSEEN, claims->n + 1);
+  for (size_t i = 0; ok && i < claims->n; i++) {
+    way[0] = i;
+    if (state[i] == UNSEEN) ok = walk(way, 1, state, rests, claims, d);
+  }
+  free(state);
+  free(way);
+  dependences_free(rests);
+  return ok;
+}
+
+/* A correction that no claim asks for would never be judged. */
+static bool check_errata(const struct model *m, const struct claims *claims, struct diag *d) {
+  for (size_t i = 0; i < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    bool asked = r->rank != RANK_ERRATA;
+    for (size_t k = 0; !asked && k < claims->n; k++)
+      asked = claim_tried_at_points(&claims->claim[k]) &&
+              (erratum_is_about(r, &claims->claim[k], true) || erratum_is_about(r, &claims->claim[k], false));
+    if (asked) continue;
+    diag_at(d, r->src, r->record->id.begin, "%s: no claim is corrected by this", r->record->id_name);
+    return false;
+  }
+  return true;
+}
+
+/* --- Controls --- */
+
+static enum kind control_kind(const struct claims *claims, const struct claim *control) {
+  const struct claim *c = claim_named(claims, record_get(control->record, "claim"));
+  return c ? claim_kind(c) : N_KINDS;
+}
+
+static bool check_kind_controls(const struct claims *claims, const struct claims *controls, struct diag *d) {
+  const struct claim *one[N_KINDS] = {NULL};
+  int have[N_KINDS + 1] = {0};
+  for (size_t i = claims->n; i-- > 0;) one[claim_kind(&claims->claim[i])] = &claims->claim[i];
+  for (size_t i = 0; i < controls->n; i++) have[control_kind(claims, &controls->claim[i])]++;
+  for (int k = 0; k < N_KINDS; k++) {
+    if (!one[k] || have[k] >= claim_kinds[k].controls) continue;
+    char what[200];
+    snprintf(what, sizeof what, "claims of kind %s, such as this, have %d controls, and must have %d",
+             claim_kinds[k].word, have[k], claim_kinds[k].controls);
+    return complain(one[k], "kind", d, what);
+  }
+  return true;
+}
+
+/* What a correction in a claim's own file is, and by what kind of claim it is judged: "repaired of notation by law". */
+static bool correction_sort(char out[96], const struct claims *claims, const struct claim *c) {
+  static const char *const kept[] = {"repaired-range", "repaired", "repair"};
+  const struct claim *by = claim_named(claims, claim_get(c, "repaired-as"));
+  for (size_t i = 0; i < sizeof kept / sizeof *kept; i++) {
+    if (!claim_get(c, kept[i])) continue;
+    snprintf(out, 96, "%s%s of %s by %s", claim_get(c, "reads") ? "reads, " : "", kept[i], claim_kind_of(c)->word,
+             by && claim_kind_of(by) ? claim_kind_of(by)->word : "itself");
+    return true;
+  }
+  return false;
+}
+
+/* Each sort of correction is made wrong by some control. */
+static bool check_correction_controls(const struct claims *claims, const struct claims *controls, size_t a,
+                                      struct diag *d) {
+  char wanted[96], has[96];
+  if (!correction_sort(wanted, claims, &claims->claim[a])) return true;
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *c = claim_named(claims, record_get(controls->claim[i].record, "claim"));
+    if (c && record_get(controls->claim[i].record, "of") && correction_sort(has, claims, c) && strcmp(has, wanted) == 0)
+      return true;
+  }
+  char what[200];
+  snprintf(what, sizeof what, "no control makes a correction of this sort wrong (%s)", wanted);
+  return complain(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
+}
+
+bool records_counted(const struct record_file *f, struct diag *d) {
+  const struct field *count = record_field(&f->records[0], "count");
+  long n = (long)f->n_records - 1, said = count ? strtol(count->text, NULL, 10) : -1;
+  if (said == n) return true;
+  if (!count)
+    diag_at(d, &f->src, 0, "the file begins with \"count: N\", the number of its records; here %ld", n);
+  else
+    diag_at(d, &f->src, count->value.begin, "there are %ld records in this file, not %ld", n, said);
+  return false;
+}
+
+bool claims_keep_rules(const struct model *m, const struct claims *claims, const struct claims *controls,
+                       struct diag *d) {
+  bool ok = true;
+  for (size_t i = 0; ok && i < claims->n; i++)
+    ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
+  for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
+  ok = ok && check_kind_controls(claims, controls, d);
+  for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
+  return ok && check_errata(m, claims, d) && check_graph(m, claims, d);
+}

@@ -1,0 +1,129 @@
+/* The list of the paper's statements: what each sentence and each numbered line says is answered by claims, or a reason
+   is given why by none. */
+#include "claim.h"
+#include "record/finding.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+bool statements_add_file(struct claims *out, const char *path, struct diag *d) {
+  return claims_add_file(out, path, "statement", d);
+}
+
+bool statements_load(struct claims *out, const char *data, struct diag *d) {
+  struct arena a;
+  struct text folder;
+  size_t n;
+  arena_init(&a);
+  text_init(&folder);
+  text_printf(&folder, "%s/paper", data);
+  char **file = folder_files(&n, text_str(&folder), ".statements", &a, d);
+  bool ok = n > 0;
+  for (size_t i = 0; ok && i < n; i++) ok = statements_add_file(out, file[i], d);
+  free(file);
+  text_clear(&folder);
+  arena_clear(&a);
+  return ok;
+}
+
+static bool complain(const struct claim *s, const char *attribute, struct diag *d, const char *what) {
+  const struct field *f = attribute ? record_field(s->record, attribute) : NULL;
+  diag_at(d, &s->file->src, f ? f->value.begin : s->record->id.begin, "%s: %s", s->id, what);
+  return false;
+}
+
+bool statement_check(const struct claim *s, struct diag *d) {
+  static const char *const known[] = {"quote", "at", "equation", "claims", "reason"};
+  for (size_t k = 0; k < s->record->n_fields; k++) {
+    const struct field *f = &s->record->fields[k];
+    bool ok = false;
+    for (size_t i = 0; f->attribute && i < sizeof known / sizeof *known; i++)
+      ok = ok || strcmp(known[i], f->key_name) == 0;
+    if (ok) continue;
+    diag_at(d, &s->file->src, f->attribute ? f->key.begin : f->value.begin,
+            "%s: a statement has quote, at, equation, claims and reason", s->id);
+    return false;
+  }
+  if (!claim_get(s, "quote")) return complain(s, NULL, d, "a statement has a quote that finds it in the paper");
+  if (!claim_get(s, "claims") == !claim_get(s, "reason"))
+    return complain(s, NULL, d, "a statement has claims that answer it, or a reason why there are none");
+  return true;
+}
+
+/* Every name on its list is that of a claim. */
+static bool check_names(const struct claim *s, const struct claims *claims, struct diag *d) {
+  char name[64], what[120];
+  for (const char *p = claim_get(s, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+    if (claim_named(claims, name)) continue;
+    snprintf(what, sizeof what, "there is no claim %s", name);
+    return complain(s, "claims", d, what);
+  }
+  return true;
+}
+
+static bool answers(const struct claim *c, const struct claims *statements) {
+  char name[64];
+  for (size_t i = 0; i < statements->n; i++)
+    for (const char *p = claim_get(&statements->claim[i], "claims");
+         p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
+      if (strcmp(name, c->id) == 0) return true;
+  return false;
+}
+
+static bool is_listed(const char *equation, const struct claims *statements) {
+  for (size_t i = 0; i < statements->n; i++) {
+    const char *number = claim_get(&statements->claim[i], "equation");
+    if (number && strcmp(number, equation) == 0) return true;
+  }
+  return false;
+}
+
+/* The numbers that the equation files bear, and those between them. */
+static bool check_equations(const struct model *m, const struct claims *statements, struct diag *d) {
+  long most = 0;
+  char number[24];
+  for (size_t i = 0; i < m->n_records; i++) {
+    long n = m->records[i].rank == RANK_PAPER ? strtol(m->records[i].equation, NULL, 10) : 0;
+    if (n > most) most = n;
+  }
+  for (long n = 1; n <= most; n++) {
+    snprintf(number, sizeof number, "%ld", n);
+    if (is_listed(number, statements)) continue;
+    diag_at(d, &statements->files[0]->src, 0, "no statement has the equation number %ld", n);
+    return false;
+  }
+  return true;
+}
+
+bool statements_keep_rules(const struct model *m, const struct claims *claims, const struct claims *statements,
+                           struct diag *d) {
+  for (size_t i = 0; i < statements->n_files; i++)
+    if (!records_counted(statements->files[i], d)) return false;
+  for (size_t i = 0; i < statements->n; i++)
+    if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], claims, d)) return false;
+  for (size_t i = 0; i < claims->n; i++)
+    if (!answers(&claims->claim[i], statements))
+      return complain(&claims->claim[i], NULL, d, "no statement of the paper names this claim");
+  return check_equations(m, statements, d);
+}
+
+void statements_unanswered(struct audit_result *out, const struct claims *statements) {
+  for (size_t i = 0; i < statements->n; i++) {
+    const char *reason = claim_get(&statements->claim[i], "reason");
+    bool first = reason;
+    for (size_t k = 0; first && k < i; k++) {
+      const char *before = claim_get(&statements->claim[k], "reason");
+      first = !before || strcmp(before, reason) != 0;
+    }
+    if (!first) continue;
+    struct text which;
+    text_init(&which);
+    for (size_t k = i; k < statements->n; k++) {
+      const char *same = claim_get(&statements->claim[k], "reason");
+      if (same && strcmp(same, reason) == 0)
+        text_printf(&which, "%s%s", which.len ? ", " : "the paper's statements ", statements->claim[k].id);
+    }
+    audit_leave_out(out, result_str(out, "%s", text_str(&which)), result_str(out, "%s", reason));
+    text_clear(&which);
+  }
+}

@@ -1,0 +1,48 @@
+/* What the files of the judge of arguments share: an argument as it was read, and the search for a counterexample. */
+#ifndef STICKSLIP_JUDGE_ARGUMENT_H
+#define STICKSLIP_JUDGE_ARGUMENT_H
+
+#include "judge.h"
+#include "proof/condition.h"
+
+enum { PREMISES, CONCLUSION, N_PARTS };
+
+struct argument {
+  struct judge *j;
+  const struct claim *c;
+  struct conditions part[N_PARTS];
+  bool admissible;    /* only orbits that break none of the model's conditions */
+  bool free_friction; /* u_s1 and u_s2 need not be positive, so u_r1 and u_r2 are free */
+  bool uses_friction;
+  bool converse; /* the premises must follow from the conclusion too */
+  long tried;    /* orbits on which the premises hold, as far as double precision tells */
+};
+
+/* --- argument_search.c --- */
+
+/* What enclosures say at a point. */
+struct argument_decision {
+  truth premises, conclusion, by_exponentials;
+  int failed; /* the condition of the conclusion */
+  double where;
+  arb_t value;
+};
+/* What the search found: how often each answer, the text of an orbit that refutes, of the one that comes nearest. */
+struct argument_tally {
+  long decided[2][3]; /* balls, exponential: false, true, unknown */
+  const char *certificate, *nearest;
+};
+
+/* The least margin of the conclusion where the premises hold, else infinity, with u_r as close to what they allow as
+   the grid permits. */
+double argument_least_margin(fmpq u_r[2], struct argument *a, const struct point *at, double belt, const double e[2]);
+/* Enclosed along whole phases at the point.  o is the orbit of a POINT_GIVEN, whose friction counts as a premise; else
+   NULL.  d->value is the caller's to init and clear. */
+void argument_decide(struct argument_decision *d, struct argument *a, const struct point *p, const struct dyn_orbit *o);
+/* Where there is a proof already, the search only checks it, on few orbits; with little effort there are few too, and
+   nothing goes downhill. */
+void argument_search(struct argument_tally *t, struct argument *a, bool proved);
+/* As p/q, kept in the result. */
+const char *argument_rational(struct argument *a, const fmpq *q);
+
+#endif

@@ -1,0 +1,312 @@
+/* The search for an orbit that refutes an argument, see argument.c. */
+#include <limits.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "argument.h"
+#include "value/orbit_pool.h"
+
+enum { STRATA = 5, MAX_TRIED = 12 };
+
+/* A point with the least margin of the conclusion there. */
+struct candidate {
+  struct pool_item item;
+  slong index;
+  fmpq u_r[2];
+  double margin;
+};
+
+/* --- One orbit in double --- */
+
+/* The u_s/V closest to what the premises allow, in favour of the conclusion's failure. */
+static void choose_friction(double x[2], const struct argument *a, const struct sampled *p, const struct sampled *q,
+                            const double least[2]) {
+  for (int i = 0; i < 2; i++) {
+    double lo = least[i], hi = INFINITY, slope = 0;
+    for (int k = 0; k < a->part[PREMISES].n; k++) {
+      if (p[k].slope[i] > 0.01) lo = fmax(lo, -p[k].least / p[k].slope[i]);
+      if (p[k].slope[i] < -0.01) hi = fmin(hi, -p[k].least / p[k].slope[i]);
+    }
+    for (int k = 0; k < a->part[CONCLUSION].n; k++) slope += q[k].slope[i];
+    x[i] = slope >= 0 ? lo + 1 / 256. : isfinite(hi) ? hi - 1 / 256. : lo + 16;
+  }
+}
+
+double argument_least_margin(fmpq u_r[2], struct argument *a, const struct point *at, double belt, const double e[2]) {
+  enum { GRID = 1024 };
+  struct sampled p[MAX_CONDITIONS], q[MAX_CONDITIONS];
+  if (conditions_sample(p, &a->part[PREMISES], at, a->j->cache) != SS_OK ||
+      conditions_sample(q, &a->part[CONCLUSION], at, a->j->cache) != SS_OK)
+    return INFINITY;
+  double x[2], least[2], margin = INFINITY;
+  for (int i = 0; i < 2; i++) least[i] = a->free_friction ? -e[i] / belt : 0;
+  choose_friction(x, a, p, q, least);
+  for (int i = 0; i < 2; i++) {
+    double k = ceil((x[i] * belt + e[i]) * GRID);
+    if (!(fabs(k) < 1e15)) return INFINITY;
+    fmpq_set_si(&u_r[i], (slong)k, GRID);
+    x[i] = (k / GRID - e[i]) / belt;
+  }
+  for (int k = 0; k < a->part[PREMISES].n; k++) {
+    double m = p[k].least + p[k].slope[0] * x[0] + p[k].slope[1] * x[1];
+    if (!(m > (a->part[PREMISES].at[k].equality ? -1e-6 : 1e-9))) return INFINITY;
+  }
+  for (int k = 0; k < a->part[CONCLUSION].n; k++)
+    margin = fmin(margin, q[k].least + q[k].slope[0] * x[0] + q[k].slope[1] * x[1]);
+  return margin;
+}
+
+static void weigh(struct candidate *c, struct argument *a) {
+  struct point at;
+  const struct dyn_orbit *o = &c->item.list.orbit[c->index];
+  c->margin = INFINITY;
+  if (o->grazing || (a->admissible && o->admissible != TRUTH_TRUE)) return;
+  point_init(&at);
+  pool_point(&at, &c->item, c->index);
+  const double e[2] = {num_arb.get_d(o->e1), num_arb.get_d(o->e2)};
+  c->margin = argument_least_margin(c->u_r, a, &at, fmpq_get_d(&c->item.q[DRAW_V]), e);
+  a->tried += isfinite(c->margin);
+  point_clear(&at);
+}
+
+static void candidate_init(struct candidate *c, const fmpq q[N_DRAW]) {
+  pool_item_init(&c->item, q);
+  c->index = 0;
+  c->margin = INFINITY;
+  for (int i = 0; i < 2; i++) fmpq_init(&c->u_r[i]);
+}
+
+static void candidate_clear(struct candidate *c) {
+  pool_item_clear(&c->item);
+  for (int i = 0; i < 2; i++) fmpq_clear(&c->u_r[i]);
+}
+
+/* The worst of the orbits of one draw. */
+static void weigh_all(struct candidate *c, struct argument *a) {
+  slong best = 0;
+  double least = INFINITY;
+  fmpq u_r[2];
+  for (int i = 0; i < 2; i++) fmpq_init(&u_r[i]);
+  for (c->index = 0; c->index < c->item.list.n; c->index++) {
+    weigh(c, a);
+    if (c->margin >= least) continue;
+    least = c->margin;
+    best = c->index;
+    for (int i = 0; i < 2; i++) fmpq_set(&u_r[i], &c->u_r[i]);
+  }
+  c->index = best;
+  c->margin = least;
+  for (int i = 0; i < 2; i++) {
+    fmpq_set(&c->u_r[i], &u_r[i]);
+    fmpq_clear(&u_r[i]);
+  }
+}
+
+/* --- Going downhill --- */
+
+static bool in_domain(const fmpq q[N_DRAW]) {
+  bool ok = fmpq_cmp_ui(&q[DRAW_CHI], 1) < 0;
+  for (int i = 0; i < N_DRAW; i++) ok = ok && fmpq_sgn(&q[i]) > 0;
+  return ok;
+}
+
+/* Coordinate steps, halved when none helps, until the conclusion fails clearly. */
+static void descend(struct candidate *best, struct argument *a) {
+  enum { FINEST = 5, MOST = 80 };
+  static const ulong unit[N_DRAW] = {32, 4, 4, 8, 8};
+  fmpq q[N_DRAW];
+  fmpq_t step;
+  fmpq_init(step);
+  for (int i = 0; i < N_DRAW; i++) fmpq_init(&q[i]);
+  int evaluations = 0;
+  for (ulong level = 0; level < FINEST && best->margin > -1e-2 && evaluations < MOST; level++) {
+    bool helped = true;
+    while (helped && best->margin > -1e-2 && evaluations < MOST) {
+      helped = false;
+      for (int move = 0; move < 2 * N_DRAW && evaluations < MOST; move++) {
+        int i = move / 2;
+        if (i == DRAW_V) continue; /* a scale only */
+        for (int k = 0; k < N_DRAW; k++) fmpq_set(&q[k], &best->item.q[k]);
+        fmpq_set_si(step, move % 2 ? 1 : -1, unit[i] << level);
+        fmpq_add(&q[i], &q[i], step);
+        if (!in_domain(q)) continue;
+        struct candidate next;
+        candidate_init(&next, q);
+        weigh_all(&next, a);
+        evaluations++;
+        bool better = next.margin < best->margin - 1e-6;
+        if (better) {
+          struct candidate old = *best;
+          *best = next;
+          next = old;
+          helped = true;
+        }
+        candidate_clear(&next);
+      }
+    }
+  }
+  for (int i = 0; i < N_DRAW; i++) fmpq_clear(&q[i]);
+  fmpq_clear(step);
+}
+
+/* --- Deciding --- */
+
+static void candidate_point(struct point *p, const struct candidate *c) {
+  pool_point(p, &c->item, c->index);
+  p->known = NULL; /* enclosed as narrowly as asked for */
+  for (int i = 0; i < 2; i++) fmpq_set(&p->q[Q_US1 + i], &c->u_r[i]);
+}
+
+/* u_s_i = u_r_i - e_i > 0, or u_r_i > 0. */
+static truth friction_allowed(const struct argument *a, const struct point *p, const struct dyn_orbit *o) {
+  arb_t u;
+  arb_init(u);
+  truth ok = TRUTH_TRUE;
+  for (int i = 0; a->uses_friction && i < 2; i++) {
+    arb_set_fmpq(u, &p->q[Q_US1 + i], FIRST_PREC);
+    if (!a->free_friction) arb_sub(u, u, i ? o->e2 : o->e1, FIRST_PREC);
+    ok = truth_and(ok, arb_is_positive(u) ? TRUTH_TRUE : arb_is_nonpositive(u) ? TRUTH_FALSE : TRUTH_UNKNOWN);
+  }
+  arb_clear(u);
+  return ok;
+}
+
+void argument_decide(struct argument_decision *d, struct argument *a, const struct point *p,
+                     const struct dyn_orbit *o) {
+  struct orbit_cache *cache = a->j->cache;
+  arb_t unused;
+  arb_init(unused);
+  d->premises = p->kind == POINT_GIVEN ? friction_allowed(a, p, o) : TRUTH_TRUE;
+  for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[PREMISES].n; k++) {
+    double where;
+    d->premises = condition_holds(&where, unused, &a->part[PREMISES].at[k], p, FIRST_PREC, cache);
+  }
+  d->conclusion = d->by_exponentials = TRUTH_TRUE;
+  for (int k = 0; d->premises == TRUTH_TRUE && k < a->part[CONCLUSION].n; k++) {
+    struct condition *c = &a->part[CONCLUSION].at[k];
+    double where;
+    arb_t value;
+    arb_init(value);
+    truth holds = condition_holds(&where, value, c, p, FIRST_PREC, cache);
+    if (holds == TRUTH_FALSE && d->conclusion != TRUTH_FALSE) {
+      d->failed = k;
+      d->where = where;
+      arb_set(d->value, value);
+    }
+    d->conclusion = truth_and(d->conclusion, holds);
+    if (a->j->effort == EFFORT_REFUTE) { /* the second route decides nothing */
+      d->by_exponentials = TRUTH_UNKNOWN;
+      arb_clear(value);
+      continue;
+    }
+    truth again = holds == TRUTH_FALSE ? condition_holds_at(c, p, VARIANT_EXPONENTIAL, where, FIRST_PREC, cache)
+                                       : condition_holds_at_samples(c, p, FIRST_PREC, cache);
+    d->by_exponentials = truth_and(d->by_exponentials, again);
+    arb_clear(value);
+  }
+  arb_clear(unused);
+}
+
+/* --- The search --- */
+
+const char *argument_rational(struct argument *a, const fmpq *q) {
+  struct text t;
+  text_init(&t);
+  num_print_q(&t, q);
+  return result_take(a->j->out, &t);
+}
+
+static const char *scene_text(struct argument *a, const struct point *p) {
+  struct text t;
+  text_init(&t);
+  static const struct {
+    const char *name;
+    int q;
+  } line[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
+              {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
+  for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) {
+    text_printf(&t, "%s%s = ", i ? "; " : "", line[i].name);
+    num_print_q(&t, &p->q[line[i].q]);
+  }
+  return result_take(a->j->out, &t);
+}
+
+static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
+                                    const struct argument_decision *d) {
+  const struct condition *c = &a->part[CONCLUSION].at[d->failed];
+  const char *when = c->moving ? result_str(a->j->out, " at %.10g of phase %s", d->where, phase_name[c->phase]) : "";
+  return result_str(a->j->out,
+                    "on orbit %ld of the scene \"%s\" (one line each; e1 = %s, e2 = %s there) %s%s fails%s: "
+                    "its margin is %s",
+                    (long)p->orbit + 1, scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
+                    a->part[PREMISES].n ? "every premise holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
+}
+
+/* Decides at a candidate; true when it is a counterexample. */
+static bool settle(struct argument_tally *t, struct argument *a, const struct candidate *c) {
+  struct point p;
+  struct argument_decision d = {.where = 0};
+  arb_init(d.value);
+  point_init(&p);
+  candidate_point(&p, c);
+  const struct dyn_orbit *o = &c->item.list.orbit[c->index];
+  argument_decide(&d, a, &p, o);
+  bool counterexample = d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE;
+  if (d.premises == TRUTH_TRUE) {
+    t->decided[0][d.conclusion]++;
+    t->decided[1][d.by_exponentials]++;
+  }
+  if (counterexample) t->certificate = certificate_text(a, &p, o, &d);
+  if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p);
+  point_clear(&p);
+  arb_clear(d.value);
+  return counterexample;
+}
+
+static int stratum(const fmpq *t_b) {
+  int s = (int)(fmpq_get_d(t_b) / 2);
+  return s < STRATA ? s : STRATA - 1;
+}
+
+/* The most promising orbit of the pool in each stretch of t_b, up to the first clear failure, or `most` orbits. */
+static void best_of_pool(struct candidate best[STRATA], bool have[STRATA], struct argument *a, long most) {
+  const struct orbit_pool *pool = orbit_pool_get(a->j);
+  bool clear = false;
+  for (size_t i = 0; i < pool->n && !clear && a->tried < most; i++) {
+    struct candidate c = {.item = *pool->item[i]}; /* borrowed */
+    for (int k = 0; k < 2; k++) fmpq_init(&c.u_r[k]);
+    weigh_all(&c, a);
+    clear = c.margin < -0.02;
+    int s = stratum(&c.item.q[DRAW_TB]);
+    if (isfinite(c.margin) && (!have[s] || c.margin < best[s].margin)) {
+      if (have[s]) candidate_clear(&best[s]);
+      have[s] = true;
+      candidate_init(&best[s], c.item.q);
+      best[s].index = c.index;
+      best[s].margin = c.margin;
+      for (int k = 0; k < 2; k++) fmpq_set(&best[s].u_r[k], &c.u_r[k]);
+    }
+    for (int k = 0; k < 2; k++) fmpq_clear(&c.u_r[k]);
+  }
+}
+
+void argument_search(struct argument_tally *t, struct argument *a, bool proved) {
+  enum { CHECK = 24, CHECK_REPEATED = 6 }; /* what is proved both ways is a repetition */
+  bool few = proved || a->j->effort == EFFORT_REFUTE;
+  struct candidate best[STRATA];
+  bool have[STRATA] = {false}, found = false;
+  best_of_pool(best, have, a, !few ? LONG_MAX : a->converse ? CHECK_REPEATED : CHECK);
+  for (int s = 0; s < STRATA; s++) { /* those that fail already need no descent */
+    if (!found && have[s] && best[s].margin < -1e-3) found = settle(t, a, &best[s]);
+  }
+  for (int s = 0; s < STRATA; s++) {
+    if (found || !have[s]) continue;
+    found = settle(t, a, &best[s]);
+    if (few || found) continue;
+    descend(&best[s], a);
+    found = settle(t, a, &best[s]);
+  }
+  for (int s = 0; s < STRATA; s++)
+    if (have[s]) candidate_clear(&best[s]);
+}

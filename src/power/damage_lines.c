@@ -1,0 +1,280 @@
+/* Damages of the lines of claims and controls: items of lists, words of a few, lines left out. */
+#include <stdio.h>
+#include <string.h>
+
+#include "damages_impl.h"
+#include "record/result.h"
+#include "record/routes.h"
+
+/* --- Lists between commas --- */
+
+enum { MAX_ITEMS = 64 };
+struct items {
+  struct span item[MAX_ITEMS];
+  int n;
+};
+
+static void read_items(struct items *l, const struct maker *k) {
+  struct span v = k->field->value;
+  l->n = 0;
+  for (size_t i = v.begin; i < v.end && l->n < MAX_ITEMS;) {
+    size_t begin = i, end;
+    while (i < v.end && k->text[i] != ',') i++;
+    end = i++;
+    while (begin < end && strchr(" \n", k->text[begin])) begin++;
+    while (end > begin && strchr(" \n", k->text[end - 1])) end--;
+    l->item[l->n++] = (struct span){begin, end};
+  }
+}
+
+static void drop_items(struct maker *k, const struct items *l) {
+  for (int i = 0; i < l->n && l->n > 1; i++)
+    if (i + 1 < l->n)
+      maker_put(k, l->item[i].begin, l->item[i + 1].begin, "");
+    else
+      maker_put(k, l->item[i - 1].end, l->item[i].end, "");
+}
+
+static void exchange_items(struct maker *k, const struct items *l) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i + 1 < l->n; i++) {
+    struct span a = l->item[i], b = l->item[i + 1];
+    text_reset(&t);
+    text_add_n(&t, k->text + b.begin, b.end - b.begin);
+    text_add(&t, ", ");
+    text_add_n(&t, k->text + a.begin, a.end - a.begin);
+    maker_add(k, a.begin, b.end, text_str(&t), t.len, "the order of the list has no meaning");
+  }
+  text_clear(&t);
+}
+
+/* --- Neighbours --- */
+
+/* The record of the paper after the one of that name, or NULL. */
+static const char *next_record(const struct model *m, const char *name, size_t n) {
+  for (size_t i = 0; i + 1 < m->n_records; i++) {
+    const struct statement_record *r = &m->records[i];
+    if (r->rank == RANK_PAPER && m->records[i + 1].rank == RANK_PAPER && strlen(r->id) == n &&
+        strncmp(r->id, name, n) == 0)
+      return m->records[i + 1].id;
+  }
+  return NULL;
+}
+
+/* "eq-52#1.2 D" becomes "eq-53#1.2 D". */
+static void rename_items(struct maker *k, const struct items *l) {
+  for (int i = 0; i < l->n; i++) {
+    size_t begin = l->item[i].begin, n = strcspn(k->text + begin, "#, \n");
+    const char *next = next_record(k->m->data.model, k->text + begin, n);
+    if (next) maker_put(k, begin, begin + n, next);
+  }
+}
+
+/* Another step: the digits behind "#". */
+static void renumber_items(struct maker *k, const struct items *l) {
+  for (int i = 0; i < l->n; i++) {
+    bool step = false;
+    for (size_t at = l->item[i].begin; at < l->item[i].end; at++) {
+      step = step || k->text[at] == '#';
+      char other = k->text[at] == '1' ? '2' : '1';
+      if (step && char_is_digit(k->text[at])) maker_add(k, at, at + 1, &other, 1, NULL);
+    }
+  }
+}
+
+/* --- Arguments --- */
+
+void damage_premises(struct maker *k) {
+  struct items l;
+  const struct field *conclusion = record_field(k->record, "conclusion");
+  read_items(&l, k);
+  drop_items(k, &l);
+  rename_items(k, &l);
+  renumber_items(k, &l);
+  exchange_items(k, &l);
+  if (!conclusion) return;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, ", %.*s", (int)strcspn(conclusion->text, ","), conclusion->text);
+  maker_put(k, k->field->value.end, k->field->value.end, text_str(&t));
+  text_clear(&t);
+}
+
+void damage_conclusion(struct maker *k) {
+  struct items l;
+  read_items(&l, k);
+  drop_items(k, &l);
+  rename_items(k, &l);
+  renumber_items(k, &l);
+  exchange_items(k, &l);
+}
+
+void damage_repair(struct maker *k) {
+  struct items l;
+  read_items(&l, k);
+  drop_items(k, &l);
+  rename_items(k, &l);
+  renumber_items(k, &l);
+  maker_delete(k);
+}
+
+/* --- Where and how it is tried --- */
+
+static const struct exchange other_phase[] = {{"D", "Gamma"}, {"Gamma", "H"}, {"H", "C"}, {"C", "D"}};
+static const struct exchange other_points[] = {
+    {"params", "flow D"},        {"flow", "arcs"},   {"arcs", "orbits"}, {"orbits", "arcs"}, {"admissible", "orbits"},
+    {"realistic", "admissible"}, {"patched", "arcs"}};
+static const struct exchange other_route[] = {{"exponential", "taylor"}, {"taylor", "gsl"},        {"gsl", "ode"},
+                                              {"ode", "newton"},         {"newton", "fd"},         {"fd", "saltation"},
+                                              {"saltation", "oracle"},   {"oracle", "exponential"}};
+enum { ROUTE_LENGTH = 32 };
+#define EXCHANGE(k, table) maker_exchange(k, table, sizeof(table) / sizeof *(table))
+
+static void cut_to_one(struct maker *k, const struct items *l) {
+  for (int i = 0; i < l->n; i++) {
+    size_t at = l->item[i].end;
+    while (at > l->item[i].begin && char_is_digit(k->text[at - 1])) at--;
+    if (at < l->item[i].end) maker_put(k, at, l->item[i].end, "1");
+  }
+}
+
+void damage_points(struct maker *k) {
+  struct items l;
+  read_items(&l, k);
+  drop_items(k, &l);
+  cut_to_one(k, &l);
+  EXCHANGE(k, other_points);
+  EXCHANGE(k, other_phase);
+  exchange_items(k, &l);
+}
+
+static bool is_route(const char *name) {
+  for (size_t e = 0; e < sizeof other_route / sizeof *other_route; e++)
+    if (strcmp(other_route[e].was, name) == 0) return true;
+  return false;
+}
+
+/* With the route exchanged any two, balls among them, are independent as they were (claims.h). */
+static bool is_as_independent(const struct maker *k, const struct items *l, const struct exchange *e) {
+  bool independent = routes_independent(e->now, "balls");
+  for (int i = 0; independent && i < l->n; i++) {
+    char other[ROUTE_LENGTH];
+    snprintf(other, sizeof other, "%.*s", (int)(l->item[i].end - l->item[i].begin), k->text + l->item[i].begin);
+    independent = strcmp(other, e->was) == 0 || (is_route(other) && routes_independent(e->now, other));
+  }
+  return independent;
+}
+
+void damage_routes(struct maker *k) {
+  struct items l;
+  read_items(&l, k);
+  drop_items(k, &l);
+  if (l.n == 1) maker_delete(k);
+  for (size_t e = 0; e < sizeof other_route / sizeof *other_route; e++) {
+    k->excuse = is_as_independent(k, &l, &other_route[e]) ? "a route that is as independent of the others" : NULL;
+    maker_exchange(k, &other_route[e], 1);
+  }
+  k->excuse = NULL;
+  exchange_items(k, &l);
+}
+
+void damage_one_of(struct maker *k) {
+  static const struct exchange others[] = {{">", "<"},
+                                           {"<", ">"},
+                                           {"orbit", "printed"},
+                                           {"printed", "orbit"},
+                                           {"scene", "orbits"},
+                                           {"inside", "outside"},
+                                           {"outside", "inside"},
+                                           {"slip to stick", "stick to slip"},
+                                           {"stick to slip", "slip to stick"}};
+  EXCHANGE(k, others);
+  maker_delete(k);
+}
+
+void damage_digits(struct maker *k) {
+  maker_digits(k);
+  maker_delete(k);
+}
+
+void damage_parameters(struct maker *k) {
+  k->excuse = "other parameters to try, of which the claim does not speak";
+  maker_digits(k);
+  k->excuse = NULL;
+  maker_delete(k);
+}
+
+void damage_phases(struct maker *k) {
+  EXCHANGE(k, other_phase);
+}
+
+void damage_line(struct maker *k) {
+  maker_delete(k);
+}
+
+/* --- Corrections, restrictions, fault classes --- */
+
+void damage_text_of_correction(struct maker *k) {
+  maker_digits(k);
+  maker_signs(k);
+  maker_indices(k);
+  maker_delete(k);
+}
+
+void damage_restriction(struct maker *k) {
+  static const struct exchange others[] = {
+      {"V", "eta"}, {"eta", "V"}, {"proved", "supported"}, {"supported", "proved"}};
+  maker_digits(k);
+  EXCHANGE(k, others);
+  maker_delete(k);
+}
+
+void damage_fault(struct maker *k) {
+  static const char *const faults[] = {"notation", "formula", "number", "argument"};
+  for (size_t i = 0; i < sizeof faults / sizeof *faults; i++)
+    maker_put(k, k->field->value.begin, k->field->value.end, faults[i]);
+  maker_delete(k);
+}
+
+/* --- Controls --- */
+
+void damage_record(struct maker *k) {
+  maker_delete(k);
+}
+
+void damage_control_claim(struct maker *k) {
+  const struct claims *c = k->m->data.claims;
+  for (size_t i = 0; i + 1 < c->n; i++)
+    if (strcmp(c->claim[i].id, k->field->text) == 0)
+      maker_put(k, k->field->value.begin, k->field->value.end, c->claim[i + 1].id);
+}
+
+/* Of what is wrong, by an attribute of the claim that the control has otherwise. */
+void damage_control_line(struct maker *k) {
+  if (strcmp(k->field->key_name, "claim") == 0) return;
+  maker_digits(k);
+  EXCHANGE(k, other_phase);
+  maker_delete(k);
+}
+
+/* In 1e-90 the 1, and the last digit of the exponent. */
+static bool is_fine(const char *text, size_t i) {
+  if (text[i + 1] == 'e') return true;
+  size_t e = i;
+  while (char_is_digit(text[e])) e--;
+  if (text[e] == '-' || text[e] == '+') e--;
+  return text[e] == 'e' && char_is_digit(text[e - 1]) && !char_is_digit(text[i + 1]);
+}
+
+/* The size of what is wrong; its sign; another entry. */
+void damage_control_formula(struct maker *k) {
+  struct span v = k->field->value;
+  for (size_t i = v.begin; i < v.end; i++) {
+    char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
+    k->excuse = is_fine(k->text, i) ? "the control is as little wrong" : NULL;
+    if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
+  }
+  k->excuse = NULL;
+  maker_signs(k);
+}

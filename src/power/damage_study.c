@@ -1,0 +1,324 @@
+/* A damage in place: load, check, judge what it concerns, and compare with what was said without it. */
+#include "damage_study.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "judge/judge.h"
+#include "value/orbit_pool.h"
+#include "value/orbits.h"
+
+/* A claim without damage: its findings, and what it reads. */
+struct undamaged {
+  bool judged, readable;
+  struct audit_result said;
+  struct model_use use;
+};
+
+struct damage_study {
+  const struct material *m;
+  struct orbit_cache *cache;
+  struct orbit_pool *pool;
+  struct undamaged *claim;
+  bool same_faults; /* of the claim judged last, with the damage and without */
+};
+
+struct damage_study *damage_study_new(const struct material *m) {
+  struct damage_study *s = ss_malloc(sizeof *s);
+  *s = (struct damage_study){.m = m, .cache = orbit_cache_new()};
+  s->claim = ss_malloc((m->data.claims->n + 1) * sizeof *s->claim);
+  memset(s->claim, 0, (m->data.claims->n + 1) * sizeof *s->claim);
+  return s;
+}
+
+void damage_study_free(struct damage_study *s) {
+  for (size_t i = 0; i < s->m->data.claims->n; i++) {
+    if (!s->claim[i].judged) continue;
+    audit_result_clear(&s->claim[i].said);
+    free(s->claim[i].use.def);
+    free(s->claim[i].use.record);
+  }
+  free(s->claim);
+  orbit_pool_free(s->pool);
+  orbit_cache_free(s->cache);
+  free(s);
+}
+
+/* --- Judging --- */
+
+/* One claim, or the control beside it, with everything as in this material. */
+static bool judge_one(struct audit_result *out, struct damage_study *s, const struct changed_material *of,
+                      const struct claim *c, const struct claim *control, struct diag *d) {
+  struct judge j = {.out = out,
+                    .model = of->data.model,
+                    .claims = of->data.claims,
+                    .scene = of->scene,
+                    .cache = s->cache,
+                    .pool = s->pool,
+                    .d = d};
+  bool ok = control ? judge_control(&j, control, c) : judge_claim(&j, c);
+  s->pool = j.pool;
+  return ok;
+}
+
+/* An orbit pool holds no formula of the paper, so that one serves every damage. */
+static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i) {
+  struct undamaged *u = &s->claim[i];
+  if (u->judged) return u;
+  const struct model *m = s->m->data.model;
+  struct model recording = *m;
+  struct diag d;
+  diag_init(&d);
+  u->use.def = memset(ss_malloc(m->n_defs + 1), 0, m->n_defs + 1);
+  u->use.record = memset(ss_malloc(m->n_records + 1), 0, m->n_records + 1);
+  recording.use = &u->use;
+  audit_result_init(&u->said);
+  u->judged = true;
+  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls}, .scene = s->m->scene};
+  u->readable = judge_one(&u->said, s, &none, &s->m->data.claims->claim[i], NULL, &d);
+  return u;
+}
+
+/* --- What is said --- */
+
+/* The first line, without the folder of the file that it begins with. */
+static void say(struct damage_said *out, enum mutant_fate fate, const char *message) {
+  size_t line = strcspn(message, "\n"), word = strcspn(message, " \n"), folder = 0;
+  for (size_t i = 0; i < word; i++)
+    if (message[i] == '/' && message[word - 1] == ':') folder = i + 1;
+  struct text t;
+  text_init(&t);
+  text_add_n(&t, message + folder, line - folder);
+  size_t most = t.len < DAMAGE_WORDS ? t.len : DAMAGE_WORDS - 1;
+  *out = (struct damage_said){.fate = fate};
+  memcpy(out->says, text_str(&t), text_valid_prefix(text_str(&t), most));
+  text_clear(&t);
+}
+
+static bool differs(struct damage_said *out, const char *id, const char *what, enum verdict is, enum verdict was) {
+  if (is == was) return false;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s%s: %s, undamaged %s", id, what, is < N_VERDICTS ? verdict_name[is] : "none",
+              was < N_VERDICTS ? verdict_name[was] : "none");
+  say(out, FATE_NOTICED, text_str(&t));
+  text_clear(&t);
+  return true;
+}
+
+static const struct finding *finding_of(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  return NULL;
+}
+
+static enum verdict own_verdict(const struct finding *f) {
+  return f ? f->verdict : N_VERDICTS;
+}
+
+static enum verdict correction_verdict(const struct finding *f) {
+  return f && f->correction ? f->correction_verdict : N_VERDICTS;
+}
+
+/* As a run of the audit says that a verdict is not the one on record. */
+static bool off_record(struct damage_said *out, const struct finding *is, const struct finding *was) {
+  if (!is || is->recorded == N_VERDICTS || is->recorded == is->verdict || (was && was->recorded != was->verdict))
+    return false;
+  struct text t;
+  text_init(&t);
+  text_printf(&t, "%s: %s, recorded as %s", is->id, verdict_name[is->verdict], verdict_name[is->recorded]);
+  say(out, FATE_NOTICED, text_str(&t));
+  text_clear(&t);
+  return true;
+}
+
+/* Of the findings in either list. */
+static bool findings_differ(struct damage_said *out, const struct audit_result *is, const struct audit_result *was) {
+  const struct audit_result *both[] = {is, was};
+  for (int k = 0; k < 2; k++)
+    for (size_t i = 0; i < both[k]->n_findings; i++) {
+      const char *id = both[k]->findings[i].id;
+      const struct finding *x = finding_of(is, id), *y = finding_of(was, id);
+      if (differs(out, id, "", own_verdict(x), own_verdict(y)) ||
+          differs(out, id, ", its correction", correction_verdict(x), correction_verdict(y)) || off_record(out, x, y))
+        return true;
+    }
+  return false;
+}
+
+static bool same_faults(const struct audit_result *is, const struct audit_result *was) {
+  bool same = is->n_findings == was->n_findings;
+  for (size_t i = 0; same && i < is->n_findings; i++) {
+    const char *x = is->findings[i].fault, *y = was->findings[i].fault;
+    same = x && y ? strcmp(x, y) == 0 : x == y;
+  }
+  return same;
+}
+
+/* --- Claims and controls with the damage in place --- */
+
+static bool claim_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                          const struct claim *claim) {
+  const struct claim *before = claim_named(s->m->data.claims, claim->id);
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  audit_result_init(&r);
+  const struct undamaged *u = before ? undamaged_claim(s, (size_t)(before - s->m->data.claims->claim)) : NULL;
+  bool noticed = false;
+  if (!u || !u->readable) {
+    audit_result_clear(&r);
+    return false;
+  }
+  if (!judge_one(&r, s, c, claim, NULL, &d)) {
+    say(out, FATE_UNREADABLE, d.message);
+    noticed = true;
+  } else {
+    noticed = findings_differ(out, &r, &u->said);
+    s->same_faults = same_faults(&r, &u->said);
+  }
+  audit_result_clear(&r);
+  return noticed;
+}
+
+static bool control_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                            const struct claim *control) {
+  const char *of = record_get(control->record, "claim");
+  const struct claim *claim = claim_named(c->data.claims, of);
+  struct audit_result r;
+  struct diag d;
+  diag_init(&d);
+  if (!claim) {
+    struct judge nobody = {.d = &d};
+    claim_error(&nobody, control, "claim", "a control names the claim that it damages");
+    say(out, FATE_REFUSED, d.message);
+    return true;
+  }
+  audit_result_init(&r);
+  bool noticed = true;
+  if (!judge_one(&r, s, c, claim, control, &d))
+    say(out, FATE_UNREADABLE, d.message);
+  else
+    noticed = r.n_controls > 0 && differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED);
+  audit_result_clear(&r);
+  return noticed;
+}
+
+static bool controls_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                            const char *claim) {
+  for (size_t i = 0; i < c->data.controls->n; i++) {
+    const struct claim *control = &c->data.controls->claim[i];
+    const char *of = record_get(control->record, "claim");
+    if (of && strcmp(of, claim) == 0 && control_notices(out, s, c, control)) return true;
+  }
+  return false;
+}
+
+/* --- What is concerned --- */
+
+static bool same_statements(const struct statement_record *a, const struct statement_record *b) {
+  bool same = a->n_stmts == b->n_stmts;
+  struct text x, y;
+  text_init(&x);
+  text_init(&y);
+  for (int k = 0; same && k < a->n_stmts; k++) {
+    text_reset(&x);
+    text_reset(&y);
+    stmt_print(&x, a->stmts[k]);
+    stmt_print(&y, b->stmts[k]);
+    same = strcmp(text_str(&x), text_str(&y)) == 0;
+  }
+  text_clear(&y);
+  text_clear(&x);
+  return same;
+}
+
+/* Whether the claim reads the record, or something that it defines. */
+static bool reads_record(const struct undamaged *u, const struct model *m, size_t record) {
+  bool reads = u->use.record[record];
+  for (size_t i = 0; !reads && i < m->n_defs; i++)
+    reads = u->use.def[i] && m->defs[i].record == m->records[record].record;
+  return reads;
+}
+
+static bool readers_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                           size_t record) {
+  for (size_t i = 0; i < s->m->data.claims->n; i++)
+    if (reads_record(undamaged_claim(s, i), s->m->data.model, record) && claim_notices(out, s, c, &s->m->data.claims->claim[i]))
+      return true;
+  return false;
+}
+
+static bool equations_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                             const struct damage *d) {
+  const struct model *was = s->m->data.model, *is = c->data.model;
+  const struct record_file *file = s->m->file[d->file].parsed;
+  if (s->m->file[d->file].rank == RANK_CONTROL) {
+    const struct claim *control = claim_named(s->m->data.controls, d->record);
+    return control && control_notices(out, s, c, control);
+  }
+  for (size_t i = 0; i < was->n_records && i < is->n_records; i++)
+    if (was->records[i].src == &file->src && strcmp(was->records[i].record->id_name, d->record) == 0 &&
+        !same_statements(&was->records[i], &is->records[i]))
+      return readers_notice(out, s, c, i);
+  return false;
+}
+
+static bool scene_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c) {
+  for (size_t i = 0; i < s->m->data.claims->n; i++) {
+    const struct claim *claim = &s->m->data.claims->claim[i];
+    const char *over = claim_get(claim, "over");
+    bool of_scene = claim_kind_of(claim)->of_scene || (over && strcmp(over, "scene") == 0);
+    if (of_scene && claim_notices(out, s, c, claim)) return true;
+  }
+  return false;
+}
+
+static bool is_noticed(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
+                       const struct damage *d) {
+  const struct claim *claim = claim_named(c->data.claims, d->record);
+  const struct claim *control = claim_named(c->data.controls, d->record);
+  switch (s->m->file[d->file].part) {
+  case PART_EQUATIONS:
+    return equations_notice(out, s, c, d);
+  case PART_CLAIMS:
+    return claim && (claim_notices(out, s, c, claim) || controls_notice(out, s, c, claim->id));
+  case PART_CONTROLS:
+    return control && control_notices(out, s, c, control);
+  case PART_SCENE:
+    return scene_notices(out, s, c);
+  }
+  return false;
+}
+
+/* --- One damage --- */
+
+static bool is_refused(struct damage_said *out, struct changed_material *c, const struct material *m,
+                       const struct damage *d) {
+  struct text t;
+  struct diag diag;
+  diag_init(&diag);
+  text_init(&t);
+  damage_text(&t, m, d);
+  bool ok = material_change(c, m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
+  if (!ok) say(out, FATE_REFUSED, diag.message);
+  text_clear(&t);
+  return !ok;
+}
+
+void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d) {
+  struct changed_material c;
+  bool in_text = d->class == DAMAGE_QUOTATION || d->class == DAMAGE_PRINTED;
+  say(out, in_text ? FATE_NEEDS_TEXT : FATE_UNDECIDED, "");
+  if (d->rule) {
+    say(out, FATE_EQUIVALENT, d->rule);
+    return;
+  }
+  s->same_faults = false;
+  bool titled = d->class == DAMAGE_TITLE; /* no judge reads a title */
+  bool noticed = is_refused(out, &c, s->m, d) || (!titled && is_noticed(out, s, &c, d));
+  if (!noticed && d->excuse) say(out, FATE_EQUIVALENT, d->excuse);
+  if (!noticed && d->class == DAMAGE_FAULT && s->same_faults)
+    say(out, FATE_EQUIVALENT, "the fault class that the report has is the same");
+  changed_material_clear(&c);
+}

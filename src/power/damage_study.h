@@ -1,0 +1,28 @@
+/* Damaged data as an audit would meet them: read, checked, and judged where they are concerned. */
+#ifndef STICKSLIP_POWER_DAMAGE_STUDY_H
+#define STICKSLIP_POWER_DAMAGE_STUDY_H
+
+#include "damages.h"
+
+/* What became of a damage, and the first words of what was said of it; the rule where it is equivalent. */
+enum { DAMAGE_WORDS = 240 };
+struct damage_said {
+  enum mutant_fate fate;
+  char says[DAMAGE_WORDS];
+};
+
+struct damage_study;
+/* All is borrowed. */
+struct damage_study *damage_study_new(const struct material *m);
+void damage_study_free(struct damage_study *s);
+
+/* The damaged text in the place of its file: refused by what reads or checks it; unreadable where a claim that it
+   concerns cannot be judged then; noticed where the verdict of one, of its correction or of a claim that it makes is
+   another, or a control beside it is not refuted.  Concerned are the claim or control whose record it is, and the
+   controls of that claim; of equations, where a typed line is another, the claims that read the record, or the control
+   whose record it is; of a scene, the claims that are about one scene.  Equivalent is what nothing notices and the damage
+   excuses, or of a fault class what leaves every fault that is found the same.  Verdicts are held against those without the
+   damage, which are found when first asked for. */
+void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d);
+
+#endif

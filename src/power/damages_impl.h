@@ -1,0 +1,48 @@
+/* What the makers of damages share. */
+#ifndef STICKSLIP_POWER_DAMAGES_IMPL_H
+#define STICKSLIP_POWER_DAMAGES_IMPL_H
+
+#include "damages.h"
+
+/* A field to be damaged. */
+struct maker {
+  struct damages *out;
+  const struct material *m;
+  size_t file;
+  const struct record *record;
+  const struct field *field; /* NULL: the record as a whole */
+  enum damage_class class;
+  const char *text;   /* of the file */
+  const char *excuse; /* of what is added now */
+};
+typedef void damage_fn(struct maker *k);
+
+/* A text for another; only between characters that are part of no word. */
+struct exchange {
+  const char *was, *now;
+};
+
+/* Adds the damage: bytes of the file from begin to end become n bytes of now. */
+void maker_add(struct maker *k, size_t begin, size_t end, const char *now, size_t n, const char *rule);
+void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
+/* The field with its line, or the record with its lines. */
+struct span maker_lines(const struct maker *k);
+void maker_delete(struct maker *k);
+
+/* Damages of the field's value, character by character: each digit is the next one; "+" and "-", "<" and ">" turn;
+   words are exchanged by a table; an index of one letter is its neighbour. */
+void maker_digits(struct maker *k);
+void maker_signs(struct maker *k);
+void maker_exchange(struct maker *k, const struct exchange *table, size_t n);
+void maker_indices(struct maker *k);
+/* A closing bar "|" behind a relation moves before it, and one without a relation goes with its partner. */
+void maker_bars(struct maker *k);
+
+/* By lines (damage_lines.c). */
+damage_fn damage_premises, damage_conclusion, damage_points, damage_routes, damage_one_of, damage_digits,
+    damage_parameters, damage_phases, damage_line, damage_text_of_correction, damage_repair, damage_restriction,
+    damage_fault, damage_control_claim, damage_control_line, damage_control_formula, damage_record;
+/* By words (damage_words.c). */
+damage_fn damage_tex, damage_quotation, damage_number, damage_title;
+
+#endif

@@ -1,0 +1,204 @@
+/* What holds on every motion, as tapes, and the definitions that can be held as matrices of unknowns. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "claim/claim.h"
+#include "facts.h"
+#include "value/sentence.h"
+
+/* (9)-(18) as definitions of the states at the switching times, (21)-(41) as definitions of their perturbations. */
+const char *const motion_facts[][2] = {
+    {"z'_10", "V"},
+    {"z'_20", "V"},
+    {"z'_1a", "V"},
+    {"z'_2a", "V"},
+    {"z'_2b", "V"},
+    {"z'_1c", "V"},
+    {"z_1a", "e_1 + chi*z_2a"},
+    {"z_10", "e_1 + chi*z_2a - V*t_a"},
+    {"z_20", "z_2a - V*t_a"},
+    {"z_100", "e_1 + chi*z_2a - V*t_a"},
+    {"z_200", "z_2a - V*t_a"},
+    {"z_2b", "z_1b + e_2/chi"},
+    {"u_r1", "u_s1 + e_1"},
+    {"u_r2", "u_s2 + e_2"},
+    {"u", "0"},
+    {"v", "0"},
+    {"u_a", "0"},
+    {"v_a", "0"},
+    {"v_b", "0"},
+    {"u_c", "0"},
+    {"u_f", "0"},
+    {"v_f", "0"},
+    {"x_a", "chi*y_a"},
+    {"x", "chi*y_a - V*dt_a"},
+    {"y", "y_a - V*dt_a"},
+    {"x_b", "y_b"},
+    {"z_1(t_a)", "z_1a"},
+    {"z_2(t_a)", "z_2a"},
+    {"z_1'(t_a)", "V"},
+    {"z_2'(t_a)", "V"},
+    {"z_1(t_a + t_b)", "z_1b"},
+    {"z_2(t_a + t_b)", "z_2b"},
+    {"z_1'(t_a + t_b)", "z'_1b"},
+    {"z_2'(t_a + t_b)", "V"},
+    {"z_1(t_a + t_b + t_c)", "z_1c"},
+    {"z_2(t_a + t_b + t_c)", "z_2c"},
+    {"z_1'(t_a + t_b + t_c)", "V"},
+    {"z_2'(t_a + t_b + t_c)", "z'_2c"},
+    {"z_1'(t_a + t_b + t_c + t_d)", "V"},
+    {"z_2'(t_a + t_b + t_c + t_d)", "V"},
+    {"z_1'(t_a + dt_a)", "V"},
+    {"z_2'(t_a + dt_a)", "V"},
+    {"z_2'(t_a + dt_a + t_b + dt_b)", "V"},
+    {"z_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c)", "V"},
+    {"x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c)", "V"},
+    {"z_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"z_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"x_1'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+    {"x_2'(t_a + dt_a + t_b + dt_b + t_c + dt_c + t_d + dt_d)", "V"},
+};
+const int n_motion_facts = sizeof motion_facts / sizeof *motion_facts;
+/* At the time t, which lies in one phase for a claim: behind the others, and taken by phase. */
+static const struct {
+  const char *name;
+  bool rate; /* zero, not V */
+  bool holds[N_PHASES];
+} phase_facts[] = {{"z_1'(t)", false, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2'(t)", false, {[PHASE_D] = true, [PHASE_GAMMA] = true}},
+                   {"z_1''(t)", true, {[PHASE_D] = true, [PHASE_C] = true}},
+                   {"z_2''(t)", true, {[PHASE_D] = true, [PHASE_GAMMA] = true}}};
+enum {
+  N_MOTION_FACTS = sizeof motion_facts / sizeof *motion_facts,
+  N_PHASE_FACTS = sizeof phase_facts / sizeof *phase_facts
+};
+_Static_assert((int)N_MOTION_FACTS + (int)N_PHASE_FACTS <= (int)MOST_FACTS, "room for all of them");
+
+static bool tape_of(struct tape *t, const struct model *m, const char *expression) {
+  struct elaboration el;
+  struct matrix x;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, (struct view){m, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  bool ok = elaborate_tape(t, &x, &el, expression, expression, "", &d);
+  elaboration_clear(&el);
+  return ok;
+}
+
+/* --- Matrices held as unknowns --- */
+
+static bool has_literal(const struct expr *e) {
+  for (;; e = e->args[0]) {
+    if (e->kind == EXPR_MATRIX) return true;
+    for (int i = 1; i < e->n_args; i++)
+      if (has_literal(e->args[i])) return true;
+    if (e->n_args == 0) return false;
+  }
+}
+
+/* Is it the only definition of its name that the corrected view sees, written as a matrix, and no function? */
+static bool is_written_matrix(const struct model *m, size_t def) {
+  const struct definition *x = &m->defs[def];
+  struct view v = {m, LAYER_CORRECTED, NULL, NULL};
+  if (x->rank == RANK_CONTROL || x->stmt->kind != STMT_DEFINE || x->stmt->param || !has_literal(x->stmt->sides[0]))
+    return false;
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (i != def && strcmp(m->defs[i].name, x->name) == 0 && view_sees(&v, &m->defs[i])) return false;
+  return true;
+}
+
+static void add_opaque(struct facts *f, const struct model *m, size_t def) {
+  struct model recording = *m;
+  struct opaque o = {.use = {ss_malloc(m->n_defs + 1), ss_malloc(m->n_records + 1)}};
+  memset(o.use.def, 0, m->n_defs);
+  memset(o.use.record, 0, m->n_records);
+  recording.use = &o.use;
+  struct elaboration el;
+  struct matrix x;
+  struct diag d;
+  diag_init(&d);
+  elaboration_init(&el, (struct view){&recording, LAYER_CORRECTED, NULL, NULL}, NULL, 0);
+  if (elaborate_name(&x, &el, m->defs[def].name, m->defs[def].section, &d) && x.rows * x.cols > 1) {
+    o.name = (struct override){m->defs[def].name, x.rows, x.cols};
+    f->opaque = ss_grow(f->opaque, f->n_opaque, &f->cap_opaque, sizeof *f->opaque);
+    f->opaque[f->n_opaque++] = o;
+  } else {
+    free(o.use.def);
+    free(o.use.record);
+  }
+  elaboration_clear(&el);
+}
+
+int facts_unknowns(struct override *out, int max, const struct facts *f, const struct target *t) {
+  int n = 0;
+  for (size_t i = 0; !t->corrected && n < max && i < f->n_opaque; i++)
+    if (t->def < 0 || !f->opaque[i].use.def[t->def]) out[n++] = f->opaque[i].name;
+  return n;
+}
+
+struct facts *facts_new(const struct model *m) {
+  struct facts *f = ss_malloc(sizeof *f);
+  *f = (struct facts){.n = 0};
+  for (size_t i = 0; i < m->n_defs; i++)
+    if (is_written_matrix(m, i)) add_opaque(f, m, i);
+  for (int i = 0; i < N_MOTION_FACTS; i++) {
+    struct exact_fact *x = &f->fact[f->n];
+    x->name = motion_facts[i][0];
+    if (tape_of(&x->tape, m, motion_facts[i][1])) /* a model without these symbols has no use for the fact */
+      f->n++;
+    else
+      tape_clear(&x->tape);
+  }
+  if (!tape_of(&f->velocity, m, "V") || !tape_of(&f->zero, m, "0")) f->n = 0;
+  for (int i = 0; i < 2; i++)
+    if (!tape_of(&f->sign[i], m, i ? "1" : "-1")) f->n = 0;
+  return f;
+}
+
+void facts_use(struct facts *f, bool use) {
+  f->unused = !use;
+}
+
+void facts_free(struct facts *f) {
+  for (int i = 0; i < f->n; i++) tape_clear(&f->fact[i].tape);
+  tape_clear(&f->velocity);
+  tape_clear(&f->zero);
+  for (int i = 0; i < 2; i++) tape_clear(&f->sign[i]);
+  for (size_t i = 0; i < f->n_opaque; i++) {
+    free(f->opaque[i].use.def);
+    free(f->opaque[i].use.record);
+  }
+  free(f->opaque);
+  free(f);
+}
+
+/* The phase in which the time t of a claim about arcs lies; -1 when there are several, or the motion is no arc. */
+static int phase_of(const struct claim *c) {
+  enum { MAX = 4 };
+  struct point_spec spec[MAX];
+  struct diag d;
+  diag_init(&d);
+  struct judge j = {.d = &d};
+  int n = claim_points(spec, MAX, &j, c), phase = -1;
+  for (int i = 0; i < n; i++) {
+    bool arc = spec[i].kind == POINT_ARC || spec[i].kind == POINT_ORBIT || spec[i].kind == POINT_PATCHED;
+    if (!arc || (i > 0 && (int)spec[i].phase != phase)) return -1;
+    phase = (int)spec[i].phase;
+  }
+  return phase;
+}
+
+static bool on_motions(const struct claim *c) {
+  const char *points = claim_get(c, "points");
+  return points && !strstr(points, "params") && !strstr(points, "flow");
+}
+
+int facts_collect(struct exact_fact *out, const struct facts *f, const struct claim *c) {
+  int n = 0, phase = c ? phase_of(c) : -1;
+  if (f->unused) return 0;
+  for (int i = 0; (!c || on_motions(c)) && i < f->n; i++) out[n++] = f->fact[i];
+  for (int i = 0; phase >= 0 && i < N_PHASE_FACTS; i++)
+    if (phase_facts[i].holds[phase])
+      out[n++] = (struct exact_fact){phase_facts[i].name, phase_facts[i].rate ? f->zero : f->velocity};
+  return n;
+}

@@ -1,0 +1,130 @@
+/* Would the audit have noticed damaged data?  Each class has its own draw, so that its score says something however
+   many damages it has. */
+#include "mutate_data.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/crew.h"
+
+/* splitmix64 */
+static unsigned long long next_random(unsigned long long *state) {
+  unsigned long long z = (*state += 0x9E3779B97F4A7C15U);
+  z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9U;
+  z = (z ^ (z >> 27)) * 0x94D049BB133111EBU;
+  return z ^ (z >> 31);
+}
+
+/* Selection sampling: the order is kept. */
+size_t *draw_some(size_t *n_drawn, size_t n, size_t wanted, unsigned long long *state) {
+  size_t *drawn = ss_malloc((n + 1) * sizeof *drawn);
+  if (wanted == 0 || wanted > n) wanted = n;
+  *n_drawn = 0;
+  for (size_t i = 0; i < n && *n_drawn < wanted; i++)
+    if (next_random(state) % (n - i) < wanted - *n_drawn) drawn[(*n_drawn)++] = i;
+  return drawn;
+}
+
+struct data_run {
+  const struct material *m;
+  const struct damages *damages;
+  struct damage_study *study;
+  size_t *drawn; /* indices of damages, ascending */
+  size_t n_drawn;
+};
+
+/* The damages of a class stand together. */
+static void draw_classes(struct data_run *r, const struct mutation_options *opt) {
+  const struct damages *all = r->damages;
+  unsigned long long state = opt->seed;
+  size_t wanted = ((size_t)opt->count + 3) / 4;
+  r->drawn = ss_malloc((all->n + 1) * sizeof *r->drawn);
+  for (size_t from = 0, to; from < all->n; from = to) {
+    size_t n;
+    for (to = from; to < all->n && all->damage[to].class == all->damage[from].class;) to++;
+    size_t *some = draw_some(&n, to - from, wanted, &state);
+    for (size_t i = 0; i < n; i++) r->drawn[r->n_drawn++] = from + some[i];
+    free(some);
+  }
+}
+
+static void try_one(void *result, size_t i, void *arg) {
+  struct data_run *r = arg;
+  damage_try(result, r->study, &r->damages->damage[r->drawn[i]]);
+}
+
+/* --- The report --- */
+
+enum { EXAMPLES = 3, SHOWN = 90 };
+
+/* Some bytes on one line, with a few words around them where they are few. */
+static const char *shown(struct mutation_result *out, const char *text, size_t begin, size_t end, const char *tail) {
+  struct text t;
+  text_init(&t);
+  for (size_t i = begin; i < end; i++)
+    if (text[i] != '\n')
+      text_add_char(&t, text[i]);
+    else if (i + 1 < end)
+      text_add(&t, " / ");
+  text_add(&t, tail);
+  size_t n = text_valid_prefix(text_str(&t), t.len < SHOWN ? t.len : SHOWN);
+  const char *s = arena_strndup(&out->arena, text_str(&t), n);
+  text_clear(&t);
+  return s;
+}
+
+/* What stood and what stands there, from the beginning of a word to the end of one. */
+static void show_place(struct damaged *g, struct mutation_result *out, const struct source *src,
+                       const struct damage *d) {
+  size_t begin = d->begin, end = d->end, column;
+  while (begin > 0 && d->begin - begin < SHOWN / 4 && !strchr(" \n", src->text[begin - 1])) begin--;
+  while (end < src->len && end - d->end < SHOWN / 4 && !strchr(" \n", src->text[end])) end++;
+  bool lines = d->end > d->begin && src->text[d->end - 1] == '\n';
+  g->was = shown(out, src->text, begin, lines ? d->end : end, "");
+  struct text now;
+  text_init(&now);
+  text_add_n(&now, src->text + begin, d->begin - begin);
+  text_add(&now, d->now);
+  if (!lines) text_add_n(&now, src->text + d->end, end - d->end);
+  g->now = shown(out, text_str(&now), 0, now.len, "");
+  text_clear(&now);
+  source_place(&g->line, &column, src, d->begin);
+}
+
+static void keep_damaged(struct mutation_result *out, const struct data_run *r, const struct damage *d,
+                         const struct damage_said *said) {
+  const struct material_file *f = &r->m->file[d->file];
+  struct damaged g = {.class = d->class, .fate = said->fate};
+  g.file = arena_strndup(&out->arena, f->name, strlen(f->name));
+  g.record = arena_strndup(&out->arena, d->record, strlen(d->record));
+  g.attribute = arena_strndup(&out->arena, d->attribute, strlen(d->attribute));
+  g.says = arena_strndup(&out->arena, said->says, strlen(said->says));
+  show_place(&g, out, &f->parsed->src, d);
+  out->damaged = ss_grow(out->damaged, out->n_damaged, &out->cap_damaged, sizeof g);
+  out->damaged[out->n_damaged++] = g;
+}
+
+static void report(struct mutation_result *out, const struct data_run *r, const struct damage_said *said) {
+  int examples[N_DAMAGE_CLASSES][N_MUTANT_FATES] = {{0}};
+  out->population += (long)r->damages->n;
+  out->tried += (long)r->n_drawn;
+  for (size_t i = 0; i < r->n_drawn; i++) {
+    const struct damage *d = &r->damages->damage[r->drawn[i]];
+    enum mutant_fate fate = said[i].fate;
+    out->data[d->class].count[fate]++;
+    if (fate == FATE_UNDECIDED || examples[d->class][fate]++ < EXAMPLES) keep_damaged(out, r, d, &said[i]);
+  }
+}
+
+bool mutate_data(struct mutation_result *out, const struct material *m, const struct damages *damages,
+                 const struct mutation_options *opt, struct diag *d) {
+  struct data_run r = {.m = m, .damages = damages, .study = damage_study_new(m)};
+  draw_classes(&r, opt);
+  struct damage_said *said = ss_malloc((r.n_drawn + 1) * sizeof *said);
+  bool ok = crew_results(said, sizeof *said, r.n_drawn, opt->jobs, try_one, &r, opt->progress, d);
+  if (ok) report(out, &r, said);
+  free(said);
+  free(r.drawn);
+  damage_study_free(r.study);
+  return ok;
+}

@@ -1,0 +1,168 @@
+/* What is quoted, from the records that quote. */
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "claim/kinds.h"
+#include "quote.h"
+#include "scene/scene.h"
+
+/* --- Pieces --- */
+
+static void drop_closing_marks(struct quote_tokens *t) {
+  while (t->n > 0 && t->token[t->n - 1].len == 1 && strchr(".,;:", *t->token[t->n - 1].s)) t->n--;
+}
+
+/* The text's pieces, as far as "..." leaves any. */
+static void add_pieces(struct quotations *q, const char *s) {
+  for (const char *gap; s; s = gap ? gap + 3 : NULL) {
+    gap = strstr(s, "...");
+    struct quote_piece p = {.quotation = q->n};
+    quote_tokens_read(&p.tokens, s, gap ? (size_t)(gap - s) : strlen(s));
+    drop_closing_marks(&p.tokens);
+    if (p.tokens.n == 0) {
+      quote_tokens_clear(&p.tokens);
+      continue;
+    }
+    q->piece = ss_grow(q->piece, q->n_pieces, &q->cap_pieces, sizeof *q->piece);
+    q->piece[q->n_pieces++] = p;
+  }
+}
+
+/* One number of the list at s; 0: none is there. */
+static size_t read_place(const char **s) {
+  size_t n = 0;
+  if (**s < '1' || **s > '9') return 0;
+  for (; char_is_digit(**s) && n <= MAX_QUOTED_TEXT; ++*s) n = 10 * n + (size_t)(**s - '0');
+  if (n > MAX_QUOTED_TEXT || (**s && **s != ' ')) return 0;
+  while (**s == ' ') ++*s;
+  return n;
+}
+
+static bool read_places(struct quotations *q, const struct quotation *item, const struct field *f, struct diag *d) {
+  const char *s = f->text;
+  size_t last = 0;
+  for (size_t i = 0; i < item->n; i++) {
+    size_t place = read_place(&s);
+    if (place <= last) {
+      diag_at(d, item->src, f->value.begin,
+              "a place is the number of a token, or %zu rising ones: the quotation has %zu"
+              " piece%s",
+              item->n, item->n, item->n == 1 ? "" : "s");
+      return false;
+    }
+    q->piece[item->first + i].place = last = place;
+  }
+  if (!*s) return true;
+  diag_at(d, item->src, f->value.begin, "more places than the quotation has pieces, which are %zu", item->n);
+  return false;
+}
+
+/* What the attribute of that name quotes, if it stands there. */
+static bool add(struct quotations *q, enum quote_kind kind, const struct source *src, const struct record *r,
+                const char *key, struct diag *d) {
+  const struct field *f = record_field(r, key), *place = record_field(r, "place");
+  if (!f) return true;
+  struct quotation item = {.kind = kind, .id = r->id_name ? r->id_name : "", .src = src, .field = f};
+  item.equation = record_get(r, "equation");
+  item.first = q->n_pieces;
+  add_pieces(q, f->text);
+  item.n = q->n_pieces - item.first;
+  if (item.n == 0) {
+    diag_at(d, src, f->value.begin, "nothing is quoted");
+    return false;
+  }
+  if (place && !read_places(q, &item, place, d)) return false;
+  q->item = ss_grow(q->item, q->n, &q->cap, sizeof *q->item);
+  q->item[q->n++] = item;
+  return true;
+}
+
+/* --- Printed numbers of scenes --- */
+
+/* The quotation of the claim about the printed number of that name. */
+static const struct quotation *about_number(const struct quotations *q, const struct claims *c, const char *name,
+                                            size_t len) {
+  for (size_t i = 0; i < c->n; i++) {
+    const char *number = claim_get(&c->claim[i], "number");
+    if (claim_kind(&c->claim[i]) != KIND_NUMBER || !number || strlen(number) != len || strncmp(number, name, len) != 0)
+      continue;
+    for (size_t k = 0; k < q->n; k++)
+      if (q->item[k].kind == QUOTE_CLAIM && strcmp(q->item[k].id, c->claim[i].id) == 0) return &q->item[k];
+  }
+  return NULL;
+}
+
+/* Does the quotation end with a relation sign and the number? */
+static bool ends_with(const struct quotations *q, const struct quotation *item, const struct quote_tokens *number) {
+  const struct quote_tokens *t = &q->piece[item->first + item->n - 1].tokens;
+  if (t->n <= number->n) return false;
+  const struct quote_token *tail = t->token + t->n - number->n;
+  for (size_t i = 0; i < number->n; i++)
+    if (!quote_token_same(&tail[i], &number->token[i])) return false;
+  return tail[-1].len == 1 && strchr("=<>", *tail[-1].s);
+}
+
+/* "NAME = DECIMAL". */
+static void add_number(struct quotations *q, const struct claims *c, const struct source *src, const struct field *f) {
+  const char *equals = strchr(f->text, '=');
+  size_t len = strcspn(f->text, " =");
+  if (!equals) return; /* the reader of scenes says what is wrong */
+  struct quoted_number n = {.src = src, .field = f, .of = about_number(q, c, f->text, len)};
+  quote_tokens_read(&n.number, equals + 1, strlen(equals + 1));
+  n.same = n.of && ends_with(q, n.of, &n.number);
+  q->number = ss_grow(q->number, q->n_numbers, &q->cap_numbers, sizeof *q->number);
+  q->number[q->n_numbers++] = n;
+}
+
+static bool add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d) {
+  struct arena a;
+  struct text path;
+  size_t n;
+  arena_init(&a);
+  text_init(&path);
+  text_printf(&path, "%s/scenes", data);
+  char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
+  bool ok = n > 0;
+  q->scene = ss_malloc((n + 1) * sizeof *q->scene);
+  for (size_t i = 0; ok && i < n; i++) {
+    struct source src;
+    ok = source_read(&src, name[i], MAX_SCENE_FILE, d);
+    if (!ok) break;
+    struct record_file *f = &q->scene[q->n_scenes++];
+    ok = record_file_parse(f, src, d);
+    for (size_t k = 0; ok && k < f->records[0].n_fields; k++)
+      if (f->records[0].fields[k].attribute && strcmp(f->records[0].fields[k].key_name, "printed") == 0)
+        add_number(q, c, &f->src, &f->records[0].fields[k]);
+  }
+  free(name);
+  text_clear(&path);
+  arena_clear(&a);
+  return ok;
+}
+
+/* --- All of it --- */
+
+bool quotations_collect(struct quotations *q, const struct model *m, const struct claims *c, const char *data,
+                        struct diag *d) {
+  *q = (struct quotations){.n = 0};
+  bool ok = true;
+  for (size_t i = 0; ok && i < m->n_files && q->n == 0; i++)
+    ok = add(q, QUOTE_TITLE, &m->files[i]->src, &m->files[i]->records[0], "paper", d);
+  for (size_t i = 0; ok && i < m->n_records; i++)
+    if (m->records[i].rank == RANK_PAPER) ok = add(q, QUOTE_TEX, m->records[i].src, m->records[i].record, "tex", d);
+  for (size_t i = 0; ok && i < c->n; i++)
+    ok = add(q, QUOTE_CLAIM, &c->claim[i].file->src, c->claim[i].record, "quote", d);
+  return ok && add_scenes(q, c, data, d);
+}
+
+void quotations_clear(struct quotations *q) {
+  for (size_t i = 0; i < q->n_pieces; i++) quote_tokens_clear(&q->piece[i].tokens);
+  for (size_t i = 0; i < q->n_numbers; i++) quote_tokens_clear(&q->number[i].number);
+  for (size_t i = 0; i < q->n_scenes; i++) record_file_clear(&q->scene[i]);
+  free(q->item);
+  free(q->piece);
+  free(q->number);
+  free(q->scene);
+  *q = (struct quotations){.n = 0};
+}

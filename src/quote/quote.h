@@ -1,0 +1,133 @@
+/* Quotations held against a copy of the paper's text, token by token.
+
+   What is quoted: `paper`, the title, and `tex` of the paper's own equation files; `quote` of the claims; and the
+   numbers that scenes call printed, each of which must be the one that ends the quotation of the claim about it (kind
+   number, `number: NAME`).  Errata, stable forms, overlays and controls quote nothing.
+
+   A text is Markdown with mathematics in TeX.  It counts as its tokens, which are
+
+     - a number with its decimals: 12, 0.6784;
+     - a command, \chi; \begin and \end with the name behind them;
+     - any other character alone: a letter, whether of a word or of a formula, a sign, a brace.
+
+   Dropped, and so without any weight:
+
+     - white space, in words too; \quad, \qquad, \, and the like, ~
+     - what fences mathematics off: $, $$, \( \) \[ \]; \left and \right
+     - the environments aligned and cases, which set lines below each other, with & and \\ in them or outside of any
+       environment; those of a matrix count
+     - an equation's number: \quad (12) at the end of a formula, before $$
+     - Markdown's emphasis: * wherever no ^ or { stands before it.
+
+   All else must be the same.  In a quotation "..." leaves something out; what stands between, a piece, ends without
+   the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the number of its first token,
+   counted from 1 at the beginning of the text: `place: 812` beside the quotation, `place: 812 4410` for two pieces, in
+   the order of the text.  A piece counts as found at its place only.  Where the record that quotes names an equation,
+   the number printed next behind the first piece's place, or last before it, must be that one.
+
+   Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
+#ifndef STICKSLIP_QUOTE_QUOTE_H
+#define STICKSLIP_QUOTE_QUOTE_H
+
+#include "base/arena.h"
+#include "claim/claims.h"
+#include "model/model.h"
+
+enum { MAX_QUOTED_TEXT = 4 << 20, QUOTE_DIGEST = 7 + 64 + 1 };
+
+/* --- Texts --- */
+
+struct quote_token {
+  const char *s;
+  size_t len;
+};
+
+/* A text, or a piece of a quotation; the bytes are the source's.  The numbers of its equations stand beside the tokens:
+   `behind` tokens stand before one. */
+struct quote_tag {
+  struct quote_token number;
+  size_t behind;
+};
+struct quote_tokens {
+  struct quote_token *token;
+  size_t n, cap;
+  struct quote_tag *tag;
+  size_t n_tags, cap_tags;
+};
+
+bool quote_token_same(const struct quote_token *a, const struct quote_token *b);
+/* The tokens of len bytes, behind those that there are. */
+void quote_tokens_read(struct quote_tokens *t, const char *s, size_t len);
+void quote_tokens_clear(struct quote_tokens *t);
+/* "sha256 " and 64 hexadecimal digits: the digest of the tokens and, where they stand, the numbers of equations in their
+   parentheses, each with a line feed behind it. */
+void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t);
+
+/* --- Quotations --- */
+
+enum quote_kind { QUOTE_TITLE, QUOTE_TEX, QUOTE_CLAIM, N_QUOTE_KINDS };
+
+enum quote_outcome {
+  QUOTE_FOUND,
+  QUOTE_PLACELESS, /* no place is kept with it */
+  QUOTE_MISNAMED,  /* at its place, where equations have other numbers than its record says */
+  QUOTE_ELSEWHERE, /* not at its place, but at another */
+  QUOTE_NOWHERE
+};
+
+struct quote_piece {
+  size_t quotation; /* whose */
+  struct quote_tokens tokens;
+  size_t place; /* 0: none */
+  enum quote_outcome outcome;
+  size_t elsewhere; /* of QUOTE_ELSEWHERE: the nearest to its place */
+};
+
+struct quotation {
+  enum quote_kind kind;
+  const char *id;           /* of the record; "" for the title */
+  const char *equation;     /* that the record names, or NULL */
+  const struct source *src; /* of the file that quotes */
+  const struct field *field;
+  size_t first, n; /* its pieces */
+};
+
+/* A number that a scene calls printed. */
+struct quoted_number {
+  const struct source *src;
+  const struct field *field;
+  const struct quotation *of; /* of the claim about it; NULL: there is none */
+  struct quote_tokens number; /* as the scene has it */
+  bool same;                  /* as the claim quotes it */
+};
+
+struct quotations {
+  struct quotation *item;
+  size_t n, cap;
+  struct quote_piece *piece; /* those of a quotation stand together, in its order */
+  size_t n_pieces, cap_pieces;
+  struct quoted_number *number;
+  size_t n_numbers, cap_numbers;
+  struct record_file *scene; /* of the data folder */
+  size_t n_scenes;
+};
+
+/* Everything that is quoted; model and claims outlive it.  false with d set where a place is no list of rising numbers,
+   or has not one for each piece.  quotations_clear it all the same. */
+bool quotations_collect(struct quotations *q, const struct model *m, const struct claims *c, const char *data,
+                        struct diag *d);
+void quotations_clear(struct quotations *q);
+
+/* The first place from that one on at which the piece stands in the text; 0: none. */
+size_t quote_next(const struct quote_tokens *piece, const struct quote_tokens *text, size_t from);
+/* Looks for every piece in the text. */
+void quotations_compare(struct quotations *q, const struct quote_tokens *text);
+/* Are all pieces of it at their places? */
+bool quotation_found(const struct quotations *q, const struct quotation *item);
+
+/* What is not found, in the order of the files: with the places, and both sides at the first difference; then how many
+   are.  Returns whether all are.  text: the tokens of src. */
+bool quotations_report(struct text *out, const struct quotations *q, const struct quote_tokens *text,
+                       const struct source *src);
+
+#endif

@@ -1,0 +1,58 @@
+/* What kind of scene it is: of one point or a box, with which data, of which word. */
+#include <string.h>
+
+#include "scene.h"
+
+bool scene_has_forces(const struct scene *s) {
+  return s->given[KEY_E1] && s->given[KEY_E2];
+}
+
+bool scene_is_box(const struct scene *s) {
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k]) return true;
+  return false;
+}
+
+bool scene_is(const struct scene *s, const char *name) {
+  return s->on_file && !s->changed && strcmp(s->file, name) == 0;
+}
+
+bool scene_solution_ii(const struct scene *s) {
+  static const struct phase_word three = {
+      3, {{MODE_BELOW, MODE_STICK}, {MODE_BELOW, MODE_BELOW}, {MODE_STICK, MODE_BELOW}}};
+  return s->given[KEY_TA] && fmpq_is_zero(&s->value[KEY_TA]) && phase_word_same(&s->word, &three);
+}
+
+bool scene_four_phases(const struct scene *s, struct diag *d) {
+  if (!scene_papers_word(s, d)) return false;
+  if (!scene_solution_ii(s)) return true;
+  diag_set(d,
+           "%s: error: the word Gamma-H-C is judged by orbit and words alone; take it away with --set word= to judge "
+           "the motion as D-Gamma-H-C with t_a = 0",
+           s->path);
+  return false;
+}
+
+bool scene_other_word(const struct scene *s) {
+  return s->word.n > 0 && !phase_word_is_papers(&s->word) && !scene_solution_ii(s);
+}
+
+bool scene_papers_word(const struct scene *s, struct diag *d) {
+  if (!scene_other_word(s)) return true;
+  struct text word;
+  text_init(&word);
+  phase_word_print(&word, &s->word);
+  diag_set(d, "%s: error: the scene names the word %s; only orbit, jacobian and words take another than D-Gamma-H-C",
+           s->path, text_str(&word));
+  text_clear(&word);
+  return false;
+}
+
+bool scene_one_point(const struct scene *s, struct diag *d) {
+  for (int k = 0; k < N_SCENE_PARAMS; k++)
+    if (s->interval[k]) {
+      diag_set(d, "%.300s: error: %s is an interval; only orbit and verify take one", s->path, scene_key_name[k]);
+      return false;
+    }
+  return true;
+}

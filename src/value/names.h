@@ -1,0 +1,26 @@
+/* The paper's names: every list of them stands in names.c and nowhere else.  Those of the phases are phase_name
+   (motion/dynamics.h), those of a scene's keys, in which e_1 is e1, scene_key_name (scene/scene.h). */
+#ifndef STICKSLIP_NAMES_H
+#define STICKSLIP_NAMES_H
+
+#include "motion/dynamics.h"
+
+extern const char *const name_param[N_PARAMS];              /* "chi", "eta", "V", "e_1", "e_2" */
+extern const char *const name_time[N_PHASES];               /* "t_a" ... "t_d" */
+extern const char *const name_shift[N_PHASES];              /* "dt_a" ... "dt_d": changes of the times */
+extern const char *const name_switching[N_PHASES + 1];      /* "0", "t_a", "t_a + t_b", ... */
+extern const char *const name_state[N_PHASES + 1][N_STATE]; /* of Z_0, Z_a, Z_b, Z_c and Z_f: "z_10" ... "z'_2f" */
+extern const char
+    *const name_tangent[N_PHASES + 1][N_STATE]; /* of dZ_0 ... dZ_f: "x", "y", "u", "v", "x_a" ... "v_f" */
+
+/* What the paper's names stand for.  "z_10" ... "z'_2c": 4 times the state (Z_0, Z_a, Z_b, Z_c) plus the component;
+   "t_a" ... "t_d": 100 and more; -1 for another name. */
+int name_of_arc(const char *name);
+/* "x", "x_a" ... "v_f", "u" and "v": 4 times the state plus the component; "dt_a" ... "dt_d": 100 and more. */
+bool name_of_tangent(const char *name, int *index);
+/* "z_1''(t)", "x_2(t_a + dt_a)": component, number of primes, argument with its parentheses. */
+bool name_of_motion(const char *name, bool *in_x, int *component, int *primes, const char **argument);
+/* "(t_a)", "(t_a + t_b)", ...: 0 to 3, at the perturbed times 4 to 7; -1 for another argument. */
+int name_of_switching_time(const char *argument);
+
+#endif

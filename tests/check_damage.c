@@ -1,0 +1,293 @@
+/* Damaged data: each damage on file meets the fate on file; every damage that is made changes the file, reads like one
+   that a transcriber makes, and stands in the record that it names; the reader of changed texts reads the same as the
+   one of files. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "paper_model.h"
+#include "power/damage_study.h"
+#include "scratch.h"
+#include "suites.h"
+
+static struct model model;
+static struct claims claims, controls;
+static struct scene paper;
+static struct material material;
+static struct damage_study *study;
+
+static void open_material(void) {
+  scratch_open();
+  paper_model(&model, &(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
+  paper_claims(&claims, &controls);
+  paper_scene(&paper);
+  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL}, &paper);
+  study = damage_study_new(&material);
+}
+
+static void close_material(void) {
+  damage_study_free(study);
+  material_clear(&material);
+  scene_clear(&paper);
+  claims_clear(&controls);
+  claims_clear(&claims);
+  model_clear(&model);
+  scratch_close();
+}
+
+/* --- Those on file --- */
+
+enum { FILE_, RECORD, ATTRIBUTE, WAS, NOW, TODAY, SAYS, N_COLUMNS };
+
+static bool is_fate(const char *today, enum mutant_fate fate) {
+  if (strcmp(today, "open") == 0) return fate == FATE_UNDECIDED;
+  if (strcmp(today, "text") == 0) return fate == FATE_NEEDS_TEXT;
+  return strcmp(today, "noticed") == 0 &&
+         (fate == FATE_NOTICED || fate == FATE_REFUSED || fate == FATE_UNREADABLE || fate == FATE_UNPROVED);
+}
+
+static enum damage_class class_of(const char *attribute) {
+  static const struct {
+    const char *attribute;
+    enum damage_class class;
+  } rows[] = {{"quote", DAMAGE_QUOTATION}, {"printed", DAMAGE_PRINTED}, {"title", DAMAGE_TITLE}};
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++)
+    if (strcmp(attribute, rows[i].attribute) == 0) return rows[i].class;
+  return DAMAGE_CORRECTION;
+}
+
+static const struct record *record_of(const struct record_file *f, const char *id) {
+  for (size_t i = 0; i < f->n_records; i++)
+    if (strcmp(f->records[i].id_name, id) == 0) return &f->records[i];
+  ck_abort_msg("%s has no record %s", f->src.name, id);
+}
+
+/* The lines of the record, or of its first attribute of that name. */
+static struct span lines_of(const struct record_file *f, const struct record *r, const char *attribute) {
+  const struct field *field = *attribute ? record_field(r, attribute) : NULL;
+  ck_assert_msg(field || !*attribute, "%s has no %s", r->id_name, attribute);
+  size_t begin = field ? field->key.begin : r->kind.begin;
+  size_t end = field ? field->value.end : r->fields[r->n_fields - 1].value.end;
+  while (begin > 0 && f->src.text[begin - 1] != '\n') begin--;
+  return (struct span){begin, end + 1};
+}
+
+/* What the row says of the text; the lines as a whole where it says nothing of what stands there. */
+static struct damage damage_of(char **column) {
+  size_t file = material_named(&material, column[FILE_]);
+  ck_assert_msg(file < material.n, "%s", column[FILE_]);
+  const struct record_file *f = material.file[file].parsed;
+  const struct record *r = record_of(f, column[RECORD]);
+  struct span at = lines_of(f, r, column[ATTRIBUTE]);
+  if (*column[WAS]) {
+    const char *found = strstr(f->src.text + at.begin, column[WAS]);
+    size_t begin = found ? (size_t)(found - f->src.text) : at.end, end = begin + strlen(column[WAS]);
+    ck_assert_msg(end <= at.end, "%s does not say %s", column[RECORD], column[WAS]);
+    at = (struct span){begin, end};
+  }
+  return (struct damage){.class = class_of(column[ATTRIBUTE]),
+                         .file = file,
+                         .begin = at.begin,
+                         .end = at.end,
+                         .now = column[NOW],
+                         .record = r->id_name,
+                         .attribute = column[ATTRIBUTE]};
+}
+
+static void try_row(char **column) {
+  struct damage damage = damage_of(column);
+  struct damage_said said;
+  damage_try(&said, study, &damage);
+  ck_assert_msg(is_fate(column[TODAY], said.fate), "%s, %s: %s for %s: %s, on file %s (%s)", column[FILE_],
+                column[RECORD], column[NOW], column[WAS], mutant_fate_name[said.fate], column[TODAY], said.says);
+  bool silent = said.fate == FATE_UNDECIDED || said.fate == FATE_NEEDS_TEXT;
+  ck_assert_msg(silent || strstr(said.says, column[SAYS]), "%s: \"%s\" is not said, but %s", column[RECORD],
+                column[SAYS], said.says);
+}
+
+START_TEST(each_meets_its_fate) {
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  ck_assert_msg(source_read(&src, "tests/damage.tsv", 1 << 20, &d), "%s", d.message);
+  int n = 0;
+  for (char *line = src.text, *end; (end = strchr(line, '\n')) != NULL; line = end + 1) {
+    char *column[N_COLUMNS];
+    *end = '\0';
+    if (*line == '#') continue;
+    ck_assert_msg(split_tabs(column, N_COLUMNS, line) == N_COLUMNS, "%s", line);
+    try_row(column);
+    n++;
+  }
+  ck_assert_int_eq(n, 25);
+  source_clear(&src);
+}
+END_TEST
+
+/* --- Those that are made --- */
+
+/* Of each class: texts that must be among the damages, and how many there must be at least. */
+static const struct {
+  enum damage_class class;
+  size_t least;
+  const char *record, *text; /* the line or a part of it, as damaged */
+} made[] = {
+    {DAMAGE_TEX, 2000, "eq-40b", "\\cos(\\omega t_d)}{V \\omega"},
+    {DAMAGE_TEX, 2000, "eq-40b", "{V  (z_{200}"},
+    {DAMAGE_TEX, 2000, "eq-40b", "(z_{200} + z_{100})"},
+    {DAMAGE_TEX, 2000, "eq-40b", "k_4 = \\frac{\\sin"},
+    {DAMAGE_TEX, 2000, "text-criterion", "tex: |\\text{tr}(J)| < 1"},
+    {DAMAGE_TEX, 2000, "eq-3", "\\begin{pmatrix} -\\chi \\eta & \\chi \\eta  \\\\  1 & -\\chi \\end{pmatrix}"},
+    {DAMAGE_TEX, 2000, "eq-13", "\\Gamma(t - t_b)Z_a"},
+    {DAMAGE_TEX, 2000, "eq-60", "h(t) = z_1"},
+    {DAMAGE_QUOTATION, 800, "text-trace-bars", "$|\\text{tr}(J)| < 1$"},
+    {DAMAGE_QUOTATION, 800, "text-singular", "$J$ is singular matrix"},
+    {DAMAGE_QUOTATION, 800, "num-t_d", "$t_d = 3.34$"},
+    {DAMAGE_PRINTED, 60, "", "t_d = 2.43"},
+    {DAMAGE_PRINTED, 60, "", "e1  = 2.7854"},
+    {DAMAGE_PREMISE, 100, "text-56-deduced", "eq-51#1, eq-55 D, eq-55b D, eq-56 D"},
+    {DAMAGE_PREMISE, 100, "text-56-deduced", "premises: eq-51#1, eq-55 D\n"},
+    {DAMAGE_CONCLUSION, 50, "eq-11c", "conclusion: eq-11#4\n"},
+    {DAMAGE_POINTS, 200, "eq-14", "arcs 1, orbits 6"},
+    {DAMAGE_POINTS, 200, "eq-14", "points: orbits 6\n"},
+    {DAMAGE_POINTS, 200, "eq-13", "arcs H 12, orbits Gamma 6"},
+    {DAMAGE_ROUTES, 100, "eq-10", "routes: taylor, ode\n"},
+    {DAMAGE_TOLERANCE, 30, "num-u_r1", "relation: <"},
+    {DAMAGE_DOMAIN, 100, "text-start-at-rest", "t_b = 3"},
+    {DAMAGE_CORRECTION, 20, "eq-36b", "repaired-range: 1 5"},
+    {DAMAGE_CORRECTION, 20, "text-trace-bars", "abs(tr(J)) < 2"},
+    {DAMAGE_CORRECTION, 20, "text-free-index", "V - x_2'(t) = 0"},
+    {DAMAGE_RESTRICTION, 10, "eq-10", "V = 2: proved"},
+    {DAMAGE_FAULT, 200, "eq-29", "fault: argument\n  record: refuted\n\nclaim eq-30"},
+    {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-t_c"},
+    {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
+    {DAMAGE_TITLE, 500, "eq-3e", "both masses are faster than the belt"},
+    {DAMAGE_TITLE, 500, "eq-14b", "at t_a + t_a the force"},
+    {DAMAGE_ERRATUM, 100, "err-40", "V \\cos(\\omega t_d)"},
+};
+
+START_TEST(what_is_made) {
+  struct damages all;
+  struct text t;
+  size_t of_class = 0;
+  bool found = false;
+  text_init(&t);
+  damages_init(&all, &material, NULL, 0);
+  for (size_t i = 0; i < all.n; i++) {
+    const struct damage *d = &all.damage[i];
+    if (d->class != made[_i].class) continue;
+    of_class++;
+    if (found || strcmp(d->record, made[_i].record) != 0) continue;
+    text_reset(&t);
+    damage_text(&t, &material, d);
+    found = strstr(t.data + (d->begin > 200 ? d->begin - 200 : 0), made[_i].text) != NULL &&
+            !strstr(material.file[d->file].parsed->src.text, made[_i].text);
+  }
+  ck_assert_msg(found, "%s: %s", made[_i].record, made[_i].text);
+  ck_assert_uint_ge(of_class, made[_i].least);
+  damages_clear(&all);
+  text_clear(&t);
+}
+END_TEST
+
+/* Each changes its file, within its record, and is told from the others of its class. */
+START_TEST(every_damage_is_one) {
+  struct damages all;
+  struct text t;
+  text_init(&t);
+  damages_init(&all, &material, NULL, 0);
+  ck_assert_uint_gt(all.n, 4000);
+  for (size_t i = 0; i < all.n; i++) {
+    const struct damage *d = &all.damage[i];
+    const struct record_file *f = material.file[d->file].parsed;
+    text_reset(&t);
+    damage_text(&t, &material, d);
+    ck_assert_msg(strcmp(t.data, f->src.text) != 0, "%s", d->record);
+    size_t r = 0;
+    while (r + 1 < f->n_records && f->records[r + 1].kind.begin <= d->begin) r++;
+    ck_assert_msg(strcmp(f->records[r].id_name, d->record) == 0, "%s at %zu", d->record, d->begin);
+    ck_assert(i == 0 || d->class >= all.damage[i - 1].class);
+    for (size_t k = i; k > 0 && k + 40 > i; k--) {
+      const struct damage *o = &all.damage[k - 1];
+      bool same = o->class == d->class && o->file == d->file && o->begin == d->begin && o->end == d->end;
+      ck_assert_msg(!same || strcmp(o->now, d->now) != 0, "%s, %s: twice %s", d->record, d->attribute, d->now);
+    }
+  }
+  damages_clear(&all);
+  text_clear(&t);
+}
+END_TEST
+
+/* A rule that says "the same" is held against the audit: nothing notices such a damage. */
+START_TEST(what_says_the_same_is_not_noticed) {
+  struct damages all;
+  size_t tried = 0;
+  damages_init(&all, &material, NULL, 0);
+  for (size_t i = 0; i < all.n; i++) {
+    struct damage d = all.damage[i];
+    struct damage_said said;
+    if (!d.rule) continue;
+    d.rule = NULL;
+    damage_try(&said, study, &d);
+    ck_assert_msg(said.fate == FATE_UNDECIDED, "%s, %s: %s (%s): %s", d.record, d.attribute, d.now, all.damage[i].rule,
+                  said.says);
+    tried++;
+  }
+  ck_assert_uint_gt(tried, 50);
+  damages_clear(&all);
+}
+END_TEST
+
+START_TEST(only_what_is_named) {
+  static const char *const only[] = {"eq-29", "title", "controls.eq"};
+  struct damages some;
+  damages_init(&some, &material, only, 2);
+  ck_assert_uint_gt(some.n, 10);
+  for (size_t i = 0; i < some.n; i++)
+    ck_assert(some.damage[i].class == DAMAGE_TITLE || strcmp(some.damage[i].record, "eq-29") == 0);
+  ck_assert(damages_any(&some, &material, "title") && damages_any(&some, &material, "eq-29"));
+  ck_assert(!damages_any(&some, &material, "controls.eq") && !damages_any(&some, &material, "eq-2"));
+  damages_clear(&some);
+}
+END_TEST
+
+/* --- Texts in memory --- */
+
+/* A comment more in a file: the same model, claims and scene. */
+START_TEST(a_comment_changes_nothing) {
+  for (size_t i = 0; i < material.n; i++) {
+    struct changed_material c;
+    struct text t;
+    struct diag d;
+    diag_init(&d);
+    text_init(&t);
+    text_add(&t, material.file[i].parsed->src.text);
+    text_add(&t, "\n# nothing\n");
+    ck_assert_msg(material_change(&c, &material, i, t.data, &d) && data_check(&c.data, &d), "%s", d.message);
+    ck_assert_uint_eq(c.data.model->n_defs, model.n_defs);
+    ck_assert_uint_eq(c.data.model->n_records, model.n_records);
+    for (size_t k = 0; k < model.n_records; k++) ck_assert(c.data.model->records[k].rank == model.records[k].rank);
+    ck_assert_uint_eq(c.data.claims->n, claims.n);
+    ck_assert_uint_eq(c.data.controls->n, controls.n);
+    ck_assert_uint_eq(c.scene->n_printed, paper.n_printed);
+    changed_material_clear(&c);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+Suite *damage_suite(void) {
+  Suite *s = suite_create("damage");
+  TCase *c = tcase_create("damage");
+  tcase_set_timeout(c, 300);
+  tcase_add_unchecked_fixture(c, open_material, close_material);
+  tcase_add_test(c, each_meets_its_fate);
+  tcase_add_loop_test(c, what_is_made, 0, (int)(sizeof made / sizeof *made));
+  tcase_add_test(c, every_damage_is_one);
+  tcase_add_test(c, what_says_the_same_is_not_noticed);
+  tcase_add_test(c, only_what_is_named);
+  tcase_add_test(c, a_comment_changes_nothing);
+  suite_add_tcase(s, c);
+  return s;
+}

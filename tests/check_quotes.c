@@ -1,0 +1,463 @@
+/* Quotations against texts: what counts and what does not, written out by hand; a paper of the test's own (tests/another),
+   whose every token is damaged; and the paper itself, where a copy is there: STICKSLIP_PAPER_TEXT, or the only text in
+   ../shared/paper. */
+#include <glob.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "quote/quote.h"
+#include "scratch.h"
+#include "suites.h"
+
+static bool same(const char *a, const char *b) {
+  struct quote_tokens x = {.n = 0}, y = {.n = 0};
+  quote_tokens_read(&x, a, strlen(a));
+  quote_tokens_read(&y, b, strlen(b));
+  bool ok = x.n == y.n;
+  for (size_t i = 0; ok && i < x.n; i++) ok = quote_token_same(&x.token[i], &y.token[i]);
+  quote_tokens_clear(&y);
+  quote_tokens_clear(&x);
+  return ok;
+}
+
+START_TEST(what_does_not_count) {
+  static const char *const pairs[][2] = {
+      {"a b\n\tc", "abc"},
+      {"x $y$ $$z$$ \\(u\\) \\[v\\]", "x y z u v"},
+      {"a, \\quad b \\qquad c\\,d\\;e\\ f~g", "a,bcdefg"},
+      {"$$a = b \\quad (12)$$ c", "a=bc"},
+      {"$$a = b, \\quad (12)\n $$ c", "a=b,c"},
+      {"\\begin{aligned} a &= b \\\\ c &= d \\end{aligned}", "a=bc=d"},
+      {"u = \\begin{cases} a & b \\\\ c \\end{cases}", "u=abc"},
+      {"a & b \\\\ c", "abc"},
+      {"\\left( a \\right)", "(a)"},
+      {"*Global* **slip**", "Global slip"},
+      {"\\chi\n\\eta", "\\chi\\eta"},
+      {"", " \n$"},
+  };
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+    ck_assert_msg(same(pairs[i][0], pairs[i][1]), "%s is not %s", pairs[i][0], pairs[i][1]);
+}
+END_TEST
+
+START_TEST(what_counts) {
+  static const char *const pairs[][2] = {
+      {"z_{10}", "z_10"},
+      {"z'_1", "z_1'"},
+      {"2.34", "2.43"},
+      {"12", "1 2"},
+      {"1.", "1"},
+      {"\\begin{pmatrix} a & b \\end{pmatrix}", "\\begin{pmatrix} a b \\end{pmatrix}"},
+      {"\\begin{pmatrix} a \\\\ b \\end{pmatrix}", "\\begin{pmatrix} a & b \\end{pmatrix}"},
+      {"\\begin{pmatrix} a \\end{pmatrix}", "\\begin{bmatrix} a \\end{bmatrix}"},
+      {"\\begin{aligned} \\begin{pmatrix} a & b \\end{pmatrix} & c \\end{aligned}",
+       "\\begin{pmatrix} a b \\end{pmatrix} c"},
+      {"t^*", "t^"},
+      {"t^{*}", "t^{}"},
+      {"see (12)", "see"},
+      {"a \\quad (i = 1,2)$$", "a"},
+      {"a \\quad (12) b", "a b"},
+      {"\\gamma", "\\Gamma"},
+      {"\\text{sign}", "sign"},
+      {"a < b", "a > b"},
+      {"\xc3\xa9", "\xc3\xa8"},
+  };
+  for (size_t i = 0; i < sizeof pairs / sizeof *pairs; i++)
+    ck_assert_msg(!same(pairs[i][0], pairs[i][1]), "%s is %s", pairs[i][0], pairs[i][1]);
+}
+END_TEST
+
+/* --- A data folder against a text --- */
+
+struct stand {
+  struct model model;
+  struct claims claims;
+  struct quotations quotations;
+  struct source src;
+  struct quote_tokens text;
+};
+
+static bool stand_open(struct stand *s, const char *data, const char *path, struct diag *d) {
+  char paper[4096];
+  snprintf(paper, sizeof paper, "%s/paper", data);
+  *s = (struct stand){.claims = {.n = 0}};
+  diag_init(d);
+  model_init(&s->model);
+  if (!source_read(&s->src, path, MAX_QUOTED_TEXT, d)) return false;
+  quote_tokens_read(&s->text, s->src.text, s->src.len);
+  return model_add_folder(&s->model, paper, RANK_PAPER, d) &&
+         claims_load_data(&s->claims, data, "claims", "claim", d) &&
+         quotations_collect(&s->quotations, &s->model, &s->claims, data, d);
+}
+
+static void stand_close(struct stand *s) {
+  quotations_clear(&s->quotations);
+  claims_clear(&s->claims);
+  model_clear(&s->model);
+  quote_tokens_clear(&s->text);
+  source_clear(&s->src);
+}
+
+static void stand_open_sound(struct stand *s, const char *data, const char *path) {
+  struct diag d;
+  ck_assert_msg(stand_open(s, data, path, &d), "%s", d.message);
+  quotations_compare(&s->quotations, &s->text);
+}
+
+static bool all_found(const struct stand *s) {
+  struct text out;
+  text_init(&out);
+  bool ok = quotations_report(&out, &s->quotations, &s->text, &s->src);
+  text_clear(&out);
+  return ok;
+}
+
+/* Whether the quotation has a piece over the token with that index. */
+static bool lies_over(const struct quotations *q, const struct quotation *item, size_t token) {
+  for (size_t k = 0; k < item->n; k++) {
+    const struct quote_piece *p = &q->piece[item->first + k];
+    if (p->place - 1 <= token && token < p->place - 1 + p->tokens.n) return true;
+  }
+  return false;
+}
+
+/* Each token of the text changed, every `step`-th: exactly the quotations over it are not found. */
+static void damage_tokens(struct stand *s, size_t step) {
+  size_t noticed = 0;
+  for (size_t i = 0; i < s->text.n; i += step) {
+    const struct quote_token kept = s->text.token[i];
+    s->text.token[i] = (struct quote_token){"\x01", 1};
+    quotations_compare(&s->quotations, &s->text);
+    for (size_t k = 0; k < s->quotations.n; k++) {
+      const struct quotation *item = &s->quotations.item[k];
+      bool over = lies_over(&s->quotations, item, i);
+      ck_assert_msg(quotation_found(&s->quotations, item) == !over, "%s at token %zu", item->id, i + 1);
+      noticed += over;
+    }
+    s->text.token[i] = kept;
+  }
+  ck_assert_uint_gt(noticed, 0);
+}
+
+/* A token taken out: what ends before it is found, what begins behind it stands one earlier, what lies over it is
+   nowhere to be found at its place. */
+static void take_token_out(struct stand *s, size_t i) {
+  struct quotations *q = &s->quotations;
+  const struct quote_token kept = s->text.token[i];
+  memmove(s->text.token + i, s->text.token + i + 1, (--s->text.n - i) * sizeof kept);
+  for (size_t k = 0; k < s->text.n_tags; k++) s->text.tag[k].behind -= s->text.tag[k].behind > i;
+  quotations_compare(q, &s->text);
+  for (size_t k = 0; k < q->n_pieces; k++) {
+    const struct quote_piece *p = &q->piece[k];
+    if (p->place - 1 + p->tokens.n <= i) ck_assert_int_eq(p->outcome, QUOTE_FOUND);
+    if (p->place - 1 > i) {
+      ck_assert_int_eq(p->outcome, QUOTE_ELSEWHERE);
+      ck_assert_uint_eq(p->elsewhere, p->place - 1);
+    }
+    if (p->place - 1 <= i && i < p->place - 1 + p->tokens.n) ck_assert_int_ne(p->outcome, QUOTE_FOUND);
+  }
+  memmove(s->text.token + i + 1, s->text.token + i, (s->text.n++ - i) * sizeof kept);
+  s->text.token[i] = kept;
+  for (size_t k = 0; k < s->text.n_tags; k++) s->text.tag[k].behind += s->text.tag[k].behind >= i + 1;
+}
+
+/* The number of each equation changed: some record's, and only of that equation, is noticed. */
+static void damage_numbers(struct stand *s) {
+  for (size_t i = 0; i < s->text.n_tags; i++) {
+    const struct quote_token kept = s->text.tag[i].number;
+    size_t noticed = 0;
+    s->text.tag[i].number = (struct quote_token){"999", 3};
+    quotations_compare(&s->quotations, &s->text);
+    for (size_t k = 0; k < s->quotations.n; k++) {
+      const struct quotation *item = &s->quotations.item[k];
+      if (quotation_found(&s->quotations, item)) continue;
+      noticed++;
+      ck_assert(strlen(item->equation) == kept.len && memcmp(item->equation, kept.s, kept.len) == 0);
+    }
+    ck_assert_msg(noticed > 0, "the number (%.*s)", (int)kept.len, kept.s);
+    s->text.tag[i].number = kept;
+  }
+}
+
+static const char note[] = "tests/another/note.md";
+
+START_TEST(the_note_is_quoted) {
+  struct stand s;
+  char digest[QUOTE_DIGEST];
+  stand_open_sound(&s, "tests/another", note);
+  ck_assert_uint_eq(s.quotations.n, 5);
+  ck_assert(all_found(&s));
+  quote_tokens_digest(digest, &s.text);
+  ck_assert_str_eq(s.model.paper_text, digest);
+  damage_tokens(&s, 1);
+  damage_numbers(&s);
+  for (size_t i = 0; i < s.text.n; i++) take_token_out(&s, i);
+  quotations_compare(&s.quotations, &s.text);
+  ck_assert(all_found(&s));
+  stand_close(&s);
+}
+END_TEST
+
+/* --- The command --- */
+
+/* What the command says of a text against a data folder. */
+static const char *say(int *status, const char *data, const char *path) {
+  static char out[60000];
+  char line[9000];
+  snprintf(line, sizeof line, "STICKSLIP_DATA=%s %s quotes %s 2>&1", data, program(), path);
+  FILE *p = popen(line, "r");
+  ck_assert_ptr_nonnull(p);
+  out[fread(out, 1, sizeof out - 1, p)] = '\0';
+  *status = pclose(p) >> 8;
+  return out;
+}
+
+static void copy_of_another(void) {
+  char line[9000];
+  snprintf(line, sizeof line, "cp -R tests/another %s", scratch_path("data"));
+  ck_assert_int_eq(system(line), 0);
+}
+
+/* A sed command on a file of the copy. */
+static void edit(const char *file, const char *command) {
+  char line[9000];
+  snprintf(line, sizeof line, "sed -i '%s' %s/%s", command, scratch_path("data"), file);
+  ck_assert_int_eq(system(line), 0);
+}
+
+/* The copy, with one edit, says this and ends so. */
+#define FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxxx"
+START_TEST(differences_are_told) {
+  static const struct {
+    const char *file, *command;
+    int status;
+    const char *says;
+  } cases[] = {
+      {"note.md", "s/no such thing//", 0, "quotations: 5 of 5 found (title 1 of 1, tex 2 of 2, quote 2 of 2)"},
+      {"note.md", "s/I & tI/\\nI\\&t  I/", 0, ", the one on file\n"},
+      {"note.md", "s/1 + t$/1 - t/", 1, "  quoted: \\det D(t) = 1 >>+<< t\n"},
+      {"note.md", "s/1 + t$/1 - t/", 1, " grows: \\det D(t) = 1 >>-<< t\n          at "},
+      {"note.md", "s/1 + t$/1 - t/", 1, "note.md:10\n"},
+      {"note.md", "s/1 + t$/1 - t/", 1, "paper/note.eq:21: eq-2 tex: not at token 179\n"},
+      {"note.md", "s/1 + t$/1 - t/", 1, "quotations: 3 of 5 found"},
+      {"note.md", "s/1 + t$/1 - t/", 1, ", another than the one on file (sha256 "},
+      {"note.md", "12d;s/1 + t$/1 +/", 1, "t) = 1 + >>nothing more<<\n"},
+      {"note.md", "s/= 1.25/& s/", 1, "eq-2 tex: not at token 179, but at 180\n"},
+      {"note.md", "s/^# /# * 7 /", 1,
+       "6 pieces of quotations stand 1 token later than their places, from token 2 to token 179\n"},
+      {"note.md", "s/(2)/(3)/", 1, "eq-2 tex: at token 179, but no equation (2) ends there\n"},
+      {"note.md", "s/state goes/stat\x1b goes/", 1, "stat>>?<< goes"},
+      {"claims/note.claim", "s/= 1 + t.$/&,./", 0, "quotations: 5 of 5 found"},
+      {"claims/note.claim", "s/57 83/83 83/", 3, "a place is the number of a token, or 2 rising ones"},
+      /* the same words stand nearer than where all else has gone */
+      {"note.md", "1a " FIFTY FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxx \\\\det D(t) = 1 + t " FIFTY, 1,
+       "5 pieces of quotations stand 189 tokens later than their places, from token 57 to token 179\n"},
+      {"paper/note.eq", "s/^  place: 179$//", 1, "eq-2 tex: no place is kept; it stands at token 179\n"},
+      {"paper/note.eq", "s/^  place: 179$//;s/1 + t$/2 + t/", 1, "eq-2 tex: no place is kept, and it stands nowhere\n"},
+      {"paper/note.eq", "s/^text:.*//", 0, "; none is on file\n"},
+      {"claims/note.claim", "s/57 83/57 84/", 1, "eq-1 quote, piece 2 of 2: not at token 84, but at 83\n"},
+      {"claims/note.claim", "s/57 83/57/", 3, "a place is the number of a token, or 2 rising ones"},
+      {"claims/note.claim", "s/57 83/83 57/", 3, "a place is the number of a token, or 2 rising ones"},
+      {"claims/note.claim", "s/57 83/57 83 90/", 3, "more places than the quotation has pieces, which are 2"},
+      {"claims/note.claim", "s/57 83/57, 83/", 3, "note.claim:8:10: error: a place is"},
+      {"claims/note.claim", "s/57 83/0/", 3, "a place is"},
+      {"claims/note.claim", "s/57 83/99999999999999999999 83/", 3, "a place is"},
+      {"claims/note.claim", "s/quote: The.*/quote: ...,/", 3, "nothing is quoted"},
+      {"paper/note.eq", "s/^text: sha256 ./text: sha256 /", 3, "a text is named by its digest"},
+      {"paper/note.eq", "s/^text: .*/text: md5 1/", 3, "a text is named by its digest"},
+      {"note.md", "s/.*//", 3, "error: an empty text"},
+  };
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    scratch_open();
+    copy_of_another();
+    edit(cases[i].file, cases[i].command);
+    char path[4096];
+    snprintf(path, sizeof path, "%s/note.md", scratch_path("data"));
+    const char *out = say(&status, scratch_path("data"), path);
+    ck_assert_msg(status == cases[i].status && strstr(out, cases[i].says), "%s: %d %s", cases[i].command, status, out);
+    scratch_close();
+  }
+}
+END_TEST
+
+/* Printed numbers of scenes against the claim that quotes them. */
+START_TEST(printed_numbers) {
+  static const struct {
+    const char *printed;
+    int status;
+    const char *says;
+  } cases[] = {{"t_a = 1.25", 0, "printed numbers of scenes: 1 of 1\n"},
+               {"t_a = 1.52", 1, "paper.scene:99: printed t_a = 1.52: "},
+               {"t_a = -1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
+               {"t_a = .25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
+               {"t_a = = 1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
+               {"t_b = 1.25", 1, "printed t_b = 1.25: no claim quotes it\n"}};
+  static const char claim[] =
+      "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147\\n";
+  for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
+    int status;
+    char line[9000];
+    scratch_open();
+    copy_of_another();
+    snprintf(line, sizeof line,
+             "printf '%s' >> %s/claims/note.claim; printf '%%0.s\\n' $(seq 98) > %s/scenes/paper.scene; "
+             "echo 'printed: %s' >> %s/scenes/paper.scene",
+             claim, scratch_path("data"), scratch_path("data"), cases[i].printed, scratch_path("data"));
+    ck_assert_int_eq(system(line), 0);
+    const char *out = say(&status, scratch_path("data"), note);
+    ck_assert_msg(status == cases[i].status && strstr(out, cases[i].says), "%s: %d %s", cases[i].printed, status, out);
+    scratch_close();
+  }
+}
+END_TEST
+
+/* --- Bytes --- */
+
+/* Any bytes are read as tokens that stand one behind the other in them. */
+START_TEST(any_bytes_are_tokens) {
+  enum { N = 2000, LEN = 300 };
+  static const char alphabet[] = "\\{}$&()^_*'ab01. \n\x01\xc3\xa9\xff";
+  static const char *const words[] = {"\\begin{", "\\end{", "aligned}", "pmatrix}", "\\quad", "(12)$$", "\\\\"};
+  uint32_t state = 1;
+  for (int i = 0; i < N; i++) {
+    char s[LEN + 16];
+    size_t len = 0;
+    while (len < LEN) {
+      state = state * 1664525U + 1013904223U;
+      const uint32_t r = state >> 16;
+      if (r % 4 == 0) {
+        const char *word = words[r / 4 % (sizeof words / sizeof *words)];
+        memcpy(s + len, word, strlen(word));
+        len += strlen(word);
+      } else {
+        s[len++] = alphabet[r / 4 % (sizeof alphabet - 1)];
+      }
+    }
+    struct quote_tokens t = {.n = 0};
+    quote_tokens_read(&t, s, len);
+    const char *end = s;
+    for (size_t k = 0; k < t.n; k++) {
+      ck_assert(t.token[k].s >= end && t.token[k].len > 0);
+      end = t.token[k].s + t.token[k].len;
+    }
+    ck_assert(end <= s + len);
+    quote_tokens_clear(&t);
+  }
+}
+END_TEST
+
+/* Texts of the greatest length that are all of one kind are answered in seconds. */
+START_TEST(large_texts) {
+  static const char *const unit[] = {
+      "\\begin{", "\\begin{pmatrix}", "\\end{aligned}", "\\quad (", "\\quad(1)$$", "Z(t) = ", "$",
+      "*",        "A note on two "};
+  struct stand s;
+  for (size_t i = 0; i < sizeof unit / sizeof *unit; i++) {
+    struct text all;
+    text_init(&all);
+    while (all.len + strlen(unit[i]) <= MAX_QUOTED_TEXT) text_add(&all, unit[i]);
+    scratch_open();
+    stand_open_sound(&s, "tests/another", scratch_put("text", text_str(&all)));
+    ck_assert(!all_found(&s));
+    stand_close(&s);
+    scratch_close();
+    text_clear(&all);
+  }
+}
+END_TEST
+
+/* The digests of texts by a program of its own. */
+static void check_digest(const char *path, const struct quote_tokens *text) {
+  char line[9000], digest[QUOTE_DIGEST], found[QUOTE_DIGEST + 1] = "";
+  snprintf(line, sizeof line, "%s tests/oracle/quotes.py '%s'", python(), path);
+  FILE *p = popen(line, "r");
+  ck_assert_ptr_nonnull(p);
+  ck_assert_ptr_nonnull(fgets(found, sizeof found, p));
+  pclose(p);
+  found[strcspn(found, "\n")] = '\0';
+  quote_tokens_digest(digest, text);
+  ck_assert_str_eq(digest, found);
+}
+
+START_TEST(digest_of_the_note) {
+  struct stand s;
+  stand_open_sound(&s, "tests/another", note);
+  check_digest(note, &s.text);
+  stand_close(&s);
+}
+END_TEST
+
+/* --- The paper --- */
+
+/* A copy of the paper's text; NULL when none is there. */
+static const char *text_of_the_paper(void) {
+  static char path[4096];
+  const char *named = getenv("STICKSLIP_PAPER_TEXT");
+  glob_t g = {.gl_pathc = 0};
+  path[0] = '\0';
+  if (named)
+    snprintf(path, sizeof path, "%s", named);
+  else if (glob("../shared/paper/*.txt", 0, NULL, &g) == 0 && g.gl_pathc == 1)
+    snprintf(path, sizeof path, "%s", g.gl_pathv[0]);
+  globfree(&g);
+  return *path ? path : NULL;
+}
+
+START_TEST(the_paper_is_quoted) {
+  const char *path = text_of_the_paper();
+  struct stand s;
+  char digest[QUOTE_DIGEST];
+  if (!path) {
+    printf("quotes: not held against the paper: ../shared/paper has no text, and STICKSLIP_PAPER_TEXT names none\n");
+    return;
+  }
+  stand_open_sound(&s, "verify", path);
+  struct text out;
+  text_init(&out);
+  bool ok = quotations_report(&out, &s.quotations, &s.text, &s.src);
+  ck_assert_msg(ok, "%s", text_str(&out));
+  printf("quotes: %s", text_str(&out));
+  text_clear(&out);
+  quote_tokens_digest(digest, &s.text);
+  ck_assert_str_eq(s.model.paper_text, digest);
+  check_digest(path, &s.text);
+  stand_close(&s);
+}
+END_TEST
+
+START_TEST(the_paper_is_damaged) {
+  const char *path = text_of_the_paper();
+  struct stand s;
+  if (!path) return;
+  stand_open_sound(&s, "verify", path);
+  damage_tokens(&s, 5);
+  for (size_t i = 0; i < s.text.n; i += 997) take_token_out(&s, i);
+  stand_close(&s);
+}
+END_TEST
+
+Suite *quotes_suite(void) {
+  Suite *s = suite_create("quotes");
+  TCase *c = tcase_create("tokens");
+  tcase_add_test(c, what_does_not_count);
+  tcase_add_test(c, what_counts);
+  tcase_add_test(c, any_bytes_are_tokens);
+  suite_add_tcase(s, c);
+  c = tcase_create("a note");
+  tcase_set_timeout(c, 120);
+  tcase_add_test(c, the_note_is_quoted);
+  tcase_add_test(c, digest_of_the_note);
+  tcase_add_test(c, differences_are_told);
+  tcase_add_test(c, printed_numbers);
+  tcase_add_test(c, large_texts);
+  suite_add_tcase(s, c);
+  c = tcase_create("the paper");
+  tcase_set_timeout(c, 120);
+  tcase_add_test(c, the_paper_is_quoted);
+  tcase_add_test(c, the_paper_is_damaged);
+  suite_add_tcase(s, c);
+  return s;
+}
