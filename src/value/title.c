@@ -22,11 +22,7 @@ static bool missing(const struct title *t) {
 static const struct statement_record *record_named(const struct title *t, const char *attribute) {
   const char *id = claim_get(t->c, attribute);
   const struct statement_record *r = id ? title_record(t, id, strlen(id)) : NULL;
-  if (id && !r) {
-    const struct field *f = record_field(t->c->record, attribute);
-    diag_at(t->d, &t->c->file->src, f ? f->value.begin : t->c->record->id.begin,
-            "%s: there is no record %s in the equation files", t->c->id, id);
-  }
+  if (id && !r) title_no_record(t, attribute, id);
   if (!r) missing(t);
   return r;
 }
@@ -467,13 +463,34 @@ static maker *const makers[N_KINDS] = {
     [KIND_REPORT] = make_report,
 };
 
+static bool title_made(struct text *out, const struct title *t) {
+  enum kind kind = claim_kind(t->c);
+  return kind < N_KINDS ? makers[kind](out, t) : missing(t);
+}
+
+/* A title by hand where the attributes make one would be a second statement of what they say. */
+static bool is_given_in_vain(const struct title *t) {
+  const struct field *given = record_field(t->c->record, "title");
+  struct diag unmade;
+  struct text made;
+  diag_init(&unmade);
+  text_init(&made);
+  const struct title quiet = {t->m, t->c, &unmade};
+  bool vain = given && title_made(&made, &quiet);
+  text_clear(&made);
+  if (vain)
+    diag_at(t->d, &t->c->file->src, given->key.begin, "%s: its attributes make the title; leave it out", t->c->id);
+  return vain;
+}
+
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
   struct text title;
   text_init(&title);
   bool ok = true;
   for (size_t i = 0; ok && i < claims->n; i++) {
     text_reset(&title);
-    ok = claim_title(&title, m, &claims->claim[i], d);
+    const struct title t = {m, &claims->claim[i], d};
+    ok = claim_title(&title, m, &claims->claim[i], d) && !is_given_in_vain(&t);
   }
   text_clear(&title);
   return ok;
@@ -483,6 +500,5 @@ bool claim_title(struct text *out, const struct model *m, const struct claim *c,
   const struct title t = {m, c, d};
   const struct field *given = record_field(c->record, "title");
   if (given) return title_given(out, &t, given);
-  enum kind kind = claim_kind(c);
-  return kind < N_KINDS ? makers[kind](out, &t) : missing(&t);
+  return title_made(out, &t);
 }

@@ -5,7 +5,7 @@
    matrix its name and what the model's quantity is (value/oracle.h); of an argument what follows from what; and so on
    for every kind but outside.
 
-   Where the attribute title is given it is a sentence in words, and takes the place of the one that would be made.  What stands in braces is the attribute of that name,
+   Where these make none the attribute title is given, a sentence in words.  What stands in braces is the attribute of that name,
    as generated titles write it: {statement}, {premises}, {depends-on} (records, by their equation numbers), {range}
    ("two to four"), {formula}, {value}, {side}.  A formula, a name of the paper, a number (in digits, or a word from two
    to twelve) or the name of a phase outside braces is an error: nothing would hold it against the claim. */
@@ -17,7 +17,7 @@
 
 /* Appends the title.  false with d set where the title is at fault, or is not given and cannot be made. */
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
-/* Whether every claim has one; false with d set to the first fault. */
+/* Whether every claim has one, by hand only where its attributes make none; false with d set to the first fault. */
 bool titles_check(const struct model *m, const struct claims *claims, struct diag *d);
 
 #endif

@@ -40,6 +40,8 @@ int title_listed(struct text *out, const char *list, char between);
 
 /* The record of that id in the paper's own files, or NULL. */
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len);
+/* The error at the attribute that names the item, or at the claim's head. */
+void title_no_record(const struct title *t, const char *attribute, const char *item);
 /* All that a record says, as formulas; the first of them. */
 void title_formulas(struct text *out, const struct statement_record *r);
 void title_first_formula(struct text *out, const struct statement_record *r);

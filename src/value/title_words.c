@@ -153,6 +153,12 @@ void title_place(struct text *out, const char *points) {
 
 /* --- Records --- */
 
+void title_no_record(const struct title *t, const char *attribute, const char *item) {
+  const struct field *f = record_field(t->c->record, attribute);
+  diag_at(t->d, &t->c->file->src, f ? f->value.begin : t->c->record->id.begin,
+          "%s: there is no record %.*s in the equation files", t->c->id, (int)strcspn(item, " "), item);
+}
+
 const struct statement_record *title_record(const struct title *t, const char *id, size_t len) {
   const struct statement_record *best = NULL;
   for (size_t i = 0; i < t->m->n_records; i++) {
@@ -254,27 +260,33 @@ struct part {
   enum phase phase;
 };
 
-static bool read_part(struct part *p, const struct title *t, const char *attribute, const char *item) {
+/* "eq-59#1.2 C", without looking whether there is such a thing. */
+static struct part parse_part(const struct title *t, const char *item) {
   size_t len = strcspn(item, "# ");
-  *p = (struct part){.r = title_record(t, item, len), .phase = N_PHASES};
+  struct part p = {.r = title_record(t, item, len), .phase = N_PHASES};
   const char *rest = item + len;
   if (*rest == '#') {
     char *end;
-    p->statement = (int)strtol(rest + 1, &end, 10);
-    if (*end == '.') p->step = (int)strtol(end + 1, &end, 10);
+    p.statement = (int)strtol(rest + 1, &end, 10);
+    if (*end == '.') p.step = (int)strtol(end + 1, &end, 10);
     rest = end;
   }
   while (*rest == ' ') rest++;
-  if (*rest) p->phase = title_phase(rest, strlen(rest));
-  if (p->r && p->statement <= p->r->n_stmts) {
-    const struct stmt *s = p->statement > 0 ? p->r->stmts[p->statement - 1] : p->r->n_stmts ? p->r->stmts[0] : NULL;
-    if (s && p->phase == N_PHASES) p->phase = phase_of_range(s);
-    if (!s || p->step < s->n_sides) return true;
-  }
-  const struct field *f = record_field(t->c->record, attribute);
-  diag_at(t->d, &t->c->file->src, f ? f->value.begin : t->c->record->id.begin,
-          "%s: there is no record %.*s in the equation files", t->c->id, (int)strcspn(item, " "), item);
-  return false;
+  if (*rest) p.phase = title_phase(rest, strlen(rest));
+  return p;
+}
+
+static bool part_is_there(const struct part *p) {
+  if (!p->r || p->statement < 0 || p->step < 0 || p->statement > p->r->n_stmts) return false;
+  return p->statement == 0 ? p->r->n_stmts > 0 : p->step < p->r->stmts[p->statement - 1]->n_sides;
+}
+
+static bool read_part(struct part *p, const struct title *t, const char *attribute, const char *item) {
+  *p = parse_part(t, item);
+  bool ok = part_is_there(p);
+  if (ok && p->phase == N_PHASES) p->phase = phase_of_range(p->r->stmts[p->statement ? p->statement - 1 : 0]);
+  if (!ok) title_no_record(t, attribute, item);
+  return ok;
 }
 
 /* All records that state something under this number stand in the list. */
@@ -333,8 +345,8 @@ static void write_share(struct text *out, const struct title *t, const struct pa
   int has = 0, of = 0;
   for (int k = 0; k < p->r->n_stmts; k++) of += is_inequality(p->r->stmts[k]) == inequality;
   for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
-    struct part other;
-    if (read_part(&other, t, "", item) && other.r == p->r && other.statement)
+    struct part other = parse_part(t, item);
+    if (part_is_there(&other) && other.r == p->r && other.statement)
       has += is_inequality(other.r->stmts[other.statement - 1]) == inequality;
   }
   const char *what = has > 1 ? (inequality ? "inequalities" : "equations") : inequality ? "inequality" : "equation";
