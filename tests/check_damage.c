@@ -23,7 +23,7 @@ static void open_material(void) {
   paper_claims(&claims, &controls);
   paper_scene(&paper);
   material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL}, &paper);
-  study = damage_study_new(&material);
+  study = damage_study_new(&material, NULL);
 }
 
 static void close_material(void) {

@@ -77,7 +77,7 @@ static const struct damage rules[] = {
     {"paper/paper.statements", "/^statement stability-3$/,/^$/{/quote:/d}", planned, 3,
      "stability-3: a statement has a quote"},
     {"paper/paper.statements", "/^statement stability-3$/,/^$/{s/reason:/why:/}", planned, 3,
-     "stability-3: a statement has quote, at, equation, claims and reason"},
+     "stability-3: a statement has quote, place, equation, claims and reason"},
     {"claims/8-text.claim", "/^claim text-56-deduced$/,/^$/d", planned, 3, "there is no claim text-56-deduced"},
     /* controls and corrections on file */
     {"controls/controls.claim", "/^control ctl-chain$/,/^$/d", planned, 3, "records in this file, not"},

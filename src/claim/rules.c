@@ -3,6 +3,7 @@
 #include "claim.h"
 #include "record/routes.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -30,6 +31,26 @@ static void count_points(long *all, long *least, const struct claim *c) {
     *all += n;
     if (*least < 0 || n < *least) *least = n;
   }
+}
+
+/* Arcs alone say nothing of periodic orbits, whose times and start are bound; and no sort stands twice. */
+static bool check_sorts(const struct claim *c, struct diag *d) {
+  enum { MOST = 16 };
+  char item[64], sort[MOST][64];
+  int n = 0;
+  bool arcs = false, orbits = false;
+  for (const char *p = claim_get(c, "points"); p && n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+    size_t len = strcspn(item, "0123456789");
+    memcpy(sort[n], item, len);
+    sort[n][len] = '\0';
+    arcs = arcs || strncmp(item, "arcs", 4) == 0;
+    orbits = orbits || strncmp(item, "orbits", 6) == 0;
+    for (int i = 0; i < n; i++)
+      if (strcmp(sort[i], sort[n]) == 0) return complain(c, "points", d, "a sort of points stands here twice");
+    n++;
+  }
+  return !arcs || orbits || claim_get(c, "few") ||
+         complain(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");
 }
 
 static bool is_route(const char *name) {
@@ -121,6 +142,40 @@ static bool check_conclusion(const struct model *m, const struct claim *c, struc
   return true;
 }
 
+/* Whether a line of the list is a record of the equation. */
+static bool cites_equation(const struct model *m, const char *list, const char *number) {
+  struct view v = {m, LAYER_PRINTED, NULL, NULL};
+  struct cited at;
+  for (const char *p = list; (p = claim_next_cited(&at, p)) != NULL;) {
+    const struct statement_record *r = view_record(&v, at.id);
+    if (r && strcmp(r->equation, number) == 0) return true;
+  }
+  return false;
+}
+
+/* "(52), (53)" in the sentence are among its premises, or what it concludes. */
+static bool check_quoted_numbers(const struct model *m, const struct claim *c, struct diag *d) {
+  char number[8], what[120];
+  int len = 0;
+  for (const char *s = claim_get(c, "quote"); s && (s = strchr(s, '(')) != NULL; s++) {
+    if (sscanf(s, "(%3[0-9]%n", number, &len) != 1 || s[len] != ')') continue;
+    if (cites_equation(m, claim_get(c, "premises"), number) || cites_equation(m, claim_get(c, "conclusion"), number))
+      continue;
+    snprintf(what, sizeof what, "the sentence cites (%s), which is neither a premise nor a conclusion", number);
+    return complain(c, "premises", d, what);
+  }
+  return true;
+}
+
+/* What is judged of one scene has its verdict on record for one scene. */
+static bool check_record_scene(const struct claim *c, const struct claim_kind *kind, struct diag *d) {
+  const char *over = claim_get(c, "over");
+  bool of_scene = kind->of_scene || (over && strcmp(over, "scene") == 0);
+  return !of_scene || !claim_get(c, "record") || claim_get(c, "record-scene") ||
+         complain(c, "record", d,
+                  "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
+}
+
 /* --- One claim --- */
 
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
@@ -134,7 +189,8 @@ bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag
              follows);
     return complain(c, "fault", d, what);
   }
-  return check_numbers(c, kind, d) && check_conclusion(m, c, d);
+  return check_numbers(c, kind, d) && check_sorts(c, d) && check_record_scene(c, kind, d) &&
+         (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
 }
 
 /* --- The whole --- */

@@ -33,7 +33,7 @@ static bool complain(const struct claim *s, const char *attribute, struct diag *
 }
 
 bool statement_check(const struct claim *s, struct diag *d) {
-  static const char *const known[] = {"quote", "at", "equation", "claims", "reason"};
+  static const char *const known[] = {"quote", "place", "equation", "claims", "reason"};
   for (size_t k = 0; k < s->record->n_fields; k++) {
     const struct field *f = &s->record->fields[k];
     bool ok = false;
@@ -41,7 +41,7 @@ bool statement_check(const struct claim *s, struct diag *d) {
       ok = ok || strcmp(known[i], f->key_name) == 0;
     if (ok) continue;
     diag_at(d, &s->file->src, f->attribute ? f->key.begin : f->value.begin,
-            "%s: a statement has quote, at, equation, claims and reason", s->id);
+            "%s: a statement has quote, place, equation, claims and reason", s->id);
     return false;
   }
   if (!claim_get(s, "quote")) return complain(s, NULL, d, "a statement has a quote that finds it in the paper");

@@ -75,6 +75,22 @@ static void inputs_clear(struct inputs *in) {
   scene_clear(&in->scene);
 }
 
+/* A text of the paper in which everything that is quoted is found. */
+static bool load_text(struct paper_text *t, const char *path, const struct audit_data *all, struct diag *d) {
+  struct quotations q = {.n = 0};
+  struct text says;
+  text_init(&says);
+  bool ok = paper_text_read(t, path, d) && quotations_collect(&q, all, d);
+  if (ok) quotations_compare(&q, &t->tokens);
+  if (ok && !quotations_report(&says, &q, t)) {
+    diag_set(d, "%.300s: error: not all that is quoted is found in this text; see stickslip quotes", path);
+    ok = false;
+  }
+  text_clear(&says);
+  quotations_clear(&q);
+  return ok;
+}
+
 int run_mutate(const struct options *o, const char *data) {
   const char *folder = option(o, OPT_OUT);
   static const char *const names[] = {"mutation.json", "mutation.md"};
@@ -92,8 +108,10 @@ int run_mutate(const struct options *o, const char *data) {
   const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements};
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
+  struct paper_text text = {.tokens = {.n = 0}};
+  q.text = option(o, OPT_TEXT) ? &text : NULL;
   bool ok = inputs_load(&in, data, o, &d) && (!folder || folder_possible(folder, &d)) &&
-            audit_mutate(&r, &all, &in.scene, &q, &d);
+            (!q.text || load_text(&text, option(o, OPT_TEXT), &all, &d)) && audit_mutate(&r, &all, &in.scene, &q, &d);
   if (terminal) fputs("\r\033[K", stderr);
   if (ok) {
     report_mutation_json(&body[0], &r);
@@ -105,9 +123,11 @@ int run_mutate(const struct options *o, const char *data) {
   if (r.broken) status = EXIT_INTERNAL;
   for (int i = 0; i < 3; i++) text_clear(&body[i]);
   mutation_result_clear(&r);
+  paper_text_clear(&text);
   inputs_clear(&in);
   return status;
 }
+
 int run_repair(const struct options *o, const char *data) {
   const char *folder = option(o, OPT_OUT);
   static const char *const names[] = {"repairs.json", "repairs.md"};

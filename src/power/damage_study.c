@@ -1,6 +1,7 @@
 /* A damage in place: load, check, judge what it concerns, and compare with what was said without it. */
 #include "damage_study.h"
 
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -17,15 +18,16 @@ struct undamaged {
 
 struct damage_study {
   const struct material *m;
+  const struct paper_text *text;
   struct orbit_cache *cache;
   struct orbit_pool *pool;
   struct undamaged *claim;
   bool same_faults; /* of the claim judged last, with the damage and without */
 };
 
-struct damage_study *damage_study_new(const struct material *m) {
+struct damage_study *damage_study_new(const struct material *m, const struct paper_text *text) {
   struct damage_study *s = ss_malloc(sizeof *s);
-  *s = (struct damage_study){.m = m, .cache = orbit_cache_new()};
+  *s = (struct damage_study){.m = m, .text = text, .cache = orbit_cache_new()};
   s->claim = ss_malloc((m->data.claims->n + 1) * sizeof *s->claim);
   memset(s->claim, 0, (m->data.claims->n + 1) * sizeof *s->claim);
   return s;
@@ -74,7 +76,8 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
   recording.use = &u->use;
   audit_result_init(&u->said);
   u->judged = true;
-  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls}, .scene = s->m->scene};
+  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls},
+                                        .scene = s->m->scene};
   u->readable = judge_one(&u->said, s, &none, &s->m->data.claims->claim[i], NULL, &d);
   return u;
 }
@@ -181,6 +184,14 @@ static bool claim_notices(struct damage_said *out, struct damage_study *s, const
   return noticed;
 }
 
+static bool is_far(struct damage_said *out, const struct control_result *c) {
+  char what[DAMAGE_WORDS];
+  if (!control_is_far(c)) return false;
+  snprintf(what, sizeof what, "%s is %s from what it damages, and says %s", c->id, c->distance, c->near);
+  say(out, FATE_NOTICED, what);
+  return true;
+}
+
 static bool control_notices(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                             const struct claim *control) {
   const char *of = record_get(control->record, "claim");
@@ -199,7 +210,8 @@ static bool control_notices(struct damage_said *out, struct damage_study *s, con
   if (!judge_one(&r, s, c, claim, control, &d))
     say(out, FATE_UNREADABLE, d.message);
   else
-    noticed = r.n_controls > 0 && differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED);
+    noticed = r.n_controls > 0 &&
+              (differs(out, control->id, "", r.controls[0].verdict, VERDICT_REFUTED) || is_far(out, &r.controls[0]));
   audit_result_clear(&r);
   return noticed;
 }
@@ -244,7 +256,8 @@ static bool reads_record(const struct undamaged *u, const struct model *m, size_
 static bool readers_notice(struct damage_said *out, struct damage_study *s, const struct changed_material *c,
                            size_t record) {
   for (size_t i = 0; i < s->m->data.claims->n; i++)
-    if (reads_record(undamaged_claim(s, i), s->m->data.model, record) && claim_notices(out, s, c, &s->m->data.claims->claim[i]))
+    if (reads_record(undamaged_claim(s, i), s->m->data.model, record) &&
+        claim_notices(out, s, c, &s->m->data.claims->claim[i]))
       return true;
   return false;
 }
@@ -293,22 +306,42 @@ static bool is_noticed(struct damage_said *out, struct damage_study *s, const st
 
 /* --- One damage --- */
 
-static bool is_refused(struct damage_said *out, struct changed_material *c, const struct material *m,
+/* Whether a quotation is not found in the paper's text; says which. */
+static bool is_misquoted(struct damage_said *out, const struct damage_study *s, const struct changed_material *c) {
+  struct quotations q;
+  struct source scene;
+  struct text where;
+  struct diag diag;
+  diag_init(&diag);
+  text_init(&where);
+  source_from_string(&scene, c->scene->source[0]->name, c->scene->source[0]->text);
+  bool ok = quotations_collect(&q, &c->data, &diag);
+  if (!ok) source_clear(&scene);
+  ok = ok && quotations_add_scene(&q, c->data.claims, scene, &diag);
+  if (ok) quotations_compare(&q, &s->text->tokens);
+  bool missed = ok && !quotations_report(&where, &q, s->text);
+  if (missed || !ok) say(out, FATE_REFUSED, ok ? text_str(&where) : diag.message);
+  text_clear(&where);
+  quotations_clear(&q);
+  return missed || !ok;
+}
+
+static bool is_refused(struct damage_said *out, struct changed_material *c, const struct damage_study *s,
                        const struct damage *d) {
   struct text t;
   struct diag diag;
   diag_init(&diag);
   text_init(&t);
-  damage_text(&t, m, d);
-  bool ok = material_change(c, m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
+  damage_text(&t, s->m, d);
+  bool ok = material_change(c, s->m, d->file, text_str(&t), &diag) && material_check(&c->data, &diag);
   if (!ok) say(out, FATE_REFUSED, diag.message);
   text_clear(&t);
-  return !ok;
+  return !ok || (s->text && is_misquoted(out, s, c));
 }
 
 void damage_try(struct damage_said *out, struct damage_study *s, const struct damage *d) {
   struct changed_material c;
-  bool in_text = d->class == DAMAGE_QUOTATION || d->class == DAMAGE_PRINTED;
+  bool in_text = !s->text && (d->class == DAMAGE_QUOTATION || d->class == DAMAGE_PRINTED);
   say(out, in_text ? FATE_NEEDS_TEXT : FATE_UNDECIDED, "");
   if (d->rule) {
     say(out, FATE_EQUIVALENT, d->rule);
@@ -316,7 +349,7 @@ void damage_try(struct damage_said *out, struct damage_study *s, const struct da
   }
   s->same_faults = false;
   bool titled = d->class == DAMAGE_TITLE; /* no judge reads a title */
-  bool noticed = is_refused(out, &c, s->m, d) || (!titled && is_noticed(out, s, &c, d));
+  bool noticed = is_refused(out, &c, s, d) || (!titled && is_noticed(out, s, &c, d));
   if (!noticed && d->excuse) say(out, FATE_EQUIVALENT, d->excuse);
   if (!noticed && d->class == DAMAGE_FAULT && s->same_faults)
     say(out, FATE_EQUIVALENT, "the fault class that the report has is the same");

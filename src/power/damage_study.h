@@ -3,6 +3,7 @@
 #define STICKSLIP_POWER_DAMAGE_STUDY_H
 
 #include "damages.h"
+#include "quote/quote.h"
 
 /* What became of a damage, and the first words of what was said of it; the rule where it is equivalent. */
 enum { DAMAGE_WORDS = 240 };
@@ -12,11 +13,12 @@ struct damage_said {
 };
 
 struct damage_study;
-/* All is borrowed. */
-struct damage_study *damage_study_new(const struct material *m);
+/* All is borrowed; text: of the paper, or NULL. */
+struct damage_study *damage_study_new(const struct material *m, const struct paper_text *text);
 void damage_study_free(struct damage_study *s);
 
-/* The damaged text in the place of its file: refused by what reads or checks it; unreadable where a claim that it
+/* The damaged text in the place of its file: refused by what reads or checks it, or because a quotation is not found in
+   the paper's text any more; unreadable where a claim that it
    concerns cannot be judged then; noticed where the verdict of one, of its correction or of a claim that it makes is
    another, or a control beside it is not refuted.  Concerned are the claim or control whose record it is, and the
    controls of that claim; of equations, where a typed line is another, the claims that read the record, or the control

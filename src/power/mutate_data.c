@@ -118,7 +118,7 @@ static void report(struct mutation_result *out, const struct data_run *r, const 
 
 bool mutate_data(struct mutation_result *out, const struct material *m, const struct damages *damages,
                  const struct mutation_options *opt, struct diag *d) {
-  struct data_run r = {.m = m, .damages = damages, .study = damage_study_new(m)};
+  struct data_run r = {.m = m, .damages = damages, .study = damage_study_new(m, opt->text)};
   draw_classes(&r, opt);
   struct damage_said *said = ss_malloc((r.n_drawn + 1) * sizeof *said);
   bool ok = crew_results(said, sizeof *said, r.n_drawn, opt->jobs, try_one, &r, opt->progress, d);

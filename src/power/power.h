@@ -4,6 +4,7 @@
 
 #include "claim/claim.h"
 #include "model/model.h"
+#include "quote/quote.h"
 #include "record/mutation.h"
 #include "record/result.h"
 #include "scene/scene.h"
@@ -14,6 +15,7 @@ struct mutation_options {
   int jobs;                /* processes, 1 to 64 */
   const char *const *only; /* files, records or classes of data */
   int n_only;
+  const struct paper_text *text; /* of the paper, against which damaged quotations are held; NULL: none is at hand */
   void (*progress)(size_t n, size_t of); /* or NULL */
 };
 

@@ -80,42 +80,61 @@ static bool add(struct quotations *q, enum quote_kind kind, const struct source 
 
 /* --- Printed numbers of scenes --- */
 
-/* The quotation of the claim about the printed number of that name. */
-static const struct quotation *about_number(const struct quotations *q, const struct claims *c, const char *name,
-                                            size_t len) {
+/* The claim about the printed number of that name, or NULL. */
+static const struct claim *about_number(const struct claims *c, const char *name, size_t len) {
   for (size_t i = 0; i < c->n; i++) {
     const char *number = claim_get(&c->claim[i], "number");
-    if (claim_kind(&c->claim[i]) != KIND_NUMBER || !number || strlen(number) != len || strncmp(number, name, len) != 0)
-      continue;
-    for (size_t k = 0; k < q->n; k++)
-      if (q->item[k].kind == QUOTE_CLAIM && strcmp(q->item[k].id, c->claim[i].id) == 0) return &q->item[k];
+    if (claim_kind(&c->claim[i]) == KIND_NUMBER && number && strlen(number) == len && strncmp(number, name, len) == 0)
+      return &c->claim[i];
   }
   return NULL;
 }
 
-/* Does the quotation end with a relation sign and the number? */
-static bool ends_with(const struct quotations *q, const struct quotation *item, const struct quote_tokens *number) {
+static const struct quotation *quotation_of(const struct quotations *q, const struct claim *c) {
+  for (size_t k = 0; c && k < q->n; k++)
+    if (q->item[k].kind == QUOTE_CLAIM && strcmp(q->item[k].id, c->id) == 0) return &q->item[k];
+  return NULL;
+}
+
+/* Does the quotation end with the relation sign and the number? */
+static bool ends_with(const struct quotations *q, const struct quotation *item, const struct quote_tokens *number,
+                      char sign) {
   const struct quote_tokens *t = &q->piece[item->first + item->n - 1].tokens;
   if (t->n <= number->n) return false;
   const struct quote_token *tail = t->token + t->n - number->n;
   for (size_t i = 0; i < number->n; i++)
     if (!quote_token_same(&tail[i], &number->token[i])) return false;
-  return tail[-1].len == 1 && strchr("=<>", *tail[-1].s);
+  return tail[-1].len == 1 && *tail[-1].s == sign;
 }
 
-/* "NAME = DECIMAL". */
-static void add_number(struct quotations *q, const struct claims *c, const struct source *src, const struct field *f) {
-  const char *equals = strchr(f->text, '=');
-  size_t len = strcspn(f->text, " =");
-  if (!equals) return; /* the reader of scenes says what is wrong */
-  struct quoted_number n = {.src = src, .field = f, .of = about_number(q, c, f->text, len)};
-  quote_tokens_read(&n.number, equals + 1, strlen(equals + 1));
-  n.same = n.of && ends_with(q, n.of, &n.number);
+/* "NAME = DECIMAL"; a line of data that no claim is about is no printed number. */
+static void add_number(struct quotations *q, const struct claims *c, size_t scene, const struct field *f) {
+  const char *line = q->scene[scene].src.text + f->value.begin;
+  size_t len = f->value.end - f->value.begin, name = strcspn(line, " =");
+  const char *equals = memchr(line, '=', len);
+  const struct claim *about = about_number(c, line, name);
+  if (!equals || (!f->attribute && !about)) return; /* the reader of scenes says what is wrong */
+  const char *relation = about ? claim_get(about, "relation") : NULL;
+  struct quoted_number n = {.line = line, .len = len, .scene = scene, .of = quotation_of(q, about)};
+  quote_tokens_read(&n.number, equals + 1, (size_t)(line + len - equals) - 1);
+  n.same = n.of && ends_with(q, n.of, &n.number, relation ? *relation : '=');
   q->number = ss_grow(q->number, q->n_numbers, &q->cap_numbers, sizeof *q->number);
   q->number[q->n_numbers++] = n;
 }
 
-static bool add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d) {
+/* Where some numbers are printed, the data are the paper's too. */
+bool quotations_add_scene(struct quotations *q, const struct claims *c, struct source src, struct diag *d) {
+  q->scene = ss_grow(q->scene, q->n_scenes, &q->cap_scenes, sizeof *q->scene);
+  struct record_file *f = &q->scene[q->n_scenes++];
+  if (!record_file_parse(f, src, d)) return false;
+  const struct record *r = &f->records[0];
+  for (size_t k = 0; k < r->n_fields; k++)
+    if (record_get(r, "printed") && (!r->fields[k].attribute || strcmp(r->fields[k].key_name, "printed") == 0))
+      add_number(q, c, q->n_scenes - 1, &r->fields[k]);
+  return true;
+}
+
+bool quotations_add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d) {
   struct arena a;
   struct text path;
   size_t n;
@@ -124,16 +143,9 @@ static bool add_scenes(struct quotations *q, const struct claims *c, const char 
   text_printf(&path, "%s/scenes", data);
   char **name = folder_files(&n, text_str(&path), ".scene", &a, d);
   bool ok = n > 0;
-  q->scene = ss_malloc((n + 1) * sizeof *q->scene);
   for (size_t i = 0; ok && i < n; i++) {
     struct source src;
-    ok = source_read(&src, name[i], MAX_SCENE_FILE, d);
-    if (!ok) break;
-    struct record_file *f = &q->scene[q->n_scenes++];
-    ok = record_file_parse(f, src, d);
-    for (size_t k = 0; ok && k < f->records[0].n_fields; k++)
-      if (f->records[0].fields[k].attribute && strcmp(f->records[0].fields[k].key_name, "printed") == 0)
-        add_number(q, c, &f->src, &f->records[0].fields[k]);
+    ok = source_read(&src, name[i], MAX_SCENE_FILE, d) && quotations_add_scene(q, c, src, d);
   }
   free(name);
   text_clear(&path);
@@ -143,17 +155,22 @@ static bool add_scenes(struct quotations *q, const struct claims *c, const char 
 
 /* --- All of it --- */
 
-bool quotations_collect(struct quotations *q, const struct model *m, const struct claims *c, const char *data,
-                        struct diag *d) {
+static bool add_claims(struct quotations *q, enum quote_kind kind, const struct claims *c, struct diag *d) {
+  bool ok = true;
+  for (size_t i = 0; ok && i < c->n; i++) ok = add(q, kind, &c->claim[i].file->src, c->claim[i].record, "quote", d);
+  return ok;
+}
+
+bool quotations_collect(struct quotations *q, const struct audit_data *a, struct diag *d) {
+  const struct model *m = a->model;
   *q = (struct quotations){.n = 0};
   bool ok = true;
   for (size_t i = 0; ok && i < m->n_files && q->n == 0; i++)
     ok = add(q, QUOTE_TITLE, &m->files[i]->src, &m->files[i]->records[0], "paper", d);
   for (size_t i = 0; ok && i < m->n_records; i++)
     if (m->records[i].rank == RANK_PAPER) ok = add(q, QUOTE_TEX, m->records[i].src, m->records[i].record, "tex", d);
-  for (size_t i = 0; ok && i < c->n; i++)
-    ok = add(q, QUOTE_CLAIM, &c->claim[i].file->src, c->claim[i].record, "quote", d);
-  return ok && add_scenes(q, c, data, d);
+  return ok && add_claims(q, QUOTE_CLAIM, a->claims, d) &&
+         (!a->statements || add_claims(q, QUOTE_STATEMENT, a->statements, d));
 }
 
 void quotations_clear(struct quotations *q) {

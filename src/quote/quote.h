@@ -1,7 +1,7 @@
 /* Quotations held against a copy of the paper's text, token by token.
 
-   What is quoted: `paper`, the title, and `tex` of the paper's own equation files; `quote` of the claims; and the
-   numbers that scenes call printed, each of which must be the one that ends the quotation of the claim about it (kind
+   What is quoted: `paper`, the title, and `tex` of the paper's own equation files; `quote` of the claims and of the
+   list of the paper's statements; and the numbers that scenes call printed, and the data beside them that claims are about, each of which must be the one that ends the quotation of the claim about it (kind
    number, `number: NAME`).  Errata, stable forms, overlays and controls quote nothing.
 
    A text is Markdown with mathematics in TeX.  It counts as its tokens, which are
@@ -30,8 +30,7 @@
 #define STICKSLIP_QUOTE_QUOTE_H
 
 #include "base/arena.h"
-#include "claim/claims.h"
-#include "model/model.h"
+#include "claim/claim.h"
 
 enum { MAX_QUOTED_TEXT = 4 << 20, QUOTE_DIGEST = 7 + 64 + 1 };
 
@@ -63,9 +62,18 @@ void quote_tokens_clear(struct quote_tokens *t);
    parentheses, each with a line feed behind it. */
 void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t);
 
+/* A copy of the paper's text. */
+struct paper_text {
+  struct source src;
+  struct quote_tokens tokens;
+};
+/* At most MAX_QUOTED_TEXT bytes; false with d set, also for a text without a token.  To be cleared in any case. */
+bool paper_text_read(struct paper_text *t, const char *path, struct diag *d);
+void paper_text_clear(struct paper_text *t);
+
 /* --- Quotations --- */
 
-enum quote_kind { QUOTE_TITLE, QUOTE_TEX, QUOTE_CLAIM, N_QUOTE_KINDS };
+enum quote_kind { QUOTE_TITLE, QUOTE_TEX, QUOTE_CLAIM, QUOTE_STATEMENT, N_QUOTE_KINDS };
 
 enum quote_outcome {
   QUOTE_FOUND,
@@ -92,10 +100,10 @@ struct quotation {
   size_t first, n; /* its pieces */
 };
 
-/* A number that a scene calls printed. */
+/* A number that a scene calls printed, or a line of data beside such numbers that a claim is about. */
 struct quoted_number {
-  const struct source *src;
-  const struct field *field;
+  const char *line; /* of the scene, with its length */
+  size_t len, scene;
   const struct quotation *of; /* of the claim about it; NULL: there is none */
   struct quote_tokens number; /* as the scene has it */
   bool same;                  /* as the claim quotes it */
@@ -108,14 +116,16 @@ struct quotations {
   size_t n_pieces, cap_pieces;
   struct quoted_number *number;
   size_t n_numbers, cap_numbers;
-  struct record_file *scene; /* of the data folder */
-  size_t n_scenes;
+  struct record_file *scene;
+  size_t n_scenes, cap_scenes;
 };
 
-/* Everything that is quoted; model and claims outlive it.  false with d set where a place is no list of rising numbers,
-   or has not one for each piece.  quotations_clear it all the same. */
-bool quotations_collect(struct quotations *q, const struct model *m, const struct claims *c, const char *data,
-                        struct diag *d);
+/* Everything that is quoted but for scenes; the data outlive it.  false with d set where a place is no list of rising
+   numbers, or has not one for each piece.  quotations_clear it all the same. */
+bool quotations_collect(struct quotations *q, const struct audit_data *a, struct diag *d);
+/* The printed numbers of a scene, whose source it takes over; of all scenes of a data folder. */
+bool quotations_add_scene(struct quotations *q, const struct claims *c, struct source src, struct diag *d);
+bool quotations_add_scenes(struct quotations *q, const struct claims *c, const char *data, struct diag *d);
 void quotations_clear(struct quotations *q);
 
 /* The first place from that one on at which the piece stands in the text; 0: none. */
@@ -126,8 +136,7 @@ void quotations_compare(struct quotations *q, const struct quote_tokens *text);
 bool quotation_found(const struct quotations *q, const struct quotation *item);
 
 /* What is not found, in the order of the files: with the places, and both sides at the first difference; then how many
-   are.  Returns whether all are.  text: the tokens of src. */
-bool quotations_report(struct text *out, const struct quotations *q, const struct quote_tokens *text,
-                       const struct source *src);
+   are.  Returns whether all are. */
+bool quotations_report(struct text *out, const struct quotations *q, const struct paper_text *text);
 
 #endif

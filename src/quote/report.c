@@ -3,7 +3,7 @@
 
 #include "quote.h"
 
-static const char *const kind_name[N_QUOTE_KINDS] = {"title", "tex", "quote"};
+static const char *const kind_name[N_QUOTE_KINDS] = {"title", "tex", "quote", "statement"};
 
 static void say_file(struct text *out, const struct source *src, size_t offset) {
   size_t line, column;
@@ -36,8 +36,8 @@ static void say_around(struct text *out, const struct quote_tokens *t, size_t i)
 }
 
 /* Both sides at the first difference. */
-static void say_difference(struct text *out, const struct quote_piece *p, const struct quote_tokens *text,
-                           const struct source *src) {
+static void say_difference(struct text *out, const struct quote_piece *p, const struct paper_text *paper) {
+  const struct quote_tokens *text = &paper->tokens;
   size_t i = 0, at = p->place - 1;
   while (i < p->tokens.n && at + i < text->n && quote_token_same(&p->tokens.token[i], &text->token[at + i])) i++;
   text_add(out, "  quoted: ");
@@ -46,7 +46,7 @@ static void say_difference(struct text *out, const struct quote_piece *p, const 
   say_around(out, text, at + i < text->n ? at + i : text->n);
   if (at + i >= text->n) return;
   text_add(out, "          at ");
-  say_file(out, src, (size_t)(text->token[at + i].s - src->text));
+  say_file(out, &paper->src, (size_t)(text->token[at + i].s - paper->src.text));
   text_add_char(out, '\n');
 }
 
@@ -103,14 +103,14 @@ static void say_placeless(struct text *out, const struct quote_piece *p, const s
 }
 
 static void say_piece(struct text *out, const struct quotations *q, const struct quotation *item, size_t k,
-                      const struct quote_tokens *text, const struct source *src) {
+                      const struct paper_text *text) {
   const struct quote_piece *p = &q->piece[item->first + k];
   if (p->outcome == QUOTE_FOUND || (p->outcome == QUOTE_ELSEWHERE && say_moved(out, q, p))) return;
   say_quotation(out, item);
   if (item->n > 1) text_printf(out, ", piece %zu of %zu", k + 1, item->n);
   text_add(out, ": ");
   if (p->outcome == QUOTE_PLACELESS) {
-    say_placeless(out, p, text);
+    say_placeless(out, p, &text->tokens);
     return;
   }
   if (p->outcome == QUOTE_MISNAMED) {
@@ -120,7 +120,7 @@ static void say_piece(struct text *out, const struct quotations *q, const struct
   text_printf(out, "not at token %zu", p->place);
   if (p->outcome == QUOTE_ELSEWHERE) text_printf(out, ", but at %zu", p->elsewhere);
   text_add_char(out, '\n');
-  say_difference(out, p, text, src);
+  say_difference(out, p, text);
 }
 
 static bool number_found(const struct quotations *q, const struct quoted_number *n) {
@@ -128,10 +128,11 @@ static bool number_found(const struct quotations *q, const struct quoted_number 
 }
 
 /* One that is quoted, but whose quotation is not found, has been said. */
-static void say_number(struct text *out, const struct quoted_number *n) {
+static void say_number(struct text *out, const struct quotations *q, const struct quoted_number *n) {
   if (n->same) return;
-  say_file(out, n->src, n->field->value.begin);
-  text_printf(out, ": printed %s: ", n->field->text);
+  const struct source *src = &q->scene[n->scene].src;
+  say_file(out, src, (size_t)(n->line - src->text));
+  text_printf(out, ": printed %.*s: ", (int)n->len, n->line);
   if (n->of) say_quotation(out, n->of);
   text_printf(out, "%s%s\n", n->of ? ", is " : "no claim quotes it", n->of ? n->of->field->text : "");
 }
@@ -140,24 +141,24 @@ static void say_count(struct text *out, const char *what, size_t found, size_t n
   text_printf(out, "%s%zu of %zu", what, found, n);
 }
 
-bool quotations_report(struct text *out, const struct quotations *q, const struct quote_tokens *text,
-                       const struct source *src) {
+bool quotations_report(struct text *out, const struct quotations *q, const struct paper_text *text) {
   size_t found[N_QUOTE_KINDS] = {0}, n[N_QUOTE_KINDS] = {0}, numbers = 0, all = 0;
   for (size_t i = 0; i < q->n; i++) {
     const struct quotation *item = &q->item[i];
     n[item->kind]++;
     if (quotation_found(q, item)) found[item->kind]++;
-    for (size_t k = 0; k < item->n; k++) say_piece(out, q, item, k, text, src);
+    for (size_t k = 0; k < item->n; k++) say_piece(out, q, item, k, text);
   }
   for (size_t i = 0; i < q->n_numbers; i++) {
     if (number_found(q, &q->number[i])) numbers++;
-    say_number(out, &q->number[i]);
+    say_number(out, q, &q->number[i]);
   }
   for (int k = 0; k < N_QUOTE_KINDS; k++) all += found[k];
   say_count(out, "quotations: ", all, q->n);
   say_count(out, " found (title ", found[QUOTE_TITLE], n[QUOTE_TITLE]);
   say_count(out, ", tex ", found[QUOTE_TEX], n[QUOTE_TEX]);
   say_count(out, ", quote ", found[QUOTE_CLAIM], n[QUOTE_CLAIM]);
+  if (n[QUOTE_STATEMENT] > 0) say_count(out, ", statement ", found[QUOTE_STATEMENT], n[QUOTE_STATEMENT]);
   say_count(out, "); printed numbers of scenes: ", numbers, q->n_numbers);
   text_add_char(out, '\n');
   return all == q->n && numbers == q->n_numbers;

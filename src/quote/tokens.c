@@ -153,3 +153,16 @@ void quote_tokens_digest(char digest[QUOTE_DIGEST], const struct quote_tokens *t
   size_t n = (size_t)snprintf(digest, QUOTE_DIGEST, "sha256 ");
   for (size_t i = 0; i < sizeof bytes; i++) snprintf(digest + n + 2 * i, QUOTE_DIGEST - n - 2 * i, "%02x", bytes[i]);
 }
+
+bool paper_text_read(struct paper_text *t, const char *path, struct diag *d) {
+  *t = (struct paper_text){.src = {.text = NULL}};
+  if (!source_read(&t->src, path, MAX_QUOTED_TEXT, d)) return false;
+  quote_tokens_read(&t->tokens, t->src.text, t->src.len);
+  if (t->tokens.n == 0) diag_set(d, "%.300s: error: an empty text", path);
+  return t->tokens.n > 0;
+}
+
+void paper_text_clear(struct paper_text *t) {
+  quote_tokens_clear(&t->tokens);
+  source_clear(&t->src);
+}
