@@ -235,7 +235,8 @@ START_TEST(differences_are_told) {
     int status;
     const char *says;
   } cases[] = {
-      {"note.md", "s/no such thing//", 0, "quotations: 7 of 7 found (title 1 of 1, tex 2 of 2, quote 2 of 2, statement 2 of 2)"},
+      {"note.md", "s/no such thing//", 0,
+       "quotations: 7 of 7 found (title 1 of 1, tex 2 of 2, quote 2 of 2, statement 2 of 2)"},
       {"note.md", "s/I & tI/\\nI\\&t  I/", 0, ", the one on file\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, "  quoted: \\det D(t) = 1 >>+<< t\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, " grows: \\det D(t) = 1 >>-<< t\n          at "},
@@ -256,6 +257,13 @@ START_TEST(differences_are_told) {
        "7 pieces of quotations stand 189 tokens later than their places, from token 57 to token 179\n"},
       {"paper/note.eq", "s/^  place: 179$//", 1, "eq-2 tex: no place is kept; it stands at token 179\n"},
       {"paper/note.eq", "s/^  place: 179$//;s/1 + t$/2 + t/", 1, "eq-2 tex: no place is kept, and it stands nowhere\n"},
+      /* a word cut short at its end and at its beginning, brackets, and what may end there */
+      {"claims/note.claim", "s/goes on by/goes on b/", 1, "eq-1 quote, piece 1 of 2: not at token 57\n"},
+      {"claims/note.claim", "s/goes on by/goes on b/", 1, "  quoted: a state goes on b >>nothing more<<\n"},
+      {"claims/note.claim", "s/a state/tate/;s/57 83/59 83/", 1, "eq-1 quote, piece 1 of 2: not at token 59\n"},
+      {"claims/note.claim", "s/ D(t) = .*//;s/(t) = .begin.*/(t/", 1, "eq-1 quote, piece 2 of 2: not at token 83\n"},
+      {"claims/note.claim", "s/(t) = .begin.*/(t)/", 0, "quotations: 7 of 7 found"},
+      {"claims/note.claim", "s/goes on by/goes on/", 0, "quotations: 7 of 7 found"},
       {"paper/note.eq", "s/^text:.*//", 0, "; none is on file\n"},
       {"claims/note.claim", "s/57 83/57 84/", 1, "eq-1 quote, piece 2 of 2: not at token 84, but at 83\n"},
       {"claims/note.claim", "s/57 83/57/", 3, "a place is the number of a token, or 2 rising ones"},

@@ -271,6 +271,38 @@ static enum kind control_kind(const struct claims *claims, const struct claim *c
   return c ? claim_kind(c) : N_KINDS;
 }
 
+/* The least number of a record's formulas that is written with a negative exponent, 1e-90; 0: none is. */
+static double least_size(const struct statement_record *r) {
+  double least = 0;
+  for (int i = 0; i < r->n_stmts; i++) {
+    const char *text = r->src->text, *end = text + r->stmts[i]->span.end;
+    for (const char *s = text + r->stmts[i]->span.begin; s + 1 < end; s++) {
+      bool starts = *s >= '0' && *s <= '9' && !(s[-1] >= '0' && s[-1] <= '9') && s[-1] != '.' && s[-1] != '_';
+      double size = starts ? strtod(s, NULL) : 0;
+      bool exponent = starts && memchr(s, 'e', strspn(s, "0123456789.e")) != NULL;
+      if (exponent && size > 0 && (least == 0 || size < least)) least = size;
+    }
+  }
+  return least;
+}
+
+/* A control that is wrong by a small number says near what, up to a factor of 1000. */
+static bool check_near(const struct model *m, const struct claims *controls, struct diag *d) {
+  for (size_t i = 0; i < controls->n; i++) {
+    const struct claim *c = &controls->claim[i];
+    const char *near = claim_get(c, "near");
+    double size = 0, says = near ? strtod(near, NULL) : 0;
+    for (size_t k = 0; k < m->n_records; k++)
+      if (m->records[k].rank == RANK_CONTROL && strcmp(m->records[k].record->id_name, c->id) == 0)
+        size = least_size(&m->records[k]);
+    if (size == 0 || (size <= says && says <= 1000 * size)) continue;
+    char what[120];
+    snprintf(what, sizeof what, "its formula is wrong by %g, and it says near: %s", size, near ? near : "nothing");
+    return complain(c, near ? "near" : "claim", d, what);
+  }
+  return true;
+}
+
 static bool check_kind_controls(const struct claims *claims, const struct claims *controls, struct diag *d) {
   const struct claim *one[N_KINDS] = {NULL};
   int have[N_KINDS + 1] = {0};
@@ -331,7 +363,7 @@ bool claims_keep_rules(const struct model *m, const struct claims *claims, const
   for (size_t i = 0; ok && i < claims->n; i++)
     ok = claim_keeps_rules(m, &claims->claim[i], d) && check_turned(claims, &claims->claim[i], d);
   for (size_t i = 0; ok && i < controls->n_files; i++) ok = records_counted(controls->files[i], d);
-  ok = ok && check_kind_controls(claims, controls, d);
+  ok = ok && check_near(m, controls, d) && check_kind_controls(claims, controls, d);
   for (size_t i = 0; ok && i < claims->n; i++) ok = check_correction_controls(claims, controls, i, d);
   return ok && check_errata(m, claims, d) && check_graph(m, claims, d);
 }

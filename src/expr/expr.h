@@ -121,6 +121,8 @@ void expr_plain(struct text *out, const struct expr *e);
 void stmt_plain(struct text *out, const struct stmt *s);
 /* Equality of shape, names and literals; places do not count. */
 bool expr_same(const struct expr *a, const struct expr *b);
+/* The same of two nodes, apart from their operands. */
+bool expr_same_node(const struct expr *a, const struct expr *b);
 
 /* The formula as LaTeX: quotients as \frac, matrices as pmatrix, names split at _ with Greek letters recognised
    (omega1 -> \omega_{1}, z'_1b -> z'_{1b}, k~: ktilde_1 -> \tilde{k}_{1}, gammatilde, hbar -> \bar{h}, Z_a -> Z_{a},

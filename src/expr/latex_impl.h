@@ -8,7 +8,8 @@
 #include "expr_impl.h"
 #include "latex_read.h"
 
-enum { LATEX_MAX_MARKS = 20000 };
+/* A reading is looked for everywhere in the formula. */
+enum { LATEX_MAX_MARKS = 5000, LATEX_MAX_READINGS = 20 };
 
 /* A token that says something: neither a blank nor how large a bracket is.  \begin, \end, \text and \operatorname
    include the word in braces behind them, and have it as s and len. */
@@ -56,6 +57,8 @@ void *latex_mistake(struct latex_reader *r, const char *fmt, ...) SS_PRINTF(2, 3
 struct expr *latex_node(struct latex_reader *r, enum expr_kind kind, size_t at, int n_args);
 /* A sum as far as it goes. */
 const struct expr *latex_sum(struct latex_reader *r);
+/* The function that a mark names; EXPR_SYM for none. */
+enum expr_kind latex_function(const struct mark *m);
 /* The mark of a letter by the name that it has in typed formulas; false when the mark is none. */
 bool latex_letter(struct text *out, const struct mark *m);
 

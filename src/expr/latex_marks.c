@@ -212,6 +212,11 @@ static void drop_alignment(struct marks *out) {
 }
 
 bool latex_marks(struct marks *out, const struct latex_formula *f, struct diag *d) {
+  if (f->n_readings > LATEX_MAX_READINGS) {
+    diag_at(d, f->src, f->readings[LATEX_MAX_READINGS].printed.begin, "more than %d readings of a formula",
+            LATEX_MAX_READINGS);
+    return false;
+  }
   if (!read_span(out, f->src, f->tex, d)) return false;
   for (size_t i = 0; i < f->n_readings; i++)
     if (!apply(out, &f->readings[i], f->src, d)) return false;

@@ -104,9 +104,10 @@ static int bound_value(const struct latex_reader *r, const struct mark *m) {
   return -1;
 }
 
-static int digits(struct latex_reader *r) {
+/* A number of at most so many digits. */
+static int digits(struct latex_reader *r, int most) {
   int value = 0;
-  for (int n = 0; n < 4 && mark_in_hand(r)->kind == TEX_DIGIT; n++, r->at++)
+  for (int n = 0; n < most && mark_in_hand(r)->kind == TEX_DIGIT; n++, r->at++)
     value = 10 * value + (*mark_in_hand(r)->s - '0');
   return value;
 }
@@ -117,7 +118,10 @@ static bool read_subscript_part(struct text *out, struct latex_reader *r, bool b
   int value = bound_value(r, m);
   if (value >= 0) {
     r->at++;
-    if (braced && accept_sign(r, '-')) value -= digits(r);
+    if (braced && accept_sign(r, '-')) {
+      if (mark_in_hand(r)->kind != TEX_DIGIT) return latex_mistake(r, "a number is expected here");
+      value -= digits(r, 4);
+    }
     text_printf(out, "%d", value);
     return true;
   }
@@ -181,8 +185,8 @@ static const char *typed_name(struct latex_reader *r, const struct printed_name 
   return copy;
 }
 
-static enum latex_name kind_of(const char **param, const struct latex_reader *r, const char *name) {
-  return r->names->kind(param, r->names->context, name);
+static enum latex_name kind_of(const struct latex_reader *r, const char *name) {
+  return r->names->kind(r->names->context, name);
 }
 
 static const struct expr *symbol(struct latex_reader *r, size_t at, const char *name) {
@@ -191,14 +195,14 @@ static const struct expr *symbol(struct latex_reader *r, size_t at, const char *
   return e;
 }
 
-/* A function of what stands in parentheses behind it, else of its own argument. */
-static const struct expr *call(struct latex_reader *r, size_t at, const char *name, int order, const char *param) {
+/* A function of what stands in parentheses behind it, else of the time. */
+static const struct expr *call(struct latex_reader *r, size_t at, const char *name, int order) {
   const struct expr *arg;
   if (accept_sign(r, '(')) {
     arg = latex_sum(r);
     if (arg && !accept_sign(r, ')')) return latex_mistake(r, "the argument of %s ends here", name);
   } else {
-    arg = symbol(r, at, param);
+    arg = symbol(r, at, "t");
   }
   struct expr *e = arg ? latex_node(r, EXPR_CALL, at, 1) : NULL;
   if (!e) return NULL;
@@ -232,23 +236,23 @@ static const struct expr *entry(struct latex_reader *r, size_t at, const struct 
 
 /* M_{12} and H_{12}(t_c): an entry of what the letters name. */
 static const struct expr *entry_by_name(struct latex_reader *r, size_t at, const struct printed_name *n) {
-  const char *indices = text_str(&n->subscript), *param = NULL;
+  const char *indices = text_str(&n->subscript);
   bool two = strlen(indices) == 2 && strspn(indices, "0123456789") == 2;
   if (n->inner || n->outer || (!two && !strchr(indices, ':'))) return NULL;
   const char *base = arena_strndup(r->arena, text_str(&n->base), n->base.len);
-  enum latex_name kind = kind_of(&param, r, base);
+  enum latex_name kind = kind_of(r, base);
   if (kind == LATEX_UNKNOWN) return NULL;
-  return entry(r, at, kind == LATEX_FUNCTION ? call(r, at, base, 0, param) : symbol(r, at, base), indices);
+  return entry(r, at, kind == LATEX_FUNCTION ? call(r, at, base, 0) : symbol(r, at, base), indices);
 }
 
 static const struct expr *resolve(struct latex_reader *r, size_t at, const struct printed_name *n) {
-  const char *plain = typed_name(r, n, 0), *param = NULL, *unused;
+  const char *plain = typed_name(r, n, 0);
   const char *primed = n->inner > 0 && n->subscript.len > 0 && !n->outer ? typed_name(r, n, n->inner) : NULL;
-  if (primed && kind_of(&unused, r, primed) == LATEX_VALUE) return symbol(r, at, primed);
-  enum latex_name kind = kind_of(&param, r, plain);
-  if (kind == LATEX_FUNCTION) return call(r, at, plain, n->inner + n->outer, param);
+  if (primed && kind_of(r, primed) == LATEX_VALUE) return symbol(r, at, primed);
+  enum latex_name kind = kind_of(r, plain);
+  if (kind == LATEX_FUNCTION) return call(r, at, plain, n->inner + n->outer);
   bool applied = kind == LATEX_VALUE && mark_is_sign(mark_in_hand(r), '(') && n->subscript.len == 2 &&
-                 kind_of(&unused, r, text_str(&n->base)) == LATEX_FUNCTION;
+                 kind_of(r, text_str(&n->base)) == LATEX_FUNCTION;
   if (kind == LATEX_VALUE && !applied && n->inner + n->outer == 0) return symbol(r, at, plain);
   const struct expr *e = entry_by_name(r, at, n);
   if (e || r->d->set) return e;
@@ -263,13 +267,12 @@ static const struct expr *resolve(struct latex_reader *r, size_t at, const struc
 static bool read_differential(struct printed_name *n, struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
   size_t at = r->at;
-  const char *unused;
   if (m->kind != TEX_LETTER || *m->s != 'd') return false;
   r->at++;
   text_add(&n->base, "d");
   bool named = read_printed_name(n, r);
-  if (named && (kind_of(&unused, r, typed_name(r, n, 0)) != LATEX_UNKNOWN ||
-                kind_of(&unused, r, typed_name(r, n, n->inner)) != LATEX_UNKNOWN))
+  if (named &&
+      (kind_of(r, typed_name(r, n, 0)) != LATEX_UNKNOWN || kind_of(r, typed_name(r, n, n->inner)) != LATEX_UNKNOWN))
     return true;
   r->at = at;
   printed_name_clear(n);
@@ -304,11 +307,27 @@ static int power_of_ten(struct latex_reader *r) {
   return 0;
 }
 
+/* Whether the mark that is so far on stands right behind the one before it, which is not so where a reading begins. */
+static bool follows_closely(const struct latex_reader *r, size_t at) {
+  return at < r->end && r->m[at].s == r->m[at - 1].s + 1;
+}
+
+/* A point belongs to a number where a digit follows. */
+static void pass_number(struct latex_reader *r) {
+  bool point = false;
+  for (r->at++; follows_closely(r, r->at); r->at++) {
+    const struct mark *m = mark_in_hand(r);
+    const bool is_point = !point && mark_is_sign(m, '.') && follows_closely(r, r->at + 1) && m[1].kind == TEX_DIGIT;
+    if (m->kind != TEX_DIGIT && !is_point) break;
+    point = point || is_point;
+  }
+}
+
 static const struct expr *read_number(struct latex_reader *r) {
   size_t at = r->at;
   const char *s = mark_in_hand(r)->s;
-  size_t len = tex_number_length(s, r->m[r->end - 1].s + r->m[r->end - 1].len);
-  while (r->at < r->end && mark_in_hand(r)->s < s + len) r->at++;
+  pass_number(r);
+  const size_t len = r->at - at;
   char power[16] = "";
   int exponent = power_of_ten(r);
   if (exponent != 0) snprintf(power, sizeof power, "e%d", exponent);
@@ -347,6 +366,9 @@ static const struct expr *read_parentheses(struct latex_reader *r) {
 
 /* Between \begin{pmatrix} and \end; a comma before & sets entries apart and says nothing. */
 static const struct expr *read_matrix(struct latex_reader *r) {
+  const struct mark *begin = mark_in_hand(r);
+  const struct tex_environment *kind = tex_environment(begin->s, begin->len);
+  if (!kind) return latex_mistake(r, "{%.*s} is no matrix", (int)(begin->len < 40 ? begin->len : 40), begin->s);
   size_t at = r->at++;
   const struct expr *entries[MAX_ENTRIES];
   int n = 0, rows = 1, cols = 0;
@@ -364,23 +386,23 @@ static const struct expr *read_matrix(struct latex_reader *r) {
   return matrix(r, at, rows, cols, entries);
 }
 
-static const struct expr *read_group(struct latex_reader *r) {
+static const struct expr *read_group(struct latex_reader *r, const struct expr *(*read)(struct latex_reader *)) {
   if (!accept_kind(r, TEX_OPEN)) return latex_mistake(r, "\"{\" is expected here");
-  const struct expr *e = latex_sum(r);
+  const struct expr *e = read(r);
   if (e && !accept_kind(r, TEX_CLOSE)) return latex_mistake(r, "\"}\" is expected here");
   return e;
 }
 
 static const struct expr *read_fraction(struct latex_reader *r) {
   size_t at = r->at++;
-  const struct expr *top = read_group(r);
-  return top ? node2(r, EXPR_DIV, at, top, read_group(r)) : NULL;
+  const struct expr *top = read_group(r, latex_sum);
+  return top ? node2(r, EXPR_DIV, at, top, read_group(r, latex_sum)) : NULL;
 }
 
-/* A group, and with a subscript an entry of it. */
+/* A group, and with a subscript an entry of it.  It holds one factor, for braces are not printed. */
 static const struct expr *read_braced(struct latex_reader *r) {
   size_t at = r->at;
-  const struct expr *e = read_group(r);
+  const struct expr *e = read_group(r, read_factor);
   if (!e || mark_in_hand(r)->kind != TEX_LOWERED) return e;
   struct text indices;
   text_init(&indices);
@@ -398,28 +420,37 @@ static const struct expr *read_bars(struct latex_reader *r) {
   return node1(r, EXPR_ABS, at, e);
 }
 
+static bool accept_letter(struct latex_reader *r, char c) {
+  const struct mark *m = mark_in_hand(r);
+  return m->kind == TEX_LETTER && *m->s == c && ++r->at;
+}
+
+/* ^{\le 1} */
+static bool accept_up_to_one(struct latex_reader *r) {
+  enum relop op;
+  if (!accept_kind(r, TEX_RAISED) || !accept_kind(r, TEX_OPEN)) return false;
+  if (!mark_relation(&op, mark_in_hand(r)) || op != REL_LE) return false;
+  r->at++;
+  return mark_in_hand(r)->kind == TEX_DIGIT && digits(r, 4) == 1 && accept_kind(r, TEX_CLOSE);
+}
+
+/* ]_{O(x, y)^{\le 1}}, the names put behind what is there. */
+static bool read_small(const struct expr **args, int *n, struct latex_reader *r) {
+  if (!accept_sign(r, ']') || !accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN)) return false;
+  if (!accept_letter(r, 'O') || !accept_sign(r, '(')) return false;
+  do {
+    if (*n == MAX_ENTRIES || !(args[(*n)++] = read_name(r))) return false;
+  } while (accept_sign(r, ','));
+  return accept_sign(r, ')') && accept_up_to_one(r) && accept_kind(r, TEX_CLOSE);
+}
+
 /* [f]_{O(x, y)^{\le 1}}: f to the first order in x and y. */
 static const struct expr *read_first_order(struct latex_reader *r) {
-  static const char *const form = "brackets are read as [f]_{O(x, y)^{\\le 1}} alone";
   const struct expr *args[MAX_ENTRIES];
   int n = 0;
   size_t at = r->at++;
   if (!(args[n++] = latex_sum(r))) return NULL;
-  if (!accept_sign(r, ']') || !accept_kind(r, TEX_LOWERED) || !accept_kind(r, TEX_OPEN))
-    return latex_mistake(r, "%s", form);
-  if (mark_in_hand(r)->kind != TEX_LETTER || *mark_in_hand(r)->s != 'O') return latex_mistake(r, "%s", form);
-  r->at++;
-  if (!accept_sign(r, '(')) return latex_mistake(r, "%s", form);
-  do {
-    if (n == MAX_ENTRIES || !(args[n++] = read_name(r))) return latex_mistake(r, "%s", form);
-  } while (accept_sign(r, ','));
-  if (!accept_sign(r, ')') || !accept_kind(r, TEX_RAISED)) return latex_mistake(r, "%s", form);
-  const struct mark *open = mark_in_hand(r);
-  if (open->kind != TEX_OPEN || open->pair != r->at + 3 || !mark_is_role(open + 1, TEX_ROLE_BINARY) ||
-      *open[2].s != '1')
-    return latex_mistake(r, "%s", form);
-  r->at = open->pair + 1;
-  if (!accept_kind(r, TEX_CLOSE)) return latex_mistake(r, "%s", form);
+  if (!read_small(args, &n, r)) return latex_mistake(r, "brackets are read as [f]_{O(x, y)^{\\le 1}} alone");
   struct expr *e = latex_node(r, EXPR_FIRST_ORDER, at, n);
   if (e) memcpy(e->args, args, (size_t)n * sizeof *args);
   return e;
@@ -427,8 +458,7 @@ static const struct expr *read_first_order(struct latex_reader *r) {
 
 /* --- Functions --- */
 
-/* The function that a mark names; EXPR_SYM for none. */
-static enum expr_kind function_of(const struct mark *m) {
+enum expr_kind latex_function(const struct mark *m) {
   static const struct {
     const char *name;
     enum expr_kind kind;
@@ -454,7 +484,12 @@ static bool starts_factor(const struct latex_reader *r) {
     if (mark_is_role(m, roles[i])) return true;
   return m->kind == TEX_LETTER || m->kind == TEX_DIGIT || m->kind == TEX_OPEN || m->kind == TEX_BEGIN ||
          mark_is_sign(m, '(') || mark_is_sign(m, '[') || (mark_is_sign(m, '|') && !r->bars) ||
-         function_of(m) != EXPR_SYM;
+         latex_function(m) != EXPR_SYM;
+}
+
+static bool is_times(const struct mark *m) {
+  return mark_is_role(m, TEX_ROLE_BINARY) &&
+         (strcmp(m->word->name, "cdot") == 0 || strcmp(m->word->name, "times") == 0);
 }
 
 /* What a function is applied to: parentheses, else one factor that no other follows. */
@@ -463,25 +498,24 @@ static const struct expr *read_argument(struct latex_reader *r) {
     const struct expr *e = latex_sum(r);
     return !e || accept_sign(r, ')') ? e : latex_mistake(r, "one argument in parentheses is read here");
   }
-  if (function_of(mark_in_hand(r)) != EXPR_SYM) return latex_mistake(r, "a function of a function needs parentheses");
+  if (latex_function(mark_in_hand(r)) != EXPR_SYM)
+    return latex_mistake(r, "a function of a function needs parentheses");
   const struct expr *e = read_factor(r);
-  if (e && starts_factor(r) && function_of(mark_in_hand(r)) == EXPR_SYM)
+  const struct mark *next = mark_in_hand(r);
+  if (e && (mark_is_sign(next, '/') || is_times(next) || (starts_factor(r) && latex_function(next) == EXPR_SYM)))
     return latex_mistake(r, "where the argument ends is doubtful: parentheses are needed");
   return e;
 }
 
 static const struct expr *read_hypot(struct latex_reader *r, size_t at) {
-  if (!accept_sign(r, '(')) return latex_mistake(r, "hypot has two arguments in parentheses");
-  const struct expr *a = latex_sum(r);
-  if (a && !accept_sign(r, ',')) return latex_mistake(r, "hypot has two arguments");
-  const struct expr *b = a ? latex_sum(r) : NULL;
-  if (b && !accept_sign(r, ')')) return latex_mistake(r, "hypot has two arguments");
-  return node2(r, EXPR_HYPOT, at, a, b);
+  const struct expr *a = accept_sign(r, '(') ? latex_sum(r) : NULL, *b = a && accept_sign(r, ',') ? latex_sum(r) : NULL;
+  if (b && accept_sign(r, ')')) return node2(r, EXPR_HYPOT, at, a, b);
+  return latex_mistake(r, "hypot has two arguments in parentheses");
 }
 
 static const struct expr *read_function(struct latex_reader *r) {
   size_t at = r->at;
-  enum expr_kind kind = function_of(mark_in_hand(r));
+  enum expr_kind kind = latex_function(mark_in_hand(r));
   r->at++;
   if (kind == EXPR_HYPOT) return read_hypot(r, at);
   int exponent = 0;
@@ -509,19 +543,19 @@ static const struct expr *read_primary(struct latex_reader *r) {
   if (mark_is_role(m, TEX_ROLE_FRACTION)) return read_fraction(r);
   if (mark_is_role(m, TEX_ROLE_ROOT)) {
     size_t at = r->at++;
-    return node1(r, EXPR_SQRT, at, read_group(r));
+    return node1(r, EXPR_SQRT, at, read_group(r, latex_sum));
   }
-  if (function_of(m) != EXPR_SYM) return read_function(r);
+  if (latex_function(m) != EXPR_SYM) return read_function(r);
   if (starts_factor(r)) return read_name(r);
   return latex_mistake(
       r, r->at < r->end ? "\"%.*s\" does not stand here in a formula" : "something is missing behind this",
       (int)(m->len < 40 ? m->len : 40), m->s);
 }
 
-/* Digits, behind ^ and perhaps in braces with a sign; 0 for what is none. */
+/* One digit behind ^, or several in braces, with a sign perhaps; 0 for what is none. */
 static int read_exponent(struct latex_reader *r) {
   bool braced = accept_kind(r, TEX_OPEN), negative = braced && accept_sign(r, '-');
-  int value = mark_in_hand(r)->kind == TEX_DIGIT ? digits(r) : 0;
+  int value = digits(r, braced ? 4 : 1);
   if (braced && !accept_kind(r, TEX_CLOSE)) return 0;
   return negative ? -value : value;
 }
@@ -529,8 +563,9 @@ static int read_exponent(struct latex_reader *r) {
 /* ^t and ^{\mathsf{T}}: the transpose. */
 static bool accept_transpose(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
-  if (m->kind == TEX_LETTER && *m->s == 't') return ++r->at;
-  if (m->kind != TEX_OPEN || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
+  if (accept_letter(r, 't')) return true;
+  if (m->kind != TEX_OPEN || m->pair != r->at + 5 || !mark_is_role(m + 1, TEX_ROLE_FONT)) return false;
+  if (strcmp(m[1].word->name, "mathsf") != 0 || m[2].kind != TEX_OPEN || *m[3].s != 'T') return false;
   r->at = m->pair + 1;
   return true;
 }
@@ -554,20 +589,13 @@ static const struct expr *read_factor(struct latex_reader *r) {
   return e;
 }
 
-static bool accept_times(struct latex_reader *r) {
-  const struct mark *m = mark_in_hand(r);
-  if (!mark_is_role(m, TEX_ROLE_BINARY)) return false;
-  if (strcmp(m->word->name, "cdot") != 0 && strcmp(m->word->name, "times") != 0) return false;
-  r->at++;
-  return true;
-}
-
 static const struct expr *read_product(struct latex_reader *r) {
   size_t at = r->at;
   const struct expr *e = read_factor(r);
   for (;;) {
     if (!e) return NULL;
-    bool times = accept_times(r);
+    bool times = is_times(mark_in_hand(r));
+    r->at += times;
     if (!times && mark_in_hand(r)->kind == TEX_DIGIT) return latex_mistake(r, "a number comes first in a product");
     if (!times && !starts_factor(r)) break;
     e = node2(r, EXPR_MUL, at, e, read_factor(r));

@@ -4,7 +4,7 @@
    (a, b) and their transposes (a, b)^t, inverses ^{-1}, names with accents, primes and subscripts, chains of relations;
    and what LaTeX of this library writes (expr_latex).  A name is looked up: \tilde{k}_1 is ktilde_1, z'_{1b} is z'_1b,
    \varepsilon is eps; M_{12} is M[1,2] where M is a matrix and M_12 no name; a d before a letter makes a differential,
-   dt_a.  A function without an argument is taken at its own, K of K(t) at t; a prime marks the derivative of a function.
+   dt_a.  Of a function without an argument it is t, the time: K is K(t); a prime marks its derivative.
 
    Statements are separated by ",", ";", \quad, \\ before anything but a relation, "..." after anything but one, and the
    words "if", "i.e.", "and", "for", "with".  Among them stand, in parentheses: another statement; words, which say
@@ -20,8 +20,7 @@
 
 enum latex_name { LATEX_UNKNOWN, LATEX_VALUE, LATEX_FUNCTION };
 struct latex_names {
-  /* What a name is; of a function, *param is its argument's name. */
-  enum latex_name (*kind)(const char **param, const void *context, const char *name);
+  enum latex_name (*kind)(const void *context, const char *name);
   const void *context;
 };
 
@@ -37,8 +36,9 @@ struct latex_formula {
   size_t n_readings;
 };
 
-/* The statements of a formula, relations all, in the arena.  At most 20000 tokens, 200 levels of brackets and
-   EXPR_MAX_NODES nodes.  NULL with d set on failure; *n is at least 1 otherwise. */
+/* The statements of a formula, relations all, in the arena.  At most 5000 tokens, 20 readings, 200 levels of
+   brackets, 16 sides of a chain and EXPR_MAX_NODES nodes.  d is not set; NULL with d set on failure, else *n is at
+   least 1. */
 const struct stmt **latex_statements(size_t *n, struct arena *a, const struct latex_formula *f,
                                      const struct latex_names *names, struct diag *d);
 

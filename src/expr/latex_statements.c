@@ -25,26 +25,39 @@ struct splitter {
 
 /* --- Families --- */
 
+static bool put_value(struct family *f, int value) {
+  if (f->n_values == 16) return false;
+  f->value[f->n_values++] = value;
+  return true;
+}
+
+/* All that \dots leaves out before the value, one above the other. */
+static bool fill_in(struct family *f, int value) {
+  const int n = f->n_values, *v = f->value;
+  if (n == 0 || v[n - 1] >= value || (n > 1 && v[n - 1] != v[n - 2] + 1)) return false;
+  for (int next = v[n - 1] + 1; next < value; next++)
+    if (!put_value(f, next)) return false;
+  return true;
+}
+
+static bool are_dots(const struct mark *m) {
+  return mark_is_role(m, TEX_ROLE_ORDINARY) && strstr(m->word->name, "dots");
+}
+
+/* Digits with commas between them. */
 static bool read_values(struct family *f, const struct mark *m, size_t at, size_t end) {
-  bool dots = false;
-  while (at < end) {
-    if (m[at].kind == TEX_DIGIT) {
-      int value = *m[at].s - '0';
-      do {
-        if (f->n_values == 16) return false;
-        int next = dots ? f->value[f->n_values - 1] + 1 : value;
-        if (next > value) return false;
-        f->value[f->n_values++] = next;
-      } while (dots && f->value[f->n_values - 1] < value);
-      dots = false;
-    } else if (mark_is_role(&m[at], TEX_ROLE_ORDINARY) && f->n_values > 0 && !dots) {
+  for (bool dots = false; at < end; at += 2) {
+    if (at + 1 < end && !mark_is_sign(&m[at + 1], ',')) return false;
+    const int value = m[at].kind == TEX_DIGIT ? *m[at].s - '0' : 0;
+    if (!dots && are_dots(&m[at])) {
       dots = true;
-    } else if (!mark_is_sign(&m[at], ',')) {
-      return false;
+      continue;
     }
-    at++;
+    if (m[at].kind != TEX_DIGIT || (dots && !fill_in(f, value)) || !put_value(f, value)) return false;
+    dots = false;
+    if (at + 1 == end) return true;
   }
-  return f->n_values > 0 && !dots;
+  return false;
 }
 
 /* i = 1, 2 or i, j = 1, 2, 3 or \varepsilon = \pm 1. */
@@ -60,11 +73,11 @@ static bool read_family(struct family *f, struct latex_reader *r, size_t begin, 
     return f->sign != NULL;
   }
   size_t at = begin;
-  for (; at < end && f->n_letters < 2 && m[at].kind == TEX_LETTER; at++) {
-    f->letter[f->n_letters++] = *m[at].s;
-    if (at + 1 < end && mark_is_sign(&m[at + 1], ',')) at++;
-  }
-  return f->n_letters > 0 && at < end && mark_is_sign(&m[at], '=') && read_values(f, m, at + 1, end);
+  do {
+    if (at >= end || m[at].kind != TEX_LETTER || f->n_letters == 2) return false;
+    f->letter[f->n_letters++] = *m[at++].s;
+  } while (at < end && mark_is_sign(&m[at], ',') && at++);
+  return at < end && mark_is_sign(&m[at], '=') && read_values(f, m, at + 1, end);
 }
 
 /* Whether a letter stands in a subscript of the part. */
@@ -146,15 +159,23 @@ static size_t filler(const struct mark *m, size_t begin, size_t at, size_t end) 
   return at > begin && is_relation(&m[at - 1]) && spells(m, at, end, "...") ? 3 : 0;
 }
 
-/* Parentheses around words, or around a relation, are no operand. */
-static bool is_remark(const struct mark *m, size_t open) {
-  if (!mark_is_sign(&m[open], '(')) return false;
-  if (mark_is_role(&m[open + 1], TEX_ROLE_TEXT) && !mark_is_text(&m[open + 1], "tr")) return true;
+static bool holds_relation(const struct mark *m, size_t open) {
   for (size_t i = open + 1; i < m[open].pair; i++) {
     if (is_relation(&m[i])) return true;
     if (m[i].pair > i) i = m[i].pair;
   }
   return false;
+}
+
+/* Words, and no relation, say nothing. */
+static bool is_aside(const struct mark *m, size_t open) {
+  return mark_is_role(&m[open + 1], TEX_ROLE_TEXT) && latex_function(&m[open + 1]) == EXPR_SYM &&
+         !holds_relation(m, open);
+}
+
+/* Parentheses around words, or around a relation, are no operand. */
+static bool is_remark(const struct mark *m, size_t open) {
+  return mark_is_sign(&m[open], '(') && (is_aside(m, open) || holds_relation(m, open));
 }
 
 static void put_part(struct splitter *s, size_t begin, size_t end) {
@@ -169,7 +190,7 @@ static bool read_remark(struct splitter *s, size_t open) {
   const struct mark *m = s->r.m;
   struct family f;
   s->r.at = open;
-  if (mark_is_role(&m[open + 1], TEX_ROLE_TEXT)) return true;
+  if (is_aside(m, open)) return true;
   return read_family(&f, &s->r, open + 1, m[open].pair) ? give_family(s, &f) : split(s, open + 1, m[open].pair);
 }
 
@@ -282,21 +303,18 @@ const struct stmt **latex_statements(size_t *n, struct arena *a, const struct la
                                      const struct latex_names *names, struct diag *d) {
   struct marks marks = {0};
   struct list list = {0};
-  struct diag own;
-  diag_init(&own);
-  bool ok = latex_marks(&marks, f, &own);
-  struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = &own, .m = marks.m, .end = marks.n}};
+  bool ok = latex_marks(&marks, f, d);
+  struct splitter s = {.r = {.arena = a, .src = f->src, .names = names, .d = d, .m = marks.m, .end = marks.n}};
   if (ok && marks.n == 0) {
-    diag_at(&own, f->src, f->tex.begin, "the TeX is empty");
+    diag_at(d, f->src, f->tex.begin, "the TeX is empty");
     ok = false;
   }
   ok = ok && split(&s, 0, marks.n);
   for (size_t i = 0; ok && i < s.n; i++) ok = put_part_statements(&list, &s.r, &s.part[i]);
   if (ok && list.n == 0) {
-    diag_at(&own, f->src, f->tex.begin, "the TeX states nothing");
+    diag_at(d, f->src, f->tex.begin, "the TeX states nothing");
     ok = false;
   }
-  if (!ok && d) diag_again(d, own.message);
   const struct stmt **out = ok ? arena_alloc(a, list.n * sizeof *out) : NULL;
   if (ok) memcpy(out, list.stmt, list.n * sizeof *out);
   *n = ok ? list.n : 0;

@@ -290,7 +290,7 @@ static bool same_text(const char *a, const char *b) {
   return a == b || (a && b && !strcmp(a, b));
 }
 
-static bool same_node(const struct expr *a, const struct expr *b) {
+bool expr_same_node(const struct expr *a, const struct expr *b) {
   return a->kind == b->kind && same_text(a->name, b->name) && a->order == b->order && a->exponent == b->exponent &&
          a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index &&
          !memcmp(a->index, b->index, sizeof a->index) &&
@@ -304,7 +304,7 @@ bool expr_same(const struct expr *a, const struct expr *b) {
   bool same = true;
   for (;;) {
     if (a != b) {
-      if (!(same = same_node(a, b))) break;
+      if (!(same = expr_same_node(a, b))) break;
       for (int i = 0; i < a->n_args; i++) {
         todo = ss_grow(todo, n, &cap, sizeof *todo);
         todo[n++] = a->args[i];

@@ -13,19 +13,12 @@ struct seen_from {
   const char *section;
 };
 
-static const char *trajectory_argument(const struct stmt *s, const char *name) {
-  for (int i = 0; i < s->n_names; i++)
-    if (strcmp(s->names[i], name) == 0) return s->params[i];
-  return NULL;
-}
-
-static enum latex_name kind_of_name(const char **param, const void *context, const char *name) {
+static enum latex_name kind_of_name(const void *context, const char *name) {
   const struct seen_from *from = context;
   struct diag ambiguous;
   diag_init(&ambiguous);
   const struct definition *def = view_lookup(&from->view, name, from->section, &ambiguous);
-  *param = !def ? NULL : def->stmt->kind == STMT_TRAJECTORY ? trajectory_argument(def->stmt, name) : def->stmt->param;
-  if (*param) return LATEX_FUNCTION;
+  if (def && (def->stmt->param || def->stmt->kind == STMT_TRAJECTORY)) return LATEX_FUNCTION;
   return def || model_is_symbol(from->view.model, name) ? LATEX_VALUE : LATEX_UNKNOWN;
 }
 
@@ -71,22 +64,13 @@ static bool same_name(const char *a, const char *b) {
   return a == b || (a && b && strcmp(a, b) == 0);
 }
 
-static bool same_node(const struct expr *a, const struct expr *b) {
-  if (is_inverse(a) && is_inverse(b)) return true;
-  return a->kind == b->kind && same_name(a->name, b->name) && a->order == b->order && a->exponent == b->exponent &&
-         a->rows == b->rows && a->cols == b->cols && a->n_index == b->n_index && a->n_args == b->n_args &&
-         memcmp(a->index, b->index, sizeof a->index) == 0;
-}
-
 /* Where two trees part: the innermost pair that holds every difference; false where they are the same. */
 static bool find_difference(const struct expr **a, const struct expr **b) {
   const struct expr *x = without_parentheses(*a), *y = without_parentheses(*b);
-  bool differ = !same_node(x, y);
-  if (differ) {
-    *a = x;
-    *b = y;
-    return true;
-  }
+  *a = x;
+  *b = y;
+  if (!expr_same_node(x, y) && !(is_inverse(x) && is_inverse(y))) return true;
+  bool differ = false;
   for (int i = 0; i < x->n_args; i++) {
     const struct expr *left = x->args[i], *right = y->args[i];
     if (!find_difference(&left, &right)) continue;
@@ -100,30 +84,23 @@ static bool find_difference(const struct expr **a, const struct expr **b) {
 
 /* --- Two statements --- */
 
-enum { MAX_SIDES = 16 };
-
 /* A statement as a chain of sides: a definition is "name = expression", a root "expression = 0". */
 struct chain {
-  const struct expr *side[MAX_SIDES];
-  enum relop op[MAX_SIDES];
+  const struct expr *const *side;
+  const enum relop *op; /* of a relation; else all are "=" */
   int n;
+  const struct expr *pair[2];
   struct expr made[2]; /* the side that the statement does not have as an expression, and what is inside it */
   const struct expr *inside;
 };
-
-static void relation_chain(struct chain *c, const struct stmt *s) {
-  c->n = s->n_sides < MAX_SIDES ? s->n_sides : MAX_SIDES;
-  for (int i = 0; i < c->n; i++) {
-    c->side[i] = s->sides[i];
-    c->op[i] = i + 1 < s->n_sides ? s->ops[i] : REL_EQ;
-  }
-}
 
 /* c must stay where it is. */
 static void chain_of(struct chain *c, const struct stmt *s) {
   memset(c, 0, sizeof *c);
   if (s->kind == STMT_RELATION) {
-    relation_chain(c, s);
+    c->n = s->n_sides;
+    c->side = s->sides;
+    c->op = s->ops;
     return;
   }
   bool root = s->kind == STMT_ROOT;
@@ -140,8 +117,9 @@ static void chain_of(struct chain *c, const struct stmt *s) {
     made[0].args = &c->inside;
   }
   c->n = 2;
-  c->side[root] = &made[0];
-  c->side[!root] = s->sides[0];
+  c->side = c->pair;
+  c->pair[root] = &made[0];
+  c->pair[!root] = s->sides[0];
 }
 
 /* name := sqrt(a), of which the TeX says name^2 = a. */
@@ -152,17 +130,7 @@ static void square_chain(struct chain *c, const struct stmt *typed, const struct
   c->inside = &c->made[1];
   c->made[0] =
       (struct expr){.kind = EXPR_POW, .exponent = 2, .n_args = 1, .args = &c->inside, .span = typed->name_span};
-  c->side[1] = typed->sides[0]->args[0];
-}
-
-/* lo < v < hi of the TeX, for a variable of the record's ranges, is where its statements hold. */
-static const struct stmt *domain_of(const struct stmt *typed, const struct stmt *const *tex, size_t n) {
-  if (!typed->range_var || typed->range_signs) return NULL;
-  for (size_t i = 0; i < n; i++)
-    if (tex[i]->n_sides == 3 && tex[i]->ops[0] == REL_LT && tex[i]->ops[1] == REL_LT &&
-        tex[i]->sides[1]->kind == EXPR_SYM && strcmp(tex[i]->sides[1]->name, typed->range_var) == 0)
-      return tex[i];
-  return NULL;
+  c->pair[1] = typed->sides[0]->args[0];
 }
 
 /* --- A record --- */
@@ -197,52 +165,68 @@ static bool same_side(const struct comparison *c, const struct expr *typed, cons
   return false;
 }
 
-static bool same_range(const struct comparison *c, const struct stmt *typed, const struct stmt *tex,
-                       const struct stmt *domain) {
-  size_t at = typed->span.begin, there = tex->span.begin;
-  if (domain) return same_side(c, typed->range_lo, domain->sides[0]) && same_side(c, typed->range_hi, domain->sides[2]);
-  if (same_name(typed->range_var, tex->range_var) && typed->range_signs == tex->range_signs) return true;
-  return mistake(c, at, there, "the range is not what the TeX says", typed->range_var ? typed->range_var : "none",
-                 tex->range_var ? tex->range_var : "none");
-}
-
-static bool same_statement(const struct comparison *c, const struct stmt *typed, const struct stmt *tex) {
-  static const char *const sign[] = {[REL_EQ] = "=", [REL_LT] = "<", [REL_LE] = "<=", [REL_GT] = ">", [REL_GE] = ">="};
-  struct chain a, b;
-  chain_of(&a, typed);
-  chain_of(&b, tex);
-  square_chain(&a, typed, tex);
-  for (int i = 0; i < a.n && i < b.n; i++) {
-    if (!same_side(c, a.side[i], b.side[i])) return false;
-    if (i + 1 < a.n && i + 1 < b.n && a.op[i] != b.op[i])
-      return mistake(c, a.side[i]->span.end, b.side[i]->span.end, "the relation is not that of the TeX", sign[a.op[i]],
-                     sign[b.op[i]]);
-  }
-  if (a.n != b.n)
-    return mistake(c, typed->span.end, tex->span.end, "one chain goes on", a.n > b.n ? "longer" : "shorter",
-                   a.n > b.n ? "shorter" : "longer");
-  return same_range(c, typed, tex, domain_of(typed, c->tex, c->n_tex));
-}
-
+/* lo < v < hi of the TeX, for a variable of the record's ranges, is where the statements behind it hold. */
 static bool is_domain(const struct comparison *c, const struct stmt *tex) {
+  if (tex->n_sides != 3 || tex->sides[1]->kind != EXPR_SYM) return false;
+  for (int i = 0; i < 2; i++)
+    if (tex->ops[i] != REL_LT && tex->ops[i] != REL_LE) return false;
   for (int i = 0; i < c->r->n_stmts; i++)
-    if (domain_of(c->r->stmts[i], &tex, 1)) return true;
+    if (c->r->stmts[i]->range_lo && same_name(c->r->stmts[i]->range_var, tex->sides[1]->name)) return true;
   return false;
 }
 
+static const char *bounds(bool lo_closed, bool hi_closed) {
+  static const char *const brackets[2][2] = {{"( )", "( ]"}, {"[ )", "[ ]"}};
+  return brackets[lo_closed][hi_closed];
+}
+
+static bool same_range(const struct comparison *c, const struct stmt *typed, const struct stmt *tex,
+                       const struct stmt *domain) {
+  static const char *const what = "the range is not what the TeX says";
+  const char *here = typed->range_var, *there = domain ? domain->sides[1]->name : tex->range_var;
+  size_t at = typed->span.begin, tex_at = domain ? domain->span.begin : tex->span.begin;
+  if (!same_name(here, there) || typed->range_signs != tex->range_signs || (typed->range_lo && !domain))
+    return mistake(c, at, tex_at, what, here ? here : "none", there ? there : "none");
+  if (!domain) return true;
+  const bool lo = domain->ops[0] == REL_LE, hi = domain->ops[1] == REL_LE;
+  if (typed->lo_closed != lo || typed->hi_closed != hi)
+    return mistake(c, at, tex_at, what, bounds(typed->lo_closed, typed->hi_closed), bounds(lo, hi));
+  return same_side(c, typed->range_lo, domain->sides[0]) && same_side(c, typed->range_hi, domain->sides[2]);
+}
+
+static bool same_statement(const struct comparison *c, const struct stmt *typed, const struct stmt *tex,
+                           const struct stmt *domain) {
+  static const char *const sign[] = {[REL_EQ] = "=", [REL_LT] = "<", [REL_LE] = "<=", [REL_GT] = ">", [REL_GE] = ">="};
+  struct chain a;
+  chain_of(&a, typed);
+  square_chain(&a, typed, tex);
+  for (int i = 0; i < a.n && i < tex->n_sides; i++) {
+    if (!same_side(c, a.side[i], tex->sides[i])) return false;
+    if (i + 1 == a.n || i + 1 == tex->n_sides) break;
+    const enum relop op = a.op ? a.op[i] : REL_EQ;
+    if (op != tex->ops[i])
+      return mistake(c, a.side[i]->span.end, tex->sides[i]->span.end, "the relation is not that of the TeX", sign[op],
+                     sign[tex->ops[i]]);
+  }
+  if (a.n != tex->n_sides)
+    return mistake(c, typed->span.end, tex->span.end, "one chain goes on", a.n > tex->n_sides ? "longer" : "shorter",
+                   a.n > tex->n_sides ? "shorter" : "longer");
+  return same_range(c, typed, tex, domain);
+}
+
 static bool same_statements(const struct comparison *c) {
+  const struct stmt *domain = NULL;
   size_t k = 0;
   for (int i = 0; i < c->r->n_stmts; i++) {
     const struct stmt *typed = c->r->stmts[i];
     if (typed->kind == STMT_TRAJECTORY) continue;
-    while (k < c->n_tex && is_domain(c, c->tex[k])) k++;
+    if (k < c->n_tex && is_domain(c, c->tex[k])) domain = c->tex[k++];
     if (k == c->n_tex) {
       diag_at(c->d, c->r->src, typed->span.begin, "%s: the TeX does not say this", c->r->id);
       return false;
     }
-    if (!same_statement(c, typed, c->tex[k++])) return false;
+    if (!same_statement(c, typed, c->tex[k++], domain)) return false;
   }
-  while (k < c->n_tex && is_domain(c, c->tex[k])) k++;
   if (k == c->n_tex) return true;
   diag_at(c->d, c->r->src, c->tex[k]->span.begin, "%s: no formula of the record says this", c->r->id);
   return false;

@@ -239,6 +239,8 @@ void damage_fault(struct maker *k) {
 
 /* --- Controls --- */
 
+static const char still_wrong[] = "the control is wrong all the same, and refuted";
+
 void damage_record(struct maker *k) {
   maker_delete(k);
 }
@@ -252,29 +254,23 @@ void damage_control_claim(struct maker *k) {
 
 /* Of what is wrong, by an attribute of the claim that the control has otherwise. */
 void damage_control_line(struct maker *k) {
-  if (strcmp(k->field->key_name, "claim") == 0) return;
+  const char *key = k->field->key_name;
+  if (strcmp(key, "claim") == 0) return;
+  k->excuse = strcmp(key, "near") != 0 && strcmp(key, "of") != 0 ? still_wrong : NULL;
   maker_digits(k);
   EXCHANGE(k, other_phase);
+  k->excuse = NULL;
   maker_delete(k);
-}
-
-/* In 1e-90 the 1, and the last digit of the exponent. */
-static bool is_fine(const char *text, size_t i) {
-  if (text[i + 1] == 'e') return true;
-  size_t e = i;
-  while (char_is_digit(text[e])) e--;
-  if (text[e] == '-' || text[e] == '+') e--;
-  return text[e] == 'e' && char_is_digit(text[e - 1]) && !char_is_digit(text[i + 1]);
 }
 
 /* The size of what is wrong; its sign; another entry. */
 void damage_control_formula(struct maker *k) {
   struct span v = k->field->value;
+  k->excuse = still_wrong;
   for (size_t i = v.begin; i < v.end; i++) {
     char next = (char)('0' + (k->text[i] - '0' + 1) % 10);
-    k->excuse = is_fine(k->text, i) ? "the control is as little wrong" : NULL;
     if (char_is_digit(k->text[i])) maker_add(k, i, i + 1, &next, 1, NULL);
   }
-  k->excuse = NULL;
   maker_signs(k);
+  k->excuse = NULL;
 }

@@ -4,12 +4,33 @@
 
 #include "quote.h"
 
-/* Does the piece stand in the text at that place, counted from 1? */
+static bool is_letter(const struct quote_token *t) {
+  return t->len == 1 && char_is_letter(*t->s);
+}
+
+/* Is the token with that index in one word with the one before it? */
+static bool goes_on(const struct quote_tokens *text, size_t i) {
+  const struct quote_token *t = text->token;
+  return i > 0 && i < text->n && t[i - 1].s + 1 == t[i].s && is_letter(&t[i - 1]) && is_letter(&t[i]);
+}
+
+/* Does a bracket of the piece stay open that the token with that index closes? */
+static bool leaves_open(const struct quote_tokens *piece, const struct quote_tokens *text, size_t i) {
+  long open = 0;
+  if (i >= text->n || text->token[i].len != 1 || !strchr(")}", *text->token[i].s)) return false;
+  for (size_t k = 0; k < piece->n; k++)
+    if (piece->token[k].len == 1)
+      open += (strchr("({", *piece->token[k].s) != NULL) - (strchr(")}", *piece->token[k].s) != NULL);
+  return open > 0;
+}
+
+/* Does the piece stand in the text at that place, counted from 1, and cuts no word nor brackets short? */
 static bool stands_at(const struct quote_tokens *piece, const struct quote_tokens *text, size_t place) {
   if (place == 0 || place > text->n || piece->n > text->n - place + 1) return false;
   for (size_t i = 0; i < piece->n; i++)
     if (!quote_token_same(&piece->token[i], &text->token[place - 1 + i])) return false;
-  return true;
+  const size_t behind = place - 1 + piece->n;
+  return !goes_on(text, place - 1) && !goes_on(text, behind) && !leaves_open(piece, text, behind);
 }
 
 static size_t apart(size_t a, size_t b) {

@@ -22,7 +22,9 @@
    All else must be the same.  In a quotation "..." leaves something out; what stands between, a piece, ends without
    the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the number of its first token,
    counted from 1 at the beginning of the text: `place: 812` beside the quotation, `place: 812 4410` for two pieces, in
-   the order of the text.  A piece counts as found at its place only.  Where the record that quotes names an equation,
+   the order of the text.  A piece counts as found at its place only, and where it neither begins nor
+   ends inside a word nor right before the ) or } of a bracket that it opens: what a quotation loses at its end is noticed
+   as far as that, and a whole word or term is not.  Where the record that quotes names an equation,
    the number printed next behind the first piece's place, or last before it, must be that one.
 
    Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
