@@ -5,10 +5,11 @@
    matrix its name and what the model's quantity is (value/oracle.h); of an argument what follows from what; and so on
    for every kind but outside.
 
-   Where these make none the attribute title is given, a sentence in words.  What stands in braces is the attribute of that name,
-   as generated titles write it: {statement}, {premises}, {depends-on} (records, by their equation numbers), {range}
-   ("two to four"), {formula}, {value}, {side}.  A formula, a name of the paper, a number (in digits, or a word from two
-   to twelve) or the name of a phase outside braces is an error: nothing would hold it against the claim. */
+   Where these make none the attribute title is given, a sentence in words.  What stands in braces is the attribute of
+   that name, as the titles that are made write it: {statement}, {premises}, {depends-on} (records, by their equation
+   numbers), {range} ("two to four"), {formula}, {value}, {side}.  A formula, a name of the paper, a number (in digits,
+   or a word from two to twelve) or the name of a phase outside braces is an error: nothing would hold it against the
+   claim. */
 #ifndef STICKSLIP_TITLE_H
 #define STICKSLIP_TITLE_H
 

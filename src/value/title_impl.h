@@ -50,13 +50,14 @@ bool title_owns_number(const struct title *t, const struct statement_record *r);
 /* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when brief
    "(55) at t = 0", where it begins with one; else NULL. */
 const char *title_note(const struct statement_record *r, bool brief);
-/* A record by its equation number, by its note where that names others, by its
-   formulas where its equation number is not its own, or all the same when brief. */
+/* A record by its note where that names others; by its equation number where that is its own, or when brief; else by its
+   formulas. */
 void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief);
 /* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
 enum title_detail { TITLE_FORMULAS, TITLE_BRIEF, TITLE_NUMBERS };
-/* Items "eq-59#1.2, eq-56 D", each once; one is the phase of those that are written as formulas, when there is one
-   only, else each says its own.  false with t->d set when there is no such record. */
+/* Items "eq-59#1.2, eq-56 D" of an attribute, each once.  Scanned, over one attribute or two: one is the phase of those
+   that are written as formulas, where all have the same, and is left to be said behind them.  false with t->d set when
+   there is no such record. */
 struct title_parts {
   enum title_detail detail;
   enum phase one;
