@@ -162,8 +162,8 @@ static const struct {
     {DAMAGE_FAULT, 200, "eq-29", "fault: argument\n  record: refuted\n\nclaim eq-30"},
     {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-t_c"},
     {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
-    {DAMAGE_TITLE, 500, "eq-3e", "both masses are faster than the belt"},
-    {DAMAGE_TITLE, 500, "eq-14b", "at t_a + t_a the force"},
+    {DAMAGE_TITLE, 10, "J_c", "title: Jacobian of the global stick phase"},
+    {DAMAGE_TITLE, 10, "bound_2", "title: bound (54) for u_r2"},
     {DAMAGE_ERRATUM, 100, "err-40", "V \\cos(\\omega t_d)"},
 };
 

@@ -32,6 +32,7 @@ int main(void) {
   srunner_add_suite(r, plan_suite());
   srunner_add_suite(r, argument_suite());
   srunner_add_suite(r, law_suite());
+  srunner_add_suite(r, title_suite());
   srunner_add_suite(r, rules_suite());
   srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, jacobian_suite());

@@ -22,6 +22,7 @@ Suite *audit_suite(void);
 Suite *plan_suite(void);
 Suite *argument_suite(void);
 Suite *law_suite(void);
+Suite *title_suite(void);
 Suite *rules_suite(void);
 Suite *readings_suite(void);
 Suite *jacobian_suite(void);

@@ -33,7 +33,7 @@ static bool check_claim(const struct claim *c, bool control, struct diag *d) {
     if (!known_attribute(f->key_name)) return complain(c, f->key.begin, d, "unknown attribute");
   }
   if (control) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
-  if (!kind || !claim_get(c, "title")) return complain(c, head, d, "a claim has a kind and a title");
+  if (!kind) return complain(c, head, d, "a claim has a kind and a title, or the attributes that make one");
   if (!claim_kind_of(c)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
   if (record && verdict_parse(record) == N_VERDICTS)
     return complain(c, record_field(c->record, "record")->value.begin, d, "not a verdict");

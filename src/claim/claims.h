@@ -2,7 +2,9 @@
 
    A claim file holds records "claim ID" with these attributes:
 
-     equation, section, title   where the claim stands and what it says
+     equation, section   where the claim stands
+     title       (outside, and where the other attributes make none) what it says, in words; value/title.h says how titles
+                 are made, and what stands in braces in one that is given
      quote, place   what the paper says, to the letter, and where in its text (quote/quote.h)
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below

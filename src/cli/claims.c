@@ -4,6 +4,7 @@
 
 #include "cli.h"
 #include "proof/receipt.h"
+#include "value/title.h"
 
 /* Each with its title; one that cannot be read is an error, and the others are listed all the same. */
 static int list_scenes(const char *data) {
@@ -40,19 +41,23 @@ int run_list(const struct options *o, const char *data) {
   if (o->operands.n == 1 && strcmp(o->operands.word[0], "scenes") == 0) return list_scenes(data);
   if (o->operands.n) return usage("list takes no operand but scenes, not %.200s", o->operands.word[0]);
   struct diag d;
+  struct model m;
   struct claims c = {.n = 0};
   diag_init(&d);
-  bool ok = claims_load_data(&c, data, "claims", "claim", &d);
+  model_init(&m);
+  bool ok = load_model(&m, data, o, &d) && claims_load_data(&c, data, "claims", "claim", &d);
   struct text out;
   text_init(&out);
   for (size_t i = 0; ok && i < c.n; i++) {
-    const char *record = claim_get(&c.claim[i], "record"), *title = claim_get(&c.claim[i], "title");
-    text_printf(&out, "%-18s %-12s %-11s %s\n", c.claim[i].id, claim_get(&c.claim[i], "kind"), record ? record : "-",
-                title ? title : "");
+    const char *record = claim_get(&c.claim[i], "record");
+    text_printf(&out, "%-18s %-12s %-11s ", c.claim[i].id, claim_get(&c.claim[i], "kind"), record ? record : "-");
+    ok = claim_title(&out, &m, &c.claim[i], &d);
+    text_add_char(&out, '\n');
   }
-  terminal_print(text_str(&out));
+  if (ok) terminal_print(text_str(&out));
   text_clear(&out);
   claims_clear(&c);
+  model_clear(&m);
   return ok ? EXIT_AS_RECORDED : bad_input(&d);
 }
 

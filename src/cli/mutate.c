@@ -6,6 +6,7 @@
 #include "cli.h"
 #include "power/power.h"
 #include "report/mutation.h"
+#include "value/title.h"
 
 enum { DEFAULT_COUNT = 400, MAX_COUNT = 1000000 };
 
@@ -62,7 +63,8 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
   return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
          claims_load_data(&in->controls, data, "controls", "control", d) && statements_load(&in->statements, data, d) &&
-         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d);
+         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d) &&
+         titles_check(&in->model, &in->claims, d);
 }
 
 static void inputs_clear(struct inputs *in) {

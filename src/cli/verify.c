@@ -12,6 +12,7 @@
 #include "cli.h"
 #include "interrupt.h"
 #include "report/report.h"
+#include "value/title.h"
 
 static double now(void) {
   struct timespec t;
@@ -194,7 +195,7 @@ static bool load_all(struct verify_data *v, const struct options *o, const char 
   return load_model(&v->model, data, o, d) && claims_load_data(&v->claims, data, "claims", "claim", d) &&
          claims_load_data(&v->controls, data, "controls", "control", d) && statements_load(&v->statements, data, d) &&
          data_check(&(struct audit_data){&v->model, &v->claims, &v->controls, &v->statements}, d) &&
-         near_controls_add(&v->model, &v->claims, &v->controls, d) &&
+         titles_check(&v->model, &v->claims, d) && near_controls_add(&v->model, &v->claims, &v->controls, d) &&
          formulas_have_controls(&v->model, &v->claims, &v->controls, d);
 }
 

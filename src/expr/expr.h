@@ -114,6 +114,11 @@ const struct expr *expr_parse(struct arena *a, const struct source *src, struct 
 /* Infix text that parses back to an equal tree (scalars too: parentheses are put in where the grammar needs them). */
 void expr_print(struct text *out, const struct expr *e);
 void stmt_print(struct text *out, const struct stmt *s);
+/* As a reader writes it in a line of prose, not to be read back: products by a blank, a^-1, |a|, M_12 for M[1,2], columns
+   and transposed rows as (a, b); the argument t of a name in small letters is left out, z_1' for z_1'(t).  Of a statement
+   the relations alone: without its range and without sides that are first_order(...); "name = ..." of a definition. */
+void expr_plain(struct text *out, const struct expr *e);
+void stmt_plain(struct text *out, const struct stmt *s);
 /* Equality of shape, names and literals; places do not count. */
 bool expr_same(const struct expr *a, const struct expr *b);
 /* The same of two nodes, apart from their operands. */

@@ -113,6 +113,11 @@ static const char *infix(enum expr_kind k) {
   }
 }
 
+static void print_primed(struct text *out, const struct expr *e) {
+  text_add(out, e->name);
+  for (int k = 0; k < e->order; k++) text_add(out, "'");
+}
+
 static void print_symbols(struct text *out, const struct expr *e, int i) {
   bool first = i == 0, last = i == e->n_args;
   switch (e->kind) {
@@ -121,8 +126,7 @@ static void print_symbols(struct text *out, const struct expr *e, int i) {
     text_add(out, e->name);
     break;
   case EXPR_CALL:
-    if (first) text_add(out, e->name);
-    for (int k = 0; first && k < e->order; k++) text_add(out, "'");
+    if (first) print_primed(out, e);
     text_add(out, first ? "(" : ")");
     break;
   case EXPR_NEG:
@@ -167,11 +171,83 @@ void expr_print(struct text *out, const struct expr *e) {
   expr_write(out, e, print_between);
 }
 
-static void print_relation(struct text *out, const struct stmt *s) {
-  static const char *const symbol[] = {
-      [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " <= ", [REL_GT] = " > ", [REL_GE] = " >= "};
+/* --- As prose --- */
+
+/* (a, b): a column, or a row that is transposed. */
+static bool is_tuple(const struct expr *e, const struct expr *parent) {
+  return e->kind == EXPR_MATRIX && (e->cols == 1 || (e->rows == 1 && parent && parent->kind == EXPR_TRANSPOSE));
+}
+
+static bool is_entry(const struct expr *e) {
+  return e->kind == EXPR_INDEX && e->args[0]->kind == EXPR_SYM && !strchr(e->args[0]->name, '_') && e->n_index == 2 &&
+         !e->index_range[0] && !e->index_range[1] && e->index[0] < 10 && e->index[2] < 10;
+}
+
+/* z_1(t), not Z(t) nor h(t_a). */
+static bool is_understood(const struct expr *e) {
+  return e->kind == EXPR_CALL && e->name[0] >= 'a' && e->name[0] <= 'z' && e->args[0]->kind == EXPR_SYM &&
+         strcmp(e->args[0]->name, "t") == 0;
+}
+
+/* The operand of a^-1 or a^t. */
+static bool needs_plain_parentheses(const struct expr *e) {
+  bool raised = e->kind == EXPR_INV || (e->kind == EXPR_TRANSPOSE && !is_tuple(e->args[0], e));
+  return raised && expr_level(e->args[0]) < LEVEL_POSTFIX;
+}
+
+static void plain_symbols(struct text *out, const struct expr *e, int i, const struct expr *parent) {
+  bool first = i == 0, last = i == e->n_args;
+  if (e->kind == EXPR_MUL)
+    text_add(out, i == 1 ? " " : "");
+  else if (e->kind == EXPR_ABS)
+    text_add(out, "|");
+  else if (e->kind == EXPR_INV)
+    text_add(out, last ? "^-1" : "");
+  else if (e->kind == EXPR_TRANSPOSE)
+    text_add(out, last && !is_tuple(e->args[0], e) ? "^t" : "");
+  else if (is_tuple(e, parent))
+    text_add(out, first ? "(" : last ? ")" : ", ");
+  else if (is_entry(e) && last)
+    text_printf(out, "_%d%d", e->index[0], e->index[2]);
+  else if (!is_understood(e))
+    print_symbols(out, e, i);
+  else if (first)
+    print_primed(out, e);
+}
+
+static void plain_between(struct text *out, const struct expr *e, int i, const struct expr *parent) {
+  bool hidden = parent && is_understood(parent);
+  if (hidden) return;
+  if (i > 0 && (needs_parentheses(e, i - 1) || needs_plain_parentheses(e))) text_add(out, ")");
+  plain_symbols(out, e, i, parent);
+  if (i < e->n_args && (needs_parentheses(e, i) || needs_plain_parentheses(e))) text_add(out, "(");
+}
+
+void expr_plain(struct text *out, const struct expr *e) {
+  expr_write(out, e, plain_between);
+}
+
+static const char *const relation_symbol[] = {
+    [REL_EQ] = " = ", [REL_LT] = " < ", [REL_LE] = " <= ", [REL_GT] = " > ", [REL_GE] = " >= "};
+
+void stmt_plain(struct text *out, const struct stmt *s) {
+  if (s->kind == STMT_DEFINE) text_printf(out, s->param ? "%s(%s) = " : "%s = ", s->name, s->param);
+  if (s->kind == STMT_ROOT)
+    text_printf(out, "%s is the %s positive root of ", s->name, s->largest ? "largest" : "smallest");
+  const char *between = "";
   for (int i = 0; i < s->n_sides; i++) {
-    if (i > 0) text_add(out, symbol[s->ops[i - 1]]);
+    if (s->sides[i]->kind == EXPR_FIRST_ORDER) continue;
+    text_add(out, between);
+    expr_plain(out, s->sides[i]);
+    between = s->kind == STMT_RELATION && i + 1 < s->n_sides ? relation_symbol[s->ops[i]] : "";
+  }
+}
+
+/* --- Statements --- */
+
+static void print_relation(struct text *out, const struct stmt *s) {
+  for (int i = 0; i < s->n_sides; i++) {
+    if (i > 0) text_add(out, relation_symbol[s->ops[i - 1]]);
     expr_print(out, s->sides[i]);
   }
   if (!s->range_var) return;

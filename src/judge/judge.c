@@ -10,6 +10,7 @@
 #include "proof/exact_proof.h"
 #include "record/routes.h"
 #include "value/orbit_pool.h"
+#include "value/title.h"
 
 #define JUDGE(name, word, fn, ...) fn,
 static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
@@ -76,15 +77,23 @@ enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
   return record && (!only || scene_is(s, only)) ? verdict_parse(record) : N_VERDICTS;
 }
 
+static bool title(struct finding *f, struct judge *j, const struct claim *c) {
+  struct text t;
+  text_init(&t);
+  j->claim_at_fault = !claim_title(&t, j->model, c, j->d);
+  if (!j->claim_at_fault) f->title = result_str(j->out, "%s", text_str(&t));
+  text_clear(&t);
+  return !j->claim_at_fault;
+}
+
 bool finding_describe(struct finding *f, struct judge *j, const struct claim *c) {
   struct audit_result *out = j->out;
   *f = (struct finding){.id = copy(out, c->id),
                         .equation = copy(out, claim_get(c, "equation")),
                         .section = copy(out, claim_get(c, "section")),
-                        .title = copy(out, claim_get(c, "title")),
                         .verdict = VERDICT_UNKNOWN,
                         .recorded = N_VERDICTS};
-  if (!f->title) return claim_error(j, c, "title", "the attribute title is missing");
+  if (!title(f, j, c)) return false;
   quote_and_formula(f, j, c);
   if (!c->control && j->dependences && !dependences_list(f, j, c)) return false;
   f->reproduce = result_str(out, "stickslip verify %s --only %s", j->scene->command, c->id);

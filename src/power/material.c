@@ -1,6 +1,8 @@
 /* The sources of everything that was loaded are still there; a changed text is read with the others of its part. */
 #include "material.h"
 
+#include "value/title.h"
+
 #include <stdlib.h>
 #include <string.h>
 
@@ -33,7 +35,8 @@ void material_clear(struct material *m) {
 }
 
 bool material_check(const struct audit_data *data, struct diag *d) {
-  return model_check_tex(data->model, RANK_STABLE, d) && data_check(data, d);
+  return model_check_tex(data->model, RANK_STABLE, d) && data_check(data, d) &&
+         titles_check(data->model, data->claims, d);
 }
 
 size_t material_named(const struct material *m, const char *name) {

@@ -10,6 +10,7 @@
 #include "judge/judge.h"
 #include "mutants.h"
 #include "power.h"
+#include "value/title.h"
 
 enum { PAIR_BUDGET = 20000 };
 
@@ -411,7 +412,7 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
   text_init(&title);
   text_init(&equation);
   text_add(&id, c->id);
-  text_add(&title, claim_get(c, "title"));
+  ok = claim_title(&title, base->model, c, d);
   struct repairs found = {.claim = keep(out, &id), .title = keep(out, &title), .why_none = why};
   if (claim_get(c, "equation")) {
     text_add(&equation, claim_get(c, "equation"));
@@ -423,7 +424,7 @@ static bool add_claim(struct repair_result *out, struct search *base, const stru
   struct search s = *base;
   s.claim = c;
   arena_init(&s.arena);
-  if (!why) ok = search_claim(&found, out, &s, jobs, d);
+  if (ok && !why) ok = search_claim(&found, out, &s, jobs, d);
   search_clear(&s);
   out->claim = ss_grow(out->claim, out->n, &out->cap, sizeof *out->claim);
   out->claim[out->n++] = found;

@@ -10,6 +10,7 @@
 #include "num/calc.h"
 #include "receipt.h"
 #include "record/result.h"
+#include "value/title.h"
 
 /* --- The paper's side: each value when it is asked for --- */
 
@@ -177,10 +178,11 @@ static const struct claim *find(const struct claims *claims, const char *id, con
   return NULL;
 }
 
-static void add_head(struct text *out, const struct claim *c, const char *id, const struct model *m, bool corrected) {
-  const char *title = claim_get(c, "title");
-  text_printf(out, "#!/usr/bin/env python3\n# %s%s: %s\n#\n# Needs SymPy and nothing else.  As read:\n", id,
-              corrected ? ", as corrected" : "", title ? title : "");
+static bool add_head(struct text *out, struct judge *j, const struct claim *c, const char *id, bool corrected) {
+  const struct model *m = j->model;
+  text_printf(out, "#!/usr/bin/env python3\n# %s%s: ", id, corrected ? ", as corrected" : "");
+  bool ok = claim_title(out, m, c, j->d);
+  text_add(out, "\n#\n# Needs SymPy and nothing else.  As read:\n");
   struct view v = {m, LAYER_CORRECTED, claim_own(c), NULL};
   if (corrected) text_add(out, "#   ");
   if (corrected && erratum_text(out, m, c)) text_add_char(out, '\n');
@@ -196,6 +198,7 @@ static void add_head(struct text *out, const struct claim *c, const char *id, co
   text_printf(out,
               "import re\nimport sys\n\nfrom sympy import QQ, ring\n\nCLAIM = \"%s%s\"\nPARTS, MATRICES = [], []\n", id,
               corrected ? " as corrected" : "");
+  return ok;
 }
 
 static bool rank_receipt(struct text *out, struct judge *j, const struct claim *c) {
@@ -210,7 +213,7 @@ static bool rank_receipt(struct text *out, struct judge *j, const struct claim *
       diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", c->id,
                r.rank < 0 ? r.note : "the rank differs");
   }
-  if (ok) add_head(out, c, c->id, j->model, false);
+  ok = ok && add_head(out, j, c, c->id, false);
   if (ok) add_system(out);
   if (ok) add_matrix(out, &y, r.rank);
   sentence_clear(&y.s);
@@ -228,7 +231,7 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   }
   bool ok = p.proved;
   if (!ok) diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
-  if (ok) add_head(out, c, id, j->model, corrected);
+  ok = ok && add_head(out, j, c, id, corrected);
   if (ok) add_system(out);
   return ok && add_parts(out, &p, view, r, j->d);
 }

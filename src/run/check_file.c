@@ -1,6 +1,7 @@
 /* stickslip check: reads a file as its suffix says and reports the first thing wrong with it. */
 #include "audit.h"
 #include "claim/claim.h"
+#include "value/title.h"
 #include <stdlib.h>
 #include <string.h>
 
@@ -75,6 +76,7 @@ static bool check_rules(const struct claims *own, bool control, const char *path
   bool stands = false;
   model_init(&m);
   bool ok = model_load(&m, data, NULL, NULL, d);
+  ok = ok && (control || titles_check(&m, own, d));
   for (size_t i = 0; ok && !control && i < own->n; i++) ok = claim_keeps_rules(&m, &own->claim[i], d);
   ok = ok && load_around(&claims, data, "claims", "claim", control ? "" : path, &stands, d) &&
        load_around(&controls, data, "controls", "control", control ? path : "", &stands, d);

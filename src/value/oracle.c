@@ -9,7 +9,9 @@ struct oracle {
   const char *name;
   int rows, cols;
   int (*eval)(struct num_vec *out, struct values *v, int which);
-  int which; /* of the quantities that eval makes: a phase, a number */
+  int which;        /* of the quantities that eval makes: a phase, a number */
+  const char *what; /* with %s where the name of the phase stands; NULL: a second way to a quantity above */
+  enum phase phase; /* N_PHASES where it has none */
 };
 
 /* --- Local Jacobians --- */
@@ -144,34 +146,34 @@ static int eval_tangent(struct num_vec *out, struct values *v, int k) {
 }
 
 static const struct oracle oracles[] = {
-    {"dZ_0", 4, 1, eval_tangent, 0},
-    {"dZ_a", 4, 1, eval_tangent, 1},
-    {"dZ_b", 4, 1, eval_tangent, 2},
-    {"dZ_c", 4, 1, eval_tangent, 3},
-    {"dZ_f", 4, 1, eval_tangent, 4},
-    {"S_a", 4, 1, eval_state, 1},
-    {"S_b", 4, 1, eval_state, 2},
-    {"S_c", 4, 1, eval_state, 3},
-    {"J_a", 1, 2, eval_local, PHASE_D},
-    {"J_b", 2, 1, eval_local, PHASE_GAMMA},
-    {"J_c", 3, 2, eval_local, PHASE_H},
-    {"J_f", 2, 3, eval_local, PHASE_C},
-    {"J", 2, 2, eval_j, 0},
-    {"N", 4, 4, eval_n, 0},
-    {"D(t)", 4, 4, eval_propagator, PHASE_D},
-    {"Gamma(t)", 4, 4, eval_propagator, PHASE_GAMMA},
-    {"H(t)", 4, 4, eval_propagator, PHASE_H},
-    {"C(t)", 4, 4, eval_propagator, PHASE_C},
-    {"K", 2, 2, eval_stiffness, PHASE_H},
-    {"K_1", 2, 2, eval_stiffness, PHASE_GAMMA},
-    {"K_2", 2, 2, eval_stiffness, PHASE_C},
-    {"d_01", 1, 1, eval_equilibrium, 0},
-    {"d_02", 1, 1, eval_equilibrium, 1},
-    {"omega_1", 1, 1, eval_frequency, 1},
-    {"omega_2", 1, 1, eval_frequency, 2},
-    {"K newton", 2, 2, eval_newton, PHASE_H},
-    {"K_1 newton", 2, 2, eval_newton, PHASE_GAMMA},
-    {"K_2 newton", 2, 2, eval_newton, PHASE_C},
+    {"dZ_0", 4, 1, eval_tangent, 0, "the perturbation of the state at the start of the period", N_PHASES},
+    {"dZ_a", 4, 1, eval_tangent, 1, "the perturbation of the state at the end of %s", PHASE_D},
+    {"dZ_b", 4, 1, eval_tangent, 2, "the perturbation of the state at the end of %s", PHASE_GAMMA},
+    {"dZ_c", 4, 1, eval_tangent, 3, "the perturbation of the state at the end of %s", PHASE_H},
+    {"dZ_f", 4, 1, eval_tangent, 4, "the perturbation of the state at the end of %s", PHASE_C},
+    {"S_a", 4, 1, eval_state, 1, "the state at the end of %s", PHASE_D},
+    {"S_b", 4, 1, eval_state, 2, "the state at the end of %s", PHASE_GAMMA},
+    {"S_c", 4, 1, eval_state, 3, "the state at the end of %s", PHASE_H},
+    {"J_a", 1, 2, eval_local, PHASE_D, "the Jacobian of %s", PHASE_D},
+    {"J_b", 2, 1, eval_local, PHASE_GAMMA, "the Jacobian of %s", PHASE_GAMMA},
+    {"J_c", 3, 2, eval_local, PHASE_H, "the Jacobian of %s", PHASE_H},
+    {"J_f", 2, 3, eval_local, PHASE_C, "the Jacobian of %s", PHASE_C},
+    {"J", 2, 2, eval_j, 0, "the Jacobian of the return map", N_PHASES},
+    {"N", 4, 4, eval_n, 0, "the propagator of one period", N_PHASES},
+    {"D(t)", 4, 4, eval_propagator, PHASE_D, "the propagator of %s", PHASE_D},
+    {"Gamma(t)", 4, 4, eval_propagator, PHASE_GAMMA, "the propagator of %s", PHASE_GAMMA},
+    {"H(t)", 4, 4, eval_propagator, PHASE_H, "the propagator of %s", PHASE_H},
+    {"C(t)", 4, 4, eval_propagator, PHASE_C, "the propagator of %s", PHASE_C},
+    {"K", 2, 2, eval_stiffness, PHASE_H, "the stiffness matrix of %s", PHASE_H},
+    {"K_1", 2, 2, eval_stiffness, PHASE_GAMMA, "the stiffness matrix of %s", PHASE_GAMMA},
+    {"K_2", 2, 2, eval_stiffness, PHASE_C, "the stiffness matrix of %s", PHASE_C},
+    {"d_01", 1, 1, eval_equilibrium, 0, "the position of the first mass at rest under the sliding forces", N_PHASES},
+    {"d_02", 1, 1, eval_equilibrium, 1, "the position of the second mass at rest under the sliding forces", N_PHASES},
+    {"omega_1", 1, 1, eval_frequency, 1, "the lower frequency of %s", PHASE_H},
+    {"omega_2", 1, 1, eval_frequency, 2, "the upper frequency of %s", PHASE_H},
+    {"K newton", 2, 2, eval_newton, PHASE_H, NULL, N_PHASES},
+    {"K_1 newton", 2, 2, eval_newton, PHASE_GAMMA, NULL, N_PHASES},
+    {"K_2 newton", 2, 2, eval_newton, PHASE_C, NULL, N_PHASES},
 };
 
 const struct oracle *oracle_find(const char *name) {
@@ -188,4 +190,8 @@ int oracle_cols(const struct oracle *o) {
 }
 int oracle_eval(struct num_vec *out, const struct oracle *o, struct values *v) {
   return o->eval(out, v, o->which);
+}
+const char *oracle_what(enum phase *phase, const struct oracle *o) {
+  *phase = o->phase;
+  return o->what;
 }

@@ -142,7 +142,7 @@ equation text-start-w
 
 # The same conditions in other words, against which the list is held.
 inequality text-order
-  note: (51): the switching times follow one another
+  note: the switching times of (51) follow one another
   0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d
 
 inequality text-h-rises

@@ -1,0 +1,504 @@
+/* Titles made from attributes, kind by kind. */
+#include "claim/claim.h"
+#include "oracle.h"
+#include "title_impl.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* What is longer is said by number. */
+enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_STATED = 80 };
+
+typedef bool maker(struct text *out, const struct title *t);
+
+static bool missing(const struct title *t) {
+  if (!t->d->set)
+    diag_at(t->d, &t->c->file->src, t->c->record->id.begin,
+            "%s: a claim has a kind and a title, or the attributes that make one", t->c->id);
+  return false;
+}
+
+/* The record that the attribute names; NULL with t->d set. */
+static const struct statement_record *record_named(const struct title *t, const char *attribute) {
+  const char *id = claim_get(t->c, attribute);
+  const struct statement_record *r = id ? title_record(t, id, strlen(id)) : NULL;
+  if (id && !r) title_no_record(t, attribute, id);
+  if (!r) missing(t);
+  return r;
+}
+
+/* --- Statements --- */
+
+/* What a record states, by its formulas where these take most characters at most; else by its number, or by its first
+   formula where the number is not its own.  *verb says that it holds, and is empty for formulas, which say it themselves. */
+static void stated(struct text *out, const char **verb, const struct title *t, const struct statement_record *r,
+                   size_t most) {
+  struct text formulas;
+  text_init(&formulas);
+  title_formulas(&formulas, r);
+  const char *note = title_note(r, false);
+  *verb = note && title_is_plural(note) ? " hold" : " holds";
+  if (note)
+    text_add(out, note);
+  else if (formulas.len <= most || !*r->equation) {
+    text_add(out, text_str(&formulas));
+    *verb = "";
+  } else if (title_owns_number(t, r))
+    text_printf(out, "what (%s) states", r->equation);
+  else {
+    title_first_formula(out, r);
+    text_printf(out, " and what follows it in (%s)", r->equation);
+    *verb = " hold";
+  }
+  text_clear(&formulas);
+}
+
+static bool make_identity(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  const char *points = claim_get(t->c, "points"), *perturbation = claim_get(t->c, "perturbation");
+  if (!r) return false;
+  const char *verb, *own = claim_get(t->c, "own");
+  struct text where;
+  text_init(&where);
+  if (perturbation && strcmp(perturbation, "finite") == 0) text_add(&where, " for finite perturbations");
+  if (points) title_place(&where, points);
+  if (own && strcmp(own, "-") == 0) text_add(&where, ", with all that it uses corrected");
+  size_t most = MOST_TITLE - where.len;
+  stated(out, &verb, t, r, most < MOST_FORMULA ? most : MOST_FORMULA);
+  text_printf(out, "%s%s", verb, text_str(&where));
+  text_clear(&where);
+  return true;
+}
+
+/* The paper's definitions under the claim's number, where it names no statement. */
+static bool make_definition(struct text *out, const struct title *t) {
+  struct title_list l;
+  const char *unused;
+  title_list_init(&l);
+  for (size_t i = 0; i < t->m->n_records; i++)
+    if (claim_is_about(&t->m->records[i], t->c))
+      stated(title_list_next(&l), &unused, t, &t->m->records[i], MOST_FORMULA);
+  title_list_write(out, &l);
+  bool any = l.n > 0;
+  title_list_clear(&l);
+  return any || missing(t);
+}
+
+static bool make_matrix(struct text *out, const struct title *t) {
+  const char *value = claim_get(t->c, "value"), *what = NULL;
+  enum phase phase = N_PHASES;
+  const struct oracle *o = value ? oracle_find(value) : NULL;
+  if (o) what = oracle_what(&phase, o);
+  if (!what) return missing(t);
+  text_printf(out, "%s is ", value);
+  const char *slot = strstr(what, "%s");
+  text_add_n(out, what, slot ? (size_t)(slot - what) : strlen(what));
+  if (slot) title_phases(out, &phase, 1);
+  return true;
+}
+
+static bool make_sharp(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  const char *points = claim_get(t->c, "points");
+  char phase[16];
+  if (!r) return false;
+  if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
+  struct text formulas;
+  text_init(&formulas);
+  title_formulas(&formulas, r);
+  bool one = r->n_stmts == 1 && r->stmts[0]->n_sides == 2;
+  text_printf(out, "%s%s becomes an equality at one end of ", one ? "" : "each inequality of ", text_str(&formulas));
+  title_phases_listed(out, phase);
+  text_clear(&formulas);
+  return true;
+}
+
+static bool names_friction(const struct expr *e) {
+  bool any = e->kind == EXPR_SYM && strncmp(e->name, "u_r", 3) == 0;
+  for (int i = 0; !any && i < e->n_args; i++) any = names_friction(e->args[i]);
+  return any;
+}
+
+/* On an example that gives no u_r1 and u_r2 nothing can be said of them (judge/inequality.c). */
+static bool make_inequality(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  if (!r) return false;
+  bool friction = false;
+  for (int k = 0; k < r->n_stmts; k++)
+    for (int i = 0; i < r->stmts[k]->n_sides; i++) friction = friction || names_friction(r->stmts[k]->sides[i]);
+  if (friction && *r->equation)
+    text_printf(out, "the inequalities of (%s) that do not contain u_r1 and u_r2 hold", r->equation);
+  else {
+    const char *verb;
+    stated(out, &verb, t, r, MOST_FORMULA);
+    text_add(out, verb);
+  }
+  text_add(out, " on the example");
+  return true;
+}
+
+static bool make_threshold(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement"), *bound = r ? record_named(t, "bound") : NULL;
+  struct title_list l;
+  if (!bound) return false;
+  title_list_init(&l);
+  for (int k = 0; k < bound->n_stmts; k++)
+    if (bound->stmts[k]->n_sides == 2) expr_plain(title_list_next(&l), bound->stmts[k]->sides[0]);
+  title_name(out, t, bound, true);
+  text_add(out, " is all that ");
+  title_name(out, t, r, true);
+  text_add(out, " asks of ");
+  title_list_write(out, &l);
+  title_list_clear(&l);
+  return true;
+}
+
+static bool make_index_range(struct text *out, const struct title *t) {
+  const char *letter = claim_get(t->c, "letter"), *range = claim_get(t->c, "range");
+  if (!letter || !range) return missing(t);
+  char *end;
+  long first = strtol(range, &end, 10), last = strtol(end, NULL, 10);
+  text_printf(out, "the indices of %s_ij run from %ld to %ld", letter, first, last);
+  return true;
+}
+
+/* --- Numbers --- */
+
+/* The decimal behind the last relation of a quotation's formula: "2.7844" of "$e_1 = 2.7844$". */
+static bool quoted_number(struct text *out, const char *quote) {
+  const char *at = quote ? strpbrk(quote, "=<>") : NULL;
+  for (const char *p = at; p; p = strpbrk(p + 1, "=<>")) at = p;
+  if (!at) return false;
+  at += 1 + strspn(at + 1, " ");
+  size_t n = strspn(at, "-0123456789.");
+  while (n && at[n - 1] == '.') n--;
+  text_add_n(out, at, n);
+  return n > 0;
+}
+
+/* e1 as e_1. */
+static void number_name(struct text *out, const char *name) {
+  size_t n = strlen(name), digits = strcspn(name, "0123456789");
+  bool joined = digits && digits < n && !strchr(name, '_');
+  text_add_n(out, name, joined ? digits : n);
+  if (joined) text_printf(out, "_%s", name + digits);
+}
+
+static bool make_number(struct text *out, const struct title *t) {
+  const char *number = claim_get(t->c, "number"), *from = claim_get(t->c, "from"),
+             *relation = claim_get(t->c, "relation"), *quote = claim_get(t->c, "quote");
+  struct text name, formula, decimal;
+  text_init(&name);
+  text_init(&formula);
+  text_init(&decimal);
+  bool ok = number && from && quoted_number(&decimal, quote) && title_formula(&formula, t, "formula");
+  if (ok) {
+    number_name(&name, number);
+    text_printf(out, "%s %s %s", text_str(&name), relation ? relation : "=", text_str(&decimal));
+    if (strcmp(text_str(&name), text_str(&formula)) != 0) text_printf(out, ", the value of %s", text_str(&formula));
+    text_add(out, strcmp(from, "orbit") == 0 ? " on the example's orbit" : " at the printed numbers");
+  }
+  text_clear(&decimal);
+  text_clear(&formula);
+  text_clear(&name);
+  return ok || missing(t);
+}
+
+static bool make_report(struct text *out, const struct title *t) {
+  if (!claim_get(t->c, "formula")) return missing(t);
+  text_add(out, "the value of ");
+  title_formula(out, t, "formula");
+  text_add(out, " on the example");
+  return true;
+}
+
+/* --- Arguments and what equations are worth --- */
+
+static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
+  struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
+  const char *over = claim_get(t->c, "over"), *premises = claim_get(t->c, "premises"),
+             *converse = claim_get(t->c, "converse");
+  bool both = converse && strcmp(converse, "yes") == 0;
+  if (!title_parts_scan(&conclusion, t, "conclusion")) return false;
+  struct title_parts with = conclusion;
+  with.detail = reasons;
+  if (!title_parts_scan(&with, t, "premises")) return false;
+  conclusion.several = with.several;
+  if (!title_parts_write(out, &conclusion, t, "conclusion")) return false;
+  size_t length = out->len;
+  bool plural = title_is_plural(text_str(out));
+  if (premises)
+    text_add(out, both     ? plural ? " are equivalent to " : " is equivalent to "
+                  : plural ? " follow from "
+                           : " follows from ");
+  else
+    text_add(out, plural ? " hold" : " holds");
+  size_t from = out->len;
+  if (premises && !title_parts_write(out, &with, t, "premises")) return false;
+  bool same = premises && out->len - from == length && strncmp(text_str(out), text_str(out) + from, length) == 0;
+  if (same && reasons == TITLE_FORMULAS) { /* the same formulas at two places of the paper */
+    text_reset(out);
+    return argue(out, t, conclusions, TITLE_BRIEF);
+  }
+  if (with.one != N_PHASES && !with.several) {
+    text_add(out, " in ");
+    title_phases(out, &with.one, 1);
+  }
+  if (over && strcmp(over, "scene") == 0) text_add(out, " on the example");
+  if (over && strcmp(over, "orbits") == 0) text_add(out, " on every orbit");
+  return true;
+}
+
+/* With as many formulas as there is room for. */
+static bool make_argument(struct text *out, const struct title *t) {
+  if (!claim_get(t->c, "conclusion")) return missing(t);
+  struct text title;
+  text_init(&title);
+  bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
+  for (int both = 0; ok && both < 2 && title.len > MOST_TITLE; both++) {
+    text_reset(&title);
+    ok = argue(&title, t, both ? TITLE_BRIEF : TITLE_FORMULAS, TITLE_BRIEF);
+  }
+  if (ok) text_add(out, text_str(&title));
+  text_clear(&title);
+  return ok;
+}
+
+static bool make_rank(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  const char *rank = claim_get(t->c, "rank"), *unknowns = claim_get(t->c, "unknowns");
+  if (!r) return false;
+  if (!rank || !unknowns) return missing(t);
+  struct text name;
+  const char *verb;
+  text_init(&name);
+  if (title_owns_number(t, r))
+    title_name(&name, t, r, true);
+  else
+    stated(&name, &verb, t, r, MOST_STATED);
+  text_printf(out, "%s %s worth ", text_str(&name), title_is_plural(text_str(&name)) ? "are" : "is");
+  text_clear(&name);
+  title_count(out, strtol(rank, NULL, 10));
+  text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " equations for ");
+  title_listed(out, unknowns, ',');
+  return true;
+}
+
+static bool make_reach(struct text *out, const struct title *t) {
+  const char *absent = claim_get(t->c, "absent");
+  struct title_parts p = {.one = N_PHASES};
+  if (!claim_get(t->c, "statements") || !absent) return missing(t);
+  if (!title_parts_write(out, &p, t, "statements")) return false;
+  text_add(out, " contain none of ");
+  title_listed(out, absent, ',');
+  return true;
+}
+
+static bool make_constraints(struct text *out, const struct title *t) {
+  struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
+  if (!claim_get(t->c, "constraints")) return missing(t);
+  if (!title_parts_write(out, &p, t, "constraints")) return false;
+  text_add(out, " are all the constraints");
+  return true;
+}
+
+static bool make_criterion(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  const char *side = claim_get(t->c, "side");
+  if (!r) return false;
+  struct text formulas;
+  text_init(&formulas);
+  title_formulas(&formulas, r);
+  const char *f = text_str(&formulas);
+  if (!side)
+    text_printf(out, "periodic solutions attract where %s and repel where one of the inequalities is reversed", f);
+  else
+    text_printf(out,
+                strcmp(side, "inside") == 0 ? "periodic solutions attract where %s"
+                                            : "periodic solutions repel where one inequality of %s is reversed",
+                f);
+  text_clear(&formulas);
+  return true;
+}
+
+static bool make_law(struct text *out, const struct title *t) {
+  const char *mass = claim_get(t->c, "mass"), *equation = claim_get(t->c, "equation");
+  if (!mass || !equation) return missing(t);
+  text_printf(out, "(%s) gives the friction of the %s mass while it slips, while it sticks and where it breaks away",
+              equation, strcmp(mass, "1") == 0 ? "first" : "second");
+  return true;
+}
+
+/* --- What is made of phases --- */
+
+static bool make_sequence(struct text *out, const struct title *t) {
+  if (!claim_get(t->c, "word")) return missing(t);
+  text_add(out, "one period consists of ");
+  title_phases_listed(out, claim_get(t->c, "word"));
+  text_add(out, ", in this order");
+  return true;
+}
+
+static bool make_existence(struct text *out, const struct title *t) {
+  const char *given = claim_get(t->c, "given"), *through = claim_get(t->c, "through");
+  if (!given || !through) return missing(t);
+  text_add(out, "there is a periodic solution through ");
+  title_phases_listed(out, through);
+  text_add(out, " with ");
+  title_listed(out, given, ',');
+  return true;
+}
+
+/* --- Notation --- */
+
+/* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
+   spring". */
+static bool make_symbols(struct text *out, const char *stands_for) {
+  struct text things;
+  text_init(&things);
+  int n = title_listed(&things, stands_for, ';');
+  text_printf(out, "%s for %s", n == 1 ? "one symbol stands" : "different symbols stand", text_str(&things));
+  text_clear(&things);
+  return true;
+}
+
+static bool make_notation(struct text *out, const struct title *t) {
+  const char *stands_for = claim_get(t->c, "stands-for");
+  if (stands_for) return make_symbols(out, stands_for);
+  if (!title_formula(out, t, "reads")) return missing(t);
+  text_add(out, " can be read");
+  return true;
+}
+
+static bool make_scaling(struct text *out, const struct title *t) {
+  const char *scaled = claim_get(t->c, "scaled"), *statement = claim_get(t->c, "statement");
+  const struct statement_record *r = statement ? record_named(t, "statement") : NULL;
+  if (!scaled || (statement && !r)) return missing(t);
+  if (r)
+    title_name(out, t, r, true);
+  else
+    text_add(out, "every formula");
+  struct title_list l;
+  title_list_init(&l);
+  size_t len;
+  for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len))
+    text_add_n(title_list_next(&l), p, len);
+  text_printf(out, " keeps its form when all names with the beginning%s ", l.n > 1 ? "s" : "");
+  title_list_write(out, &l);
+  text_add(out, " are multiplied by one number");
+  title_list_clear(&l);
+  return true;
+}
+
+/* --- Behaviour --- */
+
+/* What each check (judge/behaviour.c) tries; of switches, by the transition. */
+static const struct {
+  const char *check, *transition, *says;
+} checks[] = {
+    {"modes", NULL, "every motion is a sequence of phases in which each mass sticks or slips"},
+    {"closed-forms", NULL, "the closed forms of {depends-on} hold wherever no mass is faster than the belt"},
+    {"configurations", NULL, "the four configurations of the paper partition the phase space"},
+    {"dimension", NULL, "the states of the phases fill {range} dimensions"},
+    {"linear", NULL, "within a configuration the differences of motions obey a linear law"},
+    {"switches", "slip to stick",
+     "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
+     "than "
+     "its static friction"},
+    {"switches", "stick to slip",
+     "a transition from {transition} occurs where the force on a mass reaches its static friction"},
+    {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
+    {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
+    {"fixed-points", NULL,
+     "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
+    {"linearization", NULL,
+     "linearizing the phases alone, without what happens at the switches, gives wrong answers about stability"},
+    {"equality", NULL, "periodic solutions on the boundary of the criterion, |tr(J)| = 1, are unstable"},
+    {"perturb", NULL, "of arbitrarily small perturbations of a stable orbit some stay near it and others do not"},
+    {"long-run", NULL, "what becomes of the printed initial state over many returns"},
+    {"patching", NULL, "patched solutions of chains of three and four masses agree with direct integration"}};
+
+static bool make_behaviour(struct text *out, const struct title *t) {
+  const char *check = claim_get(t->c, "check"), *transition = claim_get(t->c, "transition");
+  for (size_t i = 0; check && i < sizeof checks / sizeof *checks; i++)
+    if (strcmp(checks[i].check, check) == 0 &&
+        (!checks[i].transition || (transition && strcmp(checks[i].transition, transition) == 0)))
+      return title_expand(out, t, checks[i].says);
+  return missing(t);
+}
+
+static bool make_closure(struct text *out, const struct title *t) {
+  (void)t;
+  text_add(out, "the printed numbers are those of a periodic solution");
+  return true;
+}
+
+static bool make_none(struct text *out, const struct title *t) {
+  (void)out;
+  return missing(t);
+}
+
+static maker *const makers[N_KINDS] = {
+    [KIND_DEFINITION] = make_definition,
+    [KIND_MATRIX] = make_matrix,
+    [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality,
+    [KIND_THRESHOLD] = make_threshold,
+    [KIND_SHARP] = make_sharp,
+    [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,
+    [KIND_CLOSURE] = make_closure,
+    [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,
+    [KIND_ARGUMENT] = make_argument,
+    [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,
+    [KIND_REACH] = make_reach,
+    [KIND_RANK] = make_rank,
+    [KIND_SEQUENCE] = make_sequence,
+    [KIND_EXISTENCE] = make_existence,
+    [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_LAW] = make_law,
+    [KIND_OUTSIDE] = make_none,
+    [KIND_REPORT] = make_report,
+};
+
+static bool title_made(struct text *out, const struct title *t) {
+  enum kind kind = claim_kind(t->c);
+  return kind < N_KINDS ? makers[kind](out, t) : missing(t);
+}
+
+/* A title by hand where the attributes make one would be a second statement of what they say. */
+static bool is_given_in_vain(const struct title *t) {
+  const struct field *given = record_field(t->c->record, "title");
+  struct diag unmade;
+  struct text made;
+  diag_init(&unmade);
+  text_init(&made);
+  const struct title quiet = {t->m, t->c, &unmade};
+  bool vain = given && title_made(&made, &quiet);
+  text_clear(&made);
+  if (vain)
+    diag_at(t->d, &t->c->file->src, given->key.begin, "%s: its attributes make the title; leave it out", t->c->id);
+  return vain;
+}
+
+bool titles_check(const struct model *m, const struct claims *claims, struct diag *d) {
+  struct text title;
+  text_init(&title);
+  bool ok = true;
+  for (size_t i = 0; ok && i < claims->n; i++) {
+    text_reset(&title);
+    const struct title t = {m, &claims->claim[i], d};
+    ok = claim_title(&title, m, &claims->claim[i], d) && !is_given_in_vain(&t);
+  }
+  text_clear(&title);
+  return ok;
+}
+
+bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d) {
+  const struct title t = {m, c, d};
+  const struct field *given = record_field(c->record, "title");
+  if (given) return title_given(out, &t, given);
+  return title_made(out, &t);
+}

@@ -1,0 +1,24 @@
+/* What a claim says, in one line of plain text.
+
+   Titles are made from the other attributes of the claim, so that a claim cannot say one thing and be another: the
+   statement as a reader writes it (or "what (5) states" where it is long), and where it is claimed, from "points"; of a
+   matrix its name and what the model's quantity is (value/oracle.h); of an argument what follows from what; and so on
+   for every kind but outside.
+
+   Where these make none the attribute title is given, a sentence in words.  What stands in braces is the attribute of
+   that name, as the titles that are made write it: {statement}, {premises}, {depends-on} (records, by their equation
+   numbers), {range} ("two to four"), {formula}, {value}, {side}.  A formula, a name of the paper, a number (in digits,
+   or a word from two to twelve) or the name of a phase outside braces is an error: nothing would hold it against the
+   claim. */
+#ifndef STICKSLIP_TITLE_H
+#define STICKSLIP_TITLE_H
+
+#include "claim/claims.h"
+#include "model/model.h"
+
+/* Appends the title.  false with d set where the title is at fault, or is not given and cannot be made. */
+bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
+/* Whether every claim has one, by hand only where its attributes make none; false with d set to the first fault. */
+bool titles_check(const struct model *m, const struct claims *claims, struct diag *d);
+
+#endif

@@ -1,0 +1,80 @@
+/* What the files of title.h share: the words for a claim's records, lists, phases and places. */
+#ifndef STICKSLIP_TITLE_IMPL_H
+#define STICKSLIP_TITLE_IMPL_H
+
+#include "claim/claim.h"
+#include "motion/dynamics.h"
+#include "title.h"
+
+struct title {
+  const struct model *m;
+  const struct claim *c;
+  struct diag *d;
+};
+
+/* "global stick", ... */
+extern const char *const phase_words[N_PHASES];
+/* The phase of that letter (D, Gamma, H, C), N_PHASES when there is none. */
+enum phase title_phase(const char *word, size_t len);
+/* "the global stick phase", "the slip-stick and global slip phases", "every phase"; of phases in the order given. */
+void title_phases(struct text *out, const enum phase *phase, int n);
+/* The phases of a list of letters with blanks or commas between. */
+void title_phases_listed(struct text *out, const char *list);
+/* "two" to "twelve"; else digits. */
+void title_count(struct text *out, long n);
+/* Is the word, of that length, one of them? */
+bool title_is_count(const char *word, size_t len);
+
+/* Items as "a", "a and b", "a, b and c", each once; how many there are. */
+struct title_list {
+  struct text item[32];
+  int n;
+};
+void title_list_init(struct title_list *l);
+void title_list_clear(struct title_list *l);
+/* The next item, to be written; the last one again when there is no more room. */
+struct text *title_list_next(struct title_list *l);
+int title_list_write(struct text *out, struct title_list *l);
+/* A list with commas or semicolons between, as such a list. */
+int title_listed(struct text *out, const char *list, char between);
+
+/* The record of that id in the paper's own files, or NULL. */
+const struct statement_record *title_record(const struct title *t, const char *id, size_t len);
+/* The error at the attribute that names the item, or at the claim's head. */
+void title_no_record(const struct title *t, const char *attribute, const char *item);
+/* All that a record says, as formulas; the first of them. */
+void title_formulas(struct text *out, const struct statement_record *r);
+void title_first_formula(struct text *out, const struct statement_record *r);
+/* No other record of the paper states something under the same number. */
+bool title_owns_number(const struct title *t, const struct statement_record *r);
+/* "(18) and (16)": the note of a record that has no number, where it begins and ends with that of another, and when brief
+   "(55) at t = 0", where it begins with one; else NULL. */
+const char *title_note(const struct statement_record *r, bool brief);
+/* A record by its note where that names others; by its equation number where that is its own, or when brief; else by its
+   formulas. */
+void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief);
+/* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
+enum title_detail { TITLE_FORMULAS, TITLE_BRIEF, TITLE_NUMBERS };
+/* Items "eq-59#1.2, eq-56 D" of an attribute, each once.  Scanned, over one attribute or two: one is the phase of those
+   that are written as formulas, where all have the same, and is left to be said behind them.  false with t->d set when
+   there is no such record. */
+struct title_parts {
+  enum title_detail detail;
+  enum phase one;
+  bool several; /* phases: each formula says its own */
+};
+bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute);
+bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute);
+/* An attribute that is an expression or a relation, as a reader writes it. */
+bool title_formula(struct text *out, const struct title *t, const char *attribute);
+/* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */
+void title_place(struct text *out, const char *points);
+/* Does the text speak of several things? */
+bool title_is_plural(const char *text);
+
+/* The attribute title, with what stands in braces; it names nothing by hand. */
+bool title_given(struct text *out, const struct title *t, const struct field *title);
+/* The same of a text of ours. */
+bool title_expand(struct text *out, const struct title *t, const char *text);
+
+#endif

@@ -1,0 +1,442 @@
+/* The words of titles: records by number or formula, lists, phases, and the places that "points" names. */
+#include "title_impl.h"
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* --- Counts and lists --- */
+
+static const char *const counts[] = {"two",   "three", "four", "five",   "six",   "seven",
+                                     "eight", "nine",  "ten",  "eleven", "twelve"};
+enum { N_COUNTS = sizeof counts / sizeof *counts };
+
+void title_count(struct text *out, long n) {
+  if (n == 1)
+    text_add(out, "one");
+  else if (n >= 2 && n < 2 + N_COUNTS)
+    text_add(out, counts[n - 2]);
+  else
+    text_printf(out, "%ld", n);
+}
+
+bool title_is_count(const char *word, size_t len) {
+  for (int i = 0; i < N_COUNTS; i++)
+    if (strlen(counts[i]) == len && strncmp(counts[i], word, len) == 0) return true;
+  return false;
+}
+
+void title_list_init(struct title_list *l) {
+  l->n = 0;
+  for (size_t i = 0; i < sizeof l->item / sizeof *l->item; i++) text_init(&l->item[i]);
+}
+
+void title_list_clear(struct title_list *l) {
+  for (size_t i = 0; i < sizeof l->item / sizeof *l->item; i++) text_clear(&l->item[i]);
+}
+
+static bool is_twice(const struct title_list *l, int i) {
+  for (int k = 0; k < i; k++)
+    if (strcmp(text_str(&l->item[k]), text_str(&l->item[i])) == 0) return true;
+  return false;
+}
+
+struct text *title_list_next(struct title_list *l) {
+  if (l->n == (int)(sizeof l->item / sizeof *l->item)) l->n--;
+  struct text *t = &l->item[l->n++];
+  text_reset(t);
+  return t;
+}
+
+int title_list_write(struct text *out, struct title_list *l) {
+  const struct text *once[sizeof l->item / sizeof *l->item];
+  int n = 0;
+  for (int i = 0; i < l->n; i++)
+    if (l->item[i].len && !is_twice(l, i)) once[n++] = &l->item[i];
+  for (int i = 0; i < n; i++) text_printf(out, "%s%s", i == 0 ? "" : i + 1 < n ? ", " : " and ", text_str(once[i]));
+  return n;
+}
+
+int title_listed(struct text *out, const char *list, char between) {
+  struct title_list l;
+  title_list_init(&l);
+  while (*list) {
+    while (*list == ' ' || *list == between) list++;
+    const char *end = strchr(list, between);
+    size_t len = end ? (size_t)(end - list) : strlen(list);
+    if (len) text_add_n(title_list_next(&l), list, len);
+    list += len;
+  }
+  int n = title_list_write(out, &l);
+  title_list_clear(&l);
+  return n;
+}
+
+bool title_is_plural(const char *text) {
+  return strstr(text, " and ") != NULL || strstr(text, ", ") != NULL;
+}
+
+/* --- Phases --- */
+
+const char *const phase_words[N_PHASES] = {"global stick", "slip-stick", "global slip", "stick-slip"};
+
+enum phase title_phase(const char *word, size_t len) {
+  int ph = 0;
+  while (ph < N_PHASES && !(strlen(phase_name[ph]) == len && strncmp(phase_name[ph], word, len) == 0)) ph++;
+  return (enum phase)ph;
+}
+
+void title_phases(struct text *out, const enum phase *phase, int n) {
+  struct title_list l;
+  title_list_init(&l);
+  for (int i = 0; i < n; i++) text_add(title_list_next(&l), phase_words[phase[i]]);
+  text_add(out, "the ");
+  title_list_write(out, &l);
+  text_add(out, n == 1 ? " phase" : " phases");
+  title_list_clear(&l);
+}
+
+void title_phases_listed(struct text *out, const char *list) {
+  enum phase phase[16];
+  int n = 0;
+  size_t len;
+  for (const char *p = list_item(&len, list); p && n < 16; p = list_item(&len, p + len)) {
+    enum phase ph = title_phase(p, len);
+    if (ph < N_PHASES) phase[n++] = ph;
+  }
+  title_phases(out, phase, n);
+}
+
+/* --- Places --- */
+
+struct place {
+  enum phase phase[N_PHASES];
+  int n_phases;
+  bool params, arcs, orbits, admissible, realistic, patched;
+};
+
+static void read_place(struct place *p, const char *points) {
+  char item[64], word[16], letter[16];
+  while ((points = claim_next_item(item, sizeof item, points)) != NULL) {
+    int n = sscanf(item, "%15s %15s", word, letter);
+    if (n < 1) continue;
+    p->params = p->params || strcmp(word, "params") == 0;
+    p->arcs = p->arcs || strcmp(word, "arcs") == 0 || strcmp(word, "flow") == 0;
+    p->orbits = p->orbits || strcmp(word, "orbits") == 0;
+    p->admissible = p->admissible || strcmp(word, "admissible") == 0;
+    p->realistic = p->realistic || strcmp(word, "realistic") == 0;
+    p->patched = p->patched || strcmp(word, "patched") == 0;
+    enum phase ph = n == 2 ? title_phase(letter, strlen(letter)) : N_PHASES;
+    bool known = ph == N_PHASES;
+    for (int i = 0; i < p->n_phases; i++) known = known || p->phase[i] == ph;
+    if (!known) p->phase[p->n_phases++] = ph;
+  }
+}
+
+void title_place(struct text *out, const char *points) {
+  struct place p = {.n_phases = 0};
+  read_place(&p, points);
+  const char *of = p.realistic    ? "every realistic orbit"
+                   : p.admissible ? "every admissible orbit"
+                   : p.arcs       ? NULL
+                   : p.patched    ? "motions from any initial state"
+                   : p.orbits     ? "periodic solutions"
+                                  : NULL;
+  if (p.n_phases == N_PHASES)
+    text_add(out, " in every phase");
+  else if (p.n_phases) {
+    text_add(out, " in ");
+    title_phases(out, p.phase, p.n_phases);
+  }
+  if (of) text_printf(out, "%s%s", p.n_phases ? " of " : " on ", of);
+  if (p.params) text_add(out, " for all parameters");
+}
+
+/* --- Records --- */
+
+void title_no_record(const struct title *t, const char *attribute, const char *item) {
+  const struct field *f = record_field(t->c->record, attribute);
+  diag_at(t->d, &t->c->file->src, f ? f->value.begin : t->c->record->id.begin,
+          "%s: there is no record %.*s in the equation files", t->c->id, (int)strcspn(item, " "), item);
+}
+
+const struct statement_record *title_record(const struct title *t, const char *id, size_t len) {
+  const struct statement_record *best = NULL;
+  for (size_t i = 0; i < t->m->n_records; i++) {
+    const struct statement_record *r = &t->m->records[i];
+    if (r->rank <= RANK_USER && strlen(r->id) == len && strncmp(r->id, id, len) == 0) best = r;
+  }
+  return best;
+}
+
+/* The phase whose interval of time the statement names as its range; N_PHASES: none. */
+static enum phase phase_of_range(const struct stmt *s) {
+  static const char *const end[N_PHASES] = {"t_a", "t_a + t_b", "t_a + t_b + t_c", "t_a + t_b + t_c + t_d"};
+  if (!s->range_var || s->range_signs) return N_PHASES;
+  struct text hi;
+  text_init(&hi);
+  expr_print(&hi, s->range_hi);
+  int ph = 0;
+  while (ph < N_PHASES && strcmp(end[ph], text_str(&hi)) != 0) ph++;
+  text_clear(&hi);
+  return (enum phase)ph;
+}
+
+static bool is_first_order(const struct stmt *s) {
+  for (int i = 0; i < s->n_sides; i++)
+    if (s->sides[i]->kind == EXPR_FIRST_ORDER) return true;
+  return false;
+}
+
+/* What holds of a formula beyond what it shows. */
+static void restriction(struct text *out, const struct stmt *s) {
+  if (s->range_signs) text_printf(out, " for %s = +1 and -1", s->range_var);
+  if (is_first_order(s)) text_add(out, " to first order");
+}
+
+/* A record's statements as items of the list; the last one. */
+static const struct stmt *list_formulas(struct title_list *l, const struct statement_record *r) {
+  const struct stmt *last = NULL;
+  for (int k = 0; k < r->n_stmts; k++) {
+    if (r->stmts[k]->kind == STMT_TRAJECTORY) continue;
+    last = r->stmts[k];
+    stmt_plain(title_list_next(l), last);
+  }
+  return last;
+}
+
+void title_formulas(struct text *out, const struct statement_record *r) {
+  struct title_list l;
+  title_list_init(&l);
+  const struct stmt *last = list_formulas(&l, r);
+  title_list_write(out, &l);
+  if (last) restriction(out, last);
+  title_list_clear(&l);
+}
+
+void title_first_formula(struct text *out, const struct statement_record *r) {
+  int k = 0;
+  while (k < r->n_stmts && r->stmts[k]->kind == STMT_TRAJECTORY) k++;
+  if (k < r->n_stmts) stmt_plain(out, r->stmts[k]);
+}
+
+static bool says_something(const struct statement_record *r) {
+  for (int k = 0; k < r->n_stmts; k++)
+    if (r->stmts[k]->kind == STMT_RELATION) return true;
+  return false;
+}
+
+bool title_owns_number(const struct title *t, const struct statement_record *r) {
+  for (size_t i = 0; *r->equation && i < t->m->n_records; i++) {
+    const struct statement_record *other = &t->m->records[i];
+    if (other->rank <= RANK_USER && strcmp(other->id, r->id) != 0 && strcmp(other->equation, r->equation) == 0 &&
+        says_something(other))
+      return false;
+  }
+  return *r->equation != '\0';
+}
+
+const char *title_note(const struct statement_record *r, bool brief) {
+  const char *note = record_get(r->record, "note");
+  if (*r->equation || !note || note[0] != '(' || !char_is_digit(note[1])) return NULL;
+  bool numbers = note[strlen(note) - 1] == ')';
+  return numbers || (brief && !strchr(note, ',')) ? note : NULL;
+}
+
+void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief) {
+  const char *note = title_note(r, false);
+  if (note)
+    text_add(out, note);
+  else if (title_owns_number(t, r) || (brief && *r->equation))
+    text_printf(out, "(%s)", r->equation);
+  else
+    title_formulas(out, r);
+}
+
+/* --- Items of arguments --- */
+
+struct part {
+  const struct statement_record *r;
+  int statement, step; /* from 1; 0: all */
+  enum phase phase;
+};
+
+/* "eq-59#1.2 C", without looking whether there is such a thing. */
+static struct part parse_part(const struct title *t, const char *item) {
+  size_t len = strcspn(item, "# ");
+  struct part p = {.r = title_record(t, item, len), .phase = N_PHASES};
+  const char *rest = item + len;
+  if (*rest == '#') {
+    char *end;
+    p.statement = (int)strtol(rest + 1, &end, 10);
+    if (*end == '.') p.step = (int)strtol(end + 1, &end, 10);
+    rest = end;
+  }
+  while (*rest == ' ') rest++;
+  if (*rest) p.phase = title_phase(rest, strlen(rest));
+  return p;
+}
+
+static bool part_is_there(const struct part *p) {
+  if (!p->r || p->statement < 0 || p->step < 0 || p->statement > p->r->n_stmts) return false;
+  return p->statement == 0 ? p->r->n_stmts > 0 : p->step < p->r->stmts[p->statement - 1]->n_sides;
+}
+
+static bool read_part(struct part *p, const struct title *t, const char *attribute, const char *item) {
+  *p = parse_part(t, item);
+  bool ok = part_is_there(p);
+  if (ok && p->phase == N_PHASES) p->phase = phase_of_range(p->r->stmts[p->statement ? p->statement - 1 : 0]);
+  if (!ok) title_no_record(t, attribute, item);
+  return ok;
+}
+
+/* All records that state something under this number stand in the list. */
+static bool number_is_listed(const struct title *t, const char *list, const struct statement_record *r) {
+  char item[64];
+  for (size_t i = 0; i < t->m->n_records; i++) {
+    const struct statement_record *other = &t->m->records[i];
+    if (other->rank > RANK_USER || strcmp(other->equation, r->equation) != 0 || !says_something(other)) continue;
+    bool found = false;
+    for (const char *p = list; !found && (p = claim_next_item(item, sizeof item, p)) != NULL;)
+      found = strlen(other->id) == strcspn(item, " ") && strncmp(item, other->id, strlen(other->id)) == 0;
+    if (!found) return false;
+  }
+  return *r->equation != '\0';
+}
+
+/* The statements that an item means, as formulas. */
+static void part_formulas(struct text *out, const struct part *p) {
+  if (p->statement == 0) {
+    title_formulas(out, p->r);
+    return;
+  }
+  struct stmt s = *p->r->stmts[p->statement - 1];
+  if (p->step) {
+    s.sides += p->step - 1;
+    s.ops += p->step - 1;
+    s.n_sides = 2;
+  }
+  stmt_plain(out, &s);
+  restriction(out, &s);
+}
+
+/* By number, not as a formula. */
+static bool is_numbered(const struct title *t, const struct part *p, const char *list, enum title_detail detail) {
+  enum { SHORT = 16 };
+  bool brief = detail != TITLE_FORMULAS, note = title_note(p->r, brief) != NULL;
+  if (p->statement == 0 && (note || number_is_listed(t, list, p->r))) return true;
+  if (!brief || !*p->r->equation || (p->step && detail == TITLE_BRIEF)) return false;
+  if (detail == TITLE_NUMBERS) return true;
+  struct text formulas;
+  text_init(&formulas);
+  part_formulas(&formulas, p);
+  bool longer = formulas.len > SHORT;
+  text_clear(&formulas);
+  return longer;
+}
+
+static bool is_inequality(const struct stmt *s) {
+  return s->kind == STMT_RELATION && s->ops[0] != REL_EQ;
+}
+
+/* "an inequality of (9)", "the inequalities of (9)" where the list has them all, of the statement that an item means. */
+static void write_share(struct text *out, const struct title *t, const struct part *p, const char *list) {
+  char item[64];
+  bool inequality = is_inequality(p->r->stmts[p->statement - 1]);
+  int has = 0, of = 0;
+  for (int k = 0; k < p->r->n_stmts; k++) of += is_inequality(p->r->stmts[k]) == inequality;
+  for (const char *at = list; (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+    struct part other = parse_part(t, item);
+    if (part_is_there(&other) && other.r == p->r && other.statement)
+      has += is_inequality(other.r->stmts[other.statement - 1]) == inequality;
+  }
+  const char *what = has > 1 ? (inequality ? "inequalities" : "equations") : inequality ? "inequality" : "equation";
+  const char *article = has == of && title_owns_number(t, p->r) ? "the " : has > 1 ? "" : "an ";
+  text_printf(out, "%s%s of (%s)", article, what, p->r->equation);
+}
+
+bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute) {
+  char item[64];
+  const char *list = claim_get(t->c, attribute);
+  for (const char *at = list; at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+    struct part part;
+    if (!read_part(&part, t, attribute, item)) return false;
+    if (is_numbered(t, &part, list, p->detail) || part.phase == N_PHASES) continue;
+    p->several = p->several || (p->one != N_PHASES && p->one != part.phase);
+    p->one = part.phase;
+  }
+  return true;
+}
+
+static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
+                           enum title_detail detail) {
+  const char *note = title_note(p->r, detail != TITLE_FORMULAS);
+  if (note)
+    text_add(out, note);
+  else if (p->statement && detail != TITLE_NUMBERS)
+    write_share(out, t, p, list);
+  else
+    text_printf(out, "(%s)", p->r->equation);
+}
+
+/* One by one, where no phase is said behind them. */
+static bool is_spread(const struct part *p, bool numbered, bool with_phase) {
+  return !numbered && p->statement == 0 && !with_phase;
+}
+
+bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute) {
+  struct title_list l;
+  title_list_init(&l);
+  char item[64];
+  const char *list = claim_get(t->c, attribute);
+  bool ok = true;
+  for (const char *at = list; ok && at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+    struct part part;
+    if (!(ok = read_part(&part, t, attribute, item))) break;
+    bool numbered = is_numbered(t, &part, list, p->detail);
+    bool with_phase = !numbered && p->several && part.phase != N_PHASES;
+    if (is_spread(&part, numbered, with_phase)) {
+      list_formulas(&l, part.r);
+      continue;
+    }
+    struct text *to = title_list_next(&l);
+    if (numbered)
+      write_numbered(to, t, &part, list, p->detail);
+    else
+      part_formulas(to, &part);
+    if (!with_phase) continue;
+    text_add(to, " in ");
+    title_phases(to, &part.phase, 1);
+  }
+  title_list_write(out, &l);
+  title_list_clear(&l);
+  return ok;
+}
+
+/* --- Formulas of attributes --- */
+
+bool title_formula(struct text *out, const struct title *t, const char *attribute) {
+  const char *text = claim_get(t->c, attribute);
+  if (!text) return false;
+  struct arena a;
+  struct source src;
+  struct diag unread;
+  arena_init(&a);
+  diag_init(&unread);
+  source_from_string(&src, attribute, text);
+  const struct span all = {0, src.len};
+  const struct expr *e = expr_parse(&a, &src, all, &unread);
+  diag_init(&unread);
+  const struct stmt *s = e ? NULL : stmt_parse(&a, &src, all, &unread);
+  size_t abs = src.len > 5 && strncmp(text, "abs(", 4) == 0 ? 4 : 0;
+  if (e)
+    expr_plain(out, e);
+  else if (s)
+    stmt_plain(out, s);
+  else if (abs) /* of what is no number: it cannot be read, but must be shown */
+    text_printf(out, "|%.*s|", (int)(src.len - abs - 1), text + abs);
+  else
+    text_add(out, text);
+  source_clear(&src);
+  arena_clear(&a);
+  return true;
+}
