@@ -93,8 +93,7 @@ static const struct damage rules[] = {
     {"controls/controls.eq", "/^define ctl-exact-matrix$/,/^$/{s/1e-90/1e9/}", "verify paper --only eq-3 --quiet", 3,
      "ctl-exact-matrix: its formula is wrong by 1e+09, and it says near: 1e-90\n"},
     {"controls/controls.eq", "/^define ctl-exact-propagator$/,/^$/{s/+ 1e-90/+ 1e9 + 1e-90/}",
-     "verify paper --only eq-49 --quiet", 1,
-     "control ctl-exact-propagator: it changes what it damages by 1e1"},
+     "verify paper --only eq-49 --quiet", 1, "control ctl-exact-propagator: it changes what it damages by 1e1"},
 };
 
 static const struct damage corrections[] = {
