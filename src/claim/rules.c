@@ -33,7 +33,10 @@ static void count_points(long *all, long *least, const struct claim *c) {
   }
 }
 
-/* Arcs alone say nothing of periodic orbits, whose times and start are bound; and no sort stands twice. */
+/* Arcs alone say nothing of periodic orbits, whose times and start are bound; a few orbits alone say little; and no
+   sort stands twice. */
+enum { ORBITS_ALONE = 10 };
+
 static bool check_sorts(const struct claim *c, struct diag *d) {
   enum { MOST = 16 };
   char item[64], sort[MOST][64];
@@ -49,6 +52,8 @@ static bool check_sorts(const struct claim *c, struct diag *d) {
       if (strcmp(sort[i], sort[n]) == 0) return complain(c, "points", d, "a sort of points stands here twice");
     n++;
   }
+  if (orbits && n == 1 && points_of(item) < ORBITS_ALONE && !claim_get(c, "few"))
+    return complain(c, "points", d, "orbits alone are at least 10; more of them, or a reason in \"few:\"");
   return !arcs || orbits || claim_get(c, "few") ||
          complain(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");
 }
