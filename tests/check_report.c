@@ -280,7 +280,8 @@ START_TEST(the_score_is_of_what_was_read) {
   ck_assert_int_eq(
       shell("mkdir %s/mutation && cp reports/mutation/mutation.json %s/mutation && cp -R verify/paper %s/same && cp -R "
             "verify/paper %s/other && echo '# read alike' >> %s/same/4-stability.eq && sed -i 's/sin(omega\\*t_d)/"
-            "cos(omega*t_d)/' %s/other/4-stability.eq && printf 'define eq-3\\n  equation: 3\\n  d_02 := 0\\n' > "
+            "cos(omega*t_d)/; s/.sin(.omega t_d)/\\\\cos(\\\\omega t_d)/' %s/other/4-stability.eq && printf 'define "
+            "eq-3\\n  equation: 3\\n  d_02 := 0\\n' > "
             "%s/over.eq "
             "&& cp verify/scenes/paper.scene %s && mkdir %s/changed && sed 's/0.8587/0.8588/' "
             "verify/scenes/paper.scene > "
