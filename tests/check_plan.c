@@ -217,9 +217,9 @@ END_TEST
 
 /* The first mistake in the order of the report, whoever meets it. */
 START_TEST(mistakes_are_told_alike) {
-  static const char text[] =
-      "claim a\n  kind: matrix\n  title: a case\n  equation: 3\n  section: prediction\n  value: d_02\n  points: params 2\n"
-      "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
+  static const char text[] = "claim a\n  kind: matrix\n  title: a case\n  equation: 3\n  section: prediction\n  value: "
+                             "d_02\n  points: params 2\n"
+                             "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
   char message[2][1000];
   struct claims own = {.n = 0};
   struct diag d;
