@@ -75,7 +75,8 @@ static struct span lines_of(const struct record_file *f, const struct record *r,
 
 /* What the row says of the text; the lines as a whole where it says nothing of what stands there. */
 static struct damage damage_of(char **column) {
-  size_t file = material_named(&material, column[FILE_]);
+  size_t file = 0;
+  while (file < material.n && strcmp(material.file[file].name, column[FILE_]) != 0) file++;
   ck_assert_msg(file < material.n, "%s", column[FILE_]);
   const struct record_file *f = material.file[file].parsed;
   const struct record *r = record_of(f, column[RECORD]);

@@ -12,6 +12,11 @@
 #include "arena.h"
 #include "text.h"
 
+const char *path_base(const char *path) {
+  const char *slash = strrchr(path, '/');
+  return slash ? slash + 1 : path;
+}
+
 static bool check_text(const struct source *s, struct diag *d) {
   const char *nul = memchr(s->text, '\0', s->len);
   if (nul) {

@@ -83,6 +83,9 @@ void source_clear(struct source *s);
 /* Line and column of a place, counted as diag_at counts them. */
 void source_place(size_t *line, size_t *column, const struct source *s, size_t offset);
 
+/* The name of a file without its folders. */
+const char *path_base(const char *path);
+
 /* Writes len bytes to a descriptor, whatever it takes at a time; false, with errno set, when it takes no more. */
 bool write_all(int fd, const char *data, size_t len);
 /* Writes path with len bytes of data through a temporary file in the same folder and a rename, so that a reader sees

@@ -26,17 +26,15 @@ static bool complain(const struct claim *c, size_t at, struct diag *d, const cha
 
 static bool check_claim(const struct claim *c, bool control, struct diag *d) {
   const char *record = claim_get(c, "record"), *kind = claim_get(c, "kind");
-  size_t head = c->record->id.begin;
   for (size_t k = 0; k < c->record->n_fields; k++) {
     const struct field *f = &c->record->fields[k];
     if (!f->attribute) return complain(c, f->value.begin, d, "a claim has attributes only, \"word: text\"");
     if (!known_attribute(f->key_name)) return complain(c, f->key.begin, d, "unknown attribute");
   }
-  if (control) return claim_get(c, "claim") || complain(c, head, d, "a control names the claim that it damages");
-  if (!kind) return complain(c, head, d, "a claim has a kind and a title, or the attributes that make one");
-  if (!claim_kind_of(c)) return complain(c, record_field(c->record, "kind")->value.begin, d, "unknown kind of claim");
-  if (record && verdict_parse(record) == N_VERDICTS)
-    return complain(c, record_field(c->record, "record")->value.begin, d, "not a verdict");
+  if (control) return claim_get(c, "claim") || claim_mistake(c, "", d, "a control names the claim that it damages");
+  if (!kind) return claim_mistake(c, "", d, "a claim has a kind and a title, or the attributes that make one");
+  if (!claim_kind_of(c)) return claim_mistake(c, "kind", d, "unknown kind of claim");
+  if (record && verdict_parse(record) == N_VERDICTS) return claim_mistake(c, "record", d, "not a verdict");
   return true;
 }
 
@@ -48,7 +46,7 @@ static bool check_result(const struct claim *c, struct diag *d) {
       return complain(c, f->attribute ? f->key.begin : f->value.begin, d, "a result has section, title and formula");
   }
   return (claim_get(c, "title") && claim_get(c, "formula")) ||
-         complain(c, c->record->id.begin, d, "a result has a title and a formula");
+         claim_mistake(c, "", d, "a result has a title and a formula");
 }
 
 bool claims_check(const struct claims *c, bool controls, struct diag *d) {

@@ -25,7 +25,7 @@ bool cited_overlap(const struct cited *a, const struct cited *b) {
   return !*a->phase || !*b->phase || strcmp(a->phase, b->phase) == 0;
 }
 
-bool cited_in(const struct cited *a, const char *list) {
+static bool cited_in(const struct cited *a, const char *list) {
   struct cited b;
   while ((list = claim_next_cited(&b, list)) != NULL)
     if (cited_overlap(a, &b)) return true;

@@ -28,7 +28,6 @@ struct cited {
 const char *claim_next_cited(struct cited *out, const char *list);
 /* Do both cite some step in common; does one of the list with this one; do two lists? */
 bool cited_overlap(const struct cited *a, const struct cited *b);
-bool cited_in(const struct cited *a, const char *list);
 bool cited_share(const char *a, const char *b);
 /* Whether the claim is an argument whose conclusion is more than its premises in other words, over all orbits: then
    what cites the conclusion rests on it. */
@@ -80,8 +79,6 @@ struct dependences *dependences_new(const struct model *m, const struct claims *
 void dependences_free(struct dependences *d);
 /* Whether the formulas of claim a reach what claim b is about; indices in the claims. */
 bool dependences_on(struct dependences *d, size_t a, size_t b);
-/* Whether argument a cites what argument b concludes. */
-bool dependences_argued(const struct dependences *d, size_t a, size_t b);
 /* The definitions that the formulas of claim a reach. */
 size_t dependences_n_used(struct dependences *d, size_t a);
 const struct definition *dependences_used(struct dependences *d, size_t a, size_t i);
@@ -112,12 +109,10 @@ bool records_counted(const struct record_file *f, struct diag *d);
 
 /* Records "statement ID" of files *.statements beside the paper's equations, in the order of the paper:
 
-     quote     a few words that find it in the text, and it alone; at: their place (stickslip quotes)
+     quote     a few words that find it in the text, and it alone; place: where (quote/quote.h)
      equation  the number that is printed at it
      claims    what answers it; or
      reason    why nothing does */
-bool statements_add_file(struct claims *out, const char *path, struct diag *d);
-bool statements_load(struct claims *out, const char *data, struct diag *d);
 /* One by itself. */
 bool statement_check(const struct claim *s, struct diag *d);
 /* All together: the claims that they name are there; each claim is named; and each equation number of the paper, up to

@@ -57,25 +57,39 @@ bool claims_add_text(struct claims *c, const char *name, const char *text, const
   return add_source(c, src, kind, d);
 }
 
-bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {
+/* path: NULL, or a file that is read in the place of that of its name. */
+static bool load_folder(struct claims *c, const char *folder, const char *kind, const char *path, struct diag *d) {
+  const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : ".claim";
   struct arena a;
   arena_init(&a);
   size_t n;
-  char **file = folder_files(&n, folder, ".claim", &a, d);
+  char **file = folder_files(&n, folder, suffix, &a, d);
   bool ok = n > 0;
-  for (size_t i = 0; ok && i < n; i++) ok = claims_add_file(c, file[i], kind, d);
+  for (size_t i = 0; ok && i < n; i++) {
+    bool here = path && strcmp(path_base(file[i]), path_base(path)) == 0;
+    ok = claims_add_file(c, here ? path : file[i], kind, d);
+  }
   free(file);
   arena_clear(&a);
   return ok;
 }
 
-bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
-  struct text path;
-  text_init(&path);
-  text_printf(&path, "%s/%s", data, folder);
-  bool ok = claims_load(c, text_str(&path), kind, d);
-  text_clear(&path);
+bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d) {
+  return load_folder(c, folder, kind, NULL, d);
+}
+
+bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
+                        struct diag *d) {
+  struct text where;
+  text_init(&where);
+  text_printf(&where, "%s/%s", data, folder);
+  bool ok = load_folder(c, text_str(&where), kind, path, d);
+  text_clear(&where);
   return ok;
+}
+
+bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d) {
+  return claims_load_around(c, data, folder, kind, NULL, d);
 }
 
 void claims_clear(struct claims *c) {
@@ -108,12 +122,15 @@ bool claim_selected(const char *id, const char *item) {
   return *rest == '\0' || *rest == '-';
 }
 
-bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
+bool claim_mistake(const struct claim *c, const char *key, struct diag *d, const char *what) {
   const struct field *f = record_field(c->record, key);
-  size_t at = f ? f->value.begin : c->record->id.begin;
-  diag_at(j->d, &c->file->src, at, "%s: %s", c->id, what);
-  j->claim_at_fault = true;
+  diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
   return false;
+}
+
+bool claim_error(struct judge *j, const struct claim *c, const char *key, const char *what) {
+  j->claim_at_fault = true;
+  return claim_mistake(c, key, j->d, what);
 }
 
 bool claim_makes(const struct claim *c, const char *id) {

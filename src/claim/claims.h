@@ -109,10 +109,14 @@ struct claims {
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
 
-/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim or control. */
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control or
+   statement, whose files are *.statements. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
+/* The same with the file at `path` read in the place of that of its name, if there is one. */
+bool claims_load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
+                        struct diag *d);
 bool claims_add_file(struct claims *c, const char *path, const char *kind, struct diag *d);
 /* A text that messages call by the name. */
 bool claims_add_text(struct claims *c, const char *name, const char *text, const char *kind, struct diag *d);

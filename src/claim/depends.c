@@ -226,7 +226,7 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
   return false;
 }
 
-bool dependences_argued(const struct dependences *d, size_t a, size_t b) {
+static bool dependences_argued(const struct dependences *d, size_t a, size_t b) {
   const struct reach *x = &d->reach[a], *y = &d->reach[b];
   return a != b && x->concludes && y->concludes && cited_share(x->premises[0], y->concludes);
 }

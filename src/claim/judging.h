@@ -30,7 +30,10 @@ struct judge {
   const bool *touched; /* by record of the model: what may say something else than it did; NULL: everything may */
 };
 
-/* An error of the claim's file, at the attribute: false with j->d set. */
+/* An error of the claim's file, at the attribute, or at the claim's name where it has none of that name: false with d
+   set. */
+bool claim_mistake(const struct claim *c, const char *attribute, struct diag *d, const char *what);
+/* The same of a claim that is being judged: false with j->d set. */
 bool claim_error(struct judge *j, const struct claim *c, const char *attribute, const char *what);
 
 #endif

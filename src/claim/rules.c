@@ -7,12 +7,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-static bool complain(const struct claim *c, const char *attribute, struct diag *d, const char *what) {
-  const struct field *f = record_field(c->record, attribute);
-  diag_at(d, &c->file->src, f ? f->value.begin : c->record->id.begin, "%s: %s", c->id, what);
-  return false;
-}
-
 /* --- Points and routes --- */
 
 /* The number at the end of an item, "arcs Gamma 12". */
@@ -49,13 +43,13 @@ static bool check_sorts(const struct claim *c, struct diag *d) {
     arcs = arcs || strncmp(item, "arcs", 4) == 0;
     orbits = orbits || strncmp(item, "orbits", 6) == 0;
     for (int i = 0; i < n; i++)
-      if (strcmp(sort[i], sort[n]) == 0) return complain(c, "points", d, "a sort of points stands here twice");
+      if (strcmp(sort[i], sort[n]) == 0) return claim_mistake(c, "points", d, "a sort of points stands here twice");
     n++;
   }
   if (orbits && n == 1 && points_of(item) < ORBITS_ALONE && !claim_get(c, "few"))
-    return complain(c, "points", d, "orbits alone are at least 10; more of them, or a reason in \"few:\"");
+    return claim_mistake(c, "points", d, "orbits alone are at least 10; more of them, or a reason in \"few:\"");
   return !arcs || orbits || claim_get(c, "few") ||
-         complain(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");
+         claim_mistake(c, "points", d, "what is tried on arcs is tried on orbits too; or a reason in \"few:\"");
 }
 
 static bool is_route(const char *name) {
@@ -88,14 +82,14 @@ static bool check_numbers(const struct claim *c, const struct claim_kind *kind, 
              "points for a claim of kind %s are at least %d in all and %d of each sort; more of them, or a reason in "
              "\"few:\"",
              kind->word, kind->points, kind->points / 2);
-    return complain(c, "points", d, what);
+    return claim_mistake(c, "points", d, what);
   }
   if (routes >= kind->routes) return true;
   snprintf(what, sizeof what,
            "a claim of kind %s is tried by at least %d independent routes, of which balls is one; here %s; more of "
            "them, or a reason in \"few:\"",
            kind->word, kind->routes, routes == 1 ? "it is alone" : "there are fewer");
-  return complain(c, "routes", d, what);
+  return claim_mistake(c, "routes", d, what);
 }
 
 /* --- Arguments --- */
@@ -142,7 +136,7 @@ static bool check_conclusion(const struct model *m, const struct claim *c, struc
         char what[200];
         snprintf(what, sizeof what, "the conclusion %.40s is among its own premises%s%.40s", end.id,
                  itself ? "" : ", as ", itself ? "" : start.id);
-        return complain(c, premises[i], d, what);
+        return claim_mistake(c, premises[i], d, what);
       }
   return true;
 }
@@ -167,7 +161,7 @@ static bool check_quoted_numbers(const struct model *m, const struct claim *c, s
     if (cites_equation(m, claim_get(c, "premises"), number) || cites_equation(m, claim_get(c, "conclusion"), number))
       continue;
     snprintf(what, sizeof what, "the sentence cites (%s), which is neither a premise nor a conclusion", number);
-    return complain(c, "premises", d, what);
+    return claim_mistake(c, "premises", d, what);
   }
   return true;
 }
@@ -177,8 +171,8 @@ static bool check_record_scene(const struct claim *c, const struct claim_kind *k
   const char *over = claim_get(c, "over");
   bool of_scene = kind->of_scene || (over && strcmp(over, "scene") == 0);
   return !of_scene || !claim_get(c, "record") || claim_get(c, "record-scene") ||
-         complain(c, "record", d,
-                  "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
+         claim_mistake(c, "record", d,
+                       "what is judged of one scene says in \"record-scene:\" of which its verdict is on record");
 }
 
 /* --- One claim --- */
@@ -186,13 +180,13 @@ static bool check_record_scene(const struct claim *c, const struct claim_kind *k
 bool claim_keeps_rules(const struct model *m, const struct claim *c, struct diag *d) {
   const struct claim_kind *kind = claim_kind_of(c);
   const char *fault = claim_get(c, "fault");
-  if (!kind) return complain(c, "kind", d, "unknown kind of claim");
+  if (!kind) return claim_mistake(c, "kind", d, "unknown kind of claim");
   const char *follows = fault ? fault_name[claim_fault(m, c)] : NULL;
   if (fault && strcmp(fault, follows) != 0) {
     char what[200];
     snprintf(what, sizeof what, "the fault is \"%s\": it follows from the kind of the claim and from its correction",
              follows);
-    return complain(c, "fault", d, what);
+    return claim_mistake(c, "fault", d, what);
   }
   return check_numbers(c, kind, d) && check_sorts(c, d) && check_record_scene(c, kind, d) &&
          (claim_kind(c) != KIND_ARGUMENT || check_quoted_numbers(m, c, d)) && check_conclusion(m, c, d);
@@ -208,7 +202,7 @@ static bool check_turned(const struct claims *claims, const struct claim *c, str
   if (other && cited_share(claim_get(c, "conclusion"), claim_get(other, "premises")) &&
       cited_share(claim_get(other, "conclusion"), claim_get(c, "premises")))
     return true;
-  return complain(c, "converse-of", d, "no argument of that name goes the other way round");
+  return claim_mistake(c, "converse-of", d, "no argument of that name goes the other way round");
 }
 
 enum { UNSEEN, ON_THE_WAY, DONE };
@@ -303,7 +297,7 @@ static bool check_near(const struct model *m, const struct claims *controls, str
     if (size == 0 || (size <= says && says <= 1000 * size)) continue;
     char what[120];
     snprintf(what, sizeof what, "its formula is wrong by %g, and it says near: %s", size, near ? near : "nothing");
-    return complain(c, near ? "near" : "claim", d, what);
+    return claim_mistake(c, near ? "near" : "claim", d, what);
   }
   return true;
 }
@@ -318,7 +312,7 @@ static bool check_kind_controls(const struct claims *claims, const struct claims
     char what[200];
     snprintf(what, sizeof what, "claims of kind %s, such as this, have %d controls, and must have %d",
              claim_kinds[k].word, have[k], claim_kinds[k].controls);
-    return complain(one[k], "kind", d, what);
+    return claim_mistake(one[k], "kind", d, what);
   }
   return true;
 }
@@ -348,7 +342,7 @@ static bool check_correction_controls(const struct claims *claims, const struct 
   }
   char what[200];
   snprintf(what, sizeof what, "no control makes a correction of this sort wrong (%s)", wanted);
-  return complain(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
+  return claim_mistake(&claims->claim[a], strstr(wanted, "range") ? "repaired-range" : "repaired", d, what);
 }
 
 bool records_counted(const struct record_file *f, struct diag *d) {

@@ -6,47 +6,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-bool statements_add_file(struct claims *out, const char *path, struct diag *d) {
-  return claims_add_file(out, path, "statement", d);
-}
-
-bool statements_load(struct claims *out, const char *data, struct diag *d) {
-  struct arena a;
-  struct text folder;
-  size_t n;
-  arena_init(&a);
-  text_init(&folder);
-  text_printf(&folder, "%s/paper", data);
-  char **file = folder_files(&n, text_str(&folder), ".statements", &a, d);
-  bool ok = n > 0;
-  for (size_t i = 0; ok && i < n; i++) ok = statements_add_file(out, file[i], d);
-  free(file);
-  text_clear(&folder);
-  arena_clear(&a);
-  return ok;
-}
-
-static bool complain(const struct claim *s, const char *attribute, struct diag *d, const char *what) {
-  const struct field *f = attribute ? record_field(s->record, attribute) : NULL;
-  diag_at(d, &s->file->src, f ? f->value.begin : s->record->id.begin, "%s: %s", s->id, what);
-  return false;
-}
-
 bool statement_check(const struct claim *s, struct diag *d) {
   static const char *const known[] = {"quote", "place", "equation", "claims", "reason"};
   for (size_t k = 0; k < s->record->n_fields; k++) {
     const struct field *f = &s->record->fields[k];
-    bool ok = false;
-    for (size_t i = 0; f->attribute && i < sizeof known / sizeof *known; i++)
-      ok = ok || strcmp(known[i], f->key_name) == 0;
-    if (ok) continue;
+    if (f->attribute && word_find(f->key_name, known, 5) < 5) continue;
     diag_at(d, &s->file->src, f->attribute ? f->key.begin : f->value.begin,
             "%s: a statement has quote, place, equation, claims and reason", s->id);
     return false;
   }
-  if (!claim_get(s, "quote")) return complain(s, NULL, d, "a statement has a quote that finds it in the paper");
+  if (!claim_get(s, "quote")) return claim_mistake(s, "", d, "a statement has a quote that finds it in the paper");
   if (!claim_get(s, "claims") == !claim_get(s, "reason"))
-    return complain(s, NULL, d, "a statement has claims that answer it, or a reason why there are none");
+    return claim_mistake(s, "", d, "a statement has claims that answer it, or a reason why there are none");
   return true;
 }
 
@@ -56,7 +27,7 @@ static bool check_names(const struct claim *s, const struct claims *claims, stru
   for (const char *p = claim_get(s, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (claim_named(claims, name)) continue;
     snprintf(what, sizeof what, "there is no claim %s", name);
-    return complain(s, "claims", d, what);
+    return claim_mistake(s, "claims", d, what);
   }
   return true;
 }
@@ -103,7 +74,7 @@ bool statements_keep_rules(const struct model *m, const struct claims *claims, c
     if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], claims, d)) return false;
   for (size_t i = 0; i < claims->n; i++)
     if (!answers(&claims->claim[i], statements))
-      return complain(&claims->claim[i], NULL, d, "no statement of the paper names this claim");
+      return claim_mistake(&claims->claim[i], "", d, "no statement of the paper names this claim");
   return check_equations(m, statements, d);
 }
 

@@ -62,7 +62,8 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   model_init(&in->model);
   bool ok = load_scene(&in->scene, "paper", data, o, false, d);
   return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
-         claims_load_data(&in->controls, data, "controls", "control", d) && statements_load(&in->statements, data, d) &&
+         claims_load_data(&in->controls, data, "controls", "control", d) &&
+         claims_load_data(&in->statements, data, "paper", "statement", d) &&
          data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d) &&
          titles_check(&in->model, &in->claims, d);
 }

@@ -83,7 +83,7 @@ static void move_bar(struct maker *k, size_t open, size_t close) {
   text_clear(&t);
 }
 
-void maker_bars(struct maker *k) {
+static void maker_bars(struct maker *k) {
   size_t open = 0;
   for (size_t i = value_of(k).begin; i < value_of(k).end; i++) {
     if (k->text[i] != '|') continue;

@@ -140,7 +140,7 @@ void maker_put(struct maker *k, size_t begin, size_t end, const char *now) {
   maker_add(k, begin, end, now, strlen(now), NULL);
 }
 
-struct span maker_lines(const struct maker *k) {
+static struct span maker_lines(const struct maker *k) {
   const struct record *r = k->record;
   const struct field *f = k->field;
   size_t begin = !f ? r->kind.begin : f->attribute ? f->key.begin : f->value.begin;

@@ -25,8 +25,7 @@ struct exchange {
 /* Adds the damage: bytes of the file from begin to end become n bytes of now. */
 void maker_add(struct maker *k, size_t begin, size_t end, const char *now, size_t n, const char *rule);
 void maker_put(struct maker *k, size_t begin, size_t end, const char *now);
-/* The field with its line, or the record with its lines. */
-struct span maker_lines(const struct maker *k);
+/* The field with its line goes, or the record with its lines. */
 void maker_delete(struct maker *k);
 
 /* Damages of the field's value, character by character: each digit is the next one; "+" and "-", "<" and ">" turn;
@@ -35,8 +34,6 @@ void maker_digits(struct maker *k);
 void maker_signs(struct maker *k);
 void maker_exchange(struct maker *k, const struct exchange *table, size_t n);
 void maker_indices(struct maker *k);
-/* A closing bar "|" behind a relation moves before it, and one without a relation goes with its partner. */
-void maker_bars(struct maker *k);
 
 /* By lines (damage_lines.c). */
 damage_fn damage_premises, damage_conclusion, damage_points, damage_routes, damage_one_of, damage_digits,

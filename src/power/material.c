@@ -6,13 +6,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-static const char *base_name(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
-}
-
 static void add_file(struct material *m, enum material_part part, enum rank rank, const struct record_file *f) {
-  m->file[m->n++] = (struct material_file){part, rank, base_name(f->src.name), f};
+  m->file[m->n++] = (struct material_file){part, rank, path_base(f->src.name), f};
 }
 
 void material_init(struct material *m, const struct audit_data *data, const struct scene *scene) {
@@ -37,12 +32,6 @@ void material_clear(struct material *m) {
 bool material_check(const struct audit_data *data, struct diag *d) {
   return model_check_tex(data->model, RANK_STABLE, d) && data_check(data, d) &&
          titles_check(data->model, data->claims, d);
-}
-
-size_t material_named(const struct material *m, const char *name) {
-  size_t i = 0;
-  while (i < m->n && strcmp(m->file[i].name, name) != 0) i++;
-  return i;
 }
 
 /* The text of the file, or the changed one in its place. */

@@ -27,8 +27,6 @@ void material_init(struct material *m, const struct audit_data *data, const stru
 void material_clear(struct material *m);
 /* The checks of loaded data, those of the TeX that model_load makes and those of verify. */
 bool material_check(const struct audit_data *data, struct diag *d);
-/* The file of that name, or m->n. */
-size_t material_named(const struct material *m, const char *name);
 
 /* The material with one file's text exchanged: what it made is its own, the rest is that of the material. */
 struct changed_material {

@@ -138,7 +138,7 @@ void target_reaches(bool *record, const struct model *m, const struct target *t)
 
 /* "4-stability.eq" or "4-stability" for a file, an id for a record. */
 static bool is_named(const struct statement_record *r, const char *item) {
-  const char *slash = strrchr(r->src->name, '/'), *file = slash ? slash + 1 : r->src->name;
+  const char *file = path_base(r->src->name);
   size_t n = strlen(item);
   bool of_file = strncmp(file, item, n) == 0 && (file[n] == '\0' || strcmp(file + n, ".eq") == 0);
   return of_file || strcmp(r->record->id_name, item) == 0;

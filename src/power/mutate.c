@@ -277,11 +277,6 @@ static void try_mutant(void *result, size_t i, void *arg) {
 
 /* --- The report --- */
 
-static const char *file_of(const struct statement_record *r) {
-  const char *slash = strrchr(r->src->name, '/');
-  return slash ? slash + 1 : r->src->name;
-}
-
 static struct mutation_row *file_row(struct mutation_result *out, const char *name) {
   for (size_t i = 0; i < out->n_files; i++)
     if (strcmp(out->file[i].name, name) == 0) return &out->file[i];
@@ -321,7 +316,7 @@ static void add_survivor(struct mutation_result *out, const struct mutation_stud
   const struct statement_record *rec = &r->model->records[t->record];
   struct survivor s = {.fate = fate,
                        .corrected = t->corrected,
-                       .file = keep(out, file_of(rec)),
+                       .file = keep(out, path_base(rec->src->name)),
                        .record = keep(out, rec->record->id_name),
                        .equation = *rec->equation ? keep(out, rec->equation) : NULL,
                        .kind = edit_kind_name[m->edit.kind],
@@ -359,7 +354,7 @@ static void report(struct mutation_result *out, const struct mutation_study *r, 
     if (t->corrected) out->printed.count[fate[i]]++;
     out->formulas.count[fate[i]]++;
     out->kind[m->edit.kind].count[fate[i]]++;
-    file_row(out, file_of(&r->model->records[t->record]))->count[fate[i]]++;
+    file_row(out, path_base(r->model->records[t->record].src->name))->count[fate[i]]++;
   }
 }
 

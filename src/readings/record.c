@@ -289,7 +289,8 @@ void readings_pairs(struct readings *r, struct audit_result *out, const struct e
         p->n_given += fits;
         if (!fits) text_printf(&missed, "%s%s", missed.len ? ", " : "", e->printed[n]->name);
       }
-      if (ok) p->missed = result_take(out, &missed);
+      const char *list = result_take(out, &missed);
+      p->missed = ok ? list : NULL;
     }
   _arb_vec_clear(x, N_PRINTED);
 }

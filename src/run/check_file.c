@@ -42,44 +42,23 @@ static bool check_equations(const char *path, const char *data, struct diag *d) 
   return ok;
 }
 
-static const char *base_name(const char *path) {
-  const char *slash = strrchr(path, '/');
-  return slash ? slash + 1 : path;
-}
-
-/* The files of a data folder, with this one in the place of that of its name; *stands: there is one. */
-static bool load_around(struct claims *c, const char *data, const char *folder, const char *kind, const char *path,
-                        bool *stands, struct diag *d) {
-  struct arena a;
-  struct text where;
-  size_t n;
-  arena_init(&a);
-  text_init(&where);
-  text_printf(&where, "%s/%s", data, folder);
-  char **file = folder_files(&n, text_str(&where), ".claim", &a, d);
-  bool ok = n > 0;
-  for (size_t i = 0; ok && i < n; i++) {
-    bool here = strcmp(base_name(file[i]), base_name(path)) == 0;
-    *stands = *stands || here;
-    ok = claims_add_file(c, here ? path : file[i], kind, d);
-  }
-  free(file);
-  text_clear(&where);
-  arena_clear(&a);
-  return ok;
+static bool has_file(const struct claims *c, const char *path) {
+  for (size_t i = 0; i < c->n_files; i++)
+    if (strcmp(c->files[i]->src.name, path) == 0) return true;
+  return false;
 }
 
 /* The rules of each claim; where the file is one of the data folder, those of all claims together. */
 static bool check_rules(const struct claims *own, bool control, const char *path, const char *data, struct diag *d) {
   struct model m;
   struct claims claims = {.n = 0}, controls = {.n = 0};
-  bool stands = false;
   model_init(&m);
   bool ok = model_load(&m, data, NULL, NULL, d);
   ok = ok && (control || titles_check(&m, own, d));
   for (size_t i = 0; ok && !control && i < own->n; i++) ok = claim_keeps_rules(&m, &own->claim[i], d);
-  ok = ok && load_around(&claims, data, "claims", "claim", control ? "" : path, &stands, d) &&
-       load_around(&controls, data, "controls", "control", control ? path : "", &stands, d);
+  ok = ok && claims_load_around(&claims, data, "claims", "claim", control ? NULL : path, d) &&
+       claims_load_around(&controls, data, "controls", "control", control ? path : NULL, d);
+  bool stands = has_file(control ? &controls : &claims, path);
   ok = ok && (!stands || claims_keep_rules(&m, &claims, &controls, d));
   claims_clear(&controls);
   claims_clear(&claims);
@@ -107,14 +86,12 @@ static bool check_statements(const char *path, const char *data, struct diag *d)
   struct model m;
   struct claims own = {.n = 0}, all = {.n = 0}, claims = {.n = 0};
   model_init(&m);
-  bool ok = statements_add_file(&own, path, d), stands = false;
+  bool ok = claims_add_file(&own, path, "statement", d);
   for (size_t i = 0; ok && i < own.n; i++) ok = statement_check(&own.claim[i], d);
-  ok = ok && statements_load(&all, data, d);
-  for (size_t i = 0; ok && i < all.n_files; i++)
-    stands = stands || strcmp(base_name(all.files[i]->src.name), base_name(path)) == 0;
-  if (ok && stands && all.n_files == 1)
+  ok = ok && claims_load_around(&all, data, "paper", "statement", path, d);
+  if (ok && has_file(&all, path))
     ok = model_load(&m, data, NULL, NULL, d) && claims_load_data(&claims, data, "claims", "claim", d) &&
-         statements_keep_rules(&m, &claims, &own, d);
+         statements_keep_rules(&m, &claims, &all, d);
   claims_clear(&claims);
   claims_clear(&all);
   claims_clear(&own);
@@ -127,18 +104,15 @@ static bool check_asked(const struct scene *s, const char *data, struct diag *d)
   if (!s->asked.claims.n && !s->asked.values.n) return true;
   struct model m;
   struct claims c = {.n = 0};
-  struct text claims, paper;
-  text_init(&claims);
+  struct text paper;
   text_init(&paper);
   model_init(&m);
-  text_printf(&claims, "%s/claims", data);
   text_printf(&paper, "%s/paper", data);
-  bool ok = claims_load(&c, text_str(&claims), "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
+  bool ok = claims_load_data(&c, data, "claims", "claim", d) && model_add_folder(&m, text_str(&paper), RANK_PAPER, d) &&
             scene_check_asked(s, &c, &m, d);
   model_clear(&m);
   claims_clear(&c);
   text_clear(&paper);
-  text_clear(&claims);
   return ok;
 }
 

@@ -19,8 +19,7 @@ static char *shown(const char *text) {
 
 /* The name of a scene is its file's, without folder and suffix; a folder can bear it. */
 static char *name_of(const char *path) {
-  const char *base = strrchr(path, '/');
-  char *name = shown(base ? base + 1 : path);
+  char *name = shown(path_base(path));
   char *dot = strrchr(name, '.');
   if (dot && strcmp(dot, ".scene") == 0 && dot > name) *dot = '\0';
   if (name[0] == '.') name[0] = '_';

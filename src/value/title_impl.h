@@ -14,8 +14,6 @@ struct title {
 
 /* "global stick", ... */
 extern const char *const phase_words[N_PHASES];
-/* The phase of that letter (D, Gamma, H, C), N_PHASES when there is none. */
-enum phase title_phase(const char *word, size_t len);
 /* "the global stick phase", "the slip-stick and global slip phases", "every phase"; of phases in the order given. */
 void title_phases(struct text *out, const enum phase *phase, int n);
 /* The phases of a list of letters with blanks or commas between. */

@@ -79,7 +79,8 @@ bool title_is_plural(const char *text) {
 
 const char *const phase_words[N_PHASES] = {"global stick", "slip-stick", "global slip", "stick-slip"};
 
-enum phase title_phase(const char *word, size_t len) {
+/* The phase of that letter (D, Gamma, H, C), N_PHASES when there is none. */
+static enum phase title_phase(const char *word, size_t len) {
   int ph = 0;
   while (ph < N_PHASES && !(strlen(phase_name[ph]) == len && strncmp(phase_name[ph], word, len) == 0)) ph++;
   return (enum phase)ph;
