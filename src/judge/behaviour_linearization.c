@@ -95,7 +95,8 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
       struct text t;
       text_init(&t);
       point_print(&t, p);
-      if (!s->where) s->where = result_take(b->j->out, &t);
+      const char *place = result_take(b->j->out, &t);
+      if (!s->where) s->where = place;
     }
   }
   values_clear(&v);
