@@ -390,7 +390,10 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
                              &t->e[i],
                              1,
                              trap,
-                             (enum verdict)(i % (N_VERDICTS + 1))};
+                             (enum verdict)(i % (N_VERDICTS + 1)),
+                             (enum claimant)(i % N_CLAIMANTS),
+                             trap,
+                             (enum severity)(i % (N_SEVERITIES + 1))};
 }
 
 static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {

@@ -378,14 +378,12 @@ static void add_statements(const struct sheet *s, const struct audit_result *r) 
 }
 
 static void add_closing(const struct sheet *s, const struct audit_result *r) {
-  long count[N_VERDICTS];
-  audit_result_count(r, count);
+  long count[N_VERDICTS], total = audit_result_count(count, r, OF_PAPER);
   heading(s, "What was checked and holds");
   text_printf(s->out,
-              "%sOf %zu statements %ld are proved, %ld supported (at every point tried, by at least two routes that do "
+              "%sOf %ld statements %ld are proved, %ld supported (at every point tried, by at least two routes that do "
               "not share their reasoning) and %ld assert nothing",
-              s->tex ? "" : "\n", r->n_findings, count[VERDICT_PROVED], count[VERDICT_SUPPORTED],
-              count[VERDICT_DEFINITION]);
+              s->tex ? "" : "\n", total, count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_DEFINITION]);
   if (count[VERDICT_UNKNOWN])
     text_printf(s->out, "; %ld %s undecided", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
   if (count[VERDICT_SKIPPED]) text_printf(s->out, "; %ld were not possible here", count[VERDICT_SKIPPED]);
