@@ -75,6 +75,17 @@ static const char *text_of(struct audit_result *out, const struct claim *root, c
   return s ? result_str(out, "%s", s) : NULL;
 }
 
+/* In the order of the root's own list. */
+static void add_claim(struct root_cause *r, struct audit_result *out, const char *id) {
+  for (size_t i = 0; i < out->n_findings; i++) {
+    struct finding *f = &out->findings[i];
+    if (!f->root || strcmp(f->id, id) != 0) continue;
+    f->root = r->id;
+    f->severity = r->severity;
+    r->claims[r->n_claims++] = f->id;
+  }
+}
+
 static void add_root(struct audit_result *out, const struct claim *root) {
   out->roots = ss_grow(out->roots, out->n_roots, &out->cap_roots, sizeof *out->roots);
   struct root_cause *r = &out->roots[out->n_roots++];
@@ -87,13 +98,9 @@ static void add_root(struct audit_result *out, const struct claim *root) {
                            .consequence = text_of(out, root, "consequence"),
                            .by_hand = text_of(out, root, "by-hand")};
   r->claims = arena_alloc(&out->arena, out->n_findings * sizeof *r->claims);
-  for (size_t i = 0; i < out->n_findings; i++) {
-    struct finding *f = &out->findings[i];
-    if (!f->root || strcmp(f->root, r->id) != 0) continue;
-    f->root = r->id;
-    f->severity = r->severity;
-    r->claims[r->n_claims++] = f->id;
-  }
+  char name[64];
+  for (const char *list = claim_get(root, "claims"); list && (list = claim_next_item(name, sizeof name, list)) != NULL;)
+    add_claim(r, out, name);
   out->n_roots -= r->n_claims == 0;
 }
 

@@ -107,6 +107,7 @@ struct id_list {
 };
 struct consequence {
   const char *failure;
+  const char *solved; /* what the paper's equations give with it, where it enters them: a sentence; or NULL */
   struct id_list falls, survives, open;
   struct derived *derived;
   int n_derived;

@@ -127,6 +127,7 @@ static SHAPE(derived, struct derived, .blank = NULL);
 
 static const struct member consequence_member[] = {
     STRING(struct consequence, failure, MEMBER_NEEDED),
+    STRING(struct consequence, solved, MEMBER_SPARSE),
     STRINGS("falls", struct consequence, falls.id, falls.n),
     STRINGS("survives", struct consequence, survives.id, survives.n),
     STRINGS("undecided", struct consequence, open.id, open.n),
