@@ -148,9 +148,9 @@ bool behaviour_configurations(struct behaviour *b) {
   bool found = v.fastest > 0.1;
   const char *note =
       result_str(b->j->out,
-                 "of %ld motions that start with both masses sticking, as in (11), %ld leave D, Gamma, H and C: a mass "
-                 "overruns the belt, and (3), (5), (7) speak of z'_i < V only; of %ld admissible orbits of the word, "
-                 "%ld%s",
+                 "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations: a mass "
+                 "becomes faster than the belt, while (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
+                 "solutions, %ld%s",
                  w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);

@@ -90,6 +90,16 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   _arb_vec_clear(v, 11);
 }
 
+/* An end of the ball, rounded away from it. */
+static double bound(const arb_t x, bool lower) {
+  arf_t end;
+  arf_init(end);
+  (lower ? arb_get_lbound_arf : arb_get_ubound_arf)(end, x, FIRST_PREC);
+  double d = arf_get_d(end, lower ? ARF_RND_FLOOR : ARF_RND_CEIL);
+  arf_clear(end);
+  return d;
+}
+
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   (void)view;
   const struct printed_number *z[2] = {scene_printed(j->scene, "z10"), scene_printed(j->scene, "z20")};
@@ -108,8 +118,10 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
-    note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
-                      apart ? ", which excludes 0: no start with these digits is periodic" : "");
+    note =
+        result_str(j->out, "After one period z_2 - z_1 has changed by between %.2g and %.2g%s.", bound(gap, true),
+                   bound(gap, false),
+                   apart ? ", whatever the digits that were not printed: no start with these digits is periodic" : "");
   finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
                     note);
   w.trials = s == SS_OK;

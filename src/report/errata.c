@@ -87,17 +87,17 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
 
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
   begin_item(s, number);
-  strong(s, root->title);
-  text_add(s->out, " (");
-  sheet_text(s, root->where);
-  text_add(s->out, ")");
+  strong(s, root->where);
+  text_add(s->out, ": ");
+  sheet_text(s, root->title);
+  stop(s);
   add_printed(s, r, root);
   label(s, "Should read");
   sheet_text(s, root->correct);
   label(s, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) {
-    text_add_char(s->out, ' ');
+    text_add(s->out, s->tex ? " \\emph{By hand:} " : " *By hand:* ");
     sheet_text(s, root->by_hand);
   }
   if (root->severity == SEVERITY_SUBSTANCE) {
@@ -252,7 +252,6 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
   if (!last) return;
   text_add(s->out, " at ");
   sheet_prose(s, last->where);
-  text_add(s->out, ". ");
 }
 
 static bool has_change(const struct consequence *q) {
@@ -267,16 +266,17 @@ static void add_evidence(const struct sheet *s, const struct audit_result *r, co
     const struct finding *f = named(r, root->claims[i]);
     const struct consequence *q = audit_result_consequence(r, root->claims[i]);
     const struct evidence *e = f ? failure_evidence(f) : NULL;
-    if (!f || failure_is_number(f) || (q && !has_change(q)) || (!q && (!e || !e->note))) continue;
+    bool changes = has_change(q);
+    if (!f || failure_is_number(f) || (!changes && (!e || !e->note))) continue;
     begin_item(s, 0);
     strong(s, root->title);
-    text_add(s->out, ". ");
-    if (q && q->solved)
-      sheet_prose(s, q->solved);
-    else if (q && has_change(q))
-      add_derived(s, q);
-    else
+    text_add(s->out, ": ");
+    if (!changes)
       sheet_prose(s, e->note);
+    else if (q->solved)
+      sheet_prose(s, q->solved);
+    else
+      add_derived(s, q);
     stop(s);
     end_item(s);
     return;
