@@ -82,10 +82,10 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
     if (apart)
-      f->effect = result_str(
-          j->out,
-          "from the printed start the motion does not close: after one period it is off by %s in z_1 and by %s in z_2",
-          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+      f->effect = result_str(j->out,
+                             "the motion from the printed initial state does not close: after one period z_1 has "
+                             "changed by %s and z_2 by %s",
+                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
   _arb_vec_clear(v, 11);
 }
@@ -118,10 +118,11 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
-    note =
-        result_str(j->out, "After one period z_2 - z_1 has changed by between %.2g and %.2g%s.", bound(gap, true),
-                   bound(gap, false),
-                   apart ? ", whatever the digits that were not printed: no start with these digits is periodic" : "");
+    note = result_str(
+        j->out,
+        "For every initial state with the printed digits, z_2 - z_1 changes during one period by between %.3g "
+        "and %.3g%s",
+        bound(gap, true), bound(gap, false), apart ? ": none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
                     note);
   w.trials = s == SS_OK;

@@ -226,11 +226,21 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   paragraph(s);
 }
 
+/* A sentence of the record, which begins with a small letter. */
+static void sheet_sentence(const struct sheet *s, const char *text) {
+  struct text t;
+  text_init(&t);
+  text_add_char(&t, *text >= 'a' && *text <= 'z' ? (char)(*text - 'a' + 'A') : *text);
+  text_add(&t, *text ? text + 1 : "");
+  sheet_prose(s, text_str(&t));
+  stop(s);
+  text_clear(&t);
+}
+
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = named(r, "text-periodic");
   if (!f || !finding_fails(f) || !f->effect) return;
-  sheet_prose(s, f->effect);
-  stop(s);
+  sheet_sentence(s, f->effect);
   paragraph(s);
 }
 
@@ -271,12 +281,10 @@ static void add_evidence(const struct sheet *s, const struct audit_result *r, co
     begin_item(s, 0);
     strong(s, root->title);
     text_add(s->out, ": ");
-    if (!changes)
-      sheet_prose(s, e->note);
-    else if (q->solved)
-      sheet_prose(s, q->solved);
-    else
+    if (changes && !q->solved)
       add_derived(s, q);
+    else
+      sheet_prose(s, changes ? q->solved : e->note);
     stop(s);
     end_item(s);
     return;

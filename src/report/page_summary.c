@@ -85,22 +85,19 @@ static void add_meant(const struct page *p, const struct finding *f) {
 }
 
 static void add_verdict_of(const struct page *p, const struct finding *f) {
-  text_add(p->out, " Claim ");
-  page_claim(p, f->id);
-  text_add(p->out, ": ");
-  page_verdict(p, f->verdict);
-  text_add_char(p->out, '.');
+  text_add_char(p->out, ' ');
+  page_begin_link(p, finding_fails(f) ? "f-" : "c-", f->id);
+  text_add(p->out, "Evidence</a>.");
 }
 
 static void add_stability(const struct page *p, const struct finding *f) {
   add_meant(p, f);
-  html_text(p->out,
-            "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
-            "stable, above 1 unstable. The paper gives this criterion and does not say which its example is. For all "
-            "periodic solutions found with its data (claim ",
-            NULL);
-  page_claim(p, f->id);
-  text_add(p->out, "):");
+  html_text(
+      p->out,
+      "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
+      "stable, above 1 unstable. The paper does not apply this criterion to its example. Its data have these periodic "
+      "solutions:",
+      NULL);
   page_statements(p, f, "states");
   html_text(
       p->out,
@@ -126,7 +123,7 @@ static void add_answer(const struct page *p, const struct finding *f) {
   html_stop(p->out);
   if (e) add_mended_numbers(p, f);
   if (e && f->effect && e->note) {
-    text_add(p->out, " Rounding does not explain it. ");
+    text_add(p->out, " Rounding does not explain this. ");
     html_text(p->out, e->note, NULL);
     html_stop(p->out);
   }
@@ -244,8 +241,9 @@ static void add_lead(const struct page *p, const long count[N_VERDICTS], long to
   size_t substance = count_roots(p->r, true), slips = count_roots(p->r, false);
   long asserted = total - count[VERDICT_DEFINITION], wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
   long decided = count[VERDICT_PROVED] + wrong;
-  text_printf(p->out, "<p class=\"lead\"><strong>%zu point%s of substance</strong> in the paper %s to be corrected",
-              substance, substance == 1 ? "" : "s", substance == 1 ? "has" : "have");
+  text_printf(p->out,
+              "<p class=\"lead\"><strong>%zu point%s that affect%s results</strong> %s to be corrected in the paper",
+              substance, substance == 1 ? "" : "s", substance == 1 ? "s" : "", substance == 1 ? "has" : "have");
   if (slips) text_printf(p->out, ", besides %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
   text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld are proved", asserted,
               count[VERDICT_PROVED]);
