@@ -237,10 +237,10 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   const char *when =
       c->moving ? result_str(a->j->out, " after %.10g of the phase %s", d->where, phase_name[c->phase]) : "";
-  return result_str(a->j->out,
-                    "for %s (where e_1 = %s and e_2 = %s), solution %ld, %s%s fails%s: its sides differ by %s",
-                    scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), (long)p->orbit + 1,
-                    a->part[PREMISES].n ? "every premise holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
+  return result_str(
+      a->j->out, "for %s (where e_1 = %s and e_2 = %s), solution %ld, %s%s fails%s: its sides differ by %s",
+      scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), (long)p->orbit + 1,
+      a->part[PREMISES].n ? "every cited condition holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
 }
 
 /* Decides at a candidate; true when it is a counterexample. */

@@ -134,7 +134,8 @@ static const char *from_rest(struct behaviour *b) {
     note = result_str(b->j->out, "; from rest with slack springs (simulate %s --start 0,0,0,0) the motion goes H%.*s",
                       s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
   else
-    note = result_str(b->j->out, "; from rest with slack springs at the scene's parameters no mass overruns the belt");
+    note =
+        result_str(b->j->out, "; from rest with slack springs and the data of the example no mass overruns the belt");
   text_clear(&word);
   trajectory_clear(&t);
   return note;
@@ -146,12 +147,12 @@ bool behaviour_configurations(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
-  const char *note =
-      result_str(b->j->out,
-                 "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations: a mass "
-                 "becomes faster than the belt, while (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
-                 "solutions, %ld%s",
-                 w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
+  const char *note = result_str(
+      b->j->out,
+      "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
+      "mass becomes faster than the belt, while (3), (5) and (7) suppose z'_i < V; so do %ld of %ld admissible "
+      "periodic solutions%s",
+      w.motions, v.outside, orbits[1], orbits[0] + orbits[1], from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
   behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note);

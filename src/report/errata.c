@@ -55,6 +55,17 @@ static void stop(const struct sheet *s) {
   if (s->out->len && s->out->data[s->out->len - 1] != '.') text_add_char(s->out, '.');
 }
 
+/* A sentence of the record, which begins with a small letter. */
+static void sheet_sentence(const struct sheet *s, const char *text) {
+  struct text t;
+  text_init(&t);
+  text_add_char(&t, *text >= 'a' && *text <= 'z' ? (char)(*text - 'a' + 'A') : *text);
+  text_add(&t, *text ? text + 1 : "");
+  sheet_prose(s, text_str(&t));
+  stop(s);
+  text_clear(&t);
+}
+
 static const struct finding *named(const struct audit_result *r, const char *id) {
   for (size_t i = 0; i < r->n_findings; i++)
     if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
@@ -226,22 +237,23 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   paragraph(s);
 }
 
-/* A sentence of the record, which begins with a small letter. */
-static void sheet_sentence(const struct sheet *s, const char *text) {
-  struct text t;
-  text_init(&t);
-  text_add_char(&t, *text >= 'a' && *text <= 'z' ? (char)(*text - 'a' + 'A') : *text);
-  text_add(&t, *text ? text + 1 : "");
-  sheet_prose(s, text_str(&t));
-  stop(s);
-  text_clear(&t);
-}
-
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = named(r, "text-periodic");
   if (!f || !finding_fails(f) || !f->effect) return;
   sheet_sentence(s, f->effect);
   paragraph(s);
+}
+
+/* "chi = 1/2, ..., orbit 2" */
+static void add_place(const struct sheet *s, const char *where) {
+  const char *orbit = strstr(where, ", orbit ");
+  struct text t;
+  text_init(&t);
+  text_add_n(&t, where, orbit ? (size_t)(orbit - where) : strlen(where));
+  sheet_prose(s, text_str(&t));
+  if (orbit) text_printf(s->out, " (periodic solution %s by increasing $z_{10}$)", orbit + strlen(", orbit "));
+  stop(s);
+  text_clear(&t);
 }
 
 /* A result that changes, with its example. */
@@ -261,7 +273,7 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
   }
   if (!last) return;
   text_add(s->out, " at ");
-  sheet_prose(s, last->where);
+  add_place(s, last->where);
 }
 
 static bool has_change(const struct consequence *q) {
@@ -284,8 +296,7 @@ static void add_evidence(const struct sheet *s, const struct audit_result *r, co
     if (changes && !q->solved)
       add_derived(s, q);
     else
-      sheet_prose(s, changes ? q->solved : e->note);
-    stop(s);
+      sheet_sentence(s, changes ? q->solved : e->note);
     end_item(s);
     return;
   }
