@@ -347,8 +347,11 @@ START_TEST(no_process_outlives_the_memory) {
     if (freopen(scratch_path("said"), "w", stderr)) run_exhausted();
     _exit(0);
   }
-  ck_assert_int_eq(process_end(pid), EXIT_EXHAUSTED);
+  const int status = process_end(pid);
   check_says("out of memory");
+  char *text = said();
+  ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.4000s", status, text);
+  free(text);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
