@@ -110,8 +110,8 @@ struct claims {
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
 
-/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control or
-   statement, whose files are *.statements. */
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control 
+   statement or root, whose files are *.statements and *.roots. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
