@@ -98,6 +98,14 @@ static const struct {
      VERDICT_REFUTED},
     {"the second orbit of the scene overruns the belt, the nearest does not",
      "  kind: argument\n  over: scene\n  conclusion: text-h-phase\n", VERDICT_PROVED},
+    {"the bound itself, for every friction above it",
+     "  kind: argument\n  over: scene\n  premises: eq-53\n  conclusion: eq-54#2.1\n", VERDICT_PROVED},
+    {"which the sliding friction alone does not give", "  kind: argument\n  over: scene\n  conclusion: eq-54#2.1\n",
+     VERDICT_REFUTED},
+    {"nor a bound that is a little less, which no friction of the grid shows",
+     "  kind: argument\n  over: scene\n  premises: text-less\n  conclusion: eq-54#2.1\n", VERDICT_SUPPORTED},
+    {"friction that is not bounded above", "  kind: argument\n  over: scene\n  conclusion: text-above\n",
+     VERDICT_SUPPORTED},
     {"premises that never hold", "  kind: argument\n  premises: text-never\n  conclusion: eq-51\n", VERDICT_UNKNOWN},
     {"a margin that is zero throughout", "  kind: argument\n  conclusion: text-zero D\n", VERDICT_UNKNOWN},
 };
@@ -110,6 +118,8 @@ START_TEST(what_follows_and_what_does_not) {
                           "overlay.eq",
                           "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
                           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+                          "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
+                          "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
                           "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n"),
                       .controls = true});
   text_init(&t);

@@ -415,13 +415,14 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
   static const struct {
     enum kind kind;
     const char *why;
-  } reasons[] = {{KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
-                 {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
-                 {KIND_BEHAVIOUR, "about simulated motions"},
-                 {KIND_SEQUENCE, "about simulated motions"},
-                 {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
-                 {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
-                 {KIND_EXISTENCE, "solutions are found at points"}};
+  } reasons[] = {
+      {KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
+      {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
+      {KIND_BEHAVIOUR, "about simulated motions"},
+      {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
+      {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
+      {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+      {KIND_EXISTENCE, "solutions are found at points"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].route, "exact") == 0) return;
