@@ -69,13 +69,17 @@ static const struct {
     {"a conclusion among the premises", "  kind: argument\n  premises: eq-52\n  conclusion: eq-52#1\n", VERDICT_PROVED},
     {"a premise of another phase proves nothing of this one",
      "  kind: argument\n  over: orbits\n  premises: eq-57#1\n  conclusion: text-h-phase#1\n", VERDICT_SUPPORTED},
-    {"nor does one without its equation", "  kind: argument\n  premises: eq-52#1.2\n  conclusion: eq-56 D\n",
-     VERDICT_SUPPORTED},
+    {"but a bound on a phase follows from what that phase is",
+     "  kind: argument\n  premises: eq-52#1.2\n  conclusion: eq-56 D\n", VERDICT_PROVED},
     {"twice the bound (53) is the bound (52)",
      "  kind: argument\n  premises: text-start-w, eq-53#1\n  conclusion: eq-52#1.1\n", VERDICT_PROVED},
     {"the rate alone without the mean value theorem",
-     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  conclusion: eq-57#2.1\n",
+     "  kind: argument\n  over: orbits\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  "
+     "conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
+    {"from the start and the rate, which an admissible orbit has",
+     "  kind: argument\n  premises: eq-52#2.1\n  conclusion: eq-57#2.1\n", VERDICT_PROVED},
+    {"from the rate alone", "  kind: argument\n  premises: eq-52#1.1\n  conclusion: eq-57#2.1\n", VERDICT_REFUTED},
     {"with it",
      "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  increasing: h Gamma\n  "
      "conclusion: eq-57#2.1\n",
@@ -86,8 +90,8 @@ static const struct {
      " conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
     {"but not where the rate is not known to be positive",
-     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h Gamma\n  conclusion: "
-     "eq-57#2.1\n",
+     "  kind: argument\n  over: orbits\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h "
+     "Gamma\n  conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
     {"an identity that double precision cannot tell from a true one",
      "  kind: argument\n  premises: eq-52#1.2\n  conclusion: text-nearly\n", VERDICT_SUPPORTED},

@@ -416,7 +416,6 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
     enum kind kind;
     const char *why;
   } reasons[] = {
-      {KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
       {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
       {KIND_BEHAVIOUR, "about simulated motions"},
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
