@@ -110,12 +110,6 @@ static const struct {
      "  kind: argument\n  over: scene\n  premises: text-less\n  conclusion: eq-54#2.1\n", VERDICT_SUPPORTED},
     {"friction that is not bounded above", "  kind: argument\n  over: scene\n  conclusion: text-above\n",
      VERDICT_SUPPORTED},
-    {"small, as (1 + chi) max(|x|, |y|) is",
-     "  kind: argument\n  premises: text-small\n  conclusion: "
-     "text-still-sticks\n",
-     VERDICT_PROVED},
-    {"and not by more", "  kind: argument\n  premises: text-larger\n  conclusion: text-still-sticks#1.2\n",
-     VERDICT_SUPPORTED},
     {"premises that never hold", "  kind: argument\n  premises: text-never\n  conclusion: eq-51\n", VERDICT_UNKNOWN},
     {"a margin that is zero throughout", "  kind: argument\n  conclusion: text-zero D\n", VERDICT_UNKNOWN},
 };
@@ -128,9 +122,6 @@ START_TEST(what_follows_and_what_does_not) {
                           "overlay.eq",
                           "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
                           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
-                          "inequality text-larger\n  section: stability\n"
-                          "  -(e_1 - (z_10 - chi*z_20)) < x < (e_1 - (z_10 - chi*z_20))\n"
-                          "  -(e_1 - (z_10 - chi*z_20)) < y < (e_1 - (z_10 - chi*z_20))\n"
                           "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
                           "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
                           "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n"),

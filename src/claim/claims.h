@@ -25,7 +25,7 @@
      depends-on  ids of claims that an argument uses and no formula shows; what the formulas reach is computed
      restricted  "V = 1: supported: eq-10b; ...": verdict on record and id of the claim that is made when this one is
                  refuted on its domain but holds under a restriction
-     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps,
+     check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small,
                  fixed-points, linearization, equality, perturb, long-run, patching
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for

@@ -15,6 +15,7 @@ static const struct {
               {"linear", behaviour_linear},
               {"switches", behaviour_switches},
               {"jumps", behaviour_jumps},
+              {"small", behaviour_small},
               {"fixed-points", behaviour_fixed_points},
               {"linearization", behaviour_linearization},
               {"equality", behaviour_equality},

@@ -103,6 +103,7 @@ bool behaviour_dimension(struct behaviour *b);
 bool behaviour_linear(struct behaviour *b);
 bool behaviour_switches(struct behaviour *b);
 bool behaviour_jumps(struct behaviour *b);
+bool behaviour_small(struct behaviour *b);
 bool behaviour_fixed_points(struct behaviour *b);
 bool behaviour_linearization(struct behaviour *b);
 bool behaviour_equality(struct behaviour *b);

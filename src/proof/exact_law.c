@@ -71,3 +71,47 @@ bool exact_follows(struct exact_motion *m, const element *x, const struct num_ve
   calc_clear(&c);
   return yes;
 }
+
+/* --- Near a motion --- */
+
+/* |dx/dname| as an element, where that is of one sign and does not depend on the positions. */
+static bool slope_of(element *slope, struct exact_motion *m, const element *x, const char *name) {
+  static const char *const position[2] = {"z_10", "z_20"};
+  struct calc c = exact_calc(m->field);
+  struct num_vec positive = calc_vec(&c, EXACT_POSITIVE);
+  int n = exact_motion_positive(&positive, m);
+  bool ok = exact_derivative(slope, m->field, x, name) == SS_OK;
+  for (int i = 0; ok && i < 2; i++) {
+    element *again = calc_new(&c);
+    ok = exact_derivative(again, m->field, slope, position[i]) == SS_OK && exact_is_zero(m->field, again);
+  }
+  int sign = ok && !exact_is_zero(m->field, slope) ? exact_product_sign(slope, num_vec_at(&positive, 0), n) : 0;
+  if (sign < 0) num_exact.neg(slope, slope, 0);
+  ok = ok && (sign != 0 || exact_is_zero(m->field, slope));
+  calc_clear(&c);
+  return ok;
+}
+
+bool exact_law_reach(struct text reach[2]) {
+  const struct tape none = {.n = 0};
+  const struct point_spec spec = {.kind = POINT_ORBIT, .phase = PHASE_D, .admissible = true, .realistic = true};
+  const struct exact_attempt attempt = {.anchor = 4, .time = TIME_INSIDE};
+  struct exact_motion m;
+  exact_motion_init(&m, &attempt, &spec, false, NULL, &none);
+  m.first_state = 0;
+  struct calc c = exact_calc(m.field);
+  struct num_vec margins = calc_vec(&c, EXACT_CONDITIONS), both = calc_vec(&c, 2), slope = calc_vec(&c, 2);
+  int n = exact_law_margins(&margins, &m);
+  bool ok = n == EXACT_CONDITIONS;
+  for (int i = 0; ok && i < n; i++) {
+    int mass = i >= n / 2;
+    ok = slope_of(at(&slope, 0), &m, at(&margins, i), "z_10") && slope_of(at(&slope, 1), &m, at(&margins, i), "z_20");
+    val sum = calc_add(&c, at(&slope, 0), at(&slope, 1));
+    ok = ok && c.status == SS_OK && (i % (n / 2) == 0 || exact_equal(m.field, sum, at(&both, mass)));
+    if (ok) num_exact.set(at(&both, mass), sum);
+  }
+  for (int mass = 0; ok && mass < 2; mass++) exact_print(&reach[mass], m.field, at(&both, mass));
+  calc_clear(&c);
+  exact_motion_clear(&m);
+  return ok;
+}

@@ -392,6 +392,7 @@ static const struct {
     {"switches", "stick to slip",
      "a transition from {transition} occurs where the force on a mass reaches its static friction"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
+    {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
     {"linearization", NULL,

@@ -38,24 +38,6 @@ equation eq-22
   place: 8028
   u = v = 0
 
-# "small": x and y move no force of (11) as far as its limit, which is 1 + chi times the greater of |x| and |y| for the first
-# mass and 2 chi times that for the second.
-inequality text-small
-  note: (21) smaller than what is left to the limits of (11)
-  -(e_1 - (z_10 - chi*z_20))/(1 + chi) < x < (e_1 - (z_10 - chi*z_20))/(1 + chi)
-  -(e_1 - (z_10 - chi*z_20))/(1 + chi) < y < (e_1 - (z_10 - chi*z_20))/(1 + chi)
-  -(z_10 - chi*z_20 - e_1 + 2*u_r1)/(1 + chi) < x < (z_10 - chi*z_20 - e_1 + 2*u_r1)/(1 + chi)
-  -(z_10 - chi*z_20 - e_1 + 2*u_r1)/(1 + chi) < y < (z_10 - chi*z_20 - e_1 + 2*u_r1)/(1 + chi)
-  -(e_2 - chi*(z_20 - z_10))/(2*chi) < x < (e_2 - chi*(z_20 - z_10))/(2*chi)
-  -(e_2 - chi*(z_20 - z_10))/(2*chi) < y < (e_2 - chi*(z_20 - z_10))/(2*chi)
-  -(chi*(z_20 - z_10) - e_2 + 2*u_r2)/(2*chi) < x < (chi*(z_20 - z_10) - e_2 + 2*u_r2)/(2*chi)
-  -(chi*(z_20 - z_10) - e_2 + 2*u_r2)/(2*chi) < y < (chi*(z_20 - z_10) - e_2 + 2*u_r2)/(2*chi)
-
-inequality text-still-sticks
-  note: (11) at the start that is perturbed by (21)
-  e_1 - 2*u_r1 < (z_10 + x) - chi*(z_20 + y) < e_1
-  e_2 - 2*u_r2 < chi*((z_20 + y) - (z_10 + x)) < e_2
-
 equation eq-23
   equation: 23
   tex: Z(t) = D(t)Z_0
