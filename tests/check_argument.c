@@ -583,7 +583,7 @@ START_TEST(the_text_is_as_recorded) {
   paper_claims(&claims, &controls);
   ck_assert_msg(audit_run(&r, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
   long count[N_VERDICTS], sum = 0;
-  audit_result_count(&r, count);
+  audit_result_count(count, &r, OF_PAPER);
   for (int i = 0; i < N_VERDICTS; i++) sum += count[i];
   ck_assert_int_eq(sum, (long)r.n_findings);
   for (size_t i = 0; i < r.n_findings; i++) {

@@ -59,5 +59,6 @@ bool claims_check(const struct claims *c, bool controls, struct diag *d) {
 bool data_check(const struct audit_data *a, struct diag *d) {
   return claims_check(a->claims, false, d) && claims_check(a->controls, true, d) &&
          claims_keep_rules(a->model, a->claims, a->controls, d) &&
-         (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d));
+         (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d)) &&
+         (!a->roots || roots_keep_rules(a->claims, a->roots, d));
 }

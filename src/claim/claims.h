@@ -15,7 +15,8 @@
                  quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
                  phases over any times, and any perturbations), joined by ","; the time t lies in that phase
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
-     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle
+     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle; without points or
+                 routes those of kinds.h
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from
      relation    (number) "<" or ">": the number is a bound; else it is a value
@@ -108,8 +109,8 @@ struct claims {
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
 
-/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control or
-   statement, whose files are *.statements. */
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control 
+   statement or root, whose files are *.statements and *.roots. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);
