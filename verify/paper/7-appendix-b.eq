@@ -147,9 +147,10 @@ equation text-57-range
   V - z_1'(t) = (1 - chi)*V*(1 - cos(t - t_a)) + e_1*sin(t - t_a)
 
 equation text-59-range
-  note: the second inequality of (59): it holds where z_20 < z_10, up to sqrt(chi eta) t_d = pi, where the phase ends at the latest
-  V - z_2'(t) = sqrt(chi*eta)*(z_10 - z_20)*(sin(sqrt(chi*eta)*t_d)*cos(sqrt(chi*eta)*(t - t_a - t_b - t_c))
-    - cos(sqrt(chi*eta)*t_d)*sin(sqrt(chi*eta)*(t - t_a - t_b - t_c)))
+  section: appendix_a
+  note: the second inequality of (59): it holds up to the first zero, where the phase ends, just where z'_2c < V, that is where
+    z_20 < z_10
+  V - z_2'(t) = (V - z'_2c)*cos(omega*(t - t_a - t_b - t_c)) + omega*(z_2c - z_1c)*sin(omega*(t - t_a - t_b - t_c))
 
 # The same conditions in other words, against which the list is held.
 inequality text-order
