@@ -65,14 +65,14 @@ static const struct {
   const char *what, *formulas, *mass;
   enum verdict want;
 } laws[] = {
-    {"the law", SLIPS STICKS BREAKS, "1", VERDICT_SUPPORTED},
+    {"the law", SLIPS STICKS BREAKS, "1", VERDICT_PROVED},
     {"the same in other words",
      RELATION("slips") "  eps*u_1 = u_s1 for eps in {+1, -1}\n" RELATION(
          "sticks") "  x_1(t) - u_1 = chi*x_2(t)\n"
                    "  x_1(t) < u_r1 + chi*x_2(t)\n  chi*x_2(t) - u_r1 < x_1(t)\n" RELATION(
                        "breaks") "  u_1 = u_s1/eps for eps in "
                                  "{+1, -1}\n  eps*x_1(t) > u_r1 + eps*chi*x_2(t) for eps in {+1, -1}\n",
-     "1", VERDICT_SUPPORTED},
+     "1", VERDICT_PROVED},
     {"friction that drives", RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
      VERDICT_REFUTED},
     {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
@@ -96,6 +96,16 @@ static const struct {
                                      "{+1, -1}\n",
      "1", VERDICT_REFUTED},
     {"the law of the other mass", SLIPS STICKS BREAKS, "2", VERDICT_REFUTED},
+    {"equality at one limit",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) <= u_r1\n" BREAKS, "1",
+     VERDICT_PROVED},
+    {"two branches at one limit: what the states tried do not show",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) <= u_r1\n" RELATION(
+         "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) >= u_r1 for eps in {+1, -1}\n",
+     "1", VERDICT_SUPPORTED},
+    {"a limit one part in 10^12 off, nearer than any state tried",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1*(1 + 1e-12)\n" BREAKS,
+     "1", VERDICT_SUPPORTED},
 };
 
 START_TEST(branches_of_the_law) {
