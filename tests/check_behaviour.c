@@ -307,19 +307,22 @@ static bool says(const struct finding *f, const char *words) {
 #define CLAIM(check) "claim text-case\n  kind: behaviour\n  title: a case\n  check: " check "\n"
 
 START_TEST(dimensions_are_those_of_the_constraints) {
+#define STATES "  states: eq-9#2 D, eq-5b Gamma, eq-3d H, eq-7b C\n"
   static const struct {
     const char *text;
     enum verdict want;
-  } cases[] = {{CLAIM("dimension") "  range: 2 4\n", VERDICT_SUPPORTED},
-               {CLAIM("dimension") "  range: 1 4\n", VERDICT_REFUTED},
-               {CLAIM("dimension") "  range: 2 3\n", VERDICT_REFUTED},
-               {CLAIM("dimension") "  range: 3 4\n", VERDICT_REFUTED}};
+    const char *says; /* a mass that sticks has one constraint, x' = V */
+  } cases[] = {{CLAIM("dimension") STATES "  range: 2 4\n", VERDICT_PROVED, "D 2, Gamma 3, H 4, C 3"},
+               {CLAIM("dimension") STATES "  range: 1 4\n", VERDICT_REFUTED, "D 2, Gamma 3, H 4, C 3"},
+               {CLAIM("dimension") STATES "  range: 2 3\n", VERDICT_REFUTED, "D 2, Gamma 3, H 4, C 3"},
+               {CLAIM("dimension") STATES "  range: 3 4\n", VERDICT_REFUTED, "D 2, Gamma 3, H 4, C 3"},
+               {CLAIM("dimension") "  states: eq-9#2 C, eq-5b D, eq-5b#1 Gamma\n  range: 2 4\n", VERDICT_PROVED,
+                "D 3, Gamma 4, H 4, C 2"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct audit_result r;
     const struct finding *f = judged(&r, cases[i].text);
     ck_assert_int_eq((int)f->verdict, (int)cases[i].want);
-    /* a sticking mass has one constraint, x' = V */
-    ck_assert(says(f, "D 2 G 3 H 4 C 3 g 3 h 4 c 3 X 4 x 4"));
+    ck_assert_msg(says(f, cases[i].says), "case %zu", i);
     audit_result_clear(&r);
   }
 }

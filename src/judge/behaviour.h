@@ -89,10 +89,10 @@ struct watched {
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
-/* Both routes' words on the same trials, of which the integration's decides, and the verdict. */
+/* Both routes' words on the same trials, of which the integration's decides, and the verdict: with that of a proof
+   (friction.h), where there is one. */
 void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note);
-/* Any bad one differs; none at all says nothing. */
+                        const char *where, const char *note, const struct route_result *proof);
 
 /* --- The checks --- */
 

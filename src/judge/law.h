@@ -38,6 +38,7 @@ struct law_cell {
 struct law_state {
   struct calc c;
   val chi, eta, belt, x[2], v[2], a[2], u[2], slide[2], limit[2], eps;
+  val shift[2];        /* d_01 and d_02 in z = x - d_0; 0 unless set */
   char unknown[8][32]; /* names that nothing gives a value: any value */
   int n_unknown;
 };
@@ -54,7 +55,14 @@ val law_free(struct law_state *s, int n);
 enum { NO_SIGN = 2 };
 /* -1, 0 or 1 wherever the state's symbols have their signs; NO_SIGN when that is not known. */
 int law_sign(const struct law_state *s, val x);
-/* What an expression on a tape with the statements' names is worth; NULL when it has no such value. */
+/* Whether x is the constant 0; FALSE: it has other values too. */
+truth law_vanishes(const struct law_state *s, val x);
+/* The rational number that x is; false when it is not known to be one. */
+bool law_rational(fmpq_t out, const struct law_state *s, val x);
+/* All outputs of a tape with the statements' names (those of the law's mass, where it is given); false when one has no
+   such value. */
+bool law_values(struct num_vec *out, struct law_state *s, const struct tape *t, const struct law *names);
+/* The first of them, or NULL. */
 val law_value(struct law_state *s, const struct tape *t, const struct law *names);
 /* The value of *unknown (one of the state's) at which an equation's margin is zero, where it is of degree 1 in it. */
 val law_solve(struct law_state *s, val *unknown, const struct condition *equation, const struct law *names);

@@ -47,6 +47,7 @@ void law_state_open(struct law_state *s) {
     s->u[i] = generator(s, GEN_U + i);
     s->slide[i] = generator(s, GEN_SLIDE + i);
     s->limit[i] = calc_add(&s->c, s->slide[i], generator(s, GEN_RISE + i));
+    s->shift[i] = calc_d(&s->c, 0);
   }
 }
 
@@ -108,6 +109,17 @@ int law_sign(const struct law_state *s, val x) {
   return above == 0 ? 0 : above == NO_SIGN || below == NO_SIGN ? NO_SIGN : above * below;
 }
 
+truth law_vanishes(const struct law_state *s, val x) {
+  return s->c.status != SS_OK || !x ? TRUTH_UNKNOWN : num_exact.is_zero(x);
+}
+
+bool law_rational(fmpq_t out, const struct law_state *s, val x) {
+  const fmpz_mpoly_q_struct *z = x;
+  bool ok = s->c.status == SS_OK && fmpz_mpoly_is_fmpz(&z->num, num_exact_ctx()) &&
+            fmpz_mpoly_is_fmpz(&z->den, num_exact_ctx());
+  return ok && num_exact_at(out, z, NULL) == SS_OK;
+}
+
 /* --- Values --- */
 
 /* A name that the law does not know may have any value. */
@@ -123,12 +135,15 @@ static val any_value(struct law_state *s, const char *name) {
 static val named(struct law_state *s, const char *name, const struct law *l) {
   if (l && strcmp(name, l->names[0]) == 0) return s->slide[l->mass];
   if (l && strcmp(name, l->names[1]) == 0) return s->limit[l->mass];
-  static const char *const of_mass[2][7] = {{"x_1(t)", "x_1'(t)", "x_1''(t)", "u_1", "u_s1", "u_r1", "e_1"},
-                                            {"x_2(t)", "x_2'(t)", "x_2''(t)", "u_2", "u_s2", "u_r2", "e_2"}};
+  static const char *const of_mass[2][9] = {
+      {"x_1(t)", "x_1'(t)", "z_1'(t)", "x_1''(t)", "u_1", "u_s1", "u_r1", "e_1", "z_1(t)"},
+      {"x_2(t)", "x_2'(t)", "z_2'(t)", "x_2''(t)", "u_2", "u_s2", "u_r2", "e_2", "z_2(t)"}};
   for (int i = 0; i < 2; i++) {
-    const val value[7] = {s->x[i], s->v[i], s->a[i], s->u[i], s->slide[i], s->limit[i], NULL};
+    const val value[7] = {s->x[i], s->v[i], s->v[i], s->a[i], s->u[i], s->slide[i], s->limit[i]};
     for (int k = 0; k < 7; k++)
-      if (strcmp(of_mass[i][k], name) == 0) return value[k] ? value[k] : calc_sub(&s->c, s->limit[i], s->slide[i]);
+      if (strcmp(of_mass[i][k], name) == 0) return value[k];
+    if (strcmp(of_mass[i][7], name) == 0) return calc_sub(&s->c, s->limit[i], s->slide[i]);
+    if (strcmp(of_mass[i][8], name) == 0) return calc_sub(&s->c, s->x[i], s->shift[i]);
   }
   return strcmp(name, "chi") == 0   ? s->chi
          : strcmp(name, "eta") == 0 ? s->eta
@@ -137,8 +152,7 @@ static val named(struct law_state *s, const char *name, const struct law *l) {
                                     : any_value(s, name);
 }
 
-/* All outputs of a tape; false when one has no value. */
-static bool outputs(struct num_vec *out, struct law_state *s, const struct tape *t, const struct law *names) {
+bool law_values(struct num_vec *out, struct law_state *s, const struct tape *t, const struct law *names) {
   struct num_vec in = calc_vec(&s->c, t->n_inputs);
   *out = calc_vec(&s->c, t->n_outputs);
   for (slong i = 0; i < in.len; i++) {
@@ -151,7 +165,7 @@ static bool outputs(struct num_vec *out, struct law_state *s, const struct tape 
 
 val law_value(struct law_state *s, const struct tape *t, const struct law *names) {
   struct num_vec out;
-  return outputs(&out, s, t, names) ? num_vec_at(&out, 0) : NULL;
+  return law_values(&out, s, t, names) ? num_vec_at(&out, 0) : NULL;
 }
 
 val law_solve(struct law_state *s, val *unknown, const struct condition *equation, const struct law *names) {
@@ -196,7 +210,7 @@ val law_friction(const struct law *l, struct law_state *s, enum branch b) {
 
 truth law_headed(const struct law *l, struct law_state *s) {
   struct num_vec out;
-  if (!l->headed || !outputs(&out, s, &l->heading.tape, l)) return TRUTH_UNKNOWN;
+  if (!l->headed || !law_values(&out, s, &l->heading.tape, l)) return TRUTH_UNKNOWN;
   truth all = TRUTH_TRUE;
   for (slong i = 0; i < l->heading.n; i++) {
     int sign = law_sign(s, calc_sub(&s->c, num_vec_at(&out, i), num_vec_at(&out, l->heading.n + i)));
