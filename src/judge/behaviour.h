@@ -74,6 +74,8 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
 
 /* --- Evidence --- */
 
+/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
+const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable);
 /* A route's word, with evidence that says it; where and note may be NULL. */
 struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,

@@ -35,6 +35,12 @@ struct route_result events_prove_modes(struct behaviour *b, const struct frictio
 bool events_decided(const struct friction *f, int mass);
 /* That a patched solution which breaks no condition of its phases is the motion under Coulomb's law. */
 struct route_result phases_prove_motion(struct behaviour *b, const struct friction *f);
+/* With a stable orbit that is certified here: that the phases' propagators alone do not tell stability, and that small
+   perturbations of it exist which do not die out. */
+struct route_result stable_prove_linearization(struct behaviour *b, const struct friction *f, const struct point *p,
+                                               const struct dyn_orbit *o);
+struct route_result stable_prove_conditional(struct behaviour *b, const struct friction *f, const struct point *p,
+                                             const struct dyn_orbit *o);
 /* The verdict of a proof alone. */
 void behaviour_decide(struct behaviour *b, enum route_outcome outcome, const char *note);
 
