@@ -622,7 +622,7 @@ START_TEST(values_have_their_documented_names) {
   ck_assert_str_eq(r.spent[0].name, "values");
   ck_assert_uint_gt(r.spent[0].units, 0);
   report_line(&line, &r);
-  const char *end = ": 0 claims; 9 values; as recorded";
+  const char *end = ": 0 statements; 9 values; as recorded";
   ck_assert_uint_gt(line.len, strlen(end));
   ck_assert_str_eq(text_str(&line) + line.len - strlen(end), end);
   text_clear(&line);
@@ -953,7 +953,7 @@ START_TEST(values_have_one_limit) {
   const char *out = scratch_path("out");
   const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
   ck_assert_int_eq(process_end(start(most)), 0);
-  check_says(": 0 claims; 10000 values; as recorded\n");
+  check_says(": 0 statements; 10000 values; as recorded\n");
   snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
            program(), out, program(), out, out);
   ck_assert_int_eq(system(command), 0);
