@@ -66,7 +66,7 @@
      of          correction: what is damaged is the correction that the claim's file holds, which must be refuted
      near        1e-30: the most by which the damage changes a side of the claim's sentence; it is measured, and the
                  control is decided by the decisive route alone
-     shift       (number, closure) units of the last digit by which the printed number is moved
+     shift       (number, closure) units of the last decimal by which the printed number is moved
 
      For a formula that no control on file damages the program makes one (near.h).
 

@@ -118,10 +118,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   /* a gap that may vanish is no proof that it does */
   f->verdict = verdict_of(&w, 1, true);
   if (!apart) f->condition = "the gap cannot be told from zero within the printed digits";
-  if (owned) {
-    fmpq_clear(&own.value);
-    fmpq_clear(&own.unit);
-  }
+  if (owned) printed_release(&own);
   arb_clear(gap);
   _arb_vec_clear(box, 2);
   return true;

@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_READINGS_STUDY_H
 #define STICKSLIP_READINGS_STUDY_H
 
+#include "claim/claims.h"
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
@@ -12,5 +13,9 @@
    where that gives another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was
    nothing to search. */
 const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
+
+/* Once claims are judged and readings are found: what the first reading, which assumes least, says of each printed
+   number that was refuted, as evidence that only states something. */
+void readings_explain(struct audit_result *out, const struct claims *claims);
 
 #endif
