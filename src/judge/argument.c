@@ -49,6 +49,7 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                                 a->tried);
   w[n++] = add_route(f, a, "balls", t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
+  if (t.certificate) f->certificate = t.certified;
   w[n++] = add_route(f, a, "exponential", t.decided[1], false, NULL);
   if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
   return verdict_of(w, n, proved);

@@ -5,7 +5,7 @@
 #include <string.h>
 
 #include "base/work.h"
-#include "judge.h"
+#include "certificate.h"
 #include "stability/precision.h"
 #include "value/expression.h"
 
@@ -152,6 +152,17 @@ static void add_value(struct text *note, const struct number_job *n, const arb_t
     text_printf(note, "; printed is %s, %s units %s away.", as_given(n), units_off(n->j, x, n->p), unit_name(n));
 }
 
+/* The scene's data, the orbit, what is printed with its unit, and the value there. */
+static void certify_number(struct finding *f, const struct number_job *n, const struct point *p, const arb_t x) {
+  struct judge *j = n->j;
+  struct certificate *c = &f->certificate;
+  certify_scene(c, j);
+  certify_orbit(c, j, &scene_orbits(j->scene, j->cache)->orbit[p->orbit]);
+  certificate_add(c, j->out, "printed", result_str(j->out, "%s", n->p->decimal));
+  certify_exact(c, j, "unit", &n->p->unit);
+  certificate_add(c, j->out, "value", ball_text(j, x, 10));
+}
+
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
 static struct route_result number_on_orbits(struct finding *f, const struct number_job *n) {
   struct judge *j = n->j;
@@ -171,7 +182,10 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     where = result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
     text_add(&note, "On the orbit nearest to the printed numbers ");
     add_value(&note, n, x, 10, t, how);
-    if (t == TRUTH_FALSE) correct_number(f, n, x);
+    if (t == TRUTH_FALSE) {
+      correct_number(f, n, x);
+      certify_number(f, n, &p, x);
+    }
     if (t == TRUTH_FALSE)
       f->effect = result_str(j->out, "printed %s, computed %s: off by %s units %s", as_given(n), ball_text(j, x, 10),
                              units_off(j, x, n->p), unit_name(n));

@@ -39,6 +39,15 @@ struct evidence {
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
 
+/* What a failure rests on, for who recomputes it: exact inputs as p/q or decimals, then what they give, by name. */
+struct named_value {
+  const char *name, *value;
+};
+struct certificate {
+  struct named_value *at;
+  int n;
+};
+
 /* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
    claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
    replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with
@@ -57,6 +66,7 @@ struct finding {
   int n_evidence;
   const char *reproduce;
   enum verdict recorded; /* N_VERDICTS: nothing recorded */
+  struct certificate certificate;
 };
 
 struct skipped_work {
