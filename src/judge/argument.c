@@ -172,7 +172,8 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   struct text t;
   text_init(&t);
   for (int k = 0; ok && k < more.n; k++) {
-    text_add(&t, k ? "; " : "besides the cited premises: ");
+    if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
+    text_add(&t, t.len ? "; " : "besides the cited premises: ");
     if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
     text_add(&t, more.at[k].text);
   }

@@ -154,38 +154,23 @@ def text_periodic(c):
 
 # --- Arguments: the premises hold on an orbit, and the conclusion fails
 
-def premises(c, p):
-    """What (51), (52), (53) and u_r1 > e_1 say."""
-    w, r = p.z[0][0] - c["chi"] * p.z[0][1], p.z[0][1] - p.z[0][0]
-    return {"51": min(p.t) > 0, "52": c["e_1"] - 2 * c["u_r1"] < w < c["e_1"]
-            and c["e_2"] - 2 * c["u_r2"] < c["chi"] * r < c["e_2"],
-            "53": c["u_r1"] > c["V"] * p.t[0] * (1 - c["chi"]) / 2 and c["u_r2"] > (c["e_2"] - c["chi"] * r) / 2,
-            "first": c["u_r1"] > c["e_1"], "motion": p.is_motion()}
-
-
 def force_at(c, p, share):
     z = p.along(3, share)
     return z[0] - c["chi"] * z[1]
 
 
-def text_16_inequality(c):
-    p = orbit(c)
-    margin = force_at(c, p, 0) - (c["e_1"] - 2 * c["u_r1"])
-    return all(premises(c, p).values()) and margin < 0 and c.near(margin, "margin")
-
-
 def text_first_always(c):
     p = orbit(c)
     margin = c["u_r1"] - c["V"] * p.t[0] * (1 - c["chi"]) / 2
-    holds = premises(c, p)
-    return holds["first"] and holds["motion"] and margin < 0 and c.near(margin, "margin")
+    return p.is_motion() and c["u_r1"] > c["e_1"] and margin < 0 and c.near(margin, "margin")
 
 
 def text_59_concluded(c):
     p = orbit(c)
     margin = force_at(c, p, c["of the phase"]) - (c["e_1"] - 2 * c["u_r1"])
+    inside = c["e_1"] - 2 * c["u_r1"] < force_at(c, p, 1) < c["e_1"]  # (52), by (61)
     increasing = all(z[3] * c["chi"] < c["V"] for z in p.moments(3))
-    return all(premises(c, p).values()) and increasing and margin < 0 and c.near(margin, "margin")
+    return p.is_motion() and inside and increasing and margin < 0 and c.near(margin, "margin")
 
 
 # --- Symbols: the certificate is the paper's own text
