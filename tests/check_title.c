@@ -69,7 +69,7 @@ static const struct {
     {"text-54-fulfilled", "(54) follows from (52), (53), (55) and (56)"},
     {"text-56-deduced", "(56) follows from t_a > 0 and (55)"},
     {"text-51-order", "0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d is equivalent to (51)"},
-    {"text-16-inequality", "e_1 - 2 u_r1 < z_1c - chi z_2c < e_1 follows from (51), (52), (53) and u_r1 > e_1"},
+    {"text-first-always", "an inequality of (53) follows from u_r1 > e_1"},
     {"text-hbar-increases", "V - chi z_2' > 0 follows from z_2' < V in the stick-slip phase"},
     {"text-slip-repeats", "z_1' < V and z_2' < V are equivalent to (3) in the global slip phase"},
     {"text-constraints", "(51), (52), (54), (57), z_1' < V and z_2' < V in the global slip phase and (59) are all the "
@@ -78,10 +78,12 @@ static const struct {
     {"text-mass-name", "one symbol stands for the first mass"},
     {"text-trace-bars", "|tr(J) < 1| can be read"},
     {"text-compatibility-form", "M_21 + M_22 = 0 can be read"},
-    {"text-closed-forms", "the closed forms of (3), (4), (6) and (8) hold wherever no mass is faster than the belt"},
+    {"text-closed-forms",
+     "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
     {"text-dimension", "the states of the phases fill two to four dimensions"},
     {"text-stick-to-slip",
-     "a transition from stick to slip occurs where the force on a mass reaches its static friction"},
+     "a transition from stick to slip occurs where the force on a mass passes its static friction, and never where it "
+     "stays below"},
     {"text-eigenvalues-inside", "periodic solutions attract where -1 < tr(J) < 1"},
     {"text-start-at-rest",
      "there is a periodic solution through the slip-stick, global slip and stick-slip phases with t_a = 0 and t_b = 2"},

@@ -28,9 +28,12 @@
                  refuted on its domain but holds under a restriction
      check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small,
                  fixed-points, linearization, equality, perturb, long-run, patching
+     moves       (modes, switches, linear, jumps, closed-forms, fixed-points) the equations of motion of both masses, as
+                 in premises; the claims of kind law, one for each mass, are among those of depends-on
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     states      (dimension, fixed-points) the conditions of the four phases, as in premises
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first
@@ -38,7 +41,8 @@
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
-     repair      (argument) premises that the corrected argument has besides
+     repair      (argument) premises that the corrected argument has besides; equations and what holds along a whole
+                 phase, which every motion fulfils, are used and not named in the correction
      repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
                  as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
@@ -66,7 +70,7 @@
      of          correction: what is damaged is the correction that the claim's file holds, which must be refuted
      near        1e-30: the most by which the damage changes a side of the claim's sentence; it is measured, and the
                  control is decided by the decisive route alone
-     shift       (number, closure) units of the last digit by which the printed number is moved
+     shift       (number, closure) units of the last decimal by which the printed number is moved
 
      For a formula that no control on file damages the program makes one (near.h).
 
