@@ -347,6 +347,7 @@ struct traps {
   struct consequence q[MOST_TRAPS];
   struct derived d[MOST_TRAPS];
   struct evidence e[MOST_TRAPS];
+  struct named_value v[MOST_TRAPS];
   struct control_result c[MOST_TRAPS];
   struct route_pair p[MOST_TRAPS];
   struct long_result l[MOST_TRAPS];
@@ -362,6 +363,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
   if (i % 3 == 0) snprintf(t->id[i], sizeof t->id[i], "eq-%zu%.100s", i, trap);
   t->ids[i] = t->id[i];
   t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
+  t->v[i] = (struct named_value){trap, trap};
   t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
   t->q[i] = (struct consequence){t->id[i], trap, {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
   t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
@@ -393,7 +395,8 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
                              (enum verdict)(i % (N_VERDICTS + 1)),
                              (enum claimant)(i % N_CLAIMANTS),
                              trap,
-                             (enum severity)(i % (N_SEVERITIES + 1))};
+                             (enum severity)(i % (N_SEVERITIES + 1)),
+                             {&t->v[i], 1}};
 }
 
 static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {

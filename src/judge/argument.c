@@ -49,6 +49,7 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                                 a->tried);
   w[n++] = argument_add_route(f, a, "balls", t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
+  if (t.certificate) f->certificate = t.certified;
   w[n++] = argument_add_route(f, a, "exponential", t.decided[1], false, NULL);
   if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
   return verdict_of(w, n, proved);
@@ -156,7 +157,8 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   struct text t;
   text_init(&t);
   for (int k = 0; ok && k < more.n; k++) {
-    text_add(&t, k ? "; " : "besides the cited premises: ");
+    if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
+    text_add(&t, t.len ? "; " : "besides the cited premises: ");
     if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
     text_add(&t, more.at[k].text);
   }

@@ -245,6 +245,28 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
       a->part[PREMISES].n ? "every cited condition holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
 }
 
+static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,
+                    const struct argument_decision *d) {
+  static const struct {
+    const char *name;
+    int q;
+  } exact[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
+               {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
+  struct certificate *c = &t->certified;
+  const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
+  c->n = 0;
+  for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) certify_exact(c, a->j, exact[i].name, &p->q[exact[i].q]);
+  certify_ball(c, a->j, "e_1", o->e1);
+  certify_ball(c, a->j, "e_2", o->e2);
+  certify_ball(c, a->j, "z_10", o->z10);
+  certify_ball(c, a->j, "z_20", o->z20);
+  certify_ball(c, a->j, "t_a", o->t[PHASE_D]);
+  certify_ball(c, a->j, "t_d", o->t[PHASE_C]);
+  certificate_add(c, a->j->out, "fails", failed->text);
+  if (failed->moving) certificate_add(c, a->j->out, "of the phase", result_str(a->j->out, "%.10g", d->where));
+  certificate_add(c, a->j->out, "margin", ball_text(a->j, d->value, 6));
+}
+
 /* Decides at a candidate; true when it is a counterexample. */
 static bool settle(struct argument_tally *t, struct argument *a, const struct candidate *c) {
   struct point p;
@@ -259,7 +281,10 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
     t->decided[0][d.conclusion]++;
     t->decided[1][d.by_exponentials]++;
   }
-  if (counterexample) t->certificate = certificate_text(a, &p, o, &d);
+  if (counterexample) {
+    t->certificate = certificate_text(a, &p, o, &d);
+    certify(t, a, &p, o, &d);
+  }
   if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p, "; ");
   point_clear(&p);
   arb_clear(d.value);

@@ -1,5 +1,5 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
-#include "judge.h"
+#include "certificate.h"
 #include "num/calc.h"
 #include <math.h>
 #include <stdlib.h>
@@ -72,6 +72,15 @@ static void closure_by_times(struct finding *f, struct judge *j) {
   point_clear(&p);
 }
 
+/* The scene's data, the printed start with its unit, and how far one period leads from it. */
+static void certify_gap(struct finding *f, struct judge *j, const struct printed_number *const z[2], arb_srcptr gap) {
+  struct certificate *c = &f->certificate;
+  certify_scene(c, j);
+  for (int i = 0; i < 2; i++) certify_exact(c, j, i ? "z_20" : "z_10", &z[i]->value);
+  certify_exact(c, j, "unit", &z[0]->unit);
+  for (int i = 0; i < 2; i++) certify_ball(c, j, i ? "off in z_2" : "off in z_1", gap + 1 + i);
+}
+
 /* What the printed start itself leads to, its decimals taken exactly. */
 static void closure_by_events(struct finding *f, struct judge *j, const struct printed_number *const z[2], bool apart) {
   arb_ptr v = _arb_vec_init(11);
@@ -81,6 +90,7 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
     finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed start, taken exactly",
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
+    if (apart) certify_gap(f, j, z, gap);
     if (apart)
       f->effect = result_str(j->out,
                              "the motion from the printed initial state does not close: after one period z_1 has "
@@ -131,10 +141,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   /* a gap that may vanish is no proof that it does */
   f->verdict = verdict_of(&w, 1, true);
   if (!apart) f->condition = "the gap cannot be told from zero within the printed digits";
-  if (owned) {
-    fmpq_clear(&own.value);
-    fmpq_clear(&own.unit);
-  }
+  if (owned) printed_release(&own);
   arb_clear(gap);
   _arb_vec_clear(box, 2);
   return true;
