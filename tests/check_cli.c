@@ -963,13 +963,13 @@ START_TEST(any_two_of_six) {
 }
 END_TEST
 
-/* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, whose t_d =
-   2.34209 prints as 2.34 while t_a = 0.47204, z10 = 1.00674, z20 = -2.06539 do not print as they stand; records are for
-   paper. */
+/* t_b and t_c taken as data: the printed numbers are held against the orbit of tests/oracle/times.tsv, t_a = 0.47204,
+   t_d = 2.34209, z10 = 1.00674, z20 = -2.06539, which do not print as they stand, to the four decimals that three of
+   them have; records are for paper. */
 START_TEST(numbers_of_a_scene_without_forces) {
   static const struct {
     const char *id, *verdict, *shows;
-  } want[] = {{"num-t_a", "refuted", "0.4720366"}, {"num-t_d", "proved", "2.34208888"},
+  } want[] = {{"num-t_a", "refuted", "0.4720366"}, {"num-t_d", "refuted", "2.34208888"},
               {"num-z10", "refuted", "1.0067381"}, {"num-z20", "refuted", "-2.0653943"},
               {"text-periodic", "refuted", NULL},  {"num-t_b", "skipped", "prints no t_b"}};
   struct job j;
@@ -1120,7 +1120,8 @@ START_TEST(the_markdown_holds_every_claim) {
     ck_assert_msg((h < strstr(full_md, "\n## Every claim")) == attention, "%s", heading + 1);
     claims++;
   }
-  ck_assert_int_eq(claims, atoi(member(full_json, "total")));
+  ck_assert_int_eq(claims,
+                   atoi(member(full_json, "total")) + atoi(member(strstr(full_json, "\"checks\": {"), "total")));
 }
 END_TEST
 

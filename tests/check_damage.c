@@ -161,7 +161,7 @@ static const struct {
     {DAMAGE_CORRECTION, 20, "text-free-index", "V - x_2'(t) = 0"},
     {DAMAGE_RESTRICTION, 10, "eq-10", "V = 2: proved"},
     {DAMAGE_FAULT, 200, "eq-29", "fault: argument\n  record: refuted\n\nclaim eq-30"},
-    {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-t_c"},
+    {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-e2"},
     {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
     {DAMAGE_TITLE, 10, "J_c", "title: Jacobian of the global stick phase"},
     {DAMAGE_TITLE, 10, "bound_2", "title: bound (54) for u_r2"},

@@ -39,6 +39,7 @@ int main(void) {
   srunner_add_suite(r, behaviour_suite());
   srunner_add_suite(r, routes_suite());
   srunner_add_suite(r, errata_suite());
+  srunner_add_suite(r, referee_suite());
   srunner_add_suite(r, exact_suite());
   srunner_add_suite(r, stable_suite());
   srunner_add_suite(r, certify_suite());

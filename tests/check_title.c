@@ -58,7 +58,8 @@ static const struct {
     {"eq-42", "P(lambda) = det(J - lambda I)"},
     {"eq-46", "z_0 = -(N_1 - I)^-1 N_2 z'_0 on periodic solutions"},
     {"eq-47", "H(t) is the propagator of the global slip phase"},
-    {"eq-53", "(53) is equivalent to e_1 - 2 u_r1 < z_10 - chi z_20 and e_2 - 2 u_r2 < chi (z_20 - z_10)"},
+    {"eq-53", "(53) is equivalent to e_1 - 2 u_r1 < z_10 - chi z_20, e_2 - 2 u_r2 < chi (z_20 - z_10) and z_10 - chi "
+              "z_20 = e_1 - V t_a (1 - chi)"},
     {"eq-54", "(54) follows from (53) on the example"},
     {"num-t_a", "t_a = 0.6784 on the example's orbit"},
     {"num-e1", "e_1 = 2.7844, the value of z_10 - chi z_20 + V t_a (1 - chi) at the printed numbers"},
@@ -68,7 +69,7 @@ static const struct {
     {"text-54-fulfilled", "(54) follows from (52), (53), (55) and (56)"},
     {"text-56-deduced", "(56) follows from t_a > 0 and (55)"},
     {"text-51-order", "0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d is equivalent to (51)"},
-    {"text-16-inequality", "e_1 - 2 u_r1 < z_1c - chi z_2c < e_1 follows from (51), (52), (53) and u_r1 > e_1"},
+    {"text-first-always", "an inequality of (53) follows from u_r1 > e_1"},
     {"text-hbar-increases", "V - chi z_2' > 0 follows from z_2' < V in the stick-slip phase"},
     {"text-slip-repeats", "z_1' < V and z_2' < V are equivalent to (3) in the global slip phase"},
     {"text-constraints", "(51), (52), (54), (57), z_1' < V and z_2' < V in the global slip phase and (59) are all the "

@@ -29,6 +29,7 @@ Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
+Suite *referee_suite(void);
 Suite *exact_suite(void);
 Suite *stable_suite(void);
 Suite *certify_suite(void);

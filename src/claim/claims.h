@@ -41,7 +41,8 @@
      over        (argument) admissible (default), orbits, or scene: the orbit nearest to the printed numbers
      friction    (argument) free: u_r1, u_r2 need not exceed e_1, e_2
      increasing  (argument) "h Gamma": the mean value theorem for h(t) in that phase may be used
-     repair      (argument) premises that the corrected argument has besides
+     repair      (argument) premises that the corrected argument has besides; equations and what holds along a whole
+                 phase, which every motion fulfils, are used and not named in the correction
      repaired-as (notation, scaling) the claim that judges the corrected text: a criterion reads it as its statement, a law
                  as its heading or, with ";", as the names of its friction; another scaling knows the degrees
      converse    (argument) yes: the inequalities among the premises must follow from the conclusion too
@@ -69,7 +70,7 @@
      of          correction: what is damaged is the correction that the claim's file holds, which must be refuted
      near        1e-30: the most by which the damage changes a side of the claim's sentence; it is measured, and the
                  control is decided by the decisive route alone
-     shift       (number, closure) units of the last digit by which the printed number is moved
+     shift       (number, closure) units of the last decimal by which the printed number is moved
 
      For a formula that no control on file damages the program makes one (near.h).
 

@@ -2,7 +2,7 @@
 #ifndef STICKSLIP_JUDGE_ARGUMENT_H
 #define STICKSLIP_JUDGE_ARGUMENT_H
 
-#include "judge.h"
+#include "certificate.h"
 #include "proof/condition.h"
 
 enum { PREMISES, CONCLUSION, N_PARTS };
@@ -42,6 +42,7 @@ struct argument_decision {
 struct argument_tally {
   long decided[2][3]; /* balls, exponential: false, true, unknown */
   const char *certificate, *nearest;
+  struct certificate certified; /* of the first of these orbits */
 };
 
 /* The least margin of the conclusion where the premises hold, else infinity, with u_r as close to what they allow as

@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "certificate.h"
 #include "explore/bifurcate.h"
 #include "judge.h"
 #include "value/coulomb_setup.h"
@@ -102,6 +103,23 @@ static void move(struct found *t, const struct point *at, const struct dyn_orbit
   trajectory_clear(&trajectory);
 }
 
+/* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */
+static void certify(struct behaviour *b, const struct point *at, const struct dyn_orbit *o,
+                    const struct dyn_bifurcation *q) {
+  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
+  struct certificate *c = &b->f->certificate;
+  arb_t value;
+  arb_init(value);
+  for (int i = 0; i < N_PARAMS; i++) {
+    arb_set_fmpq(value, &at->q[i], q->prec);
+    certify_ball(c, b->j, names[i], value);
+  }
+  certify_orbit(c, b->j, o);
+  certificate_add(c, b->j->out, "trace", "-1");
+  certificate_add(c, b->j->out, "c_2^2 + c_3", ball_text(b->j, q->third, 6));
+  arb_clear(value);
+}
+
 static void add_flip(struct found *t, struct behaviour *b, const struct family *f, const struct dyn_bifurcation *q) {
   static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e1", "e2"};
   struct point at;
@@ -135,6 +153,7 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
                            : unstable ? "unstable"
                                       : "not decided",
                            o ? "admissible" : "not known to be admissible"));
+  if (stable && b->f->certificate.n == 0) certify(b, &at, o, q);
   if (o) iterate(t, q, &at);
   if (o) move(t, &at, o);
   text_clear(&where);
@@ -180,10 +199,10 @@ static void conclude(struct behaviour *b, const struct found *t) {
       result_str(
           b->j->out,
           "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
-          "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable%s%s, %ld "
-          "unstable, %ld open",
-          t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
-          t->open));
+          "2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable when c_2^2 + c_3 > 0. Of %ld solutions with "
+          "tr J = -1 that were found, %ld %s stable%s%s",
+          t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
+          t->stable ? ", for example at " : "", t->stable ? t->where : ""));
   w[1] = behaviour_route(b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false,
                          t->back + t->away + t->unsure, NULL,
                          result_str(b->j->out,

@@ -1,5 +1,5 @@
 /* Does the printed solution close?  One pass through the word from every start that the printed digits allow. */
-#include "judge.h"
+#include "certificate.h"
 #include "num/calc.h"
 #include <math.h>
 #include <stdlib.h>
@@ -72,6 +72,15 @@ static void closure_by_times(struct finding *f, struct judge *j) {
   point_clear(&p);
 }
 
+/* The scene's data, the printed start with its unit, and how far one period leads from it. */
+static void certify_gap(struct finding *f, struct judge *j, const struct printed_number *const z[2], arb_srcptr gap) {
+  struct certificate *c = &f->certificate;
+  certify_scene(c, j);
+  for (int i = 0; i < 2; i++) certify_exact(c, j, i ? "z_20" : "z_10", &z[i]->value);
+  certify_exact(c, j, "unit", &z[0]->unit);
+  for (int i = 0; i < 2; i++) certify_ball(c, j, i ? "off in z_2" : "off in z_1", gap + 1 + i);
+}
+
 /* What the printed start itself leads to, its decimals taken exactly. */
 static void closure_by_events(struct finding *f, struct judge *j, const struct printed_number *const z[2], bool apart) {
   arb_ptr v = _arb_vec_init(11);
@@ -81,13 +90,24 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
     finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed start, taken exactly",
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
+    if (apart) certify_gap(f, j, z, gap);
     if (apart)
-      f->effect = result_str(
-          j->out,
-          "from the printed start the motion does not close: after one period it is off by %s in z_1 and by %s in z_2",
-          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+      f->effect = result_str(j->out,
+                             "the motion from the printed initial state does not close: after one period z_1 has "
+                             "changed by %s and z_2 by %s",
+                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
   _arb_vec_clear(v, 11);
+}
+
+/* An end of the ball, rounded away from it. */
+static double bound(const arb_t x, bool lower) {
+  arf_t end;
+  arf_init(end);
+  (lower ? arb_get_lbound_arf : arb_get_ubound_arf)(end, x, FIRST_PREC);
+  double d = arf_get_d(end, lower ? ARF_RND_FLOOR : ARF_RND_CEIL);
+  arf_clear(end);
+  return d;
 }
 
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -108,8 +128,11 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
-    note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
-                      apart ? ", which excludes 0: no start with these digits is periodic" : "");
+    note = result_str(
+        j->out,
+        "For every initial state with the printed digits, z_2 - z_1 changes during one period by between %.3g "
+        "and %.3g%s",
+        bound(gap, true), bound(gap, false), apart ? ": none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
                     note);
   w.trials = s == SS_OK;
@@ -118,10 +141,7 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   /* a gap that may vanish is no proof that it does */
   f->verdict = verdict_of(&w, 1, true);
   if (!apart) f->condition = "the gap cannot be told from zero within the printed digits";
-  if (owned) {
-    fmpq_clear(&own.value);
-    fmpq_clear(&own.unit);
-  }
+  if (owned) printed_release(&own);
   arb_clear(gap);
   _arb_vec_clear(box, 2);
   return true;

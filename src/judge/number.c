@@ -5,19 +5,20 @@
 #include <string.h>
 
 #include "base/work.h"
-#include "judge.h"
+#include "certificate.h"
 #include "stability/precision.h"
 #include "value/expression.h"
 
 enum { BITS_SHOWN = 34 }; /* ten digits */
 
-/* (x - printed)/unit, to three digits. */
+/* |x - printed|/unit, to three digits. */
 static const char *units_off(struct judge *j, const arb_t x, const struct printed_number *p) {
   arb_t d, u;
   arb_init(d);
   arb_init(u);
   arb_set_fmpq(d, &p->value, LAST_PREC);
   arb_sub(d, x, d, LAST_PREC);
+  arb_abs(d, d);
   arb_set_fmpq(u, &p->unit, LAST_PREC);
   arb_div(d, d, u, LAST_PREC);
   struct text t;
@@ -82,7 +83,7 @@ static void decimal_text(struct text *out, const fmpz_t k, slong decimals) {
   fmpz_clear(a);
 }
 
-/* The quantity in units of the last printed digit, rounded to nearest: proved by its enclosure. */
+/* The quantity in units of the last decimal, rounded to nearest: proved by its enclosure. */
 static void correct_number(struct finding *f, const struct number_job *n, const arb_t x) {
   arb_t units;
   fmpz_t k;
@@ -99,7 +100,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
     text_init(&digits);
     text_init(&latex);
     fmpz_mul(k, k, fmpq_numref(&n->p->unit));
-    decimal_text(&digits, k, (slong)fmpz_sizeinbase(fmpq_denref(&n->p->unit), 10) - 1);
+    decimal_text(&digits, k, printed_decimals(n->p));
     name_latex(&latex, n->p->name);
     f->correction = result_str(n->j->out, "%s %s %s", n->p->name, n->relation, text_str(&digits));
     f->correction_latex = result_str(n->j->out, "%s %s %s", text_str(&latex), n->relation, text_str(&digits));
@@ -115,14 +116,51 @@ static enum route_outcome outcome_of(truth fits) {
   return fits == TRUTH_TRUE ? ROUTE_AGREES : fits == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
 }
 
-/* "it is ..., which prints as 0.68 when rounded" or "it is ..., 3 units of the last printed digit away". */
+/* The printed number as the rule reads it: "2, that is 2.0000", or "0.6784" where no digit is left out. */
+static const char *as_given(const struct number_job *n) {
+  struct text t;
+  fmpz_t k;
+  text_init(&t);
+  fmpz_init(k);
+  text_add(&t, n->p->decimal);
+  if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
+    fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
+    fmpz_mul(k, k, fmpq_numref(&n->p->value));
+    text_add(&t, ", that is ");
+    decimal_text(&t, k, printed_decimals(n->p));
+  }
+  fmpz_clear(k);
+  return result_take(n->j->out, &t);
+}
+
+/* "of the fourth decimal"; of a number that is given to no decimals, or has an exponent, "of its last digit". */
+static const char *unit_name(const struct number_job *n) {
+  static const char *const ordinal[] = {NULL, "first", "second", "third", "fourth", "fifth", "sixth"};
+  slong k = printed_decimals(n->p);
+  if (k == 0 || strpbrk(n->p->decimal, "eE") != NULL) return "of its last digit";
+  if (k < (slong)(sizeof ordinal / sizeof *ordinal)) return result_str(n->j->out, "of the %s decimal", ordinal[k]);
+  return result_str(n->j->out, "of the last of %ld decimals", (long)k);
+}
+
+/* "it is ..., which prints as 0.6784 when rounded" or "it is ..., printed is 0.6784, 3 units of the fourth decimal away". */
 static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
                       enum reading how) {
   text_printf(note, "it is %s", ball_text(n->j, x, digits));
   if (fits == TRUTH_TRUE)
     text_printf(note, ", which prints as %s when %s.", n->p->decimal, reading_name[how]);
   else
-    text_printf(note, ", %s units of the last printed digit away.", units_off(n->j, x, n->p));
+    text_printf(note, "; printed is %s, %s units %s away.", as_given(n), units_off(n->j, x, n->p), unit_name(n));
+}
+
+/* The scene's data, the orbit, what is printed with its unit, and the value there. */
+static void certify_number(struct finding *f, const struct number_job *n, const struct point *p, const arb_t x) {
+  struct judge *j = n->j;
+  struct certificate *c = &f->certificate;
+  certify_scene(c, j);
+  certify_orbit(c, j, &scene_orbits(j->scene, j->cache)->orbit[p->orbit]);
+  certificate_add(c, j->out, "printed", result_str(j->out, "%s", n->p->decimal));
+  certify_exact(c, j, "unit", &n->p->unit);
+  certificate_add(c, j->out, "value", ball_text(j, x, 10));
 }
 
 /* The route that decides: the quantity on the nearest orbit, and on the others for the note. */
@@ -144,10 +182,13 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     where = result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
     text_add(&note, "On the orbit nearest to the printed numbers ");
     add_value(&note, n, x, 10, t, how);
-    if (t == TRUTH_FALSE) correct_number(f, n, x);
+    if (t == TRUTH_FALSE) {
+      correct_number(f, n, x);
+      certify_number(f, n, &p, x);
+    }
     if (t == TRUTH_FALSE)
-      f->effect = result_str(j->out, "printed %s, computed %s: off by %s units of the last printed digit",
-                             n->p->decimal, ball_text(j, x, 10), units_off(j, x, n->p));
+      f->effect = result_str(j->out, "printed %s, computed %s: off by %s units %s", as_given(n), ball_text(j, x, 10),
+                             units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
         text_printf(&note, " On orbit %ld it is %s.", (long)p.orbit + 1, ball_text(j, x, 6));
@@ -268,9 +309,6 @@ bool judge_number(struct finding *f, struct judge *j, const struct claim *c, str
   if (on_orbits && w.outcome == ROUTE_DIFFERS) number_rescue(f, &n);
   if (on_orbits && claim_get(c, "also-printed")) number_from_printed(f, &n, false);
   f->verdict = verdict_of(&w, 1, true);
-  if (owned) {
-    fmpq_clear(&own.value);
-    fmpq_clear(&own.unit);
-  }
+  if (owned) printed_release(&own);
   return !j->d->set;
 }

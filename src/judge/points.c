@@ -4,6 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "certificate.h"
 #include "judge.h"
 #include "proof/exact_proof.h"
 #include "proof/propagator_law.h"
@@ -38,6 +39,7 @@ struct tally {
   long bits;
   double worst_log;
   const char *worst, *certificate;
+  struct named_value certified[3]; /* entry, left, right at the first failure */
 };
 
 /* One claim on its points. */
@@ -173,6 +175,16 @@ static const char *entry_name(struct audit_result *out, const struct sentence *s
   return *place ? result_str(out, "entry %s: ", place) : "";
 }
 
+/* The first failure of a route. */
+static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const char *where) {
+  struct audit_result *out = r->j->out;
+  t->certificate = result_str(out, "%s%s on the left, %s on the right, at %s", entry_name(out, &t->sentence, tr->entry),
+                              tr->lhs, tr->rhs, where);
+  t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
+  t->certified[1] = (struct named_value){"left", result_str(out, "%s", tr->lhs)};
+  t->certified[2] = (struct named_value){"right", result_str(out, "%s", tr->rhs)};
+}
+
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
@@ -193,8 +205,7 @@ static bool book(struct point_trials *r, struct tally *t, const struct trial *tr
   t->undecided += tr->outcome == OUTCOME_UNDECIDED;
   if (tr->bits > t->bits) t->bits = tr->bits;
   if (tr->outcome == OUTCOME_DIFFERS && t->differs++ == 0 && strcmp(t->route->name, "ode") != 0)
-    t->certificate = result_str(out, "%s%s on the left, %s on the right, at %s",
-                                entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, text_str(&where));
+    book_failure(r, t, tr, text_str(&where));
   if (t->trials == 1 || tr->log_diff > t->worst_log) {
     t->worst_log = tr->log_diff;
     t->worst = result_str(out, "%s", text_str(&where));
@@ -353,6 +364,14 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
   return point_settle(out, cache);
 }
 
+static void certify(struct finding *f, struct point_trials *r) {
+  certify_point(&f->certificate, r->j, &r->example);
+  for (int i = 0; i < 3; i++) {
+    const struct named_value *v = &r->tally[0].certified[i];
+    if (v->value && *v->value) certificate_add(&f->certificate, r->j->out, v->name, v->value);
+  }
+}
+
 static void describe_effect(struct finding *f, struct point_trials *r) {
   struct text t;
   struct point p;
@@ -402,6 +421,7 @@ bool judge_points(struct finding *f, struct judge *j, const struct claim *c, str
   bool explained = view.own && j->effort == EFFORT_FULL;
   if (ok && f->verdict == VERDICT_REFUTED && explained) {
     describe_effect(f, &r);
+    certify(f, &r);
     if (strcmp(view.own, claim_own(c)) == 0 && route_is_asked(j->scene, "exact"))
       r.proof = exact_prove(j, c, view, NULL);
     finding_add_proof(f, j->out, &r.proof, layer_of(&r), true);

@@ -283,6 +283,8 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
                       faults.len ? result_str(j->out, "%s", text_str(&faults))
                       : only     ? "the record is homogeneous"
                                  : "every record is homogeneous");
+    if (own && faults.len)
+      certificate_add(&f->certificate, j->out, "degrees", result_str(j->out, "%s", text_str(&faults)));
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {

@@ -3,6 +3,7 @@
 
 #include "readings.h"
 #include "value/point.h"
+#include "value/printed.h"
 
 static const char *const bound_name[N_BOUNDS] = {"u_r1", "u_r2"};
 static const int decimals_fed[N_CARRIES] = {[CARRY_3] = 3, [CARRY_2] = 2};
@@ -12,11 +13,6 @@ static int significant_digits(const char *decimal) {
   for (const char *p = decimal; *p && *p != 'e' && *p != 'E'; p++)
     if (*p >= '0' && *p <= '9') n += n > 0 || *p != '0';
   return n;
-}
-
-/* How many decimals a number with this last digit has; 0 when that is no decimal place. */
-static int decimals_of(const fmpq_t unit) {
-  return (int)fmpz_sizeinbase(fmpq_denref(unit), 10) - 1;
 }
 
 /* The nearest multiple of 10^-n, ties away from zero. */
@@ -43,23 +39,21 @@ const char *example_init(struct example *e, const struct scene *s) {
   *e = (struct example){.scene = s};
   for (int c = 0; c < N_CARRIES; c++)
     for (int i = 0; i < N_X; i++) fmpq_init(&e->fed[c][i]);
-  int after[N_X], most = 0;
   for (int i = 0; i < N_X; i++) {
     const struct printed_number *p = e->printed[i] = scene_printed(s, orbit_number_name(i));
     if (!p) return "it takes printed values of z10, z20, t_a, t_b, t_c, t_d, e1 and e2";
     e->value[i] = fmpq_get_d(&p->value);
     e->unit[i] = fmpq_get_d(&p->unit);
     e->digits[i] = significant_digits(p->decimal);
-    after[i] = decimals_of(&p->unit);
-    if (after[i] > most) most = after[i];
+    int after = (int)printed_decimals(p);
+    e->missing[i] = after - (int)fmpz_sizeinbase(fmpq_denref(&p->digit), 10) + 1;
     for (int c = 0; c < N_CARRIES; c++) {
       fmpq_set(&e->fed[c][i], &p->value);
-      if (decimals_fed[c] && decimals_fed[c] < after[i]) round_decimals(&e->fed[c][i], &p->value, decimals_fed[c]);
+      if (decimals_fed[c] && decimals_fed[c] < after) round_decimals(&e->fed[c][i], &p->value, decimals_fed[c]);
     }
     for (int k = KEY_E1; k <= KEY_TD; k++)
       if (s->given[k] && strcmp(scene_key_name[k], orbit_number_name(i)) == 0) e->data |= 1U << i;
   }
-  for (int i = 0; i < N_X; i++) e->missing[i] = most - after[i];
   for (int i = 0; i < N_BOUNDS; i++) {
     const struct printed_number *p = e->printed[N_X + i] = scene_printed(s, bound_name[i]);
     e->unit[N_X + i] = p ? fmpq_get_d(&p->unit) : 0;

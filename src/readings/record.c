@@ -137,7 +137,7 @@ static void describe_assumptions(struct example_reading *r, struct audit_result 
   if (beyond) text_printf(&t, "inputs that are not named as data: %s; ", names(out, beyond, ""));
   if (computed) text_printf(&t, "named as data but computed: %s; ", names(out, computed, ""));
   if (c->assumed[ASSUME_ZEROS])
-    text_printf(&t, "digits that results printed shorter than others lack, zeros by chance or left out: %d; ",
+    text_printf(&t, "zeros by chance, that results printed shorter than others leave out: %d; ",
                 c->assumed[ASSUME_ZEROS]);
   if (c->assumed[ASSUME_FORM]) text_add(&t, "a form of (18) that is not in the paper; ");
   if (c->assumed[ASSUME_CARRY]) text_add(&t, "rounding between formulas; ");

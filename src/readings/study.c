@@ -163,12 +163,15 @@ static void describe_space(struct hunt *h, const char *layers) {
           h->out,
           "Solutions are looked for from the printed numbers by Newton's iteration, up to %d dropped equations, and "
           "up to one more than the first number at which some reading gives everything.  Every number of a reading "
-          "that is reported is proved to lie in the bracket of the printed decimal, rounded or truncated.",
+          "that is reported is proved to lie in the bracket of the printed decimal, rounded or truncated, with as many "
+          "decimals "
+          "as the longest of the printed numbers has.",
           MAX_DROPPED),
       "Rank: fewest dropped equations; then fewest assumptions, one for each input that is not named as data, each "
       "datum "
-      "that is computed, each decimal by which a result is printed shorter than the longest, a form of (18) that is "
-      "not "
+      "that is computed, each decimal by which a computed result is printed shorter than the longest (it must be a "
+      "zero "
+      "by chance), a form of (18) that is not "
       "in the paper, rounding in between, each result that is cut off where "
       "most are rounded or the other way round; then most digits of results."};
   for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);

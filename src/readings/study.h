@@ -14,6 +14,10 @@
    nothing to search. */
 const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
 
+/* Once claims are judged and readings are found: what the first reading, which assumes least, says of each printed
+   number that was refuted, as evidence that only states something. */
+void readings_explain(struct audit_result *out, const struct claims *claims);
+
 /* What the six equations (12), (14), (16) and (18) give, at the data of an admissible orbit, with the matrices under that
    equation number as printed and all else corrected: a sentence; NULL where no matrix of a phase is another, or no such
    solution was proved. */

@@ -22,6 +22,9 @@ struct evidence *finding_add_route(struct finding *f, struct audit_result *out, 
 void finding_state(struct finding *f, struct audit_result *out, const char *route, const char *layer, long bits,
                    long trials, const char *where, const char *note);
 
+/* Another value at the end of a certificate; name and value live as long as the result. */
+void certificate_add(struct certificate *c, struct audit_result *out, const char *name, const char *value);
+
 /* "1e-37", the next power of ten above 2^log2x; "0" for -inf. */
 const char *order_of_magnitude(struct audit_result *r, double log2x);
 

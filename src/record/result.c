@@ -144,6 +144,13 @@ struct evidence *finding_add(struct finding *f, struct audit_result *out) {
   return e;
 }
 
+void certificate_add(struct certificate *c, struct audit_result *out, const char *name, const char *value) {
+  struct named_value *longer = arena_alloc(&out->arena, (size_t)(c->n + 1) * sizeof *longer);
+  if (c->n) memcpy(longer, c->at, (size_t)c->n * sizeof *longer);
+  longer[c->n++] = (struct named_value){name, value};
+  c->at = longer;
+}
+
 const char *order_of_magnitude(struct audit_result *r, double log2x) {
   if (isinf(log2x) && log2x < 0) return "0";
   return result_str(r, "1e%d", (int)ceil(log2x * 0.30102999566398120));

@@ -39,6 +39,15 @@ struct evidence {
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
 
+/* What a failure rests on, for who recomputes it: exact inputs as p/q or decimals, then what they give, by name. */
+struct named_value {
+  const char *name, *value;
+};
+struct certificate {
+  struct named_value *at;
+  int n;
+};
+
 /* Whether a claim is a statement of the paper or a check of the suite. */
 enum claimant { OF_PAPER, OF_SUITE, N_CLAIMANTS };
 extern const char *const claimant_name[N_CLAIMANTS];
@@ -70,6 +79,7 @@ struct finding {
   enum claimant of;
   const char *root;       /* of what fails: the id of its cause; NULL elsewhere, */
   enum severity severity; /* and what that is worth; N_SEVERITIES elsewhere */
+  struct certificate certificate;
 };
 
 /* What is wrong in the paper, with the claims that fail for it in this run.  Texts have mathematics, as TeX, between dollar

@@ -45,6 +45,12 @@ static const struct member evidence_member[] = {
 static const struct evidence no_evidence = {.bits = -1, .trials = -1, .machine_residual = (double)NAN};
 static SHAPE(evidence, struct evidence, .blank = &no_evidence);
 
+static const struct member certified_member[] = {
+    STRING(struct named_value, name, MEMBER_NEEDED),
+    STRING(struct named_value, value, MEMBER_NEEDED),
+};
+static SHAPE(certified, struct named_value, .blank = NULL);
+
 static const struct member correction_member[] = {
     STRING_AS("text", struct finding, correction, MEMBER_NEEDED),
     VERDICT("verdict", struct finding, correction_verdict, MEMBER_NEEDED),
@@ -68,6 +74,12 @@ static const struct member finding_member[] = {
     STRING(struct finding, effect, MEMBER_NULLABLE),
     STRINGS("depends_on", struct finding, depends_on, n_depends_on),
     RECORDS("evidence", struct finding, evidence, n_evidence, &evidence),
+    {.key = "certificate",
+     .kind = MEMBER_RECORDS,
+     .need = MEMBER_SPARSE,
+     .at = offsetof(struct finding, certificate.at),
+     .n_at = offsetof(struct finding, certificate.n),
+     .of = &certified},
     STRING(struct finding, reproduce, MEMBER_NULLABLE),
     VERDICT("recorded", struct finding, recorded, MEMBER_SPARSE),
     STRING(struct finding, quote_part, MEMBER_SPARSE),

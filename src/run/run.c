@@ -332,6 +332,7 @@ static bool run_pieces(struct audit_result *out, struct audit_work *r, struct pi
     pieces_clear(&both);
   }
   ok = ok && take(out, r, first, t, PIECE_LONG_RUNS, PIECE_VALUES, d);
+  if (ok) readings_explain(out, r->base->claims);
   free(u);
   free(t);
   return ok;

@@ -1,4 +1,4 @@
-/* The numbers that a scene prints: decimals with the unit of their last digit, each under its name once. */
+/* The numbers that a scene prints: decimals with the unit to which they are given (scene.h), each under its name once. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -30,6 +30,7 @@ void scene_printed_clear(struct printed_number *p) {
   free(p->name);
   free(p->decimal);
   fmpq_clear(&p->value);
+  fmpq_clear(&p->digit);
   fmpq_clear(&p->unit);
 }
 
@@ -47,6 +48,7 @@ static struct printed_number *place_of(struct scene *s, const char *name, size_t
   }
   *p = (struct printed_number){.name = ss_strndup(name, n), .override = override};
   fmpq_init(&p->value);
+  fmpq_init(&p->digit);
   fmpq_init(&p->unit);
   return p;
 }
@@ -74,12 +76,28 @@ bool scene_printed_add(struct scene *s, const struct scene_line *l, bool overrid
   size_t len = strlen(p) + 2;
   pn->decimal = ss_malloc(len);
   snprintf(pn->decimal, len, "%s%s", negative ? "-" : "", p);
-  if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->unit, p)) {
+  if (num_parse_decimal(&pn->value, p, strlen(p)) != SS_OK || !last_digit_unit(&pn->digit, p)) {
     diag_at(d, l->src, l->value.begin, "%.100s is not a decimal; write one such as -2.1958 or 2.5e-3", pn->decimal);
     return false;
   }
   if (negative) fmpq_neg(&pn->value, &pn->value);
   return true;
+}
+
+static bool stands_by_itself(const struct printed_number *p) {
+  return strpbrk(p->decimal, "eE") != NULL;
+}
+
+void scene_printed_align(struct scene *s) {
+  const fmpq *finest = NULL;
+  for (size_t i = 0; i < s->n_printed; i++) {
+    const struct printed_number *p = &s->printed[i];
+    if (!stands_by_itself(p) && (!finest || fmpq_cmp(&p->digit, finest) < 0)) finest = &p->digit;
+  }
+  for (size_t i = 0; i < s->n_printed; i++) {
+    struct printed_number *p = &s->printed[i];
+    fmpq_set(&p->unit, stands_by_itself(p) ? &p->digit : finest);
+  }
 }
 
 const struct printed_number *scene_printed(const struct scene *s, const char *name) {

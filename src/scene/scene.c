@@ -429,6 +429,7 @@ static bool read_all(struct reader *r, const struct scene_overrides *o) {
   ok = ok && read_file(r);
   for (int i = 0; ok && i < n; i++) ok = apply_override(r, &list[i]);
   free(list);
+  scene_printed_align(r->s);
   return ok && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);
 }
 

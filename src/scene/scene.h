@@ -105,11 +105,15 @@ enum {
 };
 #define MOST_SCENE_BUDGET 1000000000000000000ULL /* 10^18 */
 
-/* A decimal as printed, with the two brackets of its last digit. */
+/* What a printed decimal stands for, everywhere the same: the numbers that a scene prints are results of one
+   computation, given to one number of decimals, the most that any of them has; digits that a shorter one leaves out
+   are zeros.  It stands for every value that is written so, rounded or cut off (value/printed.h): among numbers of
+   four decimals 2 is 2.0000, and 2.0053 does not print as 2.  A decimal with an exponent stands by itself. */
 struct printed_number {
   char *name, *decimal;
   fmpq value;
-  fmpq unit;     /* of the last printed digit */
+  fmpq digit;    /* the unit of its own last digit */
+  fmpq unit;     /* that of the last decimal to which it is given */
   bool override; /* not the file's */
 };
 

@@ -36,6 +36,8 @@ struct scene_line {
 /* A line `printed`, in place of the file's where an override prints the number again. */
 bool scene_printed_add(struct scene *s, const struct scene_line *l, bool override, struct diag *d);
 void scene_printed_clear(struct printed_number *p);
+/* Once all of them are read: the unit of each, by the rule of struct printed_number. */
+void scene_printed_align(struct scene *s);
 /* ask, values, routes, digits and budget. */
 bool scene_read_asked(struct scene_asked *a, const struct scene_line *l, struct diag *d);
 void scene_asked_clear(struct scene_asked *a);

@@ -1,5 +1,6 @@
 /* Printed numbers as brackets, the points they stand for, and the orbit they are nearest to.
-   A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit of the last digit wide. */
+   A printed decimal is read in two ways, rounded and cut off; each is a bracket one unit wide, the unit of the last
+   decimal to which the scene's numbers are given (struct printed_number). */
 #include "printed.h"
 #include "record/result.h"
 #include <math.h>
@@ -74,15 +75,27 @@ bool printed_replace(struct printed_number *own, const struct printed_number **p
   const char *shift = claim_get(c, "shift");
   if (!shift || !*p) return false;
   fmpq_init(&own->value);
+  fmpq_init(&own->digit);
   fmpq_init(&own->unit);
   own->name = (*p)->name;
   own->decimal = (*p)->decimal;
+  fmpq_set(&own->digit, &(*p)->digit);
   fmpq_set(&own->unit, &(*p)->unit);
   fmpq_set_si(&own->value, strtol(shift, NULL, 10), 1);
   fmpq_mul(&own->value, &own->value, &own->unit);
   fmpq_add(&own->value, &own->value, &(*p)->value);
   *p = own;
   return true;
+}
+
+void printed_release(struct printed_number *own) {
+  fmpq_clear(&own->value);
+  fmpq_clear(&own->digit);
+  fmpq_clear(&own->unit);
+}
+
+slong printed_decimals(const struct printed_number *p) {
+  return (slong)fmpz_sizeinbase(fmpq_denref(&p->unit), 10) - 1;
 }
 
 const fmpq *scene_number(const struct scene *s, enum scene_key key) {

@@ -28,9 +28,12 @@ extern const char *const reading_name[N_READINGS];
 truth printed_fits(const arb_t x, const struct printed_number *p, enum reading *how);
 /* A ball over every value that prints as p. */
 void printed_ball(arb_t x, const struct printed_number *p);
-/* A control's attribute "shift", in units of the last digit, applied to a printed number: *p then points at own, whose
-   values the caller clears. */
+/* A control's attribute "shift", in units of the last decimal, applied to a printed number: *p then points at own,
+   which the caller releases. */
 bool printed_replace(struct printed_number *own, const struct printed_number **p, const struct claim *c);
+void printed_release(struct printed_number *own);
+/* The number of decimals to which it is given; 0 where its unit is no decimal place. */
+slong printed_decimals(const struct printed_number *p);
 
 /* The scene's parameters, in the context of params; e1 and e2 that it does not give are those of its orbit nearest to
    the printed numbers.  Status flags. */

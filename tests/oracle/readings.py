@@ -169,7 +169,8 @@ PAPER = {"z10": "0.8921", "z20": "-2.1958", "t_a": "0.6784", "t_b": "2", "t_c": 
 
 
 def fits(x, decimal):
-    unit = mpf(10) ** -(len(decimal.split(".")[1]) if "." in decimal else 0)
+    """The printed numbers have four decimals; what a shorter one leaves out are zeros."""
+    unit = mpf(10) ** -max(len(d.partition(".")[2]) for d in PAPER.values())
     p, x = abs(mpf(decimal)), x if decimal[0] != "-" else -x
     return abs(x - p) <= unit / 2 or p <= x <= p + unit
 

@@ -1,0 +1,53 @@
+/* Certificates: the numbers of a failure under the paper's names, inputs first. */
+#include "certificate.h"
+
+#include "value/values.h"
+
+static const char *const start_name[2] = {"z_10", "z_20"};
+static const char *const time_name[N_PHASES] = {"t_a", "t_b", "t_c", "t_d"};
+
+void certify_exact(struct certificate *c, struct judge *j, const char *name, const fmpq *x) {
+  struct text t;
+  text_init(&t);
+  num_print_q(&t, x);
+  certificate_add(c, j->out, name, result_take(j->out, &t));
+}
+
+void certify_ball(struct certificate *c, struct judge *j, const char *name, const arb_t x) {
+  certificate_add(c, j->out, name, ball_text(j, x, CERTIFIED_DIGITS));
+}
+
+void certify_scene(struct certificate *c, struct judge *j) {
+  static const char *const name[] = {"chi", "eta", "V", "e_1", "e_2"}; /* by scene_key */
+  for (int k = KEY_CHI; k <= KEY_E2; k++)
+    if (j->scene->given[k]) certify_exact(c, j, name[k], &j->scene->value[k]);
+}
+
+void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o) {
+  certify_ball(c, j, start_name[0], o->z10);
+  certify_ball(c, j, start_name[1], o->z20);
+  for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, time_name[k], o->t[k]);
+}
+
+/* The start and the four times of the point's pass. */
+static void certify_pass(struct certificate *c, struct judge *j, const struct point *p) {
+  struct values v;
+  if (values_init(&v, p, VARIANT_CLOSED, num_ctx_arb(FIRST_PREC), j->cache) == SS_OK) {
+    for (int i = 0; i < 2; i++) certify_ball(c, j, start_name[i], num_vec_at(&v.arc.z, i));
+    for (int k = 0; k < N_PHASES; k++) certify_ball(c, j, time_name[k], num_vec_at(&v.arc.t, k));
+  }
+  values_clear(&v);
+}
+
+void certify_point(struct certificate *c, struct judge *j, const struct point *p) {
+  static const struct {
+    const char *name;
+    int q;
+    unsigned kinds; /* bit for each point_kind */
+  } of[] = {{"chi", Q_CHI, 15},  {"eta", Q_ETA, 15},  {"V", Q_V, 15},   {"e_1", Q_E1, 12},  {"e_2", Q_E2, 12},
+            {"t", Q_T, 3},       {"z_1", Q_Z1, 2},    {"z_2", Q_Z2, 2}, {"z_1'", Q_DZ1, 2}, {"z_2'", Q_DZ2, 2},
+            {"u_s1", Q_US1, 12}, {"u_s2", Q_US2, 12}, {"x", Q_X, 12},   {"y", Q_Y, 12}};
+  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+    if (of[i].kinds >> p->kind & 1U) certify_exact(c, j, of[i].name, &p->q[of[i].q]);
+  if (p->kind == POINT_ARC || p->kind == POINT_ORBIT) certify_pass(c, j, p);
+}

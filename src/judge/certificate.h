@@ -1,0 +1,19 @@
+/* What a failure rests on, in numbers that somebody else can recompute: the certificate of a finding. */
+#ifndef STICKSLIP_JUDGE_CERTIFICATE_H
+#define STICKSLIP_JUDGE_CERTIFICATE_H
+
+#include "judge.h"
+
+/* x as p/q. */
+void certify_exact(struct certificate *c, struct judge *j, const char *name, const fmpq *x);
+/* x to CERTIFIED_DIGITS digits. */
+enum { CERTIFIED_DIGITS = 15 };
+void certify_ball(struct certificate *c, struct judge *j, const char *name, const arb_t x);
+/* What the scene gives of chi, eta, V, e_1, e_2. */
+void certify_scene(struct certificate *c, struct judge *j);
+/* z_10, z_20, t_a, t_b, t_c, t_d of an orbit. */
+void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);
+/* The exact quantities of a point of kind FLOW, ARC, ORBIT or PARAMS, and the events of its pass where it has one. */
+void certify_point(struct certificate *c, struct judge *j, const struct point *p);
+
+#endif

@@ -1,0 +1,94 @@
+/* A referee's scripts: every refuted or conditional statement of a fresh audit is confirmed from its certificate by a
+   script of at most 20 lines in tests/referee, written from the paper alone, and by none once it is damaged. */
+#include <check.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/wait.h>
+
+#include "base/arena.h"
+#include "base/text.h"
+#include "scratch.h"
+#include "suites.h"
+
+static int run(const char *line) {
+  int status = system(line);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+static const char *audit_path(void) {
+  char line[9000];
+  snprintf(line, sizeof line, "%s verify paper --quiet --out '%s' > /dev/null", program(), scratch_path("out"));
+  int status = run(line);
+  ck_assert_msg(status == 0 || status == 1, "status %d", status);
+  return scratch_path("out/audit.json");
+}
+
+static int confirm(const char *audit, const char *options) {
+  char line[9000];
+  snprintf(line, sizeof line, "%s tests/referee/confirm.py '%s' %s > '%s'", python(), audit, options,
+           scratch_path("said"));
+  return run(line);
+}
+
+static char *slurp(const char *path) {
+  struct diag d;
+  struct source s;
+  diag_init(&d);
+  ck_assert_msg(source_read(&s, path, 8 << 20, &d), "%s", d.message);
+  char *text = ss_strdup(s.text);
+  source_clear(&s);
+  return text;
+}
+
+/* The audit with the first occurrence of a text after an anchor replaced. */
+static const char *changed(const char *audit, const char *anchor, const char *old, const char *new) {
+  char *json = slurp(audit), *at = strstr(json, anchor);
+  ck_assert_msg(at != NULL && (at = strstr(at, old)) != NULL, "no %s behind %s", old, anchor);
+  struct text t;
+  text_init(&t);
+  text_add_n(&t, json, (size_t)(at - json));
+  text_add(&t, new);
+  text_add(&t, at + strlen(old));
+  const char *path = scratch_put("changed.json", text_str(&t));
+  text_clear(&t);
+  free(json);
+  return path;
+}
+
+static void says(const char *what) {
+  char *said = slurp(scratch_path("said"));
+  ck_assert_msg(strstr(said, what) != NULL, "\"%s\" is not in: %.2000s", what, said);
+  free(said);
+}
+
+START_TEST(every_failing_statement_is_confirmed) {
+  int status = confirm(audit_path(), "--damage");
+  char *said = slurp(scratch_path("said"));
+  ck_assert_msg(status == 0, "%s", said);
+  free(said);
+}
+END_TEST
+
+START_TEST(what_has_no_script_or_is_damaged_fails) {
+  const char *audit = audit_path();
+  ck_assert_int_eq(confirm(changed(audit, "\"id\": \"eq-40\"", "eq-40", "eq-999"), ""), 1);
+  says("eq-999 is conditional and has no script");
+  ck_assert_int_eq(
+      confirm(changed(audit, "\"id\": \"num-t_b\"", "\"value\": \"2.005332702", "\"value\": \"2.005332802"), ""), 1);
+  says("num-t_b is not confirmed");
+  ck_assert_int_eq(confirm(changed(audit, "\"id\": \"text-time-name\"", "$t^*$ = time", "$t'$ = time"), ""), 1);
+  says("text-time-name is not confirmed");
+}
+END_TEST
+
+Suite *referee_suite(void) {
+  Suite *s = suite_create("referee");
+  TCase *c = tcase_create("referee");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_set_timeout(c, 600);
+  tcase_add_test(c, every_failing_statement_is_confirmed);
+  tcase_add_test(c, what_has_no_script_or_is_damaged_fails);
+  suite_add_tcase(s, c);
+  return s;
+}

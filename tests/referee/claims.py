@@ -1,0 +1,212 @@
+"""One function for each statement of the paper that audit.json refutes or finds conditional: it takes the certificate
+(model.py), recomputes both sides from the paper's printed formula and from the definition, and says whether it confirms.
+None is longer than 20 lines; none knows a formula of the program."""
+import re
+
+from mpmath import cos, cot, matrix, mpf, sin, sqrt
+
+from model import Passage, coulomb, derivative, ends, first_zero, flow, orbit, passage, sides, stick, system
+
+
+# --- (10): D = (I, V t I; 0, I)
+
+def printed_d(c):
+    vt = c["V"] * c["t"]
+    return matrix([[1, 0, vt, 0], [0, 1, 0, vt], [0, 0, 1, 0], [0, 0, 0, 1]])
+
+
+def eq_10(c):
+    return sides(c, printed_d(c), flow(c, "D", c["t"])) and c["V"] != 1 and c.claim["condition"] == "V = 1"
+
+
+def eq_10c(c):
+    z = matrix([c["z_1"], c["z_2"], c["z_1'"], c["z_2'"]])
+    true = flow(c, "D", c["t"]) * z
+    return sides(c, true, printed_d(c) * z) and c["V"] != 1 and c.claim["condition"] == "V = 1"
+
+
+# --- (29) to (32): the perturbed slip-stick phase
+
+def eq_29(c):
+    p = passage(c)
+    q = Passage(c, p.z[0][0] + c["x"] / 1024, p.z[0][1] + c["y"] / 1024)
+    return sides(c, q.z[2], flow(c, "G", q.t[1]) * q.z[2])  # Z_b + dZ_b is the perturbed Z_b
+
+
+def eq_30(c):
+    p = passage(c)
+    *dz_b, dt_b = derivative(lambda q: list(q.z[2]) + [q.t[1]], c)
+    dz_b, gamma = matrix(dz_b), flow(c, "G", p.t[1])
+    printed = gamma * dz_b + system(c, "G") * gamma * p.z[2] * dt_b  # the end of the line
+    between = gamma * p.z[2] - p.z[2] + printed  # its middle by (29), to first order
+    return sides(c, dz_b, between) and abs(dz_b[0] - printed[0]) > 1e-6
+
+
+def eq_31(c):
+    p = passage(c)
+    q = Passage(c, p.z[0][0] + c["x"] / 1024, p.z[0][1] + c["y"] / 1024)
+    shift = [(c["u_s1"] + c["u_s2"]) / (1 - c["chi"]), (c["u_s1"] * c["chi"] + c["u_s2"]) / ((1 - c["chi"]) * c["chi"])]
+    x = [q.z[2][i] + shift[i] for i in (0, 1)]  # (3)
+    return sides(c, c["chi"] * (x[1] - x[0]), c["e_1"] + c["u_s1"])
+
+
+def eq_32b(c):
+    z_b = passage(c).z[2]
+    return sides(c, matrix([z_b[2] / c["V"]] * 2), matrix([z_b[2] / c["V"], z_b[3] / c["V"]]))
+
+
+def eq_32c(c):
+    z_b = passage(c).z[2]
+    chi, v, chi_b = c["chi"], c["V"], z_b[2] / c["V"]
+    y_b, u_b = derivative(lambda q: [q.z[2][1], q.z[2][2]], c)
+    j_b = matrix([(chi - chi_b) / (1 - chi_b), (chi * z_b[1] - z_b[0]) * (chi - 1) / (v * (1 - chi_b))])
+    return sides(c, matrix([y_b, u_b]), j_b * y_b)
+
+
+def eq_32d(c):
+    p = passage(c)
+    return sides(c, p.z[2][2] / c["V"], p.at(p.t[1])[2] / c["V"])
+
+
+# --- (36), (40)
+
+def eq_36b(c):
+    """H_41 and H_42 stand in J_c, whose indices are said to run from 1 to 3."""
+    return "H_{41} + H_{42}" in c.claim["printed"] and "H_{ij} = H_{ij}(t_c), (i, j = 1, 2, 3)" in c.claim["quote"]
+
+
+def eq_40(c):
+    p, omega, v = passage(c), sqrt(c["chi"] * c["eta"]), c["V"]
+    r = p.z[4][1] - p.z[4][0]
+    k4 = sin(omega * p.t[3]) / (v * omega * r)
+    k5 = k4 / omega * cot(omega * p.t[3])
+    k6 = cos(omega * p.t[3]) - k4
+    printed = matrix([[1 + k4, -k4, k5], [1 - k6, k6, sin(omega * p.t[3]) / omega + k5]])
+    def end(moved):  # positions at the end of the stick-slip phase
+        z = p.z[3] + matrix(moved)
+        return (flow(c, "C", first_zero(c, "C", z, ends(c, "C"))) * z)[:2]
+    h, true = mpf(10) ** -8, matrix(2, 3)
+    for k, i in enumerate((0, 1, 3)):
+        plus, minus = ([s * h if n == i else 0 for n in range(4)] for s in (1, -1))
+        true[:, k] = (matrix(end(plus)) - matrix(end(minus))) / (2 * h)
+    return sides(c, printed, true) and v != 1 and c.claim["condition"] == "V = 1"
+
+
+# --- Behaviour
+
+def text_otherwise_unstable(c):
+    """At tr J = -1 the return map is R(r + s) = r - s + c_2 s^2 + c_3 s^3: stable where c_2^2 + c_3 > 0."""
+    p = orbit(c)
+    r, h = p.z[4][1] - p.z[4][0], mpf(1) / 1000
+    def back(s):
+        z = stick(c, c["e_1"], r + s)
+        q = Passage(c, z[0], z[1])
+        return q.z[4][1] - q.z[4][0] - r
+    f = {k: back(k * h) for k in (-2, -1, 1, 2)}
+    slope = (8 * (f[1] - f[-1]) - f[2] + f[-2]) / (12 * h)
+    c_2 = (16 * (f[1] + f[-1]) - f[2] - f[-2]) / (24 * h**2)
+    c_3 = (f[2] - 2 * f[1] + 2 * f[-1] - f[-2]) / (12 * h**3)
+    third = c_2**2 + c_3
+    return abs(slope - c["trace"]) < 1e-8 and third > 0 and abs(third - c["c_2^2 + c_3"]) < 1e-4 and p.is_motion()
+
+
+def text_four_configurations(c):
+    """From both masses sticking a mass gets faster than the belt, which D, Gamma, H and C leave out."""
+    x = matrix([c["x_1"], c["x_2"], c["x_1'"], c["x_2'"]])
+    inside = abs(x[0] - c["chi"] * x[1]) < c["u_r1"] and c["chi"] * abs(x[1] - x[0]) < c["u_r2"]
+    fast = coulomb(c, x, c["t"])[1 + int(c["mass"])]
+    return inside and x[2] == x[3] == c["V"] and fast > c["V"] and abs(fast - c["velocity"]) < 1e-5
+
+
+# --- The printed example
+
+def printed_number(value):
+    """Confirms a printed number by what it should be on the orbit; it stands for all that round or cut off to it."""
+    def confirms(c):
+        here, printed, unit = value(c, orbit(c)), c["printed"], c["unit"]
+        away = here - printed if printed >= 0 else printed - here
+        return c.near(here, "value") and unit == mpf(10) ** -4 and c.text("printed") in c.claim["quote"] and not (
+            abs(away) <= unit / 2 or 0 <= away <= unit)
+    return confirms
+
+
+num_t_a = printed_number(lambda c, p: p.t[0])
+num_t_b = printed_number(lambda c, p: p.t[1])
+num_t_c = printed_number(lambda c, p: p.t[2])
+num_t_d = printed_number(lambda c, p: p.t[3])
+num_z10 = printed_number(lambda c, p: p.z[0][0])
+num_z20 = printed_number(lambda c, p: p.z[0][1])
+num_u_r1 = printed_number(lambda c, p: c["V"] * p.t[0] * (1 - c["chi"]) / 2)
+num_u_r2 = printed_number(lambda c, p: (c["e_2"] - c["chi"] * (p.z[0][1] - p.z[0][0])) / 2)
+
+
+def text_periodic(c):
+    """From the printed start, and from the corners of what prints so, one period does not lead back."""
+    p = Passage(c, c["z_10"], c["z_20"])
+    off = p.z[4] - p.z[0]
+    def gap(a, b):  # of z_2 - z_1, which alone fixes the end of the stick phase
+        q = Passage(c, c["z_10"] + a * c["unit"], c["z_20"] - b * c["unit"])
+        return (q.z[4] - q.z[0])[1] - (q.z[4] - q.z[0])[0]
+    half = mpf(1) / 2
+    corners = [gap(a, b) for a in (-half, 1) for b in (-half, 1)]
+    return c.near(off[0], "off in z_1") and c.near(off[1], "off in z_2") and max(corners) < -0.02 and c["unit"] <= 1e-4
+
+
+# --- Arguments: the premises hold on an orbit, and the conclusion fails
+
+def force_at(c, p, share):
+    z = p.along(3, share)
+    return z[0] - c["chi"] * z[1]
+
+
+def text_first_always(c):
+    p = orbit(c)
+    margin = c["u_r1"] - c["V"] * p.t[0] * (1 - c["chi"]) / 2
+    return p.is_motion() and c["u_r1"] > c["e_1"] and margin < 0 and c.near(margin, "margin")
+
+
+def text_59_concluded(c):
+    p = orbit(c)
+    margin = force_at(c, p, c["of the phase"]) - (c["e_1"] - 2 * c["u_r1"])
+    inside = c["e_1"] - 2 * c["u_r1"] < force_at(c, p, 1) < c["e_1"]  # (52), by (61)
+    increasing = all(z[3] * c["chi"] < c["V"] for z in p.moments(3))
+    return p.is_motion() and inside and increasing and margin < 0 and c.near(margin, "margin")
+
+
+# --- Symbols: the certificate is the paper's own text
+
+def quoted(*parts):
+    """Do these stand in the quotation, in this order?"""
+    def confirms(c):
+        at = 0
+        for part in parts:
+            at = c.claim["quote"].find(part, at)
+            if at < 0:
+                return False
+            at += len(part)
+        return True
+    return confirms
+
+
+text_friction_names = quoted("u_{si}, u_{si}", "are the sliding and the sticking friction forces")
+text_free_index = quoted("V - x'_i = 0", "u_1 = x_1", "V - x'_2 = 0", r"u_2 = \chi(x_2 - x_1)")
+text_time_name = quoted("$t^*$ = time", r"t = \omega_3 t'")
+text_switch_times = quoted("$t_a, t_b, t_c, t_d$ = non dimensional times of switches")
+text_mass_name = quoted("masses $m_1, m_2$", "$M_1$ performs", "$M_2$ is still")
+text_start_name = quoted(r"Z_0 = \begin{pmatrix} z_0 \\ z'_0", "D(t_a + dt_a)(Z_0 + dZ_0)")
+text_trace_bars = quoted(r"$|\text{tr}(J) < 1|$")
+text_dimensions = quoted("$u_1, u_2$ = non dimensional friction forces", r"u_i = \frac{F_i}{k_1 + k_2}")
+
+
+def text_scaling(c):
+    """With V and all z twice as large, every term of (10) should be twice as large, and k_4, k_4/omega cot as before."""
+    def terms_10(s):
+        return s * 3, (s * 2) * 5 * (s * 2)  # z_1(0) and V t z_1'(0) at z_1(0) = 3, V = z_1'(0) = 2, t = 5
+    def k_4(s):
+        return 1 / ((s * 2) * (s * 7))  # sin(omega t_d)/omega = 1, V = 2, z_200 - z_100 = 7
+    wrong = [name for name, ratios, degree in (
+        ("eq-10b", [b / a for a, b in zip(terms_10(mpf(1)), terms_10(mpf(2)))], 2), ("eq-40", [k_4(mpf(2)) / k_4(mpf(1))], 1)
+    ) if any(x != degree for x in ratios)]
+    parts = [re.fullmatch(r"(eq-\w+): .* \(degree (-?\d)\)", part) for part in c.text("degrees").split(". ")]
+    named = [part and part.groups() for part in parts]
+    return wrong == ["eq-10b", "eq-40"] and named == [("eq-10b", "2"), ("eq-40", "-2"), ("eq-40b", "-2"), ("eq-40c", "-2")]
