@@ -87,7 +87,7 @@ static bool forms_open(struct forms *p, struct behaviour *b) {
   for (p->n = 0; ok && p->n < N_FORMS; p->n++)
     ok = expression_open(&p->x[p->n], b->view, name[p->n], "prediction", b->j->d) &&
          p->x[p->n].n == (p->n < FORM_D1 ? 4 : 1);
-  return ok || b->j->d->set || claim_error(b->j, b->c, "check", "K, K_1, K_2, d_01 or d_02 has another shape");
+  return ok || (!b->j->d->set && claim_error(b->j, b->c, "check", "K, K_1, K_2, d_01 or d_02 has another shape"));
 }
 
 static void forms_close(struct forms *p) {
