@@ -69,7 +69,7 @@ static const struct {
     {"text-54-fulfilled", "(54) follows from (52), (53), (55) and (56)"},
     {"text-56-deduced", "(56) follows from t_a > 0 and (55)"},
     {"text-51-order", "0 < t_a < t_a + t_b < t_a + t_b + t_c < t_a + t_b + t_c + t_d is equivalent to (51)"},
-    {"text-first-always", "an inequality of (53) follows from u_r1 > e_1"},
+    {"text-first-always", "u_r1 > V t_a (1 - chi)/2 follows from u_r1 > e_1"},
     {"text-hbar-increases", "V - chi z_2' > 0 follows from z_2' < V in the stick-slip phase"},
     {"text-slip-repeats", "z_1' < V and z_2' < V are equivalent to (3) in the global slip phase"},
     {"text-constraints", "(51), (52), (54), (57), z_1' < V and z_2' < V in the global slip phase and (59) are all the "

@@ -210,3 +210,12 @@ def text_scaling(c):
     parts = [re.fullmatch(r"(eq-\w+): .* \(degree (-?\d)\)", part) for part in c.text("degrees").split(". ")]
     named = [part and part.groups() for part in parts]
     return wrong == ["eq-10b", "eq-40"] and named == [("eq-10b", "2"), ("eq-40", "-2"), ("eq-40b", "-2"), ("eq-40c", "-2")]
+
+
+def text_closed_forms(c):
+    """A mass faster than the belt has the friction -u_s1 by (2); (3), in x = z + d_0, always gives it +u_s1."""
+    chi, u_1, u_2 = mpf(4) / 5, mpf(3), mpf(2)
+    d_1, d_2 = (u_1 + u_2) / (1 - chi), (u_1 * chi + u_2) / ((1 - chi) * chi)
+    by_3, by_2 = d_1 - chi * d_2, -u_1  # x_1'' + x_1 - chi x_2
+    says = "For each kind of motions, the close form solution is obtained" in c.claim["quote"]
+    return says and abs(by_3 - u_1) < 1e-20 and abs(by_3 - by_2 - 2 * u_1) < 1e-20 and "faster" in c.claim["condition"]

@@ -59,7 +59,8 @@ def damages(claim, read):
     if inputs != claim:
         yield "all inputs damaged", inputs
     if not claim.get("certificate"):
-        yield "its quotation", dict(claim, quote=claim["quote"].replace("1", "2").replace("_", "^").replace("^*", "'"))
+        other = claim["quote"].replace("1", "2").replace("_", "^").replace("^*", "'")
+        yield "its quotation", dict(claim, quote=other if other != claim["quote"] else other[::-1])
 
 
 def too_long():
