@@ -52,7 +52,8 @@
      scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of
                  the correction
      statements, absent    (reach) records, and the symbols that they must not contain
-     unknowns, rank        (rank) of the statement's equations
+     unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
+                 rank of their derivative on an open and dense set
      word, conditions      (sequence) phases of one period; inequalities along it
      given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
                            start

@@ -212,7 +212,7 @@ static bool make_report(struct text *out, const struct title *t) {
   return true;
 }
 
-/* --- Arguments and what equations are worth --- */
+/* --- Arguments and how many equations there are --- */
 
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
@@ -276,10 +276,10 @@ static bool make_rank(struct text *out, const struct title *t) {
     title_name(&name, t, r, true);
   else
     stated(&name, &verb, t, r, MOST_STATED);
-  text_printf(out, "%s %s worth ", text_str(&name), title_is_plural(text_str(&name)) ? "are" : "is");
+  text_printf(out, "%s %s ", text_str(&name), title_is_plural(text_str(&name)) ? "amount to" : "amounts to");
   text_clear(&name);
   title_count(out, strtol(rank, NULL, 10));
-  text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " equations for ");
+  text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " functionally independent equations for ");
   title_listed(out, unknowns, ',');
   return true;
 }
