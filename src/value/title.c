@@ -311,11 +311,16 @@ static bool make_criterion(struct text *out, const struct title *t) {
   title_formulas(&formulas, r);
   const char *f = text_str(&formulas);
   if (!side)
-    text_printf(out, "periodic solutions attract where %s and repel where one of the inequalities is reversed", f);
+    text_printf(out,
+                "admissible periodic solutions at which J has a value are conditionally stable where %s and unstable "
+                "where one of the inequalities is reversed",
+                f);
   else
     text_printf(out,
-                strcmp(side, "inside") == 0 ? "periodic solutions attract where %s"
-                                            : "periodic solutions repel where one inequality of %s is reversed",
+                strcmp(side, "inside") == 0
+                    ? "admissible periodic solutions at which J has a value are conditionally stable where %s"
+                    : "admissible periodic solutions at which J has a value are unstable where one inequality of %s is "
+                      "reversed",
                 f);
   text_clear(&formulas);
   return true;
