@@ -448,6 +448,54 @@ START_TEST(the_first_inverse_has_exceptions) {
 }
 END_TEST
 
+/* What divides is zero nowhere, by its sign or on admissible motions by the velocities; or it is zero on an orbit of a
+   family.  sin(t_b) is neither: nothing says that t_b is not pi. */
+START_TEST(values_of_formulas) {
+#define ALONG(low, high)                                                                                               \
+  "  at: chi = 15/64, eta = 2, V = 1, e1 = 2.7294, e2 = 0.4475\n  vary: e2 from " low " to " high "\n"
+  static const struct {
+    const char *statements, *attributes, *condition;
+    enum verdict want;
+  } cases[] = {
+      {"  z_10 = 1/(chi*eta) + inv(K_1 + [0, 0; 0, 1])[1,1]\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = 1/(omega_2 - omega_1) + 1/(omega_1 - 1)\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = sqrt(1 - chi)\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = sqrt(chi - 1)\n", "  over: parameters\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(1 - V)\n", "  over: parameters\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(1 - eta*chi)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(V - z'_1b) + cot(omega*t_d)\n", "", NULL, VERDICT_PROVED},
+      {"  z_10 = 1/(V - z'_1b)\n", "  over: orbits\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cot(omega*t_d)\n", "  over: orbits\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cot(t_b)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cos(omega*t_d)/sin(2*omega*t_d)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/det(N_1 - I)\n", ALONG("0.447", "0.448"), "det(N_1 - I) is not zero", VERDICT_CONDITIONAL},
+      {"  z_10 = 1/det(N_1 - I) + 1/t_b\n", ALONG("0.448", "0.447"), "det(N_1 - I) and t_b are not zero",
+       VERDICT_CONDITIONAL},
+      {"  z_10 = 1/det(N_1 - I)\n", ALONG("0.4475", "0.448"), NULL, VERDICT_UNKNOWN}, /* the same sign at both ends */
+      {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "(e_2 - 0.4476) is not zero", VERDICT_CONDITIONAL},
+  };
+  struct model m;
+  struct text t;
+  struct diag d;
+  struct audit_result r;
+  diag_init(&d);
+  text_init(&t);
+  text_printf(&t, "equation user\n  section: %s\n%s",
+              strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
+  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
+  text_reset(&t);
+  text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
+  ck_assert_msg(judge_text(&r, &m, text_str(&t), &d), "%s", d.message);
+  const struct finding *f = &r.findings[0];
+  ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
+  if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
+  audit_result_clear(&r);
+  text_clear(&t);
+  model_clear(&m);
+#undef ALONG
+}
+END_TEST
+
 /* --- Hostile attributes --- */
 
 static const struct {
@@ -559,6 +607,7 @@ Suite *argument_suite(void) {
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 5);
   LOOP(units_of_one_record, units);
   tcase_add_loop_test(c, ranks_by_hand, 0, 13);
+  tcase_add_loop_test(c, values_of_formulas, 0, 15);
   tcase_add_test(c, the_first_inverse_has_exceptions);
   LOOP(hostile_attributes_are_shown_where_they_are, hostile);
   tcase_add_test(c, every_number_of_the_paper_is_covered);

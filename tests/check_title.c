@@ -135,6 +135,10 @@ static const struct {
      "t_b = 2.5 on the example's orbit"},
     {"kind: law\n  equation: 2\n  mass: 1\n",
      "(2) gives the friction of the first mass while it slips, while it sticks and where it breaks away"},
+    {"kind: defined\n  statements: eq-27\n  over: parameters\n",
+     "the quotients, roots and inverses in (27) have a value for all parameters"},
+    {"kind: defined\n  statements: eq-45, eq-46\n",
+     "the quotients, roots and inverses in (45) and (46) have a value on every admissible periodic solution"},
     {"kind: criterion\n  statement: text-criterion\n  side: outside\n",
      "admissible periodic solutions at which J has a value are unstable where one inequality of -1 < tr(J) < 1 is "
      "reversed"},

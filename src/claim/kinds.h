@@ -62,6 +62,8 @@ extern const char *const fault_name[N_FAULTS];
   K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1)                          \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
     FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+  K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,     \
+    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)               \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \

@@ -152,6 +152,7 @@ bool judge_claim(struct judge *j, const struct claim *c) {
                   result_str(j->out, "fewer points or routes than its kind asks for: %s", few));
   const struct claim_kind *k = claim_kind_of(c);
   if (f.verdict == VERDICT_REFUTED) {
+    if (f.condition) f.verdict = verdict_under_condition(f.verdict, VERDICT_PROVED); /* the judge says when it holds */
     if (!f.fault) f.fault = fault_name[claim_fault(j->model, c)];
     if (!f.correction && k->tried_at_points && !judge_correction(&f, j, c)) return false;
   }

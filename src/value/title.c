@@ -284,6 +284,37 @@ static bool make_rank(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
+static bool numbers_of(struct text *out, const struct title *t, const char *list) {
+  const struct view v = {t->m, LAYER_CORRECTED, claim_own(t->c), NULL};
+  struct text numbers;
+  const char *last = "";
+  char id[64];
+  text_init(&numbers);
+  bool ok = true;
+  while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
+    const struct statement_record *r = view_record(&v, id);
+    ok = r != NULL;
+    if (ok && strcmp(r->equation, last) != 0) text_printf(&numbers, "%s(%s)", *last ? ", " : "", r->equation);
+    last = ok ? r->equation : last;
+  }
+  title_listed(out, text_str(&numbers), ',');
+  text_clear(&numbers);
+  return ok || missing(t);
+}
+
+static bool make_defined(struct text *out, const struct title *t) {
+  const char *over = claim_get(t->c, "over"), *list = claim_get(t->c, "statements");
+  if (!list) return missing(t);
+  text_add(out, "the quotients, roots and inverses in ");
+  if (!numbers_of(out, t, list)) return false;
+  text_printf(out, " have a value %s",
+              over && strcmp(over, "parameters") == 0 ? "for all parameters"
+              : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
+                                                      : "on every admissible periodic solution");
+  return true;
+}
+
 static bool make_reach(struct text *out, const struct title *t) {
   const char *absent = claim_get(t->c, "absent");
   struct title_parts p = {.one = N_PHASES};
@@ -460,6 +491,7 @@ static maker *const makers[N_KINDS] = {
     [KIND_SCALING] = make_scaling,
     [KIND_REACH] = make_reach,
     [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,
     [KIND_SEQUENCE] = make_sequence,
     [KIND_EXISTENCE] = make_existence,
     [KIND_CONSTRAINTS] = make_constraints,
