@@ -22,7 +22,7 @@ static void open_material(void) {
   paper_model(&model, &(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
   paper_claims(&claims, &controls);
   paper_scene(&paper);
-  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL}, &paper);
+  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL, NULL}, &paper);
   study = damage_study_new(&material, NULL);
 }
 
@@ -150,10 +150,10 @@ static const struct {
     {DAMAGE_PREMISE, 100, "text-56-deduced", "eq-51#1, eq-55 D, eq-55b D, eq-56 D"},
     {DAMAGE_PREMISE, 100, "text-56-deduced", "premises: eq-51#1, eq-55 D\n"},
     {DAMAGE_CONCLUSION, 50, "eq-11c", "conclusion: eq-11#4\n"},
-    {DAMAGE_POINTS, 200, "eq-14", "arcs 1, orbits 6"},
-    {DAMAGE_POINTS, 200, "eq-14", "points: orbits 6\n"},
+    {DAMAGE_POINTS, 200, "eq-55", "arcs D 1, orbits D 6"},
+    {DAMAGE_POINTS, 200, "eq-55", "points: orbits D 6\n"},
     {DAMAGE_POINTS, 200, "eq-13", "arcs H 12, orbits Gamma 6"},
-    {DAMAGE_ROUTES, 100, "eq-10", "routes: taylor, ode\n"},
+    {DAMAGE_ROUTES, 70, "eq-41", "routes: saltation\n"},
     {DAMAGE_TOLERANCE, 30, "num-u_r1", "relation: <"},
     {DAMAGE_DOMAIN, 100, "text-start-at-rest", "t_b = 3"},
     {DAMAGE_CORRECTION, 20, "eq-36b", "repaired-range: 1 5"},

@@ -218,7 +218,7 @@ END_TEST
 /* The first mistake in the order of the report, whoever meets it. */
 START_TEST(mistakes_are_told_alike) {
   static const char text[] = "claim a\n  kind: matrix\n  title: a case\n  equation: 3\n  section: prediction\n  value: "
-                             "d_02\n  points: params 2\n"
+                             "d_02\n  points: params 2\n  routes: taylor\n"
                              "claim b\n  kind: wrong\n  title: y\nclaim c\n  title: z\n  kind: worse\n";
   char message[2][1000];
   struct claims own = {.n = 0};
@@ -241,7 +241,7 @@ START_TEST(mistakes_are_told_alike) {
     audit_result_clear(&r);
     costs_clear(&dear);
   }
-  ck_assert_msg(strstr(message[0], "own.claim:9:") != NULL, "%s", message[0]);
+  ck_assert_msg(strstr(message[0], "own.claim:10:") != NULL, "%s", message[0]);
   ck_assert_str_eq(message[0], message[1]);
   claims_clear(&own);
 }
@@ -347,8 +347,11 @@ START_TEST(no_process_outlives_the_memory) {
     if (freopen(scratch_path("said"), "w", stderr)) run_exhausted();
     _exit(0);
   }
-  ck_assert_int_eq(process_end(pid), EXIT_EXHAUSTED);
+  const int status = process_end(pid);
   check_says("out of memory");
+  char *text = said();
+  ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.4000s", status, text);
+  free(text);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
@@ -619,7 +622,7 @@ START_TEST(values_have_their_documented_names) {
   ck_assert_str_eq(r.spent[0].name, "values");
   ck_assert_uint_gt(r.spent[0].units, 0);
   report_line(&line, &r);
-  const char *end = ": 0 claims; 9 values; as recorded";
+  const char *end = ": 0 statements; 9 values; as recorded";
   ck_assert_uint_gt(line.len, strlen(end));
   ck_assert_str_eq(text_str(&line) + line.len - strlen(end), end);
   text_clear(&line);
@@ -638,7 +641,7 @@ START_TEST(no_route_is_idle) {
     int n = 0;
     if (!claim_tried_at_points(&claims.claim[i])) continue;
     strcpy(route[n++], "balls");
-    for (const char *q = claim_get(&claims.claim[i], "routes"); q && *q; n++) {
+    for (const char *q = claim_routes_asked(&claims.claim[i]); q && *q; n++) {
       q += strspn(q, ", ");
       size_t len = strcspn(q, ", ");
       ck_assert_int_lt(n, 8);
@@ -950,7 +953,7 @@ START_TEST(values_have_one_limit) {
   const char *out = scratch_path("out");
   const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
   ck_assert_int_eq(process_end(start(most)), 0);
-  check_says(": 0 claims; 10000 values; as recorded\n");
+  check_says(": 0 statements; 10000 values; as recorded\n");
   snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
            program(), out, program(), out, out);
   ck_assert_int_eq(system(command), 0);

@@ -41,7 +41,6 @@ extern const char *const fault_name[N_FAULTS];
     1)                                                                                                                 \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
     2, 1)                                                                                                              \
-  K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true, FAULT_FORMULA, 0, 0, 1)               \
   K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1)              \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
     FAULT_NUMBER, 0, 0, 1)                                                                                             \
@@ -97,6 +96,11 @@ enum kind claim_kind(const struct claim *c);
 /* NULL likewise. */
 const struct claim_kind *claim_kind_of(const struct claim *c);
 bool claim_tried_at_points(const struct claim *c);
+/* Where it is tried and by what besides balls, in the words of its attributes points and routes; without these, of a
+   matrix params 24 by taylor, gsl and ode, of an identity arcs 12 and orbits 6 by exponential, or by oracle where it has
+   that attribute; NULL: its kind is not tried so. */
+const char *claim_points_asked(const struct claim *c);
+const char *claim_routes_asked(const struct claim *c);
 enum asked claim_asked(const struct claim *c);
 
 #endif

@@ -55,7 +55,7 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
 
 static bool make_identity(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_get(t->c, "points"), *perturbation = claim_get(t->c, "perturbation");
+  const char *points = claim_points_asked(t->c), *perturbation = claim_get(t->c, "perturbation");
   if (!r) return false;
   const char *verb, *own = claim_get(t->c, "own");
   struct text where;
@@ -99,7 +99,7 @@ static bool make_matrix(struct text *out, const struct title *t) {
 
 static bool make_sharp(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_get(t->c, "points");
+  const char *points = claim_points_asked(t->c);
   char phase[16];
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);
@@ -134,22 +134,6 @@ static bool make_inequality(struct text *out, const struct title *t) {
     text_add(out, verb);
   }
   text_add(out, " on the example");
-  return true;
-}
-
-static bool make_threshold(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement"), *bound = r ? record_named(t, "bound") : NULL;
-  struct title_list l;
-  if (!bound) return false;
-  title_list_init(&l);
-  for (int k = 0; k < bound->n_stmts; k++)
-    if (bound->stmts[k]->n_sides == 2) expr_plain(title_list_next(&l), bound->stmts[k]->sides[0]);
-  title_name(out, t, bound, true);
-  text_add(out, " is all that ");
-  title_name(out, t, r, true);
-  text_add(out, " asks of ");
-  title_list_write(out, &l);
-  title_list_clear(&l);
   return true;
 }
 
@@ -479,7 +463,6 @@ static maker *const makers[N_KINDS] = {
     [KIND_MATRIX] = make_matrix,
     [KIND_IDENTITY] = make_identity,
     [KIND_INEQUALITY] = make_inequality,
-    [KIND_THRESHOLD] = make_threshold,
     [KIND_SHARP] = make_sharp,
     [KIND_INDEX_RANGE] = make_index_range,
     [KIND_NUMBER] = make_number,
