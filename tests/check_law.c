@@ -65,14 +65,14 @@ static const struct {
   const char *what, *formulas, *mass;
   enum verdict want;
 } laws[] = {
-    {"the law", SLIPS STICKS BREAKS, "1", VERDICT_SUPPORTED},
+    {"the law", SLIPS STICKS BREAKS, "1", VERDICT_PROVED},
     {"the same in other words",
      RELATION("slips") "  eps*u_1 = u_s1 for eps in {+1, -1}\n" RELATION(
          "sticks") "  x_1(t) - u_1 = chi*x_2(t)\n"
                    "  x_1(t) < u_r1 + chi*x_2(t)\n  chi*x_2(t) - u_r1 < x_1(t)\n" RELATION(
                        "breaks") "  u_1 = u_s1/eps for eps in "
                                  "{+1, -1}\n  eps*x_1(t) > u_r1 + eps*chi*x_2(t) for eps in {+1, -1}\n",
-     "1", VERDICT_SUPPORTED},
+     "1", VERDICT_PROVED},
     {"friction that drives", RELATION("slips") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
      VERDICT_REFUTED},
     {"the wrong limit while slipping", RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS, "1",
@@ -96,6 +96,16 @@ static const struct {
                                      "{+1, -1}\n",
      "1", VERDICT_REFUTED},
     {"the law of the other mass", SLIPS STICKS BREAKS, "2", VERDICT_REFUTED},
+    {"equality at one limit",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) <= u_r1\n" BREAKS, "1",
+     VERDICT_PROVED},
+    {"two branches at one limit: what the states tried do not show",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) <= u_r1\n" RELATION(
+         "breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) >= u_r1 for eps in {+1, -1}\n",
+     "1", VERDICT_SUPPORTED},
+    {"a limit one part in 10^12 off, nearer than any state tried",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) - chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1*(1 + 1e-12)\n" BREAKS,
+     "1", VERDICT_SUPPORTED},
 };
 
 START_TEST(branches_of_the_law) {
@@ -106,6 +116,72 @@ START_TEST(branches_of_the_law) {
               laws[_i].mass);
   enum verdict v = judged(laws[_i].formulas, text_str(&t), &d);
   ck_assert_msg(v == laws[_i].want, "%s: %s %s", laws[_i].what, v < N_VERDICTS ? verdict_name[v] : "", d.message);
+  text_clear(&t);
+}
+END_TEST
+
+/* --- What (1) and (2) make of switches and configurations --- */
+
+#define MOVES(first, second)                                                                                           \
+  "relation own-moves\n  section: appendix_b\n  trajectory x_1(t), x_2(t)\n  x_1''(t) + x_1(t) - chi*x_2(t) = " first  \
+  "\n  x_2''(t) + chi*eta*(x_2(t) - x_1(t)) = " second "\n"
+#define LAW          SLIPS STICKS BREAKS MOVES("u_1", "eta*u_2")
+#define STATES(last) "  states: eq-54 D, eq-5b Gamma, eq-3d H, " last " C\n"
+
+static const struct {
+  const char *what, *formulas, *check;
+  enum verdict want;
+} mechanics[] = {
+    {"slip to stick", LAW, "switches\n  transition: slip to stick", VERDICT_PROVED},
+    {"slip to stick where the sticking mass moves on",
+     SLIPS RELATION("sticks") "  u_1 = x_1(t) + chi*x_2(t)\n  -u_r1 < x_1(t) - chi*x_2(t) < u_r1\n" BREAKS MOVES(
+         "u_1", "eta*u_2"),
+     "switches\n  transition: slip to stick", VERDICT_SUPPORTED},
+    {"stick to slip", LAW, "switches\n  transition: stick to slip", VERDICT_PROVED},
+    {"stick to slip at the sliding friction", LAW, "switches\n  transition: stick to slip\n  limit: u_s",
+     VERDICT_REFUTED},
+    {"stick to slip where a mass that sticks is accelerated", SLIPS STICKS BREAKS MOVES("u_1", "u_2"),
+     "switches\n  transition: stick to slip", VERDICT_SUPPORTED},
+    {"stick to slip with a friction that drives on",
+     SLIPS STICKS RELATION(
+         "breaks") "  u_1 = -eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) > u_r1 for eps "
+                   "in {+1, -1}\n" MOVES("u_1", "eta*u_2"),
+     "switches\n  transition: stick to slip", VERDICT_SUPPORTED},
+    {"sticks or slips", LAW, "modes", VERDICT_PROVED},
+    {"a gap between sticking and breaking away",
+     SLIPS STICKS RELATION("breaks") "  u_1 = eps*u_s1 for eps in {+1, -1}\n  eps*(x_1(t) - chi*x_2(t)) > u_r1*1.125 "
+                                     "for eps in {+1, -1}\n" MOVES("u_1", "eta*u_2"),
+     "modes", VERDICT_SUPPORTED},
+    {"jumps", LAW, "jumps", VERDICT_PROVED},
+    {"sliding friction as large as static",
+     RELATION("slips") "  u_1 = eps*u_r1 for eps in {+1, -1}\n" STICKS BREAKS MOVES("u_1", "eta*u_2"), "jumps",
+     VERDICT_REFUTED},
+    {"linear", LAW, "linear", VERDICT_PROVED},
+    {"linear with a damper", SLIPS STICKS BREAKS MOVES("u_1 - 2*x_1'(t)", "eta*u_2"), "linear", VERDICT_PROVED},
+    {"a cubic spring", SLIPS STICKS BREAKS MOVES("u_1 - x_1(t)^3/1000", "eta*u_2"), "linear", VERDICT_REFUTED},
+    {"an acceleration without a value", SLIPS STICKS BREAKS MOVES("u_1 + sin(x_1(t))", "eta*u_2"), "linear",
+     VERDICT_UNKNOWN},
+    {"closed forms", LAW, "closed-forms", VERDICT_CONDITIONAL},
+    {"closed forms of another system", SLIPS STICKS BREAKS MOVES("u_1", "u_2"), "closed-forms", VERDICT_REFUTED},
+    {"a patched solution", LAW, "fixed-points\n" STATES("eq-7b"), VERDICT_PROVED},
+    {"without the limits of a mass that sticks", LAW, "fixed-points\n" STATES("eq-7b#2"), VERDICT_SUPPORTED},
+    {"without the velocity of a mass that slips", LAW, "fixed-points\n" STATES("eq-7b#3"), VERDICT_SUPPORTED},
+};
+
+START_TEST(mechanics_of_the_law) {
+  struct diag d;
+  struct text t;
+  text_init(&t);
+  text_printf(&t,
+              "  kind: behaviour\n  check: %s\n  moves: own-moves D\n  depends-on: first, second\n\n"
+              "claim first\n  section: model\n  title: m_1\n  kind: law\n  mass: 1\n  slips: own-slips\n"
+              "  sticks: own-sticks C\n  breaks: own-breaks C\n\n"
+              "claim second\n  section: model\n  title: m_2\n  kind: law\n  mass: 2\n  slips: eq-2#2\n"
+              "  sticks: eq-2d Gamma\n  breaks: eq-2e Gamma\n",
+              mechanics[_i].check);
+  enum verdict v = judged(mechanics[_i].formulas, text_str(&t), &d);
+  ck_assert_msg(v == mechanics[_i].want, "%s: %s %s", mechanics[_i].what, v < N_VERDICTS ? verdict_name[v] : "",
+                d.message);
   text_clear(&t);
 }
 END_TEST
@@ -308,6 +384,7 @@ static const struct {
     {"  kind: law\n  mass: 1\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "statements of this branch"},
     {"  kind: law\n  mass: 1\n  slips: eq-2#7\n  sticks: eq-2b C\n  breaks: eq-2c C\n", "no such statement"},
     {"  kind: law\n  mass: 1\n  slips: eq-2#1\n  sticks: eq-2b\n  breaks: eq-2c C\n", "needs a phase"},
+    {"  kind: behaviour\n  check: modes\n  moves: eq-1 D\n", "both masses"},
     {"  kind: argument\n  premises: eq-51\n  conclusion: eq-51\n  converse: perhaps\n", "yes, or nothing"},
     {"  kind: identity\n  statement: eq-13\n  points: patched\n", "points"},
     {"  kind: identity\n  statement: eq-1\n  points: arcs 4\n", "has no value"},
@@ -326,6 +403,7 @@ Suite *law_suite(void) {
   tcase_add_unchecked_fixture(c, open_all, close_all);
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   LOOP(branches_of_the_law, laws);
+  LOOP(mechanics_of_the_law, mechanics);
   tcase_add_loop_test(c, blocks_obey_newton, 0, N_PHASES);
   tcase_add_test(c, patched_states_are_general);
   tcase_add_test(c, realistic_friction_is_a_quarter_above_what_is_asked);

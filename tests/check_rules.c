@@ -139,7 +139,7 @@ static const struct damage corrections[] = {
     {"errata.eq", "s/V.sin(omega/V*cos(omega/; s/V .sin/V \\\\\\\\cos/", "verify paper --only eq-40 --quiet", 1,
      "eq-40: the correction is refuted: "},
     {"claims/1-model.claim", "s/heading: V - x_2'/heading: V - x_1'/", "verify paper --only eq-2c --quiet", 1,
-     "eq-2c: refuted, recorded as supported\n"},
+     "eq-2c: refuted, recorded as proved\n"},
 };
 
 static void damage_and_ask(const struct damage *x, size_t i) {

@@ -34,13 +34,18 @@ def table(old):
     audit = json.loads(pathlib.Path("reports/paper/audit.json").read_text())
     summary = audit["summary"]
     noticed = sum(c["noticed"] for c in audit["controls"])
-    lines = ["| verdict | claims |", "| --- | ---: |"]
-    lines += [f"| {k} | {v} |" for k, v in summary.items() if v]
-    lines += ["", *score(old)] if score(old) else []
-    failed = [c for c in audit["claims"] if c["verdict"] in ("refuted", "conditional")]
-    slips = sum(c["fault"] == "notation" for c in failed)
-    lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed. Of the {len(failed)} claims that fail as printed "
-              f"{slips} are slips of notation; each has its certificate in the report."]
+    checks = audit["checks"]
+    substance = [r for r in audit["roots"] if r["severity"] == "substance"]
+    lines = ["What is wrong in the paper, in order of consequence ([errata](reports/paper/errata.md)):", ""]
+    lines += [f"{i}. **{r['where']}**: {r['title']}. {r['consequence']}" for i, r in enumerate(substance, 1)]
+    lines += ["", f"Besides, {len(audit['roots']) - len(substance)} remarks and slips of notation.", ""]
+    lines += ["| verdict | statements of the paper | checks of the suite |", "| --- | ---: | ---: |"]
+    lines += [f"| {k} | {v} | {checks[k]} |" for k, v in summary.items() if v or checks[k]]
+    asserted = summary["total"] - summary["definition"]
+    decided = summary["proved"] + summary["conditional"] + summary["refuted"]
+    lines += ["", f"Decided, that is proved, conditional or refuted, are {decided} of the {asserted} statements that assert "
+              f"something ({100 * decided // asserted} %).", "", *score(old)]
+    lines += ["", f"Controls (wrong on purpose): {noticed} of {len(audit['controls'])} noticed."]
     return "\n".join(lines)
 
 

@@ -28,9 +28,12 @@
                  refuted on its domain but holds under a restriction
      check       (behaviour) modes, closed-forms, configurations, dimension, linear, switches, jumps, small,
                  fixed-points, linearization, equality, perturb, long-run, patching
+     moves       (modes, switches, linear, jumps, closed-forms, fixed-points) the equations of motion of both masses, as
+                 in premises; the claims of kind law, one for each mass, are among those of depends-on
      at          (criterion; perturb, equality) "chi = 2/3, eta = 2, V = 1, e1 = 2, e2 = 1/4; ...": parameters to try
      vary        (equality) for each entry of at, "e2 from 3/4 to 1": the parameter along which tr J = -1 is looked for
      side        (criterion) inside or outside: the orbits that the claim speaks of, by the slope of the return map
+     states      (dimension, fixed-points) the conditions of the four phases, as in premises
      range       (dimension) "2 4"; transition (switches) "slip to stick" or "stick to slip", limit u_s or u_r; jumps
                  (linearization) saltation; friction (long-run) "1.25 2", in units of what the orbits need
      premises, conclusion  (argument) records, "eq-52, eq-59#1.2, eq-56 D": #1.2 is the second step of the first

@@ -1,7 +1,6 @@
 /* Arguments: does the conclusion follow from the premises?
 
-   First an exact proof is looked for, from the premises alone (proof/combination.h) or with what holds on every
-   admissible orbit (proof/exact_argument.h).  Then a counterexample: an orbit on which the premises hold
+   First an exact proof is looked for (proof/combination.h).  Then a counterexample: an orbit on which the premises hold
    and the conclusion fails, searched for in double over the pool of orbits and from the most promising of them by
    coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
    counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
@@ -11,7 +10,6 @@
 
 #include "argument.h"
 #include "proof/combination.h"
-#include "proof/exact_argument.h"
 
 /* --- Evidence --- */
 
@@ -23,23 +21,10 @@ struct route_result argument_add_route(struct finding *f, struct argument *a, co
   return w;
 }
 
-/* On motions themselves, where the premises are not enough by themselves. */
-static bool by_motion(struct text *out, const struct argument *a) {
-  bool all = a->admissible && !a->free_friction;
-  for (int k = 0; all && k < a->part[CONCLUSION].n; k++)
-    all = exact_argument(&a->part[CONCLUSION].at[k], &a->part[PREMISES]);
-  if (!all) return false;
-  text_reset(out);
-  text_add(out, "follows from the premises, Coulomb's law (2) and the first-order systems of the phases, by exact "
-                "algebra on every admissible orbit");
-  return true;
-}
-
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
   struct text t;
   text_init(&t);
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
-  proved = proved || (!a->j->d->set && by_motion(&t, a));
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
     finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));

@@ -115,7 +115,8 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
   f->evidence[f->n_evidence - 1].worst = "the orbit nearest to the printed numbers, enclosed along the whole phase";
   w[1] = argument_add_route(f, a, "exponential", decided[1], false, NULL);
   bool all = !a->uses_friction;
-  if (a->uses_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE && a->j->effort == EFFORT_FULL)
+  if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&
+      a->j->effort == EFFORT_FULL)
     all = prove_for_all(f, a, o->admissible == TRUTH_TRUE);
   f->verdict = verdict_of(w, 2, all);
   arb_clear(d.value);

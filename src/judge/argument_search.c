@@ -217,7 +217,8 @@ const char *argument_rational(struct argument *a, const fmpq *q) {
   return result_take(a->j->out, &t);
 }
 
-static const char *scene_text(struct argument *a, const struct point *p) {
+/* The candidate's exact data, with that between them. */
+static const char *scene_text(struct argument *a, const struct point *p, const char *between) {
   struct text t;
   text_init(&t);
   static const struct {
@@ -226,7 +227,7 @@ static const char *scene_text(struct argument *a, const struct point *p) {
   } line[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
               {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
   for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) {
-    text_printf(&t, "%s%s = ", i ? "; " : "", line[i].name);
+    text_printf(&t, "%s%s = ", i ? between : "", line[i].name);
     num_print_q(&t, &p->q[line[i].q]);
   }
   return result_take(a->j->out, &t);
@@ -235,12 +236,13 @@ static const char *scene_text(struct argument *a, const struct point *p) {
 static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
                                     const struct argument_decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  const char *when = c->moving ? result_str(a->j->out, " at %.10g of phase %s", d->where, phase_name[c->phase]) : "";
-  return result_str(a->j->out,
-                    "on orbit %ld of the scene \"%s\" (one line each; e1 = %s, e2 = %s there) %s%s fails%s: "
-                    "its margin is %s",
-                    (long)p->orbit + 1, scene_text(a, p), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
-                    a->part[PREMISES].n ? "every premise holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
+  const char *when =
+      c->moving ? result_str(a->j->out, " after %.10g of the phase %s", d->where, phase_name[c->phase]) : "";
+  return result_str(
+      a->j->out,
+      "for %s (where e_1 = %s and e_2 = %s), on the periodic solution %ld, %s%s fails%s: its sides differ by %s",
+      scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), (long)p->orbit + 1,
+      a->part[PREMISES].n ? "every cited condition holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
 }
 
 /* Decides at a candidate; true when it is a counterexample. */
@@ -258,7 +260,7 @@ static bool settle(struct argument_tally *t, struct argument *a, const struct ca
     t->decided[1][d.by_exponentials]++;
   }
   if (counterexample) t->certificate = certificate_text(a, &p, o, &d);
-  if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p);
+  if (!t->nearest && d.premises == TRUTH_TRUE) t->nearest = scene_text(a, &p, "; ");
   point_clear(&p);
   arb_clear(d.value);
   return counterexample;

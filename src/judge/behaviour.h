@@ -74,6 +74,8 @@ bool orbit_is_new(struct orbit_set *set, const struct dyn_orbit *o);
 
 /* --- Evidence --- */
 
+/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
+const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct point *p, truth stable);
 /* A route's word, with evidence that says it; where and note may be NULL. */
 struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,
@@ -97,10 +99,10 @@ bool behaviour_family(struct family *f, struct behaviour *b, const char *vary);
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);
-/* Both routes' words on the same trials, of which the integration's decides, and the verdict. */
+/* Both routes' words on the same trials, of which the integration's decides, and the verdict: with that of a proof
+   (friction.h), where there is one. */
 void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note);
-/* Any bad one differs; none at all says nothing. */
+                        const char *where, const char *note, const struct route_result *proof);
 
 /* --- The checks --- */
 

@@ -172,10 +172,10 @@ static void conclude(struct behaviour *b, const struct found *t) {
       result_str(
           b->j->out,
           "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
-          "2 (c_2^2 + c_3) s^3 + ..., so that the orbit is stable when c_2^2 + c_3 > 0: %ld stable%s%s, %ld "
-          "unstable, %ld open",
-          t->stable, t->stable ? ", at (its parameter rounded) " : "", t->stable ? t->where : "", t->unstable,
-          t->open));
+          "2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable when c_2^2 + c_3 > 0. Of %ld solutions with "
+          "tr J = -1 that were found, %ld %s stable%s%s",
+          t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
+          t->stable ? ", for example at " : "", t->stable ? t->where : ""));
   w[1] = behaviour_route(b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false,
                          t->back + t->away + t->unsure, NULL,
                          result_str(b->j->out,

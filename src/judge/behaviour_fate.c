@@ -5,7 +5,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "behaviour.h"
+#include "friction.h"
 #include "value/coulomb_setup.h"
 #include "verdict.h"
 
@@ -83,15 +83,6 @@ static bool orbit_motion_make(struct orbit_motion *m, const struct point *p, con
   m->begin[0] = 0;
   for (int i = 0; i < 4; i++) m->begin[i + 1] = m->begin[i] + o->guess[i];
   return ok;
-}
-
-/* The admissible orbit of the parameters that is stable, or not; NULL when there is none. */
-static const struct dyn_orbit *pick_orbit(struct behaviour *b, const struct point *p, truth stable) {
-  const struct dyn_orbits *list = orbit_cache_get(b->j->cache, p->q, FD_PREC + 64);
-  for (slong i = 0; i < list->n; i++)
-    if (list->orbit[i].admissible == TRUTH_TRUE && list->orbit[i].stable == stable && !list->orbit[i].grazing)
-      return &list->orbit[i];
-  return NULL;
 }
 
 struct table {
@@ -219,7 +210,7 @@ static void scene_orbit_fates(struct behaviour *b) {
   point_init(&p);
   if (scene_has_forces(s)) {
     for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_set(&p.q[Q_CHI + k], &s->value[k]);
-    const struct dyn_orbit *orbit = pick_orbit(b, &p, TRUTH_FALSE);
+    const struct dyn_orbit *orbit = behaviour_pick_orbit(b, &p, TRUTH_FALSE);
     if (orbit && orbit_motion_make(&o, &p, orbit, OWN_FRICTION))
       for (int ph = 0; ph < N_PHASES; ph++)
         for (int d = 0; d < 2 * N_STATE; d++) {
@@ -285,13 +276,16 @@ bool behaviour_perturb(struct behaviour *b) {
   static const double friction[FRICTIONS] = {OWN_FRICTION, 2};
   struct orbit_motion o;
   struct table t[FRICTIONS];
-  struct route_result w[FRICTIONS * N_MOTION_ROUTES];
+  struct route_result w[FRICTIONS * N_MOTION_ROUTES + 1];
+  struct friction law;
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = behaviour_params(&p, b, claim_get(b->c, "at"));
-  const struct dyn_orbit *orbit = ok ? pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  bool ok = friction_open(&law, b) && behaviour_params(&p, b, claim_get(b->c, "at"));
+  const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  struct route_result proof = {.outcome = ROUTE_UNDECIDED};
+  if (ok) proof = stable_prove_conditional(b, &law, &p, orbit);
   for (int k = FRICTIONS - 1; ok && k >= 0; k--) {
     double slope = fabs(num_arb.get_d(orbit->trace));
     ok = orbit_motion_make(&o, &p, orbit, friction[k]) ||
@@ -302,11 +296,14 @@ bool behaviour_perturb(struct behaviour *b) {
   }
   for (int k = 0; ok && k < FRICTIONS; k++) judge_table(w + k * N_MOTION_ROUTES, b, &t[k], friction[k]);
   if (ok) {
-    b->f->verdict = verdict_of(w, FRICTIONS * N_MOTION_ROUTES, false);
+    bool proved = proof.outcome == ROUTE_AGREES;
+    w[FRICTIONS * N_MOTION_ROUTES] = proof;
+    b->f->verdict = verdict_of(w, FRICTIONS * N_MOTION_ROUTES + proved, proved);
     say_table(b, &t[0]);
     say_reach(b, &o);
     scene_orbit_fates(b);
   }
+  friction_close(&law);
   point_clear(&p);
   return ok;
 }

@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "behaviour.h"
+#include "friction.h"
 #include "num/calc.h"
 #include "value/values.h"
 #include "verdict.h"
@@ -102,11 +102,27 @@ static void compare_methods(struct methods *s, struct behaviour *b, const struct
   values_clear(&v);
 }
 
+/* The proof with the claim's own orbit.  false with d set. */
+static bool prove(struct route_result *proof, struct behaviour *b) {
+  struct friction f;
+  struct point p;
+  point_init(&p);
+  bool ok = friction_open(&f, b) && behaviour_params(&p, b, claim_get(b->c, "at"));
+  const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
+  if (o) *proof = stable_prove_linearization(b, &f, &p, o);
+  if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
+  point_clear(&p);
+  friction_close(&f);
+  return o != NULL;
+}
+
 bool behaviour_linearization(struct behaviour *b) {
   enum { WANTED = 24, DRAWS = 96 };
   const char *jumps = claim_get(b->c, "jumps");
   int method = jumps && strcmp(jumps, "saltation") == 0;
   struct methods s = {.where = NULL};
+  struct route_result w[3], proof = {.outcome = ROUTE_UNDECIDED};
+  if (method == 0 && !prove(&proof, b)) return false;
   struct sampler sampler;
   struct point p;
   sampler_init(&sampler, b->c->id, POINT_ORBIT, PHASE_D, NULL);
@@ -118,14 +134,13 @@ bool behaviour_linearization(struct behaviour *b) {
   point_clear(&p);
   const char *note = result_str(
       b->j->out,
-      "the product of the phases' propagators (the variational equation without what happens at the switches; its "
-      "determinant is 1, so it can never call an orbit stable) has a multiplier outside the unit circle at %ld orbit%s "
+      "the product of the phases' propagators (the variational equation without what happens at the switches) has a "
+      "multiplier outside the unit circle at %ld orbit%s "
       "where |tr J| > 1 and also at %ld where |tr J| < 1 (none is proved at %ld others); with saltation matrices at "
       "the switches linearization "
       "answers right at %ld orbits and wrong at %ld",
       s.right[0], s.right[0] == 1 ? "" : "s", s.wrong[0], s.open, s.right[1], s.wrong[1]);
   long right = s.right[method], wrong = s.wrong[method];
-  struct route_result w[2];
   w[0] = behaviour_route(b, "balls", "model",
                          wrong   ? ROUTE_AGREES
                          : right ? ROUTE_DIFFERS
@@ -139,6 +154,8 @@ bool behaviour_linearization(struct behaviour *b) {
                                         "from beside the orbits that the propagators call unstable and J stable the "
                                         "return map comes back at %ld and leaves at %ld",
                                         s.comes_back, s.leaves));
-  b->f->verdict = verdict_of(w, n, false);
+  bool proved = proof.outcome == ROUTE_AGREES;
+  if (proved) w[n++] = proof;
+  b->f->verdict = verdict_of(w, n, proved);
   return true;
 }

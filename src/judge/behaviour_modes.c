@@ -1,9 +1,9 @@
-/* Random motions watched by both routes: which modes occur, how they follow one another, and what jumps where. */
+/* Random motions watched by both routes: which modes occur, and how they follow one another. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "behaviour.h"
+#include "friction.h"
 #include "value/coulomb_setup.h"
 #include "verdict.h"
 
@@ -38,7 +38,7 @@ static void watch_modes(void *self, const struct motion *m, const struct traject
       *(obeys(&trajectory[r].row[i], m->params) ? &s->rows[r] : &s->bad[r]) += 1;
 }
 
-bool behaviour_modes(struct behaviour *b) {
+static void conclude_modes(struct behaviour *b, const struct route_result *proof) {
   struct modes s = {{0}, {0}, {0}};
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_modes, &s);
   struct text note;
@@ -52,8 +52,18 @@ bool behaviour_modes(struct behaviour *b) {
                   "belt, X x: one faster, one slower)");
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.rows[r], s.bad[r], 0);
-  behaviour_conclude(b, outcome, w.motions, NULL, result_take(b->j->out, &note));
-  return true;
+  behaviour_conclude(b, outcome, w.motions, NULL, result_take(b->j->out, &note), proof);
+}
+
+bool behaviour_modes(struct behaviour *b) {
+  struct friction f;
+  bool ok = friction_open(&f, b);
+  if (ok) {
+    struct route_result proof = events_prove_modes(b, &f);
+    conclude_modes(b, &proof);
+  }
+  friction_close(&f);
+  return ok;
 }
 
 /* --- Do D, Gamma, H, C cover what happens? --- */
@@ -134,7 +144,8 @@ static const char *from_rest(struct behaviour *b) {
     note = result_str(b->j->out, "; from rest with slack springs (simulate %s --start 0,0,0,0) the motion goes H%.*s",
                       s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
   else
-    note = result_str(b->j->out, "; from rest with slack springs at the scene's parameters no mass overruns the belt");
+    note =
+        result_str(b->j->out, "; from rest with slack springs and the data of the example no mass overruns the belt");
   text_clear(&word);
   trajectory_clear(&t);
   return note;
@@ -146,15 +157,15 @@ bool behaviour_configurations(struct behaviour *b) {
   struct watched w = behaviour_watch(b, 96, true, 24, 0.125, watch_visits, &v);
   watch_orbits(orbits, b);
   bool found = v.fastest > 0.1;
-  const char *note =
-      result_str(b->j->out,
-                 "of %ld motions that start with both masses sticking, as in (11), %ld leave D, Gamma, H and C: a mass "
-                 "overruns the belt, and (3), (5), (7) speak of z'_i < V only; of %ld admissible orbits of the word, "
-                 "%ld%s",
-                 w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
+  const char *note = result_str(
+      b->j->out,
+      "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
+      "mass becomes faster than the belt, while (3), (5) and (7) suppose z'_i < V; so do %ld of %ld admissible "
+      "periodic solutions%s",
+      w.motions, v.outside, orbits[1], orbits[0] + orbits[1], from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
-  behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note);
+  behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note, NULL);
   if (b->f->verdict != VERDICT_REFUTED) return true;
   struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
@@ -198,12 +209,9 @@ static void watch_switches(void *self, const struct motion *m, const struct traj
   }
 }
 
-bool behaviour_switches(struct behaviour *b) {
-  const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
-  bool to_stick = which && strcmp(which, "slip to stick") == 0;
-  if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
-    return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
-  struct switches s = {.to_stick = to_stick, .sliding_limit = limit && strcmp(limit, "u_s") == 0};
+static void conclude_switches(struct behaviour *b, bool to_stick, bool sliding_limit,
+                              const struct route_result *proof) {
+  struct switches s = {.to_stick = to_stick, .sliding_limit = sliding_limit};
   struct watched w = behaviour_watch(b, 96, false, 12, 0.25, watch_switches, &s);
   const char *note;
   if (to_stick)
@@ -214,72 +222,24 @@ bool behaviour_switches(struct behaviour *b) {
   else
     note = result_str(b->j->out,
                       "%ld motions, %ld masses break loose, each with its force at the limit; no sticking mass has a "
-                      "greater one. Where a force only touches the limit and turns back, (2) allows both",
+                      "greater one",
                       w.motions, s.good[0] + s.bad[0]);
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(s.good[r], s.bad[r], 0);
-  behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note);
-  return true;
+  behaviour_conclude(b, outcome, s.good[0] + s.bad[0], NULL, note, proof);
 }
 
-/* --- What jumps --- */
-
-struct jumps {
-  long loose, caught, rows;  /* masses that break loose, and that are caught or cross; steps between samples */
-  long bad[N_MOTION_ROUTES]; /* steps that jump, forces that do not jump by e_i */
-};
-
-/* Positions and velocities change between samples no faster than speeds and accelerations allow. */
-static bool continuous(const struct coulomb_row *a, const struct coulomb_row *b, const double p[N_COULOMB]) {
-  double h = b->t - a->t;
-  for (int i = 0; i < 2; i++) {
-    double f = 0, scale = i == 0 ? 1 : p[COULOMB_ETA];
-    for (int k = 0; k < 2; k++) f += fmax(fabs(a->x[k]), fabs(b->x[k])) + h * fmax(fabs(a->v[k]), fabs(b->v[k]));
-    double push = 2 * scale * (f + p[COULOMB_US1 + i]) + 1e-9;
-    if (fabs(b->v[i] - a->v[i]) > h * push) return false;
-    if (fabs(b->x[i] - a->x[i]) > h * (fmax(fabs(a->v[i]), fabs(b->v[i])) + h * push) + 1e-9) return false;
+bool behaviour_switches(struct behaviour *b) {
+  const char *which = claim_get(b->c, "transition"), *limit = claim_get(b->c, "limit");
+  bool to_stick = which && strcmp(which, "slip to stick") == 0, sliding = limit && strcmp(limit, "u_s") == 0;
+  if (!to_stick && !(which && strcmp(which, "stick to slip") == 0))
+    return claim_error(b->j, b->c, "transition", "\"slip to stick\" or \"stick to slip\"");
+  struct friction f;
+  bool ok = friction_open(&f, b);
+  if (ok) {
+    struct route_result proof = to_stick ? events_prove_stick(b, &f) : events_prove_slip(b, &f, sliding);
+    conclude_switches(b, to_stick, sliding, &proof);
   }
-  return true;
-}
-
-/* At an event x_i'' = u_i - f_i (times eta for i = 2) jumps by the jump of u_i: by e_i where a mass breaks loose, from
-   u_si to the restoring force where it is caught; the other mass's force does not jump. */
-static void watch_jumps(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]) {
-  struct jumps *s = self;
-  const double *p = m->params;
-  for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    for (size_t i = 0; i + 1 < trajectory[r].n_rows; i++) {
-      s->rows += r == 0;
-      s->bad[r] += !continuous(&trajectory[r].row[i], &trajectory[r].row[i + 1], p);
-    }
-    for (size_t i = 0; i < trajectory[r].log.n; i++) {
-      const struct coulomb_event *e = &trajectory[r].log.event[i];
-      int k = e->mass;
-      double f = k == 0 ? e->at.x[0] - p[COULOMB_CHI] * e->at.x[1] : p[COULOMB_CHI] * (e->at.x[1] - e->at.x[0]);
-      double before = e->from == MODE_STICK ? f : (e->from == MODE_BELOW ? 1 : -1) * p[COULOMB_US1 + k];
-      double jump = fabs(e->at.u[k] - before), e_k = p[COULOMB_UR1 + k] - p[COULOMB_US1 + k];
-      if (e->from == MODE_STICK) {
-        s->loose += r == 0;
-        s->bad[r] += fabs(jump - e_k) > 1e-7 * (1 + p[COULOMB_UR1 + k]);
-      } else {
-        s->caught += r == 0 && jump > 1e-6;
-      }
-    }
-  }
-}
-
-bool behaviour_jumps(struct behaviour *b) {
-  struct jumps s = {0};
-  struct watched w = behaviour_watch(b, 64, false, 12, 1.0 / 64, watch_jumps, &s);
-  const char *note = result_str(
-      b->j->out,
-      "%ld motions: at each of %ld breaks loose u_i falls from u_ri to u_si, by e_i, and x''_i leaves 0 by that jump; "
-      "at %ld of the catches and crossings u_i jumps from u_si to the restoring force (or to -u_si), and x''_i with "
-      "it; positions and velocities obey the bounds of a continuous motion over all %ld steps between samples",
-      w.motions, s.loose, s.caught, s.rows);
-  enum route_outcome outcome[N_MOTION_ROUTES];
-  for (int r = 0; r < N_MOTION_ROUTES; r++)
-    outcome[r] = outcome_of_counts(s.loose && s.caught ? s.rows : 0, s.bad[r], 0);
-  behaviour_conclude(b, outcome, s.loose + s.caught, NULL, note);
-  return true;
+  friction_close(&f);
+  return ok;
 }

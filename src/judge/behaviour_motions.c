@@ -188,10 +188,12 @@ struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, doubl
 }
 
 void behaviour_conclude(struct behaviour *b, const enum route_outcome outcome[N_MOTION_ROUTES], long trials,
-                        const char *where, const char *note) {
-  struct route_result w[N_MOTION_ROUTES];
+                        const char *where, const char *note, const struct route_result *proof) {
+  struct route_result w[N_MOTION_ROUTES + 1];
+  int n = 0;
+  if (proof && proof->outcome != ROUTE_UNDECIDED) w[n++] = *proof;
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
-                           r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+    w[n++] = behaviour_route(b, motion_route_name[r], "model", outcome[r], r == BY_INTEGRATION, trials,
+                             r == BY_INTEGRATION ? where : NULL, r == BY_INTEGRATION ? note : NULL);
+  b->f->verdict = verdict_of(w, n, n > N_MOTION_ROUTES);
 }

@@ -1,228 +1,12 @@
-/* The phase space and what starts in it: the dimension of each mode's set of states, linearity inside a mode, small
-   perturbations of the global stick phase, and orbits as fixed points. */
+/* What starts on admissible orbits: small perturbations of the global stick phase, and orbits as fixed points. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
-#include "behaviour.h"
+#include "friction.h"
 #include "proof/exact_law.h"
 #include "value/coulomb_setup.h"
 #include "verdict.h"
-
-enum { STATES = 24 };
-
-/* --- Dimension --- */
-
-/* States met in each mode by the motions of one set of parameters. */
-struct met {
-  double z[N_MODE_PAIRS][STATES][N_STATE];
-  int n[N_MODE_PAIRS];
-};
-
-static void meet(struct met *s, const struct coulomb_row *row) {
-  int k = mode_index(row->mode);
-  if (s->n[k] == STATES) return;
-  double *z = s->z[k][s->n[k]++];
-  for (int i = 0; i < 2; i++) {
-    z[Z_1 + i] = row->x[i];
-    z[DZ_1 + i] = row->v[i];
-  }
-}
-
-/* The dimension of the plane through the states: the rank of their differences, exact, since doubles are rationals. */
-static long affine_rank(const double z[][N_STATE], int n) {
-  fmpq_mat_t m;
-  fmpq_t first;
-  mpq_t q;
-  mpq_init(q);
-  fmpq_init(first);
-  fmpq_mat_init(m, n, N_STATE);
-  for (int i = 0; i < n; i++)
-    for (int k = 0; k < N_STATE; k++) {
-      mpq_set_d(q, z[i][k]);
-      fmpq_set_mpq(fmpq_mat_entry(m, i, k), q);
-      mpq_set_d(q, z[0][k]);
-      fmpq_set_mpq(first, q);
-      fmpq_sub(fmpq_mat_entry(m, i, k), fmpq_mat_entry(m, i, k), first);
-    }
-  long rank = (long)fmpq_mat_rref(m, m);
-  fmpq_mat_clear(m);
-  fmpq_clear(first);
-  mpq_clear(q);
-  return rank;
-}
-
-/* In how many of the four directions a state can be moved both ways without leaving its mode: the law alone decides. */
-static int free_directions(const double params[N_COULOMB], const double z[N_STATE]) {
-  enum coulomb_mode here[2], there[2];
-  int count = 0;
-  coulomb_law_d(here, params, z);
-  for (int k = 0; k < N_STATE; k++) {
-    bool stays = true;
-    for (int side = -1; side <= 1; side += 2) {
-      double moved[N_STATE];
-      memcpy(moved, z, sizeof moved);
-      moved[k] += side * 1e-9 * (1 + fabs(z[k]));
-      coulomb_law_d(there, params, moved);
-      stays = stays && there[0] == here[0] && there[1] == here[1];
-    }
-    count += stays;
-  }
-  return count;
-}
-
-static void meet_motions(struct met met[N_MOTION_ROUTES], struct motion *m, const char *id) {
-  enum { MOTIONS = 96 };
-  struct sampler s;
-  sampler_init(&s, id, POINT_PARAMS, PHASE_D, NULL);
-  motion_params(m, &s);
-  for (int i = 0; i < MOTIONS; i++) {
-    struct coulomb_plan plan = coulomb_plan_default;
-    plan.duration = 8;
-    plan.sample = 0.75;
-    motion_start(m, &s, i % 3 == 0);
-    for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      struct trajectory t = motion_simulate((enum motion_route)r, m, &plan);
-      for (size_t k = 1; k < t.n_rows; k++) meet(&met[r], &t.row[k]); /* the start may lie on a boundary */
-      trajectory_clear(&t);
-    }
-  }
-}
-
-/* "2 4" as the least and the greatest dimension. */
-static bool claimed_range(long range[2], struct behaviour *b) {
-  const char *text = claim_get(b->c, "range");
-  char *end = NULL;
-  if (text) range[0] = strtol(text, &end, 10);
-  if (text) range[1] = strtol(end, &end, 10);
-  return (text && *end == '\0' && range[0] >= 0 && range[1] <= N_STATE && range[0] <= range[1]) ||
-         claim_error(b->j, b->c, "range", "the least and the greatest dimension, as in \"2 4\"");
-}
-
-bool behaviour_dimension(struct behaviour *b) {
-  long claimed[2] = {0, 0};
-  if (!claimed_range(claimed, b)) return false;
-  struct met *met = ss_malloc(N_MOTION_ROUTES * sizeof *met);
-  struct motion m;
-  struct text note;
-  struct route_result w[N_MOTION_ROUTES];
-  memset(met, 0, N_MOTION_ROUTES * sizeof *met);
-  meet_motions(met, &m, b->c->id);
-  text_init(&note);
-  text_add(&note, "dimension of the states met in each mode, of both routes:");
-  for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    long least = N_STATE, most = 0, modes = 0, against = 0;
-    for (int k = 0; k < N_MODE_PAIRS; k++) {
-      if (met[r].n[k] <= N_STATE) continue;
-      long rank = affine_rank((const double(*)[N_STATE])met[r].z[k], met[r].n[k]);
-      for (int i = 0; i < met[r].n[k]; i++) against += free_directions(m.params, met[r].z[k][i]) != rank;
-      if (r == BY_INTEGRATION) text_printf(&note, " %c %ld", mode_letters[k], rank);
-      least = rank < least ? rank : least;
-      most = rank > most ? rank : most;
-      modes++;
-    }
-    bool all = modes == N_MODE_PAIRS && against == 0;
-    if (r == BY_INTEGRATION)
-      text_add(&note, against ? "; the law disagrees" : "; the law leaves as many directions free at each of them");
-    enum route_outcome outcome = !all                                        ? ROUTE_UNDECIDED
-                                 : least == claimed[0] && most == claimed[1] ? ROUTE_AGREES
-                                                                             : ROUTE_DIFFERS;
-    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome, r == BY_INTEGRATION, modes, NULL,
-                           r == BY_INTEGRATION ? result_str(b->j->out, "%s", text_str(&note)) : NULL);
-  }
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
-  text_clear(&note);
-  free(met);
-  return true;
-}
-
-/* --- Linearity inside a mode --- */
-
-/* The state after the time, if the motion stays in its mode so long. */
-static bool carried(double z[N_STATE], enum motion_route r, const struct motion *m, double time) {
-  struct coulomb_plan plan = coulomb_plan_default;
-  plan.duration = time;
-  struct trajectory t = motion_simulate(r, m, &plan);
-  bool ok = t.status == SS_OK && t.log.n == 0;
-  for (int i = 0; i < 2; i++) {
-    z[Z_1 + i] = t.result.at.x[i];
-    z[DZ_1 + i] = t.result.at.v[i];
-  }
-  trajectory_clear(&t);
-  return ok;
-}
-
-/* A start and two others beside it in the same mode, and the fourth corner of the parallelogram. */
-static bool corners(struct motion m[4], struct sampler *s) {
-  enum coulomb_mode mode[2], other[2];
-  struct point p;
-  point_init(&p);
-  motion_start(&m[0], s, false);
-  coulomb_law_d(mode, m[0].params, m[0].start);
-  m[3] = m[0];
-  for (int i = 1; i <= 2; i++) {
-    sampler_next(&p, s);
-    m[i] = m[0];
-    for (int k = 0; k < N_STATE; k++) {
-      double step = fmpq_get_d(&p.q[Q_Z1 + k]) / 16;
-      if (k >= DZ_1 && mode[k - DZ_1] == MODE_STICK) continue;
-      m[i].start[k] += step;
-      m[3].start[k] += step;
-    }
-  }
-  point_clear(&p);
-  bool same = true;
-  for (int i = 1; i < 4; i++) {
-    coulomb_law_d(other, m[i].params, m[i].start);
-    same = same && other[0] == mode[0] && other[1] == mode[1];
-  }
-  return same;
-}
-
-bool behaviour_linear(struct behaviour *b) {
-  enum { DRAWS = 400, EACH = 4 };
-  long tried[N_MODE_PAIRS] = {0}, good[N_MOTION_ROUTES] = {0}, bad[N_MOTION_ROUTES] = {0}, modes = 0, total = 0;
-  struct sampler s;
-  sampler_init(&s, b->c->id, POINT_PARAMS, PHASE_D, NULL);
-  for (int i = 0; i < DRAWS; i++) {
-    struct motion m[4];
-    double z[N_MOTION_ROUTES][4][N_STATE];
-    enum coulomb_mode mode[2];
-    motion_params(&m[0], &s);
-    if (!corners(m, &s)) continue;
-    coulomb_law_d(mode, m[0].params, m[0].start);
-    int letter = mode_index(mode);
-    bool stays = tried[letter] < EACH;
-    for (int r = 0; r < N_MOTION_ROUTES; r++)
-      for (int k = 0; stays && k < 4; k++) stays = carried(z[r][k], (enum motion_route)r, &m[k], 0.375);
-    if (!stays) continue;
-    tried[letter]++;
-    total++;
-    modes += tried[letter] == 1;
-    for (int r = 0; r < N_MOTION_ROUTES; r++) {
-      double worst = 0, size = 1;
-      for (int k = 0; k < N_STATE; k++) {
-        worst = fmax(worst, fabs(z[r][0][k] - z[r][1][k] - z[r][2][k] + z[r][3][k]));
-        size = fmax(size, fabs(z[r][0][k]));
-      }
-      *(worst < 1e-9 * size ? &good[r] : &bad[r]) += 1;
-    }
-  }
-  struct route_result w[N_MOTION_ROUTES];
-  const char *note = result_str(b->j->out,
-                                "differences of motions add up inside a mode: %ld quadruples of starts in %ld of the "
-                                "nine modes",
-                                total, modes);
-  for (int r = 0; r < N_MOTION_ROUTES; r++) {
-    enum route_outcome outcome = bad[r]                             ? ROUTE_DIFFERS
-                                 : good[r] && modes == N_MODE_PAIRS ? ROUTE_AGREES
-                                                                    : ROUTE_UNDECIDED;
-    w[r] = behaviour_route(b, motion_route_name[r], "model", outcome, r == BY_INTEGRATION, total, NULL,
-                           r == BY_INTEGRATION ? note : NULL);
-  }
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
-  return true;
-}
 
 /* --- Admissible orbits --- */
 
@@ -340,6 +124,13 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
 }
 
 bool behaviour_fixed_points(struct behaviour *b) {
-  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start", false);
-  return true;
+  struct friction f;
+  bool ok = friction_open(&f, b);
+  if (ok) {
+    struct route_result proof = phases_prove_motion(b, &f);
+    judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start",
+                 proof.outcome == ROUTE_AGREES);
+  }
+  friction_close(&f);
+  return ok;
 }

@@ -82,12 +82,22 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
                   result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
                              ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
     if (apart)
-      f->effect = result_str(
-          j->out,
-          "from the printed start the motion does not close: after one period it is off by %s in z_1 and by %s in z_2",
-          ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
+      f->effect = result_str(j->out,
+                             "the motion from the printed initial state does not close: after one period z_1 has "
+                             "changed by %s and z_2 by %s",
+                             ball_text(j, gap + 1, 5), ball_text(j, gap + 2, 5));
   }
   _arb_vec_clear(v, 11);
+}
+
+/* An end of the ball, rounded away from it. */
+static double bound(const arb_t x, bool lower) {
+  arf_t end;
+  arf_init(end);
+  (lower ? arb_get_lbound_arf : arb_get_ubound_arf)(end, x, FIRST_PREC);
+  double d = arf_get_d(end, lower ? ARF_RND_FLOOR : ARF_RND_CEIL);
+  arf_clear(end);
+  return d;
 }
 
 bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -108,8 +118,11 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
-    note = result_str(j->out, "After one period r = z_2 - z_1 is off its start by %s%s.", ball_text(j, gap, 4),
-                      apart ? ", which excludes 0: no start with these digits is periodic" : "");
+    note = result_str(
+        j->out,
+        "For every initial state with the printed digits, z_2 - z_1 changes during one period by between %.3g "
+        "and %.3g%s",
+        bound(gap, true), bound(gap, false), apart ? ": none of them is periodic." : ".");
   finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
                     note);
   w.trials = s == SS_OK;

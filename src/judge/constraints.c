@@ -10,7 +10,7 @@
 
 #include "explore/family.h"
 #include "judge.h"
-#include "proof/condition.h"
+#include "proof/exact_constraints.h"
 #include "value/coulomb_setup.h"
 #include "value/expression.h"
 #include "value/orbit_pool.h"
@@ -243,6 +243,35 @@ static struct route_result add(struct finding *f, struct constraints *x, const c
   return w;
 }
 
+/* The closed form of the attribute, for exact algebra. */
+static bool least_is_exact(struct constraints *x, int i) {
+  const char *formula = claim_get(x->c, least_attribute[i]), *section = claim_get(x->c, "section");
+  struct elaboration el;
+  struct tape tape = {.n = 0};
+  struct matrix m;
+  elaboration_init(&el, x->view, NULL, 0);
+  bool ok = elaborate_text(&m, &el, formula, formula, section ? section : "", x->j->d) && m.rows * m.cols == 1;
+  if (ok)
+    ok = elaboration_tape(&tape, &el, (const struct expr *const *)m.e, 1, x->j->d) && exact_least_friction(&tape, i);
+  tape_clear(&tape);
+  elaboration_clear(&el);
+  return ok;
+}
+
+static bool prove(struct finding *f, struct constraints *x) {
+  if (!exact_constraints(&x->paper) || !least_is_exact(x, 0) || !least_is_exact(x, 1)) return false;
+  struct evidence *e = finding_add(f, x->j->out);
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = "proved";
+  e->note =
+      "each of the paper's constraints follows, on motions made from the first-order systems, from t_a > 0 and what "
+      "Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; u_ri + f_i, f_i "
+      "being the force on mass i, is twice u_ri less its closed form where the mass begins to stick, and does not "
+      "decrease while it sticks";
+  return true;
+}
+
 static void describe(struct finding *f, struct constraints *x) {
   struct route_result w[2];
   const char *note = result_str(
@@ -260,7 +289,7 @@ static void describe(struct finding *f, struct constraints *x) {
   w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
-  f->verdict = verdict_of(w, 2, false);
+  f->verdict = verdict_of(w, 2, x->j->effort == EFFORT_FULL && prove(f, x));
 }
 
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

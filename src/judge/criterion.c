@@ -317,7 +317,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     int n;
     if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, "the printed numbers, taken exactly",
-                    result_str(j->out, "the paper's chain gives tr J = %s", ball_text(j, tr, 8)));
+                    result_str(j->out, "J by the formulas of the paper has tr J = %s", ball_text(j, tr, 8)));
     }
     _arb_vec_clear(tr, 16);
   }

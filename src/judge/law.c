@@ -9,19 +9,12 @@
 #include <string.h>
 
 #include "judge.h"
-#include "num/calc.h"
-#include "proof/condition.h"
+#include "law.h"
+#include "motion/coulomb.h"
 
-enum branch { SLIPS, STICKS, BREAKS, N_BRANCHES };
-static const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
+const char *const branch_name[N_BRANCHES] = {"slips", "sticks", "breaks"};
 
-struct law {
-  struct judge *j;
-  struct conditions branch[N_BRANCHES];
-  struct sentence heading; /* over the branches of a mass that has the belt's velocity */
-  bool headed;
-  char names[2][16]; /* of the mass's sliding and static friction */
-  int mass;
+struct tally {
   long as_said[2], against[2]; /* balls, integration */
   const char *where;
 };
@@ -175,7 +168,7 @@ static void draw(struct state *s, uint64_t *state, int nth, int mass) {
   }
 }
 
-static void try_states(struct law *l) {
+static void try_states(struct tally *n, const struct law *l) {
   enum { STATES = 32 };
   uint64_t state = 1;
   for (int i = 0; i < STATES; i++) {
@@ -186,14 +179,79 @@ static void try_states(struct law *l) {
     for (int route = 0; route < (l->j->effort == EFFORT_REFUTE ? 1 : 2); route++) {
       double force = route ? simulated_force(&b, &eps, &s, l->mass) : law_force(&b, &eps, &s, l->mass);
       truth ok = isnan(force) ? TRUTH_UNKNOWN : text_agrees(l, &s, b, eps, force, ldexp(1 + fabs(force), -44));
-      l->as_said[route] += ok == TRUTH_TRUE;
-      l->against[route] += ok == TRUTH_FALSE;
-      if (ok == TRUTH_FALSE && !l->where)
-        l->where =
+      n->as_said[route] += ok == TRUTH_TRUE;
+      n->against[route] += ok == TRUTH_FALSE;
+      if (ok == TRUTH_FALSE && !n->where)
+        n->where =
             result_str(l->j->out, "chi = %g, x_1 = %g, x_2 = %g, u_r%d = %g, u_s%d = %g, where the mass %s", s.chi,
                        s.x[0], s.x[1], l->mass + 1, s.limit[l->mass], l->mass + 1, s.slide[l->mass], branch_name[b]);
     }
   }
+}
+
+/* --- All states --- */
+
+/* Does the text give Coulomb's friction on the whole cell, by the branch that it names for such states alone? */
+static bool cell_agrees(const struct law *l, struct law_cell cell) {
+  struct law_state s;
+  law_state_open(&s);
+  law_state_in(&s, cell);
+  bool sticks = cell.pull == PULL_INSIDE;
+  val f = law_pull(&s, l->mass), slide = s.slide[l->mass];
+  int eps = cell.speed ? cell.speed : cell.side;
+  val coulomb = sticks ? f : eps < 0 ? calc_neg(&s.c, slide) : slide;
+  struct law_answer a = law_answer(l, &s, cell.speed);
+  truth headed = law_headed(l, &s);
+  bool ok = a.n == 1 && law_sign(&s, calc_sub(&s.c, a.u, coulomb)) == 0;
+  ok = ok && a.b == (cell.speed ? SLIPS : sticks ? STICKS : BREAKS) && (sticks || a.eps == eps);
+  ok = ok && (!l->headed || headed == (cell.speed ? TRUTH_FALSE : TRUTH_TRUE));
+  law_state_close(&s);
+  return ok;
+}
+
+/* How many branches apply where f is at a limit; -1: not decided. */
+static int at_limit(const struct law *l, int side) {
+  struct law_state s;
+  law_state_open(&s);
+  law_state_in(&s, (struct law_cell){l->mass, 0, PULL_AT, side});
+  int n = law_answer(l, &s, 0).n;
+  law_state_close(&s);
+  return n;
+}
+
+/* The finite split of all states: slower and faster than the belt, and with its velocity inside the limits and beyond
+   either; f = +-u_r is left, of which the paper's text may say nothing, but not two things. */
+static bool prove_law(struct finding *f, const struct law *l) {
+  const struct law_cell cell[] = {{l->mass, 1, PULL_ANY, 1},
+                                  {l->mass, -1, PULL_ANY, 1},
+                                  {l->mass, 0, PULL_INSIDE, 1},
+                                  {l->mass, 0, PULL_BEYOND, 1},
+                                  {l->mass, 0, PULL_BEYOND, -1}};
+  bool all = true;
+  for (size_t i = 0; i < sizeof cell / sizeof *cell; i++) all = all && cell_agrees(l, cell[i]);
+  int n[] = {at_limit(l, 1), at_limit(l, -1)};
+  if (!all || n[0] < 0 || n[1] < 0 || n[0] > 1 || n[1] > 1) {
+    finding_state(f, l->j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
+                  "not proved: the signs of the conditions are not those of Coulomb's law in every case");
+    return false;
+  }
+  struct evidence *e = finding_add(f, l->j->out);
+  int m = l->mass + 1;
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = "proved";
+  e->note = result_str(
+      l->j->out,
+      "finite split of cases, exact in each: with f = %s, one branch alone applies and gives Coulomb's friction where "
+      "x'_%d < V (u_s%d), x'_%d > V (-u_s%d), and, at x'_%d = V, where |f| < u_r%d (f), f > u_r%d (u_s%d) and "
+      "f < -u_r%d (-u_s%d).%s",
+      l->mass ? "chi (x_2 - x_1)" : "x_1 - chi x_2", m, m, m, m, m, m, m, m, m, m,
+      n[0] + n[1] ? ""
+                  : result_str(l->j->out,
+                               " At x'_%d = V with |f| = u_r%d neither condition holds: (2) leaves the friction open "
+                               "there, and says nothing of a force that touches the limit and turns back",
+                               m, m));
+  return true;
 }
 
 /* The heading is the claim's, or a correction in its place. */
@@ -228,35 +286,46 @@ static void read_names(struct law *l) {
   typed_name(l->names[1], second + 1, strlen(second + 1), l->mass);
 }
 
-bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  static const char *const route[2] = {"balls", "integration"};
-  struct law l = {.j = j};
+bool law_read(struct law *l, struct judge *j, const struct claim *c, struct view view) {
+  *l = (struct law){.j = j};
   const char *mass = claim_get(c, "mass");
   bool ok = (mass && (strcmp(mass, "1") == 0 || strcmp(mass, "2") == 0)) || claim_error(j, c, "mass", "1 or 2");
-  l.mass = ok && mass[0] == '2';
+  l->mass = ok && mass[0] == '2';
   for (int b = 0; ok && b < N_BRANCHES; b++) {
-    ok = conditions_read(&l.branch[b], j, c, branch_name[b], view);
-    if (ok && l.branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
+    ok = conditions_read(&l->branch[b], j, c, branch_name[b], view);
+    if (ok && l->branch[b].n == 0) ok = claim_error(j, c, branch_name[b], "the statements of this branch are needed");
   }
   struct reread in;
-  if (ok) read_names(&l);
-  ok = ok && read_heading(&l, &in, c, view);
+  if (ok) read_names(l);
+  return ok && read_heading(l, &in, c, view);
+}
+
+void law_clear(struct law *l) {
+  for (int b = 0; b < N_BRANCHES; b++) conditions_clear(&l->branch[b]);
+  if (l->headed) sentence_clear(&l->heading);
+}
+
+bool judge_law(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  static const char *const route[2] = {"balls", "integration"};
+  struct law l;
+  bool ok = law_read(&l, j, c, view);
   if (ok) {
     struct route_result w[2];
-    try_states(&l);
+    struct tally n = {.where = NULL};
+    try_states(&n, &l);
+    bool proved = j->effort != EFFORT_REFUTE && prove_law(f, &l);
     for (int i = 0; i < 2; i++) {
-      long trials = l.as_said[i] + l.against[i];
-      w[i] = (struct route_result){route[i], outcome_of_counts(l.as_said[i], l.against[i], 0), i == 0, trials};
+      long trials = n.as_said[i] + n.against[i];
+      w[i] = (struct route_result){route[i], outcome_of_counts(n.as_said[i], n.against[i], 0), i == 0, trials};
       finding_add_route(
-          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : l.where,
+          f, j->out, w[i], layer_name[LAYER_CORRECTED], i ? -1 : FIRST_PREC, i ? NULL : n.where,
           result_str(j->out,
                      "at %ld of %ld states, at and beside the belt's velocity, one branch alone applies%s, and "
                      "gives the friction of the law",
-                     l.as_said[i], trials, l.headed ? ", under its heading" : ""));
+                     n.as_said[i], trials, l.headed ? ", under its heading" : ""));
     }
-    f->verdict = verdict_of(w, 2, false);
+    f->verdict = verdict_of(w, 2, proved);
   }
-  for (int b = 0; b < N_BRANCHES; b++) conditions_clear(&l.branch[b]);
-  if (l.headed) sentence_clear(&l.heading);
+  law_clear(&l);
   return ok;
 }

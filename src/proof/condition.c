@@ -45,6 +45,7 @@ static bool build(struct condition *c, bool *scalar, struct judge *j, const stru
   const struct expr *margin = expr_op2(&c->s.el.pool, EXPR_SUB, less ? b.e[0] : a.e[0], less ? a.e[0] : b.e[0]);
   if (!elaboration_tape(&c->s.tape, &c->s.el, &margin, 1, j->d)) return false;
   c->equality = st->ops[k] == REL_EQ;
+  c->strict = st->ops[k] == REL_LT || st->ops[k] == REL_GT;
   for (int m = 0; m < N_MOVING; m++) {
     c->input[m] = -1;
     for (slong i = 0; i < c->s.tape.n_inputs; i++)

@@ -16,7 +16,7 @@ struct condition {
   struct sentence s;    /* its tape gives the margin */
   const char *text;     /* as written */
   const char *equation; /* the paper's number of it, or NULL */
-  bool equality;
+  bool equality, strict;
   bool moving; /* along `phase`; else at the switching times alone */
   enum phase phase;
   slong input[N_MOVING]; /* index among the tape's inputs, or -1 */

@@ -14,36 +14,58 @@ static val named(struct calc *c, struct exact_motion *m, const char *name) {
   return z;
 }
 
-/* u_ri - f_i and, with friction, u_ri + f_i. */
-static int sticking(struct num_vec *out, int n, struct calc *c, struct exact_motion *m, int mass,
-                    const char *const z[2]) {
-  val z1 = named(c, m, z[0]), z2 = named(c, m, z[1]), chi = at(&m->params, P_CHI);
-  val f = mass ? calc_mul(c, chi, calc_sub(c, z2, z1)) : calc_sub(c, z1, calc_mul(c, chi, z2));
-  calc_store(c, at(out, n++), calc_sub(c, named(c, m, mass ? "e_2" : "e_1"), f));
-  if (!m->realistic) return n;
-  val limit = calc_add(c, named(c, m, mass ? "u_r2" : "u_r1"), named(c, m, mass ? "u_s2" : "u_s1"));
-  calc_store(c, at(out, n++), calc_add(c, limit, f));
-  return n;
+struct law {
+  struct num_vec *margin;
+  struct exact_bound bound[EXACT_CONDITIONS];
+  int n;
+};
+
+static void add(struct law *law, struct calc *c, val margin, struct exact_bound bound) {
+  calc_store(c, at(law->margin, law->n), margin);
+  law->bound[law->n++] = bound;
 }
 
-int exact_law_margins(struct num_vec *out, struct exact_motion *m) {
+/* u_ri - f_i and, with friction, u_ri + f_i. */
+static void add_force(struct law *law, struct calc *c, struct exact_motion *m, struct exact_bound bound,
+                      const char *const z[2]) {
+  bool second = bound.mass == 1;
+  val z1 = named(c, m, z[0]), z2 = named(c, m, z[1]), chi = at(&m->params, P_CHI);
+  val f = second ? calc_mul(c, chi, calc_sub(c, z2, z1)) : calc_sub(c, z1, calc_mul(c, chi, z2));
+  add(law, c, calc_sub(c, named(c, m, second ? "e_2" : "e_1"), f), bound);
+  if (!m->realistic) return;
+  val limit = calc_add(c, named(c, m, second ? "u_r2" : "u_r1"), named(c, m, second ? "u_s2" : "u_s1"));
+  bound.lower = true;
+  add(law, c, calc_add(c, limit, f), bound);
+}
+
+int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m) {
   static const bool sticks[N_PHASES][2] = {
       [PHASE_D] = {true, true}, [PHASE_GAMMA] = {false, true}, [PHASE_H] = {false, false}, [PHASE_C] = {true, false}};
   static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
   if (!m->admissible || m->attempt.time != TIME_INSIDE) return 0;
   struct calc c = exact_calc(m->field);
-  int n = 0;
+  struct law law = {.margin = out};
   for (int mass = 0; mass < 2; mass++) {
     if (sticks[m->phase][mass]) {
-      n = sticking(out, n, &c, m, mass, now);
-      n = sticking(out, n, &c, m, mass, name_state[m->phase]);
+      add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true}, now);
+      add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true, .start = true}, name_state[m->phase]);
     } else {
-      calc_store(&c, at(out, n++), calc_sub(&c, at(&m->params, P_V), named(&c, m, speed[mass])));
+      val margin = calc_sub(&c, at(&m->params, P_V), named(&c, m, speed[mass]));
+      add(&law, &c, margin, (struct exact_bound){.mass = mass});
     }
   }
+  for (int i = 0; bound && i < law.n; i++) bound[i] = law.bound[i];
   int s = c.status;
   calc_clear(&c);
-  return s == SS_OK ? n : 0;
+  return s == SS_OK ? law.n : 0;
+}
+
+void exact_orbit_init(struct exact_motion *m, enum phase ph, int anchor, enum exact_time time, bool friction) {
+  const struct tape none = {.n = 0};
+  const struct point_spec spec = {.kind = POINT_ORBIT, .phase = ph, .admissible = true, .realistic = friction};
+  const struct exact_attempt attempt = {.modes = ph == PHASE_H, .anchor = anchor, .time = time};
+  exact_motion_init(m, &attempt, &spec, false, NULL, &none);
+  m->first_state = 0;
 }
 
 /* --- What follows --- */
@@ -93,21 +115,18 @@ static bool slope_of(element *slope, struct exact_motion *m, const element *x, c
 }
 
 bool exact_law_reach(struct text reach[2]) {
-  const struct tape none = {.n = 0};
-  const struct point_spec spec = {.kind = POINT_ORBIT, .phase = PHASE_D, .admissible = true, .realistic = true};
-  const struct exact_attempt attempt = {.anchor = 4, .time = TIME_INSIDE};
   struct exact_motion m;
-  exact_motion_init(&m, &attempt, &spec, false, NULL, &none);
-  m.first_state = 0;
+  exact_orbit_init(&m, PHASE_D, 4, TIME_INSIDE, true);
   struct calc c = exact_calc(m.field);
+  struct exact_bound bound[EXACT_CONDITIONS];
   struct num_vec margins = calc_vec(&c, EXACT_CONDITIONS), both = calc_vec(&c, 2), slope = calc_vec(&c, 2);
-  int n = exact_law_margins(&margins, &m);
+  int n = exact_law_margins(&margins, bound, &m);
   bool ok = n == EXACT_CONDITIONS;
   for (int i = 0; ok && i < n; i++) {
-    int mass = i >= n / 2;
+    int mass = bound[i].mass;
     ok = slope_of(at(&slope, 0), &m, at(&margins, i), "z_10") && slope_of(at(&slope, 1), &m, at(&margins, i), "z_20");
     val sum = calc_add(&c, at(&slope, 0), at(&slope, 1));
-    ok = ok && c.status == SS_OK && (i % (n / 2) == 0 || exact_equal(m.field, sum, at(&both, mass)));
+    ok = ok && c.status == SS_OK && (num_exact.is_zero(at(&both, mass)) || exact_equal(m.field, sum, at(&both, mass)));
     if (ok) num_exact.set(at(&both, mass), sum);
   }
   for (int mass = 0; ok && mass < 2; mass++) exact_print(&reach[mass], m.field, at(&both, mass));

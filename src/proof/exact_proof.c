@@ -72,7 +72,7 @@ static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmp
   if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
   struct calc c = exact_calc(m->field);
   struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
-  int n = exact_law_margins(&law, m);
+  int n = exact_law_margins(&law, NULL, m);
   const fmpz_mpoly_q_struct *margin = op == REL_LT ? calc_neg(&c, d) : d;
   bool less = op == REL_LT || op == REL_GT, plain = less && exact_follows(m, margin, &law, 0);
   bool by_law = less && !plain && exact_follows(m, margin, &law, n);
@@ -430,7 +430,7 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
       {KIND_BEHAVIOUR, "about simulated motions"},
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
       {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
-      {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+      {KIND_CONSTRAINTS, "the list is not shown to be what (2) asks, by exact algebra"},
       {KIND_EXISTENCE, "solutions are found at points"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)

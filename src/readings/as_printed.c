@@ -54,6 +54,8 @@ static void add_list(struct text *out, int n, int i, const char *name) {
 }
 
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
+  static const char *const name[] = {"chi", "eta", "V", "e_1", "e_2"};
+  _Static_assert(sizeof name / sizeof *name == N_SCENE_PARAMS, "the scene's parameters");
   struct text t, same, where;
   long digits[N_X], least = PRECISION;
   int n_same = 0, n = 0;
@@ -65,9 +67,15 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
     n_same += digits[i] > 0;
     if (digits[i] > 0 && digits[i] < least) least = digits[i];
   }
-  point_print(&where, p);
-  text_printf(&t, "Solving (12), (14), (16) and (18) with the formula as printed, at %s, an admissible orbit, gives ",
-              text_str(&where));
+  for (int k = 0; k < N_SCENE_PARAMS; k++) {
+    text_printf(&where, "%s%s = ", k == 0 ? "" : k + 1 == N_SCENE_PARAMS ? " and " : ", ", name[k]);
+    num_print_q(&where, &p->q[Q_CHI + k]);
+  }
+  text_printf(
+      &t,
+      "For %s, where there is an admissible periodic solution, the equations (12), (14), (16) and (18) with the "
+      "formula as printed give ",
+      text_str(&where));
   for (int i = 0; i < X_E1; i++) {
     if (digits[i] > 0)
       add_list(&same, n_same, n++, orbit_number_name(i));
@@ -75,7 +83,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
       text_printf(&t, "%s = %s instead of %s, ", orbit_number_name(i), ball_text(j, x + i, SHOWN),
                   ball_text(j, orbit_number(o, i), SHOWN));
   }
-  if (n_same) text_printf(&t, "and the same %s, to %ld digits.", text_str(&same), least);
+  if (n_same) text_printf(&t, "and the same values of %s, to %ld digits.", text_str(&same), least);
   text_clear(&where);
   text_clear(&same);
   return n_same < X_E1 ? result_take(j->out, &t) : (text_clear(&t), NULL);

@@ -19,6 +19,46 @@ static void add_counts(struct text *out, const struct audit_result *r) {
   text_printf(out, "| total | %ld | %ld |\n\n", statements, checks);
 }
 
+/* Definitions assert nothing. */
+static void add_decided(struct text *out, const struct audit_result *r) {
+  long count[N_VERDICTS], asserted = audit_result_count(count, r, OF_PAPER) - count[VERDICT_DEFINITION];
+  long decided = count[VERDICT_PROVED] + count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
+  if (asserted > 0)
+    text_printf(
+        out,
+        "Of the %ld statements of the paper that assert something %ld (%ld %%) are decided: proved, conditional "
+        "or refuted.\n\n",
+        asserted, decided, 100 * decided / asserted);
+}
+
+/* What is wrong, in order of consequence; slips of notation are a list behind it. */
+static void add_roots(struct text *out, const struct audit_result *r) {
+  struct sheet s = {out, false};
+  int last = -1;
+  for (size_t i = 0; i < r->n_roots; i++) {
+    const struct root_cause *root = &r->roots[i];
+    static const char *const heading[N_SEVERITIES] = {"What changes a result, in order of consequence", "Remarks",
+                                                      "Slips of notation"};
+    if (last != (int)root->severity) text_printf(out, "%s## %s\n\n", i ? "\n" : "", heading[root->severity]);
+    last = (int)root->severity;
+    text_add(out, "- **");
+    sheet_text(&s, root->where);
+    text_add(out, "**: ");
+    sheet_text(&s, root->title);
+    text_add(out, ". ");
+    sheet_text(&s, root->wrong);
+    text_add(out, " *It should read:* ");
+    sheet_text(&s, root->correct);
+    if (root->severity == SEVERITY_SUBSTANCE) {
+      text_add(out, " *Consequence:* ");
+      sheet_text(&s, root->consequence);
+    }
+    for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (", root->claims[k]);
+    text_add(out, ")\n");
+  }
+  if (r->n_roots) text_add_char(out, '\n');
+}
+
 static void add_finding(struct text *out, const struct finding *f) {
   text_printf(out, "### %s: %s\n\n", f->id, f->title);
   if (f->quote) text_printf(out, "- paper: %s\n", f->quote);
@@ -248,7 +288,9 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   if (r->paper_text)
     text_printf(out, "The paper's text that is quoted, as its tokens: `%s` (`stickslip quotes FILE`).\n\n",
                 r->paper_text);
+  add_roots(out, r);
   add_counts(out, r);
+  add_decided(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", finding_unexpected);

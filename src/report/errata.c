@@ -55,6 +55,17 @@ static void stop(const struct sheet *s) {
   if (s->out->len && s->out->data[s->out->len - 1] != '.') text_add_char(s->out, '.');
 }
 
+/* A sentence of the record, which begins with a small letter. */
+static void sheet_sentence(const struct sheet *s, const char *text) {
+  struct text t;
+  text_init(&t);
+  text_add_char(&t, *text >= 'a' && *text <= 'z' ? (char)(*text - 'a' + 'A') : *text);
+  text_add(&t, *text ? text + 1 : "");
+  sheet_prose(s, text_str(&t));
+  stop(s);
+  text_clear(&t);
+}
+
 static const struct finding *named(const struct audit_result *r, const char *id) {
   for (size_t i = 0; i < r->n_findings; i++)
     if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
@@ -87,17 +98,17 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
 
 static void add_root(const struct sheet *s, const struct audit_result *r, const struct root_cause *root, int number) {
   begin_item(s, number);
-  strong(s, root->title);
-  text_add(s->out, " (");
-  sheet_text(s, root->where);
-  text_add(s->out, ")");
+  strong(s, root->where);
+  text_add(s->out, ": ");
+  sheet_text(s, root->title);
+  stop(s);
   add_printed(s, r, root);
   label(s, "Should read");
   sheet_text(s, root->correct);
   label(s, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) {
-    text_add_char(s->out, ' ');
+    text_add(s->out, s->tex ? " \\emph{By hand:} " : " *By hand:* ");
     sheet_text(s, root->by_hand);
   }
   if (root->severity == SEVERITY_SUBSTANCE) {
@@ -229,9 +240,20 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = named(r, "text-periodic");
   if (!f || !finding_fails(f) || !f->effect) return;
-  sheet_prose(s, f->effect);
-  stop(s);
+  sheet_sentence(s, f->effect);
   paragraph(s);
+}
+
+/* "chi = 1/2, ..., orbit 2" */
+static void add_place(const struct sheet *s, const char *where) {
+  const char *orbit = strstr(where, ", orbit ");
+  struct text t;
+  text_init(&t);
+  text_add_n(&t, where, orbit ? (size_t)(orbit - where) : strlen(where));
+  sheet_prose(s, text_str(&t));
+  if (orbit) text_printf(s->out, " (periodic solution %s by increasing $z_{10}$)", orbit + strlen(", orbit "));
+  stop(s);
+  text_clear(&t);
 }
 
 /* A result that changes, with its example. */
@@ -251,8 +273,7 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
   }
   if (!last) return;
   text_add(s->out, " at ");
-  sheet_prose(s, last->where);
-  text_add(s->out, ". ");
+  add_place(s, last->where);
 }
 
 static bool has_change(const struct consequence *q) {
@@ -267,17 +288,15 @@ static void add_evidence(const struct sheet *s, const struct audit_result *r, co
     const struct finding *f = named(r, root->claims[i]);
     const struct consequence *q = audit_result_consequence(r, root->claims[i]);
     const struct evidence *e = f ? failure_evidence(f) : NULL;
-    if (!f || failure_is_number(f) || (q && !has_change(q)) || (!q && (!e || !e->note))) continue;
+    bool changes = has_change(q);
+    if (!f || failure_is_number(f) || (!changes && (!e || !e->note))) continue;
     begin_item(s, 0);
     strong(s, root->title);
-    text_add(s->out, ". ");
-    if (q && q->solved)
-      sheet_prose(s, q->solved);
-    else if (q && has_change(q))
+    text_add(s->out, ": ");
+    if (changes && !q->solved)
       add_derived(s, q);
     else
-      sheet_prose(s, e->note);
-    stop(s);
+      sheet_sentence(s, changes ? q->solved : e->note);
     end_item(s);
     return;
   }

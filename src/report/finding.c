@@ -7,30 +7,6 @@ bool finding_fails(const struct finding *f) {
   return verdict_fails(f->verdict);
 }
 
-const char *const grade_heading[N_GRADES] = {
-    "Numbers and the example",
-    "Formulas that change results",
-    "Slips of notation that change results when read literally",
-    "Conclusions that do not follow",
-    "Formulas that change no result",
-    "Slips of notation that change no result",
-};
-
-static bool is_wide(const struct consequence *q) {
-  bool wide = q && q->falls.n > 0;
-  for (int i = 0; q && i < q->n_derived; i++)
-    wide = wide || q->derived[i].change == CHANGE_CHANGES || q->derived[i].change == CHANGE_UNDEFINED;
-  return wide;
-}
-
-enum grade failure_grade(const struct audit_result *r, const struct finding *f) {
-  bool wide = is_wide(audit_result_consequence(r, f->id));
-  if (f->fault && strcmp(f->fault, "number") == 0) return GRADE_NUMBER;
-  if (f->fault && strcmp(f->fault, "argument") == 0) return GRADE_ARGUMENT;
-  if (f->fault && strcmp(f->fault, "notation") == 0) return wide ? GRADE_NOTATION_WIDE : GRADE_NOTATION;
-  return wide ? GRADE_FORMULA_WIDE : GRADE_FORMULA;
-}
-
 const struct evidence *failure_evidence(const struct finding *f) {
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].result, "differs") == 0) return &f->evidence[i];

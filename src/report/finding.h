@@ -23,19 +23,6 @@ const char *finding_recheck(const struct finding *f);
 
 /* --- Failures --- */
 
-/* How bad a failure is, worst first: results of the paper that are wrong, then formulas and notation, each with those
-   first that change what is derived from them. */
-enum grade {
-  GRADE_NUMBER,
-  GRADE_FORMULA_WIDE,
-  GRADE_NOTATION_WIDE,
-  GRADE_ARGUMENT,
-  GRADE_FORMULA,
-  GRADE_NOTATION,
-  N_GRADES
-};
-extern const char *const grade_heading[N_GRADES];
-enum grade failure_grade(const struct audit_result *r, const struct finding *f);
 /* What decided: the first route that differs; the first piece of evidence where none is said to. */
 const struct evidence *failure_evidence(const struct finding *f);
 /* The failure before this one that the same correction mends; NULL when there is none. */

@@ -64,5 +64,8 @@ void html_anchor(struct text *out, const char *prefix, const char *name) {
 }
 
 void html_stop(struct text *out) {
-  if (out->len && !strchr(".?!", out->data[out->len - 1])) text_add_char(out, '.');
+  static const char span[] = "</span>";
+  size_t n = out->len, k = sizeof span - 1;
+  if (n > k && memcmp(out->data + n - k, span, k) == 0) n -= k; /* which keeps a formula with its stop */
+  if (n && !strchr(".?!", out->data[n - 1])) text_add_char(out, '.');
 }

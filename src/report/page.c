@@ -24,18 +24,19 @@ static void add_opening(const struct page *p) {
     escape_html(p->out, p->r->paper);
     text_add(p->out, "</cite>");
   }
-  text_add(
-      p->out,
-      "</h1>\n<p>The paper describes two blocks, tied by springs, that a moving belt drags along by dry friction, and "
-      "motions of theirs that repeat. Here its statements were judged by computation: its formulas against ways to the "
-      "same result that do not use them. The example here: ");
+  text_add(p->out,
+           "</h1>\n<p>The paper studies periodic motions, with phases of stick and slip, of two masses that are "
+           "connected by "
+           "springs and driven by a belt through dry friction. Its statements are compared here with the equations of "
+           "motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous error bounds, and by "
+           "numerical integration. Numbers refer to ");
   html_text(p->out, p->r->title, NULL);
   text_add(p->out, p->r->title ? " (scene " : "scene ");
   html_code(p->out, p->r->scene);
   text_add(p->out, p->r->title ? ")." : ".");
-  text_add(p->out,
-           " New to it: <a href=\"#s-model\">the system in half a page</a>, <a href=\"#s-words\">the words used "
-           "here</a>.");
+  text_add(
+      p->out,
+      " See also <a href=\"#s-model\">the system in half a page</a> and <a href=\"#s-words\">the words used here</a>.");
   text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
                    "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
                    "<li><a href=\"#s-model\">The system in half a page</a></li>\n"

@@ -176,16 +176,16 @@ static void add_keys(const struct page *p, const struct finding *f, struct names
   for (int i = 0; i < f->n_evidence; i++) text_printf(p->out, "%zu ", names_index(routes, f->evidence[i].route));
 }
 
-/* Failures by their grade, then what is undecided, then the rest. */
-static long rank_of(const struct page *p, const struct finding *f) {
-  if (finding_fails(f)) return (long)failure_grade(p->r, f);
-  return N_GRADES + (f->verdict == VERDICT_UNKNOWN ? 0 : f->verdict == VERDICT_SKIPPED ? 1 : 2);
+/* Failures by their severity, then what is undecided, then the rest. */
+static long rank_of(const struct finding *f) {
+  if (finding_fails(f)) return (long)f->severity;
+  return N_SEVERITIES + 1 + (f->verdict == VERDICT_UNKNOWN ? 0 : f->verdict == VERDICT_SKIPPED ? 1 : 2);
 }
 
 static void add_claim(const struct page *p, const struct finding *f, struct names *sections, struct names *routes) {
   text_add(p->out, "<tbody class=\"claim\" id=\"");
   html_anchor(p->out, "c-", f->id);
-  add_keys(p, f, sections, routes, rank_of(p, f));
+  add_keys(p, f, sections, routes, rank_of(f));
   text_add(p->out, "\">\n<tr><th scope=\"row\"><code>");
   escape_html(p->out, f->id);
   text_add(p->out, "</code></th><td>");

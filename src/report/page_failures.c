@@ -344,17 +344,33 @@ static void add_readings(const struct page *p) {
   text_add(p->out, "</ul></details>\n");
 }
 
-static void add_grade(const struct page *p, enum grade g) {
-  bool any = false;
+static const struct root_cause *root_of(const struct page *p, const struct finding *f) {
+  for (size_t i = 0; f->root && i < p->r->n_roots; i++)
+    if (strcmp(p->r->roots[i].id, f->root) == 0) return &p->r->roots[i];
+  return NULL;
+}
+
+/* The failures of one root; NULL: those of none. */
+static void add_root(const struct page *p, const struct root_cause *root) {
+  bool any = false, tabled = false;
   for (size_t i = 0; i < p->r->n_findings; i++) {
     const struct finding *f = &p->r->findings[i];
-    if (!finding_fails(f) || failure_grade(p->r, f) != g) continue;
-    if (!any) text_printf(p->out, "<h3 id=\"g-%d\">%s</h3>\n", (int)g, grade_heading[g]);
-    if (!any && g == GRADE_NUMBER) {
+    if (!finding_fails(f) || root_of(p, f) != root) continue;
+    if (!any) {
+      text_add(p->out, root ? "<h3>" : "<h3>Without a root on file</h3>\n");
+      if (root) {
+        html_text(p->out, root->where, NULL);
+        text_add(p->out, ": ");
+        html_text(p->out, root->title, NULL);
+        text_add(p->out, "</h3>\n");
+      }
+    }
+    any = true;
+    if (failure_is_number(f) && !tabled) {
       add_numbers(p);
       add_readings(p);
     }
-    any = true;
+    tabled = tabled || failure_is_number(f);
     if (!failure_is_number(f)) add_failure(p, f);
   }
 }
@@ -407,13 +423,15 @@ void page_failures(const struct page *p) {
   page_begin_section(p, "failures", "What needs attention");
   text_add(
       p->out,
-      "<p>Worst first. Each statement was judged as printed, with the corrected form of everything else that it uses, "
+      "<p>In order of consequence. Each statement was judged as printed, with the corrected form of everything else "
+      "that it uses, "
       "so that one slip is counted once. Examples are at exact parameters, where anybody can evaluate both sides. Of "
       "a formula, the left side is what the paper prints and the right side what the equations of motion give; of an "
       "equation, they are its own two sides. What differs between the printed and the corrected text is "
       "<mark>marked</mark>. Route, trials, bits and other words are <a href=\"#s-words\">said above</a>.</p>\n");
   add_unexpected(p);
-  for (int g = 0; g < N_GRADES; g++) add_grade(p, (enum grade)g);
+  for (size_t i = 0; i < p->r->n_roots; i++) add_root(p, &p->r->roots[i]);
+  add_root(p, NULL);
   add_statements(p, "Undecided", is_undecided, NULL);
   add_statements(p, "What the paper does not say", finding_states, "states");
   text_add(p->out, "</section>\n");

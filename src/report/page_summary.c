@@ -18,16 +18,17 @@ static const char *const meaning[N_VERDICTS] = {
     [VERDICT_SKIPPED] = "not possible in this scene, with the reason; never a success",
     [VERDICT_DEFINITION] = "asserts nothing"};
 
-static void add_counts(const struct page *p, const long count[N_VERDICTS]) {
-  text_add(p->out,
-           "<table class=\"counts\" id=\"s-verdicts\">\n<caption>The verdicts, and what each word "
-           "means</caption>\n<thead><tr>"
-           "<th scope=\"col\">verdict</th><th scope=\"col\" class=\"n\">claims</th><th scope=\"col\">meaning</th>"
-           "</tr></thead>\n<tbody>\n");
+static void add_counts(const struct page *p, const long count[N_VERDICTS], const long checks[N_VERDICTS]) {
+  text_add(p->out, "<table class=\"counts\" id=\"s-verdicts\">\n<caption>The verdicts, and what each word "
+                   "means</caption>\n<thead><tr>"
+                   "<th scope=\"col\">verdict</th><th scope=\"col\" class=\"n\">statements of the paper</th>"
+                   "<th scope=\"col\" class=\"n\">checks of the suite</th><th scope=\"col\">meaning</th>"
+                   "</tr></thead>\n<tbody>\n");
   for (int i = 0; i < N_VERDICTS; i++) {
     text_add(p->out, "<tr><th scope=\"row\">");
     page_verdict(p, (enum verdict)i);
-    text_printf(p->out, "</th><td class=\"n\">%ld</td><td>%s</td></tr>\n", count[i], meaning[i]);
+    text_printf(p->out, "</th><td class=\"n\">%ld</td><td class=\"n\">%ld</td><td>%s</td></tr>\n", count[i], checks[i],
+                meaning[i]);
   }
   text_printf(p->out,
               "</tbody>\n<tfoot><tr><th scope=\"row\">all</th><td class=\"n\">%zu</td><td></td></tr></tfoot>\n"
@@ -37,133 +38,11 @@ static void add_counts(const struct page *p, const long count[N_VERDICTS]) {
 
 /* --- The most important findings --- */
 
-/* How much a failure says: failures that it rests on, which it sums up, then what fails with it, then what it is said
-   to follow from. */
-static long weight(const struct page *p, const struct finding *f) {
-  long w = f->n_depends_on;
-  for (int i = 0; i < f->n_depends_on; i++) {
-    const struct finding *on = page_finding(p, f->depends_on[i]);
-    w += on && finding_fails(on) ? 1000000 : 0;
-  }
-  const struct consequence *q = audit_result_consequence(p->r, f->id);
-  return w + (q ? 1000L * q->falls.n : 0);
-}
-
-/* The weightiest failure of a grade; NULL without one. */
-static const struct finding *foremost(const struct page *p, enum grade g) {
-  const struct finding *best = NULL;
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    const struct finding *f = &p->r->findings[i];
-    if (!finding_fails(f) || failure_grade(p->r, f) != g || failure_mended_with(p->r, f)) continue;
-    if (!best || weight(p, f) > weight(p, best)) best = f;
-  }
-  return best;
-}
-
-static void add_quoted_title(const struct page *p, const struct finding *f) {
-  page_begin_link(p, "f-", f->id);
-  if (strncmp(f->id, "eq-", 3) == 0) {
-    text_add(p->out, "Equation (");
-    escape_html(p->out, f->id + 3);
-    text_add(p->out, "), ");
-  }
-  text_add(p->out, "&#8220;");
-  html_text(p->out, f->title, NULL);
-  text_add(p->out, "&#8221;</a>");
-}
-
-static bool is_fault(const struct finding *f, const char *fault) {
-  return f->fault && strcmp(f->fault, fault) == 0;
-}
-
-/* What is wrong, in the shortest words that the record has. */
-static void add_reason(const struct page *p, const struct finding *f) {
-  const struct consequence *q = audit_result_consequence(p->r, f->id);
-  const struct evidence *e = failure_evidence(f);
-  const char *size = failure_size(p->r, f);
-  if (f->change) {
-    text_add(p->out, ": ");
-    html_text(p->out, f->change, NULL);
-  } else if (is_fault(f, "number") && size) {
-    text_add(p->out, ": ");
-    html_text(p->out, size, NULL);
-  } else if (is_fault(f, "argument")) {
-    text_add(p->out, ": a counterexample stands with it");
-  } else if (e && e->note) {
-    text_add(p->out, ": ");
-    html_text(p->out, e->note, NULL);
-  }
-  html_stop(p->out);
-  if (is_fault(f, "argument") && f->correction) {
-    text_add(p->out, " With the correction (");
-    html_text(p->out, f->correction, NULL);
-    text_printf(p->out, ") it is %s.", verdict_name[f->correction_verdict]);
-  }
-  if (f->verdict == VERDICT_CONDITIONAL && f->size) {
-    text_add_char(p->out, ' ');
-    html_text(p->out, f->size, NULL);
-    html_stop(p->out);
-  }
-  if (q && q->falls.n) {
-    text_add(p->out, " With it as printed, ");
-    page_begin_link(p, "f-", f->id);
-    text_printf(p->out, "%d statement%s</a> that rest%s on it fail%s.", q->falls.n, q->falls.n == 1 ? "" : "s",
-                q->falls.n == 1 ? "s" : "", q->falls.n == 1 ? "s" : "");
-  }
-}
-
 /* A link that shows what the claim says. */
 static void add_titled(const struct page *p, const struct finding *f) {
   page_begin_link(p, "f-", f->id);
   html_text(p->out, f->title, NULL);
   text_add(p->out, "</a>");
-}
-
-/* What to change in one of the others. */
-static void add_change(const struct page *p, const struct finding *f) {
-  bool number = failure_is_number(f);
-  if ((!number && !f->change) || failure_mended_with(p->r, f)) return;
-  text_add(p->out, number ? " <span class=\"k\">(" : " (");
-  if (number)
-    html_math(p->out, f->correction_latex, NULL);
-  else
-    html_text(p->out, f->change, NULL);
-  text_add(p->out, number ? ")</span>" : ")");
-}
-
-/* The others of the same grade, equations by number, with what to change in them. */
-static void add_others(const struct page *p, enum grade g, const struct finding *but) {
-  const char *sep = " Likewise: ";
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    const struct finding *f = &p->r->findings[i];
-    if (f == but || !finding_fails(f) || failure_grade(p->r, f) != g) continue;
-    text_add(p->out, sep);
-    if (strncmp(f->id, "eq-", 3) == 0)
-      page_claim(p, f->id);
-    else
-      add_titled(p, f);
-    add_change(p, f);
-    sep = "; ";
-  }
-  if (sep[0] == ';') text_add_char(p->out, '.');
-}
-
-static void add_foremost(const struct page *p) {
-  enum { MOST = 3 };
-  int n = 0;
-  for (int g = 0; g < N_GRADES && n < MOST; g++) {
-    const struct finding *f = foremost(p, (enum grade)g);
-    if (!f) continue;
-    if (n++ == 0) text_add(p->out, "<h3>The most important findings</h3>\n<ol>\n");
-    text_printf(p->out, "<li><strong>%s.</strong> ", grade_heading[g]);
-    add_quoted_title(p, f);
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? " holds only under the condition " : " does not hold");
-    if (f->verdict == VERDICT_CONDITIONAL) html_text(p->out, f->condition ? f->condition : "named there", NULL);
-    add_reason(p, f);
-    add_others(p, (enum grade)g, f);
-    text_add(p->out, "</li>\n");
-  }
-  if (n) text_add(p->out, "</ol>\n");
 }
 
 /* --- What is asked first --- */
@@ -206,22 +85,19 @@ static void add_meant(const struct page *p, const struct finding *f) {
 }
 
 static void add_verdict_of(const struct page *p, const struct finding *f) {
-  text_add(p->out, " Claim ");
-  page_claim(p, f->id);
-  text_add(p->out, ": ");
-  page_verdict(p, f->verdict);
-  text_add_char(p->out, '.');
+  text_add_char(p->out, ' ');
+  page_begin_link(p, finding_fails(f) ? "f-" : "c-", f->id);
+  text_add(p->out, "Evidence</a>.");
 }
 
 static void add_stability(const struct page *p, const struct finding *f) {
   add_meant(p, f);
-  html_text(p->out,
-            "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
-            "stable, above 1 unstable. The paper gives this criterion and does not say which its example is. For all "
-            "periodic solutions found with its data (claim ",
-            NULL);
-  page_claim(p, f->id);
-  text_add(p->out, "):");
+  html_text(
+      p->out,
+      "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
+      "stable, above 1 unstable. The paper does not apply this criterion to its example. Its data have these periodic "
+      "solutions:",
+      NULL);
   page_statements(p, f, "states");
   html_text(
       p->out,
@@ -247,7 +123,7 @@ static void add_answer(const struct page *p, const struct finding *f) {
   html_stop(p->out);
   if (e) add_mended_numbers(p, f);
   if (e && f->effect && e->note) {
-    text_add(p->out, " Rounding does not explain it. ");
+    text_add(p->out, " Rounding does not explain this. ");
     html_text(p->out, e->note, NULL);
     html_stop(p->out);
   }
@@ -256,75 +132,6 @@ static void add_answer(const struct page *p, const struct finding *f) {
 
 static bool is_wrong_formula(const struct finding *f) {
   return finding_fails(f) && strncmp(f->id, "eq-", 3) == 0;
-}
-
-/* What to do about a formula, in a few words. */
-static void add_remedy(const struct page *p, const struct finding *f) {
-  const struct finding *first = failure_mended_with(p->r, f);
-  if (first) {
-    text_add(p->out, ": mended with ");
-    page_claim(p, first->id);
-  } else if (f->change) {
-    text_add(p->out, ": ");
-    html_text(p->out, f->change, NULL);
-    if (f->verdict == VERDICT_CONDITIONAL && f->condition) {
-      text_add(p->out, " (as printed it holds where ");
-      html_text(p->out, f->condition, NULL);
-      text_add_char(p->out, ')');
-    }
-  } else if (f->correction) {
-    text_add(p->out, ": should read ");
-    if (f->correction_latex)
-      html_math(p->out, f->correction_latex, NULL);
-    else
-      html_text(p->out, f->correction, NULL);
-  }
-}
-
-/* Those with a fault of that class, or with any other. */
-static bool add_wrong(const struct page *p, bool notation, const char *heading) {
-  const char *before = heading;
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    const struct finding *f = &p->r->findings[i];
-    if (!is_wrong_formula(f) || is_fault(f, "notation") != notation) continue;
-    text_add(p->out, before);
-    text_add(p->out, "<li>");
-    page_claim(p, f->id);
-    add_remedy(p, f);
-    text_add(p->out, "</li>\n");
-    before = "";
-  }
-  if (!*before) text_add(p->out, "</ul>\n");
-  return !*before;
-}
-
-static bool is_slip_of_text(const struct finding *f) {
-  return finding_fails(f) && strncmp(f->id, "eq-", 3) != 0 && is_fault(f, "notation");
-}
-
-/* Slips outside the numbered equations, by what does not hold. */
-static void add_slips_of_text(const struct page *p) {
-  const char *before = "<p>Slips of notation in the text. It does not hold that</p>\n<ul>\n";
-  for (size_t i = 0; i < p->r->n_findings; i++) {
-    if (!is_slip_of_text(&p->r->findings[i])) continue;
-    text_printf(p->out, "%s<li>", before);
-    add_titled(p, &p->r->findings[i]);
-    text_add(p->out, "</li>\n");
-    before = "";
-  }
-  if (!*before) text_add(p->out, "</ul>\n");
-}
-
-static void add_wrong_formulas(const struct page *p) {
-  text_add(p->out, "<dt>Which printed formulas are wrong?</dt>\n<dd>");
-  bool any = add_wrong(p, false, "<p>Not what the equations of motion give:</p>\n<ul class=\"columns\">\n");
-  any |= add_wrong(p, true,
-                   "<p>Slips of notation, without sense or false when read literally:</p>\n<ul class=\"columns\">\n");
-  add_slips_of_text(p);
-  text_add(p->out,
-           any ? "<p>A letter behind the number of an equation tells apart the several things that the paper says "
-                 "under that number.</p></dd>\n"
-               : "None of those judged.</dd>\n");
 }
 
 /* What is held against what: the printed formula on the left. */
@@ -419,43 +226,46 @@ static void add_questions(const struct page *p) {
     add_answer(p, f);
     text_add(p->out, "</dd>\n");
   }
-  add_wrong_formulas(p);
   add_recheck(p);
   text_add(p->out, "</dl>\n");
 }
 
-/* The failures by how much they say, each with a link to where they are. */
-static void add_grades(const struct page *p, long failures) {
-  long n[N_GRADES] = {0};
-  for (size_t i = 0; i < p->r->n_findings; i++)
-    if (finding_fails(&p->r->findings[i])) n[failure_grade(p->r, &p->r->findings[i])]++;
-  const char *sep = "";
-  if (!failures) return;
-  text_printf(p->out, "<p>The %ld, worst first: ", failures);
-  for (int g = 0; g < N_GRADES; g++) {
-    if (!n[g]) continue;
-    text_printf(p->out, "%s<a href=\"#g-%d\">%s</a> <strong>%ld</strong>", sep, g, grade_heading[g], n[g]);
-    sep = ", ";
-  }
+static size_t count_roots(const struct audit_result *r, bool substance) {
+  size_t n = 0;
+  for (size_t i = 0; i < r->n_roots; i++) n += (r->roots[i].severity == SEVERITY_SUBSTANCE) == substance;
+  return n;
+}
+
+/* The verdict in two sentences: causes, not claims, are counted; then what was decided of what the paper asserts. */
+static void add_lead(const struct page *p, const long count[N_VERDICTS], long total) {
+  size_t substance = count_roots(p->r, true), slips = count_roots(p->r, false);
+  long asserted = total - count[VERDICT_DEFINITION], wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
+  long decided = count[VERDICT_PROVED] + wrong;
+  text_printf(p->out,
+              "<p class=\"lead\"><strong>%zu point%s that affect%s results</strong> %s to be corrected in the paper",
+              substance, substance == 1 ? "" : "s", substance == 1 ? "s" : "", substance == 1 ? "has" : "have");
+  if (slips) text_printf(p->out, ", besides %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
+  text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld are proved", asserted,
+              count[VERDICT_PROVED]);
+  text_printf(p->out, " and %ld do not hold as printed", wrong);
+  if (asserted > 0) text_printf(p->out, "; %ld %% are thus decided", 100 * decided / asserted);
+  text_printf(p->out, ". %ld agree at every point tried, without a proof", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_UNKNOWN])
+    text_printf(p->out, ", and %ld %s open", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
+  if (count[VERDICT_SKIPPED]) text_printf(p->out, ", and %ld cannot be judged here", count[VERDICT_SKIPPED]);
   text_add(p->out, ".</p>\n");
 }
 
 void page_summary(const struct page *p) {
-  long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
+  long count[N_VERDICTS], checks[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
+  audit_result_count(checks, p->r, OF_SUITE);
   page_begin_section(p, "verdict", "The verdict");
-  text_printf(
-      p->out,
-      "<p class=\"lead\">Of %ld statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
-      "under a condition); %ld are proved, %ld supported (no proof, and no counterexample), %ld undecided",
-      total, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED], count[VERDICT_CONDITIONAL],
-      count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
-  if (count[VERDICT_SKIPPED]) text_printf(p->out, ", %ld not possible here", count[VERDICT_SKIPPED]);
-  text_printf(p->out, "; %ld are definitions.</p>\n", count[VERDICT_DEFINITION]);
-  add_grades(p, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL]);
-  page_verdict_bar(p, count);
+  add_lead(p, count, total);
+  page_roots(p);
   add_questions(p);
-  add_foremost(p);
+  page_slips(p);
+  page_verdict_bar(p, count);
   page_power(p);
-  add_counts(p, count);
+  add_counts(p, count, checks);
   text_add(p->out, "</section>\n");
 }

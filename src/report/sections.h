@@ -6,6 +6,9 @@
 
 /* The sections, each from heading to end. */
 void page_summary(const struct page *p);
+/* Parts of the summary. */
+void page_roots(const struct page *p);
+void page_slips(const struct page *p);
 void page_power(const struct page *p);
 void page_failures(const struct page *p);
 void page_model(const struct page *p);

@@ -67,7 +67,8 @@ static size_t add_name(const struct sheet *s, const char *p) {
   while (char_is_letter(p[i + gap + index]) || char_is_digit(p[i + gap + index])) index++;
   bool greek = is_greek(p, letters), digits = letters == 1 && !primes && char_is_digit(p[i]);
   bool lowered = index && index <= 3 && (gap || digits) && letters <= 2;
-  if (!letters || !(lowered || (greek && !gap && !index)) || p[i + gap + index] == '_') return 0;
+  bool alone = letters == 1 && !gap && !index && !strchr("aAI", *p);
+  if (!letters || !(lowered || alone || (greek && !gap && !index)) || p[i + gap + index] == '_') return 0;
   size_t after = 0;
   while (p[i + gap + index + after] == '\'') after++;
   struct text t;
@@ -80,15 +81,31 @@ static size_t add_name(const struct sheet *s, const char *p) {
     text_add_char(&t, '}');
   }
   text_add_n(&t, p + i + gap + index, after);
+  const char *rest = p + i + gap + index + after;
+  size_t exponent = rest[0] == '^' && char_is_digit(rest[1]) ? 2 : 0;
+  text_add_n(&t, rest, exponent);
   add_math(s, text_str(&t), t.len);
   text_clear(&t);
-  return i + gap + index + after;
+  return i + gap + index + after + exponent;
+}
+
+/* An exponent, s^2, or a minus before a number or between two blanks; the bytes read, or 0. */
+static size_t add_sign(const struct sheet *s, const char *text, size_t i, size_t len) {
+  char before = i ? text[i - 1] : ' ', after = i + 1 < len ? text[i + 1] : ' ';
+  if (text[i] == '^' && char_is_digit(after)) {
+    text_printf(s->out, "$^%c$", after);
+    return 2;
+  }
+  bool minus = text[i] == '-' && ((char_is_digit(after) && strchr(" (", before)) || (before == ' ' && after == ' '));
+  if (minus) text_add(s->out, "$-$");
+  return minus;
 }
 
 static void add_prose(const struct sheet *s, const char *text, size_t len) {
   for (size_t i = 0; i < len;) {
     bool inside = i && (char_is_word(text[i - 1]) || text[i - 1] == '-');
     size_t n = inside ? 0 : add_name(s, text + i);
+    if (!n) n = add_sign(s, text, i, len);
     if (!n && text[i] == '*' && i && (char_is_word(text[i - 1]) || text[i - 1] == ')')) {
       text_add_char(s->out, ' ');
       n = 1;

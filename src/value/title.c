@@ -416,17 +416,17 @@ static bool make_scaling(struct text *out, const struct title *t) {
 static const struct {
   const char *check, *transition, *says;
 } checks[] = {
-    {"modes", NULL, "every motion is a sequence of phases in which each mass sticks or slips"},
-    {"closed-forms", NULL, "the closed forms of {depends-on} hold wherever no mass is faster than the belt"},
+    {"modes", NULL, "every motion is a sequence of phases in which each mass sticks or slips, finitely many in a bounded time"},
+    {"closed-forms", NULL, "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
     {"configurations", NULL, "the four configurations of the paper partition the phase space"},
     {"dimension", NULL, "the states of the phases fill {range} dimensions"},
-    {"linear", NULL, "within a configuration the differences of motions obey a linear law"},
+    {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
     {"switches", "slip to stick",
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
-     "than "
-     "its static friction"},
+     "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass reaches its static friction"},
+     "a transition from {transition} occurs where the force on a mass passes its static friction, and never where it "
+     "stays below"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,

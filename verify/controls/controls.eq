@@ -40,6 +40,25 @@ define ctl-equilibrium
   section: prediction
   d_02 := (u_s1*chi - u_s2)/((1 - chi)*chi)
 
+# no fall of the friction where the first mass breaks loose
+relation ctl-fall
+  replaces: eq-2
+  section: model
+  u_1 = eps*u_r1 for eps in {+1, -1}
+  u_2 = eps*u_s2 for eps in {+1, -1}
+
+# a spring that is not linear
+relation ctl-linear
+  replaces: eq-1
+  section: model
+  trajectory x_1(t), x_2(t)
+  x_1''(t) + x_1(t) + x_1(t)^3/1000 - chi*x_2(t) = u_1
+  x_2''(t) + chi*eta*(x_2(t) - x_1(t)) = eta*u_2
+
+define ctl-closed-forms
+  section: prediction
+  d_01 := (u_s1 - u_s2)/(1 - chi)
+
 define ctl-frequency
   section: appendix_a
   root omega_1: det(K + I*omega_1^2 - 2*I), smallest positive

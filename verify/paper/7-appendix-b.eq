@@ -140,6 +140,18 @@ equation text-start-w
   note: (55) at t = 0
   z_10 - chi*z_20 = e_1 - V*t_a*(1 - chi)
 
+# The constraints in closed form: where each begins to fail.
+equation text-57-range
+  note: the first inequality of (57): with s = t - t_a it holds up to s = 2 (pi - arctan(e_1/((1 - chi) V))), and so do h' > 0 and,
+    where chi (z_20 - z_10) < e_2, (58)
+  V - z_1'(t) = (1 - chi)*V*(1 - cos(t - t_a)) + e_1*sin(t - t_a)
+
+equation text-59-range
+  section: appendix_a
+  note: the second inequality of (59): it holds up to the first zero, where the phase ends, just where z'_2c < V, that is where
+    z_20 < z_10
+  V - z_2'(t) = (V - z'_2c)*cos(omega*(t - t_a - t_b - t_c)) + omega*(z_2c - z_1c)*sin(omega*(t - t_a - t_b - t_c))
+
 # The same conditions in other words, against which the list is held.
 inequality text-order
   note: the switching times of (51) follow one another

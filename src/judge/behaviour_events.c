@@ -1,0 +1,187 @@
+/* What happens where a mass reaches the belt's velocity or breaks loose from it: proved from (1) and (2) by the signs on
+   finitely many cells of states (law.h), each mass and each side for itself. */
+#include <string.h>
+
+#include "friction.h"
+#include "verdict.h"
+
+/* Every statement of these proofs is about a mass, a side, and a cell in which a force or an acceleration has a sign. */
+static struct law_answer answer_in(struct law_state *s, const struct friction *f, struct law_cell cell) {
+  law_state_open(s);
+  law_state_in(s, cell);
+  struct law_answer a = law_answer(&f->law[cell.mass], s, cell.speed);
+  if (a.n == 1) s->u[cell.mass] = a.u;
+  return a;
+}
+
+/* The sign of x'' by the branch that applies in the cell; NO_SIGN where not just one does. */
+static int acceleration_in(const struct friction *f, struct law_cell cell) {
+  struct law_state s;
+  struct law_answer a = answer_in(&s, f, cell);
+  int sign = a.n == 1 ? law_sign(&s, friction_acceleration(f, &s, cell.mass)) : NO_SIGN;
+  law_state_close(&s);
+  return sign;
+}
+
+/* At the belt's velocity with |f| < u_r the sticking branch alone applies, and by (1) the mass keeps that velocity. */
+static bool sticks_inside(const struct friction *f, int mass) {
+  struct law_state s;
+  struct law_cell cell = {mass, 0, PULL_INSIDE, 1};
+  struct law_answer a = answer_in(&s, f, cell);
+  bool ok = a.n == 1 && a.b == STICKS;
+  law_state_close(&s);
+  return ok && acceleration_in(f, cell) == 0;
+}
+
+/* A slipping mass is driven towards the belt's velocity or away from it, as f is below u_s or beyond on its side. */
+static bool slips_by_sliding_friction(const struct friction *f, int mass) {
+  bool ok = true;
+  for (int side = 1; side >= -1; side -= 2)
+    ok = ok && acceleration_in(f, (struct law_cell){mass, side, PULL_OVER, side}) == -side &&
+         acceleration_in(f, (struct law_cell){mass, side, PULL_SLIDING, side}) == 0 &&
+         acceleration_in(f, (struct law_cell){mass, side, PULL_UNDER, side}) == side;
+  return ok;
+}
+
+/* Beyond a limit the breaking branch alone applies, with the friction of the slip motion to which x'' leads. */
+static bool breaks_beyond(const struct friction *f, int mass, int side) {
+  struct law_state s;
+  struct law_cell cell = {mass, 0, PULL_BEYOND, side};
+  struct law_answer a = answer_in(&s, f, cell);
+  bool ok = a.n == 1 && a.b == BREAKS && a.eps == side && friction_apply(f, &s, mass, side) &&
+            law_sign(&s, calc_sub(&s.c, a.u, s.u[mass])) == 0;
+  law_state_close(&s);
+  return ok && acceleration_in(f, cell) == -side;
+}
+
+/* With f at the limit, what the slip motion makes of the mass, and the fall of its friction from f; other: how far the
+   acceleration of the other mass changes with it. */
+struct fall {
+  int away, friction, by_e, other;
+};
+static struct fall fall_at(const struct friction *f, int mass, int side) {
+  struct law_state s;
+  struct fall fall = {NO_SIGN, NO_SIGN, NO_SIGN, NO_SIGN};
+  law_state_open(&s);
+  law_state_in(&s, (struct law_cell){mass, 0, PULL_AT, side});
+  struct calc *c = &s.c;
+  if (friction_apply(f, &s, mass, 0)) {
+    val held = s.u[mass], other[2];
+    other[0] = friction_acceleration(f, &s, !mass);
+    if (friction_apply(f, &s, mass, side)) {
+      val drop = calc_sub(c, held, s.u[mass]), e = calc_sub(c, s.limit[mass], s.slide[mass]);
+      other[1] = friction_acceleration(f, &s, !mass);
+      fall.away = law_sign(&s, friction_acceleration(f, &s, mass));
+      fall.friction = law_sign(&s, drop);
+      fall.by_e = law_sign(&s, side > 0 ? calc_sub(c, drop, e) : calc_add(c, drop, e));
+      if (other[0] && other[1]) fall.other = law_sign(&s, calc_sub(c, other[1], other[0]));
+    }
+  }
+  law_state_close(&s);
+  return fall;
+}
+
+static bool falls_by_e(const struct friction *f, int mass) {
+  bool ok = true;
+  for (int side = 1; side >= -1; side -= 2) {
+    struct fall fall = fall_at(f, mass, side);
+    ok = ok && fall.friction == side && fall.by_e == 0 && fall.away == -side && fall.other == 0;
+  }
+  return ok;
+}
+
+/* Does the mass still stick, by (2), where the force has the size that the claim calls the limit? */
+static bool sticks_at(const struct friction *f, int mass, bool sliding_limit) {
+  struct law_state s;
+  struct law_answer a = answer_in(&s, f, (struct law_cell){mass, 0, sliding_limit ? PULL_SLIDING : PULL_AT, 1});
+  law_state_close(&s);
+  return a.n == 1 && a.b == STICKS;
+}
+
+bool events_decided(const struct friction *f, int mass) {
+  return sticks_inside(f, mass) && slips_by_sliding_friction(f, mass) && breaks_beyond(f, mass, 1) &&
+         breaks_beyond(f, mass, -1);
+}
+
+struct route_result events_prove_stick(struct behaviour *b, const struct friction *f) {
+  bool ok = true;
+  for (int i = 0; i < 2; i++) ok = ok && sticks_inside(f, i) && slips_by_sliding_friction(f, i);
+  if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
+  return behaviour_proof(
+      b, ROUTE_AGREES,
+      "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
+      "sticking "
+      "one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in (1), so "
+      "that "
+      "the mass keeps the belt's velocity as long as |f_i| < u_ri. A motion that left it there would begin with the "
+      "acceleration of a slipping mass, which is zero only for |f_i| = u_si: for any other force it is not that of "
+      "(2), "
+      "and the stick motion is the only continuation");
+}
+
+struct route_result events_prove_slip(struct behaviour *b, const struct friction *f, bool sliding_limit) {
+  bool ok = true, still = false;
+  for (int i = 0; i < 2; i++) {
+    ok = ok && sticks_inside(f, i) && breaks_beyond(f, i, 1) && breaks_beyond(f, i, -1) && falls_by_e(f, i);
+    still = still || sticks_at(f, i, sliding_limit);
+  }
+  if (still) return behaviour_proof(b, ROUTE_DIFFERS, "where the force has this size, (2) lets the mass stick: exact");
+  if (!ok || sliding_limit)
+    return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
+  return behaviour_proof(
+      b, ROUTE_AGREES,
+      "finite split of cases, exact for either mass and either direction: while |f_i| < u_ri, (2) has the sticking "
+      "branch alone and (1) gives x''_i = 0, so that no slip begins; beyond, eps f_i > u_ri, it has the breaking "
+      "branch "
+      "alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 leads; at eps f_i = "
+      "u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force only touches the limit "
+      "and turns back, (2) leaves open whether the mass slips");
+}
+
+struct route_result events_prove_modes(struct behaviour *b, const struct friction *f) {
+  bool ok = true;
+  for (int i = 0; i < 2; i++) ok = ok && events_decided(f, i);
+  if (!ok) return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
+  return behaviour_proof(
+      b, ROUTE_AGREES,
+      "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
+      "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
+      "The "
+      "phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only with "
+      "eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in between, "
+      "at a rate that is bounded in a bounded time, since the frictions are");
+}
+
+/* Do friction and acceleration go on without a jump where a mass breaks loose? */
+static bool goes_on(const struct friction *f, int mass) {
+  bool smooth = false;
+  for (int side = 1; side >= -1; side -= 2) {
+    struct fall fall = fall_at(f, mass, side);
+    smooth = smooth || fall.friction == 0 || fall.away == 0;
+  }
+  return smooth;
+}
+
+bool behaviour_jumps(struct behaviour *b) {
+  struct friction f;
+  bool ok = friction_open(&f, b);
+  if (ok) {
+    bool all = true, smooth = goes_on(&f, 0) || goes_on(&f, 1);
+    for (int i = 0; i < 2; i++)
+      all = all && sticks_inside(&f, i) && slips_by_sliding_friction(&f, i) && falls_by_e(&f, i);
+    behaviour_decide(
+        b,
+        smooth ? ROUTE_DIFFERS
+        : all  ? ROUTE_AGREES
+               : ROUTE_UNDECIDED,
+        smooth ? "exact: a mass that breaks loose has the same friction or acceleration before and after"
+        : all  ? "exact, for either mass and either direction: where a mass breaks loose, eps f_i = u_ri, its "
+                 "friction falls from f_i to eps u_si, by e_i > 0, and x''_i from 0 to -eps e_i (times eta "
+                 "for m_2); x'' of the other mass does not jump. Where a mass is caught, |f_i| < u_ri, its "
+                 "friction jumps from eps u_si to f_i and x''_i to 0, unless f_i = eps u_si. In each branch "
+                 "(1) and (2) bound x''_i by the positions, so that positions and velocities are continuous"
+               : "the jumps at the switches are not known in every case");
+  }
+  friction_close(&f);
+  return ok;
+}

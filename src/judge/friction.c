@@ -1,0 +1,77 @@
+/* Forces and accelerations by the paper's (1) and (2), see friction.h. */
+#include "friction.h"
+
+#include "claim/claim.h"
+#include "verdict.h"
+
+static const char *const needs_laws = "the claims of kind law for both masses are needed among these";
+
+static bool read_laws(struct friction *f, struct behaviour *b) {
+  enum { MOST = 16 };
+  char names[MOST][CLAIM_NAME];
+  bool have[2] = {false, false};
+  int n = claim_names_listed(names, MOST, claim_get(b->c, "depends-on"));
+  for (int i = 0; i < n; i++) {
+    const struct claim *c = claim_named(b->j->claims, names[i]);
+    if (!c || claim_kind(c) != KIND_LAW) continue;
+    const char *mass = claim_get(c, "mass");
+    int m = mass && *mass == '2';
+    if (have[m]) return claim_error(b->j, b->c, "depends-on", needs_laws);
+    have[m] = true;
+    if (!law_read(&f->law[m], b->j, c, b->view)) return false;
+  }
+  return (have[0] && have[1]) || claim_error(b->j, b->c, "depends-on", needs_laws);
+}
+
+bool friction_open(struct friction *f, struct behaviour *b) {
+  *f = (struct friction){.moves = {.n = 0}};
+  if (!read_laws(f, b) || !conditions_read(&f->moves, b->j, b->c, "moves", b->view)) return false;
+  bool two = f->moves.n == 2 && f->moves.at[0].equality && f->moves.at[1].equality;
+  return two || claim_error(b->j, b->c, "moves", "the equations of motion of both masses are needed, as in \"eq-1 D\"");
+}
+
+void friction_close(struct friction *f) {
+  for (int i = 0; i < 2; i++) law_clear(&f->law[i]);
+  conditions_clear(&f->moves);
+}
+
+val friction_acceleration(const struct friction *f, struct law_state *s, int mass) {
+  return law_solve(s, &s->a[mass], &f->moves.at[mass], NULL);
+}
+
+bool friction_apply(const struct friction *f, struct law_state *s, int mass, int slips) {
+  s->eps = calc_d(&s->c, slips ? slips : 1);
+  val u = law_friction(&f->law[mass], s, slips ? SLIPS : STICKS);
+  if (u) s->u[mass] = u;
+  if (!slips) s->v[mass] = s->belt;
+  return u != NULL;
+}
+
+bool friction_mode(const struct friction *f, struct law_state *s, const int slips[2]) {
+  bool ok = friction_apply(f, s, 0, slips[0]) && friction_apply(f, s, 1, slips[1]);
+  val a[2] = {NULL, NULL};
+  for (int i = 0; ok && i < 2; i++) {
+    a[i] = friction_acceleration(f, s, i);
+    ok = a[i] != NULL;
+  }
+  for (int i = 0; ok && i < 2; i++) s->a[i] = a[i];
+  return ok;
+}
+
+enum route_outcome outcome_of(truth holds) {
+  return holds == TRUTH_TRUE ? ROUTE_AGREES : holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
+}
+
+struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note) {
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = outcome == ROUTE_AGREES ? "proved" : outcome == ROUTE_DIFFERS ? "differs" : "states";
+  e->note = outcome == ROUTE_UNDECIDED ? result_str(b->j->out, "not proved: %s", note) : note;
+  return (struct route_result){"exact", outcome, true, 1};
+}
+
+void behaviour_decide(struct behaviour *b, enum route_outcome outcome, const char *note) {
+  struct route_result w = behaviour_proof(b, outcome, note);
+  b->f->verdict = verdict_of(&w, 1, true);
+}

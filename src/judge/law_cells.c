@@ -1,0 +1,242 @@
+/* The law on cells of states, see law.h: exact arithmetic over symbols of known sign. */
+#include <string.h>
+
+#include "law.h"
+#include "num/num_exact.h"
+
+/* Generators: the first N_POSITIVE are positive. */
+enum {
+  GEN_CHI,
+  GEN_ETA,
+  GEN_BELT,
+  GEN_NEAR, /* how far f is from a limit, and from the other one */
+  GEN_FAR,
+  GEN_LAG,   /* |V - x'| */
+  GEN_SLIDE, /* u_s of each mass, and u_r - u_s */
+  GEN_RISE = GEN_SLIDE + 2,
+  N_POSITIVE = GEN_RISE + 2,
+  GEN_X = N_POSITIVE,
+  GEN_V = GEN_X + 2,
+  GEN_A = GEN_V + 2,
+  GEN_U = GEN_A + 2,
+  GEN_FORCE = GEN_U + 2,
+  GEN_FREE,
+  GEN_UNKNOWN = GEN_FREE + 8
+};
+
+static val generator(struct law_state *s, slong k) {
+  void *z = calc_new(&s->c);
+  fmpz_mpoly_q_gen(z, k, num_exact_ctx());
+  return z;
+}
+
+val law_free(struct law_state *s, int n) {
+  return generator(s, GEN_FREE + n);
+}
+
+void law_state_open(struct law_state *s) {
+  *s = (struct law_state){.c = calc_begin(num_ctx_exact())};
+  s->chi = generator(s, GEN_CHI);
+  s->eta = generator(s, GEN_ETA);
+  s->belt = generator(s, GEN_BELT);
+  s->eps = calc_d(&s->c, 1);
+  for (int i = 0; i < 2; i++) {
+    s->x[i] = generator(s, GEN_X + i);
+    s->v[i] = generator(s, GEN_V + i);
+    s->a[i] = generator(s, GEN_A + i);
+    s->u[i] = generator(s, GEN_U + i);
+    s->slide[i] = generator(s, GEN_SLIDE + i);
+    s->limit[i] = calc_add(&s->c, s->slide[i], generator(s, GEN_RISE + i));
+    s->shift[i] = calc_d(&s->c, 0);
+  }
+}
+
+void law_state_close(struct law_state *s) {
+  calc_clear(&s->c);
+}
+
+val law_pull(struct law_state *s, int mass) {
+  struct calc *c = &s->c;
+  return mass ? calc_mul(c, s->chi, calc_sub(c, s->x[1], s->x[0])) : calc_sub(c, s->x[0], calc_mul(c, s->chi, s->x[1]));
+}
+
+/* The mass's own place so that f has the value. */
+static void place(struct law_state *s, int mass, val f) {
+  struct calc *c = &s->c;
+  s->x[mass] = mass ? calc_add(c, s->x[0], calc_div(c, f, s->chi)) : calc_add(c, f, calc_mul(c, s->chi, s->x[1]));
+}
+
+void law_state_in(struct law_state *s, struct law_cell cell) {
+  struct calc *c = &s->c;
+  int i = cell.mass;
+  val near = generator(s, GEN_NEAR), far = generator(s, GEN_FAR), f = generator(s, GEN_FORCE);
+  if (cell.pull == PULL_INSIDE) {
+    s->limit[i] = calc_div_ui(c, calc_add(c, near, far), 2);
+    f = calc_div_ui(c, calc_sub(c, near, far), 2);
+  } else if (cell.pull != PULL_ANY) {
+    f = cell.pull == PULL_AT || cell.pull == PULL_BEYOND ? s->limit[i] : s->slide[i];
+    if (cell.pull == PULL_BEYOND || cell.pull == PULL_OVER) f = calc_add(c, f, near);
+    if (cell.pull == PULL_UNDER) f = calc_sub(c, f, near);
+    if (cell.side < 0) f = calc_neg(c, f);
+  }
+  place(s, i, f);
+  val lag = generator(s, GEN_LAG);
+  s->v[i] = cell.speed == 0 ? s->belt : cell.speed > 0 ? calc_sub(c, s->belt, lag) : calc_add(c, s->belt, lag);
+}
+
+/* --- Signs --- */
+
+static int polynomial_sign(const fmpz_mpoly_struct *p) {
+  slong e[NUM_EXACT_GENERATORS];
+  int sign = 0;
+  fmpz_t k;
+  fmpz_init(k);
+  for (slong i = 0; i < fmpz_mpoly_length(p, num_exact_ctx()) && sign != NO_SIGN; i++) {
+    fmpz_mpoly_get_term_coeff_fmpz(k, p, i, num_exact_ctx());
+    fmpz_mpoly_get_term_exp_si(e, p, i, num_exact_ctx());
+    bool known = i == 0 || sign == fmpz_sgn(k);
+    for (int g = N_POSITIVE; g < NUM_EXACT_GENERATORS; g++) known = known && e[g] == 0;
+    sign = known ? fmpz_sgn(k) : NO_SIGN;
+  }
+  fmpz_clear(k);
+  return sign;
+}
+
+int law_sign(const struct law_state *s, val x) {
+  if (s->c.status != SS_OK || !x) return NO_SIGN;
+  const fmpz_mpoly_q_struct *z = x;
+  int above = polynomial_sign(&z->num), below = polynomial_sign(&z->den);
+  return above == 0 ? 0 : above == NO_SIGN || below == NO_SIGN ? NO_SIGN : above * below;
+}
+
+truth law_vanishes(const struct law_state *s, val x) {
+  return s->c.status != SS_OK || !x ? TRUTH_UNKNOWN : num_exact.is_zero(x);
+}
+
+bool law_rational(fmpq_t out, const struct law_state *s, val x) {
+  const fmpz_mpoly_q_struct *z = x;
+  bool ok = s->c.status == SS_OK && fmpz_mpoly_is_fmpz(&z->num, num_exact_ctx()) &&
+            fmpz_mpoly_is_fmpz(&z->den, num_exact_ctx());
+  return ok && num_exact_at(out, z, NULL) == SS_OK;
+}
+
+/* --- Values --- */
+
+/* A name that the law does not know may have any value. */
+static val any_value(struct law_state *s, const char *name) {
+  enum { MOST = (int)(sizeof s->unknown / sizeof *s->unknown) };
+  int i = 0;
+  while (i < s->n_unknown && strcmp(s->unknown[i], name) != 0) i++;
+  if (i == MOST || strlen(name) >= sizeof *s->unknown) return NULL;
+  if (i == s->n_unknown) strcpy(s->unknown[s->n_unknown++], name);
+  return generator(s, GEN_UNKNOWN + i);
+}
+
+static val named(struct law_state *s, const char *name, const struct law *l) {
+  if (l && strcmp(name, l->names[0]) == 0) return s->slide[l->mass];
+  if (l && strcmp(name, l->names[1]) == 0) return s->limit[l->mass];
+  static const char *const of_mass[2][9] = {
+      {"x_1(t)", "x_1'(t)", "z_1'(t)", "x_1''(t)", "u_1", "u_s1", "u_r1", "e_1", "z_1(t)"},
+      {"x_2(t)", "x_2'(t)", "z_2'(t)", "x_2''(t)", "u_2", "u_s2", "u_r2", "e_2", "z_2(t)"}};
+  for (int i = 0; i < 2; i++) {
+    const val value[7] = {s->x[i], s->v[i], s->v[i], s->a[i], s->u[i], s->slide[i], s->limit[i]};
+    for (int k = 0; k < 7; k++)
+      if (strcmp(of_mass[i][k], name) == 0) return value[k];
+    if (strcmp(of_mass[i][7], name) == 0) return calc_sub(&s->c, s->limit[i], s->slide[i]);
+    if (strcmp(of_mass[i][8], name) == 0) return calc_sub(&s->c, s->x[i], s->shift[i]);
+  }
+  return strcmp(name, "chi") == 0   ? s->chi
+         : strcmp(name, "eta") == 0 ? s->eta
+         : strcmp(name, "V") == 0   ? s->belt
+         : strcmp(name, "eps") == 0 ? s->eps
+                                    : any_value(s, name);
+}
+
+bool law_values(struct num_vec *out, struct law_state *s, const struct tape *t, const struct law *names) {
+  struct num_vec in = calc_vec(&s->c, t->n_inputs);
+  *out = calc_vec(&s->c, t->n_outputs);
+  for (slong i = 0; i < in.len; i++) {
+    val x = named(s, t->inputs[i], names);
+    if (!x) return false;
+    num_exact.set(num_vec_at(&in, i), x);
+  }
+  return s->c.status == SS_OK && tape_eval(out, NULL, t, &in) == SS_OK;
+}
+
+val law_value(struct law_state *s, const struct tape *t, const struct law *names) {
+  struct num_vec out;
+  return law_values(&out, s, t, names) ? num_vec_at(&out, 0) : NULL;
+}
+
+val law_solve(struct law_state *s, val *unknown, const struct condition *equation, const struct law *names) {
+  struct calc *c = &s->c;
+  val kept = *unknown, m[3];
+  for (int i = 0; i < 3; i++) {
+    *unknown = calc_d(c, i);
+    m[i] = law_value(s, &equation->s.tape, names);
+  }
+  *unknown = kept;
+  if (!equation->equality || !m[0] || !m[1] || !m[2]) return NULL;
+  val slope = calc_sub(c, m[1], m[0]);
+  int sign = law_sign(s, slope);
+  bool line = law_sign(s, calc_sub(c, calc_sub(c, m[2], m[1]), slope)) == 0;
+  return line && (sign == 1 || sign == -1) ? calc_neg(c, calc_div(c, m[0], slope)) : NULL;
+}
+
+/* --- Branches --- */
+
+truth law_holds(const struct law *l, struct law_state *s, enum branch b) {
+  truth all = TRUTH_TRUE;
+  for (int k = 0; k < l->branch[b].n; k++) {
+    const struct condition *c = &l->branch[b].at[k];
+    if (c->equality) continue;
+    int sign = law_sign(s, law_value(s, &c->s.tape, l));
+    truth holds = sign == NO_SIGN ? TRUTH_UNKNOWN : sign > 0 || (sign == 0 && !c->strict) ? TRUTH_TRUE : TRUTH_FALSE;
+    all = truth_and(all, holds);
+  }
+  return all;
+}
+
+val law_friction(const struct law *l, struct law_state *s, enum branch b) {
+  val u = NULL;
+  for (int k = 0; k < l->branch[b].n; k++) {
+    if (!l->branch[b].at[k].equality) continue;
+    val solved = law_solve(s, &s->u[l->mass], &l->branch[b].at[k], l);
+    if (!solved || (u && law_sign(s, calc_sub(&s->c, u, solved)) != 0)) return NULL;
+    u = solved;
+  }
+  return u;
+}
+
+truth law_headed(const struct law *l, struct law_state *s) {
+  struct num_vec out;
+  if (!l->headed || !law_values(&out, s, &l->heading.tape, l)) return TRUTH_UNKNOWN;
+  truth all = TRUTH_TRUE;
+  for (slong i = 0; i < l->heading.n; i++) {
+    int sign = law_sign(s, calc_sub(&s->c, num_vec_at(&out, i), num_vec_at(&out, l->heading.n + i)));
+    all = truth_and(all, sign == NO_SIGN ? TRUTH_UNKNOWN : sign == 0 ? TRUTH_TRUE : TRUTH_FALSE);
+  }
+  return all;
+}
+
+struct law_answer law_answer(const struct law *l, struct law_state *s, int speed) {
+  struct law_answer a = {0, SLIPS, speed, NULL};
+  if (speed) {
+    s->eps = calc_d(&s->c, speed);
+    a.u = law_friction(l, s, SLIPS);
+    a.n = a.u ? 1 : -1;
+    return a;
+  }
+  static const int eps_of[] = {0, 1, -1};
+  for (int i = 0; i < 3 && a.n >= 0; i++) {
+    enum branch b = eps_of[i] ? BREAKS : STICKS;
+    s->eps = calc_d(&s->c, eps_of[i] ? eps_of[i] : 1);
+    truth holds = law_holds(l, s, b);
+    if (holds == TRUTH_FALSE) continue;
+    val u = law_friction(l, s, b);
+    bool known = holds == TRUTH_TRUE && u;
+    if (known && a.n == 0) a = (struct law_answer){0, b, eps_of[i], u};
+    a.n = known ? a.n + 1 : -1;
+  }
+  return a;
+}
