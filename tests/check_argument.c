@@ -432,7 +432,9 @@ END_TEST
 
 /* --- Counting --- */
 
-/* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 one; for all values of the rest. */
+/* Ranks by hand: of x = 1, 2x = 2 and y = x^2 two; of V t_a = 1 and t_a = t_a^2 one; for all values of the rest.  Of (1 - V) t_a = 1
+   and t_b = 1 two but where V = 1; the absolute value of 1 - V and sin(1/(1 - V)) are no quotients of analytic
+   functions on the whole domain. */
 START_TEST(ranks_by_hand) {
   static const struct {
     const char *statements, *unknowns, *rank;
@@ -442,7 +444,13 @@ START_TEST(ranks_by_hand) {
                {"  z_10 = 1\n  2*z_10 = 2\n  z_20 = z_10^2\n", "z_10", "1", VERDICT_PROVED},
                {"  V*t_a = 1\n  t_a = t_a^2\n", "t_a", "1", VERDICT_PROVED},
                {"  z_10 - z_20 = z_10 - z_20 + 0*t_a\n", "z_10, z_20, t_a", "0", VERDICT_PROVED},
-               {"  (1 - V)*t_a = 1\n  t_b = 1\n", "t_a, t_b", "2", VERDICT_SUPPORTED},
+               {"  (1 - V)*t_a = 1\n  t_b = 1\n", "t_a, t_b", "2", VERDICT_PROVED},
+               {"  (1 - V)*t_a = 1\n  t_b = 1\n", "t_a, t_b", "1", VERDICT_REFUTED},
+               {"  sqrt((1 - V)^2)*t_a = 1\n  t_b = 1\n", "t_a, t_b", "2", VERDICT_SUPPORTED},
+               {"  sin(1/(1 - V))*t_a = 1\n  t_b = 1\n", "t_a, t_b", "2", VERDICT_SUPPORTED},
+               {"  omega_1*t_a = 1\n  t_b = sin(t_a)/(1 - V)\n", "t_a, t_b", "2", VERDICT_PROVED},
+               {"  (1 - V)*t_a = 1\n  t_a - V*t_a = t_b\n  t_a - V*t_a = 1\n", "t_a, t_b, z_10", "3", VERDICT_REFUTED},
+               {"  (1 - V)*t_a = 1\n  t_a - V*t_a = t_b\n  t_a - V*t_a = 1\n", "t_a, t_b, z_10", "2", VERDICT_PROVED},
                {"  sin(t_b)^2 + cos(t_b)^2 = 1\n  t_c = t_b\n", "t_b, t_c", "1", VERDICT_PROVED}};
   struct model m;
   struct text t;
@@ -496,6 +504,54 @@ START_TEST(the_first_inverse_has_exceptions) {
   ck_assert_double_eq_tol(num_arb.get_d(y), -3.25e-4, 1e-6);
   arb_clear(y);
   arb_clear(x);
+}
+END_TEST
+
+/* What divides is zero nowhere, by its sign or on admissible motions by the velocities; or it is zero on an orbit of a
+   family.  sin(t_b) is neither: nothing says that t_b is not pi. */
+START_TEST(values_of_formulas) {
+#define ALONG(low, high)                                                                                               \
+  "  at: chi = 15/64, eta = 2, V = 1, e1 = 2.7294, e2 = 0.4475\n  vary: e2 from " low " to " high "\n"
+  static const struct {
+    const char *statements, *attributes, *condition;
+    enum verdict want;
+  } cases[] = {
+      {"  z_10 = 1/(chi*eta) + inv(K_1 + [0, 0; 0, 1])[1,1]\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = 1/(omega_2 - omega_1) + 1/(omega_1 - 1)\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = sqrt(1 - chi)\n", "  over: parameters\n", NULL, VERDICT_PROVED},
+      {"  z_10 = sqrt(chi - 1)\n", "  over: parameters\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(1 - V)\n", "  over: parameters\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(1 - eta*chi)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/(V - z'_1b) + cot(omega*t_d)\n", "", NULL, VERDICT_PROVED},
+      {"  z_10 = 1/(V - z'_1b)\n", "  over: orbits\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cot(omega*t_d)\n", "  over: orbits\n", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cot(t_b)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = cos(omega*t_d)/sin(2*omega*t_d)\n", "", NULL, VERDICT_UNKNOWN},
+      {"  z_10 = 1/det(N_1 - I)\n", ALONG("0.447", "0.448"), "det(N_1 - I) is not zero", VERDICT_CONDITIONAL},
+      {"  z_10 = 1/det(N_1 - I) + 1/t_b\n", ALONG("0.448", "0.447"), "det(N_1 - I) and t_b are not zero",
+       VERDICT_CONDITIONAL},
+      {"  z_10 = 1/det(N_1 - I)\n", ALONG("0.4475", "0.448"), NULL, VERDICT_UNKNOWN}, /* the same sign at both ends */
+      {"  z_10 = 1/(e_2 - 0.4476)\n", ALONG("0.447", "0.448"), "(e_2 - 0.4476) is not zero", VERDICT_CONDITIONAL},
+  };
+  struct model m;
+  struct text t;
+  struct diag d;
+  struct audit_result r;
+  diag_init(&d);
+  text_init(&t);
+  text_printf(&t, "equation user\n  section: %s\n%s",
+              strstr(cases[_i].statements, "omega*t_d") ? "stability" : "validation", cases[_i].statements);
+  paper_model(&m, &(struct paper_layers){.overlay = scratch_put("overlay.eq", text_str(&t)), .controls = true});
+  text_reset(&t);
+  text_printf(&t, HEAD "  kind: defined\n  statements: user\n%s", cases[_i].attributes);
+  ck_assert_msg(judge_text(&r, &m, text_str(&t), &d), "%s", d.message);
+  const struct finding *f = &r.findings[0];
+  ck_assert_msg(f->verdict == cases[_i].want, "%s: %s", cases[_i].statements, verdict_name[f->verdict]);
+  if (cases[_i].condition) ck_assert_str_eq(f->condition, cases[_i].condition);
+  audit_result_clear(&r);
+  text_clear(&t);
+  model_clear(&m);
+#undef ALONG
 }
 END_TEST
 
@@ -610,7 +666,8 @@ Suite *argument_suite(void) {
   LOOP(symbols_and_readings, symbols);
   tcase_add_loop_test(c, formulas_without_a_degree, 0, 5);
   LOOP(units_of_one_record, units);
-  tcase_add_loop_test(c, ranks_by_hand, 0, 6);
+  tcase_add_loop_test(c, ranks_by_hand, 0, 13);
+  tcase_add_loop_test(c, values_of_formulas, 0, 15);
   tcase_add_test(c, the_first_inverse_has_exceptions);
   LOOP(hostile_attributes_are_shown_where_they_are, hostile);
   tcase_add_test(c, every_number_of_the_paper_is_covered);

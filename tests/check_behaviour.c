@@ -487,13 +487,13 @@ START_TEST(the_criterion_needs_its_threshold) {
   struct audit_result r;
   char text[400];
   const struct finding *f = judged(&r, claim);
-  ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+  ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
   audit_result_clear(&r);
   static const char *const sides[] = {"inside", "outside"};
   for (int i = 0; i < 2; i++) {
     snprintf(text, sizeof text, "%s  side: %s\n", claim, sides[i]);
     f = judged(&r, text);
-    ck_assert_int_eq((int)f->verdict, VERDICT_SUPPORTED);
+    ck_assert_int_eq((int)f->verdict, VERDICT_PROVED);
     ck_assert(says(f, i ? "at 0 orbits with |slope| < 1" : "and 0 with |slope| > 1"));
     audit_result_clear(&r);
   }

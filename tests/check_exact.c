@@ -15,6 +15,7 @@
 #include "proof/exact_law.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
+#include "proof/linearized.h"
 #include "proof/receipt.h"
 #include "scratch.h"
 #include "suites.h"
@@ -667,6 +668,49 @@ START_TEST(ranks_by_hand) {
 }
 END_TEST
 
+/* --- The theorem of linearized stability --- */
+
+/* One hypothesis is taken away by each overlay, and said to be missing; a criterion in other words is as good. */
+START_TEST(the_theorem_needs_each_hypothesis) {
+  static const struct {
+    const char *overlay, *missing;
+  } rows[] = {
+      {"inequality own\n  -1 < tr(J) < 1\n", NULL},
+      {"inequality own\n  tr(J) < 1\n  -tr(J) < 1\n", NULL},
+      {"inequality own\n  -1 < tr(J) < 1 + 1e-40\n", "the inequalities say"},
+      {"inequality own\n  -1 < tr(J) <= 1\n", "the inequalities say"},
+      {"inequality own\n  tr(J) < 1\n", "the inequalities say"},
+      {"define user\n  J := J_f*J_c*[1, 0; 0, 2]*J_b*J_a\n", "J is the derivative"},
+      {"define user\n  J := J_f*J_c*J_b*J_a + [1, 0; 0, 1]\n", "J is the derivative"},
+      {"define user\n  ktilde_1 := 2*V/(z_1c - chi*z_2c)\n", "J is the derivative"},
+      {"define user\n  ktilde_1 := V*(z_1c - chi*z_2c)\n", "ends transversally"},
+      {"define user\n  gammatilde_1 := chi\n  gammatilde_2 := V\n", "ends transversally"},
+      {"define user\n  J_f := [1, 0, 0; 0, 1, 0]\n", "ends transversally"},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct text t;
+    struct model m;
+    struct diag d;
+    struct audit_result out;
+    text_init(&t);
+    diag_init(&d);
+    audit_result_init(&out);
+    const char *body = strchr(rows[i].overlay, '\n') + 1;
+    text_printf(&t, "%.*s  section: stability\n%s", (int)(body - rows[i].overlay), rows[i].overlay, body);
+    bool own = strncmp(rows[i].overlay, "inequality", 10) == 0;
+    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("own.eq", text_str(&t))});
+    const struct view v = {&m, LAYER_CORRECTED, NULL, NULL};
+    struct judge j = {.out = &out, .model = &m, .scene = &paper, .cache = cache, .d = &d};
+    struct linearized l = linearized_stability(&j, view_record(&v, own ? "own" : "text-criterion"), v);
+    ck_assert_msg(l.proved == !rows[i].missing, "row %zu: %s", i, l.note);
+    if (rows[i].missing) ck_assert_msg(strstr(l.note, rows[i].missing), "row %zu: %s", i, l.note);
+    audit_result_clear(&out);
+    model_clear(&m);
+    text_clear(&t);
+  }
+}
+END_TEST
+
 /* The exact rank is never another than that of balls at points, whatever damage was done. */
 START_TEST(ranks_of_damaged_equations) {
   struct overlay o;
@@ -911,6 +955,7 @@ Suite *exact_suite(void) {
   tcase_add_test(c, what_follows_from_the_law);
   tcase_add_test(c, how_far_forces_reach);
   tcase_add_test(c, ranks_by_hand);
+  tcase_add_test(c, the_theorem_needs_each_hypothesis);
   tcase_add_test(c, ranks_of_damaged_equations);
   tcase_add_test(c, what_the_trace_does_not_feel);
   tcase_add_test(c, receipts_hold_and_damaged_ones_do_not);

@@ -361,12 +361,12 @@ END_TEST
 /* --- What is asked --- */
 
 START_TEST(selections_meet) {
-  const char *group[] = {"section stability"}, *only[] = {"eq-27", "eq-13"};
+  const char *group[] = {"section stability"}, *only[] = {"eq-35b", "eq-13"};
   struct scene s = asking(group, 1, NULL, 0, 0);
   struct audit_result r;
   audit(&r, &s, only, 2, 1);
   ck_assert_uint_eq(r.n_findings, 1);
-  ck_assert_str_eq(r.findings[0].id, "eq-27");
+  ck_assert_str_eq(r.findings[0].id, "eq-35b");
   audit_result_clear(&r);
   struct diag d;
   const struct audit_options opt = {.only = only + 1, .n_only = 1};

@@ -56,7 +56,11 @@
      scaled      (scaling) prefixes of the names that are multiplied; of one statement, or of all; repaired: those of
                  the correction
      statements, absent    (reach) records, and the symbols that they must not contain
-     unknowns, rank        (rank) of the statement's equations
+     statements, over      (defined) records whose quotients, roots, cotangents and inverses must have a value on every
+                 admissible (default) or every (orbits) periodic solution, or for all parameters (parameters); at, vary: a family of orbits along which one
+                 of the divisors changes its sign
+     unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
+                 rank of their derivative on an open and dense set
      word, conditions      (sequence) phases of one period; inequalities along it
      given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
                            start
@@ -82,7 +86,7 @@
 
    Kinds: definition, matrix, identity, inequality, sharp (each step of the statement's inequalities becomes
    an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, sequence, existence, constraints, law, outside, report.
+   notation, scaling, reach, rank, defined, sequence, existence, constraints, law, outside, report.
 
    What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a
    claim, yet its other points and routes are tried all the same, since the evidence says at how many points it differs

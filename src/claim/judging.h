@@ -9,7 +9,7 @@ struct orbit_cache;
 struct orbit_pool;
 
 /* EFFORT_REFUTE: the decisive route alone, up to its first difference; a verdict other than refuted means nothing then,
-   but that arguments, scaling, ranks and reach are proved just where the full effort proves them.
+   but that arguments, scaling, ranks, criteria and reach are proved just where the full effort proves them.
    EFFORT_VERDICT: all routes, up to the point from which on the verdict can be nothing but refuted; the evidence means
    nothing then.  EFFORT_DIFFERENCE: all routes, up to the first difference of the decisive one.  Kinds that know them
    are done sooner; others may pass over them. */

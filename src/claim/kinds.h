@@ -49,7 +49,7 @@ extern const char *const fault_name[N_FAULTS];
   K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, \
     1)                                                                                                                 \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                             \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_FORMULA, 0, 0, 1)             \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
@@ -60,6 +60,8 @@ extern const char *const fault_name[N_FAULTS];
   K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1)                     \
   K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1)                          \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
+    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+  K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,     \
     FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)               \

@@ -88,6 +88,14 @@ typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajec
 struct watched {
   long motions, apart; /* accepted; left out, since rounding could turn them */
 };
+/* Parameters of which one runs from one value to another. */
+struct family {
+  const struct point *base;
+  int vary; /* P_... */
+  fmpq_t from, to;
+};
+/* "e2 from 3/4 to 1", up to a semicolon, into the last three. */
+bool behaviour_family(struct family *f, struct behaviour *b, const char *vary);
 /* n random motions over the given time, sampled (0: not); sticking: from starts as in (11). */
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,
                                void *self);

@@ -10,13 +10,6 @@
 #include "judge.h"
 #include "value/coulomb_setup.h"
 
-/* Parameters of which one runs from one value to another. */
-struct family {
-  const struct point *base;
-  int vary; /* P_... */
-  fmpq_t from, to;
-};
-
 enum { FLIP_DIGITS = 18, FLIP_STARTS = 3 };
 
 /* At a flip R(r_0 + s) = r_0 + c_1 s + c_2 s^2 + c_3 s^3 + ... with c_1 = -1, and R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 +
@@ -45,8 +38,7 @@ static const struct dyn_orbit *middle_orbit(struct point *p, const struct dyn_bi
   return NULL;
 }
 
-/* "e2 from 3/4 to 1" */
-static bool read_family(struct family *f, struct behaviour *b, const char *vary) {
+bool behaviour_family(struct family *f, struct behaviour *b, const char *vary) {
   static const struct {
     const char *name;
     int p;
@@ -182,7 +174,7 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
   point_init(&base);
   fmpq_init(f.from);
   fmpq_init(f.to);
-  bool ok = behaviour_params(&base, b, params) && read_family(&f, b, vary);
+  bool ok = behaviour_params(&base, b, params) && behaviour_family(&f, b, vary);
   if (ok) find_flips(t, b, &f);
   fmpq_clear(f.to);
   fmpq_clear(f.from);

@@ -1,4 +1,5 @@
-/* Sentences that count: which symbols a set of equations contains, and how many independent equations it is worth. */
+/* Sentences that count: which symbols a set of equations contains, and how many functionally independent equations it
+   amounts to. */
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -6,7 +7,7 @@
 #include "base/work.h"
 #include "judge.h"
 #include "num/calc.h"
-#include "proof/exact_rank.h"
+#include "proof/generic_rank.h"
 
 enum { MAX_NAMES = RANK_NAMES };
 
@@ -56,7 +57,7 @@ bool judge_reach(struct finding *f, struct judge *j, const struct claim *c, stru
   return ok;
 }
 
-/* --- How many equations it is worth --- */
+/* --- How many equations it amounts to --- */
 
 /* The derivative of the residuals at a point: symbolic in balls, central differences in MPFR. */
 static int system_matrix(struct num_vec *m, struct rank_system *y, const struct point *p, struct orbit_cache *cache) {
@@ -116,27 +117,22 @@ static truth entry_zero(const struct num_vec *m, slong i) {
   return tiny ? TRUTH_TRUE : TRUTH_FALSE;
 }
 
-/* The rank by elimination with complete pivoting; -1 when an entry cannot be told from zero. */
-static int rank_of(struct num_vec *m, int rows, int cols) {
+/* Elimination with complete pivoting.  least: the pivots that are certainly not zero, so that a minor of that order is
+   not; most: -1 when something left cannot be told from zero, else least. */
+static void eliminate(int *least, int *most, struct num_vec *m, int rows, int cols) {
   const struct num_type *t = m->ctx.type;
   slong p = m->ctx.prec;
   struct num_vec w;
   num_vec_init(&w, 2, m->ctx);
   void *factor = num_vec_at(&w, 0), *term = num_vec_at(&w, 1);
   bool used[MAX_NAMES] = {false};
-  int rank = 0;
-  for (bool more = true; more;) {
+  for (*least = 0;; ++*least) {
     int best = -1;
-    more = false;
-    for (int i = 0; i < rows * cols; i++) {
-      if (used[i / cols]) continue;
-      truth zero = entry_zero(m, i);
-      if (zero == TRUTH_FALSE && (best < 0 || size_of(m, i) > size_of(m, best))) best = i;
-    }
+    for (int i = 0; i < rows * cols; i++)
+      if (!used[i / cols] && entry_zero(m, i) == TRUTH_FALSE && (best < 0 || size_of(m, i) > size_of(m, best)))
+        best = i;
     if (best < 0) break;
-    more = true;
     used[best / cols] = true;
-    rank++;
     for (int i = 0; i < rows; i++) {
       if (used[i]) continue;
       t->div(factor, num_vec_at(m, i * cols + best % cols), num_vec_at(m, best), p);
@@ -146,57 +142,83 @@ static int rank_of(struct num_vec *m, int rows, int cols) {
       }
     }
   }
-  for (int i = 0; rank >= 0 && i < rows * cols; i++)
-    if (!used[i / cols] && entry_zero(m, i) != TRUTH_TRUE) rank = -1;
+  *most = *least;
+  for (int i = 0; i < rows * cols; i++)
+    if (!used[i / cols] && entry_zero(m, i) != TRUTH_TRUE) *most = -1;
   num_vec_clear(&w);
-  return rank;
 }
 
+/* What was seen at the points tried by one route. */
 struct count {
-  long as_said, other, open;
-  int rank; /* the last */
+  long trials, largest_at; /* at so many the rank is the largest */
+  int largest;
+  const char *where; /* the first point of the largest */
 };
 
-static void count_at(struct count *n, struct rank_system *y, const struct point *p, int wanted, struct num_ctx ctx,
-                     struct orbit_cache *cache) {
+static void count_at(struct count *n, struct judge *j, struct rank_system *y, const struct point *p,
+                     struct num_ctx ctx) {
   struct num_vec m;
+  int least, most;
   num_vec_init(&m, y->rows * y->cols, ctx);
-  if (system_matrix(&m, y, p, cache) == SS_OK) {
-    int rank = rank_of(&m, y->rows, y->cols);
-    n->as_said += rank == wanted;
-    n->open += rank < 0;
-    n->other += rank >= 0 && rank != wanted;
-    if (rank >= 0 && (n->other == 0 || rank != wanted)) n->rank = rank;
+  if (system_matrix(&m, y, p, j->cache) == SS_OK) {
+    eliminate(&least, &most, &m, y->rows, y->cols);
+    if (n->trials++ == 0 || least > n->largest) {
+      struct text where;
+      text_init(&where);
+      point_print(&where, p);
+      n->where = result_take(j->out, &where);
+      n->largest = least;
+      n->largest_at = 0;
+    }
+    n->largest_at += least == n->largest;
   }
   num_vec_clear(&m);
 }
 
-static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct rank_system *y,
-                                     const struct count *n, long bits, bool decisive) {
-  struct route_result w = {route, outcome_of_counts(n->as_said, n->other, n->open), decisive,
-                           n->as_said + n->other + n->open};
-  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], bits, NULL,
-                    result_str(j->out, "%d scalar equation%s in %d unknown%s; the rank of the derivative is %d",
-                               y->rows, y->rows == 1 ? "" : "s", y->cols, y->cols == 1 ? "" : "s", n->rank));
+/* A larger rank than said is a certificate in balls; a smaller one may be that of exceptions. */
+static struct route_result add_count(struct finding *f, struct judge *j, const char *route, const struct count *n,
+                                     int wanted, bool decisive) {
+  enum route_outcome o = n->trials == 0         ? ROUTE_NOTHING
+                         : n->largest == wanted ? ROUTE_AGREES
+                         : n->largest > wanted  ? ROUTE_DIFFERS
+                         : decisive             ? ROUTE_UNDECIDED
+                                                : ROUTE_DIFFERS;
+  struct route_result w = {route, o, decisive, n->trials};
+  finding_add_route(f, j->out, w, layer_name[LAYER_CORRECTED], FD_PREC, n->where,
+                    result_str(j->out,
+                               "at %ld of %ld periodic orbits the derivative of the equations by the unknowns has a "
+                               "minor of order %d that is not zero, and at none a larger one was found",
+                               n->largest_at, n->trials, n->largest));
   return w;
 }
 
-/* Where no point has another rank. */
-static struct route_result prove_rank(struct finding *f, struct judge *j, const struct rank_system *y, int wanted) {
-  struct exact_rank e = exact_rank_of(j->out, y);
-  struct route_result w = {"exact", e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, true, 1};
-  if (e.rank < 0) {
-    w.outcome = ROUTE_NOTHING;
+static struct route_result add_exact(struct finding *f, struct judge *j, enum route_outcome o, const char *note) {
+  struct route_result w = {"exact", o, true, 1};
+  if (o != ROUTE_AGREES && o != ROUTE_DIFFERS) {
     finding_state(f, j->out, "exact", layer_name[LAYER_CORRECTED], -1, -1, NULL,
-                  result_str(j->out, "not proved: %s", e.note));
+                  result_str(j->out, "not proved: %s", note));
     return w;
   }
   struct evidence *said = finding_add(f, j->out);
   said->route = "exact";
   said->layer = layer_name[LAYER_CORRECTED];
-  said->result = e.rank == wanted ? "proved" : "differs";
-  said->note = e.note;
+  said->result = o == ROUTE_AGREES ? "proved" : "differs";
+  said->note = note;
   return w;
+}
+
+/* By elimination that holds for all values of the symbols; else by one minor in balls and the number of equations. */
+static struct route_result prove_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view,
+                                      const struct rank_system *y, const struct count *balls, int wanted) {
+  struct exact_rank e = exact_rank_of(j->out, y);
+  if (e.rank >= 0) return add_exact(f, j, e.rank == wanted ? ROUTE_AGREES : ROUTE_DIFFERS, e.note);
+  struct generic_rank g = generic_rank_of(j, c, view, y);
+  bool seen = balls->trials > 0 && balls->largest == wanted;
+  return add_exact(f, j,
+                   g.most < wanted                          ? ROUTE_DIFFERS
+                   : seen && g.analytic && g.most == wanted ? ROUTE_AGREES
+                                                            : ROUTE_NOTHING,
+                   g.note);
 }
 
 bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -209,24 +231,23 @@ bool judge_rank(struct finding *f, struct judge *j, const struct claim *c, struc
     struct sampler s;
     struct point p;
     struct count balls = {0}, differences = {0};
+    bool refute = j->effort == EFFORT_REFUTE;
     int wanted = (int)strtol(said, NULL, 10);
     sampler_init(&s, c->id, POINT_ORBIT, PHASE_D, NULL);
     point_init(&p);
-    for (int i = 0; i < DRAWS && balls.as_said + balls.other + balls.open < ORBITS; i++) {
+    for (int i = 0; i < DRAWS && balls.trials < ORBITS; i++) {
       sampler_next(&p, &s);
-      if (j->effort == EFFORT_REFUTE && balls.other) break;
+      if (refute && balls.trials && balls.largest >= wanted) break;
       if (!point_settle(&p, j->cache)) continue;
-      long before =
-          j->effort == EFFORT_REFUTE ? DIFFERENCES : differences.as_said + differences.other + differences.open;
-      count_at(&balls, &y, &p, wanted, num_ctx_arb(FD_PREC), j->cache);
-      if (before < DIFFERENCES) count_at(&differences, &y, &p, wanted, num_ctx_mpfr(FD_PREC), j->cache);
+      count_at(&balls, j, &y, &p, num_ctx_arb(FD_PREC));
+      if (!refute && differences.trials < DIFFERENCES) count_at(&differences, j, &y, &p, num_ctx_mpfr(FD_PREC));
     }
     point_clear(&p);
-    struct route_result w[3], proof = {.outcome = ROUTE_NOTHING};
+    struct route_result w[3];
     int n = 0;
-    w[n++] = add_count(f, j, "balls", &y, &balls, FD_PREC, true);
-    if (j->effort != EFFORT_REFUTE) w[n++] = add_count(f, j, "fd", &y, &differences, FD_PREC, false);
-    if (balls.other == 0) proof = prove_rank(f, j, &y, wanted);
+    w[n++] = add_count(f, j, "balls", &balls, wanted, true);
+    if (!refute) w[n++] = add_count(f, j, "fd", &differences, wanted, false);
+    struct route_result proof = prove_rank(f, j, c, view, &y, &balls, wanted);
     if (proof.outcome != ROUTE_NOTHING) w[n++] = proof;
     f->verdict = verdict_of(w, n, proof.outcome == ROUTE_AGREES);
   }

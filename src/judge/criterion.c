@@ -9,6 +9,7 @@
 
 #include "behaviour.h"
 #include "judge.h"
+#include "proof/linearized.h"
 #include "value/coulomb_setup.h"
 #include "value/expression.h"
 
@@ -164,8 +165,19 @@ static enum route_outcome where_told(enum route_outcome said, long bad, long not
   return said == ROUTE_AGREES && bad && bad == not_tried ? ROUTE_UNDECIDED : said;
 }
 
-static void conclude(struct behaviour *b, const struct tried *t) {
-  struct route_result w[3];
+static struct route_result add_theorem(struct behaviour *b, const struct linearized *l) {
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = l->proved ? "proved" : "states";
+  e->note = l->note;
+  return (struct route_result){"exact", ROUTE_AGREES, true, 1};
+}
+
+/* theorem: of the sentence, unless points have refuted it already. */
+static void conclude(struct behaviour *b, const struct tried *t, const struct linearized *theorem) {
+  struct route_result w[4];
+  int n = 0;
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
@@ -179,23 +191,28 @@ static void conclude(struct behaviour *b, const struct tried *t) {
                   side == INSIDE ? "inside" : "outside", near == NEAR_BELOW ? "-1" : "1");
       if (t->near[near][side]) text_printf(&note, " (nearest %.6f)", t->nearest[near][side]);
     }
-  w[0] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
-                         result_take(b->j->out, &note));
-  w[1] = behaviour_route(
-      b, "iteration", "model",
-      where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
-      t->fate_as_said + t->fate_against + t->fate_open, NULL,
-      result_str(b->j->out,
-                 "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
-                 t->fate_as_said, t->fate_against, t->fate_open));
-  w[2] = behaviour_route(
-      b, "integration", "model",
-      where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
-      t->moved_as_said + t->moved_against + t->moved_open, NULL,
-      result_str(b->j->out,
-                 "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
-                 t->moved_as_said, t->moved_against));
-  b->f->verdict = verdict_of(w, 3, false);
+  w[n++] = behaviour_route(b, "fd", "model", outcome_of_counts(good, bad, 0), true, good + bad, t->where,
+                           result_take(b->j->out, &note));
+  bool tried_further = b->j->effort != EFFORT_REFUTE;
+  if (tried_further)
+    w[n++] = behaviour_route(
+        b, "iteration", "model",
+        where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
+        t->fate_as_said + t->fate_against + t->fate_open, NULL,
+        result_str(b->j->out,
+                   "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
+                   t->fate_as_said, t->fate_against, t->fate_open));
+  if (tried_further)
+    w[n++] = behaviour_route(
+        b, "integration", "model",
+        where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
+        t->moved_as_said + t->moved_against + t->moved_open, NULL,
+        result_str(b->j->out,
+                   "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
+                   t->moved_as_said, t->moved_against));
+  if (theorem->note) w[n] = add_theorem(b, theorem);
+  n += theorem->proved;
+  b->f->verdict = verdict_of(w, n, theorem->proved);
 }
 
 static bool read_side(int *only, struct judge *j, const struct claim *c) {
@@ -253,6 +270,7 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   const struct statement_record *r = claim_record(view, c, "statement", statement, j->d);
   struct reread in;
   if (r && j->instead) r = reread_open(&in, r, j->instead, c->id, j->d);
+  if (r && j->instead) in.record.rank = RANK_USER; /* no stable form stands for it */
   if (!r) {
     if (j->instead) reread_close(&in);
     return false;
@@ -262,8 +280,10 @@ bool judge_criterion(struct finding *f, struct judge *j, const struct claim *c, 
   if (ok) try_pool(&y, &p);
   point_clear(&p);
   sentence_clear(&y.sentence);
+  struct linearized theorem = {.proved = false};
+  if (ok && !y.t.where && route_is_asked(j->scene, "exact")) theorem = linearized_stability(j, r, view);
+  if (ok) conclude(&b, &y.t, &theorem);
   if (j->instead) reread_close(&in);
-  if (ok) conclude(&b, &y.t);
   return ok && !j->d->set;
 }
 

@@ -151,6 +151,8 @@ bool judge_claim(struct judge *j, const struct claim *c) {
     finding_state(&f, j->out, "none", layer_name[LAYER_CORRECTED], -1, -1, NULL,
                   result_str(j->out, "fewer points or routes than its kind asks for: %s", few));
   const struct claim_kind *k = claim_kind_of(c);
+  if (f.verdict == VERDICT_REFUTED && f.condition) /* the judge says when it holds */
+    f.verdict = verdict_under_condition(f.verdict, VERDICT_PROVED);
   if (!f.fault && (f.verdict == VERDICT_REFUTED || f.verdict == VERDICT_CONDITIONAL))
     f.fault = fault_name[claim_fault(j->model, c)];
   bool again = f.verdict == VERDICT_REFUTED && k->tried_at_points && !f.correction;

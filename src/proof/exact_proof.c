@@ -220,8 +220,7 @@ static void add_unknown(struct override *o, int *n, const char *name) {
 
 /* The matrix of the period or the states in which phases meet, where the claim names them; the local Jacobians, of
    which J is made. */
-static int choose_unknowns(struct override *o, const struct claim *c) {
-  const char *list = claim_get(c, "oracle"), *value = claim_get(c, "value");
+static int choose_unknowns(struct override *o, const char *list, const char *value) {
   int n = 0;
   if (list && strcmp(list, "N") == 0) add_unknown(o, &n, "N");
   static const char *const states[] = {"S_a", "S_b", "S_c"};
@@ -367,12 +366,30 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
       p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest, p->largest == 1 ? "" : "s");
 }
 
-struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
+/* oracle: the matrices that are held as unknowns, as a claim lists them. */
+static struct exact_proof prove_question(struct judge *j, const struct exact_question *asked, const char *oracle,
+                                         struct view view, const struct restriction *r) {
   struct model plain =
       *view.model; /* stable forms are proved equal to the corrected ones (stable_forms.h), which are shorter */
   plain.stable = false;
   view.model = &plain;
   struct override o[EXACT_UNKNOWNS];
+  const struct exact_question *q = keep_question(j, asked);
+  int n = choose_unknowns(o, oracle, q->value);
+  struct exact_proof p = {.proved = true};
+  prove_with(&p, j, q, view, r, o, n);
+  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
+  if (p.proved) p.note = describe(j, &p, q, n);
+  return p;
+}
+
+struct exact_proof exact_prove_value(struct judge *j, const char *value, const char *section, struct view view) {
+  const struct exact_question q = {
+      .value = value, .section = section, .spec = {{.kind = POINT_ORBIT, .n = 1}}, .n_specs = 1};
+  return prove_question(j, &q, NULL, view, NULL);
+}
+
+struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct view view, const struct restriction *r) {
   struct diag d;
   diag_init(&d);
   struct judge quiet = *j;
@@ -385,13 +402,7 @@ struct exact_proof exact_prove(struct judge *j, const struct claim *c, struct vi
                                  .sharp = claim_kind(c) == KIND_SHARP};
   asked.n_specs = claim_points(asked.spec, EXACT_SPECS, &quiet, c);
   if (asked.n_specs <= 0) return (struct exact_proof){.why_not = "the sentence cannot be read"};
-  const struct exact_question *q = keep_question(j, &asked);
-  int n = choose_unknowns(o, c);
-  struct exact_proof p = {.proved = true};
-  prove_with(&p, j, q, view, r, o, n);
-  if (p.proved && p.uses_matrices) are_the_models(&p, j, q, view, r, o, n);
-  if (p.proved) p.note = describe(j, &p, q, n);
-  return p;
+  return prove_question(j, &asked, claim_get(c, "oracle"), view, r);
 }
 
 void finding_add_proof(struct finding *f, struct audit_result *out, const struct exact_proof *p, const char *layer,
@@ -416,7 +427,6 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
     enum kind kind;
     const char *why;
   } reasons[] = {
-      {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
       {KIND_BEHAVIOUR, "about simulated motions"},
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
       {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},

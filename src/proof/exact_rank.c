@@ -130,6 +130,21 @@ struct exact_rank exact_rank_of(struct audit_result *out, const struct rank_syst
   return r;
 }
 
+bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, struct judge *j, const struct claim *c,
+                    const struct statement_record *r) {
+  *rows = 0;
+  for (int i = 0; i < r->n_stmts; i++)
+    for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
+      struct matrix a, b;
+      if (!elaborate_sides(&a, &b, el, r->stmts[i], k, r->src, r->section, j->d)) return false;
+      for (int e = 0; e < a.rows * a.cols; e++) {
+        if (*rows == RANK_NAMES) return claim_error(j, c, "statement", "too many equations");
+        out[(*rows)++] = expr_op2(&el->pool, EXPR_SUB, a.e[e], b.e[e]);
+      }
+    }
+  return true;
+}
+
 bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view) {
   const char *id = claim_get(c, "statement");
   const struct statement_record *r = id ? view_record(&view, id) : NULL;
@@ -138,15 +153,7 @@ bool rank_system_build(struct rank_system *y, struct judge *j, const struct clai
   elaboration_init(&y->s.el, view, NULL, 0);
   if (!r || y->cols == 0) return claim_error(j, c, "statement", "a record and its unknowns are needed");
   const struct expr *out[RANK_NAMES * (RANK_NAMES + 1)];
-  for (int i = 0; i < r->n_stmts; i++)
-    for (int k = 0; r->stmts[i]->kind == STMT_RELATION && k + 1 < r->stmts[i]->n_sides; k++) {
-      struct matrix a, b;
-      if (!elaborate_sides(&a, &b, &y->s.el, r->stmts[i], k, r->src, r->section, j->d)) return false;
-      for (int e = 0; e < a.rows * a.cols; e++) {
-        if (y->rows == RANK_NAMES) return claim_error(j, c, "statement", "too many equations");
-        out[y->rows++] = expr_op2(&y->s.el.pool, EXPR_SUB, a.e[e], b.e[e]);
-      }
-    }
+  if (!rank_residuals(out, &y->rows, &y->s.el, j, c, r)) return false;
   for (int i = 0; i < y->rows; i++)
     for (int k = 0; k < y->cols; k++) out[y->rows + i * y->cols + k] = expr_diff(&y->s.el.pool, out[i], y->unknown[k]);
   if (!elaboration_tape(&y->s.tape, &y->s.el, out, y->rows * (1 + y->cols), j->d)) return false;

@@ -17,6 +17,10 @@ struct rank_system {
 /* Of a claim of kind rank; clear its sentence, also after false. */
 bool rank_system_build(struct rank_system *y, struct judge *j, const struct claim *c, struct view view);
 
+/* Left minus right of every equation of the record, at most RANK_NAMES of them; false with j->d set. */
+bool rank_residuals(const struct expr **out, int *rows, struct elaboration *el, struct judge *j, const struct claim *c,
+                    const struct statement_record *r);
+
 struct exact_rank {
   int rank;         /* -1: not decided */
   const char *note; /* the pivots, or why it is not decided */

@@ -281,9 +281,10 @@ static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
   return judge_again(j, c, claim_own(c));
 }
 
+/* Or nothing that another formula's failure would change: what a formula divides by is its own. */
 static bool asserts_nothing(const struct claim *c) {
   const char *kind = claim_get(c, "kind");
-  return !kind || strcmp(kind, "definition") == 0 || strcmp(kind, "report") == 0;
+  return !kind || strcmp(kind, "definition") == 0 || strcmp(kind, "report") == 0 || strcmp(kind, "defined") == 0;
 }
 
 /* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with

@@ -196,7 +196,7 @@ static bool make_report(struct text *out, const struct title *t) {
   return true;
 }
 
-/* --- Arguments and what equations are worth --- */
+/* --- Arguments and how many equations there are --- */
 
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
@@ -260,11 +260,42 @@ static bool make_rank(struct text *out, const struct title *t) {
     title_name(&name, t, r, true);
   else
     stated(&name, &verb, t, r, MOST_STATED);
-  text_printf(out, "%s %s worth ", text_str(&name), title_is_plural(text_str(&name)) ? "are" : "is");
+  text_printf(out, "%s %s ", text_str(&name), title_is_plural(text_str(&name)) ? "amount to" : "amounts to");
   text_clear(&name);
   title_count(out, strtol(rank, NULL, 10));
-  text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " equations for ");
+  text_add(out, strcmp(rank, "1") == 0 ? " equation for " : " functionally independent equations for ");
   title_listed(out, unknowns, ',');
+  return true;
+}
+
+/* "(45)" or "(45) and (46)": the equation numbers of the records, each once. */
+static bool numbers_of(struct text *out, const struct title *t, const char *list) {
+  const struct view v = {t->m, LAYER_CORRECTED, claim_own(t->c), NULL};
+  struct text numbers;
+  const char *last = "";
+  char id[64];
+  text_init(&numbers);
+  bool ok = true;
+  while (ok && (list = claim_next_item(id, sizeof id, list)) != NULL) {
+    const struct statement_record *r = view_record(&v, id);
+    ok = r != NULL;
+    if (ok && strcmp(r->equation, last) != 0) text_printf(&numbers, "%s(%s)", *last ? ", " : "", r->equation);
+    last = ok ? r->equation : last;
+  }
+  title_listed(out, text_str(&numbers), ',');
+  text_clear(&numbers);
+  return ok || missing(t);
+}
+
+static bool make_defined(struct text *out, const struct title *t) {
+  const char *over = claim_get(t->c, "over"), *list = claim_get(t->c, "statements");
+  if (!list) return missing(t);
+  text_add(out, "the quotients, roots and inverses in ");
+  if (!numbers_of(out, t, list)) return false;
+  text_printf(out, " have a value %s",
+              over && strcmp(over, "parameters") == 0 ? "for all parameters"
+              : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
+                                                      : "on every admissible periodic solution");
   return true;
 }
 
@@ -295,11 +326,16 @@ static bool make_criterion(struct text *out, const struct title *t) {
   title_formulas(&formulas, r);
   const char *f = text_str(&formulas);
   if (!side)
-    text_printf(out, "periodic solutions attract where %s and repel where one of the inequalities is reversed", f);
+    text_printf(out,
+                "admissible periodic solutions at which J has a value are conditionally stable where %s and unstable "
+                "where one of the inequalities is reversed",
+                f);
   else
     text_printf(out,
-                strcmp(side, "inside") == 0 ? "periodic solutions attract where %s"
-                                            : "periodic solutions repel where one inequality of %s is reversed",
+                strcmp(side, "inside") == 0
+                    ? "admissible periodic solutions at which J has a value are conditionally stable where %s"
+                    : "admissible periodic solutions at which J has a value are unstable where one inequality of %s is "
+                      "reversed",
                 f);
   text_clear(&formulas);
   return true;
@@ -423,26 +459,13 @@ static bool make_none(struct text *out, const struct title *t) {
 }
 
 static maker *const makers[N_KINDS] = {
-    [KIND_DEFINITION] = make_definition,
-    [KIND_MATRIX] = make_matrix,
-    [KIND_IDENTITY] = make_identity,
-    [KIND_INEQUALITY] = make_inequality,
-    [KIND_SHARP] = make_sharp,
-    [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,
-    [KIND_CLOSURE] = make_closure,
-    [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_behaviour,
-    [KIND_ARGUMENT] = make_argument,
-    [KIND_NOTATION] = make_notation,
-    [KIND_SCALING] = make_scaling,
-    [KIND_REACH] = make_reach,
-    [KIND_RANK] = make_rank,
-    [KIND_SEQUENCE] = make_sequence,
-    [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints,
-    [KIND_LAW] = make_law,
-    [KIND_OUTSIDE] = make_none,
+    [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
+    [KIND_CONSTRAINTS] = make_constraints, [KIND_LAW] = make_law,           [KIND_OUTSIDE] = make_none,
     [KIND_REPORT] = make_report,
 };
 

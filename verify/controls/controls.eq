@@ -228,6 +228,15 @@ define ctl-perturbation-sticks
   section: stability
   dZ_a := [x_a; y_a; x_a - y_a; 0]
 
+# (16) in the place of (14), with a factor
+equation ctl-rank-repeated
+  replaces: text-six-equations
+  section: periodic
+  S_a[1] - chi*S_a[2] = e_1
+  2*S_c[3] = 2*V
+  S_c[3] = V
+  S_f = S_0
+
 # one equation, said twice
 equation ctl-rank-equations
   replaces: eq-22

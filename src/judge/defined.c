@@ -1,0 +1,196 @@
+/* Whether formulas have a value on every periodic solution: what they divide by, invert and take roots of is collected
+   from their trees, and each of it is shown to be zero nowhere, or to be zero on some orbit.  The latter follows from a
+   family of orbits, one for each value of a parameter and proved so in balls, along which it changes its sign. */
+#include <string.h>
+
+#include "behaviour.h"
+#include "explore/box.h"
+#include "judge.h"
+#include "motion/complete.h"
+#include "proof/nonzero.h"
+#include "value/expression.h"
+
+struct defined {
+  struct behaviour *b;
+  struct divisor divisor[MOST_DIVISORS];
+  const char *reason[MOST_DIVISORS]; /* why each is zero nowhere; NULL: not shown */
+  int n;
+  bool admissible;
+  struct text shown, open, zero; /* divisors with reasons; those that may be zero; the witness */
+};
+
+/* Is the list at exact parameters proved to hold every orbit? */
+static bool is_complete(const struct dyn_orbits *list, const fmpq *params) {
+  struct dyn_orbits all;
+  int s = dyn_orbits_find(&all, params, FD_PREC, &dyn_limits_default);
+  if (s == SS_OK) s = dyn_orbits_complete(&all, params, FD_PREC, &dyn_limits_default, DYN_CELLS);
+  bool complete = s == SS_OK && all.complete && all.n == list->n;
+  dyn_orbits_clear(&all);
+  return complete;
+}
+
+static bool overlaps(const struct dyn_orbit *a, const struct dyn_orbit *b) {
+  return arb_overlaps(a->t[1], b->t[1]) && arb_overlaps(a->t[2], b->t[2]) && arb_overlaps(a->z10, b->z10) &&
+         arb_overlaps(a->z20, b->z20);
+}
+
+/* The family's member at exact parameters: the only one of all orbits there that meets the family's enclosure; p.orbit
+   is its number. */
+static bool find_member(struct point *p, const struct dyn_box_orbit *family, struct judge *j) {
+  const struct dyn_orbits *list = orbit_cache_get(j->cache, p->q, FD_PREC);
+  slong met = 0;
+  p->kind = POINT_ORBIT;
+  for (slong i = 0; i < list->n; i++) {
+    if (!overlaps(&list->orbit[i], &family->orbit)) continue;
+    p->orbit = i;
+    met++;
+  }
+  return met == 1 && is_complete(list, p->q);
+}
+
+/* The sign of the divisor at one end of the family; 0: unknown. */
+static int sign_at(arb_t value, struct point *p, const struct divisor *q, const struct dyn_box_orbit *family,
+                   struct behaviour *b) {
+  arb_ptr v = _arb_vec_init(16);
+  int n = 0;
+  bool known = find_member(p, family, b->j) && expression_at(v, &n, b->view, text_str(&q->formula), q->section, p,
+                                                             FD_PREC, b->j->cache, b->j->d) == SS_OK;
+  arb_set(value, v);
+  _arb_vec_clear(v, 16);
+  return known && n == 1 ? arb_is_positive(value) - arb_is_negative(value) : 0;
+}
+
+static bool changes_sign(struct defined *y, const struct divisor *q, const struct dyn_box_orbit *family,
+                         struct point end[2]) {
+  arb_t value[2];
+  int sign[2];
+  for (int i = 0; i < 2; i++) {
+    arb_init(value[i]);
+    sign[i] = sign_at(value[i], &end[i], q, family, y->b);
+  }
+  bool changes = sign[0] * sign[1] < 0;
+  if (changes) {
+    text_printf(&y->zero, "%s%s is ", y->zero.len ? "; " : "", text_str(&q->formula));
+    for (int i = 0; i < 2; i++) {
+      text_printf(&y->zero, "%s%s at ", i ? " and " : "", ball_text(y->b->j, value[i], 4));
+      point_print(&y->zero, &end[i]);
+    }
+    text_printf(&y->zero,
+                ", and there is one %speriodic solution for each value between (Krawczyk's operator over the "
+                "whole interval), so that it is zero on one of them",
+                family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
+  }
+  for (int i = 0; i < 2; i++) arb_clear(value[i]);
+  return changes;
+}
+
+/* Over each of the orbits that the family may be continued from. */
+static bool has_zero(struct defined *y, const struct divisor *q, const struct dyn_box *box, struct point end[2]) {
+  for (slong i = 0; i < box->n; i++) {
+    const struct dyn_box_orbit *o = &box->at[i];
+    bool counts = o->proved && o->word == TRUTH_TRUE && (!y->admissible || o->orbit.admissible == TRUTH_TRUE);
+    if (counts && changes_sign(y, q, o, end)) return true;
+  }
+  return false;
+}
+
+/* How many of the divisors that may be zero change their sign along the family. */
+static long zeros_along(struct defined *y, const struct family *f) {
+  struct point end[2];
+  struct dyn_box box;
+  long zeros = 0;
+  for (int i = 0; i < 2; i++) {
+    point_init(&end[i]);
+    for (int k = 0; k < N_PARAMS; k++) fmpq_set(&end[i].q[k], &f->base->q[k]);
+    fmpq_set(&end[i].q[f->vary], (fmpq_cmp(f->from, f->to) < 0) == (i == 0) ? f->from : f->to);
+  }
+  int s = dyn_box_find(&box, end[0].q, end[1].q);
+  for (int i = 0; s == SS_OK && i < y->n; i++)
+    if (!y->reason[i]) zeros += has_zero(y, &y->divisor[i], &box, end);
+  dyn_box_clear(&box);
+  for (int i = 0; i < 2; i++) point_clear(&end[i]);
+  return zeros;
+}
+
+static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const char *vary) {
+  struct point base;
+  struct family f = {.base = &base};
+  point_init(&base);
+  fmpq_init(f.from);
+  fmpq_init(f.to);
+  bool ok = behaviour_params(&base, y->b, at) && behaviour_family(&f, y->b, vary);
+  if (ok) *zeros = zeros_along(y, &f);
+  fmpq_clear(f.to);
+  fmpq_clear(f.from);
+  point_clear(&base);
+  return ok && !y->b->j->d->set;
+}
+
+static void look_for_reasons(struct defined *y, long *open) {
+  for (int i = 0; i < y->n; i++) {
+    const struct divisor *q = &y->divisor[i];
+    const char *why = nonzero_because(q, y->b->view, y->admissible);
+    y->reason[i] = why;
+    if (why)
+      text_printf(&y->shown, "%s%s: %s", y->shown.len ? "; " : "", text_str(&q->formula), why);
+    else
+      text_printf(&y->open, "%s%s", (*open)++ ? " and " : "", text_str(&q->formula));
+  }
+}
+
+static void conclude(struct defined *y, long open, long zeros) {
+  struct behaviour *b = y->b;
+  struct route_result w[2] = {{"exact", open ? ROUTE_UNDECIDED : ROUTE_AGREES, true, 1}};
+  int n = 1;
+  struct evidence *e = finding_add(b->f, b->j->out);
+  e->route = "exact";
+  e->layer = layer_name[LAYER_CORRECTED];
+  e->result = open ? "states" : "proved";
+  e->note = result_str(b->j->out, "%s%s%s%s", open ? "not shown to be zero nowhere: " : "none of these is zero: ",
+                       open ? text_str(&y->open) : "", open && y->shown.len ? "; shown: " : "",
+                       y->shown.len ? text_str(&y->shown)
+                       : open       ? ""
+                                    : "there is no divisor");
+  if (zeros)
+    w[n++] = behaviour_route(b, "balls", "model", ROUTE_DIFFERS, true, 1, NULL,
+                             result_str(b->j->out, "%s", text_str(&y->zero)));
+  b->f->verdict = verdict_of(w, n, open == 0);
+  if (b->f->verdict == VERDICT_REFUTED)
+    b->f->condition = result_str(b->j->out, "%s %s not zero", text_str(&y->open), open > 1 ? "are" : "is");
+}
+
+static bool read_divisors(struct defined *y, struct judge *j, const struct claim *c, struct view view) {
+  char ids[16][32];
+  const char *over = claim_get(c, "over");
+  int n = claim_names_listed(ids, 16, claim_get(c, "statements"));
+  if (n == 0) return claim_error(j, c, "statements", "the records whose formulas are to have a value");
+  y->admissible = !over || strcmp(over, "admissible") == 0;
+  if (!y->admissible && strcmp(over, "orbits") != 0 && strcmp(over, "parameters") != 0)
+    return claim_error(j, c, "over", "admissible, orbits or parameters");
+  for (int i = 0; i < n; i++) {
+    const struct statement_record *r = view_record(&view, ids[i]);
+    if (!r) return claim_error(j, c, "statements", "there is no such record");
+    if (!divisors_of(y->divisor, &y->n, r)) return claim_error(j, c, "statements", "too many divisors");
+  }
+  return true;
+}
+
+bool judge_defined(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct behaviour b = {f, j, c, view};
+  struct defined y = {.b = &b};
+  const char *at = claim_get(c, "at"), *vary = claim_get(c, "vary");
+  long open = 0, zeros = 0;
+  text_init(&y.shown);
+  text_init(&y.open);
+  text_init(&y.zero);
+  bool ok = read_divisors(&y, j, c, view);
+  if (ok && !at != !vary) ok = claim_error(j, c, at ? "at" : "vary", "a family has both at and vary");
+  if (ok) look_for_reasons(&y, &open);
+  if (ok && open && at) ok = look_for_zeros(&y, &zeros, at, vary);
+  if (ok) conclude(&y, open, zeros);
+  text_clear(&y.zero);
+  text_clear(&y.open);
+  text_clear(&y.shown);
+  divisors_clear(y.divisor, y.n);
+  return ok;
+}

@@ -1,0 +1,223 @@
+/* The hypotheses of the theorem of linearized stability (linearized.h), each as one function that says in words what it
+   has shown. */
+#include "linearized.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact_motion_impl.h"
+#include "nonzero.h"
+#include "num/calc.h"
+
+/* A motion over the whole word whose states at the switching times are free but for their events. */
+static void begin_orbit(struct exact_motion *m, const struct tape *reads) {
+  static const struct exact_attempt free_states = {.anchor = 4};
+  static const struct point_spec orbit = {.kind = POINT_ORBIT};
+  exact_motion_init(m, &free_states, &orbit, false, NULL, reads);
+}
+
+/* The sign of a product of chi, eta, V, 1 - chi, e_1, e_2 and a number; 0 where it is not one. */
+static int sign_of(const element *x, struct exact_motion *m) {
+  struct num_vec positive;
+  vec_init(&positive, EXACT_POSITIVE + 2);
+  int n = exact_motion_positive(&positive, m), s = SS_OK;
+  for (int i = P_E1; n > 0 && i <= P_E2; i++) s |= exact_symbol(at(&positive, n++), m->field, name_param[i]);
+  int sign = s == SS_OK ? exact_product_sign(x, at(&positive, 0), n) : 0;
+  num_vec_clear(&positive);
+  return sign;
+}
+
+/* --- Each phase ends transversally --- */
+
+/* Is x^2 = q y^2 with q a number times powers of chi, eta and V?  Squares, since y may have omega = sqrt(chi*eta). */
+static bool same_but_for_units(const element *x, const element *y, struct exact_motion *m) {
+  struct num_vec w;
+  vec_init(&w, 2);
+  int s = motion_op(num_exact.mul, at(&w, 0), m, x, x) | motion_op(num_exact.mul, at(&w, 1), m, y, y);
+  bool same = s == SS_OK && !exact_is_zero(m->field, at(&w, 1)) &&
+              exact_ratio_sign(m->field, at(&w, 0), at(&w, 1), name_param, P_V + 1) != 0;
+  num_vec_clear(&w);
+  return same;
+}
+
+/* Does the tape divide by x, which then is not zero where the tape has a value? */
+static bool divides_by(const struct tape *t, const element *x, struct exact_motion *m) {
+  struct tape divisors = *t;
+  struct exact_vec v;
+  divisors.n_outputs = 0;
+  divisors.outputs = ss_malloc((size_t)(t->n + 1) * sizeof *divisors.outputs);
+  for (slong i = 0; i < t->n; i++)
+    if (t->code[i].op == TAPE_div) divisors.outputs[divisors.n_outputs++] = t->code[i].b;
+  int *status = ss_malloc((size_t)(t->n + 1) * sizeof *status);
+  bool found = false;
+  exact_eval_each(&v, status, m->field, &divisors, NULL);
+  for (slong i = 0; i < v.len && !found; i++) found = status[i] == SS_OK && same_but_for_units(x, &v.x[i], m);
+  exact_vec_clear(&v);
+  free(status);
+  free(divisors.outputs);
+  return found;
+}
+
+/* The rate at which the phase's switching function passes zero: never zero, or what the paper's matrix divides by. */
+static bool ends_transversally(struct text *note, int phase, struct view view) {
+  struct elaboration el;
+  struct matrix value;
+  struct tape t;
+  struct diag d;
+  struct exact_motion m;
+  struct num_vec z, rate;
+  diag_init(&d);
+  elaboration_init(&el, view, NULL, 0);
+  bool ok = elaborate_tape(&t, &value, &el, "J", local_maps[phase].name, "stability", &d);
+  begin_orbit(&m, &t);
+  vec_init(&rate, 1);
+  ok = ok && motion_state(&z, &m, phase + 1) == SS_OK &&
+       dyn_switching_rate(at(&rate, 0), (enum phase)phase, &m.params, &z) == SS_OK &&
+       exact_reduce(at(&rate, 0), m.field) == SS_OK;
+  bool always = ok && sign_of(at(&rate, 0), &m) != 0;
+  ok = always || (ok && divides_by(&t, at(&rate, 0), &m));
+  if (ok) {
+    text_add(note, phase ? ", " : "");
+    exact_print(note, m.field, at(&rate, 0));
+    text_printf(note, always ? " (never zero)" : " (%s divides by it)", local_maps[phase].name);
+  }
+  num_vec_clear(&rate);
+  exact_motion_clear(&m);
+  tape_clear(&t);
+  elaboration_clear(&el);
+  return ok;
+}
+
+static bool all_transversal(struct text *note, struct view view) {
+  text_add(note, "(i) the switching functions at the ends of the four phases pass zero at the rates ");
+  for (int phase = 0; phase < N_PHASES; phase++)
+    if (!ends_transversally(note, phase, view)) return false;
+  text_add(note, ", none of which is zero where J has a value, so that the times are analytic functions of the state");
+  return true;
+}
+
+/* --- No other condition is met with equality --- */
+
+/* Component i of the rate in that phase at switching state k. */
+static int rate_at(element *x, struct exact_motion *m, int k, int phase, int i) {
+  struct num_vec z, f;
+  vec_init(&f, 4);
+  int s = motion_state(&z, m, k);
+  if (s == SS_OK) s = motion_rate(&f, m, phase, &z);
+  if (s == SS_OK) num_exact.set(x, at(&f, i));
+  num_vec_clear(&f);
+  return s;
+}
+
+static bool others_strict(struct text *note) {
+  static const struct tape nothing;
+  struct exact_motion m;
+  struct num_vec x;
+  begin_orbit(&m, &nothing);
+  vec_init(&x, 2);
+  const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
+  int s = rate_at(at(&x, 0), &m, 1, PHASE_GAMMA, DZ_1) | rate_at(at(&x, 1), &m, 2, PHASE_H, DZ_2);
+  bool ok = s == SS_OK && sign_of(at(&x, 0), &m) < 0 && sign_of(at(&x, 1), &m) < 0 && first && second;
+  if (ok) {
+    text_add(note,
+             "; (ii) every other condition of the phases holds strictly up to their ends, so that neighbours on "
+             "z_1' = z_2' = V have the same phases and the return map is analytic: (11) and (16) are strict, a mass "
+             "leaves the belt with z_1'' = ");
+    exact_print(note, m.field, at(&x, 0));
+    text_add(note, " < 0 and z_2'' = ");
+    exact_print(note, m.field, at(&x, 1));
+    text_printf(note, " < 0, %s, and %s", first, second);
+  }
+  num_vec_clear(&x);
+  exact_motion_clear(&m);
+  return ok;
+}
+
+/* --- The eigenvalues, and what the criterion says of them --- */
+
+/* The paper's chain, its factors held as unknowns. */
+static int factors(struct override *o) {
+  for (int ph = 0; ph < N_PHASES; ph++)
+    o[ph] = (struct override){local_maps[ph].name, local_maps[ph].rows, local_maps[ph].cols};
+  return N_PHASES;
+}
+
+/* By how much step i of the inequalities holds; SS_UNABLE for an equality, or one that holds at the limit too. */
+static int margin(element *z, const struct sentence *s, const struct exact_vec *sides, slong i) {
+  const element *left = &sides->x[i], *right = &sides->x[s->n + i];
+  enum relop op = s->ops[i];
+  if (op != REL_LT && op != REL_GT) return SS_UNABLE;
+  return exact_sub(z, sides->field, op == REL_LT ? right : left, op == REL_LT ? left : right) ? SS_OK : SS_UNABLE;
+}
+
+/* The two margins are 1 + tr J and 1 - tr J, in either order. */
+static bool says_inside(const struct sentence *s, const struct exact_vec *sides, const element *trace) {
+  struct calc c = exact_calc(sides->field);
+  val one = calc_d(&c, 1), above = calc_add(&c, one, trace), below = calc_sub(&c, one, trace);
+  element *m[2] = {calc_new(&c), calc_new(&c)};
+  for (slong i = 0; c.status == SS_OK && i < 2; i++) c.status = margin(m[i], s, sides, i);
+  bool yes = false;
+  for (int i = 0; c.status == SS_OK && i < 2; i++)
+    yes = yes || (exact_equal(sides->field, m[i], above) && exact_equal(sides->field, m[1 - i], below));
+  calc_clear(&c);
+  return yes;
+}
+
+static bool eigenvalues_as_said(struct text *note, const struct statement_record *r, struct view view) {
+  struct override o[N_PHASES];
+  struct sentence s;
+  struct diag d;
+  struct matrix trace, det;
+  struct tape t = {.n = 0};
+  diag_init(&d);
+  int n = factors(o);
+  bool ok = sentence_from_relations(&s, view, r, o, n, &d) && s.n == 2 &&
+            elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
+            elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
+  if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
+  if (ok) {
+    struct exact_field *f = exact_field_new(NULL, 0);
+    struct exact_vec sides, of_chain;
+    int status = exact_eval(&sides, f, &s.tape) | exact_eval(&of_chain, f, &t);
+    ok = status == SS_OK && exact_is_zero(f, &of_chain.x[1]) && says_inside(&s, &sides, &of_chain.x[0]);
+    exact_vec_clear(&of_chain);
+    exact_vec_clear(&sides);
+    exact_field_free(f);
+  }
+  if (ok)
+    text_add(note,
+             "; (iv) det J = 0, so that the eigenvalues of J are 0 and tr J, and the inequalities say |tr J| < 1");
+  tape_clear(&t);
+  sentence_clear(&s);
+  return ok;
+}
+
+/* --- All of it --- */
+
+struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
+  struct model plain = *view.model; /* as exact_prove has it */
+  struct text note;
+  const char *missing = NULL;
+  plain.stable = false;
+  view.model = &plain;
+  if (criterion->rank == RANK_STABLE) criterion = view_record(&view, criterion->id);
+  text_init(&note);
+  text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "
+                  "solution at which J has a value; its hypotheses: ");
+  if (!all_transversal(&note, view))
+    missing = "that each phase ends transversally";
+  else if (!others_strict(&note))
+    missing = "that the other conditions are strict";
+  else if (!exact_prove_value(j, "J", "stability", view).proved)
+    missing = "that J is the derivative of the return map";
+  else
+    text_add(&note,
+             "; (iii) J is the derivative of the return map: its factors are those of the four phases, by implicit "
+             "differentiation at their events");
+  if (!missing && !eigenvalues_as_said(&note, criterion, view))
+    missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
+  struct linearized l = {.proved = !missing};
+  l.note = missing ? result_str(j->out, "not proved: not shown is %s", missing) : result_take(j->out, &note);
+  text_clear(&note);
+  return l;
+}

@@ -1,0 +1,280 @@
+/* Divisors are collected from the trees of a record, so that none is left out, and each is shown not to be zero by its
+   factors.  Two velocities that an admissible motion has below the belt's, for a reason that is checked here, give the
+   factors that no sign of the parameters does. */
+#include "nonzero.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "exact_motion_impl.h"
+#include "num/calc.h"
+
+/* --- What is divided by --- */
+
+static bool add_divisor(struct divisor *list, int *n, const struct statement_record *r, const char *wrap,
+                        const struct expr *e, bool root) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, wrap);
+  expr_print(&t, e);
+  text_add(&t, *wrap ? ")" : "");
+  for (int i = 0; i < *n; i++)
+    if (strcmp(text_str(&list[i].formula), text_str(&t)) == 0 && list[i].root == root) {
+      text_clear(&t);
+      return true;
+    }
+  if (*n == MOST_DIVISORS) {
+    text_clear(&t);
+    return false;
+  }
+  list[(*n)++] = (struct divisor){t, r->section, root};
+  return true;
+}
+
+static bool collect(struct divisor *list, int *n, const struct statement_record *r, const struct expr *e) {
+  bool ok = true;
+  if (e->kind == EXPR_DIV && e->args[1]->kind != EXPR_NUM) ok = add_divisor(list, n, r, "", e->args[1], false);
+  if (e->kind == EXPR_POW && e->exponent < 0) ok = add_divisor(list, n, r, "", e->args[0], false);
+  if (e->kind == EXPR_INV) ok = add_divisor(list, n, r, "det(", e->args[0], false);
+  if (e->kind == EXPR_COT) ok = add_divisor(list, n, r, "sin(", e->args[0], false);
+  if (e->kind == EXPR_SQRT) ok = add_divisor(list, n, r, "", e->args[0], true);
+  for (int i = 0; ok && i < e->n_args; i++) ok = collect(list, n, r, e->args[i]);
+  return ok;
+}
+
+bool divisors_of(struct divisor *list, int *n, const struct statement_record *r) {
+  bool ok = true;
+  for (int k = 0; k < r->n_stmts; k++)
+    for (int i = 0; ok && i < r->stmts[k]->n_sides; i++) ok = collect(list, n, r, r->stmts[k]->sides[i]);
+  for (int k = 0; k < r->n_stmts; k++)
+    if (ok && r->stmts[k]->kind == STMT_DEFINE) ok = collect(list, n, r, r->stmts[k]->sides[0]);
+  return ok;
+}
+
+void divisors_clear(struct divisor *list, int n) {
+  for (int i = 0; i < n; i++) text_clear(&list[i].formula);
+}
+
+/* --- Motions with free states --- */
+
+static void begin(struct exact_motion *m, bool modes, int anchor, const struct tape *reads) {
+  const struct exact_attempt a = {.modes = modes, .anchor = anchor};
+  static const struct point_spec orbit = {.kind = POINT_ORBIT};
+  exact_motion_init(m, &a, &orbit, false, NULL, reads);
+}
+
+/* The blocks behind (1) are positive numbers of their own. */
+static const char *const blocks[] = {"m_1", "m_2", "k_1", "k_2"};
+enum { N_BLOCKS = 4 };
+
+static int bind(element *z, struct exact_field *f, const char *name, void *motion) {
+  return word_find(name, blocks, N_BLOCKS) < N_BLOCKS ? exact_symbol(z, f, name)
+                                                      : exact_motion_bind(z, f, name, motion);
+}
+
+/* --- Signs --- */
+
+enum { MOST_POSITIVE = 16 };
+
+/* 1 - chi and the parameters, the blocks and the sum of the springs; with modes, where 0 < w_1 < 1 < w_2, what these
+   make of the parameters. */
+static int positive_elements(struct num_vec *out, struct exact_motion *m) {
+  struct calc c = exact_calc(m->field);
+  int n = 0;
+  val one = calc_d(&c, 1);
+  calc_store(&c, at(out, n++), at(&m->params, P_V));
+  if (!m->attempt.modes) {
+    val chi = at(&m->params, P_CHI);
+    calc_store(&c, at(out, n++), chi);
+    calc_store(&c, at(out, n++), at(&m->params, P_ETA));
+    calc_store(&c, at(out, n++), calc_sub(&c, one, chi));
+    for (int i = 0; i < N_BLOCKS; i++) c.status |= exact_symbol(at(out, n++), m->field, blocks[i]);
+    calc_store(&c, at(out, n), calc_add(&c, at(out, n - 2), at(out, n - 1)));
+    n++;
+  } else {
+    val w1 = at(&m->frequency, 0), w2 = at(&m->frequency, 1);
+    calc_store(&c, at(out, n++), w1);
+    calc_store(&c, at(out, n++), w2);
+    calc_store(&c, at(out, n++), calc_sub(&c, one, w1));
+    calc_store(&c, at(out, n++), calc_add(&c, one, w1));
+    calc_store(&c, at(out, n++), calc_sub(&c, w2, one));
+    calc_store(&c, at(out, n++), calc_add(&c, w2, one));
+    calc_store(&c, at(out, n++), calc_sub(&c, w2, w1));
+    calc_store(&c, at(out, n++), calc_add(&c, w2, w1));
+    calc_store(&c, at(out, n++),
+               calc_sub(&c, calc_add(&c, calc_mul(&c, w1, w1), calc_mul(&c, w2, w2)), one)); /* chi eta */
+  }
+  calc_clear(&c);
+  return c.status == SS_OK ? n : 0;
+}
+
+static int sign_of(const element *x, struct exact_motion *m) {
+  struct num_vec positive;
+  vec_init(&positive, MOST_POSITIVE);
+  int n = positive_elements(&positive, m), sign = n ? exact_product_sign(x, at(&positive, 0), n) : 0;
+  num_vec_clear(&positive);
+  return sign;
+}
+
+/* The value of a scalar; SS_UNABLE where it has none. */
+static int value_of(element *x, struct exact_motion *m, const struct tape *t) {
+  struct exact_vec v;
+  int s = exact_eval(&v, m->field, t);
+  if (s == SS_OK) num_exact.set(x, &v.x[0]);
+  exact_vec_clear(&v);
+  return s;
+}
+
+/* Of a divisor the square is asked for, since it may have the factor sqrt(chi*eta). */
+static bool has_sign(const struct tape *t, bool modes, bool root) {
+  struct exact_motion m;
+  struct num_vec x;
+  begin(&m, modes, 4, t);
+  exact_field_bind(m.field, bind, &m);
+  vec_init(&x, 1);
+  int s = value_of(at(&x, 0), &m, t);
+  if (s == SS_OK && !root) s = motion_op(num_exact.mul, at(&x, 0), &m, at(&x, 0), at(&x, 0));
+  bool yes = s == SS_OK && !exact_is_zero(m.field, at(&x, 0)) && sign_of(at(&x, 0), &m) > 0;
+  num_vec_clear(&x);
+  exact_motion_clear(&m);
+  return yes;
+}
+
+/* --- Velocities below the belt's --- */
+
+static int rate_at(struct num_vec *f, struct exact_motion *m, int k, int phase) {
+  struct num_vec z;
+  int s = motion_state(&z, m, k);
+  return s == SS_OK ? motion_rate(f, m, phase, &z) : s;
+}
+
+static bool continuous(struct exact_motion *m, int k, int before, int after, int component) {
+  struct num_vec f, g;
+  vec_init(&f, 4);
+  vec_init(&g, 4);
+  bool same = rate_at(&f, m, k, before) == SS_OK && rate_at(&g, m, k, after) == SS_OK &&
+              exact_equal(m->field, at(&f, component), at(&g, component));
+  num_vec_clear(&g);
+  num_vec_clear(&f);
+  return same;
+}
+
+/* (z_1'')^2 + (z_1' - chi V)^2 at a state of phase Gamma. */
+static val energy(struct calc *c, struct exact_motion *m, const struct num_vec *z, const struct num_vec *rate) {
+  val v = calc_sub(c, at(z, DZ_1), calc_mul(c, at(&m->params, P_CHI), at(&m->params, P_V)));
+  return calc_add(c, calc_mul(c, at(rate, DZ_1), at(rate, DZ_1)), calc_mul(c, v, v));
+}
+
+/* Its derivative along phase Gamma at any state: 2 z_1'' (z_1''' + z_1' - chi V). */
+static bool energy_is_kept(struct exact_motion *m) {
+  struct calc c = exact_calc(m->field);
+  struct num_vec z, f = calc_vec(&c, 4), g = calc_vec(&c, 4);
+  c.status = motion_state(&z, m, 2) | motion_rate(&f, m, PHASE_GAMMA, &z);
+  if (c.status == SS_OK) c.status = motion_rate(&g, m, PHASE_GAMMA, &f);
+  val v = calc_sub(&c, at(&z, DZ_1), calc_mul(&c, at(&m->params, P_CHI), at(&m->params, P_V)));
+  val sum = calc_add(&c, at(&g, DZ_1), v);
+  bool kept = c.status == SS_OK && exact_is_zero(m->field, sum);
+  calc_clear(&c);
+  return kept;
+}
+
+const char *first_mass_is_slower(void) {
+  static const struct tape nothing;
+  struct exact_motion m;
+  begin(&m, false, 4, &nothing);
+  struct calc c = exact_calc(m.field);
+  struct num_vec z, f = calc_vec(&c, 4);
+  c.status = motion_state(&z, &m, 1) | rate_at(&f, &m, 1, PHASE_GAMMA);
+  val at_start = energy(&c, &m, &z, &f);
+  void *e1 = calc_new(&c);
+  c.status |= exact_symbol(e1, m.field, name_param[P_E1]);
+  /* with z_1' = V again, z_1''^2 = e_1^2 */
+  val v = calc_mul(&c, at(&m.params, P_V), calc_sub(&c, calc_d(&c, 1), at(&m.params, P_CHI)));
+  val left = calc_sub(&c, calc_sub(&c, at_start, calc_mul(&c, v, v)), calc_mul(&c, e1, e1));
+  bool ok = c.status == SS_OK && exact_is_zero(m.field, left) && energy_is_kept(&m) &&
+            continuous(&m, 2, PHASE_GAMMA, PHASE_H, DZ_1);
+  calc_clear(&c);
+  exact_motion_clear(&m);
+  return ok ? "z_1' < V at t_a + t_b, since with z_1' = V there z_1'' would be e_1 or -e_1 and z_1' would exceed V "
+              "just "
+              "after or just before"
+            : NULL;
+}
+
+/* Two masses at one place with the belt's velocity stay so in phase C. */
+static bool second_mass_would_stay(struct exact_motion *m) {
+  struct num_vec z, f;
+  vec_init(&z, 4);
+  vec_init(&f, 4);
+  int s = exact_symbol(at(&z, Z_1), m->field, "z");
+  num_exact.set(at(&z, Z_2), at(&z, Z_1));
+  for (int i = DZ_1; i <= DZ_2; i++) num_exact.set(at(&z, i), at(&m->params, P_V));
+  if (s == SS_OK) s = motion_rate(&f, m, PHASE_C, &z);
+  bool stays = s == SS_OK && exact_is_zero(m->field, at(&f, DZ_2)) && exact_equal(m->field, at(&f, Z_1), at(&f, Z_2));
+  num_vec_clear(&f);
+  num_vec_clear(&z);
+  return stays;
+}
+
+const char *second_mass_is_slower(void) {
+  static const struct tape nothing;
+  struct exact_motion m;
+  begin(&m, false, 4, &nothing);
+  bool ok = continuous(&m, 3, PHASE_H, PHASE_C, DZ_2) && second_mass_would_stay(&m);
+  exact_motion_clear(&m);
+  return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'' would be zero, being continuous, and z_2' "
+              "would stay V throughout the stick-slip phase"
+            : NULL;
+}
+
+/* Is the velocity V - z_i' at that state the divisor times something without a pole, but for factors that are never
+   zero? */
+static bool is_factor(const struct tape *t, int state, int component, int anchor) {
+  struct exact_motion m;
+  struct num_vec z, x;
+  begin(&m, false, anchor, t);
+  m.first_state = anchor == ANCHOR_BACK ? 0 : m.first_state;
+  vec_init(&x, 2);
+  int s = value_of(at(&x, 0), &m, t) | motion_state(&z, &m, state);
+  if (s == SS_OK) s = motion_op(num_exact.sub, at(&x, 1), &m, at(&m.params, P_V), at(&z, component));
+  if (s == SS_OK && exact_is_zero(m.field, at(&x, 0))) s = SS_DOMAIN;
+  if (s == SS_OK) s = motion_op(num_exact.div, at(&x, 1), &m, at(&x, 1), at(&x, 0));
+  bool yes = false;
+  if (s == SS_OK) {
+    fmpz_mpoly_set(&at(&x, 0)->num, &at(&x, 1)->den, num_exact_ctx());
+    fmpz_mpoly_one(&at(&x, 0)->den, num_exact_ctx());
+    yes = motion_op(num_exact.mul, at(&x, 0), &m, at(&x, 0), at(&x, 0)) == SS_OK && sign_of(at(&x, 0), &m) > 0;
+  }
+  num_vec_clear(&x);
+  exact_motion_clear(&m);
+  return yes;
+}
+
+/* --- Together --- */
+
+static const char *why(const struct tape *t, bool root, bool admissible) {
+  if (has_sign(t, false, root) || has_sign(t, true, root))
+    return "a product of factors that are positive for all parameters";
+  if (!admissible || root) return NULL;
+  if (is_factor(t, 2, DZ_1, 4)) return first_mass_is_slower();
+  if (is_factor(t, 3, DZ_2, ANCHOR_BACK)) return second_mass_is_slower();
+  return NULL;
+}
+
+const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
+  struct model plain = *view.model; /* as exact_prove has it */
+  struct elaboration el;
+  struct matrix m;
+  struct tape t;
+  struct diag d;
+  plain.stable = false;
+  view.model = &plain;
+  diag_init(&d);
+  elaboration_init(&el, view, NULL, 0);
+  const char *formula = text_str(&q->formula);
+  bool ok = elaborate_tape(&t, &m, &el, formula, formula, q->section, &d) && t.n_outputs == 1;
+  const char *reason = ok ? why(&t, q->root, admissible) : NULL;
+  tape_clear(&t);
+  elaboration_clear(&el);
+  return reason;
+}

@@ -1,0 +1,29 @@
+/* What formulas divide by, and why it is zero on no periodic motion. */
+#ifndef STICKSLIP_AUDIT_NONZERO_H
+#define STICKSLIP_AUDIT_NONZERO_H
+
+#include "value/sentence.h"
+
+/* A quantity that must not be zero (of a square root: must be positive) where its formula has a value: a divisor, the
+   determinant of a matrix that is inverted, what a square root is taken of, the sine of the angle of a cotangent. */
+struct divisor {
+  struct text formula; /* in the notation, "det(N_1 - I)" */
+  const char *section;
+  bool root;
+};
+enum { MOST_DIVISORS = 24 };
+/* Those of the definitions and relations of a record, none twice; at most MOST_DIVISORS in all.  false: there are
+   more. */
+bool divisors_of(struct divisor *list, int *n, const struct statement_record *r);
+void divisors_clear(struct divisor *list, int n);
+
+/* That V - z_1' is positive at the end of phase Gamma, and V - z_2' at the end of phase H, on every admissible motion:
+   were one zero, some velocity would pass the belt's beside it.  In exact algebra; NULL: not shown, else why. */
+const char *first_mass_is_slower(void);
+const char *second_mass_is_slower(void);
+
+/* Why the quantity is not zero: a product of what is positive for all parameters; of admissible motions also a factor
+   of one of those two velocities.  NULL: neither is shown. */
+const char *nonzero_because(const struct divisor *q, struct view view, bool admissible);
+
+#endif
