@@ -14,7 +14,7 @@ static bool known_attribute(const char *key) {
       "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
       "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
       "slips",        "sticks",   "breaks",     "place",       "few",          "converse-of",  "repaired-as",
-      "of",           "near",     "heading"};
+      "of",           "near",     "heading",    "count",       "every",        "kept",         "until"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

@@ -131,8 +131,8 @@ static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
 
 static void orbit_copy(struct dyn_orbit *to, const struct dyn_orbit *o) {
   *to = *o;
-  arb_ptr all[] = {to->z10,    to->z20,   to->t[0],   to->t[1],  to->t[2],     to->t[3],    to->e1,
-                   to->e2,     to->period, to->trace, to->margin, to->u_r1_min, to->u_r2_min};
+  arb_ptr all[] = {to->z10, to->z20,    to->t[0],  to->t[1],   to->t[2],     to->t[3],    to->e1,
+                   to->e2,  to->period, to->trace, to->margin, to->u_r1_min, to->u_r2_min};
   arb_srcptr from[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
                        o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
   for (size_t i = 0; i < sizeof all / sizeof *all; i++) {

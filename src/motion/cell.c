@@ -180,8 +180,8 @@ static bool falls_from_start(const struct cell *c, const struct range *g, const 
 }
 
 /* The base over the whole strip, and the radius over the whole cell. */
-static struct turns turns_on(const struct range *g, const struct strip *p,
-                             const struct disk_params *s, const struct turns *k, bool negative, bool positive) {
+static struct turns turns_on(const struct range *g, const struct strip *p, const struct disk_params *s,
+                             const struct turns *k, bool negative, bool positive) {
   struct disk base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * g->d) * g->d);
   struct disk radius = disk_sqrt((struct disk){g->g.mid, g->g_width});
   return turns_of(k, s, base, radius, negative, positive);
@@ -201,8 +201,8 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct stri
   return look_at_each(zero, c, &g, p, s, &can);
 }
 
-enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p,
-                          const struct disk_params *s, const struct turns *k, double dir) {
+enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
+                          const struct turns *k, double dir) {
   struct range g = {.d = p->half, .e = c->early};
   range_p(&g, c, p);
   if (fabs(c->p.mid) > g.p || falls_from_start(c, &g, p, dir)) return LOOK_CLEAR;

@@ -411,6 +411,7 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
                  {KIND_SEQUENCE, "about simulated motions"},
                  {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
                  {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+                 {KIND_SOLUTIONS, "solutions are listed in balls"},
                  {KIND_EXISTENCE, "solutions are found at points"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)

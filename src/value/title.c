@@ -349,6 +349,31 @@ static bool make_existence(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
+static bool make_solutions(struct text *out, const struct title *t) {
+  struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
+  const struct statement_record *r = record_named(t, "statement");
+  const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
+  const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
+             *note = r ? title_note(r, false) : NULL;
+  if (!r || !note || (!count && !every)) return missing(t);
+  long n = count ? strtol(count, NULL, 10) : 0;
+  if (!count) text_printf(out, "every solution of %s", note);
+  if (count) text_printf(out, "%s %s exactly ", note, title_is_plural(note) ? "have" : "has");
+  if (count) title_count(out, n);
+  if (count) text_add(out, n == 1 ? " solution" : " solutions");
+  text_add(out, " with positive times");
+  if (until) text_printf(out, " and t_c up to %s", until);
+  if (kept) text_add(out, n == 1 ? " that satisfies " : " that satisfy ");
+  if (kept && !title_parts_write(out, &p, t, "constraints")) return false;
+  bool first = every && strcmp(every, "first") == 0;
+  if (every)
+    text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
+  text_add(out, at ? " at " : " on the example");
+  if (at) title_listed(out, at, ',');
+  return true;
+}
+
 /* --- Notation --- */
 
 /* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
@@ -458,6 +483,7 @@ static maker *const makers[N_KINDS] = {
     [KIND_SEQUENCE] = make_sequence,
     [KIND_EXISTENCE] = make_existence,
     [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_SOLUTIONS] = make_solutions,
     [KIND_LAW] = make_law,
     [KIND_OUTSIDE] = make_none,
     [KIND_REPORT] = make_report,
@@ -501,4 +527,11 @@ bool claim_title(struct text *out, const struct model *m, const struct claim *c,
   const struct field *given = record_field(c->record, "title");
   if (given) return title_given(out, &t, given);
   return title_made(out, &t);
+}
+
+bool claim_title_records(struct text *out, const struct model *m, const struct claim *c, const char *attribute,
+                         struct diag *d) {
+  struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
+  const struct title t = {m, c, d};
+  return title_parts_write(out, &p, &t, attribute);
 }
