@@ -228,16 +228,17 @@ static const char *summed_up(struct solutions *x) {
 
 /* --- Under Coulomb's law --- */
 
-/* Solutions with first events, one that keeps the constraints and one that does not: does the integrated motion close
-   where all conditions hold, and there alone? */
+/* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model holds
+   and one on which it does not: does the integrated motion close after one period? */
 static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained) {
   long closed = 0, parted = 0, open = 0;
-  bool tried[2] = {false, constrained};
+  bool tried[2] = {false};
   for (slong i = 0; i < x->list.n; i++) {
     const struct dyn_orbit *o = &x->list.orbit[i];
     struct coulomb_setup sim;
-    if (first_events(o) != TRUTH_TRUE || x->keeps[i] == TRUTH_UNKNOWN || tried[x->keeps[i] == TRUTH_FALSE]) continue;
-    tried[x->keeps[i] == TRUTH_FALSE] = true;
+    bool wanted = first_events(o) == TRUTH_TRUE && (!constrained || x->keeps[i] == TRUTH_TRUE);
+    if (!wanted || o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
+    tried[o->admissible == TRUTH_TRUE] = true;
     truth closes = TRUTH_UNKNOWN;
     if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
     closed += closes == TRUTH_TRUE;
@@ -247,10 +248,10 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
   struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
   finding_add_route(
       f, x->j->out, w, "model", -1, NULL,
-      result_str(x->j->out, "motions under Coulomb's law from the start of %s: %ld close after one period, %ld do not",
-                 constrained ? "a solution that satisfies the constraints"
-                             : "a solution that satisfies the constraints and of one that does not",
-                 closed, parted));
+      result_str(x->j->out,
+                 "motions under Coulomb's law from the start of such solutions%s: %ld close after one period, "
+                 "%ld do not",
+                 constrained ? " that satisfy the constraints" : "", closed, parted));
   return w;
 }
 

@@ -349,9 +349,20 @@ static bool make_existence(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "chi = 4/5, e1 = 2" with the paper's e_1. */
+static void listed_as_printed(struct text *out, const char *at) {
+  struct text named;
+  text_init(&named);
+  for (const char *s = at; *s; s++) {
+    text_add_char(&named, *s);
+    if (*s == 'e' && (s[1] == '1' || s[1] == '2')) text_add_char(&named, '_');
+  }
+  title_listed(out, text_str(&named), ',');
+  text_clear(&named);
+}
+
 /* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
 static bool make_solutions(struct text *out, const struct title *t) {
-  struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
   const struct statement_record *r = record_named(t, "statement");
   const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
   const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
@@ -361,16 +372,13 @@ static bool make_solutions(struct text *out, const struct title *t) {
   if (!count) text_printf(out, "every solution of %s", note);
   if (count) text_printf(out, "%s %s exactly ", note, title_is_plural(note) ? "have" : "has");
   if (count) title_count(out, n);
-  if (count) text_add(out, n == 1 ? " solution" : " solutions");
-  text_add(out, " with positive times");
-  if (until) text_printf(out, " and t_c up to %s", until);
-  if (kept) text_add(out, n == 1 ? " that satisfies " : " that satisfy ");
-  if (kept && !title_parts_write(out, &p, t, "constraints")) return false;
+  if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
+  if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
   bool first = every && strcmp(every, "first") == 0;
   if (every)
     text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
   text_add(out, at ? " at " : " on the example");
-  if (at) title_listed(out, at, ',');
+  if (at) listed_as_printed(out, at);
   return true;
 }
 
