@@ -252,27 +252,33 @@ START_TEST(differences_are_told) {
       {"note.md", "s/(2)/(3)/", 1, "eq-2 tex: at token 179, but no equation (2) ends there\n"},
       {"note.md", "s/state goes/stat\x1b goes/", 1, "stat>>?<< goes"},
       {"claims/note.claim", "s/= 1 + t.$/&,./", 0, "quotations: 7 of 7 found"},
-      {"claims/note.claim", "s/57 83/83 83/", 3, "a place is the number of a token, or 2 rising ones"},
+      {"claims/note.claim", "s/57-70/83-96/", 3, "rising from piece to piece; the quotation has 2 pieces"},
       /* the same words stand nearer than where all else has gone */
       {"note.md", "1a " FIFTY FIFTY "xxxxxxxxxxxxxxxxxxxxxxxxxxxxxx \\\\det D(t) = 1 + t " FIFTY, 1,
        "7 pieces of quotations stand 189 tokens later than their places, from token 57 to token 179\n"},
-      {"paper/note.eq", "s/^  place: 179$//", 1, "eq-2 tex: no place is kept; it stands at token 179\n"},
-      {"paper/note.eq", "s/^  place: 179$//;s/1 + t$/2 + t/", 1, "eq-2 tex: no place is kept, and it stands nowhere\n"},
+      {"paper/note.eq", "s/^  place: 179-187$//", 1, "eq-2 tex: no place is kept; it stands at 179-187\n"},
+      {"paper/note.eq", "s/^  place: 179-187$//;s/1 + t$/2 + t/", 1,
+       "eq-2 tex: no place is kept, and it stands nowhere\n"},
       /* a word cut short at its end and at its beginning, brackets, and what may end there */
-      {"claims/note.claim", "s/goes on by/goes on b/", 1, "eq-1 quote, piece 1 of 2: not at token 57\n"},
-      {"claims/note.claim", "s/goes on by/goes on b/", 1, "  quoted: a state goes on b >>nothing more<<\n"},
-      {"claims/note.claim", "s/a state/tate/;s/57 83/59 83/", 1, "eq-1 quote, piece 1 of 2: not at token 59\n"},
-      {"claims/note.claim", "s/ D(t) = .*//;s/(t) = .begin.*/(t/", 1, "eq-1 quote, piece 2 of 2: not at token 83\n"},
-      {"claims/note.claim", "s/(t) = .begin.*/(t)/", 0, "quotations: 7 of 7 found"},
-      {"claims/note.claim", "s/goes on by/goes on/", 0, "quotations: 7 of 7 found"},
+      {"claims/note.claim", "s/goes on by/goes on b/;s/57-70/57-69/", 1, "eq-1 quote, piece 1 of 2: not at token 57\n"},
+      {"claims/note.claim", "s/goes on by/goes on b/;s/57-70/57-69/", 1,
+       "  quoted: a state goes on b >>nothing more<<\n"},
+      {"claims/note.claim", "s/a state/tate/;s/57-70/59-70/", 1, "eq-1 quote, piece 1 of 2: not at token 59\n"},
+      {"claims/note.claim", "s/ D(t) = .*//;s/(t) = .begin.*/(t/;s/83-97/83-85/;s/153-187/153-179/", 1,
+       "eq-1 quote, piece 2 of 2: not at token 83\n"},
+      {"claims/note.claim", "s/(t) = .begin.*/(t)/;s/83-97/83-86/", 0, "quotations: 7 of 7 found"},
+      {"claims/note.claim", "s/goes on by/goes on/;s/57-70/57-68/", 0, "quotations: 7 of 7 found"},
       {"paper/note.eq", "s/^text:.*//", 0, "; none is on file\n"},
-      {"claims/note.claim", "s/57 83/57 84/", 1, "eq-1 quote, piece 2 of 2: not at token 84, but at 83\n"},
-      {"claims/note.claim", "s/57 83/57/", 3, "a place is the number of a token, or 2 rising ones"},
-      {"claims/note.claim", "s/57 83/83 57/", 3, "a place is the number of a token, or 2 rising ones"},
-      {"claims/note.claim", "s/57 83/57 83 90/", 3, "more places than the quotation has pieces, which are 2"},
-      {"claims/note.claim", "s/57 83/57, 83/", 3, "note.claim:8:10: error: a place is"},
-      {"claims/note.claim", "s/57 83/0/", 3, "a place is"},
-      {"claims/note.claim", "s/57 83/99999999999999999999 83/", 3, "a place is"},
+      {"claims/note.claim", "s/83-97/84-98/", 1, "eq-1 quote, piece 2 of 2: not at token 84, but at 83\n"},
+      {"claims/note.claim", "s/ 83-97//", 3, "a place is the numbers of the first and the last token"},
+      {"claims/note.claim", "s/57-70/57/", 3, "a place is the numbers of the first and the last token"},
+      {"claims/note.claim", "s/83-97/& 190-194/", 3, "more places than the quotation has pieces, which are 2"},
+      {"claims/note.claim", "s/goes on by/goes on/", 3,
+       "note.claim:8:10: error: 57-70 are 14 tokens, and that piece of the quotation has 12"},
+      {"claims/note.claim", "s/57-70/70-57/", 3, "a place is"},
+      {"claims/note.claim", "s/57-70/57-70,/", 3, "note.claim:8:10: error: a place is"},
+      {"claims/note.claim", "s/57-70/0-13/", 3, "a place is"},
+      {"claims/note.claim", "s/57-70/99999999999999999999-70/", 3, "a place is"},
       {"claims/note.claim", "s/quote: The.*/quote: ...,/", 3, "nothing is quoted"},
       {"paper/note.eq", "s/^text: sha256 ./text: sha256 /", 3, "a text is named by its digest"},
       {"paper/note.eq", "s/^text: .*/text: md5 1/", 3, "a text is named by its digest"},
@@ -305,7 +311,7 @@ START_TEST(printed_numbers) {
                {"t_a = = 1.25", 1, "num-t_a quote, is $t^* = 1.25$\n"},
                {"t_b = 1.25", 1, "printed t_b = 1.25: no claim quotes it\n"}};
   static const char claim[] =
-      "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147\\n";
+      "\\nclaim num-t_a\\n  kind: number\\n  number: t_a\\n  quote: $t^* = 1.25$\\n  place: 147-151\\n";
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     int status;
     char line[9000];

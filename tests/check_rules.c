@@ -36,7 +36,7 @@ static const struct damage rules[] = {
      "eq-27: points for a claim of kind matrix are at least 6 in all and 3 of each sort"},
     {"claims/4-stability.claim", "/^claim eq-27$/,/^$/{s/orbits 8/orbits 2/}", planned, 3,
      "eq-27: points for a claim of kind matrix"},
-    {"claims/4-stability.claim", "/^claim eq-27$/,/^$/{/routes:/d}", planned, 3,
+    {"claims/4-stability.claim", "/^claim eq-27$/,/^$/{s/routes: .*/routes: balls/}", planned, 3,
      "eq-27: a claim of kind matrix is tried by at least 2 independent routes"},
     {"claims/1-model.claim", "/^claim eq-3$/,/^$/{s/routes: newton/routes: balls/}", planned, 3,
      "eq-3: a claim of kind matrix is tried by at least 2 independent routes"},
@@ -177,7 +177,7 @@ END_TEST
 /* A claim with too few points goes through with a reason, and the report prints it. */
 START_TEST(a_reason_is_printed) {
   static const struct damage few = {"claims/4-stability.claim",
-                                    "/^claim eq-26$/,/^$/{s/points: .*/points: arcs 2\\n  few: a test/}",
+                                    "/^claim eq-26$/a\\  points: arcs 2\\n  few: a test",
                                     "verify paper --only eq-26 --quiet", 0, "as recorded"};
   int status;
   char command[1024];

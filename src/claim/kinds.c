@@ -29,6 +29,22 @@ bool claim_tried_at_points(const struct claim *c) {
   return k && k->tried_at_points;
 }
 
+const char *claim_points_asked(const struct claim *c) {
+  const char *own = claim_get(c, "points");
+  if (own) return own;
+  enum kind kind = claim_kind(c);
+  return kind == KIND_MATRIX ? "params 24" : kind == KIND_IDENTITY ? "arcs 12, orbits 6" : NULL;
+}
+
+const char *claim_routes_asked(const struct claim *c) {
+  const char *own = claim_get(c, "routes");
+  if (own) return own;
+  enum kind kind = claim_kind(c);
+  if (kind == KIND_MATRIX) return "taylor, gsl, ode";
+  if (kind != KIND_IDENTITY) return NULL;
+  return claim_get(c, "oracle") ? "oracle" : "exponential";
+}
+
 enum asked claim_asked(const struct claim *c) {
   const struct claim_kind *k = claim_kind_of(c);
   return k ? k->asked : ASKED_EARLY;

@@ -20,7 +20,7 @@ static void count_points(long *all, long *least, const struct claim *c) {
   char item[64];
   *all = 0;
   *least = -1;
-  for (const char *p = claim_get(c, "points"); p && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+  for (const char *p = claim_points_asked(c); p && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
     long n = points_of(item);
     *all += n;
     if (*least < 0 || n < *least) *least = n;
@@ -36,7 +36,7 @@ static bool check_sorts(const struct claim *c, struct diag *d) {
   char item[64], sort[MOST][64];
   int n = 0;
   bool arcs = false, orbits = false;
-  for (const char *p = claim_get(c, "points"); p && n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
+  for (const char *p = claim_points_asked(c); p && n < MOST && (p = claim_next_item(item, sizeof item, p)) != NULL;) {
     size_t len = strcspn(item, "0123456789");
     memcpy(sort[n], item, len);
     sort[n][len] = '\0';
@@ -62,7 +62,7 @@ static bool is_route(const char *name) {
 static int count_routes(const struct claim *c) {
   enum { MOST = 16 };
   char name[MOST][CLAIM_NAME] = {"balls"}, listed[MOST][CLAIM_NAME];
-  int n = 1, m = claim_names_listed(listed, MOST - 1, claim_get(c, "routes"));
+  int n = 1, m = claim_names_listed(listed, MOST - 1, claim_routes_asked(c));
   for (int i = 0; i < m; i++) {
     bool fresh = is_route(listed[i]);
     for (int k = 0; fresh && k < n; k++) fresh = routes_independent(name[k], listed[i]);

@@ -89,7 +89,7 @@ static bool build_sentence(struct tally *t, struct point_trials *r, struct overr
 
 static bool read_routes(struct point_trials *r) {
   char item[32];
-  const char *list = claim_get(r->c, "routes");
+  const char *list = claim_routes_asked(r->c);
   r->tally[r->n_routes++] = (struct tally){.route = &routes[0]};
   if (r->j->effort == EFFORT_REFUTE) return true;
   while (list && (list = claim_next_item(item, sizeof item, list)) != NULL) {
@@ -391,7 +391,7 @@ static bool judge_by_algebra(struct finding *f, struct judge *j, const struct cl
 
 bool judge_points(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct point_trials r;
-  const char *routes_asked = claim_get(c, "routes");
+  const char *routes_asked = claim_routes_asked(c);
   bool algebra = routes_asked && strcmp(routes_asked, "exact") == 0;
   if (algebra || !route_is_asked(j->scene, "balls")) {
     if (route_is_asked(j->scene, "exact")) return judge_by_algebra(f, j, c, view);

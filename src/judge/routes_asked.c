@@ -15,7 +15,7 @@ static void add_missing(struct text *names, const char *route, size_t len) {
 }
 
 int claim_routes(char name[MOST_CLAIM_ROUTES][ROUTE_NAME], const struct claim *c) {
-  const char *list = claim_get(c, "routes");
+  const char *list = claim_routes_asked(c);
   int n = 0;
   size_t len;
   if (!claim_tried_at_points(c)) return 0;

@@ -189,7 +189,7 @@ static int phase_of(const struct claim *c) {
 }
 
 static bool on_motions(const struct claim *c) {
-  const char *points = claim_get(c, "points");
+  const char *points = claim_points_asked(c);
   return points && !strstr(points, "params") && !strstr(points, "flow");
 }
 

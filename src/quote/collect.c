@@ -29,29 +29,44 @@ static void add_pieces(struct quotations *q, const char *s) {
   }
 }
 
-/* One number of the list at s; 0: none is there. */
-static size_t read_place(const char **s) {
+/* The number at s; 0: none is there. */
+static size_t read_number(const char **s) {
   size_t n = 0;
   if (**s < '1' || **s > '9') return 0;
   for (; char_is_digit(**s) && n <= MAX_QUOTED_TEXT; ++*s) n = 10 * n + (size_t)(**s - '0');
-  if (n > MAX_QUOTED_TEXT || (**s && **s != ' ')) return 0;
+  return n <= MAX_QUOTED_TEXT ? n : 0;
+}
+
+/* FIRST-LAST of the list at s; false: it does not stand there. */
+static bool read_place(const char **s, size_t *first, size_t *last) {
+  *first = read_number(s);
+  if (*first == 0 || **s != '-') return false;
+  ++*s;
+  *last = read_number(s);
+  if (*last < *first || (**s && **s != ' ')) return false;
   while (**s == ' ') ++*s;
-  return n;
+  return true;
 }
 
 static bool read_places(struct quotations *q, const struct quotation *item, const struct field *f, struct diag *d) {
-  const char *s = f->text;
-  size_t last = 0;
+  const char *s = f->text, *plural = item->n == 1 ? "" : "s";
+  size_t before = 0, first, last;
   for (size_t i = 0; i < item->n; i++) {
-    size_t place = read_place(&s);
-    if (place <= last) {
+    struct quote_piece *p = &q->piece[item->first + i];
+    if (!read_place(&s, &first, &last) || first <= before) {
       diag_at(d, item->src, f->value.begin,
-              "a place is the number of a token, or %zu rising ones: the quotation has %zu"
-              " piece%s",
-              item->n, item->n, item->n == 1 ? "" : "s");
+              "a place is the numbers of the first and the last token, such as 12-17, rising from piece to piece; the "
+              "quotation has %zu piece%s",
+              item->n, plural);
       return false;
     }
-    q->piece[item->first + i].place = last = place;
+    if (last - first + 1 != p->tokens.n) {
+      diag_at(d, item->src, f->value.begin, "%zu-%zu are %zu tokens, and %s %zu", first, last, last - first + 1,
+              item->n == 1 ? "the quotation has" : "that piece of the quotation has", p->tokens.n);
+      return false;
+    }
+    p->place = first;
+    before = last;
   }
   if (!*s) return true;
   diag_at(d, item->src, f->value.begin, "more places than the quotation has pieces, which are %zu", item->n);

@@ -20,11 +20,11 @@
      - Markdown's emphasis: * wherever no ^ or { stands before it.
 
    All else must be the same.  In a quotation "..." leaves something out; what stands between, a piece, ends without
-   the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the number of its first token,
-   counted from 1 at the beginning of the text: `place: 812` beside the quotation, `place: 812 4410` for two pieces, in
-   the order of the text.  A piece counts as found at its place only, and where it neither begins nor
-   ends inside a word nor right before the ) or } of a bracket that it opens: what a quotation loses at its end is noticed
-   as far as that, and a whole word or term is not.  Where the record that quotes names an equation,
+   the marks . , ; : that close it.  Each piece stands in the text at a place of its own, the numbers of its first and its
+   last token, counted from 1 at the beginning of the text: `place: 812-840` beside the quotation, `place: 812-840
+   4410-4417` for two pieces, in the order of the text.  A place as long as its piece is asked for without a text too, so
+   that no word is lost.  A piece counts as found at its place only, and where it neither begins nor ends inside a word nor
+   right before the ) or } of a bracket that it opens.  Where the record that quotes names an equation,
    the number printed next behind the first piece's place, or last before it, must be that one.
 
    Time and memory grow with the text, which is looked through once for each piece that is not at its place. */
@@ -122,8 +122,8 @@ struct quotations {
   size_t n_scenes, cap_scenes;
 };
 
-/* Everything that is quoted but for scenes; the data outlive it.  false with d set where a place is no list of rising
-   numbers, or has not one for each piece.  quotations_clear it all the same. */
+/* Everything that is quoted but for scenes; the data outlive it.  false with d set where a place is no rising list
+   of one for each piece, as long as that.  quotations_clear it all the same. */
 bool quotations_collect(struct quotations *q, const struct audit_data *a, struct diag *d);
 /* The printed numbers of a scene, whose source it takes over; of all scenes of a data folder. */
 bool quotations_add_scene(struct quotations *q, const struct claims *c, struct source src, struct diag *d);

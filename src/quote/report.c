@@ -96,9 +96,9 @@ static bool say_moved(struct text *out, const struct quotations *q, const struct
 static void say_placeless(struct text *out, const struct quote_piece *p, const struct quote_tokens *text) {
   enum { MOST = 8 };
   size_t at = quote_next(&p->tokens, text, 1);
-  text_add(out, at ? "no place is kept; it stands at token" : "no place is kept, and it stands nowhere");
+  text_add(out, at ? "no place is kept; it stands at" : "no place is kept, and it stands nowhere");
   for (int i = 0; at && i < MOST; i++, at = quote_next(&p->tokens, text, at + 1))
-    text_printf(out, "%s %zu", i > 0 ? "," : "", at);
+    text_printf(out, "%s %zu-%zu", i > 0 ? "," : "", at, at + p->tokens.n - 1);
   text_add_char(out, '\n');
 }
 

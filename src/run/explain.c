@@ -3,6 +3,7 @@
 #include <string.h>
 
 #include "audit.h"
+#include "claim/kinds.h"
 #include "proof/stable_forms.h"
 #include "value/sentence.h"
 
@@ -70,7 +71,7 @@ static void add_values(struct text *out, struct sentence *s, const struct point 
 static bool explain_point(struct text *out, struct judge *j, const struct claim *c, struct view view, const char *at,
                           bool tape) {
   struct point_spec spec[4];
-  if (!claim_get(c, "points")) {
+  if (!claim_points_asked(c)) {
     if (at) diag_set(j->d, "error: --at: the claim %s is not tried at points that can be chosen", c->id);
     return !at;
   }
@@ -129,8 +130,8 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
     add_line(out, "paper", f->quote);
     add_line(out, "as read", f->printed);
     add_line(out, "kind", claim_get(c, "kind"));
-    add_line(out, "tried at", claim_get(c, "points"));
-    add_line(out, "routes", claim_get(c, "routes"));
+    add_line(out, "tried at", claim_points_asked(c));
+    add_line(out, "routes", claim_routes_asked(c));
     add_verdict(out, f);
     stable_explain(out, m, f->equation, claim_get(c, "statement"));
     struct judge j = {.out = &r, .model = m, .claims = claims, .scene = scene, .cache = orbit_cache_new(), .d = d};

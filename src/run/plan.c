@@ -57,7 +57,7 @@ static unsigned parts_of_points(struct planner *pl, const struct claim *c) {
   unsigned parts = 0;
   diag_init(&d);
   pl->judge.d = &d;
-  int n = claim_get(c, "points") ? claim_points(spec, MOST, &pl->judge, c) : 0;
+  int n = claim_points_asked(c) ? claim_points(spec, MOST, &pl->judge, c) : 0;
   for (int i = 0; i < n; i++) {
     if (spec[i].kind == POINT_FLOW) parts |= 1U << (WORK_PHASE_D + (int)spec[i].phase);
     if (spec[i].kind > POINT_FLOW) parts |= PHASES;
@@ -130,7 +130,7 @@ static bool is_left_out(const struct planner *pl, const struct claim *c) {
 static void plan_claim(struct planner *pl, const struct claim *c) {
   struct planned_claim *p = &pl->out->claim[pl->out->n_claims++];
   *p = (struct planned_claim){
-      .id = c->id, .kind = claim_get(c, "kind"), .points = claim_get(c, "points"), .units = -1, .ms = -1};
+      .id = c->id, .kind = claim_get(c, "kind"), .points = claim_points_asked(c), .units = -1, .ms = -1};
   p->left_out = is_left_out(pl, c);
   if (p->left_out) {
     p->units = p->ms = 0;

@@ -35,7 +35,7 @@ static bool parse_spec(struct point_spec *s, const char *item) {
 }
 
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c) {
-  const char *list = claim_get(c, "points");
+  const char *list = claim_points_asked(c);
   char item[64];
   int n = 0;
   bool ok = list || claim_error(j, c, "kind", "the attribute points is missing");

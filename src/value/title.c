@@ -55,7 +55,7 @@ static void stated(struct text *out, const char **verb, const struct title *t, c
 
 static bool make_identity(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_get(t->c, "points"), *perturbation = claim_get(t->c, "perturbation");
+  const char *points = claim_points_asked(t->c), *perturbation = claim_get(t->c, "perturbation");
   if (!r) return false;
   const char *verb, *own = claim_get(t->c, "own");
   struct text where;
@@ -99,7 +99,7 @@ static bool make_matrix(struct text *out, const struct title *t) {
 
 static bool make_sharp(struct text *out, const struct title *t) {
   const struct statement_record *r = record_named(t, "statement");
-  const char *points = claim_get(t->c, "points");
+  const char *points = claim_points_asked(t->c);
   char phase[16];
   if (!r) return false;
   if (!points || sscanf(points, "%*s %15s", phase) != 1) return missing(t);

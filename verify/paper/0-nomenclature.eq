@@ -2,7 +2,7 @@
 # z_1a is the paper's z_{1a}, a component of the state at the end of the phase whose letter it carries; z'_1b is a
 # velocity there; x_a, u_b, ... are the first-order perturbations of (21)-(41).
 paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
-place: 2
+place: 2-79
 text: sha256 843a63168c06b344dcb4caa15bf79f0d490fe8048cc8bac571711feaa7cceec7
 
 symbol chi

@@ -4,7 +4,7 @@ section: validation
 define eq-44
   equation: 44
   tex: N = C(t_d) H(t_c) \Gamma(t_b) D(t_a) = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} \quad z'_0 = (V, V)'
-  place: 11310
+  place: 11310-11364
   reads: = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} as
     , N_1 = N_{1:2,1:2}, N_2 = N_{1:2,3:4}, N_3 = N_{3:4,1:2}, N_4 = N_{3:4,3:4}
   reads: (V, V)' as (V, V)^t
@@ -18,25 +18,25 @@ define eq-44
 equation eq-44b
   equation: 44
   tex: (N_1 - I)z_0 + N_2 z'_0 = 0
-  place: 11270
+  place: 11270-11289
   (N_1 - I)*z_0 + N_2*z'_0 = 0
 
 equation eq-44c
   equation: 44
   tex: N_3 z_0 + (N_4 - I)z'_0 = 0
-  place: 11290
+  place: 11290-11309
   N_3*z_0 + (N_4 - I)*z'_0 = 0
 
 define eq-45
   equation: 45
   tex: M = (N_1 - I)^{-1} N_2 - (N_3)^{-1} (N_4 - I)
-  place: 11515
+  place: 11515-11549
   M := inv(N_1 - I)*N_2 - inv(N_3)*(N_4 - I)
 
 equation eq-45b
   equation: 45
   tex: M_{11} + M_{12} = 0 \quad M_{21} + M_{22} = 0
-  place: 11469
+  place: 11469-11494
   M[1,1] + M[1,2] = 0
   M[2,1] + M[2,2] = 0
 
@@ -44,18 +44,19 @@ equation text-45-suffices
   note: the right side is zero where (45) holds, since z'_0 = (V, V)'
   N_3*(-inv(N_1 - I)*N_2*z'_0) + (N_4 - I)*z'_0 = -N_3*M*z'_0
 
-# D(t_a) is the last factor of N: in terms of z_a = z_0 + t_a z'_0 the left sides of (44) contain t_a in one place.
+# D(t_a) is the last factor of N: in terms of y_0, which is z_a by (12), the left sides of (44) contain t_a in one place.
 define text-44-parts
+  y_0 := z_0 + t_a*z'_0
   U := C(t_d)*H(t_c)*Gamma(t_b)
   U_1 := U[1:2,1:2]
   U_2 := U[1:2,3:4]
   U_3 := U[3:4,1:2]
   U_4 := U[3:4,3:4]
 
-equation text-44-in-z_a
-  note: the left sides of (44) by z_a
-  (N_1 - I)*z_0 + N_2*z'_0 = (U_1 - I)*z_a + U_2*z'_0 + t_a*z'_0
-  N_3*z_0 + (N_4 - I)*z'_0 = U_3*z_a + (U_4 - I)*z'_0
+equation text-44-by-z_a
+  note: the left sides of (44) by y_0
+  (N_1 - I)*z_0 + N_2*z'_0 = (U_1 - I)*y_0 + U_2*z'_0 + t_a*z'_0
+  N_3*z_0 + (N_4 - I)*z'_0 = U_3*y_0 + (U_4 - I)*z'_0
 
 equation text-times-alone
   note: (45), and (12) and (14) with z_0 of (46)
@@ -67,5 +68,5 @@ equation text-times-alone
 equation eq-46
   equation: 46
   tex: z_0 = -(N_1 - I)^{-1} N_2 z'_0
-  place: 11674
+  place: 11674-11697
   z_0 = -inv(N_1 - I)*N_2*z'_0

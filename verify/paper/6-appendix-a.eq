@@ -8,7 +8,7 @@ define eq-47
     B_1 = \begin{pmatrix} c_1 & 0 \\ 0 & c_2 \end{pmatrix},
     B_2 = \begin{pmatrix} \frac{s_1}{\omega_1} & 0 \\ 0 & \frac{s_2}{\omega_2} \end{pmatrix}, \quad B_3 = B_1' \quad
     c_i = \cos(\omega_i t), \quad s_i = \sin(\omega_i t), \quad (i = 1,2)
-  place: 13181
+  place: 13181-13328
   H(t) := [H_1(t), H_2(t); H_3(t), H_1(t)]
   H_1(t) := Lambda*B_1(t)*inv(Lambda)
   H_2(t) := Lambda*B_2(t)*inv(Lambda)
@@ -25,7 +25,7 @@ define eq-47
 define eq-48
   equation: 48
   tex: \det(K - I\omega^2) = 0
-  place: 13374
+  place: 13374-13384
   reads: \omega^2) = 0 as \omega_i^2) = 0, (i = 1, 2)
   note: of the four roots of this quartic the two positive ones are meant, in increasing order
   root omega_1: det(K - I*omega_1^2), smallest positive
@@ -34,7 +34,7 @@ define eq-48
 define eq-48b
   equation: 48
   tex: \psi_i = \begin{pmatrix} 1 \\ \lambda_i \end{pmatrix}, \quad (i = 1,2)
-  place: 13386
+  place: 13386-13404
   psi_1 := [1; lambda_1]
   psi_2 := [1; lambda_2]
 
@@ -47,7 +47,7 @@ define text-mode-shapes
 equation eq-48c
   equation: 48
   tex: (K - I\omega_i^2)\psi_i = 0
-  place: 13405
+  place: 13405-13419
   reads: \psi_i = 0 as \psi_i = 0, (i = 1, 2)
   (K - I*omega_1^2)*psi_1 = 0
   (K - I*omega_2^2)*psi_2 = 0
@@ -59,7 +59,7 @@ define eq-49
     \Sigma = \begin{pmatrix} 1 & \mathcal{X} \\ 0 & 1 \end{pmatrix}, \quad
     \gamma_1 = \begin{pmatrix} \cos t & 0 \\ 0 & 1 \end{pmatrix},
     \gamma_2 = \begin{pmatrix} \sin t & 0 \\ 0 & t \end{pmatrix}, \quad \gamma_3 = \gamma_1'
-  place: 13421
+  place: 13421-13517
   reads: \mathcal{X} as \chi
   note: \mathcal{X} is the only letter of that shape in the nomenclature, chi
   Gamma(t) := [Gamma_1(t), Gamma_2(t); Gamma_3(t), Gamma_1(t)]
@@ -78,7 +78,7 @@ define eq-50
     A_1 = \begin{pmatrix} 1 & 0 \\ 0 & \cos(\omega t) \end{pmatrix}, \quad
     A_2 = \begin{pmatrix} t & 0 \\ 0 & \frac{\sin(\omega t)}{\omega} \end{pmatrix}, \quad
     A_3 = A_1', \quad \omega^2 = \chi \eta
-  place: 13518
+  place: 13518-13629
   C(t) := [C_1(t), C_2(t); C_3(t), C_1(t)]
   C_1(t) := Pi*A_1(t)*inv(Pi)
   C_2(t) := Pi*A_2(t)*inv(Pi)

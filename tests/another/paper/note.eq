@@ -1,6 +1,6 @@
 # A paper of two equations about the same oscillator: both masses stick, and the volume of the states is kept.
 paper: A note on two equations of the oscillator
-place: 2
+place: 2-35
 text: sha256 22dd2151620d09a431a71f9c1ac91defd7c28bb4b20a9f124ff29d3a9133301b
 section: note
 
@@ -10,7 +10,7 @@ symbol t
 define eq-1
   equation: 1
   tex: D(t) = \begin{pmatrix} I & tI \\ 0 & I \end{pmatrix}
-  place: 83
+  place: 83-97
   D(t) := [I, t*I; 0, I]
 
 define identity
@@ -19,5 +19,5 @@ define identity
 equation eq-2
   equation: 2
   tex: \det D(t) = 1 + t
-  place: 179
+  place: 179-187
   det(D(t)) = 1 + t
