@@ -69,13 +69,17 @@ static const struct {
     {"a conclusion among the premises", "  kind: argument\n  premises: eq-52\n  conclusion: eq-52#1\n", VERDICT_PROVED},
     {"a premise of another phase proves nothing of this one",
      "  kind: argument\n  over: orbits\n  premises: eq-57#1\n  conclusion: text-h-phase#1\n", VERDICT_SUPPORTED},
-    {"nor does one without its equation", "  kind: argument\n  premises: eq-52#1.2\n  conclusion: eq-56 D\n",
-     VERDICT_SUPPORTED},
+    {"but a bound on a phase follows from what that phase is",
+     "  kind: argument\n  premises: eq-52#1.2\n  conclusion: eq-56 D\n", VERDICT_PROVED},
     {"twice the bound (53) is the bound (52)",
      "  kind: argument\n  premises: text-start-w, eq-53#1\n  conclusion: eq-52#1.1\n", VERDICT_PROVED},
     {"the rate alone without the mean value theorem",
-     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  conclusion: eq-57#2.1\n",
+     "  kind: argument\n  over: orbits\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  "
+     "conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
+    {"from the start and the rate, which an admissible orbit has",
+     "  kind: argument\n  premises: eq-52#2.1\n  conclusion: eq-57#2.1\n", VERDICT_PROVED},
+    {"from the rate alone", "  kind: argument\n  premises: eq-52#1.1\n  conclusion: eq-57#2.1\n", VERDICT_REFUTED},
     {"with it",
      "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, eq-57#1, text-h-start, eq-58b\n  increasing: h Gamma\n  "
      "conclusion: eq-57#2.1\n",
@@ -86,8 +90,8 @@ static const struct {
      " conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
     {"but not where the rate is not known to be positive",
-     "  kind: argument\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h Gamma\n  conclusion: "
-     "eq-57#2.1\n",
+     "  kind: argument\n  over: orbits\n  premises: eq-52, eq-5b#2 Gamma, text-h-start, eq-58b\n  increasing: h "
+     "Gamma\n  conclusion: eq-57#2.1\n",
      VERDICT_SUPPORTED},
     {"an identity that double precision cannot tell from a true one",
      "  kind: argument\n  premises: eq-52#1.2\n  conclusion: text-nearly\n", VERDICT_SUPPORTED},
@@ -98,6 +102,14 @@ static const struct {
      VERDICT_REFUTED},
     {"the second orbit of the scene overruns the belt, the nearest does not",
      "  kind: argument\n  over: scene\n  conclusion: text-h-phase\n", VERDICT_PROVED},
+    {"the bound itself, for every friction above it",
+     "  kind: argument\n  over: scene\n  premises: eq-53\n  conclusion: eq-54#2.1\n", VERDICT_PROVED},
+    {"which the sliding friction alone does not give", "  kind: argument\n  over: scene\n  conclusion: eq-54#2.1\n",
+     VERDICT_REFUTED},
+    {"nor a bound that is a little less, which no friction of the grid shows",
+     "  kind: argument\n  over: scene\n  premises: text-less\n  conclusion: eq-54#2.1\n", VERDICT_SUPPORTED},
+    {"friction that is not bounded above", "  kind: argument\n  over: scene\n  conclusion: text-above\n",
+     VERDICT_SUPPORTED},
     {"premises that never hold", "  kind: argument\n  premises: text-never\n  conclusion: eq-51\n", VERDICT_UNKNOWN},
     {"a margin that is zero throughout", "  kind: argument\n  conclusion: text-zero D\n", VERDICT_UNKNOWN},
 };
@@ -110,6 +122,8 @@ START_TEST(what_follows_and_what_does_not) {
                           "overlay.eq",
                           "inequality text-never\n  section: appendix_b\n  t_b < 0\n"
                           "inequality text-nearly\n  section: appendix_b\n  z_10 - chi*z_20 < 0.9999999999999*e_1\n"
+                          "inequality text-less\n  section: appendix_b\n  u_r2 > (e_2 - chi*(z_20 - z_10))/2 - 1e-6\n"
+                          "inequality text-above\n  section: appendix_b\n  u_r1 < 100\n"
                           "inequality text-zero\n  section: appendix_b\n  z_1'(t) > V\n"),
                       .controls = true});
   text_init(&t);
@@ -523,7 +537,7 @@ START_TEST(the_text_is_as_recorded) {
   paper_claims(&claims, &controls);
   ck_assert_msg(audit_run(&r, &model, &claims, &controls, &paper, &opt, &d), "%s", d.message);
   long count[N_VERDICTS], sum = 0;
-  audit_result_count(&r, count);
+  audit_result_count(count, &r, OF_PAPER);
   for (int i = 0; i < N_VERDICTS; i++) sum += count[i];
   ck_assert_int_eq(sum, (long)r.n_findings);
   for (size_t i = 0; i < r.n_findings; i++) {

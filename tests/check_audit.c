@@ -1178,8 +1178,8 @@ START_TEST(an_undamaged_control_is_a_failure) {
     ck_assert(r.controls[0].verdict == (damaged ? VERDICT_REFUTED : VERDICT_SUPPORTED));
     ck_assert(r.controls[0].noticed == damaged && audit_result_unexpected(&r) == !damaged);
     ck_assert_str_eq(text_str(&line), damaged
-                                          ? "paper: 1 claims: 1 proved; 1 of 1 controls noticed; as recorded"
-                                          : "paper: 1 claims: 1 proved; 0 of 1 controls noticed; 1 NOT as recorded");
+                                          ? "paper: 1 statement: 1 proved; 1 of 1 controls noticed; as recorded"
+                                          : "paper: 1 statement: 1 proved; 0 of 1 controls noticed; 1 NOT as recorded");
     text_clear(&line);
     audit_result_clear(&r);
   }

@@ -22,7 +22,7 @@ static void open_material(void) {
   paper_model(&model, &(struct paper_layers){.stable = "verify/stable.eq", .controls = true});
   paper_claims(&claims, &controls);
   paper_scene(&paper);
-  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL}, &paper);
+  material_init(&material, &(struct audit_data){&model, &claims, &controls, NULL, NULL}, &paper);
   study = damage_study_new(&material, NULL);
 }
 

@@ -213,7 +213,8 @@ static bool printed(const char *file, const char *text) {
   return same;
 }
 
-#define HEAD(counts)             "{\"schema\":\"stickslip-audit-1\",\"scene\":\"s\",\"summary\":{" counts "},\"claims\":["
+#define HEAD(counts)                                                                                                   \
+  "{\"schema\":\"stickslip-audit-2\",\"scene\":\"s\",\"summary\":{" counts "},\"checks\":{},\"claims\":["
 #define CLAIM(id, verdict, more) "{\"id\":\"" id "\",\"verdict\":\"" verdict "\"" more "}"
 #define A                        HEAD("\"proved\":2,\"refuted\":0") CLAIM("x", "proved", ",\"effect\":null") "," CLAIM("y", "proved", "") "]}"
 
@@ -271,19 +272,20 @@ START_TEST(changes_as_json) {
 END_TEST
 
 START_TEST(what_is_no_audit) {
-  static const char *const bad[] = {"",
-                                    "[]",
-                                    "{}",
-                                    "{\"schema\":\"stickslip-run-1\"}",
-                                    "{\"schema\":\"stickslip-audit-1\"}",
-                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":{},\"claims\":{}}",
-                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":{\"proved\":\"1\"},\"claims\":[]}",
-                                    "{\"schema\":\"stickslip-audit-1\",\"summary\":[],\"claims\":[]}",
-                                    HEAD("") "1]}",
-                                    HEAD("") "{\"id\":\"x\"}]}",
-                                    HEAD("") "{\"id\":1,\"verdict\":\"proved\"}]}",
-                                    HEAD("") CLAIM("x", "proved", "") "," CLAIM("x", "proved", "") "]}",
-                                    A "x"};
+  static const char *const bad[] = {
+      "",
+      "[]",
+      "{}",
+      "{\"schema\":\"stickslip-run-1\"}",
+      "{\"schema\":\"stickslip-audit-2\"}",
+      "{\"schema\":\"stickslip-audit-2\",\"summary\":{},\"checks\":{},\"claims\":{}}",
+      "{\"schema\":\"stickslip-audit-2\",\"summary\":{\"proved\":\"1\"},\"checks\":{},\"claims\":[]}",
+      "{\"schema\":\"stickslip-audit-2\",\"summary\":[],\"claims\":[]}",
+      HEAD("") "1]}",
+      HEAD("") "{\"id\":\"x\"}]}",
+      HEAD("") "{\"id\":1,\"verdict\":\"proved\"}]}",
+      HEAD("") CLAIM("x", "proved", "") "," CLAIM("x", "proved", "") "]}",
+      A "x"};
   for (size_t i = 0; i < sizeof bad / sizeof *bad; i++) {
     ck_assert_msg(diff(bad[i], A, "") == 3 && printed("out", ""), "%s", bad[i]);
     ck_assert_msg(diff(A, bad[i], "--json") == 3 && printed("out", ""), "%s", bad[i]);

@@ -12,6 +12,7 @@
 #include "paper_model.h"
 #include "paper_value.h"
 #include "power/mutants.h"
+#include "proof/exact_law.h"
 #include "proof/exact_proof.h"
 #include "proof/exact_rank.h"
 #include "proof/receipt.h"
@@ -553,6 +554,65 @@ START_TEST(no_control_is_proved) {
 }
 END_TEST
 
+/* What (2) asks in each phase, by hand: on which motions a sentence follows from it, and on which it does not. */
+START_TEST(what_follows_from_the_law) {
+  static const struct {
+    const char *says, *points;
+    bool follows;
+  } rows[] = {
+      {"V - chi*z_2'(t) > 0", "admissible C 6", true},
+      {"V - chi*z_2'(t) > 0", "orbits C 6", false},
+      {"V - chi*z_2'(t) > V*(1 - chi)", "admissible C 6", true},
+      {"V - chi*z_2'(t) > V", "admissible C 6", false},
+      {"z_2'(t) < V", "admissible H 6", true},
+      {"z_2'(t) < V", "admissible Gamma 6", false}, /* equal */
+      {"z_1'(t) < V", "admissible C 6", false},     /* equal */
+      {"z_1'(t) > V", "admissible H 6", false},
+      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "realistic C 6", true},
+      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "admissible C 6", false}, /* whatever the friction is */
+      {"z_1(t) - chi*z_2(t) > e_1 - 2*u_r1", "realistic H 6", false},  /* the first mass slips */
+      {"z_1(t) - chi*z_2(t) > e_1 - u_r1", "realistic C 6", false},
+      {"z_1c - chi*z_2c < e_1", "admissible C 6", true}, /* where it begins to stick */
+      {"chi*(z_2(t) - z_1(t)) < e_2", "admissible D 6", true},
+      {"chi*(z_2(t) - z_1(t)) < e_1", "admissible D 6", false},
+  };
+  for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
+    struct text t;
+    struct model m;
+    struct claims c = {.n = 0};
+    struct diag d;
+    struct audit_result out;
+    text_init(&t);
+    diag_init(&d);
+    audit_result_init(&out);
+    text_printf(&t, "inequality by-hand\n  section: stability\n  %s\n", rows[i].says);
+    paper_model(&m, &(struct paper_layers){.overlay = scratch_put("law.eq", text_str(&t)), .errata = ""});
+    text_reset(&t);
+    text_printf(&t, "claim law\n  kind: identity\n  statement: by-hand\n  points: %s\n  record: proved\n",
+                rows[i].points);
+    scratch_put("law-claim", text_str(&t));
+    ck_assert_msg(claims_add_file(&c, scratch_path("law-claim"), "claim", &d), "%s", d.message);
+    struct exact_proof p = prove(&m, &c.claim[0], (struct view){&m, LAYER_CORRECTED, NULL, NULL}, &out);
+    ck_assert_msg(p.proved == rows[i].follows, "%s: %s: %s", rows[i].says, rows[i].points, p.why_not);
+    audit_result_clear(&out);
+    claims_clear(&c);
+    model_clear(&m);
+    text_clear(&t);
+  }
+}
+END_TEST
+
+/* d (z_1 - chi z_2) and chi d(z_2 - z_1) for |dz_i| <= 1. */
+START_TEST(how_far_forces_reach) {
+  struct text reach[2];
+  for (int i = 0; i < 2; i++) text_init(&reach[i]);
+  ck_assert(exact_law_reach(reach));
+  ck_assert_str_eq(text_str(&reach[0]), "chi+1");
+  ck_assert_str_eq(text_str(&reach[1]), "2*chi");
+  for (int i = 0; i < 2; i++) text_clear(&reach[i]);
+}
+END_TEST
+
 /* --- Ranks --- */
 
 /* The same systems, by hand: what the exact route must say of them; -1: nothing. */
@@ -763,7 +823,8 @@ static int next_status(FILE *statuses) {
 START_TEST(receipts_hold_and_damaged_ones_do_not) {
   static const struct damage none = {NULL, 0, 0}, sign = {") - v(", 2, '+'}, term = {") + v(", 2, '-'},
                              zero = {"f.number(\"0\")", 10, '2'}, one = {"f.number(\"1\")", 10, '0'},
-                             rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'};
+                             rank = {"rank=", 5, '2'}, order = {"relations=\"<", 11, '>'},
+                             law = {"law=\"realistic", 5, '_'}, more = {"relations=\">", 11, '<'};
   static const struct {
     const char *id, *says;
     const struct damage *damage;
@@ -780,6 +841,9 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
               {"eq-12c", "eq-12c: proved\n", &one},
               {"eq-31c", "eq-31c: proved\n", &rank},
               {"eq-56", "eq-56: proved\n", &order},
+              {"eq-3e", "eq-3e: proved\n", &order},
+              {"eq-7b", "eq-7b: proved\n", &law},
+              {"eq-60b", "eq-60b: proved\n", &more},
               {"text-patched", "text-patched: proved\n", &sign}};
   enum { N_ROWS = sizeof rows / sizeof *rows };
   if (!has_sympy()) return;
@@ -811,10 +875,8 @@ START_TEST(receipts_hold_and_damaged_ones_do_not) {
 END_TEST
 
 START_TEST(no_receipt_without_a_proof) {
-  static const char *const rows[][2] = {{"nobody", "no claim is named"},
-                                        {"eq-3e", "an inequality"},
-                                        {"fig-4", "not of a kind"},
-                                        {"eq-36b", "not of a kind"}};
+  static const char *const rows[][2] = {
+      {"nobody", "no claim is named"}, {"fig-4", "not of a kind"}, {"eq-36b", "not of a kind"}};
   for (size_t i = 0; i < sizeof rows / sizeof *rows; i++) {
     struct text t;
     struct diag d;
@@ -846,6 +908,8 @@ Suite *exact_suite(void) {
   tcase_add_unchecked_fixture(c, open_paper, close_paper);
   tcase_add_test(c, no_control_is_proved);
   tcase_add_test(c, what_balls_refute_is_not_proved);
+  tcase_add_test(c, what_follows_from_the_law);
+  tcase_add_test(c, how_far_forces_reach);
   tcase_add_test(c, ranks_by_hand);
   tcase_add_test(c, ranks_of_damaged_equations);
   tcase_add_test(c, what_the_trace_does_not_feel);

@@ -346,13 +346,17 @@ static const struct place {
     {"overlay", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1,chi=0.5,eta=1 --overlay %s"},
     {"paper", "x.eq", "define user\n  mine := 1\n", "stability H --at t=1 --paper %s"},
     {"diff", "x.json",
-     "{\"schema\": \"stickslip-audit-1\", \"summary\": {\"total\": 1}, \"claims\": [{\"id\": \"eq-1\", \"verdict\": "
+     "{\"schema\": \"stickslip-audit-2\", \"summary\": {\"total\": 1}, \"checks\": {}, \"claims\": [{\"id\": \"eq-1\", "
+     "\"verdict\": "
      "\"proved\"}]}\n",
      "diff %s %s"},
     {"report", "audit.json",
-     "{\"schema\": \"stickslip-audit-1\", \"scene\": \"s\", \"title\": null, \"summary\": {\"proved\": 0, "
+     "{\"schema\": \"stickslip-audit-2\", \"scene\": \"s\", \"title\": null, \"summary\": {\"proved\": 0, "
      "\"conditional\": 0, \"supported\": 0, \"refuted\": 0, \"unknown\": 0, \"skipped\": 0, \"definition\": 0, "
-     "\"total\": 0}, \"claims\": [], \"consequences\": [], \"skipped\": [], \"controls\": [], \"routes\": [], "
+     "\"total\": 0}, \"checks\": {\"proved\": 0, "
+     "\"conditional\": 0, \"supported\": 0, \"refuted\": 0, \"unknown\": 0, \"skipped\": 0, \"definition\": 0, "
+     "\"total\": 0}, \"roots\": [], \"claims\": [], \"consequences\": [], \"skipped\": [], \"controls\": [], "
+     "\"routes\": [], "
      "\"long_runs\": [], \"readings\": null, \"independence\": [], \"tables\": []}\n",
      "report %s"},
     {"certificate", "x.json", "{}\n", "%s"},
@@ -521,7 +525,8 @@ END_TEST
 /* Differences that nobody can read are no answer. */
 START_TEST(a_difference_that_cannot_be_said) {
   struct job j;
-  const char *other = scratch_put("other.json", "{\"schema\": \"stickslip-audit-1\", \"summary\": {}, \"claims\": []}");
+  const char *other =
+      scratch_put("other.json", "{\"schema\": \"stickslip-audit-2\", \"summary\": {}, \"checks\": {}, \"claims\": []}");
   job_init(&j, "diff reports/paper/audit.json");
   add_word(&j, other);
   run(&j);

@@ -363,7 +363,7 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
   t->ids[i] = t->id[i];
   t->e[i] = (struct evidence){trap, trap, i % 2 ? "differs" : trap, trap, 1, -1, trap, trap, 0};
   t->d[i] = (struct derived){trap, trap, trap, (enum change)(i % 5), trap, trap, trap, trap, trap, trap, trap};
-  t->q[i] = (struct consequence){t->id[i], {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
+  t->q[i] = (struct consequence){t->id[i], trap, {t->ids, (int)n}, {t->ids, 1}, {NULL, 0}, &t->d[i], 1};
   t->c[i] = (struct control_result){trap, t->id[i], (enum verdict)(i % N_VERDICTS), i % 2 == 0, NULL, NULL};
   t->p[i] = (struct route_pair){trap, trap, t->id[i], trap, 1, trap, i % 2 == 0, i % 3 ? trap : NULL, trap, 0, trap};
   t->l[i] = (struct long_result){.orbit = trap, .multiplier = trap, .expected = trap, .obeys = i % 2 == 0};
@@ -390,7 +390,10 @@ static void lay_trap(struct traps *t, size_t i, size_t n, const char *trap) {
                              &t->e[i],
                              1,
                              trap,
-                             (enum verdict)(i % (N_VERDICTS + 1))};
+                             (enum verdict)(i % (N_VERDICTS + 1)),
+                             (enum claimant)(i % N_CLAIMANTS),
+                             trap,
+                             (enum severity)(i % (N_SEVERITIES + 1))};
 }
 
 static void hostile(struct audit_result *r, struct traps *t, const char *const *traps, size_t n) {

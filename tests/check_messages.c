@@ -39,7 +39,7 @@ static int each_row(const char *path, int columns, void (*f)(char *column[MOST_C
 /* @N{text} repeats, {report} begins an audit.json whose first members are as they should be, \n ends a line, \\ is
    one. */
 static void expand(struct text *out, const char *v) {
-  static const char report[] = "{\"schema\": \"stickslip-audit-1\", ";
+  static const char report[] = "{\"schema\": \"stickslip-audit-2\", ";
   while (*v) {
     char *end;
     long n = v[0] == '@' ? strtol(v + 1, &end, 10) : 0;

@@ -342,7 +342,7 @@ static void mutate_records(struct mutation_result *r, const char *const *record,
   diag_init(&d);
   mutation_result_init(r);
   const struct mutation_options opt = {.seed = 1, .jobs = jobs, .only = record, .n_only = n};
-  const struct audit_data data = {&model, asked, &controls, NULL};
+  const struct audit_data data = {&model, asked, &controls, NULL, NULL};
   ck_assert_msg(audit_mutate(r, &data, &paper, &opt, &d), "%s", d.message);
 }
 

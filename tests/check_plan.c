@@ -347,8 +347,11 @@ START_TEST(no_process_outlives_the_memory) {
     if (freopen(scratch_path("said"), "w", stderr)) run_exhausted();
     _exit(0);
   }
-  ck_assert_int_eq(process_end(pid), EXIT_EXHAUSTED);
+  const int status = process_end(pid);
   check_says("out of memory");
+  char *text = said();
+  ck_assert_msg(status == EXIT_EXHAUSTED, "%d: %.4000s", status, text);
+  free(text);
   ck_assert_int_gt(atomic_load(by_children), 0);
   ck_assert(process_until(group_has_ended, pid));
   munmap(by_children, sizeof *by_children);
@@ -619,7 +622,7 @@ START_TEST(values_have_their_documented_names) {
   ck_assert_str_eq(r.spent[0].name, "values");
   ck_assert_uint_gt(r.spent[0].units, 0);
   report_line(&line, &r);
-  const char *end = ": 0 claims; 9 values; as recorded";
+  const char *end = ": 0 statements; 9 values; as recorded";
   ck_assert_uint_gt(line.len, strlen(end));
   ck_assert_str_eq(text_str(&line) + line.len - strlen(end), end);
   text_clear(&line);
@@ -950,7 +953,7 @@ START_TEST(values_have_one_limit) {
   const char *out = scratch_path("out");
   const char *most[] = {asking_much(312, numbers), "--out", out, NULL};
   ck_assert_int_eq(process_end(start(most)), 0);
-  check_says(": 0 claims; 10000 values; as recorded\n");
+  check_says(": 0 statements; 10000 values; as recorded\n");
   snprintf(command, sizeof command, "%s report %s > /dev/null && %s diff %s/audit.json %s/audit.json > /dev/null",
            program(), out, program(), out, out);
   ck_assert_int_eq(system(command), 0);

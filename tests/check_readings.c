@@ -221,7 +221,7 @@ START_TEST(slopes_and_both_sources_of_the_equations) {
   struct formulas paper, own;
   struct system s, t;
   load("tests/readings/whole.scene");
-  ck_assert(formulas_read(&paper, &model, LAYER_CORRECTED));
+  ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
   formulas_own(&own);
   system_init(&s, &paper, &scene, num_ctx_mpfr(200));
   system_init(&t, &own, &scene, num_ctx_mpfr(200));
@@ -344,7 +344,7 @@ START_TEST(solutions_are_enclosed_or_refused) {
   struct formulas paper;
   struct system s;
   load("tests/readings/whole.scene");
-  ck_assert(formulas_read(&paper, &model, LAYER_CORRECTED));
+  ck_assert(formulas_read(&paper, (struct view){&model, LAYER_CORRECTED, NULL, NULL}));
   system_init(&s, &paper, &scene, num_ctx_arb(128));
   const unsigned six = 1U << EQ_12 | 1U << EQ_14 | 1U << EQ_16 | 1U << EQ_V2 | 1U << EQ_Z1 | 1U << EQ_Z2;
   arb_ptr x = _arb_vec_init(N_X);
@@ -446,7 +446,7 @@ START_TEST(other_matrices_are_not_read) {
     load("paper");
     snprintf(text, sizeof text, "define own\n  equation: 49\n  section: appendix_a\n  Gamma(t) := %s\n", gamma[i]);
     ck_assert_msg(model_add_file(&model, scratch_put("own.eq", text), RANK_ERRATA, &d), "%s", d.message);
-    ck_assert_msg(formulas_read(&f, &model, LAYER_CORRECTED) == (i == 2), "%s", gamma[i]);
+    ck_assert_msg(formulas_read(&f, (struct view){&model, LAYER_CORRECTED, NULL, NULL}) == (i == 2), "%s", gamma[i]);
     formulas_clear(&f);
     unload();
   }

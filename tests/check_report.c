@@ -162,6 +162,7 @@ static size_t expected(const char *key) {
   } left_out[] = {
       {"evidence", sizeof(double)},                    /* of one machine, for run.json */
       {"claims", 5 * 4},                               /* behind verdicts and counts */
+      {"roots", 2 * 4},                                /* behind severity and the count */
       {"derived", 4},                                  /* before verdict */
       {"consequences", 3 * 4 + 4},                     /* behind each count */
       {"controls", 3},                                 /* at the end */
@@ -468,7 +469,7 @@ END_TEST
 START_TEST(what_is_said) {
   static const struct {
     const char *from, *to, *says;
-  } of[] = {{"stickslip-audit-1", "stickslip-audit-9", "audit.json:1:1: error: not an audit.json"},
+  } of[] = {{"stickslip-audit-2", "stickslip-audit-9", "audit.json:1:1: error: not an audit.json"},
             {"\"verdict\": \"conditional\"", "\"verdict\": \"likely\"", "the member verdict is none of the words"},
             {"\"id\": ", "\"name\": ", "the member id is missing here"},
             {"\"noticed\": true", "\"noticed\": 1", "the member noticed must be true or false"},
@@ -476,6 +477,9 @@ START_TEST(what_is_said) {
             {"\"depends_on\": [", "\"depends_on\": 7, \"x\": [", "the member depends_on must be an array"},
             {"\"title\": ", "\"titel\": ", "the member title is missing here"},
             {"\"total\": ", "\"total\": 1", "the member summary does not say"},
+            {"\"root\": \"r\"", "\"root\": \"s\"", "the roots do not say what the claims say"},
+            {"\"severity\": \"substance\",\n    ", "\"severity\": \"remark\",\n    ", "the roots do not say"},
+            {"\"claims\": [\"eq-40\"]", "\"claims\": []", "the roots do not say"},
             {"figure-3.tsv", "figure 3.tsv", "the name of a table"},
             {"figure-3.tsv", "/figure-3.tsv", "the name of a table"},
             {"\"change\": \"same formula\"", "\"change\": \"changes\"", "is missing here"}};

@@ -77,7 +77,26 @@ static const struct damage rules[] = {
     {"paper/paper.statements", "/^statement stability-3$/,/^$/{/quote:/d}", planned, 3,
      "stability-3: a statement has a quote"},
     {"paper/paper.statements", "/^statement stability-3$/,/^$/{s/reason:/why:/}", planned, 3,
-     "stability-3: a statement has quote, place, equation, claims and reason"},
+     "stability-3: a statement has quote, place, equation, claims, checks and reason"},
+    {"paper/paper.statements", "s/checks: eq-12c, text-states$/checks: eq-12c, text-states, eq-4l/", planned, 3,
+     "there is no claim eq-4l"},
+    {"paper/paper.statements", "s/checks: eq-12c, text-states$/checks: eq-12c, text-states, eq-13/", planned, 3,
+     "periodic-stick-state: eq-13 answers a statement, and is no check"},
+    /* the roots of discrepancies */
+    {"claims/paper.roots", "/^root otherwise$/,/^$/d", planned, 3,
+     "text-otherwise-unstable: no root of the file of roots names this claim"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{/claims:/d}", planned, 3,
+     "otherwise: a root has the attribute claims"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{s/claims:.*/&, eq-40/}", planned, 3,
+     "otherwise: eq-40 stands at the root slip-factor already"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{s/claims:.*/&, eq-4l/}", planned, 3,
+     "otherwise: there is no claim eq-4l"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{s/substance/grave/}", planned, 3,
+     "otherwise: a severity is substance, remark or notation"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{s/substance/notation/}", planned, 3,
+     "configurations: those of more consequence stand before it"},
+    {"claims/paper.roots", "/^root otherwise$/,/^$/{s/by-hand:/shown:/}", planned, 3,
+     "otherwise: a root has title, severity"},
     {"claims/8-text.claim", "/^claim text-56-deduced$/,/^$/d", planned, 3, "there is no claim text-56-deduced"},
     /* controls and corrections on file */
     {"controls/controls.claim", "/^control ctl-chain$/,/^$/d", planned, 3, "records in this file, not"},
@@ -167,8 +186,10 @@ START_TEST(check_knows_the_rules) {
            program(), file);
   out = shell(&status, command);
   ck_assert_msg(status == 3 && strstr(out, "text-charpoly: no statement of the paper names this claim"), "%s", out);
-  snprintf(command, sizeof command, "%s check verify/paper/paper.statements && %s check verify/controls/controls.claim",
-           program(), program());
+  snprintf(command, sizeof command,
+           "%s check verify/paper/paper.statements && %s check verify/controls/controls.claim && %s check "
+           "verify/claims/paper.roots",
+           program(), program(), program());
   shell(&status, command);
   ck_assert_int_eq(status, 0);
 }

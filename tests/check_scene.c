@@ -499,7 +499,7 @@ START_TEST(groups_of_claims) {
   } cases[] = {{"matrices", {"\n  kind: matrix\n"}},
                {"identities", {"\n  kind: identity\n"}},
                {"numbers", {"\n  kind: number\n", "\n  kind: closure\n"}},
-               {"inequalities", {"\n  kind: inequality\n", "\n  kind: threshold\n", "\n  kind: sharp\n"}},
+               {"inequalities", {"\n  kind: inequality\n", "\n  kind: sharp\n"}},
                {"arguments", {"\n  kind: argument\n"}},
                {"definitions", {"\n  kind: definition\n"}},
                {"kind notation", {"\n  kind: notation\n"}},

@@ -96,7 +96,7 @@ START_TEST(colours_change_no_character) {
   }
   *to = '\0';
   ck_assert_str_eq(out, plain);
-  const char *last = strstr(plain, "\npaper: 6 claims: ");
+  const char *last = strstr(plain, "\npaper: 4 statements: ");
   ck_assert(last && strcmp(last + strlen(last) - 12, "as recorded\n") == 0 &&
             !strchr(strchr(last + 1, '\n') + 1, '\n'));
   free(out);
@@ -379,7 +379,7 @@ START_TEST(another_paper_is_audited) {
   char *out =
       shell(&status, "STICKSLIP_DATA=tests/another %s verify --out %s 2>&1", program(), scratch_path("another"));
   ck_assert_msg(status == 0 && strstr(out, "refuted     eq-2 "), "%s", out);
-  ck_assert_msg(strstr(out, "\npaper: 2 claims: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded\n"), "%s",
+  ck_assert_msg(strstr(out, "\npaper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded\n"), "%s",
                 out);
   free(out);
   out = shell(&status, "grep -c 'replaced by\\|det(D(t)) = 1\"' %s/audit.json", scratch_path("another"));

@@ -58,7 +58,7 @@ static const struct {
     {"eq-42", "P(lambda) = det(J - lambda I)"},
     {"eq-46", "z_0 = -(N_1 - I)^-1 N_2 z'_0 on periodic solutions"},
     {"eq-47", "H(t) is the propagator of the global slip phase"},
-    {"eq-53", "(53) is all that (52) asks of u_r1 and u_r2"},
+    {"eq-53", "(53) is equivalent to e_1 - 2 u_r1 < z_10 - chi z_20 and e_2 - 2 u_r2 < chi (z_20 - z_10)"},
     {"eq-54", "(54) follows from (53) on the example"},
     {"num-t_a", "t_a = 0.6784 on the example's orbit"},
     {"num-e1", "e_1 = 2.7844, the value of z_10 - chi z_20 + V t_a (1 - chi) at the printed numbers"},

@@ -4,17 +4,17 @@
 
 static bool known_attribute(const char *key) {
   static const char *const known[] = {
-      "equation",     "section",  "own",        "kind",        "value",        "statement",    "bound",
-      "points",       "routes",   "oracle",     "number",      "from",         "formula",      "fault",
-      "title",        "quote",    "depends-on", "record",      "effect",       "restricted",   "claim",
-      "shift",        "relation", "letter",     "range",       "perturbation", "record-scene", "repaired-range",
-      "also-printed", "premises", "conclusion", "over",        "friction",     "increasing",   "repair",
-      "reads",        "repaired", "symbols",    "stands-for",  "found-in",     "scaled",       "statements",
-      "absent",       "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",
-      "conditions",   "given",    "through",    "needs",       "check",        "at",           "transition",
-      "limit",        "jumps",    "side",       "vary",        "about",        "converse",     "mass",
-      "slips",        "sticks",   "breaks",     "place",       "few",          "converse-of",  "repaired-as",
-      "of",           "near",     "heading",    "count",       "every",        "kept",         "until"};
+      "equation", "section",    "own",         "kind",         "value",        "statement",      "points",
+      "routes",   "oracle",     "number",      "from",         "formula",      "fault",          "title",
+      "quote",    "depends-on", "record",      "effect",       "restricted",   "claim",          "shift",
+      "relation", "letter",     "range",       "perturbation", "record-scene", "repaired-range", "also-printed",
+      "premises", "conclusion", "over",        "friction",     "increasing",   "repair",         "reads",
+      "repaired", "symbols",    "stands-for",  "found-in",     "scaled",       "statements",     "absent",
+      "unknowns", "rank",       "constraints", "least-first",  "least-second", "word",           "conditions",
+      "given",    "through",    "needs",       "check",        "at",           "transition",     "limit",
+      "jumps",    "side",       "vary",        "about",        "converse",     "mass",           "slips",
+      "sticks",   "breaks",     "place",       "few",          "converse-of",  "repaired-as",    "of",
+      "near",     "heading",    "count",       "every",        "kept",         "until"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }
@@ -59,5 +59,6 @@ bool claims_check(const struct claims *c, bool controls, struct diag *d) {
 bool data_check(const struct audit_data *a, struct diag *d) {
   return claims_check(a->claims, false, d) && claims_check(a->controls, true, d) &&
          claims_keep_rules(a->model, a->claims, a->controls, d) &&
-         (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d));
+         (!a->statements || statements_keep_rules(a->model, a->claims, a->statements, d)) &&
+         (!a->roots || roots_keep_rules(a->claims, a->roots, d));
 }

@@ -63,6 +63,7 @@ struct audit_data {
   const struct model *model;
   const struct claims *claims, *controls;
   const struct claims *statements; /* of the paper; NULL: they are not asked */
+  const struct claims *roots;      /* of discrepancies; NULL likewise */
 };
 
 /* Every check that is made of the data when they have been loaded, by verify, and by mutate of damaged data: false with
@@ -111,15 +112,36 @@ bool records_counted(const struct record_file *f, struct diag *d);
 
      quote     a few words that find it in the text, and it alone; place: where (quote/quote.h)
      equation  the number that is printed at it
-     claims    what answers it; or
-     reason    why nothing does */
+     claims    what answers what it asserts; or
+     reason    why nothing does
+     checks    the suite's own claims around it: a claim that no statement names under claims is of the suite */
 /* One by itself. */
 bool statement_check(const struct claim *s, struct diag *d);
-/* All together: the claims that they name are there; each claim is named; and each equation number of the paper, up to
-   the last, stands at some statement. */
+/* All together: the claims that they name are there, each under claims or under checks; each claim is named; and each
+   equation number of the paper, up to the last, stands at some statement. */
 bool statements_keep_rules(const struct model *m, const struct claims *claims, const struct claims *statements,
                            struct diag *d);
 /* Those without claims, by reason, among what is left out. */
 void statements_unanswered(struct audit_result *out, const struct claims *statements);
+/* Whether some statement has the claim of that id to answer it. */
+bool statements_claim(const struct claims *statements, const char *id);
+
+/* --- The roots of discrepancies (roots.c) --- */
+
+/* Records "root ID" of files *.roots beside the claims, in order of consequence: those of substance first, then remarks,
+   then slips of notation.
+
+     title        what it is about
+     severity     substance, remark or notation
+     where        the numbers or sections of the paper
+     wrong, correct, consequence   sentences, with TeX between dollar signs
+     by-hand      one way to see it; may be missing
+     claims       those that fail for it */
+bool root_check(const struct claim *root, struct diag *d);
+/* All together: the claims that they name are there, each at one root, and a claim on record as refuted or conditional has
+   one. */
+bool roots_keep_rules(const struct claims *claims, const struct claims *roots, struct diag *d);
+/* Says of each finding whose it is and, where it fails, of what root; adds the roots that have such findings. */
+void roots_attach(struct audit_result *out, const struct claims *statements, const struct claims *roots);
 
 #endif

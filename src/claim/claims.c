@@ -59,7 +59,7 @@ bool claims_add_text(struct claims *c, const char *name, const char *text, const
 
 /* path: NULL, or a file that is read in the place of that of its name. */
 static bool load_folder(struct claims *c, const char *folder, const char *kind, const char *path, struct diag *d) {
-  const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : ".claim";
+  const char *suffix = strcmp(kind, "statement") == 0 ? ".statements" : strcmp(kind, "root") == 0 ? ".roots" : ".claim";
   struct arena a;
   arena_init(&a);
   size_t n;

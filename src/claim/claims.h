@@ -9,8 +9,7 @@
      own         the equation number whose text is read as printed; by default that of the claim
      kind        one of the kinds below
      value       (matrix) the name, with its argument, held against the model's quantity of that name
-     statement   (identity, inequality, threshold, sharp, criterion) the record of the equation files that is judged
-     bound       (threshold) the record whose right-hand sides are the bounds
+     statement   (identity, inequality, sharp, criterion) the record of the equation files that is judged
      points      where: "params N", "flow PHASE N", "arcs [PHASE] N", "orbits [PHASE] N",
                  "admissible [PHASE] N" (orbits that break no condition), "realistic [PHASE] N" (those, with friction a
                  quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
@@ -80,7 +79,7 @@
    Records "result ID" (section, title, formula) name what the paper derives and a reader uses: each is evaluated with a
    failed formula as printed and as corrected.
 
-   Kinds: definition, matrix, identity, inequality, threshold, sharp (each step of the statement's inequalities becomes
+   Kinds: definition, matrix, identity, inequality, sharp (each step of the statement's inequalities becomes
    an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
    notation, scaling, reach, rank, sequence, existence, constraints, solutions, law, outside, report.
 
@@ -113,8 +112,8 @@ struct claims {
 
 enum { MAX_CLAIM_FILE = 4 << 20 };
 
-/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control or
-   statement, whose files are *.statements. */
+/* Loads every *.claim file of a folder, in the order of their names.  `kind` is the record kind: claim, control 
+   statement or root, whose files are *.statements and *.roots. */
 bool claims_load(struct claims *c, const char *folder, const char *kind, struct diag *d);
 /* Those of a folder of the data folder. */
 bool claims_load_data(struct claims *c, const char *data, const char *folder, const char *kind, struct diag *d);

@@ -13,11 +13,11 @@
 struct reach {
   const struct definition **about;
   size_t n_about, cap_about;
-  const char *record, *uses_record; /* the record that it is about; another that it is held against */
-  const char *premises[2];          /* lists of the records that it argues from */
-  const char *concludes;            /* that it deduces from them; NULL of other claims */
-  const char *by_hand;              /* ids that it names */
-  const char *number;               /* the printed number that it is about */
+  const char *record;      /* that it is about */
+  const char *premises[2]; /* lists of the records that it argues from */
+  const char *concludes;   /* that it deduces from them; NULL of other claims */
+  const char *by_hand;     /* ids that it names */
+  const char *number;      /* the printed number that it is about */
   const struct definition **used;
   size_t n_used, cap_used;
   char **symbols; /* of a number's formula */
@@ -127,11 +127,10 @@ static const char *section_of(const struct claim *c) {
 }
 
 static void look_at_claim(struct reach *r, const struct model *m, const struct claim *c) {
-  const char *value = claim_get(c, "value"), *statement = claim_get(c, "statement"), *bound = claim_get(c, "bound");
+  const char *value = claim_get(c, "value");
   struct view v = view_of(m, c);
   r->number = claim_get(c, "number");
-  r->record = bound ? bound : statement;
-  r->uses_record = bound ? statement : NULL;
+  r->record = claim_get(c, "statement");
   read_about(r, &v, value, section_of(c));
   read_about(r, &v, claim_get(c, "about"), section_of(c));
   r->premises[0] = claim_get(c, "premises");
@@ -152,7 +151,6 @@ static const struct reach *walk(struct dependences *d, size_t a) {
   reach_text(r, &el, claim_get(c, "value"), section_of(c));
   reach_text(r, &el, claim_get(c, "formula"), section_of(c));
   reach_record(&el, &v, claim_get(c, "statement"));
-  reach_record(&el, &v, claim_get(c, "bound"));
   reach_lists(&el, &v, c);
   for (size_t i = 0; i < elaboration_n_used(&el); i++) {
     const struct definition *def = elaboration_used(&el, i);
@@ -217,7 +215,6 @@ bool dependences_on(struct dependences *d, size_t a, size_t b) {
   if (a == b) return false;
   for (size_t i = 0; i < ra->n_used; i++)
     if (is_about(rb, ra->used[i]) && !is_about(ra, ra->used[i])) return true;
-  if (ra->uses_record && rb->record && strcmp(ra->uses_record, rb->record) == 0) return true;
   for (int i = 0; i < 2 && rb->record; i++)
     if (lists_record(ra->premises[i], rb->record) && (!ra->record || strcmp(ra->record, rb->record) != 0)) return true;
   if (!ra->number || !rb->number || strcmp(ra->number, rb->number) == 0) return false;

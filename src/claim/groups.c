@@ -30,7 +30,6 @@ static const struct group {
               {"jacobians", "quote", SPEAKS_OF, "J"},
               {"identities", "kind", IS, "identity"},
               {"inequalities", "kind", IS, "inequality"},
-              {"inequalities", "kind", IS, "threshold"},
               {"inequalities", "kind", IS, "sharp"},
               {"numbers", "kind", IS, "number"},
               {"numbers", "kind", IS, "closure"},

@@ -41,7 +41,6 @@ extern const char *const fault_name[N_FAULTS];
     1)                                                                                                                 \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
     2, 1)                                                                                                              \
-  K(THRESHOLD, "threshold", judge_threshold, false, ASKED_EARLY, false, 0, true, FAULT_FORMULA, 0, 0, 1)               \
   K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1)              \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
     FAULT_NUMBER, 0, 0, 1)                                                                                             \

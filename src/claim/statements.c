@@ -7,12 +7,13 @@
 #include <string.h>
 
 bool statement_check(const struct claim *s, struct diag *d) {
-  static const char *const known[] = {"quote", "place", "equation", "claims", "reason"};
+  static const char *const known[] = {"quote", "place", "equation", "claims", "checks", "reason"};
+  enum { N_KNOWN = sizeof known / sizeof *known };
   for (size_t k = 0; k < s->record->n_fields; k++) {
     const struct field *f = &s->record->fields[k];
-    if (f->attribute && word_find(f->key_name, known, 5) < 5) continue;
+    if (f->attribute && word_find(f->key_name, known, N_KNOWN) < N_KNOWN) continue;
     diag_at(d, &s->file->src, f->attribute ? f->key.begin : f->value.begin,
-            "%s: a statement has quote, place, equation, claims and reason", s->id);
+            "%s: a statement has quote, place, equation, claims, checks and reason", s->id);
     return false;
   }
   if (!claim_get(s, "quote")) return claim_mistake(s, "", d, "a statement has a quote that finds it in the paper");
@@ -21,24 +22,43 @@ bool statement_check(const struct claim *s, struct diag *d) {
   return true;
 }
 
+static bool lists(const struct claim *s, const char *key, const char *id) {
+  char name[64];
+  for (const char *p = claim_get(s, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
+    if (strcmp(name, id) == 0) return true;
+  return false;
+}
+
+static bool some_lists(const struct claims *statements, const char *key, const char *id) {
+  for (size_t i = 0; i < statements->n; i++)
+    if (lists(&statements->claim[i], key, id)) return true;
+  return false;
+}
+
+bool statements_claim(const struct claims *statements, const char *id) {
+  return some_lists(statements, "claims", id);
+}
+
 /* Every name on its list is that of a claim. */
-static bool check_names(const struct claim *s, const struct claims *claims, struct diag *d) {
+static bool check_names(const struct claim *s, const char *key, const struct claims *claims, struct diag *d) {
   char name[64], what[120];
-  for (const char *p = claim_get(s, "claims"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+  for (const char *p = claim_get(s, key); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
     if (claim_named(claims, name)) continue;
     snprintf(what, sizeof what, "there is no claim %s", name);
-    return claim_mistake(s, "claims", d, what);
+    return claim_mistake(s, key, d, what);
   }
   return true;
 }
 
-static bool answers(const struct claim *c, const struct claims *statements) {
-  char name[64];
-  for (size_t i = 0; i < statements->n; i++)
-    for (const char *p = claim_get(&statements->claim[i], "claims");
-         p && (p = claim_next_item(name, sizeof name, p)) != NULL;)
-      if (strcmp(name, c->id) == 0) return true;
-  return false;
+/* Whether a claim answers what is asserted is one fact about it, whichever statement names it. */
+static bool check_checks(const struct claim *s, const struct claims *statements, struct diag *d) {
+  char name[64], what[120];
+  for (const char *p = claim_get(s, "checks"); p && (p = claim_next_item(name, sizeof name, p)) != NULL;) {
+    if (!statements_claim(statements, name)) continue;
+    snprintf(what, sizeof what, "%s answers a statement, and is no check", name);
+    return claim_mistake(s, "checks", d, what);
+  }
+  return true;
 }
 
 static bool is_listed(const char *equation, const struct claims *statements) {
@@ -71,9 +91,11 @@ bool statements_keep_rules(const struct model *m, const struct claims *claims, c
   for (size_t i = 0; i < statements->n_files; i++)
     if (!records_counted(statements->files[i], d)) return false;
   for (size_t i = 0; i < statements->n; i++)
-    if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], claims, d)) return false;
+    if (!statement_check(&statements->claim[i], d) || !check_names(&statements->claim[i], "claims", claims, d) ||
+        !check_names(&statements->claim[i], "checks", claims, d) || !check_checks(&statements->claim[i], statements, d))
+      return false;
   for (size_t i = 0; i < claims->n; i++)
-    if (!answers(&claims->claim[i], statements))
+    if (!statements_claim(statements, claims->claim[i].id) && !some_lists(statements, "checks", claims->claim[i].id))
       return claim_mistake(&claims->claim[i], "", d, "no statement of the paper names this claim");
   return check_equations(m, statements, d);
 }

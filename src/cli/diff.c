@@ -33,11 +33,25 @@ static const struct json_value *find_claim(const struct audit_file *f, const cha
   return found ? *found : NULL;
 }
 
+/* The members that count verdicts: of the paper's statements, and of the suite's checks. */
+enum { N_COUNTS = 2 };
+static const struct { const char *member, *before; } counts[N_COUNTS] = {{"summary", ""}, {"checks", "checks "}};
+
 /* --- Reading --- */
 
 static bool not_an_audit(const struct audit_file *f, struct diag *d, const char *why) {
   diag_set(d, "%s: error: not an audit.json of stickslip verify: %s", f->source.name, why);
   return false;
+}
+
+static bool read_counts(const struct audit_file *f, const char *member, struct diag *d) {
+  const struct json_value *of = json_member(&f->root, member);
+  char why[32];
+  snprintf(why, sizeof why, "no %s", member);
+  if (!of || of->kind != JSON_KIND_OBJECT) return not_an_audit(f, d, why);
+  for (const struct json_value *m = of->first; m; m = m->next)
+    if (m->kind != JSON_KIND_NUMBER) return not_an_audit(f, d, "a count that is not a number");
+  return true;
 }
 
 static bool read_claims(struct audit_file *f, const struct json_value *claims, struct diag *d) {
@@ -59,12 +73,11 @@ static bool audit_file_read(struct audit_file *f, const char *path, struct diag 
   arena_init(&f->arena);
   if (!source_read(&f->source, path, LARGEST_AUDIT, d) || !json_parse(&f->root, &f->arena, &f->source, d)) return false;
   const char *schema = json_text(&f->root, "schema");
-  const struct json_value *claims = json_member(&f->root, "claims"), *summary = json_member(&f->root, "summary");
-  if (!schema || strcmp(schema, "stickslip-audit-1") != 0) return not_an_audit(f, d, "no schema stickslip-audit-1");
-  if (!summary || summary->kind != JSON_KIND_OBJECT) return not_an_audit(f, d, "no summary");
+  const struct json_value *claims = json_member(&f->root, "claims");
+  if (!schema || strcmp(schema, "stickslip-audit-2") != 0) return not_an_audit(f, d, "no schema stickslip-audit-2");
+  for (int i = 0; i < N_COUNTS; i++)
+    if (!read_counts(f, counts[i].member, d)) return false;
   if (!claims || claims->kind != JSON_KIND_ARRAY) return not_an_audit(f, d, "no claims");
-  for (const struct json_value *m = summary->first; m; m = m->next)
-    if (m->kind != JSON_KIND_NUMBER) return not_an_audit(f, d, "a count that is not a number");
   return read_claims(f, claims, d);
 }
 
@@ -99,14 +112,18 @@ static void each_member(struct listener *l, const char *id, const struct json_va
     }
 }
 
-static void each_count(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
-  const struct json_value *x = json_member(&a->root, "summary"), *y = json_member(&b->root, "summary");
+/* The counts of summary or checks, called by their names with what stands before them. */
+static void each_count(struct listener *l, const struct audit_file *a, const struct audit_file *b, int part) {
+  const struct json_value *x = json_member(&a->root, counts[part].member),
+                          *y = json_member(&b->root, counts[part].member);
   for (int second = 0; second < 2; second++)
     for (const struct json_value *m = (second ? y : x)->first; m; m = m->next) {
       const struct json_value *other = json_member(second ? x : y, m->key);
       if ((second && other) || (other && json_same(m, other))) continue;
+      char name[64];
+      snprintf(name, sizeof name, "%s%.40s", counts[part].before, m->key);
       l->any = true;
-      l->count(l, m->key, second ? "0" : m->text, second ? m->text : other ? other->text : "0");
+      l->count(l, name, second ? "0" : m->text, second ? m->text : other ? other->text : "0");
     }
 }
 
@@ -126,7 +143,7 @@ static void each_verdict(struct listener *l, const struct audit_file *a, const s
 }
 
 static void each_other(struct listener *l, const struct audit_file *a, const struct audit_file *b) {
-  static const char *const told[] = {"summary", "claims", NULL}, *const verdict[] = {"verdict", NULL};
+  static const char *const told[] = {"summary", "checks", "claims", NULL}, *const verdict[] = {"verdict", NULL};
   for (size_t i = 0; i < b->n; i++) {
     const struct json_value *was = find_claim(a, id_of(b->claim[i]));
     if (was) each_member(l, id_of(b->claim[i]), was, b->claim[i], verdict);
@@ -168,7 +185,7 @@ static void say_member(struct listener *l, const char *id, const char *name) {
 
 static bool print_diff(const struct audit_file *a, const struct audit_file *b) {
   struct listener l = {.count = say_count, .verdict = say_verdict, .member = say_member};
-  each_count(&l, a, b);
+  for (int i = 0; i < N_COUNTS; i++) each_count(&l, a, b, i);
   each_verdict(&l, a, b);
   each_other(&l, a, b);
   if (!l.any) puts("no change");
@@ -209,7 +226,7 @@ static bool print_json(const struct audit_file *a, const struct audit_file *b) {
   json_string(&j, "first", a->source.name);
   json_string(&j, "second", b->source.name);
   json_array(&j, "counts");
-  each_count(&l, a, b);
+  for (int i = 0; i < N_COUNTS; i++) each_count(&l, a, b, i);
   json_end_array(&j);
   json_array(&j, "verdicts");
   each_verdict(&l, a, b);

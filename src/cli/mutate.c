@@ -64,7 +64,7 @@ static bool inputs_load(struct inputs *in, const char *data, const struct option
   return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
          claims_load_data(&in->controls, data, "controls", "control", d) &&
          claims_load_data(&in->statements, data, "paper", "statement", d) &&
-         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements}, d) &&
+         data_check(&(struct audit_data){&in->model, &in->claims, &in->controls, &in->statements, NULL}, d) &&
          titles_check(&in->model, &in->claims, d);
 }
 
@@ -106,7 +106,7 @@ int run_mutate(const struct options *o, const char *data) {
   diag_init(&d);
   mutation_result_init(&r);
   for (int i = 0; i < 3; i++) text_init(&body[i]);
-  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements};
+  const struct audit_data all = {&in.model, &in.claims, &in.controls, &in.statements, NULL};
   bool terminal = isatty(STDERR_FILENO);
   q.progress = terminal ? show_progress : NULL;
   struct paper_text text = {.tokens = {.n = 0}};

@@ -22,7 +22,7 @@ struct quoting {
 };
 
 static bool load(struct quotations *q, struct quoting *by, const char *data, struct diag *d) {
-  const struct audit_data all = {&by->model, &by->claims, NULL, &by->statements};
+  const struct audit_data all = {&by->model, &by->claims, NULL, &by->statements, NULL};
   struct text path;
   text_init(&path);
   join_path(&path, data, "paper");

@@ -99,8 +99,8 @@ static void add_row(struct text *out, const struct audit_result *r, const char *
 }
 
 static void add_sections(struct text *out, const struct audit_result *r, bool colours) {
-  long shown[N_VERDICTS];
-  audit_result_count(r, shown);
+  long shown[N_VERDICTS] = {0};
+  for (size_t i = 0; i < r->n_findings; i++) shown[r->findings[i].verdict]++;
   paint(out, colours, PAINT_HEAD, "section", -12);
   for (int v = 0; v < N_VERDICTS; v++)
     if (shown[v]) paint(out, colours, PAINT_HEAD, verdict_name[v], column((enum verdict)v));

@@ -1,6 +1,7 @@
 /* Arguments: does the conclusion follow from the premises?
 
-   First an exact proof is looked for (proof/combination.h).  Then a counterexample: an orbit on which the premises hold
+   First an exact proof is looked for, from the premises alone (proof/combination.h) or with what holds on every
+   admissible orbit (proof/exact_argument.h).  Then a counterexample: an orbit on which the premises hold
    and the conclusion fails, searched for in double over the pool of orbits and from the most promising of them by
    coordinate steps, with u_r1 and u_r2 as close to what the premises still allow as the grid of the search permits; it
    counts only when enclosures along the whole of each phase prove the premises and refute the conclusion at exact
@@ -10,21 +11,35 @@
 
 #include "argument.h"
 #include "proof/combination.h"
+#include "proof/exact_argument.h"
 
 /* --- Evidence --- */
 
-static struct route_result add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
-                                     bool decisive, const char *note) {
+struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
+                                       bool decisive, const char *note) {
   struct route_result w = {route, outcome_of_counts(decided[TRUTH_TRUE], decided[TRUTH_FALSE], decided[TRUTH_UNKNOWN]),
                            decisive, decided[0] + decided[1] + decided[2]};
   finding_add_route(f, a->j->out, w, "corrected", FIRST_PREC, NULL, note);
   return w;
 }
 
+/* On motions themselves, where the premises are not enough by themselves. */
+static bool by_motion(struct text *out, const struct argument *a) {
+  bool all = a->admissible && !a->free_friction;
+  for (int k = 0; all && k < a->part[CONCLUSION].n; k++)
+    all = exact_argument(&a->part[CONCLUSION].at[k], &a->part[PREMISES]);
+  if (!all) return false;
+  text_reset(out);
+  text_add(out, "follows from the premises, Coulomb's law (2) and the first-order systems of the phases, by exact "
+                "algebra on every admissible orbit");
+  return true;
+}
+
 static bool add_proof(struct route_result *w, struct finding *f, struct argument *a, struct view view) {
   struct text t;
   text_init(&t);
   bool proved = certificate_find(&t, a->j, a->c, &a->part[PREMISES], &a->part[CONCLUSION], !a->free_friction, view);
+  proved = proved || (!a->j->d->set && by_motion(&t, a));
   if (proved) {
     *w = (struct route_result){"algebra", ROUTE_AGREES, true, a->part[CONCLUSION].n};
     finding_add_route(f, a->j->out, *w, "corrected", -1, NULL, result_str(a->j->out, "%s", text_str(&t)));
@@ -47,9 +62,9 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
                                                 "no counterexample on %ld orbits of the search on which the premises "
                                                 "hold; the nearest to one were decided",
                                                 a->tried);
-  w[n++] = add_route(f, a, "balls", t.decided[0], true, note);
+  w[n++] = argument_add_route(f, a, "balls", t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
-  w[n++] = add_route(f, a, "exponential", t.decided[1], false, NULL);
+  w[n++] = argument_add_route(f, a, "exponential", t.decided[1], false, NULL);
   if (!t.decided[0][0] && !t.decided[0][1] && !t.decided[0][2] && proved) n = 1; /* nothing to try it on */
   return verdict_of(w, n, proved);
 }
@@ -77,44 +92,6 @@ static void judge_everywhere(struct finding *f, struct argument *a, struct view 
   struct argument b = converse_of(a); /* its conditions are borrowed */
   enum verdict again = judge_direction(f, &b, view, true);
   if (weakness[again] > weakness[f->verdict]) f->verdict = again;
-}
-
-/* At the scene alone: the orbit nearest to the printed numbers.  Where u_r1 or u_r2 enters, the least that the premises
-   allow is tried, and nothing is proved of others. */
-static void judge_at_scene(struct finding *f, struct argument *a) {
-  struct point p;
-  struct argument_decision d = {.where = 0};
-  struct route_result w[2];
-  long decided[2][3] = {{0}};
-  point_init(&p);
-  arb_init(d.value);
-  if (!nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
-    finding_skip(f, a->j, "the scene has no orbit, or does not give e1 and e2");
-  } else {
-    const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
-    argument_least_margin(p.q + Q_US1, a, &p, fmpq_get_d(&p.q[Q_V]), e);
-    argument_decide(&d, a, &p, NULL);
-    if (d.premises == TRUTH_TRUE) {
-      decided[0][d.conclusion]++;
-      decided[1][d.by_exponentials]++;
-    }
-    const struct condition *c = &a->part[CONCLUSION].at[d.failed];
-    const char *note =
-        a->uses_friction
-            ? result_str(a->j->out, "with u_s1 = %s, u_s2 = %s, as small as the premises allow on a grid of 1/1024",
-                         argument_rational(a, &p.q[Q_US1]), argument_rational(a, &p.q[Q_US2]))
-            : NULL;
-    if (d.premises != TRUTH_TRUE) note = "the premises do not hold there";
-    if (d.premises == TRUTH_TRUE && d.conclusion == TRUTH_FALSE)
-      note = result_str(a->j->out, "%s fails at %.10g of phase %s: its margin is %s", c->text, d.where,
-                        phase_name[c->phase], ball_text(a->j, d.value, 6));
-    w[0] = add_route(f, a, "balls", decided[0], true, note);
-    f->evidence[f->n_evidence - 1].worst = "the orbit nearest to the printed numbers, enclosed along the whole phase";
-    w[1] = add_route(f, a, "exponential", decided[1], false, NULL);
-    f->verdict = verdict_of(w, 2, !a->uses_friction);
-  }
-  arb_clear(d.value);
-  point_clear(&p);
 }
 
 /* What the friction forces must exceed on the scene's orbit, whatever the argument says. */
@@ -213,7 +190,7 @@ bool judge_argument(struct finding *f, struct judge *j, const struct claim *c, s
   const char *over = claim_get(c, "over");
   bool ok = argument_read(&a, j, c, view);
   if (ok && over && strcmp(over, "scene") == 0)
-    judge_at_scene(f, &a);
+    argument_at_scene(f, &a);
   else if (ok)
     judge_everywhere(f, &a, view);
   ok = ok && !j->d->set;

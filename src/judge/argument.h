@@ -18,6 +18,17 @@ struct argument {
   long tried;    /* orbits on which the premises hold, as far as double precision tells */
 };
 
+/* --- argument.c --- */
+
+/* As evidence: how often each answer was given. */
+struct route_result argument_add_route(struct finding *f, struct argument *a, const char *route, const long decided[3],
+                                       bool decisive, const char *note);
+
+/* --- argument_scene.c --- */
+
+/* The argument at the scene's orbit nearest to the printed numbers, for every friction that the premises allow. */
+void argument_at_scene(struct finding *f, struct argument *a);
+
 /* --- argument_search.c --- */
 
 /* What enclosures say at a point. */

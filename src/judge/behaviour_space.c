@@ -5,6 +5,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "proof/exact_law.h"
 #include "value/coulomb_setup.h"
 #include "verdict.h"
 
@@ -231,7 +232,7 @@ enum { ORBITS = 12, ORBIT_DRAWS = 80 };
 typedef bool (*orbit_fn)(enum motion_route r, const struct motion *m);
 
 /* Tries it on admissible orbits of the pool, by both routes, with two static frictions. */
-static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) {
+static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note, bool proved) {
   static const double friction[] = {OWN_FRICTION, 2};
   struct sampler s;
   struct point p;
@@ -260,7 +261,7 @@ static void judge_orbits(struct behaviour *b, orbit_fn holds, const char *note) 
   for (int r = 0; r < N_MOTION_ROUTES; r++)
     w[r] = behaviour_route(b, motion_route_name[r], "model", outcome_of_counts(good[r], bad[r], 0), r == BY_INTEGRATION,
                            good[r] + bad[r], NULL, r == BY_INTEGRATION ? words : NULL);
-  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, false);
+  b->f->verdict = verdict_of(w, N_MOTION_ROUTES, proved);
 }
 
 /* The distance from each limit of (11): e1 - w, w - (e1 - 2 u_r1), e2 - chi r, chi r - (e2 - 2 u_r2); the least. */
@@ -292,10 +293,33 @@ static bool still_sticks(enum motion_route r, const struct motion *m) {
   return ok;
 }
 
+/* The forces are below their limits by (2), and affine in the positions. */
+static bool prove_small(struct behaviour *b) {
+  struct text reach[2];
+  for (int i = 0; i < 2; i++) text_init(&reach[i]);
+  bool proved = exact_law_reach(reach);
+  if (proved) {
+    struct evidence *e = finding_add(b->f, b->j->out);
+    e->route = "exact";
+    e->layer = "model";
+    e->result = "proved";
+    e->note =
+        result_str(b->j->out,
+                   "by (2) each force is below its limit where the phase begins and throughout it, and changes of "
+                   "z_10 and z_20 by at most r change the force on m_1 by at most (%s) r and that on m_2 by at most "
+                   "(%s) r; so both masses stick wherever these are smaller than the least distances of the forces "
+                   "from their limits",
+                   text_str(&reach[0]), text_str(&reach[1]));
+  }
+  for (int i = 0; i < 2; i++) text_clear(&reach[i]);
+  return proved;
+}
+
 bool behaviour_small(struct behaviour *b) {
   judge_orbits(b, still_sticks,
                "positions moved eight ways at the start by as much as 0.99 of the least distance of a force from its "
-               "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that");
+               "limit, over 1 + chi; both masses stick until m_1 breaks loose. \"Small\" means smaller than that",
+               prove_small(b));
   return true;
 }
 
@@ -316,6 +340,6 @@ static bool comes_back(enum motion_route r, const struct motion *m) {
 }
 
 bool behaviour_fixed_points(struct behaviour *b) {
-  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start");
+  judge_orbits(b, comes_back, "the motion from its start goes G H C D and comes back to that start", false);
   return true;
 }

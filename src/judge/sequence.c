@@ -72,6 +72,14 @@ static enum route_outcome hold_all(const char **note, struct judge *j, struct co
   return outcome;
 }
 
+/* Every event is proved to be the first of its phase and every condition to hold throughout it, in the model's word. */
+static bool is_certified(struct judge *j, const struct point *p, const char *letters) {
+  const struct dyn_orbit *o = &scene_orbits(j->scene, j->cache)->orbit[p->orbit];
+  bool certified = o->admissible == TRUTH_TRUE && strcmp(letters, "DGHCD") == 0;
+  for (int ph = 0; ph < N_PHASES; ph++) certified = certified && o->first[ph] == TRUTH_TRUE;
+  return certified;
+}
+
 bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   char letters[16];
   const char *word = claim_get(c, "word");
@@ -88,6 +96,10 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     const char *note = NULL;
     text_init(&got);
     enum route_outcome balls = hold_all(&note, j, &list, &p);
+    bool certified = is_certified(j, &p, letters);
+    if (certified && !note)
+      note = "each phase is proved to end at the first of its events, and every condition of Coulomb's law (2) to hold "
+             "throughout its phase";
     w[0] = add(f, j, "balls", balls, true, list.n, note);
     bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
     bool same = done && strcmp(text_str(&got), letters) == 0;
@@ -97,7 +109,7 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the
        comparison */
     if (done && !same && balls == ROUTE_AGREES) w[0] = (struct route_result){"balls", ROUTE_DIFFERS, true, 1};
-    f->verdict = verdict_of(w, 2, false);
+    f->verdict = verdict_of(w, 2, certified);
     text_clear(&got);
   }
   point_clear(&p);

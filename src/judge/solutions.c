@@ -43,7 +43,7 @@ static bool read_parameters(bool *given, struct solutions *x) {
   const char *at = claim_get(x->c, "at");
   const struct scene *s = x->j->scene;
   x->at.kind = POINT_ORBIT;
-  *given = at != NULL || (!scene_is_box(s) && s->given[KEY_E1] && s->given[KEY_E2]);
+  *given = !scene_is_box(s) && (at || (s->given[KEY_E1] && s->given[KEY_E2]));
   if (!*given) return true;
   if (!at) {
     for (int i = 0; i < N_PARAMS; i++) fmpq_set(&x->at.q[Q_CHI + i], &s->value[KEY_CHI + i]);

@@ -84,6 +84,8 @@ int ss_audit_run(ss_audit **out, const ss_paper *p, const ss_scene *s, const cha
                               .progress = progress ? pass_on : NULL,
                               .arg = &passed,
                               .readings = true,
+                              .statements = &p->statements,
+                              .roots = &p->roots,
                               .jobs = jobs};
   struct ss_audit *a = ss_malloc(sizeof *a);
   audit_result_init(&a->r);

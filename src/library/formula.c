@@ -22,7 +22,9 @@ int ss_paper_open(ss_paper **out, const char *data) {
   model_init(&p->model);
   diag_init(&d);
   if (model_load(&p->model, data, NULL, NULL, &d) && claims_load_data(&p->claims, data, "claims", "claim", &d) &&
-      claims_load_data(&p->controls, data, "controls", "control", &d)) {
+      claims_load_data(&p->controls, data, "controls", "control", &d) &&
+      claims_load_data(&p->statements, data, "paper", "statement", &d) &&
+      claims_load_data(&p->roots, data, "claims", "root", &d)) {
     *out = p;
     return SS_OK;
   }
@@ -32,6 +34,8 @@ int ss_paper_open(ss_paper **out, const char *data) {
 
 void ss_paper_free(ss_paper *p) {
   if (!p) return;
+  claims_clear(&p->roots);
+  claims_clear(&p->statements);
   claims_clear(&p->controls);
   claims_clear(&p->claims);
   model_clear(&p->model);

@@ -43,7 +43,7 @@ int library_point(const struct ss_scene *s, bool papers_word, bool forces);
 
 struct ss_paper {
   struct model model;
-  struct claims claims, controls;
+  struct claims claims, controls, statements, roots;
 };
 
 /* One of chi, eta, V, e1, e2, and what it runs through, as a scene with these e1 and e2 allows; an SS_ status. */

@@ -245,7 +245,7 @@ static enum mutant_fate ask_all(struct mutation_study *r, const struct target *t
 static bool is_refused(const struct mutation_study *r) {
   struct diag d;
   diag_init(&d);
-  return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls, NULL}, &d);
+  return r->sound && !material_check(&(struct audit_data){&r->overlay.model, r->claims, r->controls, NULL, NULL}, &d);
 }
 
 static enum mutant_fate fate_in_place(struct mutation_study *r, const struct target *t) {

@@ -36,8 +36,9 @@ struct exact_motion {
   struct exact_field *field;
   struct exact_attempt attempt;
   enum point_kind kind;
-  enum phase phase; /* of the time t */
-  bool finite;      /* perturbations are differences of two motions */
+  enum phase phase;           /* of the time t */
+  bool finite;                /* perturbations are differences of two motions */
+  bool admissible, realistic; /* it breaks no condition of (2); and u_r1, u_r2 are what it asks */
   const struct restriction *restriction;
   int first_state, first_tangent; /* the earliest that the sentence reads */
   struct num_vec frequency;       /* two, with modes */

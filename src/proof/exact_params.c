@@ -112,8 +112,13 @@ int motion_of_params(struct num_vec *out, struct exact_motion *m, const char *na
 
 void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
                         bool finite, const struct restriction *restriction) {
-  *m = (struct exact_motion){
-      .attempt = *a, .kind = spec->kind, .phase = spec->phase, .finite = finite, .restriction = restriction};
+  *m = (struct exact_motion){.attempt = *a,
+                             .kind = spec->kind,
+                             .phase = spec->phase,
+                             .finite = finite,
+                             .admissible = spec->admissible,
+                             .realistic = spec->realistic,
+                             .restriction = restriction};
   m->field = exact_field_new(NULL, 0);
   exact_field_limit(m->field, TERMS);
   vec_init(&m->frequency, 2);

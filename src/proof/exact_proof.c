@@ -4,6 +4,7 @@
 #include "exact_proof.h"
 
 #include "claim/kinds.h"
+#include "exact_law.h"
 #include "num/num_exact.h"
 #include "record/finding.h"
 #include "value/local_maps.h"
@@ -26,6 +27,7 @@ struct job {
   slong largest;
   char unbound[64];
   bool wants_modes, undefined, uses_matrices, independent;
+  bool by_law; /* (2) was made use of */
   struct text field, witness;
   const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
 };
@@ -64,16 +66,19 @@ static int difference(fmpz_mpoly_q_struct *d, struct job *b, struct exact_motion
   return exact_sub(d, m->field, &v->paper.x[i], right) ? SS_OK : SS_UNABLE;
 }
 
-/* Does the step hold, an inequality because the difference of its sides is a product of what is positive? */
+/* Does the step hold, an inequality because the difference of its sides is positive by what is known to be? */
 static bool step_holds(struct job *b, struct exact_motion *m, slong i, const fmpz_mpoly_q_struct *d) {
   enum relop op = b->s->ops[i];
   if (op == REL_EQ || b->sharp) return exact_is_zero(m->field, d);
-  struct num_vec positive;
-  num_vec_init(&positive, EXACT_POSITIVE, num_ctx_exact());
-  int n = exact_motion_positive(&positive, m);
-  int sign = exact_product_sign(d, num_vec_at(&positive, 0), n);
-  num_vec_clear(&positive);
-  return sign != 0 && (op == REL_LT ? sign < 0 : op == REL_GT && sign > 0);
+  struct calc c = exact_calc(m->field);
+  struct num_vec law = calc_vec(&c, EXACT_CONDITIONS);
+  int n = exact_law_margins(&law, m);
+  const fmpz_mpoly_q_struct *margin = op == REL_LT ? calc_neg(&c, d) : d;
+  bool less = op == REL_LT || op == REL_GT, plain = less && exact_follows(m, margin, &law, 0);
+  bool by_law = less && !plain && exact_follows(m, margin, &law, n);
+  calc_clear(&c);
+  b->by_law = b->by_law || by_law;
+  return plain || by_law;
 }
 
 static bool vanishes(const struct restriction *r, const struct exact_field *f, const fmpz_mpoly_q_struct *d) {
@@ -169,10 +174,10 @@ static bool inequalities_left(const struct job *b) {
   return true;
 }
 
-/* Once with the frequencies of phase H more when they are asked for; signs are not known there. */
+/* Once with the frequencies of phase H more when they are asked for; of signs (2) alone tells there. */
 static void try_with_modes(struct job *b, struct exact_attempt *a) {
   try_attempt(b, a);
-  if (!b->wants_modes || a->modes || inequalities_left(b)) return;
+  if (!b->wants_modes || a->modes || (inequalities_left(b) && !b->spec.admissible)) return;
   a->modes = true;
   try_attempt(b, a);
 }
@@ -244,7 +249,8 @@ static const char *why_open(struct job *b) {
     apart += b->apart[i];
   }
   if (inequalities && !b->sharp)
-    return "an inequality, which exact algebra does not decide unless it is a product of positive factors";
+    return "an inequality, which exact algebra does not decide unless it follows from what (2) asks and from positive "
+           "factors";
   if (b->sharp) return "the sides of some step are not shown equal at either end of the phase";
   if (*b->unbound) return result_str(out, "the model has no exact value of %s there", b->unbound);
   if (apart == open)
@@ -279,6 +285,7 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
   try_all(b);
   if (b->largest > p->largest) p->largest = b->largest;
   p->uses_matrices = p->uses_matrices || b->uses_matrices;
+  p->by_law = p->by_law || b->by_law;
   if (all_done(b)) {
     p->field = result_str(b->j->out, "%s", text_str(&b->field));
   } else {
@@ -345,7 +352,7 @@ static void are_the_models(struct exact_proof *p, struct judge *j, const struct 
 static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
                             int unknowns) {
   return result_str(
-      j->out, "%s in Q(%s)%s; the largest polynomial has %ld term%s",
+      j->out, "%s%s in Q(%s)%s; the largest polynomial has %ld term%s",
       p->by_factors
           ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
             "the "
@@ -354,6 +361,9 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
                    "the phase"
       : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
                  : "both sides, on motions made from the first-order systems, are equal",
+      p->by_law
+          ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
+          : "",
       p->field, unknowns ? ", whose matrices are unknowns" : "", (long)p->largest, p->largest == 1 ? "" : "s");
 }
 
@@ -405,14 +415,14 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
   static const struct {
     enum kind kind;
     const char *why;
-  } reasons[] = {{KIND_THRESHOLD, "the bounds are held against the inequalities at points"},
-                 {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
-                 {KIND_BEHAVIOUR, "about simulated motions"},
-                 {KIND_SEQUENCE, "about simulated motions"},
-                 {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
-                 {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
-                 {KIND_SOLUTIONS, "solutions are listed in balls"},
-                 {KIND_EXISTENCE, "solutions are found at points"}};
+  } reasons[] = {
+      {KIND_CRITERION, "about where motions beside an orbit go, which is tried on orbits"},
+      {KIND_BEHAVIOUR, "about simulated motions"},
+      {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
+      {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
+      {KIND_CONSTRAINTS, "inequalities along whole phases are held against each other on orbits"},
+      {KIND_SOLUTIONS, "solutions are listed in balls"},
+      {KIND_EXISTENCE, "solutions are found at points"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)
     if (strcmp(f->evidence[i].route, "exact") == 0) return;

@@ -35,6 +35,7 @@ struct exact_proof {
   const char *field;
   slong largest;
   bool uses_matrices, by_factors;      /* by_factors: of inequalities */
+  bool by_law;                         /* and by what (2) asks of a mass */
   struct exact_part part[EXACT_PARTS]; /* a proof is all of them */
   int n_parts;
 };

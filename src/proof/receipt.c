@@ -113,8 +113,11 @@ static void add_part(struct text *out, const struct exact_part *p, const struct 
   for (slong k = 0; k < p->n; k++) text_add(out, relation(p, s, k));
   text_add(out, "\",\n    oracle=");
   text_printf(out, p->question->value ? "\"%s\"" : "None", p->question->value);
-  text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    fixed={", kinds[p->spec.kind],
-              phase_name[p->spec.phase], p->question->finite ? "True" : "False");
+  text_printf(out, ",\n    kind=\"%s\",\n    phase=\"%s\",\n    finite=%s,\n    law=\"%s\",\n    fixed={",
+              kinds[p->spec.kind], phase_name[p->spec.phase], p->question->finite ? "True" : "False",
+              p->spec.realistic    ? "realistic"
+              : p->spec.admissible ? "admissible"
+                                   : "");
   if (r) text_printf(out, "\"%.*s\": %s", (int)strcspn(r->text, " "), r->text, r->value);
   text_add(out, "},\n    reads=[");
   for (slong k = 0; k < t->n_inputs; k++) text_printf(out, "%s\"%s\"", k ? ", " : "", t->inputs[k]);

@@ -36,7 +36,7 @@ enum { MAX_FORMS = 64 };
 /* Every one, none twice; their number. */
 int forms_list(struct form forms[MAX_FORMS]);
 
-/* --- Where the propagators come from: the paper's formulas in a layer, or the suite's own model. --- */
+/* --- Where the propagators come from: the paper's formulas as a view shows them, or the suite's own model. --- */
 
 struct formulas {
   bool own_model;
@@ -45,7 +45,7 @@ struct formulas {
   int input[16]; /* what the tape's inputs are: 0, 1, 2 for chi, eta, V, then 3 + X_... */
 };
 /* false when the matrices D to C cannot be read there or hang on anything else; to be cleared all the same. */
-bool formulas_read(struct formulas *f, const struct model *m, enum layer layer);
+bool formulas_read(struct formulas *f, struct view v);
 void formulas_own(struct formulas *f);
 void formulas_clear(struct formulas *f);
 

@@ -18,7 +18,7 @@ struct engine {
 
 static bool engine_start(struct engine *g, const struct model *m, enum layer layer, const struct scene *s) {
   g->layer = layer;
-  bool ok = formulas_read(&g->formulas, m, layer);
+  bool ok = formulas_read(&g->formulas, (struct view){m, layer, NULL, NULL});
   system_init(&g->search, &g->formulas, s, num_ctx_double());
   system_init(&g->proof, &g->formulas, s, num_ctx_arb(FIRST_PREC));
   return ok;

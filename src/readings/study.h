@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_READINGS_STUDY_H
 #define STICKSLIP_READINGS_STUDY_H
 
+#include "claim/judging.h"
 #include "model/model.h"
 #include "record/result.h"
 #include "scene/scene.h"
@@ -12,5 +13,10 @@
    where that gives another motion.  Double precision narrows down, balls decide.  Returns NULL, or why there was
    nothing to search. */
 const char *audit_readings(struct audit_result *out, const struct model *m, const struct scene *s);
+
+/* What the six equations (12), (14), (16) and (18) give, at the data of an admissible orbit, with the matrices under that
+   equation number as printed and all else corrected: a sentence; NULL where no matrix of a phase is another, or no such
+   solution was proved. */
+const char *readings_as_printed(struct judge *j, const char *own);
 
 #endif

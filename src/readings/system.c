@@ -27,11 +27,11 @@ static bool name_inputs(struct formulas *f) {
   return true;
 }
 
-bool formulas_read(struct formulas *f, const struct model *m, enum layer layer) {
+bool formulas_read(struct formulas *f, struct view v) {
   struct diag d;
   diag_init(&d);
   *f = (struct formulas){.own_model = false};
-  elaboration_init(&f->el, (struct view){m, layer, NULL, NULL}, NULL, 0);
+  elaboration_init(&f->el, v, NULL, 0);
   const struct expr *entry[8 * 16];
   for (int k = 0; k < 8; k++) {
     const char *text = propagator_text[k];

@@ -14,6 +14,13 @@
 #define VERDICT_STRING(upper, lower) #lower,
 const char *const verdict_name[N_VERDICTS] = {VERDICTS(VERDICT_STRING)};
 
+const char *const claimant_name[N_CLAIMANTS] = {"paper", "suite"};
+const char *const severity_name[N_SEVERITIES] = {"substance", "remark", "notation"};
+
+enum severity severity_parse(const char *name) {
+  return (enum severity)word_find(name, severity_name, N_SEVERITIES);
+}
+
 void audit_result_init(struct audit_result *r) {
   *r = (struct audit_result){.n_findings = 0};
   arena_init(&r->arena);
@@ -33,6 +40,7 @@ void result_keep_pages(struct audit_result *r, void *pages, size_t size) {
 
 void audit_result_clear(struct audit_result *r) {
   free(r->findings);
+  free(r->roots);
   free(r->consequences);
   free(r->skipped);
   free(r->controls);
@@ -75,12 +83,15 @@ const struct consequence *audit_result_consequence(const struct audit_result *r,
   return NULL;
 }
 
-void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]) {
+long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, enum claimant of) {
   long total = 0;
   for (int i = 0; i < N_VERDICTS; i++) count[i] = 0;
-  for (size_t i = 0; i < r->n_findings; i++) count[r->findings[i].verdict]++;
-  for (int i = 0; i < N_VERDICTS; i++) total += count[i];
-  if (total != (long)r->n_findings) abort();
+  for (size_t i = 0; i < r->n_findings; i++) {
+    if (r->findings[i].of != of) continue;
+    count[r->findings[i].verdict]++;
+    total++;
+  }
+  return total;
 }
 
 bool finding_miscorrected(const struct finding *f) {

@@ -39,6 +39,16 @@ struct evidence {
   double machine_residual; /* of routes in double, for run.json only; NaN elsewhere */
 };
 
+/* Whether a claim is a statement of the paper or a check of the suite. */
+enum claimant { OF_PAPER, OF_SUITE, N_CLAIMANTS };
+extern const char *const claimant_name[N_CLAIMANTS];
+
+/* What a discrepancy is worth: a user of the paper gets something wrong; a remark; one symbol stands for another. */
+enum severity { SEVERITY_SUBSTANCE, SEVERITY_REMARK, SEVERITY_NOTATION, N_SEVERITIES };
+extern const char *const severity_name[N_SEVERITIES];
+/* The severity of that name; N_SEVERITIES when there is none. */
+enum severity severity_parse(const char *name);
+
 /* quote: the paper's own text; printed: its formula as parsed, typeset (LaTeX), or the printed number.  Of a corrected
    claim: quote_part, the TeX of the paper's records that the correction touches; printed_part, the statements it
    replaces as parsed, and correction_latex, what replaces them, typeset; change, where the two differ, as text with
@@ -57,6 +67,19 @@ struct finding {
   int n_evidence;
   const char *reproduce;
   enum verdict recorded; /* N_VERDICTS: nothing recorded */
+  enum claimant of;
+  const char *root;       /* of what fails: the id of its cause; NULL elsewhere, */
+  enum severity severity; /* and what that is worth; N_SEVERITIES elsewhere */
+};
+
+/* What is wrong in the paper, with the claims that fail for it in this run.  Texts have mathematics, as TeX, between dollar
+   signs; by_hand: one way to see it, or NULL. */
+struct root_cause {
+  const char *id, *title;
+  enum severity severity;
+  const char *where, *wrong, *correct, *consequence, *by_hand;
+  const char **claims;
+  int n_claims;
 };
 
 struct skipped_work {
@@ -84,6 +107,7 @@ struct id_list {
 };
 struct consequence {
   const char *failure;
+  const char *solved; /* what the paper's equations give with it, where it enters them: a sentence; or NULL */
   struct id_list falls, survives, open;
   struct derived *derived;
   int n_derived;
@@ -254,6 +278,8 @@ struct audit_result {
       *subject; /* what was read: it tells one paper, overlay and scene from others (audit_fingerprint); or NULL */
   struct finding *findings;
   size_t n_findings, cap_findings;
+  struct root_cause *roots; /* in order of consequence */
+  size_t n_roots, cap_roots;
   struct consequence *consequences;
   size_t n_consequences, cap_consequences;
   struct skipped_work *skipped;
@@ -292,8 +318,8 @@ const char *result_str(struct audit_result *r, const char *fmt, ...) __attribute
 const char *result_take(struct audit_result *r, struct text *t);
 /* The consequence of a failure, or NULL. */
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure);
-/* How many findings have each verdict; the sum is n_findings (checked). */
-void audit_result_count(const struct audit_result *r, long count[N_VERDICTS]);
+/* How many of the findings that are the paper's, or the suite's, have each verdict; their sum. */
+long audit_result_count(long count[N_VERDICTS], const struct audit_result *r, enum claimant of);
 /* A correction that is refuted itself; or, where the verdict is on record, is neither proved nor supported. */
 bool finding_miscorrected(const struct finding *f);
 /* A control that is farther from what it damages than it says. */

@@ -11,12 +11,12 @@ static const char *or_dash(const char *s) {
 }
 
 static void add_counts(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS];
-  audit_result_count(r, count);
-  text_add(out, "| verdict | claims |\n| --- | ---: |\n");
+  long paper[N_VERDICTS], suite[N_VERDICTS];
+  long statements = audit_result_count(paper, r, OF_PAPER), checks = audit_result_count(suite, r, OF_SUITE);
+  text_add(out, "| verdict | statements of the paper | checks of the suite |\n| --- | ---: | ---: |\n");
   for (int i = 0; i < N_VERDICTS; i++)
-    if (count[i]) text_printf(out, "| %s | %ld |\n", verdict_name[i], count[i]);
-  text_printf(out, "| total | %zu |\n\n", r->n_findings);
+    if (paper[i] + suite[i]) text_printf(out, "| %s | %ld | %ld |\n", verdict_name[i], paper[i], suite[i]);
+  text_printf(out, "| total | %ld | %ld |\n\n", statements, checks);
 }
 
 static void add_finding(struct text *out, const struct finding *f) {
@@ -273,16 +273,24 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_section(out, r, "The other claims", is_rest);
 }
 
-void report_line(struct text *out, const struct audit_result *r) {
-  long count[N_VERDICTS];
-  audit_result_count(r, count);
-  text_printf(out, "%s: %zu claims%s", r->scene, r->n_findings, r->n_findings ? ":" : "");
-  const char *sep = " ";
+static void add_line_counts(struct text *out, const struct audit_result *r, enum claimant of) {
+  long count[N_VERDICTS], total = audit_result_count(count, r, of);
+  text_printf(out, " %ld %s%s", total, of == OF_PAPER ? "statement" : "check", total == 1 ? "" : "s");
+  const char *sep = ": ";
   for (int i = 0; i < N_VERDICTS; i++)
     if (count[i]) {
       text_printf(out, "%s%ld %s", sep, count[i], verdict_name[i]);
       sep = ", ";
     }
+}
+
+void report_line(struct text *out, const struct audit_result *r) {
+  text_printf(out, "%s:", r->scene);
+  add_line_counts(out, r, OF_PAPER);
+  bool checks = false;
+  for (size_t i = 0; i < r->n_findings; i++) checks = checks || r->findings[i].of == OF_SUITE;
+  text_add(out, checks ? ";" : "");
+  if (checks) add_line_counts(out, r, OF_SUITE);
   if (r->n_values) text_printf(out, "; %zu values", r->n_values);
   if (r->n_controls || !r->n_values)
     text_printf(out, "; %zu of %zu controls noticed", controls_noticed(r), r->n_controls);

@@ -61,6 +61,33 @@ static bool check_names(const struct audit_result *r, const struct source *s, st
   return !many && !twice;
 }
 
+/* What a claim says of its root is what the root says of it. */
+static const struct root_cause *root_named(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; id && i < r->n_roots; i++)
+    if (strcmp(r->roots[i].id, id) == 0) return &r->roots[i];
+  return NULL;
+}
+
+static bool root_lists(const struct root_cause *root, const char *id) {
+  for (int i = 0; i < root->n_claims; i++)
+    if (strcmp(root->claims[i], id) == 0) return true;
+  return false;
+}
+
+static bool check_roots(const struct audit_result *r, const struct source *s, struct diag *d) {
+  int listed = 0, named = 0;
+  bool fine = true;
+  for (size_t i = 0; i < r->n_roots; i++) listed += r->roots[i].n_claims;
+  for (size_t i = 0; fine && i < r->n_findings; i++) {
+    const struct finding *f = &r->findings[i];
+    const struct root_cause *root = root_named(r, f->root);
+    named += root != NULL;
+    fine = root ? root_lists(root, f->id) && root->severity == f->severity : !f->root && f->severity == N_SEVERITIES;
+  }
+  if (!fine || listed != named) diag_set(d, "%s: error: the roots do not say what the claims say of them", s->name);
+  return fine && listed == named;
+}
+
 bool report_read(struct audit_result *out, const struct source *s, struct diag *d) {
   struct json_value root;
   if (!json_parse(&root, &out->arena, s, d)) return false;
@@ -69,5 +96,5 @@ bool report_read(struct audit_result *out, const struct source *s, struct diag *
     diag_at(d, s, root.at, "not an audit.json of stickslip verify: its schema is not " AUDIT_SCHEMA);
     return false;
   }
-  return shape_read(out, &out->arena, &audit_shape, &root, s, d) && check_names(out, s, d);
+  return shape_read(out, &out->arena, &audit_shape, &root, s, d) && check_names(out, s, d) && check_roots(out, s, d);
 }

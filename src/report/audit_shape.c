@@ -14,11 +14,9 @@
   { .key = k, .kind = kind_, .need = need_, .at = offsetof(type, name) }
 #define BOOLEAN(type, name)                                                                                            \
   { .key = #name, .kind = MEMBER_BOOL, .at = offsetof(type, name) }
-#define VERDICT(k, type, name, need_)                                                                                  \
-  {                                                                                                                    \
-    .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(type, name), .word = verdict_name,                    \
-    .n_words = N_VERDICTS                                                                                              \
-  }
+#define WORD(k, type, name, need_, words, n)                                                                           \
+  { .key = k, .kind = MEMBER_WORD, .need = need_, .at = offsetof(type, name), .word = words, .n_words = n }
+#define VERDICT(k, type, name, need_) WORD(k, type, name, need_, verdict_name, N_VERDICTS)
 #define STRINGS(k, type, name, count)                                                                                  \
   { .key = k, .kind = MEMBER_STRINGS, .at = offsetof(type, name), .n_at = offsetof(type, count) }
 #define RECORDS(k, type, name, count, shape)                                                                           \
@@ -60,6 +58,9 @@ static const struct member finding_member[] = {
     STRING(struct finding, title, MEMBER_NEEDED),
     STRING(struct finding, quote, MEMBER_NULLABLE),
     STRING(struct finding, printed, MEMBER_NULLABLE),
+    WORD("of", struct finding, of, MEMBER_NEEDED, claimant_name, N_CLAIMANTS),
+    STRING(struct finding, root, MEMBER_NULLABLE),
+    WORD("severity", struct finding, severity, MEMBER_NULLABLE, severity_name, N_SEVERITIES),
     VERDICT("verdict", struct finding, verdict, MEMBER_NEEDED),
     STRING(struct finding, condition, MEMBER_NULLABLE),
     STRING(struct finding, fault, MEMBER_NULLABLE),
@@ -75,8 +76,23 @@ static const struct member finding_member[] = {
     STRING(struct finding, change, MEMBER_SPARSE),
     STRING(struct finding, size, MEMBER_SPARSE),
 };
-static const struct finding no_finding = {.recorded = N_VERDICTS};
+static const struct finding no_finding = {.severity = N_SEVERITIES, .recorded = N_VERDICTS};
 static SHAPE(finding, struct finding, .blank = &no_finding);
+
+/* --- Roots --- */
+
+static const struct member root_member[] = {
+    STRING(struct root_cause, id, MEMBER_NEEDED),
+    STRING(struct root_cause, title, MEMBER_NEEDED),
+    WORD("severity", struct root_cause, severity, MEMBER_NEEDED, severity_name, N_SEVERITIES),
+    STRING(struct root_cause, where, MEMBER_NEEDED),
+    STRING(struct root_cause, wrong, MEMBER_NEEDED),
+    STRING(struct root_cause, correct, MEMBER_NEEDED),
+    STRING(struct root_cause, consequence, MEMBER_NEEDED),
+    STRING(struct root_cause, by_hand, MEMBER_NULLABLE),
+    STRINGS("claims", struct root_cause, claims, n_claims),
+};
+static SHAPE(root, struct root_cause, .blank = NULL);
 
 /* --- Consequences --- */
 
@@ -98,11 +114,7 @@ static const struct member derived_member[] = {
     STRING_AS("quantity", struct derived, formula, MEMBER_NEEDED),
     STRING(struct derived, latex, MEMBER_NEEDED),
     STRING(struct derived, title, MEMBER_NEEDED),
-    {.key = "change",
-     .kind = MEMBER_WORD,
-     .at = offsetof(struct derived, change),
-     .word = change_name,
-     .n_words = N_CHANGES},
+    WORD("change", struct derived, change, MEMBER_NEEDED, change_name, N_CHANGES),
     STRING(struct derived, verdict, MEMBER_NEEDED),
     EXAMPLE("size", size, MEMBER_NEEDED),
     EXAMPLE("entry", entry, MEMBER_NULLABLE),
@@ -115,6 +127,7 @@ static SHAPE(derived, struct derived, .blank = NULL);
 
 static const struct member consequence_member[] = {
     STRING(struct consequence, failure, MEMBER_NEEDED),
+    STRING(struct consequence, solved, MEMBER_SPARSE),
     STRINGS("falls", struct consequence, falls.id, falls.n),
     STRINGS("survives", struct consequence, survives.id, survives.n),
     STRINGS("undecided", struct consequence, open.id, open.n),
@@ -310,14 +323,20 @@ static void tell_schema(struct json *j, const char *key, const void *record) {
   json_string(j, key, AUDIT_SCHEMA);
 }
 
-static void tell_summary(struct json *j, const char *key, const void *record) {
-  const struct audit_result *r = record;
-  long count[N_VERDICTS];
-  audit_result_count(r, count);
+static void tell_count(struct json *j, const char *key, const struct audit_result *r, enum claimant of) {
+  long count[N_VERDICTS], total = audit_result_count(count, r, of);
   json_object(j, key);
   for (int i = 0; i < N_VERDICTS; i++) json_long(j, verdict_name[i], count[i]);
-  json_long(j, "total", (long)r->n_findings);
+  json_long(j, "total", total);
   json_end_object(j);
+}
+
+static void tell_summary(struct json *j, const char *key, const void *record) {
+  tell_count(j, key, record, OF_PAPER);
+}
+
+static void tell_checks(struct json *j, const char *key, const void *record) {
+  tell_count(j, key, record, OF_SUITE);
 }
 
 static const struct member audit_shape_member[] = {
@@ -328,6 +347,8 @@ static const struct member audit_shape_member[] = {
     STRING(struct audit_result, paper_text, MEMBER_SPARSE),
     STRING(struct audit_result, subject, MEMBER_SPARSE),
     TOLD("summary", tell_summary),
+    TOLD("checks", tell_checks),
+    LIST("roots", roots, MEMBER_NEEDED, &root),
     LIST("claims", findings, MEMBER_NEEDED, &finding),
     LIST("consequences", consequences, MEMBER_NEEDED, &consequence),
     LIST("skipped", skipped, MEMBER_NEEDED, &skipped),

@@ -5,7 +5,7 @@
 #include "json_shape.h"
 #include "record/result.h"
 
-#define AUDIT_SCHEMA "stickslip-audit-1"
+#define AUDIT_SCHEMA "stickslip-audit-2"
 
 extern const struct shape audit_shape;    /* struct audit_result */
 extern const struct shape readings_shape; /* struct readings */

@@ -25,16 +25,20 @@ static void add_routes(struct text *out, const struct finding *f) {
 }
 
 void report_csv(struct text *out, const struct audit_result *r) {
-  text_add(out, "id,equation,section,title,verdict,recorded,fault,condition,correction,correction_verdict,effect,"
+  text_add(out, "id,of,equation,section,title,verdict,recorded,root,severity,fault,condition,correction,correction_"
+                "verdict,effect,"
                 "depends_on,routes,quote,printed,reproduce\n");
   for (size_t i = 0; i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
     add_field(out, f->id, false);
+    add_field(out, claimant_name[f->of], false);
     add_field(out, f->equation, false);
     add_field(out, f->section, false);
     add_field(out, f->title, false);
     add_field(out, verdict_name[f->verdict], false);
     add_field(out, f->recorded == N_VERDICTS ? NULL : verdict_name[f->recorded], false);
+    add_field(out, f->root, false);
+    add_field(out, f->severity < N_SEVERITIES ? severity_name[f->severity] : NULL, false);
     add_field(out, f->fault, false);
     add_field(out, f->condition, false);
     add_field(out, f->correction, false);

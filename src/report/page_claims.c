@@ -222,12 +222,14 @@ static void add_names(const struct page *p, const char *id, const char *label, c
 }
 
 static void add_filters(const struct page *p, const struct names *sections, const struct names *routes) {
-  long count[N_VERDICTS];
-  audit_result_count(p->r, count);
+  long count[N_VERDICTS], checks[N_VERDICTS];
+  audit_result_count(count, p->r, OF_PAPER);
+  audit_result_count(checks, p->r, OF_SUITE);
   text_add(p->out, "<form id=\"filter\" hidden=\"hidden\">\n");
   begin_select(p, "by-v", "verdict");
   for (int i = 0; i < N_VERDICTS; i++)
-    if (count[i]) text_printf(p->out, "<option value=\"%d\">%s (%ld)</option>", i, verdict_name[i], count[i]);
+    if (count[i] + checks[i])
+      text_printf(p->out, "<option value=\"%d\">%s (%ld)</option>", i, verdict_name[i], count[i] + checks[i]);
   end_select(p);
   add_names(p, "by-s", "section", sections);
   add_names(p, "by-r", "route", routes);

@@ -441,15 +441,14 @@ static void add_grades(const struct page *p, long failures) {
 }
 
 void page_summary(const struct page *p) {
-  long count[N_VERDICTS];
-  audit_result_count(p->r, count);
+  long count[N_VERDICTS], total = audit_result_count(count, p->r, OF_PAPER);
   page_begin_section(p, "verdict", "The verdict");
   text_printf(
       p->out,
-      "<p class=\"lead\">Of %zu statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
+      "<p class=\"lead\">Of %ld statements, <strong>%ld do not hold as printed</strong> (%ld refuted, %ld true only "
       "under a condition); %ld are proved, %ld supported (no proof, and no counterexample), %ld undecided",
-      p->r->n_findings, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED],
-      count[VERDICT_CONDITIONAL], count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
+      total, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_REFUTED], count[VERDICT_CONDITIONAL],
+      count[VERDICT_PROVED], count[VERDICT_SUPPORTED], count[VERDICT_UNKNOWN]);
   if (count[VERDICT_SKIPPED]) text_printf(p->out, ", %ld not possible here", count[VERDICT_SKIPPED]);
   text_printf(p->out, "; %ld are definitions.</p>\n", count[VERDICT_DEFINITION]);
   add_grades(p, count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL]);

@@ -2,6 +2,7 @@
    a table's cell, an underscore must not begin italics, and a percent sign must not hide the rest of a line. */
 #include <string.h>
 
+#include "base/tex.h"
 #include "escape.h"
 #include "formula.h"
 #include "sheet.h"
@@ -48,7 +49,56 @@ void sheet_code(const struct sheet *s, const char *code) {
   add_code(s, code, strlen(code));
 }
 
-void sheet_text(const struct sheet *s, const char *text) {
+/* --- Names in sentences --- */
+
+static bool is_greek(const char *s, size_t len) {
+  static const char *const names[] = {"chi", "eta", "omega", "lambda", "Gamma"};
+  for (size_t i = 0; i < sizeof names / sizeof *names; i++)
+    if (strlen(names[i]) == len && strncmp(names[i], s, len) == 0) return true;
+  return false;
+}
+
+/* z_10, z'_0, z_1', e1, chi, dZ_b as mathematics; the bytes read, or 0 where there is no such name. */
+static size_t add_name(const struct sheet *s, const char *p) {
+  size_t letters = 0, i, index = 0;
+  while (char_is_letter(p[letters])) letters++;
+  for (i = letters; p[i] == '\'';) i++;
+  size_t primes = i - letters, gap = p[i] == '_';
+  while (char_is_letter(p[i + gap + index]) || char_is_digit(p[i + gap + index])) index++;
+  bool greek = is_greek(p, letters), digits = letters == 1 && !primes && char_is_digit(p[i]);
+  bool lowered = index && index <= 3 && (gap || digits) && letters <= 2;
+  if (!letters || !(lowered || (greek && !gap && !index)) || p[i + gap + index] == '_') return 0;
+  size_t after = 0;
+  while (p[i + gap + index + after] == '\'') after++;
+  struct text t;
+  text_init(&t);
+  text_add(&t, greek ? "\\" : "");
+  text_add_n(&t, p, letters + primes);
+  if (lowered) {
+    text_add(&t, "_{");
+    text_add_n(&t, p + i + gap, index);
+    text_add_char(&t, '}');
+  }
+  text_add_n(&t, p + i + gap + index, after);
+  add_math(s, text_str(&t), t.len);
+  text_clear(&t);
+  return i + gap + index + after;
+}
+
+static void add_prose(const struct sheet *s, const char *text, size_t len) {
+  for (size_t i = 0; i < len;) {
+    bool inside = i && (char_is_word(text[i - 1]) || text[i - 1] == '-');
+    size_t n = inside ? 0 : add_name(s, text + i);
+    if (!n && text[i] == '*' && i && (char_is_word(text[i - 1]) || text[i - 1] == ')')) {
+      text_add_char(s->out, ' ');
+      n = 1;
+    }
+    if (!n) add_plain(s, text + i, n = 1);
+    i += n;
+  }
+}
+
+static void add_text(const struct sheet *s, const char *text, void (*add)(const struct sheet *, const char *, size_t)) {
   size_t dollars = 0;
   for (const char *p = text; *p; p++) dollars += *p == '$';
   if (dollars % 2) {
@@ -60,7 +110,15 @@ void sheet_text(const struct sheet *s, const char *text) {
     if (math)
       add_math(s, text, n);
     else
-      add_plain(s, text, n);
+      add(s, text, n);
     text += n + (text[n] == '$');
   }
+}
+
+void sheet_text(const struct sheet *s, const char *text) {
+  add_text(s, text, add_plain);
+}
+
+void sheet_prose(const struct sheet *s, const char *text) {
+  add_text(s, text, add_prose);
 }

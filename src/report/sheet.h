@@ -13,6 +13,9 @@ struct sheet {
 /* Text in which $...$ is mathematics; everything else is escaped, so that it shows as it is.  Mathematics that the
    dialect might stumble over (braces that do not match, commands beyond those of formulas) is shown as code. */
 void sheet_text(const struct sheet *s, const char *text);
+/* The same where names and products outside dollar signs are those of a sentence of the program: z_10, e1, chi and
+   V*t_a are typeset. */
+void sheet_prose(const struct sheet *s, const char *text);
 /* One formula, without dollar signs. */
 void sheet_math(const struct sheet *s, const char *math);
 /* A command or a name as it is typed. */

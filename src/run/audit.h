@@ -38,9 +38,11 @@ struct audit_options {
   int jobs;      /* processes; 0 and 1: this one alone */
   /* Or NULL: told of each piece, by its names in the table of costs, when this process has done it. */
   void (*ended)(void *arg, const char *what, const char *name, unsigned long long units);
-  const struct costs *costs;       /* or NULL */
-  const struct claims *statements; /* of the paper, whose unanswered ones the whole audit names; or NULL */
-  double (*seconds_now)(void);     /* seconds, for what run.json says of the pieces; or NULL */
+  const struct costs *costs; /* or NULL */
+  /* Of the paper, whose unanswered ones the whole audit names, and of discrepancies (claim/claim.h); or NULL: all claims
+     count as the paper's, and none has a root. */
+  const struct claims *statements, *roots;
+  double (*seconds_now)(void); /* seconds, for what run.json says of the pieces; or NULL */
 };
 
 /* Judges the claims that are selected (by --only and, where the scene asks for some, by the scene: those that both

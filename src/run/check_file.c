@@ -99,6 +99,20 @@ static bool check_statements(const char *path, const char *data, struct diag *d)
   return ok;
 }
 
+/* By itself; where it bears the name of the data folder's own, beside the claims there. */
+static bool check_roots(const char *path, const char *data, struct diag *d) {
+  struct claims own = {.n = 0}, all = {.n = 0}, claims = {.n = 0};
+  bool ok = claims_add_file(&own, path, "root", d);
+  for (size_t i = 0; ok && i < own.n; i++) ok = root_check(&own.claim[i], d);
+  ok = ok && claims_load_around(&all, data, "claims", "root", path, d);
+  if (ok && has_file(&all, path))
+    ok = claims_load_data(&claims, data, "claims", "claim", d) && roots_keep_rules(&claims, &all, d);
+  claims_clear(&claims);
+  claims_clear(&all);
+  claims_clear(&own);
+  return ok;
+}
+
 /* The claims and the quantities that a scene asks for are looked up where it asks for any. */
 static bool check_asked(const struct scene *s, const char *data, struct diag *d) {
   if (!s->asked.claims.n && !s->asked.values.n) return true;
@@ -128,6 +142,7 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".claim")) return check_claims(path, data, d);
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
   if (has_suffix(path, ".statements")) return check_statements(path, data, d);
-  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene or .statements", path);
+  if (has_suffix(path, ".roots")) return check_roots(path, data, d);
+  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .statements or .roots", path);
   return false;
 }

@@ -11,6 +11,7 @@
 #include "judge/judge.h"
 #include "num/calc.h"
 #include "proof/exact_proof.h"
+#include "readings/study.h"
 
 enum { RANDOM_ORBITS = 8, DRAWS = 64, MAX_SCENE_ORBITS = 8 };
 
@@ -185,6 +186,7 @@ static void try_everywhere(struct failure *f) {
       if (p.orbit != nearest) try_results(f, &p);
   }
   sampler_init(&s, f->c->id, POINT_ORBIT, PHASE_D, NULL);
+  s.admissible = true; /* what nobody meets is no effect */
   int done = 0;
   for (int i = 0; !f->number && i < DRAWS && done < RANDOM_ORBITS; i++) {
     sampler_next(&p, &s);
@@ -303,10 +305,11 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
 
 /* What becomes of the derived results, after what the judge said of the claim itself. */
 static void describe_derived(struct finding *f, const struct consequence *q, struct audit_result *out) {
-  static const struct {
+  const struct {
     enum change change;
     const char *words;
-  } rows[] = {{CHANGE_CHANGES, "Derived results that change: "},
+  } rows[] = {{CHANGE_CHANGES, q->solved ? "At the periodic solution itself these have other values: "
+                                         : "Derived results that change: "},
               {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
               {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
               {CHANGE_UNDECIDED, "Derived results left undecided: "}};
@@ -360,6 +363,8 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   }
   free(f.result);
   judge_downstream(&q, m, &f, at);
+  q.solved = number ? NULL : readings_as_printed(j, claim_own(c));
+  if (q.solved) finding->effect = q.solved;
   describe_derived(finding, &q, out);
   out->consequences = ss_grow(out->consequences, out->n_consequences, &out->cap_consequences, sizeof q);
   out->consequences[out->n_consequences++] = q;

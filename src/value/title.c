@@ -137,22 +137,6 @@ static bool make_inequality(struct text *out, const struct title *t) {
   return true;
 }
 
-static bool make_threshold(struct text *out, const struct title *t) {
-  const struct statement_record *r = record_named(t, "statement"), *bound = r ? record_named(t, "bound") : NULL;
-  struct title_list l;
-  if (!bound) return false;
-  title_list_init(&l);
-  for (int k = 0; k < bound->n_stmts; k++)
-    if (bound->stmts[k]->n_sides == 2) expr_plain(title_list_next(&l), bound->stmts[k]->sides[0]);
-  title_name(out, t, bound, true);
-  text_add(out, " is all that ");
-  title_name(out, t, r, true);
-  text_add(out, " asks of ");
-  title_list_write(out, &l);
-  title_list_clear(&l);
-  return true;
-}
-
 static bool make_index_range(struct text *out, const struct title *t) {
   const char *letter = claim_get(t->c, "letter"), *range = claim_get(t->c, "range");
   if (!letter || !range) return missing(t);
@@ -476,7 +460,6 @@ static maker *const makers[N_KINDS] = {
     [KIND_MATRIX] = make_matrix,
     [KIND_IDENTITY] = make_identity,
     [KIND_INEQUALITY] = make_inequality,
-    [KIND_THRESHOLD] = make_threshold,
     [KIND_SHARP] = make_sharp,
     [KIND_INDEX_RANGE] = make_index_range,
     [KIND_NUMBER] = make_number,

@@ -1,6 +1,6 @@
 """validate.py SCHEMA FILE [SCHEMA FILE]...: hold outputs of the program against their JSON Schemas, and against what no schema can say.
 
-For audit.json that is: the counts of the summary are those of the claims and add up to the total, ids are unique, and
+For audit.json that is: the counts are those of the claims and add up to the total, roots and claims agree, ids are unique, and
 every verdict other than skipped and definition has evidence.  For orbits: increasing z10.  For phases: entries row by row,
 each value either there or left out, and only methods that have a value depart.  One line for each error on
 stdout; exit status 0 without errors, 1 with errors, 2 for wrong usage.
@@ -27,14 +27,16 @@ def no_constant(name):
 
 
 def audit_errors(audit):
-    verdicts = [c["verdict"] for c in audit["claims"]]
-    for name, count in audit["summary"].items():
-        found = len(verdicts) if name == "total" else verdicts.count(name)
-        if count != found:
-            yield "summary/%s: says %d, the claims make %d" % (name, count, found)
-    parts = sum(n for name, n in audit["summary"].items() if name != "total")
-    if parts != audit["summary"]["total"]:
-        yield "summary/total: the verdicts add up to %d, not %d" % (parts, audit["summary"]["total"])
+    for member, of in (("summary", "paper"), ("checks", "suite")):
+        verdicts = [c["verdict"] for c in audit["claims"] if c["of"] == of]
+        for name, count in audit[member].items():
+            found = len(verdicts) if name == "total" else verdicts.count(name)
+            if count != found:
+                yield "%s/%s: says %d, the claims make %d" % (member, name, count, found)
+        parts = sum(n for name, n in audit[member].items() if name != "total")
+        if parts != audit[member]["total"]:
+            yield "%s/total: the verdicts add up to %d, not %d" % (member, parts, audit[member]["total"])
+    yield from root_errors(audit)
     for part in ("claims", "controls"):
         ids = [c["id"] for c in audit.get(part, [])]
         for twin in sorted({i for i in ids if ids.count(i) > 1}):
@@ -44,6 +46,23 @@ def audit_errors(audit):
             yield "claims/%d: %s is %s without evidence" % (i, c["id"], c["verdict"])
     if audit.get("readings"):
         yield from readings_errors(audit["readings"])
+
+
+def root_errors(audit):
+    """Each claim that fails has one root, which lists it; the roots stand in order of severity."""
+    order = ["substance", "remark", "notation"]
+    severities = [order.index(r["severity"]) for r in audit["roots"]]
+    if severities != sorted(severities):
+        yield "roots: not in order of severity"
+    listed = {i: r for r in audit["roots"] for i in r["claims"]}
+    for c in audit["claims"]:
+        fails = c["verdict"] in ("refuted", "conditional")
+        root = listed.get(c["id"])
+        if fails != (root is not None) or c["root"] != (root and root["id"]) or c["severity"] != (root and root["severity"]):
+            yield "claims: %s is %s and its root is %s" % (c["id"], c["verdict"], c["root"])
+    for r in audit["roots"]:
+        if not set(r["claims"]) <= {c["id"] for c in audit["claims"]}:
+            yield "roots/%s: names claims that are not there" % r["id"]
 
 
 def readings_errors(readings):

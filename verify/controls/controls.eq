@@ -133,7 +133,7 @@ inequality ctl-positive
   section: appendix_b
   t_a < 0
 
-inequality ctl-threshold
+inequality ctl-bound
   replaces: eq-53
   section: appendix_b
   u_r1 > V*t_a*(1 + chi)/2
@@ -144,6 +144,13 @@ inequality ctl-argument
   replaces: eq-54
   section: appendix_b
   e_1 - 2*u_r1 < z_1(t) - chi*z_2(t) < e_1/2 for t in (0, t_a)
+
+# one u_r2, not two
+inequality ctl-limits
+  replaces: eq-52
+  section: appendix_b
+  e_1 - 2*u_r1 < z_10 - chi*z_20 < e_1
+  e_2 - u_r2 < chi*(z_20 - z_10) < e_2
 
 inequality ctl-argument-example
   replaces: eq-57

@@ -403,6 +403,25 @@ class Motion:
             out += [f.symbol("tau"), self.length(PHASES.index(self.part["phase"])) - f.symbol("tau")]
         return [x.num for x in out]
 
+    def law(self):
+        """What Coulomb's law asks in the phase: V - z_i' of a mass that slips; u_ri - f_i of one that sticks under the
+        force f_i and, where the friction is known, u_ri + f_i, now and where the phase begins."""
+        if not self.part["law"] or self.at_end:
+            return []
+        k, now = PHASES.index(self.part["phase"]), self.now(False)
+        out = []
+        for mass in range(2):
+            if k in ([1, 2], [2, 3])[mass]:
+                out.append(self.f.V - now[2 + mass])
+                continue
+            for z in (now, self.state(k)):
+                force = self.f.chi * (z[1] - z[0]) if mass else z[0] - self.f.chi * z[1]
+                out.append(self.limit(mass) - force)
+                if self.part["law"] == "realistic":
+                    twice = self.f.number(2) * self.f.symbol("u_s%d" % (mass + 1))
+                    out.append(self.limit(mass) + twice + force)
+        return out
+
     def motion(self, m):
         letter, mass, primes, argument = m[1], int(m[2]) - 1, len(m[3]), m[4]
         if self.part["kind"] == "flow" and argument == "0":
@@ -586,8 +605,12 @@ def unequal(part, entries, attempt, with_omega, off_circle):
 def holds(motion, relation, difference):
     if relation == "=":
         return difference.is_zero()
-    sign = product_sign(difference, motion.positive())
-    return sign < 0 if relation == "<" else sign > 0
+    margin, positive = -difference if relation == "<" else difference, motion.positive()
+    if product_sign(margin, positive) > 0:
+        return True
+    f = motion.f
+    rests = (margin - factor * x for x in motion.law() for factor in (f.one, f.chi, f.number(2), f.number("1/2")))
+    return any(rest.is_zero() or product_sign(rest, positive) > 0 for rest in rests)
 
 
 def product_sign(x, positive):

@@ -1,0 +1,132 @@
+/* Arguments at one orbit, the scene's nearest to the printed numbers.
+
+   Where u_r1 or u_r2 enters, the least u_s1 and u_s2 that the premises allow on a grid are tried, which can refute.  For
+   every u_s1 and u_s2 that they allow a condition is proved in one of two ways: its margin only grows with them, and is
+   positive along the whole phase already where both are a little smaller than the premises allow; or it follows by exact
+   algebra on every admissible orbit, of which this is one. */
+#include <math.h>
+
+#include "argument.h"
+#include "proof/exact_argument.h"
+#include "value/printed.h"
+
+/* A little below what the premises ask of u_s1 and u_s2, on a grid; in double. */
+static void choose_corner(struct point *corner, struct argument *a) {
+  enum { GRID = 1024, BELOW = 4 };
+  struct sampled p[MAX_CONDITIONS];
+  double belt = fmpq_get_d(&corner->q[Q_V]);
+  for (int i = 0; i < 2; i++) fmpq_zero(&corner->q[Q_US1 + i]);
+  if (conditions_sample(p, &a->part[PREMISES], corner, a->j->cache) != SS_OK) return;
+  for (int k = 0; k < a->part[PREMISES].n; k++)
+    for (int i = 0; i < 2; i++) {
+      double least = p[k].slope[i] > 0.01 ? floor(-p[k].least / p[k].slope[i] * belt * GRID) - BELOW : 0;
+      if (least > 0 && least < 1e9 && least > fmpq_get_d(&corner->q[Q_US1 + i]) * GRID)
+        fmpq_set_si(&corner->q[Q_US1 + i], (slong)least, GRID);
+    }
+}
+
+/* Whether every u_si that the premises allow is greater than the corner's: some premise fails there, whose margin grows
+   with u_si and depends on no other friction. */
+static bool bounds_below(struct argument *a, const struct point *corner, int i) {
+  double where;
+  arb_t value;
+  bool found = fmpq_is_zero(&corner->q[Q_US1 + i]);
+  arb_init(value);
+  for (int k = 0; k < a->part[PREMISES].n && !found; k++) {
+    struct condition *c = &a->part[PREMISES].at[k];
+    found = !c->equality && exact_friction_slope(c, i) == 1 && exact_friction_slope(c, 1 - i) == 0 &&
+            condition_holds(&where, value, c, corner, FIRST_PREC, a->j->cache) == TRUTH_FALSE;
+  }
+  arb_clear(value);
+  return found;
+}
+
+static bool holds_beyond(struct argument *a, struct condition *c, const struct point *corner) {
+  double where;
+  arb_t value;
+  arb_init(value);
+  bool yes = exact_friction_slope(c, 0) >= 0 && exact_friction_slope(c, 1) >= 0 &&
+             condition_holds(&where, value, c, corner, FIRST_PREC, a->j->cache) == TRUTH_TRUE;
+  arb_clear(value);
+  return yes;
+}
+
+/* Every condition of the conclusion, whatever friction the premises allow. */
+static bool prove_for_all(struct finding *f, struct argument *a, bool admissible) {
+  struct point corner;
+  point_init(&corner);
+  nearest_orbit_point(&corner, a->j->scene, a->j->cache);
+  choose_corner(&corner, a);
+  bool below = bounds_below(a, &corner, 0) && bounds_below(a, &corner, 1), all = true;
+  long exact = 0;
+  for (int k = 0; k < a->part[CONCLUSION].n && all; k++) {
+    struct condition *c = &a->part[CONCLUSION].at[k];
+    if (below && holds_beyond(a, c, &corner)) continue;
+    all = admissible && exact_argument(c, &a->part[PREMISES]);
+    exact++;
+  }
+  if (all) {
+    struct evidence *e = finding_add(f, a->j->out);
+    e->route = "exact";
+    e->layer = "corrected";
+    e->result = "proved";
+    const char *enclosed = result_str(
+        a->j->out,
+        "the premises allow no u_s1 below %s and no u_s2 below %s; there %ld of the %d inequalities hold along "
+        "the whole phase, in enclosures, and their margins do not decrease with u_s1 or u_s2",
+        argument_rational(a, &corner.q[Q_US1]), argument_rational(a, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
+        a->part[CONCLUSION].n);
+    e->note = exact
+                  ? result_str(a->j->out,
+                               "%s; the other %ld follow%s by exact algebra from the premises and Coulomb's law (2) on "
+                               "every admissible orbit",
+                               enclosed, exact, exact == 1 ? "s" : "")
+                  : enclosed;
+  }
+  point_clear(&corner);
+  return all;
+}
+
+static const char *describe(struct argument *a, const struct argument_decision *d, const struct point *p) {
+  const struct condition *c = &a->part[CONCLUSION].at[d->failed];
+  if (d->premises != TRUTH_TRUE) return "the premises do not hold there";
+  if (d->conclusion == TRUTH_FALSE)
+    return result_str(a->j->out, "%s fails at %.10g of phase %s: its margin is %s", c->text, d->where,
+                      phase_name[c->phase], ball_text(a->j, d->value, 6));
+  if (!a->uses_friction) return NULL;
+  return result_str(a->j->out, "with u_s1 = %s, u_s2 = %s, as small as the premises allow on a grid of 1/1024",
+                    argument_rational(a, &p->q[Q_US1]), argument_rational(a, &p->q[Q_US2]));
+}
+
+static void judge_point(struct finding *f, struct argument *a, struct point *p) {
+  const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p->orbit];
+  struct argument_decision d = {.where = 0};
+  struct route_result w[2];
+  long decided[2][3] = {{0}};
+  const double e[2] = {0, 0}; /* so that the grid is one of u_s, whatever e_1 and e_2 are */
+  arb_init(d.value);
+  argument_least_margin(p->q + Q_US1, a, p, fmpq_get_d(&p->q[Q_V]), e);
+  argument_decide(&d, a, p, NULL);
+  if (d.premises == TRUTH_TRUE) {
+    decided[0][d.conclusion]++;
+    decided[1][d.by_exponentials]++;
+  }
+  w[0] = argument_add_route(f, a, "balls", decided[0], true, describe(a, &d, p));
+  f->evidence[f->n_evidence - 1].worst = "the orbit nearest to the printed numbers, enclosed along the whole phase";
+  w[1] = argument_add_route(f, a, "exponential", decided[1], false, NULL);
+  bool all = !a->uses_friction;
+  if (a->uses_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE && a->j->effort == EFFORT_FULL)
+    all = prove_for_all(f, a, o->admissible == TRUTH_TRUE);
+  f->verdict = verdict_of(w, 2, all);
+  arb_clear(d.value);
+}
+
+void argument_at_scene(struct finding *f, struct argument *a) {
+  struct point p;
+  point_init(&p);
+  if (nearest_orbit_point(&p, a->j->scene, a->j->cache))
+    judge_point(f, a, &p);
+  else
+    finding_skip(f, a->j, "the scene has no orbit, or does not give e1 and e2");
+  point_clear(&p);
+}

@@ -1,0 +1,117 @@
+/* Coulomb's law on exact motions, see exact_law.h.
+
+   By K d = (u_s1, eta u_s2) the restoring forces are f_1 = x_1 - chi x_2 = z_1 - chi z_2 + u_s1 and
+   f_2 = chi (x_2 - x_1) = chi (z_2 - z_1) + u_s2.  A mass sticks from the start of its phase on, so that its force is
+   below the limit there, too. */
+#include "exact_law.h"
+
+#include "exact_motion_impl.h"
+#include "num/calc.h"
+
+static val named(struct calc *c, struct exact_motion *m, const char *name) {
+  element *z = calc_new(c);
+  c->status |= exact_motion_bind(z, m->field, name, m);
+  return z;
+}
+
+/* u_ri - f_i and, with friction, u_ri + f_i. */
+static int sticking(struct num_vec *out, int n, struct calc *c, struct exact_motion *m, int mass,
+                    const char *const z[2]) {
+  val z1 = named(c, m, z[0]), z2 = named(c, m, z[1]), chi = at(&m->params, P_CHI);
+  val f = mass ? calc_mul(c, chi, calc_sub(c, z2, z1)) : calc_sub(c, z1, calc_mul(c, chi, z2));
+  calc_store(c, at(out, n++), calc_sub(c, named(c, m, mass ? "e_2" : "e_1"), f));
+  if (!m->realistic) return n;
+  val limit = calc_add(c, named(c, m, mass ? "u_r2" : "u_r1"), named(c, m, mass ? "u_s2" : "u_s1"));
+  calc_store(c, at(out, n++), calc_add(c, limit, f));
+  return n;
+}
+
+int exact_law_margins(struct num_vec *out, struct exact_motion *m) {
+  static const bool sticks[N_PHASES][2] = {
+      [PHASE_D] = {true, true}, [PHASE_GAMMA] = {false, true}, [PHASE_H] = {false, false}, [PHASE_C] = {true, false}};
+  static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
+  if (!m->admissible || m->attempt.time != TIME_INSIDE) return 0;
+  struct calc c = exact_calc(m->field);
+  int n = 0;
+  for (int mass = 0; mass < 2; mass++) {
+    if (sticks[m->phase][mass]) {
+      n = sticking(out, n, &c, m, mass, now);
+      n = sticking(out, n, &c, m, mass, name_state[m->phase]);
+    } else {
+      calc_store(&c, at(out, n++), calc_sub(&c, at(&m->params, P_V), named(&c, m, speed[mass])));
+    }
+  }
+  int s = c.status;
+  calc_clear(&c);
+  return s == SS_OK ? n : 0;
+}
+
+/* --- What follows --- */
+
+/* A product of what is positive, or zero. */
+static bool is_rest(struct exact_motion *m, const element *x, const struct num_vec *positive, int n) {
+  return exact_is_zero(m->field, x) || exact_product_sign(x, num_vec_at(positive, 0), n) > 0;
+}
+
+bool exact_follows(struct exact_motion *m, const element *x, const struct num_vec *facts, int n) {
+  enum { N_FACTORS = 4 };
+  struct calc c = exact_calc(m->field);
+  struct num_vec positive = calc_vec(&c, EXACT_POSITIVE);
+  int n_positive = exact_motion_positive(&positive, m);
+  val factor[N_FACTORS] = {calc_d(&c, 1), at(&m->params, P_CHI), calc_d(&c, 2), calc_d(&c, 0.5)};
+  bool yes = exact_product_sign(x, num_vec_at(&positive, 0), n_positive) > 0;
+  slong mark = calc_mark(&c);
+  for (int i = 0; !yes && i < n; i++)
+    for (int k = 0; !yes && k < N_FACTORS; k++) {
+      c.status = SS_OK;
+      val rest = calc_sub(&c, x, calc_mul(&c, factor[k], at(facts, i)));
+      yes = c.status == SS_OK && is_rest(m, rest, &positive, n_positive);
+      calc_release(&c, mark);
+    }
+  calc_clear(&c);
+  return yes;
+}
+
+/* --- Near a motion --- */
+
+/* |dx/dname| as an element, where that is of one sign and does not depend on the positions. */
+static bool slope_of(element *slope, struct exact_motion *m, const element *x, const char *name) {
+  static const char *const position[2] = {"z_10", "z_20"};
+  struct calc c = exact_calc(m->field);
+  struct num_vec positive = calc_vec(&c, EXACT_POSITIVE);
+  int n = exact_motion_positive(&positive, m);
+  bool ok = exact_derivative(slope, m->field, x, name) == SS_OK;
+  for (int i = 0; ok && i < 2; i++) {
+    element *again = calc_new(&c);
+    ok = exact_derivative(again, m->field, slope, position[i]) == SS_OK && exact_is_zero(m->field, again);
+  }
+  int sign = ok && !exact_is_zero(m->field, slope) ? exact_product_sign(slope, num_vec_at(&positive, 0), n) : 0;
+  if (sign < 0) num_exact.neg(slope, slope, 0);
+  ok = ok && (sign != 0 || exact_is_zero(m->field, slope));
+  calc_clear(&c);
+  return ok;
+}
+
+bool exact_law_reach(struct text reach[2]) {
+  const struct tape none = {.n = 0};
+  const struct point_spec spec = {.kind = POINT_ORBIT, .phase = PHASE_D, .admissible = true, .realistic = true};
+  const struct exact_attempt attempt = {.anchor = 4, .time = TIME_INSIDE};
+  struct exact_motion m;
+  exact_motion_init(&m, &attempt, &spec, false, NULL, &none);
+  m.first_state = 0;
+  struct calc c = exact_calc(m.field);
+  struct num_vec margins = calc_vec(&c, EXACT_CONDITIONS), both = calc_vec(&c, 2), slope = calc_vec(&c, 2);
+  int n = exact_law_margins(&margins, &m);
+  bool ok = n == EXACT_CONDITIONS;
+  for (int i = 0; ok && i < n; i++) {
+    int mass = i >= n / 2;
+    ok = slope_of(at(&slope, 0), &m, at(&margins, i), "z_10") && slope_of(at(&slope, 1), &m, at(&margins, i), "z_20");
+    val sum = calc_add(&c, at(&slope, 0), at(&slope, 1));
+    ok = ok && c.status == SS_OK && (i % (n / 2) == 0 || exact_equal(m.field, sum, at(&both, mass)));
+    if (ok) num_exact.set(at(&both, mass), sum);
+  }
+  for (int mass = 0; ok && mass < 2; mass++) exact_print(&reach[mass], m.field, at(&both, mass));
+  calc_clear(&c);
+  exact_motion_clear(&m);
+  return ok;
+}

@@ -1,0 +1,25 @@
+/* What Coulomb's law (2) asks of an exact motion, and what follows from it. */
+#ifndef STICKSLIP_EXACT_LAW_H
+#define STICKSLIP_EXACT_LAW_H
+
+#include "exact_motion.h"
+
+/* At most as many conditions as one phase has. */
+enum { EXACT_CONDITIONS = 8 };
+
+/* The margins of (2) in the motion's phase, at the time t and, where a mass sticks, where the phase begins too: V - z_i'
+   of a mass that slips, u_ri - f_i of one that sticks under the force f_i, and where the friction is known (realistic)
+   u_ri + f_i.  On an admissible motion they are positive.  Returns how many were made, at most EXACT_CONDITIONS; 0 where
+   the motion is not said to be admissible. */
+int exact_law_margins(struct num_vec *out, struct exact_motion *m);
+
+/* How far each force at the start of the global stick phase moves when neither position there moves by more than 1: for
+   both masses, as formulas.  false when some margin of (2) is not shown to be affine in the positions with derivatives of
+   one sign; else the least margin over the greatest reach is a distance within which both masses still stick. */
+bool exact_law_reach(struct text reach[2]);
+
+/* Is the element shown to be positive: a product of what is positive on the whole domain, one of the facts, which are
+   positive, times 1, 2, 1/2, chi, or the sum of two such? */
+bool exact_follows(struct exact_motion *m, const fmpz_mpoly_q_struct *x, const struct num_vec *facts, int n);
+
+#endif
