@@ -27,6 +27,7 @@ int main(void) {
   srunner_add_suite(r, map_suite());
   srunner_add_suite(r, given_suite());
   srunner_add_suite(r, complete_suite());
+  srunner_add_suite(r, branches_suite());
   srunner_add_suite(r, coulomb_suite());
   srunner_add_suite(r, audit_suite());
   srunner_add_suite(r, plan_suite());

@@ -88,6 +88,14 @@ static const struct {
      "admissible periodic solutions at which J has a value are conditionally stable where -1 < tr(J) < 1"},
     {"text-start-at-rest",
      "there is a periodic solution through the slip-stick, global slip and stick-slip phases with t_a = 0 and t_b = 2"},
+    {"text-six-determine",
+     "(12), (14), (16) and (18) have exactly one solution with positive times and t_c up to 20 on the example"},
+    {"text-first-events",
+     "every solution of (12), (14), (16) and (18) with positive times and t_c up to 20 takes the first roots of the "
+     "switching functions on the example"},
+    {"text-several-motions", "(12), (14), (16) and (18) have exactly ten admissible solutions at chi = 99/100, eta = "
+                             "1, V = 1, e_1 = 20 and e_2 = "
+                             "1/4"},
     {"fig-3", "one period consists of the global stick, slip-stick, global slip and stick-slip phases, in this order"},
 };
 

@@ -17,6 +17,7 @@ Suite *dynamics_suite(void);
 Suite *map_suite(void);
 Suite *given_suite(void);
 Suite *complete_suite(void);
+Suite *branches_suite(void);
 Suite *coulomb_suite(void);
 Suite *audit_suite(void);
 Suite *plan_suite(void);

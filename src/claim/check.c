@@ -27,7 +27,8 @@ static bool known_attribute(const char *key) {
                                       "mass",         "slips",        "sticks",
                                       "breaks",       "place",        "few",
                                       "converse-of",  "repaired-as",  "of",
-                                      "near",         "heading"};
+                                      "near",         "heading",      "count",
+                                      "every",        "kept",         "until"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

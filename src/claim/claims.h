@@ -64,7 +64,10 @@
      word, conditions      (sequence) phases of one period; inequalities along it
      given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
                            start
-     constraints, least-first, least-second  (constraints) records as in premises; closed forms of the least u_r1, u_r2
+     count       (solutions) how many solutions with positive times the statement's equations have; or
+     every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law
+     until       (solutions) t_c up to this; kept  yes: those alone that keep the constraints, whatever their t_c
+     constraints, least-first, least-second  (constraints; solutions: constraints alone) records as in premises; closed forms of the least u_r1, u_r2
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
 
@@ -86,7 +89,7 @@
 
    Kinds: definition, matrix, identity, inequality, sharp (each step of the statement's inequalities becomes
    an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, defined, sequence, existence, constraints, law, outside, report.
+   notation, scaling, reach, rank, defined, sequence, existence, constraints, solutions, law, outside, report.
 
    What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a
    claim, yet its other points and routes are tried all the same, since the evidence says at how many points it differs

@@ -141,10 +141,6 @@ static const char *table(struct constraints *x) {
 static truth closes(const struct pool_item *item, slong index, const double u_r[2]) {
   struct scene s = {.name = NULL};
   struct coulomb_setup sim;
-  struct coulomb_log log;
-  struct coulomb_result end;
-  struct coulomb_plan plan = coulomb_plan_default;
-  struct text word;
   static const int key[N_DRAW] = {KEY_CHI, KEY_ETA, KEY_V, KEY_TB, KEY_TC};
   for (int i = 0; i < N_DRAW; i++) s.value[key[i]] = item->q[i]; /* borrowed */
   for (int i = 0; i < N_DRAW; i++) s.given[key[i]] = true;
@@ -156,21 +152,7 @@ static truth closes(const struct pool_item *item, slong index, const double u_r[
   bool ok = coulomb_setup_listed(&sim, &s, index, NULL);
   for (int i = 0; i < 2; i++) fmpq_clear(&s.value[KEY_U_R1 + i]);
   if (!ok) return TRUTH_UNKNOWN;
-  plan.returns = 1;
-  plan.duration = 2 * sim.period;
-  coulomb_log_init(&log);
-  text_init(&word);
-  struct coulomb_sink sink = coulomb_log_sink(&log);
-  int status = coulomb_simulate_ode(&end, sim.params, sim.start, &plan, &sink);
-  coulomb_log_word(&word, &log);
-  double off =
-      fabs(end.at.x[1] - end.at.x[0] - (sim.start[1] - sim.start[0])) / (1 + fabs(sim.start[0]) + fabs(sim.start[1]));
-  bool same = strcmp(text_str(&word), "GHCD") == 0;
-  text_clear(&word);
-  coulomb_log_clear(&log);
-  if (status != SS_OK) return TRUTH_UNKNOWN;
-  if (!same || off > 1e-3) return TRUTH_FALSE;
-  return off < 1e-7 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+  return coulomb_setup_closes(&sim);
 }
 
 static void book(struct constraints *x, truth got, truth want) {

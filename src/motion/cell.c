@@ -149,34 +149,22 @@ static struct range range_at(double d, double e, const struct cell *c, const str
   return g;
 }
 
-enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
-                    const struct turns *k, double dir) {
-  struct range g = {.d = p->half, .e = c->early};
-  range_p(&g, c, p);
-  if (dir * c->p.mid + g.p < 0) return LOOK_CLEAR;
-  /* dir p is not above zero at t_b, and falls where dir w > 0 */
-  if (c->first && dir * c->w.mid - disk_up(c->w.rad + p->p.ft * g.d + p->p.tt * g.e) > 0) return LOOK_CLEAR;
-
-  range_radius(&g, c, p, s);
-  /* q is zero at t_b, and falls where r > 0 */
-  bool falls = c->first && c->r.mid - g.r > 0;
-  bool negative = c->q.mid - g.q <= 0, positive = c->q.mid + g.q >= 0 && !falls;
-  struct disk base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * g.d) * g.d);
-  struct disk radius = disk_sqrt((struct disk){g.g.mid, g.g_width});
-  struct turns can = turns_of(k, s, base, radius, negative, positive);
-  double count = turns_count(&can);
+/* Over the cell of g, for each k that can be. */
+static enum look look_at_each(struct common *zero, const struct cell *c, const struct range *g, const struct strip *p,
+                              const struct disk_params *s, const struct turns *can) {
+  double count = turns_count(can);
   if (count == 0) return LOOK_CLEAR;
   zero->k = -1;
   if (!(count <= MOST_TURNS)) return LOOK_OPEN;
 
-  struct range twice = range_at(2 * g.d, 2 * g.e, c, p, s);
+  struct range twice = range_at(2 * g->d, 2 * g->e, c, p, s);
   int zeros = 0, open = 0;
   double left = -1;
   for (int sign = 0; sign < 2; sign++)
-    for (double i = can.from[sign]; i <= can.to[sign]; i++) {
-      if (sign == 1 && i >= can.from[0] && i <= can.to[0]) continue; /* seen */
+    for (double i = can->from[sign]; i <= can->to[sign]; i++) {
+      if (sign == 1 && i >= can->from[0] && i <= can->to[0]) continue; /* seen */
       struct common one;
-      enum look here = look_at(&one, c, &g, &twice, p, s, i);
+      enum look here = look_at(&one, c, g, &twice, p, s, i);
       if (here == LOOK_ZERO && zeros++ == 0) *zero = one;
       if (here == LOOK_OPEN && open++ == 0) left = i;
     }
@@ -184,6 +172,52 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct stri
   if (zeros == 1 && open == 0) return LOOK_ZERO;
   zero->k = zeros == 0 && open == 1 ? left : -1;
   return LOOK_OPEN;
+}
+
+/* dir p is not above zero at t_b, and falls where dir w > 0 */
+static bool falls_from_start(const struct cell *c, const struct range *g, const struct strip *p, double dir) {
+  return c->first && dir * c->w.mid - disk_up(c->w.rad + p->p.ft * g->d + p->p.tt * g->e) > 0;
+}
+
+/* The base over the whole strip, and the radius over the whole cell. */
+static struct turns turns_on(const struct range *g, const struct strip *p, const struct disk_params *s,
+                             const struct turns *k, bool negative, bool positive) {
+  struct disk base = disk_widen(p->base, (disk_mag(p->pb) + 0.5 * disk_mag(s->rho) * g->d) * g->d);
+  struct disk radius = disk_sqrt((struct disk){g->g.mid, g->g_width});
+  return turns_of(k, s, base, radius, negative, positive);
+}
+
+enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
+                    const struct turns *k, double dir) {
+  struct range g = {.d = p->half, .e = c->early};
+  range_p(&g, c, p);
+  if (dir * c->p.mid + g.p < 0 || falls_from_start(c, &g, p, dir)) return LOOK_CLEAR;
+
+  range_radius(&g, c, p, s);
+  /* q is zero at t_b, and falls where r > 0 */
+  bool falls = c->first && c->r.mid - g.r > 0;
+  bool negative = c->q.mid - g.q <= 0, positive = c->q.mid + g.q >= 0 && !falls;
+  struct turns can = turns_on(&g, p, s, k, negative, positive);
+  return look_at_each(zero, c, &g, p, s, &can);
+}
+
+enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
+                          const struct turns *k, double dir) {
+  struct range g = {.d = p->half, .e = c->early};
+  range_p(&g, c, p);
+  if (fabs(c->p.mid) > g.p || falls_from_start(c, &g, p, dir)) return LOOK_CLEAR;
+  range_radius(&g, c, p, s);
+  struct turns can = turns_on(&g, p, s, k, true, true);
+  return look_at_each(zero, c, &g, p, s, &can);
+}
+
+bool common_is_same(const struct common *a, const struct common *b) {
+  bool same = a->k == b->k;
+  for (int l = 0; l < 2; l++) {
+    double apart = fabs(a->at[l] - b->at[l]) + 0x1p-40 * (1 + fabs(b->at[l]));
+    same = same && (apart + b->near[l] < a->room[l] || apart + a->near[l] < b->room[l]);
+  }
+  return same;
 }
 
 bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir) {

@@ -22,6 +22,12 @@ enum look { LOOK_CLEAR, LOOK_ZERO, LOOK_OPEN };
    else -1. */
 enum look cell_look(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
                     const struct turns *k, double dir);
+/* The same for zeros that need not be first roots: p may have any sign before, and phase C may last any time, so that r
+   at its end has any sign. */
+enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
+                          const struct turns *k, double dir);
+/* The same zero, proved in two cells: near one lies in the room of the other. */
+bool common_is_same(const struct common *a, const struct common *b);
 /* The part of the strip, from *low to *high relative to its midpoint, where dir p may still not be positive at the
    cell's middle; false when there is none. */
 bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir);

@@ -38,15 +38,8 @@ static void add_zero(struct march *s, const struct common *zero, const struct st
   struct common z = *zero;
   z.at[0] += p->angle;
   z.at[1] += t;
-  for (size_t i = 0; i < s->n; i++) {
-    const struct common *old = &s->zeros[i];
-    bool same = old->k == z.k;
-    for (int l = 0; l < 2; l++) {
-      double apart = fabs(old->at[l] - z.at[l]) + 0x1p-40 * (1 + fabs(z.at[l]));
-      same = same && (apart + z.near[l] < old->room[l] || apart + old->near[l] < z.room[l]);
-    }
-    if (same) return;
-  }
+  for (size_t i = 0; i < s->n; i++)
+    if (common_is_same(&s->zeros[i], &z)) return;
   s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
   s->zeros[s->n++] = z;
 }

@@ -26,6 +26,7 @@ static const struct {
     {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "relation", damage_one_of},
     {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "from", damage_one_of},
     {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "rank", damage_digits},
+    {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "count", damage_digits},
     {DAMAGE_TOLERANCE, PART_CLAIMS, RANK_PAPER, "friction", damage_parameters},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "at", damage_parameters},
     {DAMAGE_DOMAIN, PART_CLAIMS, RANK_PAPER, "vary", damage_parameters},

@@ -431,6 +431,7 @@ void finding_why_not(struct finding *f, struct audit_result *out, const struct c
       {KIND_SEQUENCE, "an event is not proved to be the first of its phase, or a condition not throughout it"},
       {KIND_ARGUMENT, "no counterexample was found, and no combination of the premises that proves it"},
       {KIND_CONSTRAINTS, "the list is not shown to be what (2) asks, by exact algebra"},
+      {KIND_SOLUTIONS, "solutions are listed in balls"},
       {KIND_EXISTENCE, "solutions are found at points"}};
   enum kind kind = claim_kind(c);
   for (int i = 0; i < f->n_evidence; i++)

@@ -123,3 +123,25 @@ bool audit_coulomb_setup_from(struct coulomb_setup *sim, const struct scene *s, 
   fmpq_clear(x);
   return ok;
 }
+
+truth coulomb_setup_closes(const struct coulomb_setup *sim) {
+  struct coulomb_log log;
+  struct coulomb_result end;
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct text word;
+  plan.returns = 1;
+  plan.duration = 2 * sim->period;
+  coulomb_log_init(&log);
+  text_init(&word);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  int status = coulomb_simulate_ode(&end, sim->params, sim->start, &plan, &sink);
+  coulomb_log_word(&word, &log);
+  double off = fabs(end.at.x[1] - end.at.x[0] - (sim->start[1] - sim->start[0])) /
+               (1 + fabs(sim->start[0]) + fabs(sim->start[1]));
+  bool same = strcmp(text_str(&word), "GHCD") == 0;
+  text_clear(&word);
+  coulomb_log_clear(&log);
+  if (status != SS_OK) return TRUTH_UNKNOWN;
+  if (!same || off > 1e-3) return TRUTH_FALSE;
+  return off < 1e-7 ? TRUTH_TRUE : TRUTH_UNKNOWN;
+}

@@ -369,6 +369,39 @@ static bool make_existence(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "chi = 4/5, e1 = 2" with the paper's e_1. */
+static void listed_as_printed(struct text *out, const char *at) {
+  struct text named;
+  text_init(&named);
+  for (const char *s = at; *s; s++) {
+    text_add_char(&named, *s);
+    if (*s == 'e' && (s[1] == '1' || s[1] == '2')) text_add_char(&named, '_');
+  }
+  title_listed(out, text_str(&named), ',');
+  text_clear(&named);
+}
+
+/* "(18) has exactly one solution with positive times and t_c up to 20 on the example". */
+static bool make_solutions(struct text *out, const struct title *t) {
+  const struct statement_record *r = record_named(t, "statement");
+  const char *count = claim_get(t->c, "count"), *every = claim_get(t->c, "every"), *at = claim_get(t->c, "at");
+  const char *until = claim_get(t->c, "until"), *kept = claim_get(t->c, "kept"),
+             *note = r ? title_note(r, false) : NULL;
+  if (!r || !note || (!count && !every)) return missing(t);
+  long n = count ? strtol(count, NULL, 10) : 0;
+  if (!count) text_printf(out, "every solution of %s", note);
+  if (count) text_printf(out, "%s %s exactly ", note, title_is_plural(note) ? "have" : "has");
+  if (count) title_count(out, n);
+  if (count) text_printf(out, "%s %s", kept ? " admissible" : "", n == 1 ? "solution" : "solutions");
+  if (!kept) text_printf(out, " with positive times and t_c up to %s", until ? until : "");
+  bool first = every && strcmp(every, "first") == 0;
+  if (every)
+    text_add(out, first ? " takes the first roots of the switching functions" : " is a motion under Coulomb's law");
+  text_add(out, at ? " at " : " on the example");
+  if (at) listed_as_printed(out, at);
+  return true;
+}
+
 /* --- Notation --- */
 
 /* "one symbol stands for the first mass", "different symbols stand for a stiffness matrix and the stiffness of a
@@ -416,8 +449,10 @@ static bool make_scaling(struct text *out, const struct title *t) {
 static const struct {
   const char *check, *transition, *says;
 } checks[] = {
-    {"modes", NULL, "every motion is a sequence of phases in which each mass sticks or slips, finitely many in a bounded time"},
-    {"closed-forms", NULL, "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
+    {"modes", NULL,
+     "every motion is a sequence of phases in which each mass sticks or slips, finitely many in a bounded time"},
+    {"closed-forms", NULL,
+     "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
     {"configurations", NULL, "the four configurations of the paper partition the phase space"},
     {"dimension", NULL, "the states of the phases fill {range} dimensions"},
     {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
@@ -459,13 +494,28 @@ static bool make_none(struct text *out, const struct title *t) {
 }
 
 static maker *const makers[N_KINDS] = {
-    [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
-    [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
-    [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints, [KIND_LAW] = make_law,           [KIND_OUTSIDE] = make_none,
+    [KIND_DEFINITION] = make_definition,
+    [KIND_MATRIX] = make_matrix,
+    [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality,
+    [KIND_SHARP] = make_sharp,
+    [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,
+    [KIND_CLOSURE] = make_closure,
+    [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,
+    [KIND_ARGUMENT] = make_argument,
+    [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,
+    [KIND_REACH] = make_reach,
+    [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,
+    [KIND_SEQUENCE] = make_sequence,
+    [KIND_EXISTENCE] = make_existence,
+    [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_LAW] = make_law,
+    [KIND_SOLUTIONS] = make_solutions,
+    [KIND_OUTSIDE] = make_none,
     [KIND_REPORT] = make_report,
 };
 
@@ -507,4 +557,11 @@ bool claim_title(struct text *out, const struct model *m, const struct claim *c,
   const struct field *given = record_field(c->record, "title");
   if (given) return title_given(out, &t, given);
   return title_made(out, &t);
+}
+
+bool claim_title_records(struct text *out, const struct model *m, const struct claim *c, const char *attribute,
+                         struct diag *d) {
+  struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
+  const struct title t = {m, c, d};
+  return title_parts_write(out, &p, &t, attribute);
 }

@@ -94,6 +94,12 @@ define text-patched
   S_c := H(t_c)*S_b
   S_f := C(t_d)*S_c
 
+# The stick phase of the next period, D(t) Z(t_a + t_b + t_c + t_d), less that of this one: zero where (18) holds, and with it
+# what follows, which begins with the state that the stick phase ends in (text-states).
+equation text-18-returns
+  note: the motion repeats itself where (18) holds
+  D(t)*Z(t_a + t_b + t_c + t_d) - Z(t) = D(t)*(Z(t_a + t_b + t_c + t_d) - Z_0)
+
 equation text-six-equations
   note: (12), (14), (16) and (18)
   S_a[1] - chi*S_a[2] = e_1

@@ -44,6 +44,20 @@ equation text-45-suffices
   note: the right side is zero where (45) holds, since z'_0 = (V, V)'
   N_3*(-inv(N_1 - I)*N_2*z'_0) + (N_4 - I)*z'_0 = -N_3*M*z'_0
 
+# D(t_a) is the last factor of N: in terms of y_0, which is z_a by (12), the left sides of (44) contain t_a in one place.
+define text-44-parts
+  y_0 := z_0 + t_a*z'_0
+  U := C(t_d)*H(t_c)*Gamma(t_b)
+  U_1 := U[1:2,1:2]
+  U_2 := U[1:2,3:4]
+  U_3 := U[3:4,1:2]
+  U_4 := U[3:4,3:4]
+
+equation text-44-by-z_a
+  note: the left sides of (44) by y_0
+  (N_1 - I)*z_0 + N_2*z'_0 = (U_1 - I)*y_0 + U_2*z'_0 + t_a*z'_0
+  N_3*z_0 + (N_4 - I)*z'_0 = U_3*y_0 + (U_4 - I)*z'_0
+
 equation text-times-alone
   note: (45), and (12) and (14) with z_0 of (46)
   M[1,1] + M[1,2] = 0

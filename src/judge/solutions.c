@@ -1,0 +1,317 @@
+/* What the equations of a periodic motion determine: how many solutions with positive times they have, whether the events
+   of each are the first ones, whether each is a motion of the system.
+
+   The list is that of motion/branches.h, every root of every switching function, or with "kept: yes" that of the word's
+   orbits, whatever their t_c: along a phase in which the constraints hold no switching function vanishes, so that what keeps
+   them has first events.  The paper's equations and constraints are tried on every solution in balls. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/work.h"
+#include "judge.h"
+#include "motion/branches.h"
+#include "motion/complete.h"
+#include "proof/condition.h"
+#include "value/coulomb_setup.h"
+#include "value/title.h"
+
+enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40 };
+
+enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION };
+
+struct solutions {
+  struct judge *j;
+  const struct claim *c;
+  struct orbit_cache *cache; /* its own: it keeps the addresses of orbits that live no longer than this */
+  struct point at;
+  bool kept; /* only solutions that keep the constraints count */
+  enum asked_of asked;
+  long count; /* that is claimed */
+  struct sentence equations;
+  struct conditions constraints;
+  struct dyn_orbits list;
+  truth *keeps; /* of each solution, the constraints */
+  bool (*broken)[MAX_CONDITIONS];
+  long n_solve, n_fail; /* solutions on which the paper's equations hold, do not */
+};
+
+/* --- Reading --- */
+
+/* The scene's parameters, or those of the claim; *given: there are any. */
+static bool read_parameters(bool *given, struct solutions *x) {
+  const char *at = claim_get(x->c, "at");
+  const struct scene *s = x->j->scene;
+  x->at.kind = POINT_ORBIT;
+  *given = !scene_is_box(s) && (at || (s->given[KEY_E1] && s->given[KEY_E2]));
+  if (!*given) return true;
+  if (!at) {
+    for (int i = 0; i < N_PARAMS; i++) fmpq_set(&x->at.q[Q_CHI + i], &s->value[KEY_CHI + i]);
+    return true;
+  }
+  struct text packed;
+  struct diag d;
+  text_init(&packed);
+  diag_init(&d);
+  for (; *at; at++)
+    if (*at != ' ') text_add_char(&packed, *at);
+  bool ok = point_set(&x->at, text_str(&packed), &d);
+  text_clear(&packed);
+  return ok ||
+         claim_error(x->j, x->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+}
+
+static bool read_asked(struct solutions *x) {
+  const char *count = claim_get(x->c, "count"), *every = claim_get(x->c, "every"), *kept = claim_get(x->c, "kept");
+  x->kept = kept && strcmp(kept, "yes") == 0;
+  x->count = count ? strtol(count, NULL, 10) : 0;
+  x->asked = count ? ASKED_COUNT : every && strcmp(every, "motion") == 0 ? ASKED_MOTION : ASKED_FIRST;
+  if (!count && x->asked == ASKED_FIRST && !(every && strcmp(every, "first") == 0))
+    return claim_error(x->j, x->c, "kind", "a count is needed, or every: first, or every: motion");
+  return x->kept || claim_get(x->c, "until") || claim_error(x->j, x->c, "kind", "until, a bound of t_c, is needed");
+}
+
+/* --- The solutions --- */
+
+static void find(struct solutions *x) {
+  const fmpq *params = x->at.q + Q_CHI;
+  work_add(UNITS_OF_SOLUTIONS);
+  if (x->kept) {
+    dyn_orbits_find(&x->list, params, SOLUTION_PREC, &dyn_limits_default);
+    dyn_orbits_complete(&x->list, params, SOLUTION_PREC, NULL, DYN_CELLS);
+  } else {
+    dyn_branches_find(&x->list, params, strtod(claim_get(x->c, "until"), NULL), SOLUTION_PREC, DYN_CELLS);
+  }
+  x->keeps = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->keeps);
+  x->broken = ss_malloc(((size_t)x->list.n + 1) * sizeof *x->broken);
+}
+
+static truth keeps(struct solutions *x, slong i) {
+  arb_t value;
+  truth all = TRUTH_TRUE;
+  arb_init(value);
+  for (int k = 0; k < x->constraints.n; k++) {
+    double where;
+    truth holds = condition_holds(&where, value, &x->constraints.at[k], &x->at, FIRST_PREC, x->cache);
+    x->broken[i][k] = holds == TRUTH_FALSE;
+    all = truth_and(all, holds);
+  }
+  arb_clear(value);
+  return all;
+}
+
+static void try_each(struct solutions *x) {
+  for (slong i = 0; i < x->list.n; i++) {
+    x->at.known = &x->list.orbit[i];
+    struct trial t = sentence_try_balls(&x->equations, &x->at, VARIANT_CLOSED, x->cache);
+    x->n_solve += t.outcome == OUTCOME_AGREES;
+    x->n_fail += t.outcome == OUTCOME_DIFFERS;
+    x->keeps[i] = keeps(x, i);
+  }
+  x->at.known = NULL;
+}
+
+/* --- What is claimed, of all solutions or of those that keep the constraints --- */
+
+static truth first_events(const struct dyn_orbit *o) {
+  truth all = TRUTH_TRUE;
+  for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) all = truth_and(all, o->first[ph]);
+  return all;
+}
+
+struct tally {
+  long all, good, bad, open;
+};
+
+static struct tally tally_of(const struct solutions *x, bool constrained) {
+  struct tally t = {.all = 0};
+  for (slong i = 0; i < x->list.n; i++) {
+    const struct dyn_orbit *o = &x->list.orbit[i];
+    if (constrained && x->keeps[i] == TRUTH_FALSE) continue;
+    truth good = first_events(o);
+    if (x->asked == ASKED_MOTION) good = truth_and(good, o->admissible);
+    if (constrained && x->keeps[i] == TRUTH_UNKNOWN) good = TRUTH_UNKNOWN;
+    t.all++;
+    t.good += good == TRUTH_TRUE;
+    t.bad += good == TRUTH_FALSE;
+    t.open += good == TRUTH_UNKNOWN;
+  }
+  return t;
+}
+
+static enum route_outcome outcome_of(const struct solutions *x, bool constrained) {
+  struct tally t = tally_of(x, constrained);
+  bool sound = x->n_solve == x->list.n, complete = x->list.complete;
+  if (!sound) return ROUTE_UNDECIDED;
+  if (x->asked == ASKED_COUNT) {
+    long sure = constrained ? t.all - t.open : t.all;
+    if (sure > x->count) return ROUTE_DIFFERS;
+    if (!complete || sure != t.all) return ROUTE_UNDECIDED;
+    return sure == x->count ? ROUTE_AGREES : ROUTE_DIFFERS;
+  }
+  if (t.bad) return ROUTE_DIFFERS;
+  return t.open || !complete ? ROUTE_UNDECIDED : t.good ? ROUTE_AGREES : ROUTE_NOTHING;
+}
+
+/* --- Words --- */
+
+static void name_constraint(struct text *out, const struct condition *k) {
+  if (k->moving)
+    text_printf(out, "%s in phase %s", k->text, phase_name[k->phase]);
+  else
+    text_add(out, k->text);
+}
+
+/* "(51), (57) and z_1' < V in the global slip phase". */
+static const char *constraints_named(struct solutions *x) {
+  struct text t;
+  text_init(&t);
+  if (!claim_title_records(&t, x->j->model, x->c, "constraints", x->j->d)) text_add(&t, "the constraints");
+  return result_take(x->j->out, &t);
+}
+
+static void add_times(struct text *t, struct judge *j, const struct dyn_orbit *o) {
+  for (int ph = 0; ph < N_PHASES; ph++) text_printf(t, "%s%s", ph ? ", " : "", ball_text(j, o->t[ph], 6));
+}
+
+static void add_broken(struct text *t, const struct solutions *x, slong i) {
+  const char *sep = " violates ";
+  for (int k = 0; k < x->constraints.n; k++) {
+    if (!x->broken[i][k]) continue;
+    text_add(t, sep);
+    name_constraint(t, &x->constraints.at[k]);
+    sep = " and ";
+  }
+  if (x->keeps[i] == TRUTH_TRUE) text_add(t, " satisfies all");
+}
+
+static const char *listed(struct solutions *x) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "(t_a, t_b, t_c, t_d), and which of the constraints it violates:");
+  for (slong i = 0; i < x->list.n && i < MOST_LISTED; i++) {
+    text_add(&t, i ? "; (" : " (");
+    add_times(&t, x->j, &x->list.orbit[i]);
+    text_add(&t, ")");
+    add_broken(&t, x, i);
+  }
+  if (x->list.n > MOST_LISTED) text_printf(&t, "; and %ld more", (long)x->list.n - MOST_LISTED);
+  return result_take(x->j->out, &t);
+}
+
+/* Where one solution is regular and t_c has no bound, the angles of phase H come back near to where they are. */
+static const char *const recurrence = "; without a bound of t_c there are infinitely many: at each of these the "
+                                      "Jacobian is regular, the equations contain t_c "
+                                      "only in the angles omega_1 t_c and omega_2 t_c, and by Dirichlet's theorem on "
+                                      "simultaneous approximation both return "
+                                      "arbitrarily closely to their values at arbitrarily large t_c";
+
+static const char *summed_up(struct solutions *x) {
+  struct tally all = tally_of(x, false), held = tally_of(x, true);
+  const char *complete = x->list.complete ? "and proved to be all there are"
+                                          : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
+  if (x->kept)
+    return result_str(
+        x->j->out,
+        "%ld periodic orbits, each proved to exist, %s that have first roots; the equations hold on %ld, the "
+        "constraints on %ld",
+        all.all, complete, x->n_solve, held.all - held.open);
+  long first = 0;
+  for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
+  return result_str(
+      x->j->out,
+      "%ld solutions with t_c up to %s, each proved to be the only one near it, %s; the equations hold on %ld; "
+      "t_b, t_c and t_d are first roots on %ld, the constraints hold on %ld%s",
+      all.all, claim_get(x->c, "until"), complete, x->n_solve, first, held.all - held.open,
+      x->asked == ASKED_COUNT && all.all ? recurrence : "");
+}
+
+/* --- Under Coulomb's law --- */
+
+/* Of the solutions with first roots, or those that keep the constraints too, one on which every condition of the model holds
+   and one on which it does not: does the integrated motion close after one period? */
+static struct route_result integrate(struct finding *f, struct solutions *x, bool constrained) {
+  long closed = 0, parted = 0, open = 0;
+  bool tried[2] = {false};
+  for (slong i = 0; i < x->list.n; i++) {
+    const struct dyn_orbit *o = &x->list.orbit[i];
+    struct coulomb_setup sim;
+    bool wanted = first_events(o) == TRUTH_TRUE && (!constrained || x->keeps[i] == TRUTH_TRUE);
+    if (!wanted || o->admissible == TRUTH_UNKNOWN || tried[o->admissible == TRUTH_TRUE]) continue;
+    tried[o->admissible == TRUTH_TRUE] = true;
+    truth closes = TRUTH_UNKNOWN;
+    if (coulomb_setup_on_orbit(&sim, x->at.q + Q_CHI, o, OWN_FRICTION) == SS_OK) closes = coulomb_setup_closes(&sim);
+    closed += closes == TRUTH_TRUE;
+    parted += closes == TRUTH_FALSE;
+    open += closes == TRUTH_UNKNOWN;
+  }
+  struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
+  finding_add_route(
+      f, x->j->out, w, "model", -1, NULL,
+      result_str(x->j->out,
+                 "motions under Coulomb's law from the start of such solutions%s: %ld close after one period, "
+                 "%ld do not",
+                 constrained ? " that satisfy the constraints" : "", closed, parted));
+  return w;
+}
+
+/* --- The kind --- */
+
+static struct route_result add_balls(struct finding *f, struct solutions *x, bool constrained, const char *note) {
+  struct route_result w = {"balls", outcome_of(x, constrained), true, x->list.n};
+  finding_add_route(f, x->j->out, w, layer_name[LAYER_CORRECTED], SOLUTION_PREC, NULL, note);
+  return w;
+}
+
+/* Refuted as it stands: does it hold of the solutions that keep the constraints? */
+static void judge_constrained(struct finding *f, struct solutions *x) {
+  struct route_result w[2];
+  int n = 0;
+  const char *named = constraints_named(x);
+  struct tally t = tally_of(x, true);
+  w[n++] = add_balls(f, x, true,
+                     result_str(x->j->out, "%s hold on %ld of these solutions%s", named, t.all,
+                                x->asked == ASKED_COUNT   ? ""
+                                : x->asked == ASKED_FIRST ? ", on all of which t_b, t_c and t_d are first roots"
+                                                          : ", and with them every condition of the model"));
+  if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
+  f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
+  if (f->verdict != VERDICT_CONDITIONAL) return;
+  f->condition = result_str(x->j->out, "%s", named);
+  f->fault = fault_name[FAULT_ARGUMENT];
+}
+
+static void conclude(struct finding *f, struct solutions *x) {
+  struct route_result w[2];
+  int n = 0;
+  try_each(x);
+  w[n++] = add_balls(f, x, x->kept, summed_up(x));
+  if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, false);
+  if (x->asked == ASKED_COUNT) finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
+  f->verdict = verdict_of(w, n, true);
+  if (f->verdict == VERDICT_REFUTED && !x->kept && x->constraints.n) judge_constrained(f, x);
+}
+
+bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct solutions x = {.j = j, .c = c, .cache = orbit_cache_new()};
+  bool given = false;
+  point_init(&x.at);
+  bool ok = read_asked(&x) && read_parameters(&given, &x);
+  ok = ok && conditions_read(&x.constraints, j, c, "constraints", view);
+  bool built = ok;
+  ok = ok && sentence_from_claim(&x.equations, view, c, NULL, 0, j->d);
+  if (ok && !given) {
+    finding_skip(f, j, "the scene does not give e1 and e2");
+  } else if (ok) {
+    find(&x);
+    conclude(f, &x);
+    free(x.broken);
+    free(x.keeps);
+    dyn_orbits_clear(&x.list);
+  }
+  if (built) sentence_clear(&x.equations);
+  conditions_clear(&x.constraints);
+  point_clear(&x.at);
+  orbit_cache_free(x.cache);
+  return ok;
+}

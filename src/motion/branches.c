@@ -1,0 +1,228 @@
+/* Later roots: the search of branches.h. */
+#include "branches.h"
+
+#include <stdlib.h>
+
+#include "base/arena.h"
+#include "base/work.h"
+#include "cell.h"
+#include "complete.h"
+#include "num/pi.h"
+#include "warm.h"
+
+enum { DEEPEST = 44, UNITS_OF_LATER_CELL = 12, FREE_LATER_CELLS = 1 << 13, STRIPS_OF_TURN = 16 };
+
+struct search {
+  struct disk_params params;
+  struct common *zeros;
+  size_t n, cap;
+  long cells, budget;
+  double dir; /* as in cell_look_later, for the strips at hand */
+  bool spent, stuck;
+  double where[2];
+};
+
+/* A rectangle of (t_b modulo 2 pi, t_c). */
+struct patch {
+  double from[2], to[2];
+};
+
+static void add_zero(struct search *s, struct common z, const struct strip *p, double t) {
+  z.at[0] += p->angle;
+  z.at[1] += t;
+  for (size_t i = 0; i < s->n; i++)
+    if (common_is_same(&s->zeros[i], &z)) return;
+  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
+  s->zeros[s->n++] = z;
+}
+
+static void search_patch(struct search *s, struct patch a, int depth);
+
+static void halve(struct search *s, const struct patch *a, int side, int depth) {
+  double middle = 0.5 * (a->from[side] + a->to[side]);
+  struct patch low = *a, high = *a;
+  low.to[side] = high.from[side] = middle;
+  search_patch(s, low, depth + 1);
+  search_patch(s, high, depth + 1);
+}
+
+static void search_patch(struct search *s, struct patch a, int depth) {
+  struct strip p;
+  struct clock middle;
+  struct cell c;
+  struct common zero;
+  if (s->cells++ >= s->budget) {
+    s->spent = true;
+    return;
+  }
+  if (s->cells % FREE_LATER_CELLS == 0) work_add((unsigned long long)FREE_LATER_CELLS * UNITS_OF_LATER_CELL);
+  strip_make(&p, &s->params, a.from[0], a.to[0], a.to[0] - a.from[0]);
+  struct turns k = strip_turns_later(&p, &s->params);
+  if (turns_count(&k) == 0) return;
+  clock_set(&middle, &s->params, 0.5 * (a.from[1] + a.to[1]));
+  cell_at(&c, &p, &s->params, &middle);
+  c.early = disk_up(fmax(a.to[1] - middle.t, middle.t - a.from[1]));
+  c.first = a.from[1] == 0;
+  enum look seen = cell_look_later(&zero, &c, &p, &s->params, &k, s->dir);
+  if (seen == LOOK_ZERO) add_zero(s, zero, &p, middle.t);
+  if (seen != LOOK_OPEN) return;
+  if (depth < DEEPEST) {
+    halve(s, &a, cell_wide_in_angle(&c, &p) ? 0 : 1, depth);
+  } else if (!s->stuck) {
+    s->stuck = true;
+    s->where[0] = p.angle + 2 * PI * fmax(zero.k, 0);
+    s->where[1] = middle.t;
+  }
+}
+
+/* Strips of the angle from low to high, stretches of t_c as long. */
+static void search_band(struct search *s, double low, double high, double t_c_max) {
+  double wide = 2 * PI / STRIPS_OF_TURN;
+  int strips = (int)ceil((high - low) / wide), stretches = (int)ceil(t_c_max / wide);
+  for (int i = 0; i < strips; i++)
+    for (int k = 0; k < stretches && !s->spent; k++)
+      search_patch(s,
+                   (struct patch){{low + (high - low) * i / strips, t_c_max * k / stretches},
+                                  {i + 1 < strips ? low + (high - low) * (i + 1) / strips : high,
+                                   k + 1 < stretches ? t_c_max * (k + 1) / stretches : t_c_max}},
+                   0);
+}
+
+/* p starts below zero up to the crest of the rise, and above it from there to the end of the turn. */
+static bool search_run(struct search *s, const fmpq *params, double t_c_max, long budget) {
+  *s = (struct search){.budget = budget, .dir = 1};
+  if (!disk_params_init(&s->params, params)) return false;
+  search_band(s, 0, disk_high(s->params.fall), t_c_max);
+  s->dir = -1;
+  search_band(s, disk_low(s->params.fall), 2 * PI * (1 + 0x1p-50), t_c_max);
+  return true;
+}
+
+/* --- From zeros to solutions. --- */
+
+static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, double tc) {
+  if (list->gap != GAP_UNTRIED) return;
+  list->gap = (int)why;
+  list->gap_at[0] = tb;
+  list->gap_at[1] = tc;
+}
+
+/* by = 1 shifts phase C to end a whole turn later: m2 is again where it was, the belt's way in t_a is shorter. */
+static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
+  arb_t whole, stiff;
+  arb_init(whole);
+  arb_init(stiff);
+  arb_set_fmpq(stiff, params + P_CHI, prec);
+  arb_mul_fmpz(stiff, stiff, fmpq_numref(params + P_ETA), prec);
+  arb_div_fmpz(stiff, stiff, fmpq_denref(params + P_ETA), prec);
+  arb_rsqrt(stiff, stiff, prec);
+  arb_const_pi(whole, prec);
+  arb_mul(whole, whole, stiff, prec);
+  arb_mul_2exp_si(whole, whole, 1);
+  arb_add(o->t[PHASE_C], o->t[PHASE_C], whole, prec);
+  arb_sub(o->t[PHASE_D], o->t[PHASE_D], whole, prec);
+  arb_set_fmpq(stiff, params + P_V, prec);
+  arb_addmul(o->z10, stiff, whole, prec);
+  arb_addmul(o->z20, stiff, whole, prec);
+  for (int ph = 0; ph < N_PHASES; ph++) o->guess[ph] = arf_get_d(arb_midref(o->t[ph]), ARF_RND_NEAR);
+  arb_clear(stiff);
+  arb_clear(whole);
+}
+
+static void orbit_copy(struct dyn_orbit *to, const struct dyn_orbit *o) {
+  *to = *o;
+  arb_ptr all[] = {to->z10, to->z20,    to->t[0],  to->t[1],   to->t[2],     to->t[3],    to->e1,
+                   to->e2,  to->period, to->trace, to->margin, to->u_r1_min, to->u_r2_min};
+  arb_srcptr from[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
+                       o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
+  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
+    arb_init(all[i]);
+    arb_set(all[i], from[i]);
+  }
+}
+
+/* q takes both signs in phase C where it lasts half a turn of m2 or longer. */
+static void say_late(struct dyn_orbit *o) {
+  o->first[PHASE_C] = o->holds[COND_C_V2] = o->admissible = TRUTH_FALSE;
+}
+
+/* Every t_d > 0 that leaves t_a > 0. */
+static void add_turns(struct dyn_orbits *list, const struct dyn_orbit *o, const fmpq *params, slong prec) {
+  struct dyn_orbit at;
+  orbit_copy(&at, o);
+  if (!arb_is_positive(at.t[PHASE_C])) {
+    turn_once(&at, params, prec);
+    say_late(&at);
+  }
+  while (arb_is_positive(at.t[PHASE_D])) {
+    list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
+    orbit_copy(&list->orbit[list->n++], &at);
+    turn_once(&at, params, prec);
+    say_late(&at);
+    at.holds[COND_TA] = TRUTH_TRUE;
+  }
+  if (!arb_is_negative(at.t[PHASE_D])) leave_gap(list, GAP_DOUBLE, at.guess[PHASE_GAMMA], at.guess[PHASE_H]);
+  dyn_orbit_clear(&at);
+}
+
+static bool lies_in(const struct dyn_orbit *o, const struct common *z) {
+  struct disk got[2] = {disk_less_turns(o->t[PHASE_GAMMA], z->k), disk_less_turns(o->t[PHASE_H], 0)};
+  bool same = true;
+  for (int l = 0; l < 2; l++)
+    same = same && disk_up(fabs(got[l].mid - z->at[l]) + got[l].rad) + 0x1p-50 * fabs(z->at[l]) < z->room[l];
+  return same;
+}
+
+/* The solutions of one zero. */
+static void settle(struct dyn_orbits *list, const struct search *s, const struct common *z, const fmpq *params,
+                   slong prec) {
+  struct dyn_orbit o;
+  struct strip p;
+  truth first;
+  strip_make(&p, &s->params, z->at[0] - z->near[0], z->at[0] + z->near[0], 0);
+  double tb = z->at[0] + 2 * PI * z->k, r0 = p.base.mid - z->k * s->params.turn.mid;
+  int status = dyn_orbit_near(&o, &first, params, tb, z->at[1], r0 > 0, prec, NULL);
+  truth later = TRUTH_UNKNOWN; /* than 0 and no later than asked for */
+  if (status == SS_OK && lies_in(&o, z)) {
+    bool before = arb_is_nonpositive(o.t[PHASE_GAMMA]) || arb_is_nonpositive(o.t[PHASE_H]);
+    bool after = arb_is_positive(o.t[PHASE_GAMMA]) && arb_is_positive(o.t[PHASE_H]);
+    arb_t left;
+    arb_init(left);
+    arb_set_d(left, list->t_c_max);
+    arb_sub(left, left, o.t[PHASE_H], prec);
+    later = before || arb_is_negative(left) ? TRUTH_FALSE : after && arb_is_positive(left) ? TRUTH_TRUE : TRUTH_UNKNOWN;
+    arb_clear(left);
+  }
+  if (later == TRUTH_UNKNOWN || arb_contains_zero(o.t[PHASE_C]))
+    leave_gap(list, GAP_DOUBLE, tb, z->at[1]);
+  else if (later == TRUTH_TRUE)
+    add_turns(list, &o, params, prec);
+  dyn_orbit_clear(&o);
+}
+
+static int by_times(const void *x, const void *y) {
+  const struct dyn_orbit *a = x, *b = y;
+  int c = arf_cmp(arb_midref(a->t[PHASE_H]), arb_midref(b->t[PHASE_H]));
+  return c ? c : arf_cmp(arb_midref(a->t[PHASE_C]), arb_midref(b->t[PHASE_C]));
+}
+
+int dyn_branches_find(struct dyn_orbits *list, const fmpq *params, double t_c_max, slong prec, long budget) {
+  struct search s;
+  *list = (struct dyn_orbits){.gap = GAP_UNTRIED, .t_c_max = t_c_max};
+  for (int i = 0; i < N_PARAMS; i++)
+    if (fmpq_sgn(params + i) <= 0) return SS_DOMAIN;
+  if (fmpz_cmp(fmpq_numref(params + P_CHI), fmpq_denref(params + P_CHI)) >= 0) return SS_DOMAIN;
+  bool fits = search_run(&s, params, t_c_max, budget);
+  list->cells = s.cells;
+  if (!fits) leave_gap(list, GAP_RANGE, 0, 0);
+  if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
+  if (s.stuck) leave_gap(list, GAP_DOUBLE, s.where[0], s.where[1]);
+  for (size_t i = 0; i < s.n; i++) settle(list, &s, &s.zeros[i], params, prec);
+  for (slong i = 0; i < list->n; i++)
+    if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
+  list->complete = list->gap == GAP_UNTRIED;
+  if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_times);
+  free(s.zeros);
+  disk_params_clear(&s.params);
+  return fits ? SS_OK : SS_UNABLE;
+}

@@ -1,0 +1,221 @@
+/* Every solution of the six equations with positive times, later roots included, against a search by a grid that knows
+   nothing of this program (tests/oracle/later.py); and what claims of kind solutions make of them. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "motion/branches.h"
+#include "motion/complete.h"
+#include "paper_model.h"
+#include "run/run.h"
+#include "scratch.h"
+#include "suites.h"
+
+enum { MOST_SETS = 4, MOST_SOLUTIONS = 200 };
+static const double LAST = 20; /* t_c of the file */
+
+struct set {
+  char name[32];
+  fmpq p[N_PARAMS];
+  int n;
+  double t[MOST_SOLUTIONS][N_PHASES];
+};
+static struct set set[MOST_SETS];
+static int n_sets;
+
+static void read_sets(void) {
+  char line[400], number[N_PARAMS][24];
+  FILE *f = fopen("tests/oracle/later.tsv", "r");
+  ck_assert_msg(f != NULL, "no tests/oracle/later.tsv; the tests run in the project's folder");
+  n_sets = 0;
+  while (fgets(line, sizeof line, f)) {
+    struct set *s = &set[n_sets];
+    if (sscanf(line, "set %31s %23s %23s %23s %23s %23s", s->name, number[0], number[1], number[2], number[3],
+               number[4]) == 6) {
+      ck_assert_int_lt(n_sets++, MOST_SETS);
+      for (int i = 0; i < N_PARAMS; i++) {
+        fmpq_init(s->p + i);
+        ck_assert_int_eq(num_parse_decimal(s->p + i, number[i], strlen(number[i])), SS_OK);
+      }
+      continue;
+    }
+    s--;
+    ck_assert_int_lt(s->n, MOST_SOLUTIONS);
+    double *t = s->t[s->n++];
+    ck_assert_int_eq(sscanf(line, "solution %lf %lf %lf %lf", t, t + 1, t + 2, t + 3), 4);
+  }
+  fclose(f);
+}
+
+static void forget_sets(void) {
+  for (int k = 0; k < n_sets; k++)
+    for (int i = 0; i < N_PARAMS; i++) fmpq_clear(set[k].p + i);
+}
+
+static bool is_at(const struct dyn_orbit *o, const double t[N_PHASES]) {
+  bool same = true;
+  for (int ph = 0; ph < N_PHASES; ph++) same = same && fabs(o->guess[ph] - t[ph]) < 2e-5;
+  return same;
+}
+
+/* The same solutions, each enclosed, and a proof that there are no others. */
+START_TEST(all_that_a_grid_finds) {
+  const struct set *s = &set[_i];
+  struct dyn_orbits list;
+  ck_assert_int_eq(dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS), SS_OK);
+  ck_assert_msg(list.complete, "%s: %s", s->name, dyn_gap_text[list.gap]);
+  ck_assert_int_eq((int)list.n, s->n);
+  for (int k = 0; k < s->n; k++) {
+    bool found = false;
+    for (slong i = 0; i < list.n; i++) found = found || is_at(&list.orbit[i], s->t[k]);
+    ck_assert_msg(found, "%s: no solution at %g %g %g %g", s->name, s->t[k][0], s->t[k][1], s->t[k][2], s->t[k][3]);
+  }
+  for (slong i = 0; i < list.n; i++)
+    for (int ph = 0; ph < N_PHASES; ph++) ck_assert(arb_is_positive(list.orbit[i].t[ph]));
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+/* Those with first events are the orbits of the word with t_a > 0, which another search finds. */
+START_TEST(first_events_are_the_orbits_of_the_word) {
+  const struct set *s = &set[_i];
+  struct dyn_orbits list, word;
+  slong first = 0, expected = 0;
+  dyn_branches_find(&list, s->p, LAST, 128, DYN_CELLS);
+  dyn_orbits_find(&word, s->p, 128, &dyn_limits_default);
+  for (slong i = 0; i < word.n; i++) expected += word.orbit[i].guess[0] > 0 && word.orbit[i].guess[2] < LAST;
+  for (slong i = 0; i < list.n; i++) {
+    const struct dyn_orbit *o = &list.orbit[i];
+    bool all = true, met = false;
+    for (int ph = PHASE_GAMMA; ph < N_PHASES; ph++) all = all && o->first[ph] == TRUTH_TRUE;
+    first += all;
+    for (slong k = 0; k < word.n; k++) met = met || is_at(o, word.orbit[k].guess);
+    ck_assert_msg(met == all, "%s: solution %ld", s->name, (long)i);
+  }
+  ck_assert_int_eq((int)first, (int)expected);
+  dyn_orbits_clear(&word);
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+/* A smaller bound of t_c leaves out what lies beyond it; too small a budget says that it was. */
+START_TEST(bounds_and_budgets) {
+  const struct set *s = &set[0];
+  struct dyn_orbits list;
+  int within = 0;
+  for (int k = 0; k < s->n; k++) within += s->t[k][PHASE_H] < 11;
+  dyn_branches_find(&list, s->p, 11, 128, DYN_CELLS);
+  ck_assert(list.complete);
+  ck_assert_int_eq((int)list.n, within);
+  dyn_orbits_clear(&list);
+  dyn_branches_find(&list, s->p, LAST, 128, 500);
+  ck_assert(!list.complete);
+  ck_assert_int_eq(list.gap, GAP_BUDGET);
+  dyn_orbits_clear(&list);
+  fmpq wrong[N_PARAMS];
+  for (int i = 0; i < N_PARAMS; i++) wrong[i] = s->p[i];
+  wrong[P_CHI] = s->p[P_ETA]; /* 1 */
+  ck_assert_int_eq(dyn_branches_find(&list, wrong, LAST, 128, DYN_CELLS), SS_DOMAIN);
+  dyn_orbits_clear(&list);
+}
+END_TEST
+
+/* --- Claims --- */
+
+#define SIX    "claim own\n  section: periodic\n  kind: solutions\n  statement: text-six-equations\n"
+#define BOUNDS "  constraints: eq-51, eq-52#1.2, eq-52#2.2, eq-57#1, eq-57#2.2, text-h-phase, eq-59#1.2, eq-59#2\n"
+#define TWO    "  kept: yes\n  at: chi = 71/100, eta = 6/5, V = 19/10, e1 = 59/10, e2 = 158/1000\n"
+
+static const struct {
+  const char *what, *claim, *overlay;
+  enum verdict want;
+} claims_tried[] = {
+    {"all solutions are counted", SIX "  count: 25\n  until: 20\n" BOUNDS, NULL, VERDICT_PROVED},
+    {"one of them under the constraints", SIX "  count: 1\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
+    {"not two", SIX "  count: 2\n  until: 20\n" BOUNDS, NULL, VERDICT_REFUTED},
+    {"two with t_c up to 5", SIX "  count: 2\n  until: 5\n" BOUNDS, NULL, VERDICT_PROVED},
+    {"events need not be first ones", SIX "  every: first\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
+    {"those alone with t_c up to 2 are", SIX "  every: first\n  until: 2\n" BOUNDS, NULL, VERDICT_PROVED},
+    {"z_2' < V in phase C alone does not make them so", SIX "  every: first\n  until: 20\n  constraints: eq-59#2\n",
+     NULL, VERDICT_REFUTED},
+    {"nor are all motions", SIX "  every: motion\n  until: 20\n" BOUNDS, NULL, VERDICT_CONDITIONAL},
+    {"nor without z_2' < V in phase H",
+     SIX "  every: motion\n  until: 20\n  constraints: eq-51, eq-57#1, eq-57#2.2, text-h-phase#1, eq-59#2\n", NULL,
+     VERDICT_REFUTED},
+    {"two orbits elsewhere", SIX "  count: 2\n" TWO BOUNDS, NULL, VERDICT_PROVED},
+    {"not one", SIX "  count: 1\n" TWO BOUNDS, NULL, VERDICT_REFUTED},
+    {"other equations have other solutions", SIX "  count: 25\n  until: 20\n" BOUNDS,
+     "equation text-six-equations\n  section: periodic\n  note: (12), (14), (16) and (18)\n  S_a[1] - chi*S_a[2] = "
+     "e_1\n"
+     "  chi*(S_b[2] - S_b[1]) = 2*e_2\n  S_c[3] = V\n  S_f = S_0\n",
+     VERDICT_UNKNOWN},
+};
+
+static bool judge_own(struct audit_result *r, const struct model *m, const char *text, struct diag *d) {
+  struct claims claims = {.n = 0}, none = {.n = 0};
+  struct scene paper;
+  static const char *const own = "own";
+  const struct audit_options opt = {.only = &own, .n_only = 1};
+  paper_scene(&paper);
+  diag_init(d);
+  audit_result_init(r);
+  bool ok = claims_add_file(&claims, scratch_put("own.claim", text), "claim", d) &&
+            audit_run(r, m, &claims, &none, &paper, &opt, d);
+  claims_clear(&claims);
+  scene_clear(&paper);
+  return ok;
+}
+
+START_TEST(what_is_claimed_of_them) {
+  struct model m;
+  struct audit_result r;
+  struct diag d;
+  const char *overlay = claims_tried[_i].overlay;
+  paper_model(&m, &(struct paper_layers){.overlay = overlay ? scratch_put("overlay.eq", overlay) : NULL});
+  ck_assert_msg(judge_own(&r, &m, claims_tried[_i].claim, &d), "%s", d.message);
+  ck_assert_msg(r.findings[0].verdict == claims_tried[_i].want, "%s: %s", claims_tried[_i].what,
+                verdict_name[r.findings[0].verdict]);
+  ck_assert((r.findings[0].condition != NULL) == (claims_tried[_i].want == VERDICT_CONDITIONAL));
+  audit_result_clear(&r);
+  model_clear(&m);
+}
+END_TEST
+
+static const struct {
+  const char *claim, *says;
+} hostile[] = {
+    {SIX "  until: 20\n" BOUNDS, "a kind and a title"},
+    {SIX "  title: of the test\n  until: 20\n" BOUNDS, "a count is needed"},
+    {SIX "  count: 1\n" BOUNDS, "until"},
+    {SIX "  count: 1\n  kept: yes\n  at: chi = x\n" BOUNDS, "exact chi"},
+};
+
+START_TEST(hostile_attributes) {
+  struct model m;
+  struct audit_result r;
+  struct diag d;
+  paper_model(&m, NULL);
+  ck_assert_msg(!judge_own(&r, &m, hostile[_i].claim, &d), "%s was judged", hostile[_i].claim);
+  ck_assert_msg(strstr(d.message, hostile[_i].says) != NULL, "%s: %s", hostile[_i].claim, d.message);
+  audit_result_clear(&r);
+  model_clear(&m);
+}
+END_TEST
+
+Suite *branches_suite(void) {
+  Suite *s = suite_create("branches");
+  TCase *c = tcase_create("branches");
+  tcase_add_checked_fixture(c, read_sets, forget_sets);
+  tcase_add_loop_test(c, all_that_a_grid_finds, 0, 3);
+  tcase_add_loop_test(c, first_events_are_the_orbits_of_the_word, 0, 3);
+  tcase_add_test(c, bounds_and_budgets);
+  suite_add_tcase(s, c);
+  TCase *claims = tcase_create("claims");
+  tcase_add_checked_fixture(claims, scratch_open, scratch_close);
+  tcase_add_loop_test(claims, what_is_claimed_of_them, 0, (int)(sizeof claims_tried / sizeof *claims_tried));
+  tcase_add_loop_test(claims, hostile_attributes, 0, (int)(sizeof hostile / sizeof *hostile));
+  suite_add_tcase(s, claims);
+  return s;
+}
