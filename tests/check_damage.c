@@ -164,7 +164,6 @@ static const struct {
     {DAMAGE_CONTROL, 100, "ctl-number", "claim: num-e2"},
     {DAMAGE_CONTROL, 100, "ctl-exact-matrix", "1e+90*(1 - chi)"},
     {DAMAGE_TITLE, 10, "J_c", "title: Jacobian of the global stick phase"},
-    {DAMAGE_TITLE, 10, "bound_2", "title: bound (54) for u_r2"},
     {DAMAGE_ERRATUM, 100, "err-40", "V \\cos(\\omega t_d)"},
 };
 

@@ -186,12 +186,13 @@ static char *findings_alone(const struct audit_result *r, const struct audit_res
   return t.data;
 }
 
-/* Every step-th claim; with the controls, which are then judged too, or without.  No finding rests on the study of
-   readings, which takes a quarter of a second. */
+/* Every step-th claim; with the controls, which are then judged too, or without.  The study of
+   readings, which takes a quarter of a second, is needed by printed numbers alone. */
 static void check_alone(size_t step, const struct claims *with, bool readings) {
   for (size_t i = 0; i < claims.n; i += step) {
     struct audit_result alone;
-    const struct audit_options opt = {.only = &claims.claim[i].id, .n_only = 1, .readings = readings, .jobs = 1};
+    const bool reads = readings || claim_kind(&claims.claim[i]) == KIND_NUMBER; /* its note is of them */
+    const struct audit_options opt = {.only = &claims.claim[i].id, .n_only = 1, .readings = reads, .jobs = 1};
     struct diag d;
     diag_init(&d);
     audit_result_init(&alone);

@@ -37,7 +37,7 @@ def table(old):
     checks = audit["checks"]
     substance = [r for r in audit["roots"] if r["severity"] == "substance"]
     lines = ["What is wrong in the paper, in order of consequence ([errata](reports/paper/errata.md)):", ""]
-    lines += [f"{i}. **{r['where']}**: {r['title']}. {r['consequence']}" for i, r in enumerate(substance, 1)]
+    lines += [f"{i}. **{r['where']}**: {r['title']}. {r['wrong']} {r['consequence']}" for i, r in enumerate(substance, 1)]
     lines += ["", f"Besides, {len(audit['roots']) - len(substance)} remarks and slips of notation.", ""]
     lines += ["| verdict | statements of the paper | checks of the suite |", "| --- | ---: | ---: |"]
     lines += [f"| {k} | {v} | {checks[k]} |" for k, v in summary.items() if v or checks[k]]

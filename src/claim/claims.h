@@ -57,8 +57,8 @@
                  the correction
      statements, absent    (reach) records, and the symbols that they must not contain
      statements, over      (defined) records whose quotients, roots, cotangents and inverses must have a value on every
-                 admissible (default) or every (orbits) periodic solution, or for all parameters (parameters); at, vary: a family of orbits along which one
-                 of the divisors changes its sign
+                 admissible (default) or every (orbits) periodic solution, or for all parameters (parameters);
+                 at, vary: a family of orbits along which one of the divisors changes its sign
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
                  rank of their derivative on an open and dense set
      word, conditions      (sequence) phases of one period; inequalities along it
@@ -66,8 +66,9 @@
                            start
      count       (solutions) how many solutions with positive times the statement's equations have; or
      every       (solutions) first: the events of each are first ones; motion: each is a motion under Coulomb's law
-     until       (solutions) t_c up to this; kept  yes: those alone that keep the constraints, whatever their t_c
-     constraints, least-first, least-second  (constraints; solutions: constraints alone) records as in premises; closed forms of the least u_r1, u_r2
+     until       (solutions) t_c up to this; kept: yes, those alone that keep the constraints, whatever their t_c
+     constraints  (constraints, solutions) records as in premises
+     least-first, least-second  (constraints) closed forms of the least u_r1, u_r2
      needs       (outside) what a decision would take
      record      the verdict on record; record-scene: the only scene it speaks of
 

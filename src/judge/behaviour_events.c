@@ -98,6 +98,11 @@ static bool sticks_at(const struct friction *f, int mass, bool sliding_limit) {
   return a.n == 1 && a.b == STICKS;
 }
 
+/* What (2) says of each instant does not decide alone. */
+#define STICKS_ON                                                                                                      \
+  "That a mass that sticks does so until |f_i| reaches u_ri is the paper's rule for transitions, and is taken here: "  \
+  "(1) and (2), held at each instant alone, would let it leave where f_i passes eps u_si, with x''_i = 0 there"
+
 bool events_decided(const struct friction *f, int mass) {
   return sticks_inside(f, mass) && slips_by_sliding_friction(f, mass) && breaks_beyond(f, mass, 1) &&
          breaks_beyond(f, mass, -1);
@@ -111,12 +116,9 @@ struct route_result events_prove_stick(struct behaviour *b, const struct frictio
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: where x'_i = V and |f_i| < u_ri, no branch of (2) but the "
       "sticking "
-      "one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in (1), so "
-      "that "
-      "the mass keeps the belt's velocity as long as |f_i| < u_ri. A motion that left it there would begin with the "
-      "acceleration of a slipping mass, which is zero only for |f_i| = u_si: for any other force it is not that of "
-      "(2), "
-      "and the stick motion is the only continuation");
+      "one applies (f_1 = x_1 - chi x_2, f_2 = chi (x_2 - x_1)); its friction u_i = f_i makes x''_i = 0 in (1). A slip "
+      "that began there would begin with the acceleration of a slipping mass, which is zero only for |f_i| = u_si: for "
+      "any other force it is not that of (2), and the stick motion is the only continuation. " STICKS_ON);
 }
 
 struct route_result events_prove_slip(struct behaviour *b, const struct friction *f, bool sliding_limit) {
@@ -130,12 +132,12 @@ struct route_result events_prove_slip(struct behaviour *b, const struct friction
     return behaviour_proof(b, ROUTE_UNDECIDED, "the signs of the accelerations are not known in every case");
   return behaviour_proof(
       b, ROUTE_AGREES,
-      "finite split of cases, exact for either mass and either direction: while |f_i| < u_ri, (2) has the sticking "
-      "branch alone and (1) gives x''_i = 0, so that no slip begins; beyond, eps f_i > u_ri, it has the breaking "
-      "branch "
-      "alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 leads; at eps f_i = "
-      "u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force only touches the limit "
-      "and turns back, (2) leaves open whether the mass slips");
+      "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
+      "the "
+      "breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
+      "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
+      "only "
+      "touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
 }
 
 struct route_result events_prove_modes(struct behaviour *b, const struct friction *f) {
@@ -149,7 +151,7 @@ struct route_result events_prove_modes(struct behaviour *b, const struct frictio
       "The "
       "phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only with "
       "eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in between, "
-      "at a rate that is bounded in a bounded time, since the frictions are");
+      "at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
 }
 
 /* Do friction and acceleration go on without a jump where a mass breaks loose? */

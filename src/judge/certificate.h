@@ -9,7 +9,8 @@ void certify_exact(struct certificate *c, struct judge *j, const char *name, con
 /* x to CERTIFIED_DIGITS digits. */
 enum { CERTIFIED_DIGITS = 15 };
 void certify_ball(struct certificate *c, struct judge *j, const char *name, const arb_t x);
-/* What the scene gives of chi, eta, V, e_1, e_2. */
+/* chi, eta, V, e_1, e_2; what the scene gives of them. */
+void certify_params(struct certificate *c, struct judge *j, const fmpq *params);
 void certify_scene(struct certificate *c, struct judge *j);
 /* z_10, z_20, t_a, t_b, t_c, t_d of an orbit. */
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o);

@@ -271,7 +271,8 @@ static void describe(struct finding *f, struct constraints *x) {
   w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
   finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
-  f->verdict = verdict_of(w, 2, x->j->effort == EFFORT_FULL && prove(f, x));
+  f->verdict = verdict_of(w, x->j->effort == EFFORT_REFUTE ? 1 : 2,
+                          (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
 }
 
 bool judge_constraints(struct finding *f, struct judge *j, const struct claim *c, struct view view) {

@@ -4,6 +4,7 @@
 #include <string.h>
 
 #include "behaviour.h"
+#include "certificate.h"
 #include "explore/box.h"
 #include "judge.h"
 #include "motion/complete.h"
@@ -60,6 +61,22 @@ static int sign_at(arb_t value, struct point *p, const struct divisor *q, const 
   return known && n == 1 ? arb_is_positive(value) - arb_is_negative(value) : 0;
 }
 
+/* The two members of the family, those of the second under names with "(2)". */
+static void certify(struct defined *y, const struct point end[2], const arb_t value[2]) {
+  static const char *const second[] = {"e_2 (2)", "z_10 (2)", "z_20 (2)"};
+  struct judge *j = y->b->j;
+  struct certificate *c = &y->b->f->certificate;
+  const struct dyn_orbit *o[2];
+  for (int i = 0; i < 2; i++) o[i] = &orbit_cache_get(j->cache, end[i].q, FD_PREC)->orbit[end[i].orbit];
+  certify_params(c, j, end[0].q + Q_CHI);
+  certify_orbit(c, j, o[0]);
+  certificate_add(c, j->out, "value", ball_text(j, value[0], 4));
+  certify_exact(c, j, second[0], &end[1].q[Q_E2]);
+  certify_ball(c, j, second[1], o[1]->z10);
+  certify_ball(c, j, second[2], o[1]->z20);
+  certificate_add(c, j->out, "value (2)", ball_text(j, value[1], 4));
+}
+
 static bool changes_sign(struct defined *y, const struct divisor *q, const struct dyn_box_orbit *family,
                          struct point end[2]) {
   arb_t value[2];
@@ -79,6 +96,7 @@ static bool changes_sign(struct defined *y, const struct divisor *q, const struc
                 ", and there is one %speriodic solution for each value between (Krawczyk's operator over the "
                 "whole interval), so that it is zero on one of them",
                 family->orbit.admissible == TRUTH_TRUE ? "admissible " : "");
+    if (y->b->f->certificate.n == 0) certify(y, end, value);
   }
   for (int i = 0; i < 2; i++) arb_clear(value[i]);
   return changes;
@@ -146,7 +164,7 @@ static void conclude(struct defined *y, long open, long zeros) {
   e->route = "exact";
   e->layer = layer_name[LAYER_CORRECTED];
   e->result = open ? "states" : "proved";
-  e->note = result_str(b->j->out, "%s%s%s%s", open ? "not shown to be zero nowhere: " : "none of these is zero: ",
+  e->note = result_str(b->j->out, "%s%s%s%s", open ? "not shown to be nonzero everywhere: " : "none of these is zero: ",
                        open ? text_str(&y->open) : "", open && y->shown.len ? "; shown: " : "",
                        y->shown.len ? text_str(&y->shown)
                        : open       ? ""

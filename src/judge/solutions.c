@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "base/work.h"
+#include "certificate.h"
 #include "judge.h"
 #include "motion/branches.h"
 #include "motion/complete.h"
@@ -269,16 +270,30 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
   int n = 0;
   const char *named = constraints_named(x);
   struct tally t = tally_of(x, true);
-  w[n++] = add_balls(f, x, true,
-                     result_str(x->j->out, "%s hold on %ld of these solutions%s", named, t.all,
-                                x->asked == ASKED_COUNT   ? ""
-                                : x->asked == ASKED_FIRST ? ", on all of which t_b, t_c and t_d are first roots"
-                                                          : ", and with them every condition of the model"));
+  w[n++] = add_balls(
+      f, x, true,
+      result_str(x->j->out, "%s hold on %ld of these solutions%s", named, t.all - t.open,
+                 x->asked == ASKED_COUNT ? ""
+                 : x->asked == ASKED_FIRST
+                     ? result_str(x->j->out, "; t_b, t_c and t_d are first roots on %ld of these", t.good)
+                     : result_str(x->j->out, "; every condition of the model holds on %ld of these", t.good)));
   if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
   f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
   if (f->verdict != VERDICT_CONDITIONAL) return;
   f->condition = result_str(x->j->out, "%s", named);
   f->fault = fault_name[FAULT_ARGUMENT];
+}
+
+/* The first solution of which what is claimed is not so; where they are counted, that breaks a constraint. */
+static void certify(struct finding *f, struct solutions *x) {
+  for (slong i = 0; i < x->list.n; i++) {
+    const struct dyn_orbit *o = &x->list.orbit[i];
+    truth is = x->asked == ASKED_COUNT ? x->keeps[i] : x->asked == ASKED_FIRST ? first_events(o) : o->admissible;
+    if (is != TRUTH_FALSE) continue;
+    certify_params(&f->certificate, x->j, x->at.q + Q_CHI);
+    certify_orbit(&f->certificate, x->j, o);
+    return;
+  }
 }
 
 static void conclude(struct finding *f, struct solutions *x) {
@@ -289,6 +304,7 @@ static void conclude(struct finding *f, struct solutions *x) {
   if (x->asked == ASKED_MOTION && x->j->effort == EFFORT_FULL) w[n++] = integrate(f, x, false);
   if (x->asked == ASKED_COUNT) finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL, listed(x));
   f->verdict = verdict_of(w, n, true);
+  if (f->verdict == VERDICT_REFUTED) certify(f, x);
   if (f->verdict == VERDICT_REFUTED && !x->kept && x->constraints.n) judge_constrained(f, x);
 }
 

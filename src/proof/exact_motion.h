@@ -5,8 +5,8 @@
    each phase's first-order system, the switching functions and their rates.  Its states at the switching times are
    free, but for what their phase and their event say of them, or each follows from the one before; likewise the
    perturbations. */
-#ifndef STICKSLIP_AUDIT_EXACT_MOTION_H
-#define STICKSLIP_AUDIT_EXACT_MOTION_H
+#ifndef STICKSLIP_PROOF_EXACT_MOTION_H
+#define STICKSLIP_PROOF_EXACT_MOTION_H
 
 #include "tape/exact.h"
 #include "value/sentence.h"

@@ -1,6 +1,6 @@
 /* Proofs by exact algebra of what claims say. */
-#ifndef STICKSLIP_AUDIT_JUDGE_EXACT_H
-#define STICKSLIP_AUDIT_JUDGE_EXACT_H
+#ifndef STICKSLIP_PROOF_EXACT_PROOF_H
+#define STICKSLIP_PROOF_EXACT_PROOF_H
 
 #include "exact_motion.h"
 #include "record/result.h"

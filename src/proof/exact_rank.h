@@ -1,6 +1,6 @@
 /* The rank of equations in some of their symbols, for all values of the others. */
-#ifndef STICKSLIP_AUDIT_EXACT_RANK_H
-#define STICKSLIP_AUDIT_EXACT_RANK_H
+#ifndef STICKSLIP_PROOF_EXACT_RANK_H
+#define STICKSLIP_PROOF_EXACT_RANK_H
 
 #include "value/sentence.h"
 

@@ -4,8 +4,8 @@
    The domain is connected: 0 < chi < 1, eta, V, e_1, e_2 > 0, and any values of the unknowns.  Where the entries of the
    derivative are quotients of functions that are analytic on it, so is every minor, and one that is not zero at one
    point is zero on no open set.  So the rank at any point at which there is one is a lower bound. */
-#ifndef STICKSLIP_AUDIT_GENERIC_RANK_H
-#define STICKSLIP_AUDIT_GENERIC_RANK_H
+#ifndef STICKSLIP_PROOF_GENERIC_RANK_H
+#define STICKSLIP_PROOF_GENERIC_RANK_H
 
 #include "exact_rank.h"
 

@@ -10,8 +10,8 @@
      - its eigenvalues must be 0 and tr J, and the criterion's inequalities say |tr J| < 1.
 
    All of it is done in exact algebra on motions of motion/. */
-#ifndef STICKSLIP_AUDIT_LINEARIZED_H
-#define STICKSLIP_AUDIT_LINEARIZED_H
+#ifndef STICKSLIP_PROOF_LINEARIZED_H
+#define STICKSLIP_PROOF_LINEARIZED_H
 
 #include "exact_proof.h"
 

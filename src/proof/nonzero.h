@@ -1,6 +1,6 @@
 /* What formulas divide by, and why it is zero on no periodic motion. */
-#ifndef STICKSLIP_AUDIT_NONZERO_H
-#define STICKSLIP_AUDIT_NONZERO_H
+#ifndef STICKSLIP_PROOF_NONZERO_H
+#define STICKSLIP_PROOF_NONZERO_H
 
 #include "value/sentence.h"
 

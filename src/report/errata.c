@@ -38,8 +38,18 @@ static void line(const struct sheet *s) {
   text_add(s->out, s->tex ? "\\\\\n" : "  \n   ");
 }
 /* Begins a line of an item with a word and a colon. */
-static void label(const struct sheet *s, const char *word) {
-  line(s);
+/* What is quoted may end in a stop of its own. */
+static void stop(const struct sheet *s) {
+  if (s->out->len && s->out->data[s->out->len - 1] != '.') text_add_char(s->out, '.');
+}
+/* On a line of its own, but for slips, which take little room. */
+static void label(const struct sheet *s, enum severity severity, const char *word) {
+  if (severity == SEVERITY_NOTATION) {
+    stop(s);
+    text_add_char(s->out, ' ');
+  } else {
+    line(s);
+  }
   text_printf(s->out, s->tex ? "\\emph{%s:} " : "*%s:* ", word);
 }
 static void paragraph(const struct sheet *s) {
@@ -49,10 +59,6 @@ static void strong(const struct sheet *s, const char *words) {
   text_add(s->out, s->tex ? "\\textbf{" : "**");
   sheet_text(s, words);
   text_add(s->out, s->tex ? "}" : "**");
-}
-/* What is quoted may end in a stop of its own. */
-static void stop(const struct sheet *s) {
-  if (s->out->len && s->out->data[s->out->len - 1] != '.') text_add_char(s->out, '.');
 }
 
 /* A sentence of the record, which begins with a small letter. */
@@ -88,9 +94,9 @@ static void add_printed(const struct sheet *s, const struct audit_result *r, con
     const char *quote = f && f->of == OF_PAPER ? finding_quote(f) : NULL;
     if (!quote || strstr(last, quote) || failure_is_number(f)) continue;
     if (!*last)
-      label(s, "Printed");
+      label(s, root->severity, "Printed");
     else
-      text_add(s->out, "; ");
+      text_add(s->out, s->tex ? "\\quad " : " … ");
     sheet_text(s, quote);
     last = quote;
   }
@@ -103,16 +109,16 @@ static void add_root(const struct sheet *s, const struct audit_result *r, const 
   sheet_text(s, root->title);
   stop(s);
   add_printed(s, r, root);
-  label(s, "Should read");
+  label(s, root->severity, "Should read");
   sheet_text(s, root->correct);
-  label(s, "Reason");
+  label(s, root->severity, "Reason");
   sheet_text(s, root->wrong);
   if (root->by_hand) {
     text_add(s->out, s->tex ? " \\emph{By hand:} " : " *By hand:* ");
     sheet_text(s, root->by_hand);
   }
   if (root->severity == SEVERITY_SUBSTANCE) {
-    label(s, "Consequence");
+    label(s, root->severity, "Consequence");
     sheet_text(s, root->consequence);
   }
   end_item(s);
@@ -213,10 +219,11 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!r->readings || !r->readings->n_found) return;
   const struct example_reading *f = &r->readings->found[0];
   if (!f->n_dropped || f->n_given < f->n_numbers) return;
-  text_printf(s->out, "All %d printed numbers result, to every printed digit, when ", f->n_numbers);
+  text_printf(s->out, "All %d printed numbers, those of $e_1$ and $e_2$ included, result to every printed digit when ",
+              f->n_numbers);
   add_list(s, f->inputs, f->n_inputs);
-  text_add(s->out, " are taken as exact data and the others, $e_1$ and $e_2$ among them, are computed from these. ");
-  text_add(s->out, f->n_dropped == 1 ? "One equation is not satisfied then: " : "Then these are not satisfied: ");
+  text_add(s->out, " are taken as exact data and the others are computed from these. ");
+  text_add(s->out, f->n_dropped == 1 ? "One equation does not hold then: " : "Then these do not hold: ");
   for (int i = 0; i < f->n_dropped; i++) {
     text_add(s->out, i ? "; " : "");
     add_equation(s, f->dropped[i].equation);
@@ -328,7 +335,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
   if (count[VERDICT_UNKNOWN])
     text_printf(s->out, "; %ld %s undecided", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
   text_add(s->out,
-           ". Every correction was checked in the same way as the text that it replaces. The sheet is written by ");
+           ". The corrected formulas were checked in the same way as the printed ones. This sheet was written by ");
   struct text command;
   text_init(&command);
   text_printf(&command, "stickslip verify %s", r->scene);
@@ -360,7 +367,7 @@ void report_errata(struct text *out, const struct audit_result *r) {
 void report_errata_tex(struct text *out, const struct audit_result *r) {
   struct sheet s = {out, true};
   text_add(out,
-           "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=18mm]{geometry}\n\\usepackage{amsmath,array}\n"
+           "\\documentclass[10pt]{article}\n\\usepackage[a4paper,margin=16mm]{geometry}\n\\usepackage{amsmath,array}\n"
            "\\setlength{\\parindent}{0pt}\n\\pagestyle{empty}\n"
            "\\begin{document}\n\\raggedright\\small\n");
   write_sheet(&s, r);

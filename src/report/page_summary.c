@@ -24,16 +24,19 @@ static void add_counts(const struct page *p, const long count[N_VERDICTS], const
                    "<th scope=\"col\">verdict</th><th scope=\"col\" class=\"n\">statements of the paper</th>"
                    "<th scope=\"col\" class=\"n\">checks of the suite</th><th scope=\"col\">meaning</th>"
                    "</tr></thead>\n<tbody>\n");
+  long of_paper = 0, of_suite = 0;
   for (int i = 0; i < N_VERDICTS; i++) {
+    of_paper += count[i];
+    of_suite += checks[i];
     text_add(p->out, "<tr><th scope=\"row\">");
     page_verdict(p, (enum verdict)i);
     text_printf(p->out, "</th><td class=\"n\">%ld</td><td class=\"n\">%ld</td><td>%s</td></tr>\n", count[i], checks[i],
                 meaning[i]);
   }
   text_printf(p->out,
-              "</tbody>\n<tfoot><tr><th scope=\"row\">all</th><td class=\"n\">%zu</td><td></td></tr></tfoot>\n"
-              "</table>\n",
-              p->r->n_findings);
+              "</tbody>\n<tfoot><tr><th scope=\"row\">all</th><td class=\"n\">%ld</td><td "
+              "class=\"n\">%ld</td><td></td></tr></tfoot>\n</table>\n",
+              of_paper, of_suite);
 }
 
 /* --- The most important findings --- */

@@ -274,11 +274,16 @@ static enum verdict judge_again_once(struct memory *m, struct judge *j, size_t c
   return m->said[m->n++].verdict;
 }
 
+static const struct finding *finding_now(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  return NULL;
+}
+
 /* The verdict of this run, or what it would be. */
 static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
-  for (size_t i = 0; i < j->out->n_findings; i++)
-    if (strcmp(j->out->findings[i].id, c->id) == 0) return j->out->findings[i].verdict;
-  return judge_again(j, c, claim_own(c));
+  const struct finding *now = finding_now(j->out, c->id);
+  return now ? now->verdict : judge_again(j, c, claim_own(c));
 }
 
 /* Or nothing that another formula's failure would change: what a formula divides by is its own. */
@@ -298,7 +303,8 @@ static void judge_downstream(struct consequence *q, struct memory *m, struct fai
     bool rests = dependences_on(j->dependences, i, at) || (f->number && dependences_named(c, f->c->id));
     if (i == at || asserts_nothing(c) || !(touched || rests)) continue;
     enum verdict v = touched ? judge_again_once(m, j, i, own) : judge_as_is(j, c);
-    if (verdict_fails(v) && !touched && !f->number) continue; /* for a reason of its own */
+    bool fails_anyway = touched ? verdict_fails(judge_as_is(j, c)) : !f->number;
+    if (verdict_fails(v) && fails_anyway) continue; /* for a reason of its own */
     bool holds = v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
     add_id(j->out, verdict_fails(v) ? &q->falls : holds ? &q->survives : &q->open, c->id);
   }
@@ -309,11 +315,11 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   const struct {
     enum change change;
     const char *words;
-  } rows[] = {{CHANGE_CHANGES, q->solved ? "At the periodic solution itself these have other values: "
-                                         : "Derived results that change: "},
-              {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
-              {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
-              {CHANGE_UNDECIDED, "Derived results left undecided: "}};
+  } rows[] = {
+      {CHANGE_CHANGES, q->solved ? "On that solution these have other values too: " : "Derived results that change: "},
+      {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
+      {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
+      {CHANGE_UNDECIDED, "Derived results left undecided: "}};
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
     proved = proved && (q->derived[i].change != CHANGE_AGREES || strncmp(q->derived[i].verdict, "proved", 6) == 0);

@@ -344,7 +344,7 @@ static bool make_criterion(struct text *out, const struct title *t) {
 static bool make_law(struct text *out, const struct title *t) {
   const char *mass = claim_get(t->c, "mass"), *equation = claim_get(t->c, "equation");
   if (!mass || !equation) return missing(t);
-  text_printf(out, "(%s) gives the friction of the %s mass while it slips, while it sticks and where it breaks away",
+  text_printf(out, "(%s) gives the friction of the %s mass while it slips, while it sticks and beyond its limit",
               equation, strcmp(mass, "1") == 0 ? "first" : "second");
   return true;
 }
@@ -460,8 +460,7 @@ static const struct {
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
      "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass passes its static friction, and never where it "
-     "stays below"},
+     "a transition from {transition} occurs where the force on a mass passes its static friction"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,

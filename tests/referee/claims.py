@@ -173,6 +173,52 @@ def text_59_concluded(c):
     return p.is_motion() and inside and increasing and margin < 0 and c.near(margin, "margin")
 
 
+# --- The six equations, and (45), (46)
+
+def solves(c):
+    """Do the certified start and times satisfy (12), (14), (16) and (18), with positive times?"""
+    z, rest = stick(c, c["z_10"] - c["chi"] * c["z_20"], c["z_20"] - c["z_10"]), []
+    start = z
+    for phase, name in zip("DGHC", ("t_a", "t_b", "t_c", "t_d")):
+        z = flow(c, phase, c[name]) * z
+        rest.append(ends(c, phase)(z))
+    return max(abs(x) for x in rest + list(z - start)) < 1e-7 and min(c[n] for n in ("t_a", "t_b", "t_c", "t_d")) > 0
+
+
+def overtakes(c):
+    """Is a mass faster than the belt at one of 200 moments of the phases in which it slips?"""
+    z = flow(c, "D", c["t_a"]) * stick(c, c["z_10"] - c["chi"] * c["z_20"], c["z_20"] - c["z_10"])
+    for phase, name, masses in (("G", "t_b", [2]), ("H", "t_c", [2, 3]), ("C", "t_d", [3])):
+        step = flow(c, phase, c[name] / 200)
+        for _ in range(199):
+            z = step * z
+            if any(z[i] > c["V"] for i in masses):
+                return True
+        z = step * z
+    return False
+
+
+def text_18_motion(c):
+    return solves(c) and overtakes(c)
+
+
+def text_six_determine(c):
+    """Another solution than the one nearest to the printed numbers, whose t_c is 1.48988."""
+    return solves(c) and overtakes(c) and abs(c["t_c"] - mpf("1.48988")) > 0.1
+
+
+def text_inverses(c):
+    """det(N_1 - I) has both signs on periodic solutions that differ in e_2."""
+    values = []
+    for d in (c, c.second()):
+        p = Passage(d, d["z_10"], d["z_20"])
+        n = flow(d, "C", p.t[3]) * flow(d, "H", p.t[2]) * flow(d, "G", p.t[1]) * flow(d, "D", p.t[0])
+        values.append((n[0, 0] - 1) * (n[1, 1] - 1) - n[0, 1] * n[1, 0])
+        if not (p.closes() and p.is_motion() and d.near(values[-1], "value")):
+            return False
+    return values[0] * values[1] < 0
+
+
 # --- Symbols: the certificate is the paper's own text
 
 def quoted(*parts):

@@ -40,6 +40,16 @@ class Certificate:
     def __getitem__(self, name):
         return number(self.text(name))
 
+    def second(self):
+        """The same with what has "(2)" behind its name in the place of what has not."""
+        other = Certificate(self.claim)
+        other.read = self.read
+        for name, value in self.of.items():
+            if name.endswith(" (2)"):
+                other.of[name[:-4]] = value
+                other.read.add(name)
+        return other
+
     def near(self, value, name):
         """Is that the certified number, to its digits?"""
         return abs(value - self[name]) <= digits(self.text(name)) * mpf("1.01") + abs(value) * mpf(10) ** -13
