@@ -202,7 +202,7 @@ START_TEST(what_falls_with_a_formula) {
       {"eq-10",
        "eq-12 text-18-returns eq-20 eq-23 eq-24 eq-25 text-states text-44-by-z_a eq-44 eq-44b eq-44c eq-45 text-times-alone eq-46 text-patched "
        "text-periodicity-and-16 text-periodicity-alone",
-       "eq-12c text-several-motions text-45-used-up text-45-suffices text-two-relations text-six-equations "
+       "eq-12c text-45-used-up text-45-suffices text-two-relations text-six-equations "
        "text-16-included text-18-rank "
        "text-two-equations text-depends-on-e"},
       {"eq-40", "eq-40b eq-41",

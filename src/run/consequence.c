@@ -286,10 +286,12 @@ static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
   return now ? now->verdict : judge_again(j, c, claim_own(c));
 }
 
-/* Or nothing that another formula's failure would change: what a formula divides by is its own. */
+/* Or nothing that another formula's failure would change: what a formula divides by is its own, and the solutions that are
+   counted are those of the model, on which the formulas are tried. */
 static bool asserts_nothing(const struct claim *c) {
+  static const char *const kinds[] = {"definition", "report", "defined", "solutions"};
   const char *kind = claim_get(c, "kind");
-  return !kind || strcmp(kind, "definition") == 0 || strcmp(kind, "report") == 0 || strcmp(kind, "defined") == 0;
+  return !kind || word_find(kind, kinds, 4) < 4;
 }
 
 /* What rests on a printed number fails with it when it fails at all; what reaches a corrected formula is judged with
