@@ -17,7 +17,7 @@
 #include "value/coulomb_setup.h"
 #include "value/title.h"
 
-enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40 };
+enum { SOLUTION_PREC = 256, UNITS_OF_SOLUTIONS = 60000, MOST_LISTED = 40, MOST_TRIED = 200 };
 
 enum asked_of { ASKED_COUNT, ASKED_FIRST, ASKED_MOTION };
 
@@ -308,6 +308,13 @@ static void conclude(struct finding *f, struct solutions *x) {
   if (f->verdict == VERDICT_REFUTED && !x->kept && x->constraints.n) judge_constrained(f, x);
 }
 
+/* At stiff parameters there are thousands, which are not tried one by one. */
+static void leave_many(struct finding *f, struct solutions *x) {
+  finding_state(f, x->j->out, "balls", "model", SOLUTION_PREC, x->list.n, NULL,
+                result_str(x->j->out, "there are %ld solutions with t_c up to %s, and at most %d are tried",
+                           (long)x->list.n, x->kept ? "any value" : claim_get(x->c, "until"), MOST_TRIED));
+}
+
 bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   struct solutions x = {.j = j, .c = c, .cache = orbit_cache_new()};
   bool given = false;
@@ -320,7 +327,10 @@ bool judge_solutions(struct finding *f, struct judge *j, const struct claim *c, 
     finding_skip(f, j, "the scene does not give e1 and e2");
   } else if (ok) {
     find(&x);
-    conclude(f, &x);
+    if (x.list.n > MOST_TRIED)
+      leave_many(f, &x);
+    else
+      conclude(f, &x);
     free(x.broken);
     free(x.keeps);
     dyn_orbits_clear(&x.list);
