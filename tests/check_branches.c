@@ -35,6 +35,7 @@ static void read_sets(void) {
     if (sscanf(line, "set %31s %23s %23s %23s %23s %23s", s->name, number[0], number[1], number[2], number[3],
                number[4]) == 6) {
       ck_assert_int_lt(n_sets++, MOST_SETS);
+      s->n = 0;
       for (int i = 0; i < N_PARAMS; i++) {
         fmpq_init(s->p + i);
         ck_assert_int_eq(num_parse_decimal(s->p + i, number[i], strlen(number[i])), SS_OK);

@@ -198,20 +198,20 @@ END_TEST
 START_TEST(what_falls_with_a_formula) {
   static const struct {
     const char *failure, *falls, *survives;
-  } cases[] = {
-      {"eq-10",
-       "eq-12 text-18-returns eq-20 eq-23 eq-24 eq-25 text-states text-44-by-z_a eq-44 eq-44b eq-44c eq-45 text-times-alone eq-46 text-patched "
-       "text-periodicity-and-16 text-periodicity-alone",
-       "eq-12c text-45-used-up text-45-suffices text-two-relations text-six-equations "
-       "text-16-included text-18-rank "
-       "text-two-equations text-depends-on-e"},
-      {"eq-40", "eq-40b eq-41",
-       "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
-      {"eq-32b", "",
-       "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
-       "text-eigenvalues-inside"},
-      {"eq-29", "", ""},
-      {"num-t_a", "text-periodic num-u_r1", "num-e1"}};
+  } cases[] = {{"eq-10",
+                "eq-12 text-18-returns eq-20 eq-23 eq-24 eq-25 text-states text-44-by-z_a eq-44 eq-44b eq-44c eq-45 "
+                "text-times-alone eq-46 text-patched "
+                "text-periodicity-and-16 text-periodicity-alone",
+                "eq-12c text-45-used-up text-45-suffices text-two-relations text-six-equations "
+                "text-16-included text-18-rank "
+                "text-two-equations text-depends-on-e"},
+               {"eq-40", "eq-40b eq-41",
+                "eq-43 text-singular text-charpoly text-criterion text-eigenvalues-outside text-eigenvalues-inside"},
+               {"eq-32b", "",
+                "eq-32 eq-41 eq-43 eq-43b text-singular text-charpoly text-criterion text-eigenvalues-outside "
+                "text-eigenvalues-inside"},
+               {"eq-29", "", ""},
+               {"num-t_a", "text-periodic num-u_r1", "num-e1"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     const struct consequence *q = audit_result_consequence(&result, cases[i].failure);
     ck_assert_msg(q != NULL, "%s", cases[i].failure);

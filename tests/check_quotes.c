@@ -87,7 +87,8 @@ static bool stand_open(struct stand *s, const char *data, const char *path, stru
   return paper_text_read(&s->paper, path, d) && model_add_folder(&s->model, paper, RANK_PAPER, d) &&
          claims_load_data(&s->claims, data, "claims", "claim", d) &&
          claims_load_data(&s->statements, data, "paper", "statement", d) &&
-         quotations_collect(&s->quotations, &(struct audit_data){&s->model, &s->claims, NULL, &s->statements, NULL}, d) &&
+         quotations_collect(&s->quotations, &(struct audit_data){&s->model, &s->claims, NULL, &s->statements, NULL},
+                            d) &&
          quotations_add_scenes(&s->quotations, &s->claims, data, d);
 }
 

@@ -197,8 +197,7 @@ END_TEST
 
 /* A claim with too few points goes through with a reason, and the report prints it. */
 START_TEST(a_reason_is_printed) {
-  static const struct damage few = {"claims/4-stability.claim",
-                                    "/^claim eq-26$/a\\  points: arcs 2\\n  few: a test",
+  static const struct damage few = {"claims/4-stability.claim", "/^claim eq-26$/a\\  points: arcs 2\\n  few: a test",
                                     "verify paper --only eq-26 --quiet", 0, "as recorded"};
   int status;
   char command[1024];
