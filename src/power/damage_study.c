@@ -76,7 +76,7 @@ static const struct undamaged *undamaged_claim(struct damage_study *s, size_t i)
   recording.use = &u->use;
   audit_result_init(&u->said);
   u->judged = true;
-  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls, NULL},
+  const struct changed_material none = {.data = {&recording, s->m->data.claims, s->m->data.controls, NULL, NULL},
                                         .scene = s->m->scene};
   u->readable = judge_one(&u->said, s, &none, &s->m->data.claims->claim[i], NULL, &d);
   return u;
