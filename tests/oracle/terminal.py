@@ -1,14 +1,20 @@
-"""terminal.py [NAME=VALUE...] -- COMMAND...: run a command with a terminal for its standard output and error.
+"""terminal.py [NAME=VALUE...] -- COMMAND...: run a command with a terminal for its standard streams.
 
-NAME= without a value takes the variable away; COLUMNS=N is how wide the terminal is.  What the terminal received goes to standard output, with "\n" for the terminal's
-"\r\n"; the exit status is the command's.
+NAME= without a value takes the variable away; COLUMNS=N is how wide the terminal is.  What the terminal received goes to
+standard output, with "\n" for the terminal's "\r\n"; the exit status is the command's.
+
+The terminal is kept open until all of it has been read: what is still in a terminal when its last writer closes it can be lost.
 """
 import fcntl
 import os
 import pty
 import struct
+import subprocess
 import sys
 import termios
+import threading
+
+END = b"\0end of the command\0"
 
 
 def main():
@@ -19,22 +25,21 @@ def main():
         env.pop(name, None)
         if value:
             env[name] = value
-    pid, fd = pty.fork()
-    if pid == 0:
-        if "COLUMNS" in env:
-            fcntl.ioctl(1, termios.TIOCSWINSZ, struct.pack("4H", 50, int(env["COLUMNS"]), 0, 0))
-        os.execvpe(sys.argv[i + 1], sys.argv[i + 1:], env)
+    screen, line = pty.openpty()
+    if "COLUMNS" in env:
+        fcntl.ioctl(line, termios.TIOCSWINSZ, struct.pack("4H", 50, int(env["COLUMNS"]), 0, 0))
+    command = subprocess.Popen(sys.argv[i + 1:], stdin=line, stdout=line, stderr=line, env=env, start_new_session=True)
+
+    def mark_the_end():
+        command.wait()
+        os.write(line, END)
+
+    threading.Thread(target=mark_the_end).start()
     out = b""
-    while True:
-        try:
-            part = os.read(fd, 65536)
-        except OSError:  # the other end is closed
-            part = b""
-        if not part:
-            break
-        out += part
-    sys.stdout.buffer.write(out.replace(b"\r\n", b"\n"))
-    return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    while not out.endswith(END):
+        out += os.read(screen, 65536)
+    sys.stdout.buffer.write(out[:-len(END)].replace(b"\r\n", b"\n"))
+    return command.returncode
 
 
 if __name__ == "__main__":
