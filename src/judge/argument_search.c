@@ -217,18 +217,24 @@ const char *argument_rational(struct argument *a, const fmpq *q) {
   return result_take(a->j->out, &t);
 }
 
-/* The candidate's exact data, with that between them. */
+/* The candidate's exact data; the last two with friction. */
+static const struct {
+  const char *name;
+  int q;
+} exact_data[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
+                  {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
+
+static size_t n_exact_data(const struct argument *a) {
+  return a->uses_friction ? 7 : 5;
+}
+
+/* With that between them. */
 static const char *scene_text(struct argument *a, const struct point *p, const char *between) {
   struct text t;
   text_init(&t);
-  static const struct {
-    const char *name;
-    int q;
-  } line[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
-              {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
-  for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) {
-    text_printf(&t, "%s%s = ", i ? between : "", line[i].name);
-    num_print_q(&t, &p->q[line[i].q]);
+  for (size_t i = 0; i < n_exact_data(a); i++) {
+    text_printf(&t, "%s%s = ", i ? between : "", exact_data[i].name);
+    num_print_q(&t, &p->q[exact_data[i].q]);
   }
   return result_take(a->j->out, &t);
 }
@@ -247,15 +253,10 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
 
 static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,
                     const struct argument_decision *d) {
-  static const struct {
-    const char *name;
-    int q;
-  } exact[] = {{"chi", Q_CHI}, {"eta", Q_ETA},  {"V", Q_V},     {"t_b", Q_TB},
-               {"t_c", Q_TC},  {"u_r1", Q_US1}, {"u_r2", Q_US2}};
   struct certificate *c = &t->certified;
   const struct condition *failed = &a->part[CONCLUSION].at[d->failed];
   c->n = 0;
-  for (size_t i = 0; i < (a->uses_friction ? 7 : 5); i++) certify_exact(c, a->j, exact[i].name, &p->q[exact[i].q]);
+  for (size_t i = 0; i < n_exact_data(a); i++) certify_exact(c, a->j, exact_data[i].name, &p->q[exact_data[i].q]);
   certify_ball(c, a->j, "e_1", o->e1);
   certify_ball(c, a->j, "e_2", o->e2);
   certify_ball(c, a->j, "z_10", o->z10);

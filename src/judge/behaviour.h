@@ -80,8 +80,6 @@ const struct dyn_orbit *behaviour_pick_orbit(struct behaviour *b, const struct p
 struct route_result behaviour_route(struct behaviour *b, const char *route, const char *layer,
                                     enum route_outcome outcome, bool decisive, long trials, const char *where,
                                     const char *note);
-/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p. */
-bool behaviour_params(struct point *p, struct behaviour *b, const char *at);
 
 /* Who watches a motion; trajectory[] are both routes' accounts, which are the same. */
 typedef void (*watch_fn)(void *self, const struct motion *m, const struct trajectory trajectory[N_MOTION_ROUTES]);

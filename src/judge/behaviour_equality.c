@@ -98,13 +98,12 @@ static void move(struct found *t, const struct point *at, const struct dyn_orbit
 /* The first stable orbit at tr J = -1: parameters in the middle of its bracket, the orbit there, and c_2^2 + c_3. */
 static void certify(struct behaviour *b, const struct point *at, const struct dyn_orbit *o,
                     const struct dyn_bifurcation *q) {
-  static const char *const names[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"};
   struct certificate *c = &b->f->certificate;
   arb_t value;
   arb_init(value);
   for (int i = 0; i < N_PARAMS; i++) {
     arb_set_fmpq(value, &at->q[i], q->prec);
-    certify_ball(c, b->j, names[i], value);
+    certify_ball(c, b->j, name_param[i], value);
   }
   certify_orbit(c, b->j, o);
   certificate_add(c, b->j->out, "trace", "-1");
@@ -174,7 +173,7 @@ static bool try_family(struct found *t, struct behaviour *b, const char *params,
   point_init(&base);
   fmpq_init(f.from);
   fmpq_init(f.to);
-  bool ok = behaviour_params(&base, b, params) && behaviour_family(&f, b, vary);
+  bool ok = judge_params(&base, b->j, b->c, params) && behaviour_family(&f, b, vary);
   if (ok) find_flips(t, b, &f);
   fmpq_clear(f.to);
   fmpq_clear(f.from);

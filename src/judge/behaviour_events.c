@@ -133,11 +133,9 @@ struct route_result events_prove_slip(struct behaviour *b, const struct friction
   return behaviour_proof(
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass and either direction: beyond the limit, eps f_i > u_ri, (2) has "
-      "the "
-      "breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < 0 "
-      "leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
-      "only "
-      "touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
+      "the breaking branch alone, with the friction of the slip motion with eps (V - x'_i) > 0, to which eps x''_i < "
+      "0 leads; at eps f_i = u_ri that slip motion begins with eps x''_i = -e_i (times eta for m_2). Where the force "
+      "only touches the limit and turns back, (2) leaves open whether the mass slips. " STICKS_ON);
 }
 
 struct route_result events_prove_modes(struct behaviour *b, const struct friction *f) {
@@ -148,10 +146,9 @@ struct route_result events_prove_modes(struct behaviour *b, const struct frictio
       b, ROUTE_AGREES,
       "finite split of cases, exact for either mass: x'_i < V and x'_i > V slip, x'_i = V sticks for |f_i| < u_ri and "
       "breaks away into a slip motion for |f_i| > u_ri; three states of each mass, nine of both, are all there are. "
-      "The "
-      "phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and only with "
-      "eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 in between, "
-      "at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
+      "The phases do not accumulate: a mass that leaves the belt's velocity to one side has eps f_i >= u_ri, and "
+      "only with eps f_i <= u_si can it come back from there (beyond, eps x''_i < 0), so that f_i changes by e_i > 0 "
+      "in between, at a rate that is bounded in a bounded time, since the frictions are. " STICKS_ON);
 }
 
 /* Do friction and acceleration go on without a jump where a mass breaks loose? */

@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "friction.h"
+#include "judge.h"
 #include "value/coulomb_setup.h"
-#include "verdict.h"
 
 /* --- Perturbed motions --- */
 
@@ -281,7 +281,7 @@ bool behaviour_perturb(struct behaviour *b) {
   struct point p;
   memset(t, 0, sizeof t);
   point_init(&p);
-  bool ok = friction_open(&law, b) && behaviour_params(&p, b, claim_get(b->c, "at"));
+  bool ok = friction_open(&law, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *orbit = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (ok && !orbit) ok = claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");
   struct route_result proof = {.outcome = ROUTE_UNDECIDED};

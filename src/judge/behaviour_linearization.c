@@ -5,9 +5,9 @@
 #include <string.h>
 
 #include "friction.h"
+#include "judge.h"
 #include "num/calc.h"
 #include "value/values.h"
-#include "verdict.h"
 
 /* Is some eigenvalue of the 4x4 matrix surely outside the unit circle?  Yes when |tr M^k| > 4 for some k. */
 static truth has_growth(const struct num_vec *m) {
@@ -107,7 +107,7 @@ static bool prove(struct route_result *proof, struct behaviour *b) {
   struct friction f;
   struct point p;
   point_init(&p);
-  bool ok = friction_open(&f, b) && behaviour_params(&p, b, claim_get(b->c, "at"));
+  bool ok = friction_open(&f, b) && judge_params(&p, b->j, b->c, claim_get(b->c, "at"));
   const struct dyn_orbit *o = ok ? behaviour_pick_orbit(b, &p, TRUTH_TRUE) : NULL;
   if (o) *proof = stable_prove_linearization(b, &f, &p, o);
   if (ok && !o) claim_error(b->j, b->c, "at", "there is no stable admissible orbit at these parameters");

@@ -146,22 +146,6 @@ struct route_result behaviour_route(struct behaviour *b, const char *route, cons
   return w;
 }
 
-bool behaviour_params(struct point *p, struct behaviour *b, const char *at) {
-  struct text packed;
-  struct diag d;
-  text_init(&packed);
-  diag_init(&d);
-  for (const char *s = at; s && *s && *s != ';'; s++)
-    if (*s != ' ') text_add_char(&packed, *s);
-  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
-  bool ok = at && point_set(p, text_str(&packed), &d);
-  text_clear(&packed);
-  p->kind = POINT_ORBIT;
-  p->orbit = 0;
-  return ok ||
-         claim_error(b->j, b->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
-}
-
 /* --- Random motions watched --- */
 
 struct watched behaviour_watch(struct behaviour *b, long n, bool sticking, double duration, double sample, watch_fn fn,

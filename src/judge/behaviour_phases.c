@@ -60,7 +60,7 @@ bool behaviour_linear(struct behaviour *b) {
       const int slips[2] = {slips_of[i / N_SLIPS], slips_of[i % N_SLIPS]};
       all = truth_and(all, is_linear(&f, slips));
     }
-    behaviour_decide(b, outcome_of(all),
+    behaviour_decide(b, outcome_of_truth(all),
                      all == TRUTH_TRUE
                          ? "exact, in each of the nine configurations (either mass slower than the belt, with it, or "
                            "faster): by (1) and (2) the accelerations at the state x + k y less those at x are k times "
@@ -301,13 +301,13 @@ static bool in_branch(const struct friction *f, const struct conditions *states,
 
 static bool phase_obeys_law(const struct friction *f, const struct forms *p, const struct conditions *states,
                             enum phase ph) {
-  static const int slips_in[N_PHASES][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, plain[2] = {1, 1};
+  static const int plain[2] = {1, 1};
   struct law_state s;
   law_state_open(&s);
   bool ok = shift_state(p, &s, plain);
-  for (int i = 0; i < 2; i++) ok = ok && in_branch(f, states, ph, &s, i, slips_in[ph][i]);
+  for (int i = 0; i < 2; i++) ok = ok && in_branch(f, states, ph, &s, i, phase_slips[ph][i]);
   law_state_close(&s);
-  return ok && form_holds(f, p, slips_in[ph], false) == TRUTH_TRUE;
+  return ok && form_holds(f, p, phase_slips[ph], false) == TRUTH_TRUE;
 }
 
 struct route_result phases_prove_motion(struct behaviour *b, const struct friction *f) {
@@ -321,14 +321,12 @@ struct route_result phases_prove_motion(struct behaviour *b, const struct fricti
     w = behaviour_proof(
         b, all ? ROUTE_AGREES : ROUTE_UNDECIDED,
         all ? "exact, in each of the four phases: with z = x - d_0 and e_i = u_ri - u_si the conditions of the phase "
-              "are "
-              "those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix is what "
-              "(1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the rates V (1 "
-              "- "
-              "chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at the end a mass "
-              "reaches the belt's velocity inside the limits, and sticks. So the solution of (12), (14), (16) and (18) "
-              "that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) the map takes Z_0 to "
-              "Z_0"
+              "are those under which (2) has one branch for either mass, and z'' + K z = 0 with the phase's matrix "
+              "is what (1) gives with its friction. At t_a and t_a + t_b the force rises through its limit (at the "
+              "rates V (1 - chi) and chi (V - z'_1)), so that the mass cannot stick on; at t_a + t_b + t_c and at "
+              "the end a mass reaches the belt's velocity inside the limits, and sticks. So the solution of (12), "
+              "(14), (16) and (18) that breaks no condition is the motion from Z_0 under Coulomb's law, and by (18) "
+              "the map takes Z_0 to Z_0"
             : "the conditions of the phases are not known to be those of (2)");
   }
   forms_close(&p);

@@ -40,13 +40,12 @@ static const char *certified(struct behaviour *b, const struct point *p, const s
 /* Do the motions of each phase keep the volume of the phase space: is the divergence of (x', x''), whose first part has
    none, zero? */
 static bool keeps_volume(const struct friction *f) {
-  static const int slips_in[N_PHASES][2] = {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   truth all = TRUTH_TRUE;
   for (int ph = 0; ph < N_PHASES; ph++)
     for (int i = 0; i < 2; i++) {
       struct law_state s;
       law_state_open(&s);
-      bool ok = friction_mode(f, &s, slips_in[ph]);
+      bool ok = friction_mode(f, &s, phase_slips[ph]);
       val before = s.a[i];
       s.v[i] = law_free(&s, 0);
       val after = ok ? friction_acceleration(f, &s, i) : NULL;
@@ -59,8 +58,7 @@ static bool keeps_volume(const struct friction *f) {
 static const char attracts[] =
     "; at the start of its stick phase r = z_2 - z_1 alone fixes what follows, the return map of r is analytic there, "
     "since its events are simple roots (implicit function theorem), and its slope is tr J: starts beside it in the "
-    "stick "
-    "phase come back to it";
+    "stick phase come back to it";
 
 struct route_result stable_prove_linearization(struct behaviour *b, const struct friction *f, const struct point *p,
                                                const struct dyn_orbit *o) {

@@ -17,15 +17,13 @@ void certify_ball(struct certificate *c, struct judge *j, const char *name, cons
   certificate_add(c, j->out, name, ball_text(j, x, CERTIFIED_DIGITS));
 }
 
-static const char *const param_name[N_PARAMS] = {"chi", "eta", "V", "e_1", "e_2"}; /* by scene_key too */
-
 void certify_params(struct certificate *c, struct judge *j, const fmpq *params) {
-  for (int k = 0; k < N_PARAMS; k++) certify_exact(c, j, param_name[k], params + k);
+  for (int k = 0; k < N_PARAMS; k++) certify_exact(c, j, name_param[k], params + k);
 }
 
 void certify_scene(struct certificate *c, struct judge *j) {
   for (int k = KEY_CHI; k <= KEY_E2; k++)
-    if (j->scene->given[k]) certify_exact(c, j, param_name[k], &j->scene->value[k]);
+    if (j->scene->given[k]) certify_exact(c, j, name_param[k], &j->scene->value[k]);
 }
 
 void certify_orbit(struct certificate *c, struct judge *j, const struct dyn_orbit *o) {

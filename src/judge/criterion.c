@@ -240,7 +240,7 @@ static void try_once(struct trying *y, const struct point *p) {
 static bool try_given(struct trying *y, struct point *p) {
   for (const char *at = claim_get(y->b->c, "at"); at; at = strchr(at, ';')) {
     if (*at == ';') at++;
-    if (!behaviour_params(p, y->b, at)) return false;
+    if (!judge_params(p, y->b->j, y->b->c, at)) return false;
     slong n = orbit_cache_get(y->b->j->cache, p->q, FD_PREC + 64)->n;
     for (p->orbit = 0; p->orbit < n; p->orbit++) try_once(y, p);
   }

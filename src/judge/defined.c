@@ -136,7 +136,7 @@ static bool look_for_zeros(struct defined *y, long *zeros, const char *at, const
   point_init(&base);
   fmpq_init(f.from);
   fmpq_init(f.to);
-  bool ok = behaviour_params(&base, y->b, at) && behaviour_family(&f, y->b, vary);
+  bool ok = judge_params(&base, y->b->j, y->b->c, at) && behaviour_family(&f, y->b, vary);
   if (ok) *zeros = zeros_along(y, &f);
   fmpq_clear(f.to);
   fmpq_clear(f.from);

@@ -58,10 +58,6 @@ bool friction_mode(const struct friction *f, struct law_state *s, const int slip
   return ok;
 }
 
-enum route_outcome outcome_of(truth holds) {
-  return holds == TRUTH_TRUE ? ROUTE_AGREES : holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
-}
-
 struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note) {
   struct evidence *e = finding_add(b->f, b->j->out);
   e->route = "exact";

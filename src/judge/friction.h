@@ -23,7 +23,6 @@ bool friction_apply(const struct friction *f, struct law_state *s, int mass, int
 /* The same of both masses, and both accelerations into s->a. */
 bool friction_mode(const struct friction *f, struct law_state *s, const int slips[2]);
 
-enum route_outcome outcome_of(truth holds);
 /* A proof's word as evidence: proved, refuted by it, or why neither (outcome ROUTE_UNDECIDED). */
 struct route_result behaviour_proof(struct behaviour *b, enum route_outcome outcome, const char *note);
 /* Proofs about the switches, as evidence: slip to stick; stick to slip (sliding_limit: where |f| reaches u_s); that the

@@ -28,6 +28,9 @@ kind_fn judge_of(const struct claim *c);
 /* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);
 
+/* "chi = 2/5, eta = 4, ..." (NULL or wrong: an error of the claim's attribute "at"), up to a semicolon, into p, which is
+   that orbit. */
+bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at);
 /* The verdict on record in that scene; N_VERDICTS: none. */
 enum verdict claim_recorded(const struct claim *c, const struct scene *s);
 /* What stands in the claim's file and in the paper, before anything is judged. */

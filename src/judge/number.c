@@ -112,10 +112,6 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
-static enum route_outcome outcome_of(truth fits) {
-  return fits == TRUTH_TRUE ? ROUTE_AGREES : fits == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
-}
-
 /* The printed number as the rule reads it: "2, that is 2.0000", or "0.6784" where no digit is left out. */
 static const char *as_given(const struct number_job *n) {
   struct text t;
@@ -196,7 +192,7 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
   } else {
     text_add(&note, "no orbit was found, or the quantity could not be evaluated on it");
   }
-  struct route_result w = {"balls", outcome_of(t), true, where != NULL};
+  struct route_result w = {"balls", outcome_of_truth(t), true, where != NULL};
   finding_add_route(f, j->out, w, "corrected", bits, where, result_take(j->out, &note));
   arb_clear(x);
   point_clear(&p);
@@ -268,7 +264,7 @@ static struct route_result number_from_printed(struct finding *f, const struct n
   text_init(&note);
   bool have = printed_point(&p, j->scene) && number_at(x, &bits, n, &p) == SS_OK;
   truth t = have ? printed_fits(x, n->p, &how) : TRUTH_UNKNOWN;
-  struct route_result w = {"balls", outcome_of(t), true, have};
+  struct route_result w = {"balls", outcome_of_truth(t), true, have};
   if (have) {
     text_add(&note, "From the other printed numbers, taken exactly, ");
     add_value(&note, n, x, 8, t, how);

@@ -50,16 +50,7 @@ static bool read_parameters(bool *given, struct solutions *x) {
     for (int i = 0; i < N_PARAMS; i++) fmpq_set(&x->at.q[Q_CHI + i], &s->value[KEY_CHI + i]);
     return true;
   }
-  struct text packed;
-  struct diag d;
-  text_init(&packed);
-  diag_init(&d);
-  for (; *at; at++)
-    if (*at != ' ') text_add_char(&packed, *at);
-  bool ok = point_set(&x->at, text_str(&packed), &d);
-  text_clear(&packed);
-  return ok ||
-         claim_error(x->j, x->c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
+  return judge_params(&x->at, x->j, x->c, at);
 }
 
 static bool read_asked(struct solutions *x) {

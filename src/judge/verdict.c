@@ -3,6 +3,10 @@
 #include "verdict.h"
 #include "record/routes.h"
 
+enum route_outcome outcome_of_truth(truth holds) {
+  return holds == TRUTH_TRUE ? ROUTE_AGREES : holds == TRUTH_FALSE ? ROUTE_DIFFERS : ROUTE_UNDECIDED;
+}
+
 enum route_outcome outcome_of_counts(long agrees, long differs, long undecided) {
   return differs ? ROUTE_DIFFERS : undecided ? ROUTE_UNDECIDED : agrees ? ROUTE_AGREES : ROUTE_NOTHING;
 }

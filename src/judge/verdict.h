@@ -2,8 +2,11 @@
 #ifndef STICKSLIP_VERDICT_H
 #define STICKSLIP_VERDICT_H
 
+#include "base/status.h"
 #include "record/finding.h"
 
+/* What a route says that found it to hold, not to hold, or neither. */
+enum route_outcome outcome_of_truth(truth holds);
 /* What a route says that was tried so often with each outcome. */
 enum route_outcome outcome_of_counts(long agrees, long differs, long undecided);
 /* The one table from evidence to verdict. */

@@ -370,3 +370,11 @@ const struct statement_record *view_record(const struct view *v, const char *id)
   if (best && m->use) m->use->record[best - m->records] = true;
   return best;
 }
+
+struct view view_without_stable(const struct view *v, struct model *plain) {
+  struct view without = *v;
+  *plain = *v->model;
+  plain->stable = false;
+  without.model = plain;
+  return without;
+}

@@ -118,6 +118,9 @@ bool model_is_symbol(const struct model *m, const char *name);
 bool view_sees(const struct view *v, const struct definition *def);
 /* The record of that id under the view, or NULL. */
 const struct statement_record *view_record(const struct view *v, const char *id);
+/* The same view without the stable forms, for proofs: they are proved equal to the corrected ones (proof/stable_forms.h),
+   which are shorter.  *plain is what the view's model then is. */
+struct view view_without_stable(const struct view *v, struct model *plain);
 /* --- Elaboration --- */
 
 /* A matrix of shared scalars; 1x1 stands for a scalar. */

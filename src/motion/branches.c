@@ -8,14 +8,14 @@
 #include "cell.h"
 #include "complete.h"
 #include "num/pi.h"
+#include "orbit_judge.h"
 #include "warm.h"
 
 enum { DEEPEST = 44, UNITS_OF_LATER_CELL = 12, FREE_LATER_CELLS = 1 << 13, STRIPS_OF_TURN = 16 };
 
 struct search {
   struct disk_params params;
-  struct common *zeros;
-  size_t n, cap;
+  struct commons zeros;
   long cells, budget;
   double dir; /* as in cell_look_later, for the strips at hand */
   bool spent, stuck;
@@ -26,15 +26,6 @@ struct search {
 struct patch {
   double from[2], to[2];
 };
-
-static void add_zero(struct search *s, struct common z, const struct strip *p, double t) {
-  z.at[0] += p->angle;
-  z.at[1] += t;
-  for (size_t i = 0; i < s->n; i++)
-    if (common_is_same(&s->zeros[i], &z)) return;
-  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
-  s->zeros[s->n++] = z;
-}
 
 static void search_patch(struct search *s, struct patch a, int depth);
 
@@ -64,7 +55,7 @@ static void search_patch(struct search *s, struct patch a, int depth) {
   c.early = disk_up(fmax(a.to[1] - middle.t, middle.t - a.from[1]));
   c.first = a.from[1] == 0;
   enum look seen = cell_look_later(&zero, &c, &p, &s->params, &k, s->dir);
-  if (seen == LOOK_ZERO) add_zero(s, zero, &p, middle.t);
+  if (seen == LOOK_ZERO) commons_add(&s->zeros, zero, &p, middle.t);
   if (seen != LOOK_OPEN) return;
   if (depth < DEEPEST) {
     halve(s, &a, cell_wide_in_angle(&c, &p) ? 0 : 1, depth);
@@ -107,7 +98,7 @@ static void leave_gap(struct dyn_orbits *list, enum dyn_gap why, double tb, doub
   list->gap_at[1] = tc;
 }
 
-/* by = 1 shifts phase C to end a whole turn later: m2 is again where it was, the belt's way in t_a is shorter. */
+/* Phase C ends a whole turn later: m2 is again where it was, the belt's way in t_a is shorter. */
 static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
   arb_t whole, stiff;
   arb_init(whole);
@@ -129,34 +120,22 @@ static void turn_once(struct dyn_orbit *o, const fmpq *params, slong prec) {
   arb_clear(whole);
 }
 
-static void orbit_copy(struct dyn_orbit *to, const struct dyn_orbit *o) {
-  *to = *o;
-  arb_ptr all[] = {to->z10, to->z20,    to->t[0],  to->t[1],   to->t[2],     to->t[3],    to->e1,
-                   to->e2,  to->period, to->trace, to->margin, to->u_r1_min, to->u_r2_min};
-  arb_srcptr from[] = {o->z10, o->z20,    o->t[0],  o->t[1],   o->t[2],     o->t[3],    o->e1,
-                       o->e2,  o->period, o->trace, o->margin, o->u_r1_min, o->u_r2_min};
-  for (size_t i = 0; i < sizeof all / sizeof *all; i++) {
-    arb_init(all[i]);
-    arb_set(all[i], from[i]);
-  }
-}
-
 /* q takes both signs in phase C where it lasts half a turn of m2 or longer. */
 static void say_late(struct dyn_orbit *o) {
   o->first[PHASE_C] = o->holds[COND_C_V2] = o->admissible = TRUTH_FALSE;
 }
 
 /* Every t_d > 0 that leaves t_a > 0. */
-static void add_turns(struct dyn_orbits *list, const struct dyn_orbit *o, const fmpq *params, slong prec) {
+static void add_turns(struct dyn_orbits *list, struct dyn_orbit *o, const fmpq *params, slong prec) {
   struct dyn_orbit at;
-  orbit_copy(&at, o);
+  dyn_orbit_copy(&at, o);
   if (!arb_is_positive(at.t[PHASE_C])) {
     turn_once(&at, params, prec);
     say_late(&at);
   }
   while (arb_is_positive(at.t[PHASE_D])) {
     list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
-    orbit_copy(&list->orbit[list->n++], &at);
+    dyn_orbit_copy(&list->orbit[list->n++], &at);
     turn_once(&at, params, prec);
     say_late(&at);
     at.holds[COND_TA] = TRUTH_TRUE;
@@ -217,12 +196,12 @@ int dyn_branches_find(struct dyn_orbits *list, const fmpq *params, double t_c_ma
   if (!fits) leave_gap(list, GAP_RANGE, 0, 0);
   if (s.spent) leave_gap(list, GAP_BUDGET, 0, 0);
   if (s.stuck) leave_gap(list, GAP_DOUBLE, s.where[0], s.where[1]);
-  for (size_t i = 0; i < s.n; i++) settle(list, &s, &s.zeros[i], params, prec);
+  for (size_t i = 0; i < s.zeros.n; i++) settle(list, &s, &s.zeros.at[i], params, prec);
   for (slong i = 0; i < list->n; i++)
     if (list->orbit[i].grazing) leave_gap(list, GAP_GRAZING, list->orbit[i].guess[1], list->orbit[i].guess[2]);
   list->complete = list->gap == GAP_UNTRIED;
   if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_times);
-  free(s.zeros);
+  free(s.zeros.at);
   disk_params_clear(&s.params);
   return fits ? SS_OK : SS_UNABLE;
 }

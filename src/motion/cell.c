@@ -7,6 +7,7 @@
    has no root in it, so nothing is singular where the radius vanishes; and H_t = -2 r p, so H stands still in time
    where p = 0. */
 #include "cell.h"
+#include "base/arena.h"
 #include "strip.h"
 #include "turns.h"
 
@@ -211,13 +212,22 @@ enum look cell_look_later(struct common *zero, const struct cell *c, const struc
   return look_at_each(zero, c, &g, p, s, &can);
 }
 
-bool common_is_same(const struct common *a, const struct common *b) {
+static bool common_is_same(const struct common *a, const struct common *b) {
   bool same = a->k == b->k;
   for (int l = 0; l < 2; l++) {
     double apart = fabs(a->at[l] - b->at[l]) + 0x1p-40 * (1 + fabs(b->at[l]));
     same = same && (apart + b->near[l] < a->room[l] || apart + a->near[l] < b->room[l]);
   }
   return same;
+}
+
+void commons_add(struct commons *list, struct common z, const struct strip *p, double t) {
+  z.at[0] += p->angle;
+  z.at[1] += t;
+  for (size_t i = 0; i < list->n; i++)
+    if (common_is_same(&list->at[i], &z)) return;
+  list->at = ss_grow(list->at, list->n, &list->cap, sizeof *list->at);
+  list->at[list->n++] = z;
 }
 
 bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir) {

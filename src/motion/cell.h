@@ -26,8 +26,14 @@ enum look cell_look(struct common *zero, const struct cell *c, const struct stri
    at its end has any sign. */
 enum look cell_look_later(struct common *zero, const struct cell *c, const struct strip *p, const struct disk_params *s,
                           const struct turns *k, double dir);
-/* The same zero, proved in two cells: near one lies in the room of the other. */
-bool common_is_same(const struct common *a, const struct common *b);
+/* Zeros that were met, each once. */
+struct commons {
+  struct common *at;
+  size_t n, cap;
+};
+/* Adds one of a cell in that strip around the time t, unless it is there: the same zero, proved in two cells, lies near
+   one in the room of the other. */
+void commons_add(struct commons *list, struct common z, const struct strip *p, double t);
 /* The part of the strip, from *low to *high relative to its midpoint, where dir p may still not be positive at the
    cell's middle; false when there is none. */
 bool cell_waiting(double *low, double *high, const struct cell *c, const struct strip *p, double dir);

@@ -89,15 +89,15 @@ static void compare(struct dyn_orbits *list, const struct march *s, const struct
   slong listed = list->n;
   bool *seen = ss_malloc((size_t)listed + 1);
   for (slong i = 0; i < listed; i++) seen[i] = known[i].met;
-  for (size_t k = 0; k < s->n; k++) {
+  for (size_t k = 0; k < s->zeros.n; k++) {
     bool taken = false;
     for (slong i = 0; i < listed && !taken; i++)
-      if (is_common(&known[i], &s->zeros[k])) taken = seen[i] = true;
+      if (is_common(&known[i], &s->zeros.at[k])) taken = seen[i] = true;
     for (slong i = listed; i < list->n && !taken; i++) { /* added for the same zero, proved in two cells */
       struct known z = known_of(&list->orbit[i], full_turns(&list->orbit[i]));
-      taken = is_common(&z, &s->zeros[k]);
+      taken = is_common(&z, &s->zeros.at[k]);
     }
-    if (!taken) settle(list, &s->zeros[k], &s->params, params, prec, lim);
+    if (!taken) settle(list, &s->zeros.at[k], &s->params, params, prec, lim);
   }
   for (slong i = 0; i < listed; i++) {
     const struct dyn_orbit *o = &list->orbit[i];

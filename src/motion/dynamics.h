@@ -26,6 +26,7 @@
 
 enum phase { PHASE_D, PHASE_GAMMA, PHASE_H, PHASE_C, N_PHASES };
 extern const char *const phase_name[N_PHASES]; /* "D", "Gamma", "H", "C" */
+extern const int phase_slips[N_PHASES][2];     /* 1 for a mass that slips in the phase, 0 for one that sticks */
 
 /* Parameters in a context: elements chi, eta, V, e1, e2 in this order. */
 enum { P_CHI, P_ETA, P_V, P_E1, P_E2, N_PARAMS };

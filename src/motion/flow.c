@@ -8,6 +8,8 @@
 #include "rounded.h"
 
 const char *const phase_name[N_PHASES] = {"D", "Gamma", "H", "C"};
+const int phase_slips[N_PHASES][2] = {
+    [PHASE_D] = {0, 0}, [PHASE_GAMMA] = {1, 0}, [PHASE_H] = {1, 1}, [PHASE_C] = {0, 1}};
 
 void flow_vals(val *out, const struct num_vec *v, slong from, slong n) {
   for (slong i = 0; i < n; i++) out[i] = num_vec_at(v, from + i);

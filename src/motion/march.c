@@ -13,7 +13,6 @@
 
 #include <stdlib.h>
 
-#include "base/arena.h"
 #include "base/work.h"
 
 /* Of work: a cell; those that are looked at before any is counted, more than usual parameters ask for. */
@@ -33,16 +32,6 @@ struct front {
   double check; /* the time of the next look at free phases */
   double dir;
 };
-
-static void add_zero(struct march *s, const struct common *zero, const struct strip *p, double t) {
-  struct common z = *zero;
-  z.at[0] += p->angle;
-  z.at[1] += t;
-  for (size_t i = 0; i < s->n; i++)
-    if (common_is_same(&s->zeros[i], &z)) return;
-  s->zeros = ss_grow(s->zeros, s->n, &s->cap, sizeof *s->zeros);
-  s->zeros[s->n++] = z;
-}
 
 static void advance(struct march *s, double low, double high, struct front m);
 
@@ -106,7 +95,7 @@ static enum look examine(struct march *s, struct cell *c, const struct strip *p,
   bool finest = p->half <= ldexp(g->fall.mid, -FINEST) && m->level <= s->level - FINEST;
   if (seen == LOOK_OPEN && !finest) return LOOK_OPEN;
   if (seen == LOOK_ZERO && m->dir > 0)
-    add_zero(s, &zero, p, middle->t);
+    commons_add(&s->zeros, zero, p, middle->t);
   else if (seen != LOOK_CLEAR)
     note_stuck(s, p, &zero, middle->t, m->dir);
   return LOOK_CLEAR;
@@ -181,5 +170,5 @@ bool march_run(struct march *s, const fmpq *params, struct known *known, size_t 
 
 void march_clear(struct march *s) {
   disk_params_clear(&s->params);
-  free(s->zeros);
+  free(s->zeros.at);
 }

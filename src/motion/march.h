@@ -19,8 +19,7 @@ struct march {
   int level; /* the usual step */
   struct known *known;
   size_t n_known;
-  struct common *zeros;
-  size_t n, cap;
+  struct commons zeros;
   long cells, budget;
   bool spent;      /* the budget */
   bool stuck;      /* a cell could not be decided: a double zero, or one nearly so */

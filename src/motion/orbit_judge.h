@@ -14,8 +14,10 @@ void ball_ending_make(struct ball_ending *e, struct calc *c, const struct ball_p
                       bool up);
 
 void dyn_orbit_init(struct dyn_orbit *o);
+/* An orbit of its own; what it held is lost. */
+void dyn_orbit_copy(struct dyn_orbit *to, struct dyn_orbit *o);
 /* The fewest relative bits of any of its numbers that is not zero; at least 0. */
-slong dyn_orbit_accuracy(const struct dyn_orbit *o);
+slong dyn_orbit_accuracy(struct dyn_orbit *o);
 /* Every number; up: q > 0 in phase C. */
 int dyn_orbit_describe(struct dyn_orbit *o, struct calc *c, const struct ball_params *m, val tb, val tc, bool up);
 /* The conditions.  Returns whether t_b and t_c are proved to be first roots, and up the direction of phase C. */

@@ -109,12 +109,6 @@ static bool differs(struct damage_said *out, const char *id, const char *what, e
   return true;
 }
 
-static const struct finding *finding_of(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  return NULL;
-}
-
 static enum verdict own_verdict(const struct finding *f) {
   return f ? f->verdict : N_VERDICTS;
 }
@@ -141,7 +135,7 @@ static bool findings_differ(struct damage_said *out, const struct audit_result *
   for (int k = 0; k < 2; k++)
     for (size_t i = 0; i < both[k]->n_findings; i++) {
       const char *id = both[k]->findings[i].id;
-      const struct finding *x = finding_of(is, id), *y = finding_of(was, id);
+      const struct finding *x = audit_result_finding(is, id), *y = audit_result_finding(was, id);
       if (differs(out, id, "", own_verdict(x), own_verdict(y)) ||
           differs(out, id, ", its correction", correction_verdict(x), correction_verdict(y)) || off_record(out, x, y))
         return true;

@@ -111,12 +111,6 @@ static bool is_diagnostic(const struct finding *f, const struct claim *c) {
   return claim_kind(c) != KIND_INDEX_RANGE && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
 }
 
-static const struct finding *same_id(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  return NULL;
-}
-
 static bool passes(enum verdict v) {
   return v == VERDICT_PROVED || v == VERDICT_SUPPORTED;
 }
@@ -144,7 +138,7 @@ static enum notice quick_besides(const struct reader *rd, const struct audit_res
   if (was->correction && is->correction && passes(was->correction_verdict) && is->correction_verdict == VERDICT_REFUTED)
     return CHANGED;
   for (size_t i = 1; i < rd->said.n_findings; i++) {
-    const struct finding *f = same_id(now, rd->said.findings[i].id);
+    const struct finding *f = audit_result_finding(now, rd->said.findings[i].id);
     if (passes(rd->said.findings[i].verdict) && f && f->verdict == VERDICT_REFUTED) return CHANGED;
   }
   return OPEN;

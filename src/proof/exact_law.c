@@ -39,14 +39,12 @@ static void add_force(struct law *law, struct calc *c, struct exact_motion *m, s
 }
 
 int exact_law_margins(struct num_vec *out, struct exact_bound *bound, struct exact_motion *m) {
-  static const bool sticks[N_PHASES][2] = {
-      [PHASE_D] = {true, true}, [PHASE_GAMMA] = {false, true}, [PHASE_H] = {false, false}, [PHASE_C] = {true, false}};
   static const char *const now[2] = {"z_1(t)", "z_2(t)"}, *const speed[2] = {"z_1'(t)", "z_2'(t)"};
   if (!m->admissible || m->attempt.time != TIME_INSIDE) return 0;
   struct calc c = exact_calc(m->field);
   struct law law = {.margin = out};
   for (int mass = 0; mass < 2; mass++) {
-    if (sticks[m->phase][mass]) {
+    if (!phase_slips[m->phase][mass]) {
       add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true}, now);
       add_force(&law, &c, m, (struct exact_bound){.mass = mass, .force = true, .start = true}, name_state[m->phase]);
     } else {

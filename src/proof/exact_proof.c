@@ -354,8 +354,8 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
       j->out, "%s%s in Q(%s)%s; the largest polynomial has %ld term%s",
       p->by_factors
           ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
-            "the "
-            "smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the phase"
+            "the smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the "
+            "phase"
       : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
                    "the phase"
       : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
@@ -369,10 +369,8 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
 /* oracle: the matrices that are held as unknowns, as a claim lists them. */
 static struct exact_proof prove_question(struct judge *j, const struct exact_question *asked, const char *oracle,
                                          struct view view, const struct restriction *r) {
-  struct model plain =
-      *view.model; /* stable forms are proved equal to the corrected ones (stable_forms.h), which are shorter */
-  plain.stable = false;
-  view.model = &plain;
+  struct model plain;
+  view = view_without_stable(&view, &plain);
   struct override o[EXACT_UNKNOWNS];
   const struct exact_question *q = keep_question(j, asked);
   int n = choose_unknowns(o, oracle, q->value);

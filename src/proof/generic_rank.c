@@ -174,10 +174,9 @@ static int repeated_equations(struct text *note, struct judge *j, const struct c
 static bool entries_are_analytic(struct text *note, struct judge *j, const struct claim *c, struct view view,
                                  const struct rank_system *y) {
   if (!view.model->stable) return is_analytic(note, &y->s.tape);
-  struct model plain = *view.model;
+  struct model plain;
   struct rank_system same;
-  plain.stable = false;
-  view.model = &plain;
+  view = view_without_stable(&view, &plain);
   bool ok = rank_system_build(&same, j, c, view) && is_analytic(note, &same.s.tape);
   sentence_clear(&same.s);
   return ok;

@@ -9,13 +9,6 @@
 #include "nonzero.h"
 #include "num/calc.h"
 
-/* A motion over the whole word whose states at the switching times are free but for their events. */
-static void begin_orbit(struct exact_motion *m, const struct tape *reads) {
-  static const struct exact_attempt free_states = {.anchor = 4};
-  static const struct point_spec orbit = {.kind = POINT_ORBIT};
-  exact_motion_init(m, &free_states, &orbit, false, NULL, reads);
-}
-
 /* The sign of a product of chi, eta, V, 1 - chi, e_1, e_2 and a number; 0 where it is not one. */
 static int sign_of(const element *x, struct exact_motion *m) {
   struct num_vec positive;
@@ -69,7 +62,7 @@ static bool ends_transversally(struct text *note, int phase, struct view view) {
   diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   bool ok = elaborate_tape(&t, &value, &el, "J", local_maps[phase].name, "stability", &d);
-  begin_orbit(&m, &t);
+  exact_motion_free(&m, false, 4, &t);
   vec_init(&rate, 1);
   ok = ok && motion_state(&z, &m, phase + 1) == SS_OK &&
        dyn_switching_rate(at(&rate, 0), (enum phase)phase, &m.params, &z) == SS_OK &&
@@ -113,7 +106,7 @@ static bool others_strict(struct text *note) {
   static const struct tape nothing;
   struct exact_motion m;
   struct num_vec x;
-  begin_orbit(&m, &nothing);
+  exact_motion_free(&m, false, 4, &nothing);
   vec_init(&x, 2);
   const char *first = first_mass_is_slower(), *second = second_mass_is_slower();
   int s = rate_at(at(&x, 0), &m, 1, PHASE_GAMMA, DZ_1) | rate_at(at(&x, 1), &m, 2, PHASE_H, DZ_2);
@@ -195,11 +188,10 @@ static bool eigenvalues_as_said(struct text *note, const struct statement_record
 /* --- All of it --- */
 
 struct linearized linearized_stability(struct judge *j, const struct statement_record *criterion, struct view view) {
-  struct model plain = *view.model; /* as exact_prove has it */
+  struct model plain;
   struct text note;
   const char *missing = NULL;
-  plain.stable = false;
-  view.model = &plain;
+  view = view_without_stable(&view, &plain);
   if (criterion->rank == RANK_STABLE) criterion = view_record(&view, criterion->id);
   text_init(&note);
   text_add(&note, "by the theorem of linearized stability for a fixed point of a C^1 map, on every admissible periodic "

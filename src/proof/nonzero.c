@@ -57,7 +57,7 @@ void divisors_clear(struct divisor *list, int n) {
 
 /* --- Motions with free states --- */
 
-static void begin(struct exact_motion *m, bool modes, int anchor, const struct tape *reads) {
+void exact_motion_free(struct exact_motion *m, bool modes, int anchor, const struct tape *reads) {
   const struct exact_attempt a = {.modes = modes, .anchor = anchor};
   static const struct point_spec orbit = {.kind = POINT_ORBIT};
   exact_motion_init(m, &a, &orbit, false, NULL, reads);
@@ -129,7 +129,7 @@ static int value_of(element *x, struct exact_motion *m, const struct tape *t) {
 static bool has_sign(const struct tape *t, bool modes, bool root) {
   struct exact_motion m;
   struct num_vec x;
-  begin(&m, modes, 4, t);
+  exact_motion_free(&m, modes, 4, t);
   exact_field_bind(m.field, bind, &m);
   vec_init(&x, 1);
   int s = value_of(at(&x, 0), &m, t);
@@ -181,7 +181,7 @@ static bool energy_is_kept(struct exact_motion *m) {
 const char *first_mass_is_slower(void) {
   static const struct tape nothing;
   struct exact_motion m;
-  begin(&m, false, 4, &nothing);
+  exact_motion_free(&m, false, 4, &nothing);
   struct calc c = exact_calc(m.field);
   struct num_vec z, f = calc_vec(&c, 4);
   c.status = motion_state(&z, &m, 1) | rate_at(&f, &m, 1, PHASE_GAMMA);
@@ -219,7 +219,7 @@ static bool second_mass_would_stay(struct exact_motion *m) {
 const char *second_mass_is_slower(void) {
   static const struct tape nothing;
   struct exact_motion m;
-  begin(&m, false, 4, &nothing);
+  exact_motion_free(&m, false, 4, &nothing);
   bool ok = continuous(&m, 3, PHASE_H, PHASE_C, DZ_2) && second_mass_would_stay(&m);
   exact_motion_clear(&m);
   return ok ? "z_2' < V at t_a + t_b + t_c, since with z_2' = V there z_2'' would be zero, being continuous, and z_2' "
@@ -232,7 +232,7 @@ const char *second_mass_is_slower(void) {
 static bool is_factor(const struct tape *t, int state, int component, int anchor) {
   struct exact_motion m;
   struct num_vec z, x;
-  begin(&m, false, anchor, t);
+  exact_motion_free(&m, false, anchor, t);
   m.first_state = anchor == ANCHOR_BACK ? 0 : m.first_state;
   vec_init(&x, 2);
   int s = value_of(at(&x, 0), &m, t) | motion_state(&z, &m, state);
@@ -262,13 +262,12 @@ static const char *why(const struct tape *t, bool root, bool admissible) {
 }
 
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible) {
-  struct model plain = *view.model; /* as exact_prove has it */
+  struct model plain;
   struct elaboration el;
   struct matrix m;
   struct tape t;
   struct diag d;
-  plain.stable = false;
-  view.model = &plain;
+  view = view_without_stable(&view, &plain);
   diag_init(&d);
   elaboration_init(&el, view, NULL, 0);
   const char *formula = text_str(&q->formula);

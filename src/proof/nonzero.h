@@ -2,6 +2,7 @@
 #ifndef STICKSLIP_PROOF_NONZERO_H
 #define STICKSLIP_PROOF_NONZERO_H
 
+#include "exact_motion.h"
 #include "value/sentence.h"
 
 /* A quantity that must not be zero (of a square root: must be positive) where its formula has a value: a divisor, the
@@ -25,5 +26,8 @@ const char *second_mass_is_slower(void);
 /* Why the quantity is not zero: a product of what is positive for all parameters; of admissible motions also a factor
    of one of those two velocities.  NULL: neither is shown. */
 const char *nonzero_because(const struct divisor *q, struct view view, bool admissible);
+
+/* A motion over the whole word whose states at the switching times are free but for their events. */
+void exact_motion_free(struct exact_motion *m, bool modes, int anchor, const struct tape *reads);
 
 #endif

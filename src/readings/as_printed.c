@@ -3,6 +3,7 @@
    at one set of data that has an admissible orbit. */
 #include "readings.h"
 #include "study.h"
+#include "value/names.h"
 #include "value/point.h"
 #include "value/printed.h"
 
@@ -54,8 +55,6 @@ static void add_list(struct text *out, int n, int i, const char *name) {
 }
 
 static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o, const struct point *p) {
-  static const char *const name[] = {"chi", "eta", "V", "e_1", "e_2"};
-  _Static_assert(sizeof name / sizeof *name == N_SCENE_PARAMS, "the scene's parameters");
   struct text t, same, where;
   long digits[N_X], least = PRECISION;
   int n_same = 0, n = 0;
@@ -68,7 +67,7 @@ static const char *tell(struct judge *j, arb_srcptr x, const struct dyn_orbit *o
     if (digits[i] > 0 && digits[i] < least) least = digits[i];
   }
   for (int k = 0; k < N_SCENE_PARAMS; k++) {
-    text_printf(&where, "%s%s = ", k == 0 ? "" : k + 1 == N_SCENE_PARAMS ? " and " : ", ", name[k]);
+    text_printf(&where, "%s%s = ", k == 0 ? "" : k + 1 == N_SCENE_PARAMS ? " and " : ", ", name_param[k]);
     num_print_q(&where, &p->q[Q_CHI + k]);
   }
   text_printf(

@@ -168,12 +168,9 @@ static void describe_space(struct hunt *h, const char *layers) {
           "as the longest of the printed numbers has.",
           MAX_DROPPED),
       "Rank: fewest dropped equations; then fewest assumptions, one for each input that is not named as data, each "
-      "datum "
-      "that is computed, each decimal by which a computed result is printed shorter than the longest (it must be a "
-      "zero "
-      "by chance), a form of (18) that is not "
-      "in the paper, rounding in between, each result that is cut off where "
-      "most are rounded or the other way round; then most digits of results."};
+      "datum that is computed, each decimal by which a computed result is printed shorter than the longest (it must "
+      "be a zero by chance), a form of (18) that is not in the paper, rounding in between, each result that is cut "
+      "off where most are rounded or the other way round; then most digits of results."};
   for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);
 }
 

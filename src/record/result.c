@@ -77,6 +77,24 @@ const char *result_take(struct audit_result *r, struct text *t) {
   return s;
 }
 
+const struct finding *audit_result_finding(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_findings; i++)
+    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
+  return NULL;
+}
+
+const struct root_cause *audit_result_root(const struct audit_result *r, const char *id) {
+  for (size_t i = 0; i < r->n_roots; i++)
+    if (strcmp(r->roots[i].id, id) == 0) return &r->roots[i];
+  return NULL;
+}
+
+size_t audit_result_roots(const struct audit_result *r, bool substance) {
+  size_t n = 0;
+  for (size_t i = 0; i < r->n_roots; i++) n += (r->roots[i].severity == SEVERITY_SUBSTANCE) == substance;
+  return n;
+}
+
 const struct consequence *audit_result_consequence(const struct audit_result *r, const char *failure) {
   for (size_t i = 0; i < r->n_consequences; i++)
     if (strcmp(r->consequences[i].failure, failure) == 0) return &r->consequences[i];

@@ -62,12 +62,6 @@ static bool check_names(const struct audit_result *r, const struct source *s, st
 }
 
 /* What a claim says of its root is what the root says of it. */
-static const struct root_cause *root_named(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; id && i < r->n_roots; i++)
-    if (strcmp(r->roots[i].id, id) == 0) return &r->roots[i];
-  return NULL;
-}
-
 static bool root_lists(const struct root_cause *root, const char *id) {
   for (int i = 0; i < root->n_claims; i++)
     if (strcmp(root->claims[i], id) == 0) return true;
@@ -80,7 +74,7 @@ static bool check_roots(const struct audit_result *r, const struct source *s, st
   for (size_t i = 0; i < r->n_roots; i++) listed += r->roots[i].n_claims;
   for (size_t i = 0; fine && i < r->n_findings; i++) {
     const struct finding *f = &r->findings[i];
-    const struct root_cause *root = root_named(r, f->root);
+    const struct root_cause *root = f->root ? audit_result_root(r, f->root) : NULL;
     named += root != NULL;
     fine = root ? root_lists(root, f->id) && root->severity == f->severity : !f->root && f->severity == N_SEVERITIES;
   }

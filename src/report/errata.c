@@ -72,25 +72,13 @@ static void sheet_sentence(const struct sheet *s, const char *text) {
   text_clear(&t);
 }
 
-static const struct finding *named(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  return NULL;
-}
-
-static size_t count_roots(const struct audit_result *r, enum severity least, enum severity most) {
-  size_t n = 0;
-  for (size_t i = 0; i < r->n_roots; i++) n += r->roots[i].severity >= least && r->roots[i].severity <= most;
-  return n;
-}
-
 /* --- The first two pages --- */
 
 /* The text of the paper that the root is about, each piece once. */
 static void add_printed(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
   const char *last = "";
   for (int i = 0; i < root->n_claims; i++) {
-    const struct finding *f = named(r, root->claims[i]);
+    const struct finding *f = audit_result_finding(r, root->claims[i]);
     const char *quote = f && f->of == OF_PAPER ? finding_quote(f) : NULL;
     if (!quote || strstr(last, quote) || failure_is_number(f)) continue;
     if (!*last)
@@ -139,8 +127,7 @@ static void add_roots(const struct sheet *s, const struct audit_result *r, enum 
 }
 
 static void add_opening(const struct sheet *s, const struct audit_result *r) {
-  size_t substance = count_roots(r, SEVERITY_SUBSTANCE, SEVERITY_SUBSTANCE),
-         slips = count_roots(r, SEVERITY_REMARK, SEVERITY_NOTATION);
+  size_t substance = audit_result_roots(r, true), slips = audit_result_roots(r, false);
   text_add(s->out, s->tex ? "\\section*{Errata}\n" : "# Errata\n\n");
   if (r->paper) {
     text_add(s->out, s->tex ? "\\emph{" : "*");
@@ -245,7 +232,7 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
 }
 
 static void add_closure(const struct sheet *s, const struct audit_result *r) {
-  const struct finding *f = named(r, "text-periodic");
+  const struct finding *f = audit_result_finding(r, "text-periodic");
   if (!f || !finding_fails(f) || !f->effect) return;
   sheet_sentence(s, f->effect);
   paragraph(s);
@@ -292,7 +279,7 @@ static bool has_change(const struct consequence *q) {
 /* What shows the root: an effect that was computed, else the certificate of its first claim. */
 static void add_evidence(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
   for (int i = 0; i < root->n_claims; i++) {
-    const struct finding *f = named(r, root->claims[i]);
+    const struct finding *f = audit_result_finding(r, root->claims[i]);
     const struct consequence *q = audit_result_consequence(r, root->claims[i]);
     const struct evidence *e = f ? failure_evidence(f) : NULL;
     bool changes = has_change(q);
@@ -347,7 +334,7 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
 static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_opening(s, r);
   add_roots(s, r, SEVERITY_SUBSTANCE, "What changes a result", true);
-  if (count_roots(r, SEVERITY_REMARK, SEVERITY_NOTATION)) new_page(s);
+  if (audit_result_roots(r, false)) new_page(s);
   add_roots(s, r, SEVERITY_REMARK, "Remarks", false);
   add_roots(s, r, SEVERITY_NOTATION, "Slips of notation", false);
   new_page(s);

@@ -20,8 +20,6 @@ void page_row(const struct page *p, const char *id);
 void page_verdict(const struct page *p, enum verdict v);
 /* "appendix_a" as words. */
 void page_section_name(const struct page *p, const char *section);
-/* The finding of that name, or NULL. */
-const struct finding *page_finding(const struct page *p, const char *id);
 
 /* What the routes of a finding say, as a list; only those with this result, or all when it is NULL. */
 void page_statements(const struct page *p, const struct finding *f, const char *result);

@@ -345,9 +345,7 @@ static void add_readings(const struct page *p) {
 }
 
 static const struct root_cause *root_of(const struct page *p, const struct finding *f) {
-  for (size_t i = 0; f->root && i < p->r->n_roots; i++)
-    if (strcmp(p->r->roots[i].id, f->root) == 0) return &p->r->roots[i];
-  return NULL;
+  return f->root ? audit_result_root(p->r, f->root) : NULL;
 }
 
 /* The failures of one root; NULL: those of none. */

@@ -77,18 +77,16 @@ void page_model(const struct page *p) {
       "Two blocks of mass $m_1$ and $m_2$ lie on a belt that moves with the constant velocity $V$. A spring of "
       "stiffness "
       "$k_1$ ties the first to a wall, a spring of stiffness $k_2$ ties the second to the first. The belt drags a "
-      "block "
-      "along (it sticks) until the springs pull harder than static friction, $u_{r1}$ or $u_{r2}$, can hold; then it "
-      "slips against the smaller sliding friction, $u_{s1}$ or $u_{s2}$, until its velocity is the belt's again and "
-      "friction can hold it.",
+      "block along (it sticks) until the springs pull harder than static friction, $u_{r1}$ or $u_{r2}$, can hold; "
+      "then it slips against the smaller sliding friction, $u_{s1}$ or $u_{s2}$, until its velocity is the belt's "
+      "again and friction can hold it.",
       "Without dimensions, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
       "$\\chi = "
       "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$: time is counted in units of "
       "$\\sqrt{\\frac{m_1}{k_1 + k_2}}$, forces are divided by $k_1 + k_2$, which makes lengths of them, and lengths "
-      "are "
-      "in any one unit; so no number on this page names one. Measured from the equilibrium under both sliding "
-      "forces, "
-      "positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ matter."};
+      "are in any one unit; so no number on this page names one. Measured from the equilibrium under both sliding "
+      "forces, positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ "
+      "matter."};
   static const char after[] =
       "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
       "the state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: the small "
@@ -114,11 +112,9 @@ void page_limits(const struct page *p) {
       "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
       "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
       "What stands on the printed page: the text judged is a machine conversion of it, and a slip of one symbol can be "
-      "the "
-      "conversion's.",
+      "the conversion's.",
       "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
-      "beside "
-      "each other in each claim.",
+      "beside each other in each claim.",
       "What nobody registered as a claim: the table above holds all that was judged.",
       "That something supported is proved: it agrees at the points tried, whose number stands with it.",
       "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "

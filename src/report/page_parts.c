@@ -6,12 +6,6 @@
 #include "html.h"
 #include "page.h"
 
-const struct finding *page_finding(const struct page *p, const char *id) {
-  for (size_t i = 0; i < p->r->n_findings; i++)
-    if (strcmp(p->r->findings[i].id, id) == 0) return &p->r->findings[i];
-  return NULL;
-}
-
 static void add_name(struct text *out, const char *id) {
   if (strncmp(id, "eq-", 3) == 0) {
     text_add_char(out, '(');
@@ -39,7 +33,7 @@ void page_row(const struct page *p, const char *id) {
 }
 
 void page_claim(const struct page *p, const char *id) {
-  const struct finding *f = page_finding(p, id);
+  const struct finding *f = audit_result_finding(p->r, id);
   if (f)
     add_link(p, finding_fails(f) ? "f-" : "c-", id);
   else

@@ -54,7 +54,7 @@ static void add_titled(const struct page *p, const struct finding *f) {
 static void add_numbers(const struct page *p, const struct finding *f, bool printed, const char *words) {
   const char *before = words;
   for (int i = 0; i < f->n_depends_on; i++) {
-    const struct finding *on = page_finding(p, f->depends_on[i]);
+    const struct finding *on = audit_result_finding(p->r, f->depends_on[i]);
     const char *number = on && printed ? on->printed : on ? on->correction_latex : NULL;
     if (!number || !finding_fails(on) || !failure_is_number(on)) continue;
     text_printf(p->out, "%s<span class=\"k\">", before);
@@ -107,7 +107,7 @@ static void add_stability(const struct page *p, const struct finding *f) {
       "Admissible: the two masses can follow it; not admissible: it solves the equations and breaks a condition of "
       "the motion.",
       NULL);
-  const struct finding *later = page_finding(p, "text-long-run");
+  const struct finding *later = audit_result_finding(p->r, "text-long-run");
   if (!later) return;
   text_add(p->out, " See also ");
   add_titled(p, later);
@@ -223,7 +223,7 @@ static void add_questions(const struct page *p) {
             {"Is the example stable?", "text-example-stability"}};
   text_add(p->out, "<h3>What readers ask first</h3>\n<dl>\n");
   for (size_t i = 0; i < sizeof of / sizeof *of; i++) {
-    const struct finding *f = page_finding(p, of[i].id);
+    const struct finding *f = audit_result_finding(p->r, of[i].id);
     if (!f) continue;
     text_printf(p->out, "<dt>%s</dt>\n<dd>", of[i].question);
     add_answer(p, f);
@@ -233,15 +233,9 @@ static void add_questions(const struct page *p) {
   text_add(p->out, "</dl>\n");
 }
 
-static size_t count_roots(const struct audit_result *r, bool substance) {
-  size_t n = 0;
-  for (size_t i = 0; i < r->n_roots; i++) n += (r->roots[i].severity == SEVERITY_SUBSTANCE) == substance;
-  return n;
-}
-
 /* The verdict in two sentences: causes, not claims, are counted; then what was decided of what the paper asserts. */
 static void add_lead(const struct page *p, const long count[N_VERDICTS], long total) {
-  size_t substance = count_roots(p->r, true), slips = count_roots(p->r, false);
+  size_t substance = audit_result_roots(p->r, true), slips = audit_result_roots(p->r, false);
   long asserted = total - count[VERDICT_DEFINITION], wrong = count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL];
   long decided = count[VERDICT_PROVED] + wrong;
   text_printf(p->out,

@@ -73,8 +73,7 @@ void report_repairs_markdown(struct text *out, const struct repair_result *r) {
       out,
       "# Repairs\n\nEvery one-token edit of the printed text of a refuted claim is tried; where none helps, or not the "
       "correction on file, pairs of exchanged names; and then the steps of a chain a = b = c one by one. A repair is "
-      "listed "
-      "when the claim passes, with it in place of the printed text, the checks that refuted it. Scene %s.\n\n",
+      "listed when the claim passes, with it in place of the printed text, the checks that refuted it. Scene %s.\n\n",
       r->scene);
   for (size_t i = 0; i < r->n; i++) {
     const struct repairs *c = &r->claim[i];

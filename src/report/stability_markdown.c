@@ -289,18 +289,15 @@ static void add_opening(struct text *out, const struct stability_result *r) {
       out,
       ".\n\nEvery definition of the paper and every side of its statements, entry by entry and as matrices (by their "
       "largest entry), is evaluated in double precision and in balls at the same exact doubles. Errors are relative, "
-      "in "
-      "units of 2^-53. With kappa the condition number, the sum over the inputs of |x df/dx|/|f| from symbolic "
+      "in units of 2^-53. With kappa the condition number, the sum over the inputs of |x df/dx|/|f| from symbolic "
       "derivatives (where the formula would be blamed, the change itself that 2^-53 of an input makes, if that is "
-      "larger), "
-      "the problem loses log10 max(1, kappa) digits, the formula what is lost beyond that. A double has %.1f digits: "
-      "where all of them are lost the relative error stands for them, and the count by the formula goes on past %.1f, "
-      "to the log10 of how many times the error is what the conditioning allows; it orders the ledger. A point at "
-      "which no value comes out is a failure and has no such count. \"Sign\": a relative error near 1 and the wrong "
-      "sign. In each "
-      "region the points are drawn at random, then a climb looks for the worst; no formula, point or cause was put in "
-      "by "
-      "hand. A repetition on a machine with another C library may differ in tenths of digits and in witnesses.\n\n",
+      "larger), the problem loses log10 max(1, kappa) digits, the formula what is lost beyond that. A double has "
+      "%.1f digits: where all of them are lost the relative error stands for them, and the count by the formula goes "
+      "on past %.1f, to the log10 of how many times the error is what the conditioning allows; it orders the ledger. "
+      "A point at which no value comes out is a failure and has no such count. \"Sign\": a relative error near 1 and "
+      "the wrong sign. In each region the points are drawn at random, then a climb looks for the worst; no formula, "
+      "point or cause was put in by hand. A repetition on a machine with another C library may differ in tenths of "
+      "digits and in witnesses.\n\n",
       STABILITY_DIGITS, STABILITY_DIGITS);
   if (r->quick) text_add(out, "This is the quick search: few points, short climbs, no maps.\n\n");
 }
@@ -353,8 +350,7 @@ static void add_prediction(struct text *out, const struct stability_result *r) {
       "node does to the result, and says how many digits will be lost; rows are its bins, columns what double "
       "precision lost, at every point drawn (not at those of the climbs). %ld condition numbers from symbolic "
       "derivatives stand beside those of the adjoint, which the rule uses; %ld differ. The rule expects too much where "
-      "a "
-      "number near 1 is rounded twice and the second rounding undoes the first.\n\n",
+      "a number near 1 is rounded twice and the second rounding undoes the first.\n\n",
       r->conditions, r->condition_differs);
   stability_add_confusion(out, r);
 }

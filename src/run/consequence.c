@@ -274,15 +274,9 @@ static enum verdict judge_again_once(struct memory *m, struct judge *j, size_t c
   return m->said[m->n++].verdict;
 }
 
-static const struct finding *finding_now(const struct audit_result *r, const char *id) {
-  for (size_t i = 0; i < r->n_findings; i++)
-    if (strcmp(r->findings[i].id, id) == 0) return &r->findings[i];
-  return NULL;
-}
-
 /* The verdict of this run, or what it would be. */
 static enum verdict judge_as_is(struct judge *j, const struct claim *c) {
-  const struct finding *now = finding_now(j->out, c->id);
+  const struct finding *now = audit_result_finding(j->out, c->id);
   return now ? now->verdict : judge_again(j, c, claim_own(c));
 }
 
