@@ -117,7 +117,7 @@ static bool set_interval(struct scene *s, enum scene_key key, const struct const
 
 static bool evaluate(struct reader *r, enum scene_key k) {
   struct parameter *p = &r->parameter[k];
-  struct constant c = {p->src, r->d, &r->depth, &r->work, refer, r};
+  struct constant c = {p->src, r->d, &r->depth, &r->work, refer, "the scene's other parameters", r};
   if (p->state == EVALUATED) return true;
   p->state = IN_EVALUATION;
   r->chain[r->n_chain++] = k;
@@ -431,6 +431,21 @@ static bool read_all(struct reader *r, const struct scene_overrides *o) {
   free(list);
   scene_printed_align(r->s);
   return ok && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);
+}
+
+bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
+  struct arena a;
+  struct source src;
+  int depth = 0;
+  size_t work = 0;
+  arena_init(&a);
+  source_from_string(&src, name, arena_strndup(&a, text, len));
+  struct constant c = {.src = &src, .d = d, .depth = &depth, .work = &work};
+  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
+  bool ok = e && constant_eval(z, &c, e);
+  source_clear(&src);
+  arena_clear(&a);
+  return ok;
 }
 
 /* --- Scenes --- */

@@ -22,9 +22,7 @@
    A scene that gives chi, eta, V, e1 and e2 may give any of them as an interval, e2 = [1.7, 1.9]: then it is a box of
    parameters, and what is said holds for each point of it.
 
-   Limits: a file of 1 MiB; a value of MAX_VALUE_BITS bits (60000 digits); in
-   all parameters together MAX_VALUE_DEPTH operations on the way to any number and MAX_VALUE_WORK bits of results;
-   exponents as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
+   Limits: a file of 1 MiB; values as in expr/constant.h, the parameters sharing its depth and work; exponents as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
 #ifndef STICKSLIP_SCENE_SCENE_H
 #define STICKSLIP_SCENE_SCENE_H
 
@@ -95,14 +93,7 @@ struct scene_key_info {
 extern const struct scene_key_info scene_keys[N_SCENE_KEYS];
 extern const char *const scene_key_name[N_SCENE_KEYS];
 
-enum {
-  MAX_SCENE_FILE = 1 << 20,
-  MAX_VALUE_BITS = 200000,
-  MAX_VALUE_DEPTH = 1000,
-  MAX_VALUE_WORK = 20000000,
-  MAX_SCENE_LIST = 1000,
-  MOST_SCENE_DIGITS = 100000
-};
+enum { MAX_SCENE_FILE = 1 << 20, MAX_SCENE_LIST = 1000, MOST_SCENE_DIGITS = 100000 };
 #define MOST_SCENE_BUDGET 1000000000000000000ULL /* 10^18 */
 
 /* What a printed decimal stands for, everywhere the same: the numbers that a scene prints are results of one

@@ -2,22 +2,8 @@
 #ifndef STICKSLIP_AUDIT_SCENE_IMPL_H
 #define STICKSLIP_AUDIT_SCENE_IMPL_H
 
-#include "expr/expr.h"
+#include "expr/constant.h"
 #include "scene.h"
-
-/* A constant expression under evaluation.  symbol gives the value of a name, or reports why it has none; NULL where
-   names have no place.  depth and work are shared by expressions that refer to each other. */
-struct constant {
-  const struct source *src;
-  struct diag *d;
-  int *depth;
-  size_t *work;
-  bool (*symbol)(fmpq_t z, void *arg, const struct constant *c, const struct expr *e);
-  void *arg;
-};
-bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e);
-/* Reports at the expression; false. */
-bool constant_complain(const struct constant *c, const struct expr *e, const char *what);
 
 static inline bool scene_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';

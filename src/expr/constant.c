@@ -1,11 +1,10 @@
 /* Constant expressions over the rationals: what was written is what is used, and rounding waits for the number types.
 
    A user can write down more than a machine can hold: sizes, depth and the sum of all results are bounded. */
+#include "constant.h"
+
 #include <stdlib.h>
 #include <string.h>
-
-#include "base/arena.h"
-#include "scene_impl.h"
 
 bool constant_complain(const struct constant *c, const struct expr *e, const char *what) {
   diag_at(c->d, c->src, e->span.begin, "%s", what);
@@ -90,10 +89,9 @@ static bool eval_node(fmpq_t z, const struct constant *c, const struct expr *e) 
   default:
     break;
   }
-  return constant_complain(c, e,
-                           c->symbol ? "a constant expression has numbers, + - * / ^, sqrt, parentheses and the "
-                                       "scene's other parameters only"
-                                     : "a constant expression has numbers, + - * / ^, sqrt and parentheses only");
+  diag_at(c->d, c->src, e->span.begin, "a constant expression has numbers, + - * / ^, sqrt%s%s only",
+          c->symbol ? ", parentheses and " : " and parentheses", c->symbol ? c->names : "");
+  return false;
 }
 
 bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e) {
@@ -108,19 +106,4 @@ bool constant_eval(fmpq_t z, const struct constant *c, const struct expr *e) {
   *c->work += bits;
   return *c->work <= MAX_VALUE_WORK ||
          constant_complain(c, e, "the values take more than 20000000 bits of work; write shorter ones");
-}
-
-bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
-  struct arena a;
-  struct source src;
-  int depth = 0;
-  size_t work = 0;
-  arena_init(&a);
-  source_from_string(&src, name, arena_strndup(&a, text, len));
-  struct constant c = {.src = &src, .d = d, .depth = &depth, .work = &work};
-  const struct expr *e = expr_parse(&a, &src, (struct span){0, src.len}, d);
-  bool ok = e && constant_eval(z, &c, e);
-  source_clear(&src);
-  arena_clear(&a);
-  return ok;
 }
