@@ -1,8 +1,8 @@
-/* Behaviour: the return map's Taylor series, chains of masses, and the claims that are judged by motions.
+/* Behaviour: the return map's Taylor series, and the claims that are judged by motions.
 
    Numbers come from tests/oracle (equality.tsv: mpmath, matrix exponentials and differences; longrun.tsv: fixed-step
-   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, from the simulation
-   of two masses, and from a chain integrated here with tiny steps. */
+   Runge-Kutta in floats), from the return map of motion/return_map_double.c, which knows no series, and from the
+   simulation of two masses. */
 #include <check.h>
 #include <math.h>
 #include <stdio.h>
@@ -12,7 +12,6 @@
 
 #include "judge/behaviour.h"
 #include "laws_num.h"
-#include "motion/chain.h"
 #include "paper_model.h"
 #include "run/audit.h"
 #include "scratch.h"
@@ -125,137 +124,6 @@ START_TEST(series_over_a_ball_hold_those_of_its_points) {
   }
   ck_assert(arb_rel_accuracy_bits(c + 3) > 20);
   _arb_vec_clear(c, 8);
-}
-END_TEST
-
-/* --- Chains --- */
-
-static double dyadic(struct rng *r, slong low, slong high) {
-  return (double)rng_between(r, low, high) / 64;
-}
-
-static void random_chain(struct chain *c, double start[2 * CHAIN_MOST], int n, struct rng *r) {
-  *c = (struct chain){.n = n, .V = dyadic(r, 16, 128)};
-  for (int i = 0; i < n; i++) {
-    c->spring[i] = dyadic(r, 8, 64);
-    c->mobility[i] = dyadic(r, 32, 128);
-    c->us[i] = dyadic(r, 0, 100);
-    c->ur[i] = c->us[i] + dyadic(r, 8, 100);
-    start[i] = dyadic(r, -200, 200);
-    start[n + i] = rng_between(r, 0, 1) ? c->V : dyadic(r, -150, 150);
-  }
-}
-
-START_TEST(a_chain_of_two_is_the_papers_system) {
-  struct rng r = {(uint64_t)_i};
-  struct chain c;
-  double x[2 * CHAIN_MOST], p[N_COULOMB];
-  struct coulomb_plan plan = coulomb_plan_default;
-  struct coulomb_result end;
-  struct coulomb_log log;
-  random_chain(&c, x, 2, &r);
-  double chi = dyadic(&r, 6, 58);
-  c.spring[0] = 1 - chi;
-  c.spring[1] = chi;
-  c.mobility[0] = 1;
-  p[COULOMB_CHI] = chi;
-  p[COULOMB_ETA] = c.mobility[1];
-  p[COULOMB_V] = c.V;
-  for (int i = 0; i < 2; i++) {
-    p[COULOMB_US1 + i] = c.us[i];
-    p[COULOMB_UR1 + i] = c.ur[i];
-  }
-  coulomb_log_init(&log);
-  struct coulomb_sink sink = coulomb_log_sink(&log);
-  plan.duration = 12;
-  ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
-  for (int route = 0; route < N_CHAIN_ROUTES; route++) {
-    struct chain_motion m;
-    ck_assert_int_eq(chain_simulate(&m, (enum chain_route)route, &c, x, 12), SS_OK);
-    ck_assert_msg(m.n_events == (int)log.n, "trial %d route %d: %d events, not %zu", _i, route, m.n_events, log.n);
-    for (size_t k = 0; k < log.n; k++) {
-      ck_assert_int_eq(m.event[k].mass, log.event[k].mass);
-      ck_assert_int_eq((int)m.event[k].to, (int)log.event[k].to);
-      ck_assert_double_eq_tol(m.event[k].t, log.event[k].at.t, 1e-7);
-    }
-    for (int i = 0; i < 2; i++) {
-      ck_assert_double_eq_tol(m.z[i], end.at.x[i], 1e-7);
-      ck_assert_double_eq_tol(m.z[2 + i], end.at.v[i], 1e-7);
-    }
-  }
-  coulomb_log_clear(&log);
-}
-END_TEST
-
-/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
-   its limit slips.  Error of the order of a step. */
-static void crude_chain(double z[2 * CHAIN_MOST], const struct chain *c, const double *start, double duration) {
-  enum { STEPS = 400000 };
-  int n = c->n, side[CHAIN_MOST];
-  double h = duration / STEPS, f[CHAIN_MOST];
-  memcpy(z, start, 2 * (size_t)n * sizeof *z);
-  for (int i = 0; i < n; i++) side[i] = z[n + i] < c->V ? 1 : z[n + i] > c->V ? -1 : 0;
-  for (int k = 0; k < STEPS; k++) {
-    for (int i = 0; i < n; i++) {
-      f[i] = c->spring[i] * (z[i] - (i ? z[i - 1] : 0));
-      if (i + 1 < n) f[i] += c->spring[i + 1] * (z[i] - z[i + 1]);
-      if (side[i] == 0 && fabs(f[i]) >= c->ur[i]) side[i] = f[i] > 0 ? 1 : -1;
-    }
-    for (int i = 0; i < n; i++) {
-      double v = z[n + i];
-      if (side[i]) {
-        z[n + i] += h * c->mobility[i] * (side[i] * c->us[i] - f[i]);
-        if (side[i] * (z[n + i] - c->V) > 0 && fabs(f[i]) < c->ur[i]) {
-          z[n + i] = c->V;
-          side[i] = 0;
-        } else if (side[i] * (z[n + i] - c->V) > 0) {
-          side[i] = -side[i];
-        }
-      }
-      z[i] += h * 0.5 * (v + z[n + i]);
-    }
-  }
-}
-
-START_TEST(longer_chains_are_those_of_tiny_steps) {
-  struct rng r = {(uint64_t)_i + 100};
-  struct chain c;
-  double x[2 * CHAIN_MOST], crude[2 * CHAIN_MOST];
-  int n = 3 + _i % 3;
-  random_chain(&c, x, n, &r);
-  crude_chain(crude, &c, x, 4);
-  for (int route = 0; route < N_CHAIN_ROUTES; route++) {
-    struct chain_motion m;
-    ck_assert_int_eq(chain_simulate(&m, (enum chain_route)route, &c, x, 4), SS_OK);
-    for (int i = 0; i < 2 * n; i++)
-      ck_assert_msg(fabs(m.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, m.z[i],
-                    crude[i]);
-  }
-}
-END_TEST
-
-START_TEST(chains_outside_the_domain) {
-  struct rng r = {7};
-  struct chain good, c;
-  struct chain_motion m;
-  double x[2 * CHAIN_MOST] = {0};
-  random_chain(&good, x, 3, &r);
-  ck_assert_int_eq(chain_simulate(&m, CHAIN_PATCHED, &good, x, 0), SS_OK);
-  ck_assert_double_eq(m.z[1], x[1]);
-  for (int k = 0; k < 9; k++) {
-    double duration = 1;
-    c = good;
-    if (k == 0) c.n = 0;
-    if (k == 1) c.n = CHAIN_MOST + 1;
-    if (k == 2) c.spring[1] = 0;
-    if (k == 3) c.mobility[2] = -1;
-    if (k == 4) c.V = NAN;
-    if (k == 5) c.us[0] = c.ur[0];
-    if (k == 6) duration = -1;
-    if (k == 7) duration = INFINITY;
-    if (k == 8) c.ur[1] = INFINITY;
-    ck_assert_msg(chain_simulate(&m, CHAIN_INTEGRATED, &c, x, duration) == SS_DOMAIN, "case %d", k);
-  }
 }
 END_TEST
 
@@ -654,11 +522,6 @@ Suite *behaviour_suite(void) {
   tcase_add_loop_test(c, series_of_the_return_map_at_equality, 0, 2);
   tcase_add_loop_test(c, series_predicts_the_map_nearby, 0, 40);
   tcase_add_test(c, series_over_a_ball_hold_those_of_its_points);
-  suite_add_tcase(s, c);
-  c = tcase_create("chains");
-  tcase_add_loop_test(c, a_chain_of_two_is_the_papers_system, 0, 40);
-  tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
-  tcase_add_test(c, chains_outside_the_domain);
   suite_add_tcase(s, c);
   c = tcase_create("claims");
   tcase_add_unchecked_fixture(c, open_paper, close_paper);

@@ -38,6 +38,7 @@ int main(void) {
   srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, jacobian_suite());
   srunner_add_suite(r, behaviour_suite());
+  srunner_add_suite(r, mech_suite());
   srunner_add_suite(r, routes_suite());
   srunner_add_suite(r, errata_suite());
   srunner_add_suite(r, referee_suite());

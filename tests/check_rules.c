@@ -4,20 +4,16 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "scratch.h"
 #include "suites.h"
 
 /* The output of a command, and its exit status. */
-static char *shell(int *status, const char *command) {
+static char *said(int *status, const char *command) {
   static char out[1 << 16];
-  FILE *f = popen(command, "r");
-  ck_assert(f);
-  size_t n = fread(out, 1, sizeof out - 1, f);
-  out[n] = '\0';
-  int ended = pclose(f);
-  *status = WIFEXITED(ended) ? WEXITSTATUS(ended) : -1;
+  char *all = shell_output(status, "%s", command);
+  snprintf(out, sizeof out, "%s", all);
+  free(all);
   return out;
 }
 
@@ -149,11 +145,11 @@ static void damage_and_ask(const struct damage *x, size_t i) {
   snprintf(command, sizeof command,
            "rm -rf %s && cp -R verify %s && cp %s/%s %s.was && sed -i \"%s\" %s/%s && ! cmp -s %s.was %s/%s", data,
            data, data, x->file, data, x->script, data, x->file, data, data, x->file);
-  shell(&status, command);
+  said(&status, command);
   ck_assert_msg(status == 0, "damage %zu, %s, changes nothing", i, x->script);
   snprintf(command, sizeof command, "STICKSLIP_DATA=%s %s %s%s%s 2>&1", data, program(), x->ask,
            x->ask == planned ? "" : " --out ", x->ask == planned ? "" : scratch_path("out"));
-  const char *out = shell(&status, command);
+  const char *out = said(&status, command);
   ck_assert_msg(status == x->status && strstr(out, x->says), "damage %zu, %s: status %d, not %d with \"%s\":\n%s", i,
                 x->script, status, x->status, x->says, out);
 }
@@ -178,19 +174,19 @@ START_TEST(check_knows_the_rules) {
       "sed '/^claim text-54-fulfilled$/,/^$/{s/eq-56 D/eq-56 D, eq-54/}' verify/claims/8-text.claim > %s && %s check "
       "%s 2>&1",
       file, program(), file);
-  const char *out = shell(&status, command);
+  const char *out = said(&status, command);
   ck_assert_msg(status == 3 && strstr(out, "the conclusion eq-54 is among its own premises"), "%s", out);
   file = scratch_path("paper.statements");
   snprintf(command, sizeof command,
            "sed 's/claims: text-charpoly$/claims: eq-14/' verify/paper/paper.statements > %s && %s check %s 2>&1", file,
            program(), file);
-  out = shell(&status, command);
+  out = said(&status, command);
   ck_assert_msg(status == 3 && strstr(out, "text-charpoly: no statement of the paper names this claim"), "%s", out);
   snprintf(command, sizeof command,
            "%s check verify/paper/paper.statements && %s check verify/controls/controls.claim && %s check "
            "verify/claims/paper.roots",
            program(), program(), program());
-  shell(&status, command);
+  said(&status, command);
   ck_assert_int_eq(status, 0);
 }
 END_TEST
@@ -204,7 +200,7 @@ START_TEST(a_reason_is_printed) {
   damage_and_ask(&few, 0);
   snprintf(command, sizeof command, "grep -c 'fewer points or routes than its kind asks for: a test' %s/audit.json",
            scratch_path("out"));
-  ck_assert_int_eq(atoi(shell(&status, command)), 1);
+  ck_assert_int_eq(atoi(said(&status, command)), 1);
 }
 END_TEST
 
@@ -215,13 +211,13 @@ START_TEST(near_controls_are_made_and_measured) {
   char command[1024];
   snprintf(command, sizeof command, "%s verify paper --only eq-3,eq-4,eq-48b --quiet --out %s", program(),
            scratch_path("out"));
-  const char *out = shell(&status, command);
+  const char *out = said(&status, command);
   ck_assert_msg(status == 0 && strstr(out, "as recorded"), "%s", out);
   snprintf(command, sizeof command,
            "%s -c 'import json; print(*sorted((c[\"id\"], c[\"noticed\"], c.get(\"distance\")) for c in "
            "json.load(open(\"%s/audit.json\"))[\"controls\"] if \"distance\" in c))'",
            python(), scratch_path("out"));
-  out = shell(&status, command);
+  out = said(&status, command);
   ck_assert_str_eq(out,
                    "('ctl-exact-matrix', True, '1e-90') ('near-eq-3b', True, '1e-30') ('near-eq-3d', True, '1e-30') "
                    "('near-eq-3e', True, '1e-30') ('near-eq-4', True, '1e-30') ('near-eq-48b', True, '1e-30')\n");

@@ -1,37 +1,15 @@
 /* What a person at a terminal meets: colours where they are wanted, tables, completion; and the documents that are
    typed from: every block of docs/ is read by the program, and the paper of two equations there is audited. */
 #include <check.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/wait.h>
 
 #include "base/text.h"
 #include "record/result.h"
 #include "scratch.h"
 #include "suites.h"
-
-/* Standard output of a shell command, to be freed, with its exit status. */
-static char *shell(int *status, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
-static char *shell(int *status, const char *fmt, ...) {
-  char command[4000];
-  struct text t;
-  va_list ap;
-  va_start(ap, fmt);
-  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
-  va_end(ap);
-  FILE *f = popen(command, "r");
-  ck_assert(f != NULL);
-  text_init(&t);
-  char part[4096];
-  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
-  text_add(&t, "");
-  int s = pclose(f);
-  *status = WIFEXITED(s) ? WEXITSTATUS(s) : -1;
-  return t.data;
-}
 
 static int count(const char *text, const char *part) {
   int n = 0;
@@ -45,8 +23,8 @@ static const char audit_args[] = "verify paper --only eq-10,eq-27,eq-36b --out";
 
 static char *on_a_terminal(const char *settings, const char *more) {
   int status;
-  char *out = shell(&status, "%s tests/oracle/terminal.py %s -- %s %s %s %s", python(), settings, program(), audit_args,
-                    scratch_path("r"), more);
+  char *out = shell_output(&status, "%s tests/oracle/terminal.py %s -- %s %s %s %s", python(), settings, program(),
+                           audit_args, scratch_path("r"), more);
   ck_assert_int_eq(status, 0);
   return out;
 }
@@ -66,7 +44,7 @@ START_TEST(colours_only_where_they_are_wanted) {
                {"TERM=dumb NO_COLOR=", false},   {"TERM= NO_COLOR=", false},
                {"TERM=xterm NO_COLOR=1", false}, {"TERM=xterm NO_COLOR=0", false}};
   int status;
-  char *plain = shell(&status, "TERM=xterm %s %s %s 2>&1", program(), audit_args, scratch_path("r"));
+  char *plain = shell_output(&status, "TERM=xterm %s %s %s 2>&1", program(), audit_args, scratch_path("r"));
   ck_assert_int_eq(status, 0);
   ck_assert_msg(!strchr(plain, '\033') && !strchr(plain, '\r'), "%s", plain);
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
@@ -86,7 +64,7 @@ END_TEST
 /* Without its colours the text is the same, and the last line is the contract's. */
 START_TEST(colours_change_no_character) {
   int status;
-  char *plain = shell(&status, "%s %s %s", program(), audit_args, scratch_path("r"));
+  char *plain = shell_output(&status, "%s %s %s", program(), audit_args, scratch_path("r"));
   char *out = on_a_terminal("TERM=xterm NO_COLOR=", ""), *to = out;
   for (const char *p = after_progress(out); *p;) {
     if (*p == '\033')
@@ -110,7 +88,7 @@ END_TEST
 /* The counts of the table add up: down the columns to its last row, and along each row. */
 START_TEST(the_table_adds_up) {
   int status, sum[8] = {0};
-  char *out = shell(&status, "%s verify paper --out %s", program(), scratch_path("r"));
+  char *out = shell_output(&status, "%s verify paper --out %s", program(), scratch_path("r"));
   char *line = strstr(out, "\nsection");
   ck_assert(line != NULL);
   line = strtok(strchr(line + 1, '\n'), "\n");
@@ -140,7 +118,7 @@ END_TEST
 /* Tables that a person can read: every number says what it is, and columns stand under each other. */
 START_TEST(orbits_and_motions_are_tables) {
   int status;
-  char *out = shell(&status, "%s orbit paper --digits 30", program());
+  char *out = shell_output(&status, "%s orbit paper --digits 30", program());
   const char *meaning = strstr(out, "position of m_1"), *begin = meaning;
   ck_assert_int_eq(status, 0);
   ck_assert(meaning != NULL);
@@ -155,7 +133,7 @@ START_TEST(orbits_and_motions_are_tables) {
     ck_assert_int_eq(at - from, column);
   }
   free(out);
-  out = shell(&status, "%s simulate paper --at orbit:2", program());
+  out = shell_output(&status, "%s simulate paper --at orbit:2", program());
   ck_assert(status == 0 && strstr(out, "without dimensions") && strstr(out, "\n          t mass change"));
   free(out);
 }
@@ -195,10 +173,10 @@ START_TEST(lines_fit_the_terminal) {
                {"list --scene-keys", 130, true}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     int status;
-    char *wide = shell(&status, "%s %s", program(), cases[i].command);
+    char *wide = shell_output(&status, "%s %s", program(), cases[i].command);
     ck_assert_int_eq(status, 0);
-    char *out = shell(&status, "%s tests/oracle/terminal.py COLUMNS=%d -- %s %s 2>&1", python(), cases[i].width,
-                      program(), cases[i].command);
+    char *out = shell_output(&status, "%s tests/oracle/terminal.py COLUMNS=%d -- %s %s 2>&1", python(), cases[i].width,
+                             program(), cases[i].command);
     ck_assert_int_eq(status, 0);
     int lines = 0;
     ck_assert_msg(!strstr(out, " \n"), "%s: blanks at the end of a line", cases[i].command);
@@ -222,10 +200,10 @@ END_TEST
 /* Who waits at a terminal is told how far a sweep is and how long it takes. */
 START_TEST(a_sweep_tells_how_long) {
   int status;
-  char *out = shell(&status,
-                    "%s tests/oracle/terminal.py TERM=xterm -- %s sweep paper --over e1=2:4:20 --over "
-                    "e2=0.5:3:2000 --csv %s",
-                    python(), program(), scratch_path("rows"));
+  char *out = shell_output(&status,
+                           "%s tests/oracle/terminal.py TERM=xterm -- %s sweep paper --over e1=2:4:20 --over "
+                           "e2=0.5:3:2000 --csv %s",
+                           python(), program(), scratch_path("rows"));
   ck_assert_int_eq(status, 0);
   const char *first = strstr(out, "\r\033[K["), *left = strstr(out, " left\r\033[K");
   ck_assert_msg(first && left && left - first > 10, "%.300s", out);
@@ -235,18 +213,18 @@ END_TEST
 
 START_TEST(scenes_are_listed) {
   int status;
-  char *out = shell(&status, "%s list scenes", program());
+  char *out = shell_output(&status, "%s list scenes", program());
   ck_assert(status == 0 && strncmp(out, "above-one ", 10) == 0);
   ck_assert(strstr(out, "\npaper              the paper's numerical example\n"));
   free(out);
-  out = shell(&status, "ls verify/scenes/*.scene | wc -l; %s list scenes | wc -l", program());
+  out = shell_output(&status, "ls verify/scenes/*.scene | wc -l; %s list scenes | wc -l", program());
   int files = -1, lines = -2;
   ck_assert(sscanf(out, "%d %d", &files, &lines) == 2 && files == lines);
   free(out);
-  out = shell(&status, "STICKSLIP_DATA=%s %s list scenes 2>&1", scratch_path(""), program());
+  out = shell_output(&status, "STICKSLIP_DATA=%s %s list scenes 2>&1", scratch_path(""), program());
   ck_assert(status == 3 && strstr(out, "scenes: error: "));
   free(out);
-  out = shell(
+  out = shell_output(
       &status, "mkdir %s; echo 'chi = 2' > %s; cp verify/scenes/stable.scene %s; STICKSLIP_DATA=%s %s list scenes 2>&1",
       scratch_path("scenes"), scratch_path("scenes/broken.scene"), scratch_path("scenes"), scratch_path(""), program());
   ck_assert_msg(status == 3 && strstr(out, "broken.scene: error: ") && strstr(out, "stable  "), "%s", out);
@@ -266,7 +244,7 @@ static char *offered(const char *line) {
                           "COMP_CWORD=$((${#COMP_WORDS[@]} - 1))\n"
                           "_stickslip\n"
                           "printf '%s\\n' \"${COMPREPLY[@]}\"\n");
-  char *out = shell(&status, "bash %s '%s %s' 2>&1", scratch_path("try.bash"), program(), line);
+  char *out = shell_output(&status, "bash %s '%s %s' 2>&1", scratch_path("try.bash"), program(), line);
   ck_assert_int_eq(status, 0);
   return out;
 }
@@ -312,7 +290,7 @@ START_TEST(what_is_offered_is_known) {
     char *options = offered(line);
     for (char *o = strtok_r(options, "\n", &end); o; o = strtok_r(NULL, "\n", &end), tried++) {
       int status;
-      char *said = shell(&status, "%s %s %s=x=y --no-such 2>&1 >/dev/null", program(), c, o);
+      char *said = shell_output(&status, "%s %s %s=x=y --no-such 2>&1 >/dev/null", program(), c, o);
       ck_assert_msg(status == 2 && !strstr(said, "belong") &&
                         (strstr(said, o) == NULL || strstr(said, "takes no value")),
                     "%s %s: %s", c, o, said);
@@ -348,7 +326,7 @@ static int check_blocks(const char *path, int *refused) {
       int status;
       bool wrong = strcmp(mode, "refused") == 0;
       snprintf(name, sizeof name, "block.%s", kind);
-      char *said = shell(&status, "%s check %s 2>&1", program(), scratch_put(name, text_str(&body)));
+      char *said = shell_output(&status, "%s check %s 2>&1", program(), scratch_put(name, text_str(&body)));
       ck_assert_msg(status == (wrong ? 3 : 0), "%s: %s\n%s", path, text_str(&body), said);
       free(said);
       *refused += wrong;
@@ -377,27 +355,27 @@ END_TEST
 START_TEST(another_paper_is_audited) {
   int status;
   char *out =
-      shell(&status, "STICKSLIP_DATA=tests/another %s verify --out %s 2>&1", program(), scratch_path("another"));
+      shell_output(&status, "STICKSLIP_DATA=tests/another %s verify --out %s 2>&1", program(), scratch_path("another"));
   ck_assert_msg(status == 0 && strstr(out, "refuted     eq-2 "), "%s", out);
   ck_assert_msg(strstr(out, "\npaper: 2 statements: 1 proved, 1 refuted; 4 of 4 controls noticed; as recorded\n"), "%s",
                 out);
   free(out);
-  out = shell(&status, "grep -c 'replaced by\\|det(D(t)) = 1\"' %s/audit.json", scratch_path("another"));
+  out = shell_output(&status, "grep -c 'replaced by\\|det(D(t)) = 1\"' %s/audit.json", scratch_path("another"));
   ck_assert_int_eq(atoi(out), 1); /* the correction */
   free(out);
   /* the page says whose paper it is, and without its title of none */
-  out = shell(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
+  out = shell_output(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
   ck_assert_str_eq(out, "<h1>Audit of a paper: <cite>A note on two equations of the oscillator</cite></h1>\n");
   free(out);
   /* the same folder with its second equation right: the verdict is not the recorded one */
-  out = shell(
+  out = shell_output(
       &status,
       "cp -R tests/another/paper %s && sed -i 's/= 1 + t$/= 1/; /^paper:/d' %s/note.eq && STICKSLIP_DATA=tests/another "
       "%s verify --paper %s --out %s",
       scratch_path("paper"), scratch_path("paper"), program(), scratch_path("paper"), scratch_path("another"));
   ck_assert_msg(status == 1 && strstr(out, "eq-2: proved, recorded as refuted\n"), "%s", out);
   free(out);
-  out = shell(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
+  out = shell_output(&status, "grep -o '<h1>.*</h1>' %s/index.html", scratch_path("another"));
   ck_assert_str_eq(out, "<h1>Audit of a paper</h1>\n");
   free(out);
 }
@@ -406,8 +384,9 @@ END_TEST
 /* Every command of docs/ and of README's quick start is typed, and ends as they say. */
 START_TEST(documents_show_what_happens) {
   int status;
-  char *out = shell(&status, "%s tests/oracle/documents.py %s %s-checker 'README.md@More to look at' docs/*.md 2>&1",
-                    python(), program(), program());
+  char *out =
+      shell_output(&status, "%s tests/oracle/documents.py %s %s-checker 'README.md@More to look at' docs/*.md 2>&1",
+                   python(), program(), program());
   ck_assert_msg(status == 0, "%s", out);
   ck_assert_int_ge(atoi(out), 20);
   free(out);
@@ -417,7 +396,7 @@ END_TEST
 START_TEST(man_pages_are_sound) {
   int status;
   if (system("command -v mandoc >/dev/null") != 0) return;
-  char *out = shell(&status, "mandoc -Tlint -Wwarning man/*.[15]");
+  char *out = shell_output(&status, "mandoc -Tlint -Wwarning man/*.[15]");
   ck_assert_msg(status == 0 && !*out, "%s", out);
   free(out);
 }
@@ -426,7 +405,7 @@ END_TEST
 /* What it says of commands and options is what the program says. */
 START_TEST(the_man_page_is_made_from_the_table) {
   int status;
-  char *out = shell(&status, "%s tools/manual.py %s --check", python(), program());
+  char *out = shell_output(&status, "%s tools/manual.py %s --check", python(), program());
   ck_assert_msg(status == 0, "%s", out);
   free(out);
 }
@@ -434,11 +413,11 @@ END_TEST
 
 START_TEST(every_kind_of_claim_is_in_the_manual) {
   int status;
-  char *out =
-      shell(&status,
-            "for k in $(%s list | awk '{ print $2 }' | sort -u); do grep -qw -e \"$k\" man/stickslip-eq.5 || echo "
-            "$k; done",
-            program());
+  char *out = shell_output(
+      &status,
+      "for k in $(%s list | awk '{ print $2 }' | sort -u); do grep -qw -e \"$k\" man/stickslip-eq.5 || echo "
+      "$k; done",
+      program());
   ck_assert_msg(!*out, "%s", out);
   free(out);
 }

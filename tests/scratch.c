@@ -4,11 +4,13 @@
 #include <check.h>
 #include <dirent.h>
 #include <fcntl.h>
+#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include "base/arena.h"
@@ -148,4 +150,22 @@ int split_tabs(char **field, int most, char *line) {
     if (p) *p++ = '\0';
   }
   return n;
+}
+
+char *shell_output(int *status, const char *fmt, ...) {
+  char command[4000];
+  struct text t;
+  va_list ap;
+  va_start(ap, fmt);
+  ck_assert_int_lt(vsnprintf(command, sizeof command, fmt, ap), (int)sizeof command);
+  va_end(ap);
+  FILE *f = popen(command, "r");
+  ck_assert(f != NULL);
+  text_init(&t);
+  char part[4096];
+  for (size_t n = fread(part, 1, sizeof part, f); n > 0; n = fread(part, 1, sizeof part, f)) text_add_n(&t, part, n);
+  text_add(&t, "");
+  int s = pclose(f);
+  *status = WIFEXITED(s) ? WEXITSTATUS(s) : -1;
+  return t.data;
 }

@@ -21,6 +21,9 @@ const char *scratch_list(const char *path);
 const char *program(void);
 const char *python(void);
 
+/* What a command of the shell prints on its standard output, to be freed; its exit status, or -1 when a signal ended it. */
+char *shell_output(int *status, const char *fmt, ...) __attribute__((format(printf, 2, 3)));
+
 /* The fields of a line between tabs, at most most of them; the line is cut up.  Returns how many. */
 int split_tabs(char **field, int most, char *line);
 

@@ -28,6 +28,7 @@ Suite *rules_suite(void);
 Suite *readings_suite(void);
 Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);
+Suite *mech_suite(void);
 Suite *routes_suite(void);
 Suite *errata_suite(void);
 Suite *referee_suite(void);

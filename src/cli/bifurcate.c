@@ -225,7 +225,7 @@ static int with_line(const struct options *o, const char *data, struct range *a,
   struct scene s;
   struct diag d;
   diag_init(&d);
-  if (!load_scene(&s, o->operands.word[0], data, o, false, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d)) {
     status = bad_input(&d);
   } else if (!scene_has_forces(&s)) {
     diag_set(&d, "%s: error: bifurcate needs a scene that gives e1 and e2", s.path);

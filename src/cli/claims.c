@@ -20,7 +20,7 @@ static int list_scenes(const char *data) {
   for (size_t i = 0; i < n; i++) {
     struct scene s;
     diag_init(&d);
-    if (scene_load_box(&s, name[i], data, &d))
+    if (scene_load_with(&s, name[i], data, NULL, SCENE_OF_ANY_SYSTEM, &d))
       text_printf(&out, "%-18s %s\n", s.name, s.title ? s.title : "");
     else
       status = bad_input(&d);
@@ -103,7 +103,7 @@ int run_explain(const struct options *o, const char *data) {
   diag_init(&d);
   model_init(&m);
   text_init(&out);
-  bool ok = load_scene(&s, "paper", data, o, false, &d) && load_model(&m, data, o, &d) &&
+  bool ok = load_scene(&s, "paper", data, o, SCENE_EXACT, &d) && load_model(&m, data, o, &d) &&
             claims_load_data(&c, data, "claims", "claim", &d) &&
             (receipt ? print_receipt(&out, &m, &c, &s, o->operands.word[0], data, &d)
                      : audit_explain(&out, &m, &c, &s, o->operands.word[0], at, tape, &d));

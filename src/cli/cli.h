@@ -143,8 +143,9 @@ void own_memory(void);
 
 /* The data folder into data. */
 bool find_data(struct text *data, struct diag *d);
-/* The scene of that name or path, with what --set changes; box: it may have intervals.  scene_clear it all the same. */
-bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, bool box, struct diag *d);
+/* The scene of that name or path, with what --set changes.  scene_clear it all the same. */
+bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
+                struct diag *d);
 /* list --scene-keys */
 int list_scene_keys(bool as_json);
 /* folder/name into out. */
@@ -176,6 +177,8 @@ int run_orbit_paper(const struct options *o, const char *data);
 int show_box(const struct options *o, const struct scene *s, slong digits);
 /* orbit and jacobian on a scene that names another word than the paper's. */
 int run_word_orbit(const struct options *o, const struct scene *s, slong digits, struct diag *d);
+/* stickslip orbit on a scene that names a system file. */
+int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d);
 int run_word_jacobian(const struct options *o, const struct scene *s, const struct jacobian_request *asked,
                       struct diag *d);
 /* simulate --compare, over at most the given time. */

@@ -123,7 +123,7 @@ int run_jacobian(const struct options *o, const char *data) {
   struct scene s;
   diag_init(&d);
   model_init(&m);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, true, &d) && scene_one_point(&s, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_OF_TWO_MASSES, &d) && scene_one_point(&s, &d);
   if (ok && scene_other_word(&s))
     status = run_word_jacobian(o, &s, &q, &d);
   else if (!ok || !load_model(&m, data, o, &d) ||

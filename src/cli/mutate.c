@@ -60,7 +60,7 @@ struct inputs {
 static bool inputs_load(struct inputs *in, const char *data, const struct options *o, struct diag *d) {
   *in = (struct inputs){.claims = {.n = 0}};
   model_init(&in->model);
-  bool ok = load_scene(&in->scene, "paper", data, o, false, d);
+  bool ok = load_scene(&in->scene, "paper", data, o, SCENE_EXACT, d);
   return ok && load_model(&in->model, data, o, d) && claims_load_data(&in->claims, data, "claims", "claim", d) &&
          claims_load_data(&in->controls, data, "controls", "control", d) &&
          claims_load_data(&in->statements, data, "paper", "statement", d) &&

@@ -256,9 +256,14 @@ int run_orbit(const struct options *o, const char *data) {
   struct diag d;
   struct scene s;
   diag_init(&d);
-  if (!load_scene(&s, o->operands.word[0], data, o, true, &d)) {
+  if (!load_scene(&s, o->operands.word[0], data, o, SCENE_OF_ANY_SYSTEM, &d)) {
     scene_clear(&s);
     return bad_input(&d);
+  }
+  if (s.system) {
+    status = run_system_orbit(o, &s, data, digits, &d);
+    scene_clear(&s);
+    return status;
   }
   if (scene_other_word(&s)) {
     status = run_word_orbit(o, &s, digits, &d);

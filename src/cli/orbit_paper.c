@@ -155,7 +155,7 @@ int run_orbit_paper(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&out);
   slong prec = (slong)((double)digits * 3.33) + GUARD_BITS;
-  if (load_scene(&s, o->operands.word[0], data, o, false, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
+  if (load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && audit_paper_orbits(&list, &s, prec, &d)) {
     if (option(o, OPT_JSON))
       write_json(&out, &list, &s, digits);
     else

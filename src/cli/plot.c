@@ -32,7 +32,7 @@ int run_plot(const struct options *o, const char *data) {
   diag_init(&d);
   text_init(&folder);
   audit_result_init(&r);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d) && scene_four_phases(&s, &d) &&
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && scene_four_phases(&s, &d) &&
             (!out || folder_possible(out, &d));
   const char *why = ok ? audit_tables(&r, &s) : NULL;
   if (why) diag_set(&d, "%s: error: nothing to draw: %s", s.path, why);

@@ -14,7 +14,7 @@ int run_readings(const struct options *o, const char *data) {
   model_init(&m);
   audit_result_init(&r);
   text_init(&out);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d) && load_model(&m, data, o, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d) && load_model(&m, data, o, &d);
   const char *why = ok ? audit_readings(&r, &m, &s) : NULL;
   if (why) {
     diag_set(&d, "%s: error: no readings: %s", s.path, why);

@@ -3,10 +3,10 @@
 
 #include "cli.h"
 
-bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, bool box,
+bool load_scene(struct scene *s, const char *spec, const char *data, const struct options *o, enum scene_welcome any,
                 struct diag *d) {
   struct scene_overrides set = {o->given[OPT_SET].word, o->given[OPT_SET].n, "--set"};
-  return scene_load_with(s, spec, data, &set, box, d);
+  return scene_load_with(s, spec, data, &set, any, d);
 }
 
 static void keys_json(struct text *out) {

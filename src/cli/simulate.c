@@ -118,7 +118,7 @@ int run_simulate(const struct options *o, const char *data) {
   struct scene s;
   struct simulation run = {.plan = coulomb_plan_default};
   diag_init(&d);
-  bool ok = load_scene(&s, o->operands.word[0], data, o, false, &d);
+  bool ok = load_scene(&s, o->operands.word[0], data, o, SCENE_EXACT, &d);
   ok = ok && (start ? audit_coulomb_setup_from(&run.setup, &s, start, &d)
                     : audit_coulomb_setup(&run.setup, &s, orbit, printed, &d));
   if (ok) {

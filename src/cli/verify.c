@@ -141,7 +141,7 @@ static int verify_scene(const struct verify_data *v, const char *spec, const cha
                               .roots = &v->roots,
                               .seconds_now = now};
   int status;
-  if (!load_scene(&s, spec, data, o, true, d) || !scene_four_phases(&s, d)) {
+  if (!load_scene(&s, spec, data, o, SCENE_OF_TWO_MASSES, d) || !scene_four_phases(&s, d)) {
     status = bad_input(d);
   } else if (option(o, OPT_PLAN)) {
     status = show_plan(&v->model, &v->claims, &v->controls, &s, &opt, option(o, OPT_JSON), d);

@@ -8,8 +8,7 @@ struct enclosure {
   struct calc c;
   struct word_law m;
   const struct phase_word *w;
-  slong mark;  /* what lies above it in the calc belongs to one evaluation */
-  mag_t least; /* the size of the least step so far */
+  slong mark; /* what lies above it in the calc belongs to one evaluation */
 };
 
 static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
@@ -22,23 +21,6 @@ static int values(const void **f, const void **j, const struct num_vec *x, void 
   return e->c.status;
 }
 
-/* Until the steps stop shrinking; beside a double solution they do not. */
-static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
-  struct enclosure *e = self;
-  mag_t size, s;
-  mag_init(size);
-  mag_init(s);
-  for (slong k = 0; k < x->len; k++) {
-    arb_get_mag(s, num_vec_at(step, k));
-    mag_max(size, size, s);
-  }
-  bool less = mag_cmp(size, e->least) < 0;
-  mag_min(e->least, e->least, size);
-  mag_clear(s);
-  mag_clear(size);
-  return less ? NEWTON_ON : NEWTON_STAY;
-}
-
 int word_unknowns_enclose(struct num_vec *x, const double *near, const struct phase_word *w, const fmpq *params,
                           const fmpq *const u_r[2]) {
   enum word_coordinate free[WORD_FREE_MOST];
@@ -49,16 +31,13 @@ int word_unknowns_enclose(struct num_vec *x, const double *near, const struct ph
   e.c = calc_begin(x->ctx);
   word_law_make(&e.m, &e.c, params, u_r);
   e.mark = calc_mark(&e.c);
-  mag_init(e.least);
-  mag_inf(e.least);
   krawczyk_init(&k, &system, x->ctx.prec);
   for (slong i = 0; i < system.n; i++) arb_set_d(num_vec_at(&at, i), near[i]);
-  int status = newton_run(&at, &system, x->ctx, MOST_POLISH, still_shrinks);
+  int status = newton_settle(&at, &system, MOST_POLISH);
   if (!status) status = krawczyk_centre(&k, &at);
   if (!status) status = krawczyk_grow(&k);
   if (!status) num_vec_set(&at, &k.image);
   krawczyk_clear(&k);
-  mag_clear(e.least);
   calc_clear(&e.c);
   return status;
 }

@@ -7,12 +7,14 @@
 
 #include <flint/fmpz_mpoly_factor.h>
 #if __FLINT_RELEASE >= 30000
+#include <flint/acb_mat.h>
 #include <flint/acb_poly.h>
 #include <flint/arb_fmpz_poly.h>
 #include <flint/arb_mat.h>
 #include <flint/arb_poly.h>
 #include <flint/fmpz_mpoly_q.h>
 #else
+#include <acb_mat.h>
 #include <acb_poly.h>
 #include <arb_fmpz_poly.h>
 #include <arb_mat.h>

@@ -93,6 +93,43 @@ bool newton_is_small(const struct num_type *type, const void *step, slong bits, 
   return small;
 }
 
+/* Another system, with the size of the least step so far. */
+struct settling {
+  const struct solve_system *of;
+  mag_t least;
+};
+
+static int values_of(const void **f, const void **j, const struct num_vec *x, void *self) {
+  const struct settling *s = self;
+  return s->of->values(f, j, x, s->of->self);
+}
+
+static enum newton_next still_shrinks(const struct num_vec *x, const struct num_vec *step, void *self) {
+  struct settling *s = self;
+  mag_t size, part;
+  mag_init(size);
+  mag_init(part);
+  for (slong k = 0; k < x->len; k++) {
+    arb_get_mag(part, num_vec_at(step, k));
+    mag_max(size, size, part);
+  }
+  bool less = mag_cmp(size, s->least) < 0;
+  mag_min(s->least, s->least, size);
+  mag_clear(part);
+  mag_clear(size);
+  return less ? NEWTON_ON : NEWTON_STAY;
+}
+
+int newton_settle(struct num_vec *x, const struct solve_system *s, int most) {
+  struct settling self = {.of = s};
+  struct solve_system same = {s->n, values_of, &self};
+  mag_init(self.least);
+  mag_inf(self.least);
+  int status = newton_run(x, &same, x->ctx, most, still_shrinks);
+  mag_clear(self.least);
+  return status;
+}
+
 int newton_rising(int (*level)(slong bits, void *self), void *self, slong prec) {
   slong ladder[FLINT_BITS], n = 0;
   int status = SS_OK;

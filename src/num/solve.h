@@ -17,7 +17,7 @@
 #include "flint_more.h"
 #include "num.h"
 
-enum { SOLVE_MOST = 16 }; /* unknowns */
+enum { SOLVE_MOST = 96 }; /* unknowns */
 
 /* Sets f (n pointers) to the values at x and j (n by n, row by row) to the derivatives: elements that live until the
    next call.  x are n elements: points or, for Krawczyk's operator, the box, in which case f is NULL and j must enclose
@@ -47,6 +47,9 @@ int newton_run(struct num_vec *x, const struct solve_system *s, struct num_ctx c
 
 /* Whether |step| <= 2^-bits |scale|, exactly for double, mpfr and exact balls. */
 bool newton_is_small(const struct num_type *type, const void *step, slong bits, const void *scale);
+
+/* newton_run in balls until the steps stop shrinking, which beside a double solution they soon do. */
+int newton_settle(struct num_vec *x, const struct solve_system *s, int most);
 
 /* Newton's iteration doubles the correct bits, so that only the last levels of precision cost: level is called from 192
    bits (or prec, if that is less) up to prec, each time with a little less than twice the bits, until one fails.  A

@@ -132,8 +132,23 @@ static bool check_asked(const struct scene *s, const char *data, struct diag *d)
 
 static bool check_scene(const char *path, const char *data, struct diag *d) {
   struct scene s;
-  bool ok = scene_load_box(&s, path, data, d) && check_asked(&s, data, d);
+  bool ok = scene_load_with(&s, path, data, NULL, SCENE_OF_ANY_SYSTEM, d);
+  if (ok && s.system) {
+    struct mech m;
+    struct mech_word w;
+    ok = scene_load_system(&m, &w, &s, data, d);
+    mech_clear(&m);
+  } else {
+    ok = ok && check_asked(&s, data, d);
+  }
   scene_clear(&s);
+  return ok;
+}
+
+static bool check_system(const char *path, struct diag *d) {
+  struct mech m;
+  bool ok = mech_load(&m, path, d);
+  mech_clear(&m);
   return ok;
 }
 
@@ -143,6 +158,8 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
   if (has_suffix(path, ".statements")) return check_statements(path, data, d);
   if (has_suffix(path, ".roots")) return check_roots(path, data, d);
-  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .statements or .roots", path);
+  if (has_suffix(path, ".system")) return check_system(path, d);
+  diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .system, .statements or .roots",
+           path);
   return false;
 }

@@ -31,6 +31,7 @@ const char *const scene_takes_text[TAKES_BUDGET + 1] = {[TAKES_TEXT] = "text",
                                                         [TAKES_ROUTES] = "names of routes, with commas between",
                                                         [TAKES_DIGITS] = "whole number from 1 to 100000",
                                                         [TAKES_WORD] = "phases",
+                                                        [TAKES_SYSTEM] = "name or path of a system file",
                                                         [TAKES_BUDGET] = "whole number from 1 to 10^18"};
 
 enum state { NOT_EVALUATED, IN_EVALUATION, EVALUATED };
@@ -174,6 +175,19 @@ static void say_third(struct reader *r) {
   text_clear(&others);
 }
 
+/* A scene of another system has no parameters and asks nothing of an audit. */
+static bool check_system(struct reader *r) {
+  for (int k = 0; k < N_SCENE_KEYS; k++) {
+    if (k < N_KEYS ? !r->parameter[k].src : !r->read[k]) continue;
+    if (k == KEY_SYSTEM || k == KEY_WORD || k == KEY_TITLE) continue;
+    diag_set(r->d,
+             "%s: error: %s is of the paper's two masses; a scene of a system file has the lines system, title, word",
+             r->s->path, scene_key_name[k]);
+    return false;
+  }
+  return true;
+}
+
 static bool check_given(struct reader *r) {
   for (int k = KEY_CHI; k <= KEY_V; k++)
     if (!r->parameter[k].src) {
@@ -272,11 +286,18 @@ static bool read_parameter(struct reader *r, const struct source *src, struct sp
   return true;
 }
 
-static bool set_word(struct reader *r, const struct scene_line *l) {
+/* Read once it is known whose letters they are. */
+static void keep_word(struct scene *s, const struct scene_line *l) {
+  s->system_word.text = ss_strdup(l->text);
+  s->system_word.src = l->src;
+  s->system_word.at = l->value.begin;
+}
+
+static bool set_word(struct scene *s, struct diag *d) {
   size_t at = 0;
-  const char *why;
-  if (phase_word_parse(&r->s->word, &at, &why, l->text, strlen(l->text))) return true;
-  diag_at(r->d, l->src, l->value.begin + at, "%s", why);
+  const char *why, *text = s->system_word.text;
+  if (!text || phase_word_parse(&s->word, &at, &why, text, strlen(text))) return true;
+  diag_at(d, s->system_word.src, s->system_word.at + at, "%s", why);
   return false;
 }
 
@@ -288,7 +309,9 @@ static bool read_line(struct reader *r, const struct scene_line *l) {
     return false;
   }
   r->read[l->key] = true;
-  if (l->key == KEY_WORD) return set_word(r, l);
+  if (l->key == KEY_WORD) keep_word(r->s, l);
+  if (l->key == KEY_SYSTEM) r->s->system = ss_strdup(l->text);
+  if (l->key == KEY_WORD || l->key == KEY_SYSTEM) return true;
   if (l->key != KEY_TITLE) return scene_read_asked(&r->s->asked, l, r->d);
   free(r->s->title);
   r->s->title = ss_strdup(l->text);
@@ -430,7 +453,8 @@ static bool read_all(struct reader *r, const struct scene_overrides *o) {
   for (int i = 0; ok && i < n; i++) ok = apply_override(r, &list[i]);
   free(list);
   scene_printed_align(r->s);
-  return ok && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);
+  if (ok && r->s->system) return check_system(r);
+  return ok && set_word(r->s, r->d) && check_given(r) && evaluate_all(r) && check_domain(r) && check_word(r->s, r->d);
 }
 
 bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, struct diag *d) {
@@ -451,7 +475,7 @@ bool scene_constant(fmpq_t z, const char *text, size_t len, const char *name, st
 /* --- Scenes --- */
 
 static bool load(struct scene *s, const char *spec, const char *text, const char *data, const struct scene_overrides *o,
-                 bool any, struct diag *d) {
+                 enum scene_welcome any, struct diag *d) {
   *s = (struct scene){.n_printed = 0};
   for (int k = 0; k < N_KEYS; k++) fmpq_init(&s->value[k]);
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_init(&s->high[k]);
@@ -461,16 +485,20 @@ static bool load(struct scene *s, const char *spec, const char *text, const char
   arena_init(&r.arena);
   bool ok = read_all(&r, o);
   arena_clear(&r.arena);
+  if (ok && s->system && any != SCENE_OF_ANY_SYSTEM) {
+    diag_set(d, "%s: error: a scene of the system file %s; only orbit takes such a scene", s->path, s->system);
+    return false;
+  }
   return ok && (any || (scene_one_point(s, d) && scene_papers_word(s, d)));
 }
 
-bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
-                     struct diag *d) {
+bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,
+                     enum scene_welcome any, struct diag *d) {
   return load(s, spec, NULL, data, o, any, d);
 }
 
-bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o, bool any,
-                     struct diag *d) {
+bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o,
+                     enum scene_welcome any, struct diag *d) {
   struct text path;
   text_init(&path);
   text_printf(&path, "%s.scene", name);
@@ -480,11 +508,11 @@ bool scene_load_text(struct scene *s, const char *name, const char *text, const 
 }
 
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d) {
-  return scene_load_with(s, spec, data, NULL, false, d);
+  return scene_load_with(s, spec, data, NULL, SCENE_EXACT, d);
 }
 
 bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d) {
-  return scene_load_with(s, spec, data, NULL, true, d);
+  return scene_load_with(s, spec, data, NULL, SCENE_OF_TWO_MASSES, d);
 }
 
 void scene_clear(struct scene *s) {
@@ -492,6 +520,8 @@ void scene_clear(struct scene *s) {
   for (int k = 0; k < N_SCENE_PARAMS; k++) fmpq_clear(&s->high[k]);
   for (size_t i = 0; i < s->n_printed; i++) scene_printed_clear(&s->printed[i]);
   free(s->printed);
+  free(s->system);
+  free(s->system_word.text);
   scene_asked_clear(&s->asked);
   for (size_t i = 0; i < s->n_sources; i++) {
     source_clear(s->source[i]);

@@ -22,12 +22,16 @@
    A scene that gives chi, eta, V, e1 and e2 may give any of them as an interval, e2 = [1.7, 1.9]: then it is a box of
    parameters, and what is said holds for each point of it.
 
+   A scene of another system than the paper's names a system file (mech/mech.h), system: chain3, with a word in that
+   system's letters if it likes; its parameters stand in the system file.
+
    Limits: a file of 1 MiB; values as in expr/constant.h, the parameters sharing its depth and work; exponents as in expr.h, of four digits; MAX_SCENE_LIST items of a list. */
 #ifndef STICKSLIP_SCENE_SCENE_H
 #define STICKSLIP_SCENE_SCENE_H
 
 #include "base/text.h"
 #include "explore/words.h"
+#include "mech/mech.h"
 #include "num/num.h"
 
 /* What a scene's line takes. */
@@ -40,6 +44,7 @@ enum scene_takes {
   TAKES_QUANTITIES /* names of quantities */,
   TAKES_ROUTES, /* names of routes */
   TAKES_WORD,   /* phases, "D Gamma H C" (explore/words.h) */
+  TAKES_SYSTEM, /* a path with / or .system, or a name in data/systems */
   TAKES_DIGITS, /* 1 to MOST_SCENE_DIGITS */
   TAKES_BUDGET  /* 1 to MOST_SCENE_BUDGET */
 };
@@ -68,6 +73,8 @@ extern const char *const scene_takes_text[TAKES_BUDGET + 1];
   K(U_R2, "u_r2", TAKES_VALUE, "static friction of the second mass, above e2", SCENE_FRICTION)                         \
   K(WORD, "word", TAKES_WORD, "phases of one period; without it the paper's, D Gamma H C",                             \
     "orbit, jacobian; refused by verify, simulate, bifurcate, readings, sweep, plot")                                  \
+  K(SYSTEM, "system", TAKES_SYSTEM, "a system file in place of the paper's two masses",                                \
+    "orbit; refused by verify, jacobian, simulate, bifurcate, words, readings, sweep, plot")                           \
   K(TITLE, "title", TAKES_TEXT, "what the scene is, in one line", "verify, list")                                      \
   K(PRINTED, "printed", TAKES_PRINTED, "a number as printed, to be tested, never an input",                            \
     "verify, jacobian, simulate, readings, plot")                                                                      \
@@ -143,6 +150,12 @@ struct scene {
   bool on_file;           /* it stands in the data folder\'s scenes */
   bool changed;           /* some parameter, printed number or the word is not the file's */
   struct phase_word word; /* n = 0: none is named, the paper's */
+  char *system;           /* as it is named; NULL: the paper's */
+  struct {
+    char *text; /* the word of a scene with a system, in that system's letters, or NULL; its place for diagnostics */
+    const struct source *src;
+    size_t at;
+  } system_word;
   struct scene_asked asked;
   fmpq value[N_KEYS]; /* the lower end of an interval */
   bool given[N_KEYS];
@@ -154,14 +167,16 @@ struct scene {
   size_t n_sources, cap_sources;
 };
 
+/* Which scenes are welcome: those of exact parameters and the paper's word; with intervals and other words, too; and those
+   of another system, which have no parameters. */
+enum scene_welcome { SCENE_EXACT, SCENE_OF_TWO_MASSES, SCENE_OF_ANY_SYSTEM };
 /* spec: a path (when it contains a slash or ends in .scene), else a name in data/scenes.  Bytes of the file's name that
-   cannot be shown become "?" in the scene's.  o may be NULL; any: intervals and other words than the paper's are
-   welcome. */
-bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o, bool any,
-                     struct diag *d);
+   cannot be shown become "?" in the scene's.  o may be NULL. */
+bool scene_load_with(struct scene *s, const char *spec, const char *data, const struct scene_overrides *o,
+                     enum scene_welcome any, struct diag *d);
 /* The same from a text of at most MAX_SCENE_FILE bytes, which stands in no file; name is what it is called. */
-bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o, bool any,
-                     struct diag *d);
+bool scene_load_text(struct scene *s, const char *name, const char *text, const struct scene_overrides *o,
+                     enum scene_welcome any, struct diag *d);
 /* The same without overrides, and without or with intervals and other words. */
 bool scene_load(struct scene *s, const char *spec, const char *data, struct diag *d);
 bool scene_load_box(struct scene *s, const char *spec, const char *data, struct diag *d);
@@ -175,6 +190,8 @@ bool scene_is_box(const struct scene *s);
 /* Is it the scene on file of that name, with the parameters and printed numbers of the file? */
 bool scene_is(const struct scene *s, const char *name);
 void scene_clear(struct scene *s);
+/* Of a scene with a system: that system, to be cleared in any case, and the scene's word in it, or one of no phases. */
+bool scene_load_system(struct mech *m, struct mech_word *w, const struct scene *s, const char *data, struct diag *d);
 /* false, with the message for those who cannot take a box, when it is one. */
 bool scene_one_point(const struct scene *s, struct diag *d);
 /* Is it the paper's solution II, t_a = 0 with the word Gamma-H-C?  It is solved as D-Gamma-H-C and counts as no other

@@ -1,0 +1,218 @@
+/* stickslip system, and orbit on a scene that names a system file. */
+#include "cli.h"
+#include "mech/describe.h"
+#include "mech/orbit.h"
+#include "word_orbits.h"
+
+enum { MODE_DIGITS = 6 };
+
+int run_system(const struct options *o, const char *data) {
+  (void)data;
+  if (o->operands.n != 1) return usage("system takes one %s", "FILE");
+  struct mech m;
+  struct diag d;
+  diag_init(&d);
+  bool ok = mech_load(&m, o->operands.word[0], &d);
+  if (ok) {
+    struct text out;
+    text_init(&out);
+    mech_describe(&out, &m, option(o, OPT_TEX), MODE_DIGITS);
+    fputs(text_str(&out), stdout);
+    text_clear(&out);
+  }
+  mech_clear(&m);
+  return ok ? EXIT_AS_RECORDED : bad_input(&d);
+}
+
+/* --- Orbits --- */
+
+static const char not_complete[] = "orbits are those that simulated motions come near; there may be others";
+
+static void violation(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct mech_fact *f) {
+  text_printf(out, "%d-", f->phase + 1);
+  if (f->rule != MECH_LENGTH) text_printf(out, "%s-", m->mass[f->mass].name);
+  text_add(out, mech_rule_name[f->rule]);
+  (void)o;
+}
+
+static void number_json(struct json *j, const char *key, arb_srcptr x, slong digits) {
+  struct text t;
+  text_init(&t);
+  print_known(&t, x, digits);
+  json_string(j, key, text_str(&t));
+  text_clear(&t);
+}
+
+static void multipliers_json(struct json *j, const struct mech_orbit *o, slong digits) {
+  if (!o->multipliers) {
+    json_null(j, "multipliers");
+    return;
+  }
+  json_array(j, "multipliers");
+  for (int i = 0; i < o->n_free; i++) {
+    json_object(j, NULL);
+    number_json(j, "re", acb_realref(o->multiplier + i), digits);
+    number_json(j, "im", acb_imagref(o->multiplier + i), digits);
+    json_end_object(j);
+  }
+  json_end_array(j);
+}
+
+static void states_json(struct json *j, const struct mech_orbit *o, slong digits) {
+  json_array(j, "states");
+  for (int k = 0; k < o->word.n; k++) {
+    json_array(j, NULL);
+    for (int i = 0; i < 2 * o->n; i++) number_json(j, NULL, o->state + k * 2 * o->n + i, digits);
+    json_end_array(j);
+  }
+  json_end_array(j);
+}
+
+/* The largest radius of the lengths and states. */
+static void radius_of(struct text *out, const struct mech_orbit *o) {
+  arb_t worst;
+  arb_init(worst);
+  for (int k = 0; k < o->word.n; k++) mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->t + k));
+  for (int i = 0; i < o->word.n * 2 * o->n; i++)
+    mag_max(arb_radref(worst), arb_radref(worst), arb_radref(o->state + i));
+  arb_get_rad_arb(worst, worst);
+  print_accuracy(out, worst);
+  arb_clear(worst);
+}
+
+static void orbit_json(struct json *j, const struct mech_orbit *o, const struct mech *m, const char *system,
+                       slong digits) {
+  struct text t;
+  text_init(&t);
+  json_object(j, NULL);
+  json_string(j, "system", system);
+  json_array(j, "word");
+  for (int k = 0; k < o->word.n; k++) json_string(j, NULL, o->word.phase[k]);
+  json_end_array(j);
+  json_array(j, "times");
+  for (int k = 0; k < o->word.n; k++) number_json(j, NULL, o->t + k, digits);
+  json_end_array(j);
+  states_json(j, o, digits);
+  number_json(j, "period", o->period, digits);
+  multipliers_json(j, o, digits);
+  json_truth(j, "stable", o->stable);
+  json_truth(j, "admissible", o->admissible);
+  json_array(j, "violations");
+  for (int i = 0; i < o->n_facts; i++) {
+    if (o->fact[i].holds != TRUTH_FALSE) continue;
+    text_reset(&t);
+    violation(&t, o, m, &o->fact[i]);
+    json_string(j, NULL, text_str(&t));
+  }
+  json_end_array(j);
+  json_bool(j, "certified", o->certified);
+  text_reset(&t);
+  if (o->certified) radius_of(&t, o);
+  json_string(j, "radius", o->certified ? text_str(&t) : NULL);
+  json_end_object(j);
+  text_clear(&t);
+}
+
+static void orbits_json(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
+                        slong digits) {
+  struct json j;
+  json_init(&j, out);
+  json_object(&j, NULL);
+  json_string(&j, "scene", s->name);
+  json_string(&j, "layer", "model");
+  json_bool(&j, "complete", false);
+  json_string(&j, "gap", not_complete);
+  json_array(&j, "orbits");
+  for (int i = 0; i < list->n; i++) orbit_json(&j, &list->orbit[i], m, s->system, digits);
+  json_end_array(&j);
+  json_end_object(&j);
+}
+
+static void add_line(struct text *out, const char *name, arb_srcptr x, slong digits) {
+  text_printf(out, "  %-12s ", name);
+  print_known(out, x, digits);
+  text_add_char(out, '\n');
+}
+
+static void multipliers_text(struct text *out, const struct mech_orbit *o, slong digits) {
+  text_add(out, "  multipliers ");
+  for (int i = 0; o->multipliers && i < o->n_free; i++) {
+    text_add(out, i ? ", " : " ");
+    print_known(out, acb_realref(o->multiplier + i), digits);
+    if (arb_is_zero(acb_imagref(o->multiplier + i))) continue;
+    text_add(out, arb_is_negative(acb_imagref(o->multiplier + i)) ? " " : " +");
+    print_known(out, acb_imagref(o->multiplier + i), digits);
+    text_add(out, " i");
+  }
+  text_add(out, o->multipliers ? "\n" : " not told apart\n");
+}
+
+static void orbit_text(struct text *out, const struct mech_orbit *o, const struct mech *m, slong digits) {
+  static const char *const fate[] = {"unstable", "conditionally stable", "stability undecided"},
+                           *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
+  text_printf(out, "%s, %s\n", fate[o->stable], allowed[o->admissible]);
+  for (int k = 0; k < o->word.n; k++) {
+    char name[MECH_MASSES + 16];
+    snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
+    add_line(out, name, o->t + k, digits);
+  }
+  add_line(out, "period", o->period, digits);
+  for (int i = 0; i < 2 * o->n; i++) {
+    char name[24];
+    snprintf(name, sizeof name, "x_%d%s", i % o->n + 1, i < o->n ? "" : "'");
+    add_line(out, name, o->state + i, digits);
+  }
+  multipliers_text(out, o, digits);
+  text_add(out, o->certified ? "  certified; enclosed within "
+                             : "  not certified: a condition or the stability is undecided");
+  if (o->certified) radius_of(out, o);
+  text_add(out, o->certified ? ", printed rounded\n" : "\n");
+  for (int i = 0; i < o->n_facts; i++) {
+    if (o->fact[i].holds != TRUTH_FALSE) continue;
+    text_add(out, "  breaks       ");
+    violation(out, o, m, &o->fact[i]);
+    text_add_char(out, '\n');
+  }
+}
+
+static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
+                        slong digits) {
+  text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
+  text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration)\n", not_complete,
+              list->simulations, list->candidates);
+  for (int i = 0; i < list->n; i++) {
+    text_printf(out, "orbit %d: ", i + 1);
+    orbit_text(out, &list->orbit[i], m, digits);
+  }
+}
+
+int run_system_orbit(const struct options *o, const struct scene *s, const char *data, slong digits, struct diag *d) {
+  static const enum option of_two[] = {OPT_BASIN, OPT_CERTIFICATE, OPT_METHOD};
+  struct mech m;
+  struct mech_word w;
+  struct mech_orbits list;
+  for (size_t i = 0; i < sizeof of_two / sizeof *of_two; i++)
+    if (option(o, of_two[i])) {
+      diag_set(d, "%s: error: --basin, --method and --certificate are of the paper's two masses", s->path);
+      return bad_input(d);
+    }
+  if (digits > WORD_DIGITS) {
+    diag_set(d, "%s: error: a scene of a system file takes at most %d --digits", s->path, WORD_DIGITS);
+    return bad_input(d);
+  }
+  bool ok = scene_load_system(&m, &w, s, data, d);
+  if (ok) {
+    struct text out;
+    text_init(&out);
+    mech_orbits_find(&list, &m, w.n ? &w : NULL, word_bits(digits) + 64);
+    (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
+    if (option(o, OPT_JSON))
+      fputs(text_str(&out), stdout);
+    else
+      terminal_print(text_str(&out));
+    text_clear(&out);
+    mech_orbits_clear(&list);
+  }
+  mech_clear(&m);
+  return ok ? EXIT_AS_RECORDED : bad_input(d);
+}

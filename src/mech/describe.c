@@ -1,0 +1,216 @@
+/* A system printed: one walk over its matrices, in two notations. */
+#include "describe.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "num/flint_more.h"
+
+struct printer {
+  struct text *out;
+  const struct mech *m;
+  bool latex;
+  slong digits;
+};
+
+/* --- Linear forms --- */
+
+/* |q| as a factor: nothing for 1. */
+static void add_factor(const struct printer *p, const fmpq_t q) {
+  fmpq_t size;
+  fmpq_init(size);
+  fmpq_abs(size, q);
+  if (!fmpq_is_one(size)) {
+    if (p->latex && !fmpz_is_one(fmpq_denref(size))) {
+      text_add(p->out, "\\frac{");
+      struct text parts[2];
+      for (int i = 0; i < 2; i++) {
+        fmpq_t part;
+        fmpq_init(part);
+        fmpz_set(fmpq_numref(part), i ? fmpq_denref(size) : fmpq_numref(size));
+        text_init(&parts[i]);
+        num_print_q(&parts[i], part);
+        fmpq_clear(part);
+      }
+      text_printf(p->out, "%s}{%s} ", text_str(&parts[0]), text_str(&parts[1]));
+      for (int i = 0; i < 2; i++) text_clear(&parts[i]);
+    } else {
+      num_print_q(p->out, size);
+      text_add_char(p->out, ' ');
+    }
+  }
+  fmpq_clear(size);
+}
+
+static void add_state(const struct printer *p, int j) {
+  bool rate = j >= p->m->n;
+  int i = rate ? j - p->m->n : j;
+  text_printf(p->out, p->latex ? "x_{%d}%s" : "x_%d%s", i + 1, rate ? "'" : "");
+}
+
+static void add_constant(const struct printer *p, const fmpq_t q) {
+  fmpq_t size;
+  fmpq_init(size);
+  fmpq_abs(size, q);
+  if (fmpq_is_one(size))
+    text_add_char(p->out, '1');
+  else
+    add_factor(p, size);
+  while (p->out->len && p->out->data[p->out->len - 1] == ' ') p->out->data[--p->out->len] = '\0';
+  fmpq_clear(size);
+}
+
+/* row y, y = (x, x', 1). */
+static void add_form(const struct printer *p, const fmpq *row) {
+  int n = p->m->n;
+  bool any = false;
+  for (int j = 0; j <= 2 * n; j++) {
+    if (fmpq_is_zero(row + j)) continue;
+    bool minus = fmpq_sgn(row + j) < 0;
+    text_add(p->out, any ? minus ? " - " : " + " : minus ? "-" : "");
+    any = true;
+    if (j == 2 * n) {
+      add_constant(p, row + j);
+      continue;
+    }
+    add_factor(p, row + j);
+    add_state(p, j);
+  }
+  if (!any) text_add_char(p->out, '0');
+}
+
+/* --- The parts --- */
+
+static void begin_line(const struct printer *p, const char *name) {
+  if (p->latex)
+    text_printf(p->out, "\\text{%s: } & ", name);
+  else
+    text_printf(p->out, "  %-10s ", name);
+}
+
+static void end_line(const struct printer *p) {
+  text_add(p->out, p->latex ? " \\\\\n" : "\n");
+}
+
+static void heading(const struct printer *p, const char *what) {
+  if (p->latex)
+    text_printf(p->out, "\\text{%s} & \\\\\n", what);
+  else
+    text_printf(p->out, "%s\n", what);
+}
+
+/* f_i = K x + C x', as the condition "f_i - r_i" has it. */
+static void add_forces(const struct printer *p) {
+  const struct mech *m = p->m;
+  fmpq_mat_t row;
+  fmpq_mat_init(row, 1, 2 * m->n + 1);
+  heading(p, "Equations of motion");
+  for (int i = 0; i < m->n; i++) {
+    const struct mech_mass *mass = &m->mass[i];
+    mech_condition(row, m, i, 's', MECH_BREAKS_SLOWER);
+    fmpq_zero(fmpq_mat_entry(row, 0, 2 * m->n));
+    begin_line(p, mass->name);
+    add_factor(p, mass->inertia);
+    text_printf(p->out, p->latex ? "x_{%d}'' = " : "x_%d'' = ", i + 1);
+    if (mass->rubbed) text_printf(p->out, p->latex ? "u_{%d} - f_{%d}, \\quad " : "u_%d - f_%d, ", i + 1, i + 1);
+    if (!mass->rubbed) text_printf(p->out, p->latex ? "-f_{%d}, \\quad " : "-f_%d, ", i + 1);
+    text_printf(p->out, p->latex ? "f_{%d} = " : "f_%d = ", i + 1);
+    add_form(p, fmpq_mat_entry(row, 0, 0));
+    end_line(p);
+  }
+  fmpq_mat_clear(row);
+}
+
+static void add_frictions(const struct printer *p) {
+  heading(
+      p,
+      "Friction, and where it changes: a mass that sticks breaks loose, one that slips reaches its surface's velocity");
+  for (int i = 0; i < p->m->n; i++) {
+    const struct mech_mass *mass = &p->m->mass[i];
+    begin_line(p, mass->name);
+    if (!mass->rubbed) {
+      text_add(p->out, p->latex ? "\\text{none}" : "none");
+      end_line(p);
+      continue;
+    }
+    const char *u = p->latex ? "|u_{%d}| \\le " : "|u_%d| <= ",
+               *slips = p->latex ? ", \\quad u_{%d} = \\pm " : ", u_%d = +-";
+    text_printf(p->out, u, i + 1);
+    add_constant(p, mass->limit);
+    text_printf(p->out, slips, i + 1);
+    add_constant(p, mass->sliding);
+    text_printf(p->out, p->latex ? "; \\quad |f_{%d}| = " : "; |f_%d| = ", i + 1);
+    add_constant(p, mass->limit);
+    text_printf(p->out, p->latex ? ", \\quad x_{%d}' = " : ", x_%d' = ", i + 1);
+    if (fmpq_sgn(mass->surface) < 0) text_add_char(p->out, '-');
+    if (fmpq_is_zero(mass->surface))
+      text_add_char(p->out, '0');
+    else
+      add_constant(p, mass->surface);
+    end_line(p);
+  }
+}
+
+static int by_imaginary(const void *a, const void *b) {
+  int c = arf_cmp(arb_midref(acb_imagref((acb_srcptr)a)), arb_midref(acb_imagref((acb_srcptr)b)));
+  return c ? c : arf_cmp(arb_midref(acb_realref((acb_srcptr)a)), arb_midref(acb_realref((acb_srcptr)b)));
+}
+
+static void add_eigenvalue(const struct printer *p, acb_srcptr z) {
+  if (p->m->n_dampers > 0) {
+    num_print_ball(p->out, acb_realref(z), p->digits);
+    text_add(p->out, p->latex ? " \\pm i \\, " : " +- i ");
+  }
+  num_print_ball(p->out, acb_imagref(z), p->digits);
+}
+
+/* Of the first-order system, those in the upper half plane: +-i w without dampers. */
+static void add_modes(const struct printer *p) {
+  const struct mech *m = p->m;
+  slong side = 2 * m->n, prec = 4 * p->digits + 64;
+  char phase[MECH_MASSES + 1] = "";
+  for (int i = 0; i < m->n; i++) phase[i] = '.';
+  fmpq_mat_t rate;
+  acb_mat_t a, right;
+  fmpq_mat_init(rate, side + 1, side + 1);
+  acb_mat_init(a, side, side);
+  acb_mat_init(right, side, side);
+  acb_ptr z = _acb_vec_init(side), near = _acb_vec_init(side);
+  mech_rate(rate, m, phase);
+  for (slong i = 0; i < side; i++)
+    for (slong j = 0; j < side; j++) acb_set_fmpq(acb_mat_entry(a, i, j), fmpq_mat_entry(rate, i, j), prec);
+  acb_mat_approx_eig_qr(near, NULL, right, a, NULL, 0, prec);
+  bool ok = acb_mat_eig_simple(z, NULL, NULL, a, near, right, prec) || acb_mat_eig_multiple(z, a, near, right, prec);
+  heading(p, m->n_dampers > 0 ? "Eigenvalues while every mass slips or is free"
+                              : "Natural frequencies while every mass slips or is free");
+  begin_line(p, "");
+  qsort(z, (size_t)side, sizeof *z, by_imaginary);
+  bool any = false;
+  for (slong i = 0; ok && i < side; i++) {
+    if (arb_is_negative(acb_imagref(z + i))) continue;
+    text_add(p->out, any ? ", " : "");
+    add_eigenvalue(p, z + i);
+    any = true;
+  }
+  if (!ok) text_add(p->out, p->latex ? "\\text{not told apart}" : "not told apart");
+  end_line(p);
+  _acb_vec_clear(near, side);
+  _acb_vec_clear(z, side);
+  acb_mat_clear(right);
+  acb_mat_clear(a);
+  fmpq_mat_clear(rate);
+}
+
+void mech_describe(struct text *out, const struct mech *m, bool latex, slong digits) {
+  const struct printer p = {out, m, latex, digits};
+  if (latex)
+    text_add(out, "\\begin{aligned}\n");
+  else
+    text_printf(out, "%s: %d mass%s, %d spring%s, %d damper%s\n", *m->title ? m->title : "a system", m->n,
+                m->n == 1 ? "" : "es", m->n_springs, m->n_springs == 1 ? "" : "s", m->n_dampers,
+                m->n_dampers == 1 ? "" : "s");
+  add_forces(&p);
+  add_frictions(&p);
+  add_modes(&p);
+  if (latex) text_add(out, "\\end{aligned}\n");
+}

@@ -1,0 +1,140 @@
+/* Single shooting over a word: one state, carried through the phases with its derivatives. */
+#include "equations.h"
+
+#include <string.h>
+
+/* The entry of the first phase, exactly: see orbit.h. */
+static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech_word *w, const int *free, int n_free) {
+  int n = m->n;
+  enum mech_end end;
+  int changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
+  fmpq_mat_zero(entry);
+  for (int l = 0; l < n_free; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
+  for (int i = 0; i < n; i++)
+    if (w->phase[0][i] == 's' || i == changed) fmpq_set(fmpq_mat_entry(entry, n + i, n_free), m->mass[i].surface);
+  fmpq_one(fmpq_mat_entry(entry, 2 * n, n_free));
+  if (end == MECH_REACHES) return;
+  /* the position of the mass that broke loose, from its force */
+  fmpq_mat_t row, at;
+  fmpq_mat_init(row, 1, 2 * n + 1);
+  fmpq_mat_init(at, 1, n_free + 1);
+  mech_condition(row, m, changed, 's', end);
+  fmpq *own = fmpq_mat_entry(row, 0, changed);
+  fmpq_mat_mul(at, row, entry); /* x of that mass is still zero in it */
+  for (int l = 0; l <= n_free; l++) {
+    fmpq *to = fmpq_mat_entry(entry, changed, l);
+    fmpq_div(to, fmpq_mat_entry(at, 0, l), own);
+    fmpq_neg(to, to);
+  }
+  fmpq_mat_clear(at);
+  fmpq_mat_clear(row);
+}
+
+int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech_word *w) {
+  enum mech_end end;
+  int n = m->n, count = 0, changed = mech_event(&end, w->phase[w->n - 1], w->phase[0]);
+  for (int i = 0; i < n; i++)
+    if (i != changed || end == MECH_REACHES) free[count++] = i;
+  for (int i = 0; i < n; i++)
+    if (i != changed && w->phase[0][i] != 's') free[count++] = n + i;
+  return count;
+}
+
+void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong prec) {
+  *e = (struct mech_equations){.m = m, .w = w, .side = 2 * m->n + 1, .prec = prec};
+  e->n_free = mech_free(e->free, m, w);
+  slong unknowns = w->n + e->n_free;
+  fmpq_mat_t rate, row, entry;
+  fmpq_mat_init(rate, e->side, e->side);
+  fmpq_mat_init(row, 1, e->side);
+  fmpq_mat_init(entry, e->side, e->n_free + 1);
+  for (int k = 0; k < w->n; k++) {
+    enum mech_end end;
+    int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
+    arb_mat_init(e->rate[k], e->side, e->side);
+    arb_mat_init(e->event[k], 1, e->side);
+    mech_rate(rate, m, w->phase[k]);
+    arb_mat_set_fmpq_mat(e->rate[k], rate, prec);
+    mech_condition(row, m, mass, w->phase[k][mass], end);
+    arb_mat_set_fmpq_mat(e->event[k], row, prec);
+  }
+  make_entry(entry, m, w, e->free, e->n_free);
+  arb_mat_init(e->entry, e->side, e->n_free + 1);
+  arb_mat_set_fmpq_mat(e->entry, entry, prec);
+  for (int k = 0; k <= w->n; k++) arb_mat_init(e->state[k], e->side, 1);
+  arb_mat_init(e->change, e->side, unknowns);
+  arb_mat_init(e->value, unknowns, 1);
+  arb_mat_init(e->slope, unknowns, unknowns);
+  fmpq_mat_clear(entry);
+  fmpq_mat_clear(row);
+  fmpq_mat_clear(rate);
+}
+
+void mech_equations_clear(struct mech_equations *e) {
+  for (int k = 0; k < e->w->n; k++) {
+    arb_mat_clear(e->rate[k]);
+    arb_mat_clear(e->event[k]);
+  }
+  for (int k = 0; k <= e->w->n; k++) arb_mat_clear(e->state[k]);
+  arb_mat_clear(e->entry);
+  arb_mat_clear(e->change);
+  arb_mat_clear(e->value);
+  arb_mat_clear(e->slope);
+}
+
+/* The state at the first entry, and its derivatives: those of the lengths are zero. */
+static void start(struct mech_equations *e, arb_srcptr x) {
+  arb_mat_t q;
+  arb_mat_init(q, e->n_free + 1, 1);
+  for (int l = 0; l < e->n_free; l++) arb_set(arb_mat_entry(q, l, 0), x + e->w->n + l);
+  arb_one(arb_mat_entry(q, e->n_free, 0));
+  arb_mat_mul(e->state[0], e->entry, q, e->prec);
+  arb_mat_zero(e->change);
+  for (int i = 0; i < e->side; i++)
+    for (int l = 0; l < e->n_free; l++)
+      arb_set(arb_mat_entry(e->change, i, e->w->n + l), arb_mat_entry(e->entry, i, l));
+  arb_mat_clear(q);
+}
+
+/* Through phase k of length t; the event at its end. */
+static void pass(struct mech_equations *e, int k, const arb_t t) {
+  arb_mat_t flow, moved, rate;
+  arb_mat_init(flow, e->side, e->side);
+  arb_mat_init(moved, e->side, arb_mat_ncols(e->change));
+  arb_mat_init(rate, e->side, 1);
+  arb_mat_scalar_mul_arb(flow, e->rate[k], t, e->prec);
+  arb_mat_exp(flow, flow, e->prec);
+  arb_mat_mul(e->state[k + 1], flow, e->state[k], e->prec);
+  arb_mat_mul(moved, flow, e->change, e->prec);
+  arb_mat_swap(moved, e->change);
+  arb_mat_mul(rate, e->rate[k], e->state[k + 1], e->prec);
+  for (int i = 0; i < e->side; i++) arb_set(arb_mat_entry(e->change, i, k), arb_mat_entry(rate, i, 0));
+  arb_mat_clear(rate);
+  arb_mat_clear(moved);
+  arb_mat_clear(flow);
+}
+
+/* value and slope of the event at the end of phase k: its row times the state, and times the derivatives so far. */
+static void meet(struct mech_equations *e, int k) {
+  const arb_struct *row = e->event[k]->rows[0];
+  arb_dot(arb_mat_entry(e->value, k, 0), NULL, 0, row, 1, e->state[k + 1]->entries, 1, e->side, e->prec);
+  for (slong l = 0; l < arb_mat_ncols(e->change); l++)
+    arb_dot(arb_mat_entry(e->slope, k, l), NULL, 0, row, 1, arb_mat_entry(e->change, 0, l), arb_mat_ncols(e->change),
+            e->side, e->prec);
+}
+
+void mech_equations_at(struct mech_equations *e, arb_srcptr x) {
+  int phases = e->w->n;
+  start(e, x);
+  for (int k = 0; k < phases; k++) {
+    pass(e, k, x + k);
+    meet(e, k);
+  }
+  for (int l = 0; l < e->n_free; l++) {
+    int at = e->free[l], row = phases + l;
+    arb_sub(arb_mat_entry(e->value, row, 0), arb_mat_entry(e->state[phases], at, 0), x + row, e->prec);
+    for (slong j = 0; j < arb_mat_ncols(e->change); j++)
+      arb_set(arb_mat_entry(e->slope, row, j), arb_mat_entry(e->change, at, j));
+    arb_sub_ui(arb_mat_entry(e->slope, row, row), arb_mat_entry(e->slope, row, row), 1, e->prec);
+  }
+}

@@ -1,0 +1,26 @@
+/* The equations of a word and what enters them, in balls; for the files of this folder. */
+#ifndef STICKSLIP_MECH_EQUATIONS_H
+#define STICKSLIP_MECH_EQUATIONS_H
+
+#include "orbit.h"
+
+/* A word's matrices: exact, and in balls. */
+struct mech_equations {
+  const struct mech *m;
+  const struct mech_word *w;
+  int side, n_free, free[2 * MECH_MASSES]; /* side = 2n + 1 */
+  slong prec;
+  arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */
+  arb_mat_t entry;        /* (2n + 1) by (n_free + 1): y = entry (free, 1) at the entry of the first phase */
+  arb_mat_t value, slope; /* of the last evaluation: the defects, and their derivatives by (t, free) */
+  arb_mat_t state[MECH_PHASES + 1], change; /* y at the entry of each phase and at the end; dy/d(t, free) at the end */
+};
+void mech_equations_init(struct mech_equations *e, const struct mech *m, const struct mech_word *w, slong prec);
+void mech_equations_clear(struct mech_equations *e);
+/* At unknowns (t, free), points or balls. */
+void mech_equations_at(struct mech_equations *e, arb_srcptr x);
+
+/* The facts of an orbit whose lengths and states are known. */
+void mech_judge(struct mech_orbit *o, struct mech_equations *e);
+
+#endif

@@ -1,0 +1,288 @@
+/* Whether the conditions of each phase hold along it, see orbit.h.
+
+   A condition is g(s) = c y(s) < 0 with y' = A y.  On a step from a of length h, with Y an enclosure of y there,
+       g(a + s) = c y(a) + s c A y(a) + s^2/2 c A^2 Y,       g'(a + s) = c A y(a) + s c A^2 Y,
+   and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the start
+   of a phase for the mass that has just begun to slip (there g' is zero, too, where its static limit is its sliding
+   friction, and g'' decides), at the end for the event.  A step on which some condition is open is halved; after
+   20000 steps of a phase its conditions are left undecided. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/work.h"
+#include "equations.h"
+
+enum { FINEST = 40, MOST_STEPS = 20000, FACTS_OF_MASS = 2, UNITS_OF_STEP = 4 };
+
+/* A condition under way. */
+struct watch {
+  struct mech_fact *fact;
+  arb_mat_t row[3]; /* c, c A, c A^2 */
+  int zeros;        /* how many of g, g' are exactly zero at the start */
+  bool open;        /* not yet settled to be false or unknown */
+};
+
+struct march {
+  struct mech_equations *e;
+  int phase, n_watches;
+  struct watch watch[FACTS_OF_MASS * MECH_MASSES];
+  arb_t at, step, end;     /* the time; the length of the step; of the phase */
+  arb_mat_t y, flow, tube; /* the state at the time; exp(A h), and a ball with exp(A s) for 0 <= s <= h */
+};
+
+/* From 0 to x, which is exact. */
+static void up_to(arb_t z, const arb_t x) {
+  arb_mul_2exp_si(z, x, -1);
+  arb_get_mag(arb_radref(z), z);
+}
+
+static void make_flows(struct march *m) {
+  slong prec = m->e->prec;
+  arb_mat_t rate;
+  arb_t span;
+  arb_init(span);
+  arb_mat_init(rate, m->e->side, m->e->side);
+  arb_mat_scalar_mul_arb(rate, m->e->rate[m->phase], m->step, prec);
+  arb_mat_exp(m->flow, rate, prec);
+  up_to(span, m->step);
+  arb_mat_scalar_mul_arb(rate, m->e->rate[m->phase], span, prec);
+  arb_mat_exp(m->tube, rate, prec);
+  arb_mat_clear(rate);
+  arb_clear(span);
+}
+
+static void value_of(arb_t z, const arb_mat_t row, const arb_mat_t y, slong prec) {
+  arb_dot(z, NULL, 0, row->entries, 1, y->entries, 1, arb_mat_ncols(row), prec);
+}
+
+/* One condition on the step: TRUTH_TRUE: it holds on it; FALSE: it is broken at one of its ends; UNKNOWN: neither is shown.
+   after: the state at the end of the step, or NULL where the phase may end before. */
+static truth on_step(const struct march *m, const struct watch *w, const arb_mat_t along, const arb_mat_struct *after,
+                     bool last) {
+  slong prec = m->e->prec;
+  bool first = arb_is_zero(m->at);
+  truth out = TRUTH_UNKNOWN;
+  arb_t g[3], s, slope;
+  for (int i = 0; i < 3; i++) {
+    arb_init(g[i]);
+    value_of(g[i], w->row[i], i < 2 ? m->y : along, prec);
+  }
+  arb_init(s);
+  arb_init(slope);
+  up_to(s, m->step);
+  arb_mul(slope, g[2], s, prec);
+  arb_mul_2exp_si(g[2], g[2], -1);
+  int zeros = first ? w->zeros : 0;
+  if (zeros == 2) {
+    out = arb_is_negative(g[2]) ? TRUTH_TRUE : arb_is_positive(g[2]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+  } else {
+    arb_add(slope, slope, g[1], prec); /* g' on the step */
+    arb_t range;
+    arb_init(range);
+    arb_mul(range, g[2], s, prec);
+    arb_add(range, range, g[1], prec); /* (g - g(a))/s */
+    if (zeros == 1) {
+      out = arb_is_negative(range) ? TRUTH_TRUE : arb_is_positive(g[1]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    } else {
+      arb_mul(range, range, s, prec);
+      arb_add(range, range, g[0], prec);
+      bool meets = last && w->fact->ends && arb_is_positive(slope);
+      out = meets || arb_is_negative(range) ? TRUTH_TRUE : arb_is_positive(g[0]) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+    }
+    arb_clear(range);
+  }
+  if (out == TRUTH_UNKNOWN && after) {
+    value_of(s, w->row[0], after, prec);
+    if (arb_is_positive(s)) out = TRUTH_FALSE;
+  }
+  arb_clear(slope);
+  arb_clear(s);
+  for (int i = 0; i < 3; i++) arb_clear(g[i]);
+  return out;
+}
+
+static void close_watch(struct watch *w, truth holds) {
+  w->fact->holds = holds;
+  w->open = false;
+}
+
+/* All conditions on the step ahead; true: they are settled on it, and the step is made. */
+static bool make_step(struct march *m, bool finest) {
+  arb_mat_t along, after;
+  arb_t next;
+  bool all = true;
+  arb_init(next);
+  arb_mat_init(along, m->e->side, 1);
+  arb_mat_init(after, m->e->side, 1);
+  arb_mat_mul(along, m->tube, m->y, m->e->prec);
+  arb_mat_mul(after, m->flow, m->y, m->e->prec);
+  arb_add(next, m->at, m->step, m->e->prec);
+  bool last = arb_ge(next, m->end), before = arb_lt(next, m->end);
+  for (int i = 0; i < m->n_watches; i++) {
+    struct watch *w = &m->watch[i];
+    if (!w->open) continue;
+    truth t = on_step(m, w, along, before ? after : NULL, last);
+    if (t == TRUTH_FALSE || (t == TRUTH_UNKNOWN && finest)) close_watch(w, t);
+    all = all && t != TRUTH_UNKNOWN;
+  }
+  if (all || finest) {
+    arb_swap(m->at, next);
+    arb_mat_swap(m->y, after);
+  }
+  arb_mat_clear(after);
+  arb_mat_clear(along);
+  arb_clear(next);
+  return all || finest;
+}
+
+static bool any_open(const struct march *m) {
+  for (int i = 0; i < m->n_watches; i++)
+    if (m->watch[i].open) return true;
+  return false;
+}
+
+/* Along the whole phase.  Steps are a power of two of the first, and shorter where something is open. */
+static void march(struct march *m) {
+  int level = 0;
+  long steps = 0;
+  make_flows(m);
+  while (any_open(m) && !arb_ge(m->at, m->end) && steps++ < MOST_STEPS) {
+    work_add(UNITS_OF_STEP);
+    if (!make_step(m, level == FINEST)) {
+      level++;
+      arb_mul_2exp_si(m->step, m->step, -1);
+      make_flows(m);
+      continue;
+    }
+    if (level == 0) continue;
+    level--;
+    arb_mul_2exp_si(m->step, m->step, 1);
+    make_flows(m);
+  }
+  for (int i = 0; i < m->n_watches; i++)
+    if (m->watch[i].open && arb_ge(m->at, m->end)) m->watch[i].fact->holds = TRUTH_TRUE;
+}
+
+/* --- Which conditions --- */
+
+static struct mech_fact *add_fact(struct mech_orbit *o, int phase, int mass, enum mech_rule rule) {
+  struct mech_fact *f = &o->fact[o->n_facts++];
+  *f = (struct mech_fact){.phase = phase, .mass = mass, .rule = rule, .holds = TRUTH_UNKNOWN};
+  return f;
+}
+
+static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech_rule rule, enum mech_end end) {
+  const struct mech *of = m->e->m;
+  const struct mech_word *w = m->e->w;
+  const char *now = w->phase[m->phase], *before = w->phase[(m->phase + w->n - 1) % w->n];
+  enum mech_end at_end, at_start;
+  fmpq_mat_t rate, row;
+  struct watch *watch = &m->watch[m->n_watches++];
+  watch->fact = add_fact(o, m->phase, mass, rule);
+  watch->open = true;
+  watch->fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
+  bool begins = mech_event(&at_start, before, now) == mass && end == MECH_REACHES;
+  bool touching = at_start != MECH_REACHES && fmpq_equal(of->mass[mass].limit, of->mass[mass].sliding);
+  watch->zeros = begins ? 1 + touching : 0;
+  fmpq_mat_init(rate, m->e->side, m->e->side);
+  fmpq_mat_init(row, 1, m->e->side);
+  mech_rate(rate, of, now);
+  mech_condition(row, of, mass, now[mass], end);
+  for (int i = 0; i < 3; i++) {
+    arb_mat_init(watch->row[i], 1, m->e->side);
+    arb_mat_set_fmpq_mat(watch->row[i], row, m->e->prec);
+    fmpq_mat_mul(row, row, rate);
+  }
+  fmpq_mat_clear(row);
+  fmpq_mat_clear(rate);
+}
+
+static void add_watches(struct march *m, struct mech_orbit *o) {
+  const char *phase = m->e->w->phase[m->phase];
+  for (int i = 0; i < o->n; i++) {
+    if (phase[i] == 's') {
+      add_watch(m, o, i, MECH_BELOW, MECH_BREAKS_SLOWER);
+      add_watch(m, o, i, MECH_ABOVE, MECH_BREAKS_FASTER);
+    } else if (phase[i] != '.') {
+      add_watch(m, o, i, phase[i] == '-' ? MECH_SLOWER : MECH_FASTER, MECH_REACHES);
+    }
+  }
+}
+
+/* The force of a mass that passes through at the end of the phase lies beyond its limit. */
+static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, int phase) {
+  const char *now = e->w->phase[phase], *next = e->w->phase[(phase + 1) % e->w->n];
+  enum mech_end end;
+  int mass = mech_event(&end, now, next);
+  if (now[mass] == 's' || next[mass] == 's') return;
+  fmpq_mat_t row;
+  arb_mat_t c;
+  arb_t g;
+  arb_init(g);
+  fmpq_mat_init(row, 1, e->side);
+  arb_mat_init(c, 1, e->side);
+  mech_condition(row, e->m, mass, 's', next[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER);
+  arb_mat_set_fmpq_mat(c, row, e->prec);
+  value_of(g, c, e->state[phase + 1], e->prec);
+  add_fact(o, phase, mass, MECH_BEYOND)->holds = arb_is_positive(g)   ? TRUTH_TRUE
+                                                 : arb_is_negative(g) ? TRUTH_FALSE
+                                                                      : TRUTH_UNKNOWN;
+  arb_mat_clear(c);
+  fmpq_mat_clear(row);
+  arb_clear(g);
+}
+
+/* A power of two below an eighth of the phase and below 1/2 over the norm of A. */
+static void first_step(struct march *m) {
+  mag_t norm;
+  arf_t least;
+  mag_init(norm);
+  arf_init(least);
+  arb_mat_bound_inf_norm(norm, m->e->rate[m->phase]);
+  arb_get_lbound_arf(least, m->end, 64);
+  slong bits = fmpz_get_si(ARF_EXPREF(least)) - 4;
+  if (!mag_is_zero(norm)) bits = FLINT_MIN(bits, -1 - fmpz_get_si(MAG_EXPREF(norm)));
+  arb_one(m->step);
+  arb_mul_2exp_si(m->step, m->step, bits);
+  arf_clear(least);
+  mag_clear(norm);
+}
+
+static void judge_phase(struct mech_orbit *o, struct mech_equations *e, int phase) {
+  struct march *m = ss_malloc(sizeof *m);
+  *m = (struct march){.e = e, .phase = phase};
+  arb_init(m->at);
+  arb_init(m->step);
+  arb_init(m->end);
+  arb_mat_init(m->flow, e->side, e->side);
+  arb_mat_init(m->tube, e->side, e->side);
+  arb_mat_init(m->y, e->side, 1);
+  arb_mat_set(m->y, e->state[phase]);
+  arb_set(m->end, o->t + phase);
+  add_watches(m, o);
+  if (o->fact[phase].holds == TRUTH_TRUE) {
+    first_step(m);
+    march(m);
+  }
+  for (int i = 0; i < m->n_watches; i++)
+    for (int k = 0; k < 3; k++) arb_mat_clear(m->watch[i].row[k]);
+  arb_mat_clear(m->y);
+  arb_mat_clear(m->tube);
+  arb_mat_clear(m->flow);
+  arb_clear(m->end);
+  arb_clear(m->step);
+  arb_clear(m->at);
+  free(m);
+  judge_passing(o, e, phase);
+}
+
+void mech_judge(struct mech_orbit *o, struct mech_equations *e) {
+  int phases = o->word.n;
+  o->fact = ss_malloc((size_t)phases * (2 + FACTS_OF_MASS * (size_t)o->n) * sizeof *o->fact);
+  for (int k = 0; k < phases; k++)
+    add_fact(o, k, 0, MECH_LENGTH)->holds = arb_is_positive(o->t + k)      ? TRUTH_TRUE
+                                            : arb_is_nonpositive(o->t + k) ? TRUTH_FALSE
+                                                                           : TRUTH_UNKNOWN;
+  for (int k = 0; k < phases; k++) judge_phase(o, e, k);
+}

@@ -1,0 +1,251 @@
+/* Systems in memory: what is made from masses and links, and the matrices of a phase. */
+#include "mech.h"
+
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+
+void mech_init(struct mech *m) {
+  *m = (struct mech){.n = 0};
+  m->title = ss_strdup("");
+  fmpq_mat_init(m->stiffness, 0, 0);
+  fmpq_mat_init(m->damping, 0, 0);
+}
+
+static void links_clear(struct mech_link *link, int n) {
+  for (int i = 0; i < n; i++) fmpq_clear(link[i].size);
+  free(link);
+}
+
+void mech_clear(struct mech *m) {
+  for (int i = 0; i < m->n; i++) {
+    fmpq_clear(m->mass[i].inertia);
+    fmpq_clear(m->mass[i].sliding);
+    fmpq_clear(m->mass[i].limit);
+    fmpq_clear(m->mass[i].surface);
+  }
+  links_clear(m->spring, m->n_springs);
+  links_clear(m->damper, m->n_dampers);
+  fmpq_mat_clear(m->stiffness);
+  fmpq_mat_clear(m->damping);
+  free(m->title);
+}
+
+static void set_name(char to[MECH_NAME], const char *name) {
+  size_t len = strlen(name);
+  if (len >= MECH_NAME) len = MECH_NAME - 1;
+  memcpy(to, name, len);
+  to[len] = '\0';
+}
+
+struct mech_mass *mech_add_mass(struct mech *m, const char *name) {
+  if (m->n == MECH_MASSES) return NULL;
+  struct mech_mass *mass = &m->mass[m->n++];
+  *mass = (struct mech_mass){.rubbed = false};
+  set_name(mass->name, name);
+  fmpq_init(mass->inertia);
+  fmpq_init(mass->sliding);
+  fmpq_init(mass->limit);
+  fmpq_init(mass->surface);
+  return mass;
+}
+
+struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name) {
+  int *n = spring ? &m->n_springs : &m->n_dampers;
+  struct mech_link **list = spring ? &m->spring : &m->damper;
+  if (*n == MECH_LINKS) return NULL;
+  *list = ss_realloc(*list, (size_t)(*n + 1) * sizeof **list);
+  struct mech_link *link = &(*list)[(*n)++];
+  *link = (struct mech_link){.end = {-1, -1}};
+  set_name(link->name, name);
+  fmpq_init(link->size);
+  return link;
+}
+
+/* --- K and C --- */
+
+static void add_to(fmpq_mat_t k, int i, int j, const fmpq_t x, bool minus) {
+  fmpq *entry = fmpq_mat_entry(k, i, j);
+  if (minus)
+    fmpq_sub(entry, entry, x);
+  else
+    fmpq_add(entry, entry, x);
+}
+
+static void make_matrix(fmpq_mat_t k, int n, const struct mech_link *link, int n_links) {
+  fmpq_mat_clear(k);
+  fmpq_mat_init(k, n, n);
+  for (int l = 0; l < n_links; l++) {
+    int a = link[l].end[0], b = link[l].end[1];
+    if (a >= 0) add_to(k, a, a, link[l].size, false);
+    if (b >= 0) add_to(k, b, b, link[l].size, false);
+    if (a >= 0 && b >= 0) {
+      add_to(k, a, b, link[l].size, true);
+      add_to(k, b, a, link[l].size, true);
+    }
+  }
+}
+
+/* The first mass that no chain of springs ties to the ground; n: all are tied. */
+static int first_loose(const struct mech *m) {
+  bool tied[MECH_MASSES] = {false};
+  for (int round = 0; round < m->n; round++)
+    for (int l = 0; l < m->n_springs; l++)
+      for (int side = 0; side < 2; side++) {
+        int here = m->spring[l].end[side], there = m->spring[l].end[!side];
+        if (here >= 0 && (there < 0 || tied[there])) tied[here] = true;
+      }
+  int i = 0;
+  while (i < m->n && tied[i]) i++;
+  return i;
+}
+
+static const char *wrong_with_mass(const struct mech_mass *mass) {
+  if (fmpq_sgn(mass->inertia) <= 0) return "an inertia is positive";
+  if (!mass->rubbed) return NULL;
+  if (fmpq_sgn(mass->sliding) < 0) return "a sliding friction is not negative";
+  if (fmpq_cmp(mass->limit, mass->sliding) < 0) return "a static limit is not below the sliding friction";
+  return fmpq_sgn(mass->limit) > 0 ? NULL : "friction without any force: leave its lines out";
+}
+
+static const char *wrong_with_link(const struct mech_link *link) {
+  if (link->end[0] == link->end[1]) return "it ties something to itself";
+  return fmpq_sgn(link->size) > 0 ? NULL : "a stiffness, and a damper's constant, is positive";
+}
+
+bool mech_finish(struct mech *m, const char **why, const char **name) {
+  *why = m->n ? NULL : "a system has at least one mass";
+  *name = "";
+  for (int i = 0; !*why && i < m->n; i++)
+    if ((*why = wrong_with_mass(&m->mass[i]))) *name = m->mass[i].name;
+  for (int l = 0; !*why && l < m->n_springs + m->n_dampers; l++) {
+    const struct mech_link *link = l < m->n_springs ? &m->spring[l] : &m->damper[l - m->n_springs];
+    if ((*why = wrong_with_link(link))) *name = link->name;
+  }
+  int loose = *why ? m->n : first_loose(m);
+  if (loose < m->n) {
+    *why = "no chain of springs ties it to the ground, so that nothing brings it back";
+    *name = m->mass[loose].name;
+  }
+  make_matrix(m->stiffness, m->n, m->spring, m->n_springs);
+  make_matrix(m->damping, m->n, m->damper, m->n_dampers);
+  return !*why;
+}
+
+/* --- A phase --- */
+
+/* row += sign f_i */
+static void add_force(fmpq *row, const struct mech *m, int i, int sign) {
+  for (int j = 0; j < m->n; j++)
+    for (int part = 0; part < 2; part++) {
+      const fmpq *entry = fmpq_mat_entry(part ? m->damping : m->stiffness, i, j);
+      fmpq *to = row + part * m->n + j;
+      if (sign > 0)
+        fmpq_add(to, to, entry);
+      else
+        fmpq_sub(to, to, entry);
+    }
+}
+
+void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
+  int n = m->n;
+  fmpq_mat_zero(a);
+  for (int i = 0; i < n; i++) {
+    fmpq_one(fmpq_mat_entry(a, i, n + i));
+    if (phase[i] == 's') continue;
+    fmpq *row = fmpq_mat_entry(a, n + i, 0);
+    add_force(row, m, i, -1);
+    if (phase[i] == '-') fmpq_add(row + 2 * n, row + 2 * n, m->mass[i].sliding);
+    if (phase[i] == '+') fmpq_sub(row + 2 * n, row + 2 * n, m->mass[i].sliding);
+    for (int j = 0; j <= 2 * n; j++) fmpq_div(row + j, row + j, m->mass[i].inertia);
+  }
+}
+
+void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end) {
+  int n = m->n;
+  fmpq *c = fmpq_mat_entry(row, 0, 0);
+  fmpq_mat_zero(row);
+  if (end == MECH_REACHES) {
+    fmpq_set_si(c + n + mass, mode == '-' ? 1 : -1, 1);
+    fmpq_set(c + 2 * n, m->mass[mass].surface);
+    if (mode == '-') fmpq_neg(c + 2 * n, c + 2 * n);
+  } else {
+    add_force(c, m, mass, end == MECH_BREAKS_SLOWER ? 1 : -1);
+    fmpq_neg(c + 2 * n, m->mass[mass].limit);
+  }
+}
+
+int mech_event(enum mech_end *end, const char *from, const char *to) {
+  int mass = -1;
+  for (int i = 0; from[i]; i++) {
+    if (from[i] == to[i]) continue;
+    if (mass >= 0) return -1;
+    mass = i;
+  }
+  if (mass >= 0) *end = from[mass] != 's' ? MECH_REACHES : to[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER;
+  return mass;
+}
+
+/* --- Words --- */
+
+static const char *wrong_with_phase(const char *s, size_t len, const struct mech *m) {
+  if (len != (size_t)m->n) return "a phase has one letter for each mass";
+  for (int i = 0; i < m->n; i++) {
+    if (!strchr("s-+.", s[i]))
+      return "a mass sticks (s), slips slower (-) or faster (+) than its surface, or is free (.)";
+    if ((s[i] == '.') == m->mass[i].rubbed)
+      return m->mass[i].rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
+  }
+  return NULL;
+}
+
+static const char *wrong_with_order(const struct mech_word *w, int k) {
+  enum mech_end end;
+  const char *from = w->phase[k], *to = w->phase[(k + 1) % w->n];
+  if (w->n < 2 || strcmp(from, to) == 0) return "a phase is followed by another one";
+  return mech_event(&end, from, to) < 0 ? "one mass changes its mode at a time" : NULL;
+}
+
+bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m) {
+  size_t place[MECH_PHASES];
+  w->n = 0;
+  *at = 0;
+  *why = "a word has at least two phases";
+  for (const char *p = text + strspn(text, " "); *p; p += strspn(p, " ")) {
+    size_t len = strcspn(p, " ");
+    *at = (size_t)(p - text);
+    *why = w->n == MECH_PHASES ? "a word has at most 48 phases" : wrong_with_phase(p, len, m);
+    if (*why) return false;
+    place[w->n] = *at;
+    memcpy(w->phase[w->n], p, len);
+    w->phase[w->n++][len] = '\0';
+    p += len;
+  }
+  if (w->n == 0) return false;
+  for (int k = 0; k < w->n; k++)
+    if ((*why = wrong_with_order(w, k))) {
+      *at = place[k];
+      return false;
+    }
+  return true;
+}
+
+void mech_word_print(struct text *out, const struct mech_word *w) {
+  for (int k = 0; k < w->n; k++) text_printf(out, "%s%s", k ? " " : "", w->phase[k]);
+}
+
+void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by) {
+  struct mech_word turned = {.n = in->n};
+  for (int k = 0; k < in->n; k++) memcpy(turned.phase[k], in->phase[(k + by) % in->n], sizeof turned.phase[k]);
+  *out = turned;
+}
+
+bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b) {
+  for (*by = 0; a->n == b->n && *by < a->n; ++*by) {
+    int k = 0;
+    while (k < a->n && strcmp(a->phase[k], b->phase[(k + *by) % b->n]) == 0) k++;
+    if (k == a->n) return true;
+  }
+  return false;
+}

@@ -1,0 +1,92 @@
+/* Masses in a row of their own each, springs and dampers between any two of them or to the ground, surfaces that rub:
+
+     m_i x_i'' = u_i - f_i          f = K x + C x'
+
+   K and C are made from the springs and dampers.  A mass that a surface of velocity V_i rubs has a sliding friction s_i
+   and a static limit r_i, 0 <= s_i <= r_i, and moves in one of three modes; one that nothing rubs is free:
+
+     's' sticks    x_i' = V_i, u_i = f_i, as long as |f_i| < r_i
+     '-' slower    x_i' < V_i, u_i = +s_i
+     '+' faster    x_i' > V_i, u_i = -s_i
+     '.' free      u_i = 0
+
+   A phase is a letter for each mass, "s-" the first of two sticking and the second slower than its surface; a word is a
+   cyclic sequence of phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster
+   one; a slipping one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
+
+   Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1) obeys y' = A y with a constant matrix A, and every
+   condition of a phase is a row c with c y < 0 (mech_rate, mech_condition): both exact, and the one place where the
+   equations of motion are stated.  With two masses and springs 1 - chi and chi it is the paper's system. */
+#ifndef STICKSLIP_MECH_MECH_H
+#define STICKSLIP_MECH_MECH_H
+
+#include <flint/fmpq_mat.h>
+
+#include "base/text.h"
+#include "num/num.h"
+
+enum { MECH_MASSES = 24, MECH_LINKS = 600, MECH_NAME = 32, MECH_PHASES = 48 };
+
+struct mech_mass {
+  char name[MECH_NAME];
+  bool rubbed;
+  fmpq_t inertia, sliding, limit, surface; /* m_i, s_i, r_i, V_i */
+};
+/* A spring or a damper; an end of -1 is the ground. */
+struct mech_link {
+  char name[MECH_NAME];
+  int end[2];
+  fmpq_t size;
+};
+struct mech {
+  char *title;
+  int n, n_springs, n_dampers;
+  struct mech_mass mass[MECH_MASSES];
+  struct mech_link *spring, *damper;
+  fmpq_mat_t stiffness, damping; /* K and C, n by n */
+};
+
+/* A system without masses; the matrices are made by mech_finish. */
+void mech_init(struct mech *m);
+void mech_clear(struct mech *m);
+/* A mass, spring or damper more, zero and free, between the ground and the ground; NULL when there is no room. */
+struct mech_mass *mech_add_mass(struct mech *m, const char *name);
+struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
+/* Makes K and C.  What is physically wrong is said in why (a mass that is not positive, a static limit below the sliding
+   friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in *name. */
+bool mech_finish(struct mech *m, const char **why, const char **name);
+
+/* Reads a system file (read.c says what stands in one).  false with d set. */
+bool mech_load(struct mech *m, const char *path, struct diag *d);
+/* The same from a source, which is taken over. */
+bool mech_read(struct mech *m, struct source src, struct diag *d);
+
+/* --- Phases and words --- */
+
+struct mech_word {
+  int n;
+  char phase[MECH_PHASES][MECH_MASSES + 1];
+};
+/* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that equals
+   the next one, two masses that change at once, a change that the law forbids. */
+bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m);
+void mech_word_print(struct text *out, const struct mech_word *w);
+/* The word turned to begin with its phase number by; out may be in. */
+void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by);
+/* The same word, from whichever phase; *by: how far b is turned. */
+bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *b);
+
+/* A of a phase, 2n + 1 by 2n + 1. */
+void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase);
+/* What ends a mode of a mass. */
+enum mech_end {
+  MECH_BREAKS_SLOWER, /* sticking: f_i - r_i */
+  MECH_BREAKS_FASTER, /* sticking: -f_i - r_i */
+  MECH_REACHES        /* slipping: x_i' - V_i where slower, V_i - x_i' where faster */
+};
+/* The row c of length 2n + 1 with c y < 0 while the mass goes on in that mode. */
+void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end);
+/* The mass that changes between two phases, and what ends its mode; -1 when none or more than one does. */
+int mech_event(enum mech_end *end, const char *from, const char *to);
+
+#endif

@@ -1,0 +1,246 @@
+/* An orbit proved near a guess: the steps of orbit.h, one after the other. */
+#include "orbit.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "equations.h"
+#include "num/solve.h"
+
+enum { MOST_STEPS = 60 };
+
+const char *const mech_rule_name[MECH_BEYOND + 1] = {"length", "slower", "faster", "break", "break_low", "beyond"};
+
+/* --- Existence and uniqueness --- */
+
+static int values(const void **f, const void **j, const struct num_vec *x, void *self) {
+  struct mech_equations *e = self;
+  slong n = x->len;
+  mech_equations_at(e, num_vec_at(x, 0));
+  for (slong i = 0; i < n; i++) {
+    if (f) f[i] = arb_mat_entry(e->value, i, 0);
+    for (slong l = 0; l < n; l++) j[i * n + l] = arb_mat_entry(e->slope, i, l);
+  }
+  return SS_OK;
+}
+
+/* x: from a guess to the image of a proved box. */
+static int enclose(struct num_vec *x, struct mech_equations *e) {
+  struct solve_system system = {x->len, values, e};
+  struct krawczyk k;
+  krawczyk_init(&k, &system, e->prec);
+  int status = newton_settle(x, &system, MOST_STEPS);
+  if (!status) status = krawczyk_centre(&k, x);
+  if (!status) status = krawczyk_grow(&k);
+  if (!status) num_vec_set(x, &k.image);
+  krawczyk_clear(&k);
+  return status;
+}
+
+/* --- Multipliers --- */
+
+/* dR/dq - dR/dt (dG/dt)^-1 dG/dq, where G are the events, R the return and q what is free. */
+static bool return_jacobian(arb_mat_t out, const struct mech_equations *e) {
+  int phases = e->w->n, n = e->n_free;
+  arb_mat_t gt, gq, rt;
+  arb_mat_init(gt, phases, phases);
+  arb_mat_init(gq, phases, n);
+  arb_mat_init(rt, n, phases);
+  for (int k = 0; k < phases; k++) {
+    for (int l = 0; l < phases; l++) arb_set(arb_mat_entry(gt, k, l), arb_mat_entry(e->slope, k, l));
+    for (int l = 0; l < n; l++) arb_set(arb_mat_entry(gq, k, l), arb_mat_entry(e->slope, k, phases + l));
+    for (int l = 0; l < n; l++) arb_set(arb_mat_entry(rt, l, k), arb_mat_entry(e->slope, phases + l, k));
+  }
+  bool ok = arb_mat_solve(gq, gt, gq, e->prec);
+  if (ok) arb_mat_mul(out, rt, gq, e->prec);
+  for (int i = 0; ok && i < n; i++)
+    for (int l = 0; l < n; l++) {
+      arb_ptr z = arb_mat_entry(out, i, l);
+      arb_sub(z, arb_mat_entry(e->slope, phases + i, phases + l), z, e->prec);
+      if (i == l) arb_add_ui(z, z, 1, e->prec); /* slope has that of R - q */
+    }
+  arb_mat_clear(rt);
+  arb_mat_clear(gq);
+  arb_mat_clear(gt);
+  return ok;
+}
+
+static int by_modulus(const void *a, const void *b) {
+  arb_t x, y;
+  arb_init(x);
+  arb_init(y);
+  acb_abs(x, a, 64);
+  acb_abs(y, b, 64);
+  int c = arf_cmp(arb_midref(y), arb_midref(x));
+  if (c == 0) c = -arf_cmp(arb_midref(acb_imagref((acb_srcptr)a)), arb_midref(acb_imagref((acb_srcptr)b)));
+  arb_clear(y);
+  arb_clear(x);
+  return c;
+}
+
+/* An eigenvalue of a real matrix is real where the conjugate of its ball meets no ball but itself. */
+static void make_real(acb_ptr z, slong n) {
+  acb_t mirrored;
+  acb_init(mirrored);
+  for (slong i = 0; i < n; i++) {
+    acb_conj(mirrored, z + i);
+    bool real = acb_overlaps(mirrored, z + i);
+    for (slong l = 0; l < n; l++) real = real && (l == i || !acb_overlaps(mirrored, z + l));
+    if (real) arb_zero(acb_imagref(z + i));
+  }
+  acb_clear(mirrored);
+}
+
+static bool eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
+  slong n = arb_mat_nrows(a);
+  acb_mat_t c, right;
+  acb_mat_init(c, n, n);
+  acb_mat_init(right, n, n);
+  acb_mat_set_arb_mat(c, a);
+  acb_mat_approx_eig_qr(z, NULL, right, c, NULL, 0, prec);
+  acb_ptr near = _acb_vec_init(n);
+  _acb_vec_set(near, z, n);
+  bool ok = acb_mat_eig_simple(z, NULL, NULL, c, near, right, prec) || acb_mat_eig_multiple(z, c, near, right, prec);
+  _acb_vec_clear(near, n);
+  acb_mat_clear(right);
+  acb_mat_clear(c);
+  if (ok) {
+    make_real(z, n);
+    qsort(z, (size_t)n, sizeof *z, by_modulus);
+  }
+  return ok;
+}
+
+static truth all_inside(acb_srcptr z, int n) {
+  truth stable = TRUTH_TRUE;
+  arb_t size;
+  arb_init(size);
+  for (int i = 0; i < n; i++) {
+    acb_abs(size, z + i, 128);
+    arb_sub_ui(size, size, 1, 128);
+    stable = truth_and(stable, arb_is_negative(size)   ? TRUTH_TRUE
+                               : arb_is_positive(size) ? TRUTH_FALSE
+                                                       : TRUTH_UNKNOWN);
+  }
+  arb_clear(size);
+  return stable;
+}
+
+/* --- An orbit --- */
+
+static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct mech_word *w) {
+  *o = (struct mech_orbit){.word = *w, .n = m->n, .multipliers = false};
+  o->n_free = mech_free(o->free, m, w);
+  o->t = _arb_vec_init(w->n);
+  o->state = _arb_vec_init((slong)w->n * 2 * m->n);
+  arb_init(o->period);
+  arb_mat_init(o->jacobian, o->n_free, o->n_free);
+  o->multiplier = _acb_vec_init(o->n_free);
+}
+
+void mech_orbit_clear(struct mech_orbit *o) {
+  _arb_vec_clear(o->t, o->word.n);
+  _arb_vec_clear(o->state, (slong)o->word.n * 2 * o->n);
+  arb_clear(o->period);
+  arb_mat_clear(o->jacobian);
+  _acb_vec_clear(o->multiplier, o->n_free);
+  free(o->fact);
+}
+
+/* Everything but the facts, from the enclosed unknowns. */
+static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr x) {
+  mech_equations_at(e, x);
+  for (int k = 0; k < o->word.n; k++) {
+    arb_set(o->t + k, x + k);
+    arb_add(o->period, o->period, x + k, e->prec);
+    for (int i = 0; i < 2 * o->n; i++) arb_set(o->state + k * 2 * o->n + i, arb_mat_entry(e->state[k], i, 0));
+  }
+  o->multipliers = return_jacobian(o->jacobian, e) && eigenvalues(o->multiplier, o->jacobian, e->prec);
+  o->stable = o->multipliers ? all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
+}
+
+static void conclude(struct mech_orbit *o) {
+  bool settled = o->stable != TRUTH_UNKNOWN;
+  o->own = o->admissible = TRUTH_TRUE;
+  for (int i = 0; i < o->n_facts; i++) {
+    const struct mech_fact *f = &o->fact[i];
+    if (f->ends || f->rule == MECH_LENGTH) o->own = truth_and(o->own, f->holds);
+    o->admissible = truth_and(o->admissible, f->holds);
+    settled = settled && f->holds != TRUTH_UNKNOWN;
+  }
+  o->certified = settled;
+}
+
+/* The word turned so that the fewest coordinates are free; *by: how far. */
+static void turn_best(struct mech_word *out, int *by, const struct mech *m, const struct mech_word *w) {
+  int free[2 * MECH_MASSES], least = mech_free(free, m, w);
+  *by = 0;
+  *out = *w;
+  for (int k = 1; k < w->n; k++) {
+    struct mech_word turned;
+    mech_word_turn(&turned, w, k);
+    int n = mech_free(free, m, &turned);
+    if (n >= least) continue;
+    least = n;
+    *by = k;
+    *out = turned;
+  }
+}
+
+/* The state at the entry of phase `by`, in double precision: by the flow of the phases before. */
+static void carry(double *z, const struct mech *m, const struct mech_word *w, const double *t, int by) {
+  int side = 2 * m->n + 1;
+  fmpq_mat_t rate;
+  arb_mat_t flow, y;
+  fmpq_mat_init(rate, side, side);
+  arb_mat_init(flow, side, side);
+  arb_mat_init(y, side, 1);
+  for (int i = 0; i < 2 * m->n; i++) arb_set_d(arb_mat_entry(y, i, 0), z[i]);
+  arb_one(arb_mat_entry(y, 2 * m->n, 0));
+  for (int k = 0; k < by; k++) {
+    arb_t length;
+    arb_init(length);
+    arb_set_d(length, t[k]);
+    mech_rate(rate, m, w->phase[k]);
+    arb_mat_set_fmpq_mat(flow, rate, 64);
+    arb_mat_scalar_mul_arb(flow, flow, length, 64);
+    arb_mat_exp(flow, flow, 64);
+    arb_mat_mul(y, flow, y, 64);
+    arb_clear(length);
+  }
+  for (int i = 0; i < 2 * m->n; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(y, i, 0)), ARF_RND_NEAR);
+  arb_mat_clear(y);
+  arb_mat_clear(flow);
+  fmpq_mat_clear(rate);
+}
+
+int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
+                    const double *z, slong prec) {
+  struct mech_word best;
+  struct mech_equations e;
+  struct num_vec x;
+  double at[2 * MECH_MASSES];
+  int by;
+  turn_best(&best, &by, m, w);
+  memcpy(at, z, 2 * (size_t)m->n * sizeof *z);
+  carry(at, m, w, t, by);
+  mech_equations_init(&e, m, &best, prec);
+  int status = best.n + e.n_free <= SOLVE_MOST ? SS_OK : SS_UNABLE;
+  num_vec_init(&x, best.n + e.n_free, num_ctx_arb(prec));
+  for (int k = 0; k < best.n; k++) arb_set_d(num_vec_at(&x, k), t[(k + by) % best.n]);
+  for (int l = 0; l < e.n_free; l++) arb_set_d(num_vec_at(&x, best.n + l), at[e.free[l]]);
+  for (slong i = 0; i < x.len; i++)
+    if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
+  if (!status) status = enclose(&x, &e);
+  if (!status) {
+    orbit_init(o, m, &best);
+    describe(o, &e, num_vec_at(&x, 0));
+    mech_judge(o, &e);
+    conclude(o);
+  }
+  num_vec_clear(&x);
+  mech_equations_clear(&e);
+  return status;
+}

@@ -1,0 +1,71 @@
+/* Periodic motions of a system with a given word of phases, enclosed with proof.
+
+   Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
+   are free there: not the velocity of a sticking mass or of the one that has just changed, nor the position of one that has
+   just broken loose, since its force is at the limit.  The equations are the K events and the return of those coordinates.
+   A word is turned so that they are fewest.
+
+   What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
+   formula in steps, that each condition of the phase holds up to its end, so that every event is the first one; the
+   multipliers are those of the first return of the free coordinates, in balls.  Together, a certified admissible orbit is a
+   motion under Coulomb's law.  Nothing is said about how many orbits there are. */
+#ifndef STICKSLIP_MECH_ORBIT_H
+#define STICKSLIP_MECH_ORBIT_H
+
+#include "mech.h"
+#include "num/flint_more.h"
+
+enum mech_rule {
+  MECH_LENGTH, /* the phase has a positive length */
+  MECH_SLOWER, /* a slower mass is slower than its surface */
+  MECH_FASTER, /* a faster one faster */
+  MECH_BELOW,  /* a sticking mass: f < r */
+  MECH_ABOVE,  /* a sticking mass: f > -r */
+  MECH_BEYOND  /* a mass that passes through has a force beyond its limit */
+};
+extern const char
+    *const mech_rule_name[MECH_BEYOND + 1]; /* "length", "slower", "faster", "break", "break_low", "beyond" */
+struct mech_fact {
+  int phase, mass; /* mass is 0 for a length */
+  enum mech_rule rule;
+  bool ends; /* its zero is the event that ends the phase: that it is the first one */
+  truth holds;
+};
+
+struct mech_orbit {
+  struct mech_word word;                /* turned so that the free coordinates are fewest */
+  int n, n_free, free[2 * MECH_MASSES]; /* masses; places in x_1 ... x_n, x_1' ... x_n' */
+  arb_ptr t, state;                     /* word.n lengths; 2n coordinates at the entry of each phase */
+  arb_t period;
+  arb_mat_t jacobian; /* of the first return of the free coordinates */
+  acb_ptr multiplier; /* its eigenvalues, by decreasing modulus; n_free */
+  bool multipliers;   /* they are enclosed */
+  struct mech_fact *fact;
+  int n_facts;
+  truth own;        /* every phase has a positive length and ends with its first event */
+  truth admissible; /* all facts: Coulomb's law */
+  truth stable;     /* every multiplier below 1 in modulus */
+  bool certified;   /* existence, uniqueness in a box, every fact and the stability are settled */
+};
+
+/* How many coordinates are free at the entry of the first phase of a word, and which. */
+int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech_word *w);
+/* The orbit near the lengths t and the state z (2n numbers) at the entry of the word's first phase, to prec bits where its
+   conditioning allows.  SS_UNABLE: none is proved there, and the orbit needs no clearing. */
+int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
+                    const double *z, slong prec);
+void mech_orbit_clear(struct mech_orbit *o);
+
+struct mech_orbits {
+  struct mech_orbit *orbit;
+  int n;
+  int simulations, candidates,
+      failed; /* motions simulated; starts of Newton's iteration; of these without a proved orbit */
+};
+/* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
+   random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as motions
+   pass them.  None found is no proof. */
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec);
+void mech_orbits_clear(struct mech_orbits *list);
+
+#endif

@@ -1,0 +1,231 @@
+/* System files: records as everywhere (base/record.h).
+
+     title: three masses on a belt
+     k = 1/3
+
+     mass m1
+       inertia: 1
+       sliding: 1/2
+       static: 3
+       surface: 1
+     spring wall
+       between: ground, m1
+       stiffness: k
+     damper d1
+       between: m1, m2
+       constant: 1/100
+
+   Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
+   (expr/constant.h) and may use the parameters above it.  A mass is free of friction without the last three lines. */
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/record.h"
+#include "expr/constant.h"
+#include "mech.h"
+
+enum { MOST_PARAMETERS = 1000, MOST_BYTES = 1 << 20 };
+
+struct parameter {
+  const char *name;
+  fmpq_t value;
+};
+struct reader {
+  struct mech *m;
+  const struct source *src;
+  struct diag *d;
+  struct arena arena;
+  struct parameter *parameter;
+  size_t n_parameters, cap_parameters;
+  int depth;
+  size_t work;
+};
+
+static bool wrong(struct reader *r, size_t place, const char *what) {
+  diag_at(r->d, r->src, place, "%s", what);
+  return false;
+}
+
+/* --- Values --- */
+
+static bool refer(fmpq_t z, void *arg, const struct constant *c, const struct expr *e) {
+  struct reader *r = arg;
+  for (size_t i = 0; i < r->n_parameters; i++)
+    if (strcmp(r->parameter[i].name, e->name) == 0) {
+      fmpq_set(z, r->parameter[i].value);
+      return true;
+    }
+  diag_at(c->d, c->src, e->span.begin, "unknown name %.100s; a value may use numbers and the parameters above it",
+          e->name);
+  return false;
+}
+
+static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
+  struct constant c = {r->src, r->d, &r->depth, &r->work, refer, "the parameters above it", r};
+  return constant_eval(z, &c, e);
+}
+
+static bool read_parameter(struct reader *r, const struct field *f) {
+  const struct stmt *s = stmt_parse(&r->arena, r->src, f->value, r->d);
+  if (!s) return false;
+  if (s->kind != STMT_RELATION || s->n_sides != 2 || s->ops[0] != REL_EQ || s->range_var ||
+      s->sides[0]->kind != EXPR_SYM)
+    return wrong(r, f->value.begin, "a parameter is written NAME = VALUE");
+  for (size_t i = 0; i < r->n_parameters; i++)
+    if (strcmp(r->parameter[i].name, s->sides[0]->name) == 0)
+      return wrong(r, f->value.begin, "this parameter is given twice");
+  if (r->n_parameters == MOST_PARAMETERS) return wrong(r, f->value.begin, "a system has at most 1000 parameters");
+  r->parameter = ss_grow(r->parameter, r->n_parameters, &r->cap_parameters, sizeof *r->parameter);
+  struct parameter *p = &r->parameter[r->n_parameters];
+  p->name = s->sides[0]->name;
+  fmpq_init(p->value);
+  bool ok = evaluate(p->value, r, s->sides[1]);
+  r->n_parameters++; /* from here on it has a value */
+  return ok;
+}
+
+/* The value of an attribute of a record; *given where it has that attribute. */
+static bool read_value(fmpq_t z, bool *given, struct reader *r, const struct record *of, const char *key) {
+  const struct field *f = record_field(of, key);
+  *given = f != NULL;
+  if (!f) return true;
+  const struct expr *e = expr_parse(&r->arena, r->src, f->value, r->d);
+  return e && evaluate(z, r, e);
+}
+
+static bool need_value(fmpq_t z, struct reader *r, const struct record *of, const char *key) {
+  bool given;
+  if (!read_value(z, &given, r, of, key)) return false;
+  if (!given)
+    diag_at(r->d, r->src, of->kind.begin, "%s %s needs a line \"%s: VALUE\"", of->kind_name, of->id_name, key);
+  return given;
+}
+
+/* --- Records --- */
+
+static const char *const of_mass[] = {"inertia", "sliding", "static", "surface", NULL},
+                         *const of_spring[] = {"between", "stiffness", NULL},
+                         *const of_damper[] = {"between", "constant", NULL};
+
+static bool known_fields(struct reader *r, const struct record *of, const char *const *keys) {
+  for (size_t i = 0; i < of->n_fields; i++) {
+    const struct field *f = &of->fields[i];
+    int k = 0;
+    while (f->attribute && keys[k] && strcmp(keys[k], f->key_name) != 0) k++;
+    if (!f->attribute || !keys[k]) {
+      diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "a %s has the lines %s, %s%s%s only",
+              of->kind_name, keys[0], keys[1], keys[2] ? ", static, " : "", keys[2] ? "surface" : "");
+      return false;
+    }
+    if (record_field(of, f->key_name) != f) return wrong(r, f->key.begin, "this line is given twice");
+  }
+  return true;
+}
+
+static int mass_named(const struct mech *m, const char *name, size_t len) {
+  int i = 0;
+  while (i < m->n && !(strlen(m->mass[i].name) == len && strncmp(m->mass[i].name, name, len) == 0)) i++;
+  return i;
+}
+
+static bool read_mass(struct reader *r, const struct record *of) {
+  if (!known_fields(r, of, of_mass)) return false;
+  if (mass_named(r->m, of->id_name, strlen(of->id_name)) < r->m->n || strcmp(of->id_name, "ground") == 0)
+    return wrong(r, of->id.begin, "there is a mass, or the ground, of this name");
+  struct mech_mass *mass = mech_add_mass(r->m, of->id_name);
+  if (!mass) return wrong(r, of->kind.begin, "a system has at most 24 masses");
+  bool given[3];
+  if (!need_value(mass->inertia, r, of, "inertia") || !read_value(mass->sliding, &given[0], r, of, "sliding") ||
+      !read_value(mass->limit, &given[1], r, of, "static") || !read_value(mass->surface, &given[2], r, of, "surface"))
+    return false;
+  mass->rubbed = given[0];
+  return (given[0] == given[1] && given[1] == given[2]) ||
+         wrong(r, of->kind.begin, "friction has three lines: sliding, static, and surface, the velocity of what rubs");
+}
+
+/* "A, B": masses, or ground. */
+static bool read_ends(struct mech_link *link, struct reader *r, const struct record *of) {
+  const struct field *f = record_field(of, "between");
+  if (!f) return wrong(r, of->kind.begin, "what it is between is missing: \"between: ground, m1\"");
+  const char *s = f->text;
+  for (int side = 0; side < 2; side++) {
+    size_t len;
+    if (!(s = list_item(&len, s))) return wrong(r, f->value.begin, "two ends are needed: \"between: ground, m1\"");
+    int i = mass_named(r->m, s, len);
+    bool ground = len == strlen("ground") && strncmp(s, "ground", len) == 0;
+    if (i == r->m->n && !ground) {
+      diag_at(r->d, r->src, f->value.begin, "there is no mass %.*s above this line", (int)(len < 60 ? len : 60), s);
+      return false;
+    }
+    link->end[side] = ground ? -1 : i;
+    s += len;
+  }
+  size_t more;
+  return !list_item(&more, s) || wrong(r, f->value.begin, "it has two ends");
+}
+
+static bool read_link(struct reader *r, const struct record *of, bool spring) {
+  if (!known_fields(r, of, spring ? of_spring : of_damper)) return false;
+  struct mech_link *link = mech_add_link(r->m, spring, of->id_name);
+  if (!link) return wrong(r, of->kind.begin, "a system has at most 600 springs and 600 dampers");
+  return read_ends(link, r, of) && need_value(link->size, r, of, spring ? "stiffness" : "constant");
+}
+
+static bool read_record(struct reader *r, const struct record *of) {
+  if (strlen(of->id_name) >= MECH_NAME) return wrong(r, of->id.begin, "a name of more than 31 characters");
+  if (strcmp(of->kind_name, "mass") == 0) return read_mass(r, of);
+  if (strcmp(of->kind_name, "spring") == 0) return read_link(r, of, true);
+  if (strcmp(of->kind_name, "damper") == 0) return read_link(r, of, false);
+  return wrong(r, of->kind.begin, "a system is made of the records mass, spring and damper");
+}
+
+static bool read_head(struct reader *r, const struct record *head) {
+  for (size_t i = 0; i < head->n_fields; i++) {
+    const struct field *f = &head->fields[i];
+    if (!f->attribute) {
+      if (!read_parameter(r, f)) return false;
+    } else if (strcmp(f->key_name, "title") == 0) {
+      free(r->m->title);
+      r->m->title = ss_strdup(f->text);
+    } else {
+      return wrong(r, f->key.begin, "before the first record stand the title and lines NAME = VALUE");
+    }
+  }
+  return true;
+}
+
+/* Says what is physically wrong at the record that it is about. */
+static bool finish(struct reader *r, const struct record_file *f) {
+  const char *why, *name;
+  if (mech_finish(r->m, &why, &name)) return true;
+  size_t place = 0;
+  for (size_t i = 1; i < f->n_records; i++)
+    if (strcmp(f->records[i].id_name, name) == 0) place = f->records[i].kind.begin;
+  diag_at(r->d, r->src, place, "%s%s%s", name, *name ? ": " : "", why);
+  return false;
+}
+
+bool mech_read(struct mech *m, struct source src, struct diag *d) {
+  struct record_file f;
+  struct reader r = {.m = m, .d = d};
+  mech_init(m);
+  arena_init(&r.arena);
+  bool ok = record_file_parse(&f, src, d);
+  r.src = &f.src;
+  ok = ok && read_head(&r, &f.records[0]);
+  for (size_t i = 1; ok && i < f.n_records; i++) ok = read_record(&r, &f.records[i]);
+  ok = ok && finish(&r, &f);
+  for (size_t i = 0; i < r.n_parameters; i++) fmpq_clear(r.parameter[i].value);
+  free(r.parameter);
+  record_file_clear(&f);
+  arena_clear(&r.arena);
+  return ok;
+}
+
+bool mech_load(struct mech *m, const char *path, struct diag *d) {
+  struct source src;
+  if (source_read(&src, path, MOST_BYTES, d)) return mech_read(m, src, d);
+  mech_init(m);
+  return false;
+}

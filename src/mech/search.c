@@ -1,0 +1,162 @@
+/* Where orbits may be: motions from random starts, in double precision, and the stretches of them that nearly return. */
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/random.h"
+#include "orbit.h"
+#include "walk.h"
+
+enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4 };
+static const double near = 0.2, periods = 300; /* relative distance of the ends; of the slowest mass alone */
+
+/* A stretch of a motion from an event to another one with the same phase behind it. */
+struct stretch {
+  struct mech_word word;
+  double t[MECH_PHASES], z[2 * MECH_MASSES], gap; /* the relative distance of its ends */
+};
+struct stretches {
+  struct stretch *at;
+  int n;
+  size_t cap;
+};
+
+static double uniform(uint64_t *stream) {
+  return 2 * ldexp((double)(random_next(stream) >> 11), -53) - 1;
+}
+
+/* Positions about as far out as the forces of friction can hold them, velocities about those of the surfaces. */
+static void random_start(double *z, const struct mech *m, uint64_t *stream) {
+  for (int i = 0; i < m->n; i++) {
+    const struct mech_mass *mass = &m->mass[i];
+    double stiffness = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)), force = fmpq_get_d(mass->limit);
+    z[i] = uniform(stream) * 2 * (mass->rubbed ? force : 1) / stiffness;
+    z[m->n + i] = fmpq_get_d(mass->surface) * (random_next(stream) % 2 ? 1 : uniform(stream));
+  }
+}
+
+static double gap_between(const double *a, const double *b, int n) {
+  double apart = 0, size = 0;
+  for (int part = 0; part < 2; part++) {
+    double d = 0, s = 0;
+    for (int i = part * n; i < part * n + n; i++) {
+      d = fmax(d, fabs(a[i] - b[i]));
+      s = fmax(s, fmax(fabs(a[i]), fabs(b[i])));
+    }
+    apart = fmax(apart, s > 0 ? d / s : 0);
+    size = fmax(size, s);
+  }
+  return size > 0 ? apart : HUGE_VAL;
+}
+
+/* The stretch from moment i over k phases; false when its word is a shorter one's, repeated, or not the one wanted. */
+static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i, int k, const struct mech_word *wanted,
+                         int n) {
+  const struct mech_moment *a = &x->moment[i];
+  struct mech_word w = {.n = k};
+  int by;
+  for (int l = 0; l < k; l++) memcpy(w.phase[l], a[l].phase, sizeof w.phase[l]);
+  for (int l = 1; l < k; l++) {
+    struct mech_word turned;
+    mech_word_turn(&turned, &w, l);
+    if (k % l == 0 && memcmp(turned.phase, w.phase, (size_t)k * sizeof *w.phase) == 0) return false;
+  }
+  if (wanted && !mech_word_same(&by, wanted, &w)) return false;
+  *out = (struct stretch){.word = w, .gap = gap_between(a[0].z, a[k].z, n)};
+  for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
+  memcpy(out->z, a[0].z, sizeof out->z);
+  return true;
+}
+
+/* Of each word the few that return most nearly. */
+static void keep(struct stretches *list, const struct stretch *s) {
+  int same = 0, worst = -1, by;
+  for (int i = 0; i < list->n; i++) {
+    if (!mech_word_same(&by, &list->at[i].word, &s->word)) continue;
+    same++;
+    if (worst < 0 || list->at[i].gap > list->at[worst].gap) worst = i;
+  }
+  if (same == KEPT) {
+    if (s->gap < list->at[worst].gap) list->at[worst] = *s;
+    return;
+  }
+  list->at = ss_grow(list->at, (size_t)list->n, &list->cap, sizeof *list->at);
+  list->at[list->n++] = *s;
+}
+
+static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted, int n) {
+  for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++)
+    for (int k = 2; k <= MECH_PHASES && i + k < x->n_moments; k++) {
+      struct stretch s;
+      if (strcmp(x->moment[i].phase, x->moment[i + k].phase) != 0 || x->moment[i].mass != x->moment[i + k].mass)
+        continue;
+      if (!make_stretch(&s, x, i, k, wanted, n) || !(s.gap < near)) continue;
+      keep(list, &s);
+      break; /* longer ones hold this one */
+    }
+}
+
+static double slowest(const struct mech *m) {
+  double w = HUGE_VAL;
+  for (int i = 0; i < m->n; i++)
+    w = fmin(w, sqrt(fmpq_get_d(fmpq_mat_entry(m->stiffness, i, i)) / fmpq_get_d(m->mass[i].inertia)));
+  return w;
+}
+
+/* --- Orbits --- */
+
+/* Of the same word, with enclosures of all lengths that meet: boxes with one solution each, of which both hold it. */
+static bool is_known(const struct mech_orbits *list, const struct mech_orbit *o) {
+  for (int i = 0; i < list->n; i++) {
+    const struct mech_orbit *a = &list->orbit[i];
+    int by;
+    if (!mech_word_same(&by, &a->word, &o->word)) continue;
+    bool same = true;
+    for (int k = 0; k < a->word.n; k++) same = same && arb_overlaps(a->t + k, o->t + (k + by) % a->word.n);
+    if (same) return true;
+  }
+  return false;
+}
+
+static int by_period(const void *x, const void *y) {
+  const struct mech_orbit *a = x, *b = y;
+  return arf_cmp(arb_midref(a->period), arb_midref(b->period));
+}
+
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec) {
+  struct stretches found = {.n = 0};
+  uint64_t stream = random_seed("motions of a system");
+  *list = (struct mech_orbits){.n = 0};
+  for (int i = 0; i < SIMULATIONS; i++) {
+    struct mech_motion x;
+    double z[2 * MECH_MASSES];
+    random_start(z, m, &stream);
+    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
+    if (status == SS_OK) look_through(&found, &x, w, m->n);
+    list->simulations++;
+    mech_motion_clear(&x);
+  }
+  for (int i = 0; i < found.n; i++) {
+    struct mech_orbit o;
+    const struct stretch *s = &found.at[i];
+    list->candidates++;
+    if (mech_orbit_near(&o, m, &s->word, s->t, s->z, prec) != SS_OK) {
+      list->failed++;
+      continue;
+    }
+    if (is_known(list, &o)) {
+      mech_orbit_clear(&o);
+      continue;
+    }
+    list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
+    list->orbit[list->n++] = o;
+  }
+  if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
+  free(found.at);
+}
+
+void mech_orbits_clear(struct mech_orbits *list) {
+  for (int i = 0; i < list->n; i++) mech_orbit_clear(&list->orbit[i]);
+  free(list->orbit);
+}

@@ -1,0 +1,236 @@
+/* The simulation of walk.h. */
+#include "walk.h"
+
+#include <gsl/gsl_errno.h>
+#include <gsl/gsl_linalg.h>
+#include <gsl/gsl_odeiv2.h>
+#include <math.h>
+#include <string.h>
+
+#include "base/arena.h"
+#include "base/work.h"
+#include "motion/dynamics.h"
+
+enum { STATE = 2 * MECH_MASSES, SIDE = STATE + 1 };
+enum { UNITS_OF_LOOK = 15, HALVINGS = 200 }; /* of work; of the search for a root */
+
+struct walk {
+  const struct mech *m;
+  enum mech_route route;
+  int n;
+  char phase[MECH_MASSES + 1];
+  int fresh; /* the mass that has just begun to slip from its surface, or -1: its condition starts at zero */
+  double look, z[STATE];
+  double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
+  double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
+  double stride[SIDE * SIDE]; /* exp(A look) of the present phase */
+  gsl_odeiv2_system system;
+  gsl_odeiv2_driver *driver;
+};
+
+static double force(const struct walk *w, const double *z, int i) {
+  double f = 0;
+  for (int j = 0; j < w->n; j++) f += w->stiffness[i * w->n + j] * z[j] + w->damping[i * w->n + j] * z[w->n + j];
+  return f;
+}
+
+static int right_side(double t, const double z[], double dz[], void *self) {
+  (void)t;
+  const struct walk *w = self;
+  for (int i = 0; i < w->n; i++) {
+    double u = w->phase[i] == '-' ? w->sliding[i] : w->phase[i] == '+' ? -w->sliding[i] : 0;
+    dz[i] = z[w->n + i];
+    dz[w->n + i] = w->phase[i] == 's' ? 0 : (u - force(w, z, i)) / w->inertia[i];
+  }
+  return GSL_SUCCESS;
+}
+
+/* exp(A h). */
+static bool exponential(double *out, const struct walk *w, double h) {
+  int n = w->n, side = 2 * n + 1;
+  fmpq_mat_t rate;
+  double a[SIDE * SIDE];
+  fmpq_mat_init(rate, side, side);
+  mech_rate(rate, w->m, w->phase);
+  for (int i = 0; i < side; i++)
+    for (int j = 0; j < side; j++) a[i * side + j] = h * fmpq_get_d(fmpq_mat_entry(rate, i, j));
+  fmpq_mat_clear(rate);
+  gsl_matrix_view in = gsl_matrix_view_array(a, (size_t)side, (size_t)side);
+  gsl_matrix_view to = gsl_matrix_view_array(out, (size_t)side, (size_t)side);
+  gsl_linalg_exponential_ss(&in.matrix, &to.matrix, GSL_PREC_DOUBLE);
+  for (int i = 0; i < side * side; i++)
+    if (!isfinite(out[i])) return false;
+  return true;
+}
+
+static void apply(double *to, const double *matrix, const double *from, int n) {
+  int side = 2 * n + 1;
+  for (int i = 0; i < 2 * n; i++) {
+    to[i] = matrix[i * side + 2 * n];
+    for (int k = 0; k < 2 * n; k++) to[i] += matrix[i * side + k] * from[k];
+  }
+}
+
+/* The state h after w->z in the present phase. */
+static bool carry(double *to, struct walk *w, double h) {
+  if (w->route == MECH_PATCHED) {
+    double matrix[SIDE * SIDE];
+    if (h != w->look && !exponential(matrix, w, h)) return false;
+    apply(to, h == w->look ? w->stride : matrix, w->z, w->n);
+    return true;
+  }
+  double t = 0;
+  memcpy(to, w->z, sizeof w->z);
+  gsl_odeiv2_driver_reset(w->driver);
+  return h == 0 || gsl_odeiv2_driver_apply(w->driver, &t, h, to) == GSL_SUCCESS;
+}
+
+/* Negative while mass i goes on as it does. */
+static double condition(const struct walk *w, const double *z, int i) {
+  double lead = z[w->n + i] - w->surface[i];
+  if (w->phase[i] == '.') return -1;
+  if (w->phase[i] == 's') return fabs(force(w, z, i)) - w->limit[i];
+  return w->phase[i] == '-' ? lead : -lead;
+}
+
+/* The first root of mass i's condition, which changes sign within (0, h]: regula falsi of Illinois. */
+static bool locate(double *s, struct walk *w, int i, double h, double at_end) {
+  double a = 0, b = h, fa = condition(w, w->z, i), fb = at_end, z[STATE];
+  if (i == w->fresh || fa > 0) { /* it leaves zero: begin where it is well below */
+    for (a = h / 2; a > 1e-9 * h; a /= 2) {
+      if (!carry(z, w, a)) return false;
+      fa = condition(w, z, i);
+      if (fa < 0) break;
+    }
+  }
+  for (int k = 0; k < HALVINGS && b - a > 1e-15; k++) {
+    double mid = a + (b - a) * fa / (fa - fb);
+    if (!(mid > a && mid < b)) mid = 0.5 * (a + b);
+    if (!carry(z, w, mid)) return false;
+    double f = condition(w, z, i);
+    if (f < 0) {
+      a = mid;
+      fa = f;
+      fb /= 2;
+    } else {
+      b = mid;
+      fb = f;
+      fa /= 2;
+    }
+    if (f == 0) break;
+  }
+  *s = b;
+  return true;
+}
+
+/* The law for the mass that has the event, which is at its surface's velocity or at its limit. */
+static void change(struct walk *w, int i) {
+  double f = force(w, w->z, i);
+  bool loose = w->phase[i] == 's', holds = fabs(f) < w->limit[i];
+  w->z[w->n + i] = w->surface[i];
+  w->phase[i] = !loose && holds ? 's' : f > 0 ? '-' : '+';
+  w->fresh = w->phase[i] == 's' ? -1 : i;
+}
+
+static bool begin(struct walk *w) {
+  return w->route != MECH_PATCHED || exponential(w->stride, w, w->look);
+}
+
+static void note(struct mech_motion *out, const struct walk *w, double t, int mass) {
+  struct mech_moment *at = &out->moment[out->n_moments++];
+  *at = (struct mech_moment){.t = t, .mass = mass};
+  memcpy(at->phase, w->phase, sizeof at->phase);
+  memcpy(at->z, w->z, sizeof at->z);
+}
+
+/* One look ahead: to the first event in it, or to its end. */
+static int advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
+  double z[STATE], first = h;
+  int mass = -1;
+  if (!carry(z, w, h)) return SS_UNABLE;
+  for (int i = 0; i < w->n; i++) {
+    double s, at_end = condition(w, z, i);
+    if (at_end < 0) continue;
+    if (!locate(&s, w, i, h, at_end)) return SS_UNABLE;
+    if (s < first || mass < 0) {
+      first = s;
+      mass = i;
+    }
+  }
+  if (mass >= 0 && !carry(z, w, first)) return SS_UNABLE;
+  memcpy(w->z, z, sizeof w->z);
+  w->fresh = -1;
+  *gone = first;
+  if (mass < 0) return SS_OK;
+  change(w, mass);
+  note(out, w, t + first, mass);
+  return begin(w) ? SS_OK : SS_UNABLE;
+}
+
+/* --- From the start --- */
+
+static void take_system(struct walk *w) {
+  const struct mech *m = w->m;
+  double fastest = 0;
+  for (int i = 0; i < w->n; i++) {
+    for (int j = 0; j < w->n; j++) {
+      w->stiffness[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->stiffness, i, j));
+      w->damping[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->damping, i, j));
+    }
+    w->inertia[i] = fmpq_get_d(m->mass[i].inertia);
+    w->sliding[i] = fmpq_get_d(m->mass[i].sliding);
+    w->limit[i] = fmpq_get_d(m->mass[i].limit);
+    w->surface[i] = fmpq_get_d(m->mass[i].surface);
+    /* bounds of the frequencies, by Gershgorin's circles */
+    fastest = fmax(fastest, sqrt(2 * w->stiffness[i * w->n + i] / w->inertia[i]));
+    fastest = fmax(fastest, 2 * w->damping[i * w->n + i] / w->inertia[i]);
+  }
+  w->look = (w->route == MECH_PATCHED ? 1.0 / 16 : 1.0 / 23) / fastest;
+}
+
+static void take_start(struct walk *w, const double *start) {
+  memcpy(w->z, start, 2 * (size_t)w->n * sizeof *start);
+  for (int i = 0; i < w->n; i++) {
+    double lead = start[w->n + i] - w->surface[i], f = force(w, start, i);
+    w->phase[i] = !w->m->mass[i].rubbed                          ? '.'
+                  : lead < 0 || (lead == 0 && f >= w->limit[i])  ? '-'
+                  : lead > 0 || (lead == 0 && f <= -w->limit[i]) ? '+'
+                                                                 : 's';
+  }
+}
+
+static bool in_domain(const struct walk *w, const double *start, double duration) {
+  bool ok = duration >= 0 && duration <= 1e6 && isfinite(w->look) && w->look > 0;
+  for (int i = 0; i < 2 * w->n; i++) ok = ok && isfinite(start[i]);
+  return ok;
+}
+
+int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
+                  double duration, int most) {
+  struct walk *w = ss_malloc(sizeof *w);
+  *w = (struct walk){.m = m, .route = route, .n = m->n, .fresh = -1};
+  take_system(w);
+  *out = (struct mech_motion){.most = most, .moment = ss_malloc(((size_t)most + 1) * sizeof *out->moment)};
+  int s = in_domain(w, start, duration) ? SS_OK : SS_DOMAIN;
+  if (s == SS_OK) {
+    take_start(w, start);
+    note(out, w, 0, -1);
+    gsl_error_handler_t *old = gsl_set_error_handler(dyn_gsl_quiet);
+    w->system = (gsl_odeiv2_system){right_side, NULL, 2 * (size_t)w->n, w};
+    w->driver = gsl_odeiv2_driver_alloc_y_new(&w->system, gsl_odeiv2_step_rk8pd, w->look, 1e-13, 1e-13);
+    s = begin(w) ? SS_OK : SS_UNABLE;
+    for (double t = 0, gone; s == SS_OK && duration - t > 1e-12 && out->n_moments < most; t += gone) {
+      work_add(UNITS_OF_LOOK);
+      s = advance(&gone, w, out, t, fmin(w->look, duration - t));
+    }
+    memcpy(out->z, w->z, sizeof out->z);
+    gsl_odeiv2_driver_free(w->driver);
+    gsl_set_error_handler(old);
+  }
+  free(w);
+  return s;
+}
+
+void mech_motion_clear(struct mech_motion *out) {
+  free(out->moment);
+}

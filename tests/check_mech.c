@@ -1,0 +1,521 @@
+/* Systems from files: what is read, simulated and proved of them.
+
+   Numbers come from the simulation of the two masses (motion/coulomb.h) and their certified orbits (motion/dynamics.h),
+   which share no formula with src/mech; from chains integrated here with tiny steps; and from tests/oracle/systems.py, which
+   reads system files itself and recomputes orbits in mpmath. */
+#include <check.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "laws_num.h"
+#include "mech/describe.h"
+#include "mech/orbit.h"
+#include "mech/walk.h"
+#include "motion/coulomb.h"
+#include "paper_model.h"
+#include "scratch.h"
+#include "suites.h"
+
+static void finish(struct mech *m) {
+  const char *why, *name;
+  ck_assert_msg(mech_finish(m, &why, &name), "%s: %s", name, why);
+}
+
+/* --- Motions --- */
+
+static double dyadic(fmpq_t z, struct rng *r, slong low, slong high) {
+  fmpq_set_si(z, rng_between(r, low, high), 64);
+  return fmpq_get_d(z);
+}
+
+/* Masses one behind the other, on one belt. */
+static void random_chain(struct mech *m, double start[2 * MECH_MASSES], int n, struct rng *r) {
+  fmpq_t belt, x;
+  fmpq_init(belt);
+  fmpq_init(x);
+  dyadic(belt, r, 16, 128);
+  mech_init(m);
+  for (int i = 0; i < n; i++) {
+    struct mech_link *spring = mech_add_link(m, true, "k");
+    struct mech_mass *mass = mech_add_mass(m, "m");
+    spring->end[0] = i - 1;
+    spring->end[1] = i;
+    dyadic(spring->size, r, 8, 64);
+    dyadic(mass->inertia, r, 32, 128);
+    mass->rubbed = true;
+    fmpq_set(mass->surface, belt);
+    dyadic(mass->sliding, r, 0, 100);
+    dyadic(x, r, 8, 100);
+    fmpq_add(mass->limit, mass->sliding, x);
+    start[i] = dyadic(x, r, -200, 200);
+    start[n + i] = rng_between(r, 0, 1) ? fmpq_get_d(belt) : dyadic(x, r, -150, 150);
+  }
+  fmpq_clear(x);
+  fmpq_clear(belt);
+}
+
+static const enum coulomb_mode mode_of[128] = {['s'] = MODE_STICK, ['-'] = MODE_BELOW, ['+'] = MODE_ABOVE};
+
+START_TEST(a_chain_of_two_moves_as_the_papers_system) {
+  struct rng r = {(uint64_t)_i};
+  struct mech m;
+  double x[2 * MECH_MASSES], p[N_COULOMB];
+  struct coulomb_plan plan = coulomb_plan_default;
+  struct coulomb_result end;
+  struct coulomb_log log;
+  random_chain(&m, x, 2, &r);
+  p[COULOMB_CHI] = dyadic(m.spring[1].size, &r, 6, 58);
+  fmpq_one(m.spring[0].size);
+  fmpq_sub(m.spring[0].size, m.spring[0].size, m.spring[1].size);
+  fmpq_one(m.mass[0].inertia);
+  finish(&m);
+  p[COULOMB_ETA] = 1 / fmpq_get_d(m.mass[1].inertia);
+  p[COULOMB_V] = fmpq_get_d(m.mass[0].surface);
+  for (int i = 0; i < 2; i++) {
+    p[COULOMB_US1 + i] = fmpq_get_d(m.mass[i].sliding);
+    p[COULOMB_UR1 + i] = fmpq_get_d(m.mass[i].limit);
+  }
+  coulomb_log_init(&log);
+  struct coulomb_sink sink = coulomb_log_sink(&log);
+  plan.duration = 12;
+  ck_assert_int_eq(coulomb_simulate_d(&end, p, x, &plan, &sink), SS_OK);
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 12, 1000), SS_OK);
+    ck_assert_msg(z.n_moments == (int)log.n + 1, "trial %d route %d: %d events, not %zu", _i, route, z.n_moments - 1,
+                  log.n);
+    for (size_t k = 0; k < log.n; k++) {
+      const struct mech_moment *at = &z.moment[k + 1];
+      ck_assert_int_eq(at->mass, log.event[k].mass);
+      ck_assert_int_eq((int)mode_of[(int)at->phase[at->mass]], (int)log.event[k].to);
+      ck_assert_double_eq_tol(at->t, log.event[k].at.t, 1e-7);
+    }
+    for (int i = 0; i < 2; i++) {
+      ck_assert_double_eq_tol(z.z[i], end.at.x[i], 1e-7);
+      ck_assert_double_eq_tol(z.z[2 + i], end.at.v[i], 1e-7);
+    }
+    mech_motion_clear(&z);
+  }
+  coulomb_log_clear(&log);
+  mech_clear(&m);
+}
+END_TEST
+
+/* Tiny steps of the midpoint rule; after each step a mass that has passed V sticks or goes on, one whose force exceeds
+   its limit slips.  Error of the order of a step. */
+static void crude_chain(double z[2 * MECH_MASSES], const struct mech *m, const double *start, double duration) {
+  enum { STEPS = 400000 };
+  int n = m->n, side[MECH_MASSES];
+  double h = duration / STEPS, f[MECH_MASSES], k[MECH_MASSES + 1] = {0}, us[MECH_MASSES], ur[MECH_MASSES],
+         mass[MECH_MASSES], V = fmpq_get_d(m->mass[0].surface);
+  memcpy(z, start, 2 * (size_t)n * sizeof *z);
+  for (int i = 0; i < n; i++) {
+    k[i] = fmpq_get_d(m->spring[i].size);
+    us[i] = fmpq_get_d(m->mass[i].sliding);
+    ur[i] = fmpq_get_d(m->mass[i].limit);
+    mass[i] = fmpq_get_d(m->mass[i].inertia);
+    side[i] = z[n + i] < V ? 1 : z[n + i] > V ? -1 : 0;
+  }
+  for (int step = 0; step < STEPS; step++)
+    for (int i = 0; i < n; i++) {
+      double v = z[n + i];
+      f[i] = k[i] * (z[i] - (i ? z[i - 1] : 0)) + (i + 1 < n ? k[i + 1] * (z[i] - z[i + 1]) : 0);
+      if (side[i] == 0 && fabs(f[i]) >= ur[i]) side[i] = f[i] > 0 ? 1 : -1;
+      if (side[i]) {
+        z[n + i] += h / mass[i] * (side[i] * us[i] - f[i]);
+        if (side[i] * (z[n + i] - V) > 0 && fabs(f[i]) < ur[i]) {
+          z[n + i] = V;
+          side[i] = 0;
+        } else if (side[i] * (z[n + i] - V) > 0) {
+          side[i] = -side[i];
+        }
+      }
+      z[i] += h * 0.5 * (v + z[n + i]);
+    }
+}
+
+START_TEST(longer_chains_are_those_of_tiny_steps) {
+  struct rng r = {(uint64_t)_i + 100};
+  struct mech m;
+  double x[2 * MECH_MASSES], crude[2 * MECH_MASSES];
+  int n = 3 + _i % 3;
+  random_chain(&m, x, n, &r);
+  finish(&m);
+  crude_chain(crude, &m, x, 4);
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &m, x, 4, 1000), SS_OK);
+    for (int i = 0; i < 2 * n; i++)
+      ck_assert_msg(fabs(z.z[i] - crude[i]) < 5e-3, "trial %d route %d: element %d is %g, not %g", _i, route, i, z.z[i],
+                    crude[i]);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&m);
+}
+END_TEST
+
+START_TEST(motions_outside_the_domain) {
+  struct rng r = {7};
+  struct mech m;
+  struct mech_motion z;
+  double x[2 * MECH_MASSES];
+  const double durations[] = {-1, INFINITY, NAN, 2e6};
+  random_chain(&m, x, 3, &r);
+  finish(&m);
+  for (size_t i = 0; i < sizeof durations / sizeof *durations; i++) {
+    ck_assert_int_eq(mech_simulate(&z, MECH_INTEGRATED, &m, x, durations[i], 10), SS_DOMAIN);
+    mech_motion_clear(&z);
+  }
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 0, 10), SS_OK);
+  ck_assert_double_eq(z.z[1], x[1]);
+  mech_motion_clear(&z);
+  x[2] = NAN;
+  ck_assert_int_eq(mech_simulate(&z, MECH_PATCHED, &m, x, 1, 10), SS_DOMAIN);
+  mech_motion_clear(&z);
+  mech_clear(&m);
+}
+END_TEST
+
+/* --- Orbits --- */
+
+/* The paper's system with so much sliding friction that no lower limit is reached. */
+static void two_masses(struct mech *m, const fmpq *params) {
+  fmpq_t rest;
+  fmpq_init(rest);
+  mech_init(m);
+  for (int i = 0; i < 2; i++) {
+    struct mech_link *spring = mech_add_link(m, true, i ? "middle" : "wall");
+    struct mech_mass *mass = mech_add_mass(m, i ? "m2" : "m1");
+    spring->end[0] = i - 1;
+    spring->end[1] = i;
+    mass->rubbed = true;
+    fmpq_set(mass->surface, params + P_V);
+    fmpq_set_si(mass->sliding, 1000, 1);
+    fmpq_add(mass->limit, mass->sliding, params + P_E1 + i);
+  }
+  fmpq_set(m->spring[1].size, params + P_CHI);
+  fmpq_one(rest);
+  fmpq_sub(m->spring[0].size, rest, params + P_CHI);
+  fmpq_one(m->mass[0].inertia);
+  fmpq_inv(m->mass[1].inertia, params + P_ETA);
+  finish(m);
+  fmpq_clear(rest);
+}
+
+/* x = z + d with K d = u_s: in double, for a guess. */
+static void state_of(double x[4], const struct dyn_orbit *o, const struct mech *m, const fmpq *params) {
+  double us = fmpq_get_d(m->mass[0].sliding), chi = fmpq_get_d(params + P_CHI), d1 = 2 * us / (1 - chi);
+  x[0] = arf_get_d(arb_midref(o->z10), ARF_RND_NEAR) + d1;
+  x[1] = arf_get_d(arb_midref(o->z20), ARF_RND_NEAR) + d1 + us / chi;
+  x[2] = x[3] = fmpq_get_d(params + P_V);
+}
+
+static bool digits_agree(arb_srcptr a, arb_srcptr b) {
+  return arb_overlaps(a, b) && arb_rel_accuracy_bits(a) > 170 && arb_rel_accuracy_bits(b) > 170;
+}
+
+/* The orbits of the special code, found again: times and multiplier to 50 digits, every verdict. */
+static int found_again(const fmpq *params) {
+  static const char letters[] = "ss -s -- s-";
+  struct dyn_orbits list;
+  struct mech m;
+  struct mech_word w;
+  size_t at;
+  const char *why;
+  two_masses(&m, params);
+  ck_assert(mech_word_parse(&w, &at, &why, letters, &m));
+  ck_assert_int_eq(dyn_orbits_find(&list, params, 200, NULL), SS_OK);
+  for (slong i = 0; i < list.n; i++) {
+    const struct dyn_orbit *o = &list.orbit[i];
+    struct mech_orbit got;
+    double x[4];
+    int by;
+    state_of(x, o, &m, params);
+    ck_assert_int_eq(mech_orbit_near(&got, &m, &w, o->guess, x, 256), SS_OK);
+    ck_assert(mech_word_same(&by, &w, &got.word));
+    for (int k = 0; k < 4; k++) ck_assert(digits_agree(o->t[k], got.t + (k + by) % 4));
+    ck_assert_int_eq(got.n_free, 1);
+    ck_assert(got.multipliers && arb_is_zero(acb_imagref(got.multiplier)));
+    ck_assert(arb_overlaps(o->trace, acb_realref(got.multiplier)));
+    ck_assert_int_eq((int)got.stable, (int)o->stable);
+    ck_assert_msg(got.admissible == o->admissible, "orbit %ld: admissible %d, not %d", (long)i, got.admissible,
+                  o->admissible);
+    mech_orbit_clear(&got);
+  }
+  int n = (int)list.n;
+  dyn_orbits_clear(&list);
+  mech_clear(&m);
+  return n;
+}
+
+START_TEST(the_papers_orbits_on_every_scene) {
+  struct arena a;
+  struct diag d;
+  size_t n;
+  int orbits = 0;
+  arena_init(&a);
+  diag_init(&d);
+  char **name = scene_names(&n, "verify", &a, &d);
+  ck_assert_ptr_nonnull(name);
+  for (size_t i = 0; i < n; i++) {
+    struct scene s;
+    diag_init(&d);
+    if (scene_load_box(&s, name[i], "verify", &d) && scene_has_forces(&s) && !scene_is_box(&s) &&
+        strncmp(name[i], "chi-near", 8) != 0 && strcmp(name[i], "many-admissible") != 0) {
+      clock_t c0=clock(); int k = found_again(s.value); fprintf(stderr, "%s %d %.2f\n", name[i], k, (double)(clock()-c0)/CLOCKS_PER_SEC);
+      orbits += k; }
+    scene_clear(&s);
+  }
+  ck_assert_int_gt(orbits, 25);
+  free(name);
+  arena_clear(&a);
+}
+END_TEST
+
+START_TEST(the_papers_orbits_at_random_data) {
+  struct rng r = {(uint64_t)_i + 500};
+  fmpq *params = _fmpq_vec_init(N_PARAMS);
+  fmpq_set_si(params + P_CHI, rng_between(&r, 8, 56), 64);
+  fmpq_set_si(params + P_ETA, rng_between(&r, 16, 256), 64);
+  fmpq_set_si(params + P_V, rng_between(&r, 32, 128), 64);
+  fmpq_set_si(params + P_E1, rng_between(&r, 32, 256), 64);
+  fmpq_set_si(params + P_E2, rng_between(&r, 8, 128), 64);
+  found_again(params);
+  _fmpq_vec_clear(params, N_PARAMS);
+}
+END_TEST
+
+/* By a program that has nothing in common with src/mech. */
+START_TEST(orbits_of_three_masses_recomputed) {
+  int status;
+  char *out = shell_output(&status, "%s tests/oracle/systems.py %s chain3 chain3-each 2>&1", python(), program());
+  ck_assert_msg(status == 0, "%s", out);
+  free(out);
+}
+END_TEST
+
+static struct mech file;
+
+static void read_text(const char *text) {
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  source_from_string(&src, "a.system", text);
+  ck_assert_msg(mech_read(&file, src, &d), "%s", d.message);
+}
+
+/* One mass: the time of each phase in closed form.  With k = m = V = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2
+   and slips for 2 pi - 2 atan((r - s)/V) = 3 pi/2, from x = 2 to x = 0 or so. */
+START_TEST(one_mass_in_closed_form) {
+  struct mech_orbits list;
+  read_text("mass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: 1\n"
+            "spring k\n  between: ground, m\n  stiffness: 1\n");
+  mech_orbits_find(&list, &file, NULL, 128);
+  ck_assert_int_eq(list.n, 1);
+  const struct mech_orbit *o = &list.orbit[0];
+  arb_t want;
+  arb_init(want);
+  ck_assert(o->certified && o->admissible == TRUTH_TRUE && o->n_free == 0);
+  int slips = o->word.phase[0][0] == '-' ? 0 : 1;
+  arb_const_pi(want, 128);
+  arb_mul_ui(want, want, 3, 128);
+  arb_mul_2exp_si(want, want, -1);
+  ck_assert(arb_overlaps(want, o->t + slips));
+  arb_set_si(want, 2);
+  ck_assert(arb_overlaps(want, o->t + !slips) && arb_rel_accuracy_bits(o->t) > 100);
+  arb_clear(want);
+  mech_orbits_clear(&list);
+  mech_clear(&file);
+}
+END_TEST
+
+/* Static friction equal to sliding friction: the mass leaves the belt with a double zero, and the phase is settled all the
+   same.  With one mass the slip then takes a whole turn, 2 pi, and the mass sticks for no time: an orbit is found with two
+   masses, the second of which has r = s. */
+START_TEST(static_equal_to_sliding) {
+  struct mech_orbits list;
+  bool equal = false;
+  read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
+            "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
+            "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
+  mech_orbits_find(&list, &file, NULL, 128);
+  for (int i = 0; i < list.n; i++)
+    for (int k = 0; k < list.orbit[i].word.n; k++) {
+      const struct mech_orbit *o = &list.orbit[i];
+      equal |= o->certified && o->word.phase[k][1] == 's' && o->word.phase[(k + 1) % o->word.n][1] != 's';
+    }
+  ck_assert(equal);
+  mech_orbits_clear(&list);
+  mech_clear(&file);
+}
+END_TEST
+
+/* --- Files and words --- */
+
+#define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
+#define WALL       "spring k\n  between: ground, m\n  stiffness: 1\n"
+static const struct {
+  const char *file, *says;
+} refused[] = {
+    {"", "a system has at least one mass"},
+    {"mass m\n  sliding: 1\n", "1:1: error: mass m needs a line \"inertia: VALUE\""},
+    {"mass m\n  inertia: 0\n" WALL, "1:1: error: m: an inertia is positive"},
+    {"mass m\n  inertia: -1\n" WALL, "m: an inertia is positive"},
+    {"mass m\n  inertia: 1/0\n" WALL, "2:14: error: division by zero"},
+    {"mass m\n  inertia: one\n" WALL, "2:12: error: unknown name one"},
+    {"mass m\n  inertia: 1\n  sliding: 1\n" WALL, "friction has three lines"},
+    {"mass m\n  inertia: 1\n  sliding: 1\n  static: 1/2\n  surface: 1\n" WALL, "a static limit is not below"},
+    {"mass m\n  inertia: 1\n  sliding: 0\n  static: 0\n  surface: 1\n" WALL, "friction without any force"},
+    {"mass m\n  inertia: 1\n  inertia: 2\n" WALL, "3:3: error: this line is given twice"},
+    {"mass m\n  inertia: 1\n  weight: 2\n" WALL,
+     "3:3: error: a mass has the lines inertia, sliding, static, surface only"},
+    {MASS("m") MASS("m") WALL, "6:6: error: there is a mass, or the ground, of this name"},
+    {MASS("ground") WALL, "1:6: error: there is a mass, or the ground, of this name"},
+    {MASS("m"), "1:1: error: m: no chain of springs ties it to the ground"},
+    {MASS("m") MASS("n") WALL, "6:1: error: n: no chain of springs ties it to the ground"},
+    {MASS("m") "spring k\n  between: ground, q\n  stiffness: 1\n", "7:12: error: there is no mass q above this line"},
+    {MASS("m") "spring k\n  between: m, m\n  stiffness: 1\n", "6:1: error: k: it ties something to itself"},
+    {MASS("m") "spring k\n  between: m\n  stiffness: 1\n", "7:12: error: two ends are needed"},
+    {MASS("m") "spring k\n  between: m, ground, m\n  stiffness: 1\n", "7:12: error: it has two ends"},
+    {MASS("m") "spring k\n  stiffness: 1\n", "6:1: error: what it is between is missing"},
+    {MASS("m") "spring k\n  between: ground, m\n  stiffness: 0\n", "6:1: error: k: a stiffness"},
+    {MASS("m") "damper k\n  between: ground, m\n  constant: -1\n" WALL, "a damper's constant, is positive"},
+    {"colour: red\n" MASS("m") WALL, "1:1: error: before the first record stand the title"},
+    {"k = 1\nk = 2\n" MASS("m") WALL, "2:1: error: this parameter is given twice"},
+    {"k = j\nj = 2\n" MASS("m") WALL, "1:5: error: unknown name j"},
+    {"k > 2\n" MASS("m") WALL, "1:1: error: a parameter is written NAME = VALUE"},
+    {"mass abcdefghijklmnopqrstuvwxyzabcdef\n  inertia: 1\n", "1:6: error: a name of more than 31 characters"},
+    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring and damper"},
+};
+
+START_TEST(files_that_are_refused) {
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  source_from_string(&src, "a.system", refused[_i].file);
+  ck_assert_msg(!mech_read(&file, src, &d), "%s", refused[_i].file);
+  ck_assert_msg(strstr(d.message, refused[_i].says) != NULL, "\"%s\" is not in \"%s\"", refused[_i].says, d.message);
+  mech_clear(&file);
+}
+END_TEST
+
+START_TEST(a_thousand_masses) {
+  struct text t;
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  text_init(&t);
+  for (int i = 0; i < 1000; i++) text_printf(&t, "mass m%d\n  inertia: 1\n", i);
+  source_from_string(&src, "a.system", text_str(&t));
+  ck_assert(!mech_read(&file, src, &d) && strstr(d.message, "a system has at most 24 masses"));
+  mech_clear(&file);
+  text_clear(&t);
+}
+END_TEST
+
+static const struct {
+  const char *word, *why;
+  size_t at;
+} words[] = {
+    {"", "a word has at least two phases", 0},
+    {"ss", "a phase is followed by another one", 0},
+    {"ss -s ss- s-", "a phase has one letter for each mass", 6},
+    {"ss -x", "a mass sticks (s), slips slower (-)", 3},
+    {"ss -.", "a mass that a surface rubs is not free (.)", 3},
+    {"ss -s -s s-", "a phase is followed by another one", 3},
+    {"ss -- s-", "one mass changes its mode at a time", 0},
+    {"ss -s -- s-", NULL, 0},
+};
+
+START_TEST(words_of_two_masses) {
+  struct mech_word w;
+  const char *why;
+  size_t at;
+  read_text(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
+                                "spring l\n  between: m, n\n  stiffness: 1\n");
+  bool ok = mech_word_parse(&w, &at, &why, words[_i].word, &file);
+  ck_assert_int_eq(ok, words[_i].why == NULL);
+  if (!ok) ck_assert_msg(strstr(why, words[_i].why) && at == words[_i].at, "%zu: %s", at, why);
+  mech_clear(&file);
+}
+END_TEST
+
+/* x'' = -3 x + y - x', y'' = (x - 5 y)/2: written down by hand. */
+START_TEST(a_system_in_formulas) {
+  struct text t;
+  text_init(&t);
+  read_text("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
+            "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
+            "spring o\n  between: n, ground\n  stiffness: 4\ndamper d\n  between: m, ground\n  constant: c\n");
+  mech_describe(&t, &file, false, 6);
+  static const char *const lines[] = {
+      "x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'", "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
+      "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "Eigenvalues while every mass slips or is free"};
+  for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
+    ck_assert_msg(strstr(text_str(&t), lines[i]) != NULL, "%s is not in\n%s", lines[i], text_str(&t));
+  text_reset(&t);
+  mech_describe(&t, &file, true, 6);
+  ck_assert_msg(strstr(text_str(&t), "2 x_{2}'' = u_{2} - f_{2}, \\quad f_{2} = -x_{1} + 5 x_{2}"), "%s", text_str(&t));
+  text_clear(&t);
+  mech_clear(&file);
+}
+END_TEST
+
+/* --- Commands --- */
+
+static const struct {
+  const char *command, *says;
+  int status;
+} commands[] = {
+    {"system", "system takes one FILE", 2},
+    {"system nothing.system", "nothing.system", 3},
+    {"orbit chain3 --basin", "are of the paper's two masses", 3},
+    {"orbit chain3 --digits 1001", "at most 1000 --digits", 3},
+    {"orbit chain3 --set system=chain99", "chain99.system", 3},
+    {"orbit chain3 --set 'word=ss -s'", "a phase has one letter for each mass", 3},
+    {"orbit chain3 --set chi=1", "chi is of the paper's two masses", 3},
+    {"orbit chain3 --set ask=eq-27", "ask is of the paper's two masses", 3},
+    {"verify chain3", "only orbit takes such a scene", 3},
+    {"simulate chain3", "only orbit takes such a scene", 3},
+    {"words chain3", "only orbit takes such a scene", 3},
+    {"jacobian chain3", "only orbit takes such a scene", 3},
+    {"check verify/systems/chain3.system verify/scenes/chain3.scene", "chain3.scene: ok", 0},
+};
+
+START_TEST(commands_on_systems) {
+  int status;
+  char *out = shell_output(&status, "%s %s 2>&1", program(), commands[_i].command);
+  ck_assert_msg(status == commands[_i].status && strstr(out, commands[_i].says), "%d: %s", status, out);
+  free(out);
+}
+END_TEST
+
+#define COUNT(list) (int)(sizeof list / sizeof *list)
+
+Suite *mech_suite(void) {
+  Suite *s = suite_create("mech");
+  TCase *c = tcase_create("motions");
+  tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
+  tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
+  tcase_add_test(c, motions_outside_the_domain);
+  suite_add_tcase(s, c);
+  c = tcase_create("orbits");
+  tcase_add_test(c, the_papers_orbits_on_every_scene);
+  tcase_add_loop_test(c, the_papers_orbits_at_random_data, 0, 200);
+  tcase_add_test(c, orbits_of_three_masses_recomputed);
+  tcase_add_test(c, one_mass_in_closed_form);
+  tcase_add_test(c, static_equal_to_sliding);
+  suite_add_tcase(s, c);
+  c = tcase_create("files");
+  tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
+  tcase_add_loop_test(c, files_that_are_refused, 0, COUNT(refused));
+  tcase_add_test(c, a_thousand_masses);
+  tcase_add_loop_test(c, words_of_two_masses, 0, COUNT(words));
+  tcase_add_test(c, a_system_in_formulas);
+  tcase_add_loop_test(c, commands_on_systems, 0, COUNT(commands));
+  suite_add_tcase(s, c);
+  return s;
+}

@@ -1,0 +1,213 @@
+"""systems.py PROGRAM SCENE [SCENE...]: every orbit that `PROGRAM orbit SCENE --json` gives of a system file, recomputed.
+
+It reads the system file itself and knows nothing of the program but its JSON: from the equations of motion
+m x'' = u - K x - C x' it carries each state through its phase in 40 digits (matrix exponential by mpmath) and holds the
+next state against it; looks at the event and at the law at 60 times of each phase; and makes the multipliers from central
+differences of the first return.  Prints what it found; status 1 where something disagrees.
+"""
+import json
+import re
+import subprocess
+import sys
+from fractions import Fraction
+
+import mpmath as mp
+
+mp.mp.dps = 40
+CLOSE = mp.mpf(10) ** -25
+
+
+def value(text, names):
+    """A constant expression: numbers, names, + - * / ^ and parentheses, exactly."""
+    text = re.sub(r"\d+\.?\d*(?:[eE][-+]?\d+)?", lambda m: f'Fraction("{m.group()}")', text)
+    return eval(text.replace("^", "**"), {"Fraction": Fraction, **names})
+
+
+def read(path):
+    """Masses, and the matrices K and C."""
+    names, masses, links, here = {}, {}, [], None
+    for line in open(path, encoding="utf-8"):
+        line = line.rstrip()
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        if line[0] != " ":
+            head = line.split()
+            here = None
+            if "=" in line:
+                name, text = line.split("=", 1)
+                names[name.strip()] = value(text, names)
+            elif not line.startswith("title:"):
+                here = {"kind": head[0]}
+                if head[0] == "mass":
+                    masses[head[1]] = here
+                else:
+                    links.append(here)
+            continue
+        key, text = line.strip().split(":", 1)
+        here[key] = text.strip() if key == "between" else value(text, names)
+    order = list(masses)
+    n = len(order)
+    k, c = ([[Fraction(0)] * n for _ in range(n)] for _ in range(2))
+    for link in links:
+        matrix = k if link["kind"] == "spring" else c
+        size = link["stiffness" if link["kind"] == "spring" else "constant"]
+        ends = [order.index(e) if e != "ground" else None for e in re.split(r"[, ]+", link["between"])]
+        for i in ends:
+            for j in ends:
+                if i is not None and j is not None:
+                    matrix[i][j] += size if i == j else -size
+    return [masses[name] for name in order], k, c
+
+
+def mpf(q):
+    return mp.mpf(q.numerator) / q.denominator if isinstance(q, Fraction) else mp.mpf(q)
+
+
+class System:
+    def __init__(self, path):
+        self.mass, self.k, self.c = read(path)
+        self.n = len(self.mass)
+
+    def force(self, y, i):
+        return sum(mpf(self.k[i][j]) * y[j] + mpf(self.c[i][j]) * y[self.n + j] for j in range(self.n))
+
+    def rate(self, phase):
+        n = self.n
+        a = mp.zeros(2 * n + 1)
+        for i, m in enumerate(self.mass):
+            a[i, n + i] = 1
+            if phase[i] == "s":
+                continue
+            for j in range(n):
+                a[n + i, j] = -mpf(self.k[i][j]) / mpf(m["inertia"])
+                a[n + i, n + j] = -mpf(self.c[i][j]) / mpf(m["inertia"])
+            u = {"-": 1, "+": -1, ".": 0}[phase[i]]
+            a[n + i, 2 * n] = u * mpf(m.get("sliding", 0)) / mpf(m["inertia"])
+        return a
+
+    def carry(self, phase, y, t):
+        out = mp.expm(self.rate(phase) * t) * mp.matrix(list(y) + [1])
+        return [out[i] for i in range(2 * self.n)]
+
+    def event(self, phase, after, y):
+        """What is zero where the first phase gives way to the second, and its mass."""
+        (i,) = [i for i in range(self.n) if phase[i] != after[i]]
+        m = self.mass[i]
+        if phase[i] != "s":
+            return y[self.n + i] - mpf(m["surface"]), i
+        return self.force(y, i) - (1 if after[i] == "-" else -1) * mpf(m["static"]), i
+
+    def broken(self, phase, y, slack):
+        """The masses that do not do what the phase says."""
+        out = []
+        for i, m in enumerate(self.mass):
+            if phase[i] == ".":
+                continue
+            lead = y[self.n + i] - mpf(m["surface"])
+            ok = (abs(self.force(y, i)) < mpf(m["static"]) + slack if phase[i] == "s"
+                  else lead < slack if phase[i] == "-" else lead > -slack)
+            if not ok:
+                out.append(i)
+        return out
+
+    def to_event(self, phase, after, y, t):
+        for _ in range(30):
+            z = self.carry(phase, y, t)
+            a = self.rate(phase)
+            dz = [x for x in a * mp.matrix(list(z) + [1])][:2 * self.n]
+            f, i = self.event(phase, after, z)
+            slope = dz[self.n + i] if phase[i] != "s" else self.force(dz, i)
+            t -= f / slope
+            if abs(f / slope) < mp.mpf(10) ** -38:
+                break
+        return self.carry(phase, y, t)
+
+    def first_return(self, word, times, y):
+        for k, phase in enumerate(word):
+            after = word[(k + 1) % len(word)]
+            y = self.to_event(phase, after, y, times[k])
+            (i,) = [i for i in range(self.n) if phase[i] != after[i]]
+            if after[i] != phase[i]:
+                y[self.n + i] = mpf(self.mass[i]["surface"])
+        return y
+
+    def free(self, word):
+        """Coordinates of the start that can be varied, and the one that follows from the others, if any."""
+        before, now, n = word[-1], word[0], self.n
+        (i,) = [i for i in range(n) if before[i] != now[i]]
+        loose = i if before[i] == "s" else None
+        return ([j for j in range(n) if j != loose] + [n + j for j in range(n) if j != i and now[j] != "s"], loose,
+                1 if now[i] == "-" else -1)
+
+    def multipliers(self, word, times, y):
+        free, loose, side = self.free(word)
+        h = mp.mpf(10) ** -12
+        columns = []
+        for l in free:
+            ends = []
+            for sign in (1, -1):
+                z = list(y)
+                z[l] += sign * h
+                if loose is not None:  # its force stays at the limit
+                    z[loose] -= (self.force(z, loose) - side * mpf(self.mass[loose]["static"])) / mpf(self.k[loose][loose])
+                ends.append(self.first_return(word, times, z))
+            columns.append([(ends[0][r] - ends[1][r]) / (2 * h) for r in free])
+        if len(free) == 1:
+            return [columns[0][0]]
+        return list(mp.eig(mp.matrix(columns).T, left=False, right=False))
+
+
+def check(system, orbit):
+    word, times = orbit["word"], [mp.mpf(t) for t in orbit["times"]]
+    states = [[mp.mpf(x) for x in s] for s in orbit["states"]]
+    n, out = system.n, []
+    broken = False
+    for k, phase in enumerate(word):
+        after, then = word[(k + 1) % len(word)], states[(k + 1) % len(word)]
+        end = system.carry(phase, states[k], times[k])
+        off = max(abs(a - b) for a, b in zip(end, then))
+        f, _ = system.event(phase, after, end)
+        if off > CLOSE or abs(f) > CLOSE:
+            out.append(f"phase {k + 1}: ends {mp.nstr(off, 3)} beside the next state, event {mp.nstr(f, 3)}")
+        if times[k] > 0:
+            for s in range(61):
+                broken |= bool(system.broken(phase, system.carry(phase, states[k], times[k] * s / 60), mp.mpf(10) ** -20))
+        else:
+            broken = True
+    if orbit["admissible"] and broken:
+        out.append("called admissible, and the law is broken")
+    if orbit["admissible"] is False and not broken:
+        print("  (not admissible between the times looked at)")
+    if orbit["multipliers"] is not None:
+        mine = system.multipliers(word, times, states[0])
+        for m in orbit["multipliers"]:
+            z = mp.mpc(m["re"], m["im"])
+            near = min(mine, key=lambda x: abs(x - z))
+            if abs(near - z) > mp.mpf(10) ** -9 * (1 + abs(z)):
+                out.append(f"multiplier {mp.nstr(z, 12)}: differences give {mp.nstr(near, 12)}")
+            mine.remove(near)
+        inside = all(abs(mp.mpc(m["re"], m["im"])) < 1 for m in orbit["multipliers"])
+        if orbit["stable"] is not inside:
+            out.append("stable is not what the multipliers say")
+    return out
+
+
+def main():
+    program, scenes, wrong = sys.argv[1], sys.argv[2:], 0
+    for scene in scenes:
+        said = subprocess.run([program, "orbit", scene, "--digits", "35", "--json"], capture_output=True, text=True, check=True)
+        orbits = json.loads(said.stdout)["orbits"]
+        print(f"{scene}: {len(orbits)} orbits")
+        for i, orbit in enumerate(orbits):
+            name = orbit["system"]
+            path = name if "/" in name else f"verify/systems/{name}.system"
+            for line in check(System(path), orbit):
+                print(f"  orbit {i + 1}: {line}")
+                wrong += 1
+        if not orbits:
+            wrong += 1
+    return 1 if wrong else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
