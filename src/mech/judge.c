@@ -233,13 +233,18 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   arb_clear(g);
 }
 
-/* A power of two below an eighth of the phase and below 1/2 over the norm of A. */
+/* A power of two below an eighth of the phase and below 1/2 over the norm of A without its column of constants, which
+   says how far the state goes and not how fast it changes its way. */
 static void first_step(struct march *m) {
+  slong states = m->e->side - 1;
   mag_t norm;
   arf_t least;
+  arb_mat_t linear;
   mag_init(norm);
   arf_init(least);
-  arb_mat_bound_inf_norm(norm, m->e->rate[m->phase]);
+  arb_mat_window_init(linear, m->e->rate[m->phase], 0, 0, states, states);
+  arb_mat_bound_inf_norm(norm, linear);
+  arb_mat_window_clear(linear);
   arb_get_lbound_arf(least, m->end, 64);
   slong bits = fmpz_get_si(ARF_EXPREF(least)) - 4;
   if (!mag_is_zero(norm)) bits = FLINT_MIN(bits, -1 - fmpz_get_si(MAG_EXPREF(norm)));
