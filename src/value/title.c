@@ -309,6 +309,59 @@ static bool make_reach(struct text *out, const struct title *t) {
   return true;
 }
 
+/* "omega t_d" */
+static bool range_angle(struct text *out, const struct title *t, enum phase ph) {
+  const char *frequency = claim_get(t->c, "frequency");
+  if (frequency && !title_formula(out, t, "frequency")) return false;
+  text_printf(out, "%s%s", frequency ? " " : "", name_time[ph]);
+  return true;
+}
+
+/* " <= 2 (pi - arctan(odd/(even)))" */
+static bool range_limit(struct text *out, const struct title *t) {
+  if (!claim_get(t->c, "even")) {
+    text_add(out, " <= pi");
+    return true;
+  }
+  text_add(out, " <= 2 (pi - arctan(");
+  if (!title_formula(out, t, "odd")) return false;
+  text_add(out, "/(");
+  if (!title_formula(out, t, "even")) return false;
+  text_add(out, ")))");
+  return true;
+}
+
+/* Where the condition holds: the premise, and up to which length of the phase. */
+static bool range_where(struct text *out, const struct title *t, struct title_parts *p, enum phase ph) {
+  bool limited = claim_get(t->c, "odd") != NULL, premise = claim_get(t->c, "premises") != NULL;
+  if (!limited && !premise) {
+    text_printf(out, " for every %s > 0", name_time[ph]);
+    return true;
+  }
+  if (claim_get(t->c, "rate")) {
+    text_add(out, ", where ");
+    if (!range_angle(out, t, ph)) return false;
+    text_add(out, " <= 2 pi,");
+  }
+  text_add(out, " exactly if ");
+  if (premise && !title_parts_write(out, p, t, "premises")) return false;
+  if (!limited) return true;
+  text_add(out, premise ? " and " : "");
+  return range_angle(out, t, ph) && range_limit(out, t);
+}
+
+static bool make_range(struct text *out, const struct title *t) {
+  struct title_parts p = {.one = N_PHASES};
+  if (!claim_get(t->c, "conclusion")) return missing(t);
+  if (!title_parts_scan(&p, t, "conclusion") || !title_parts_write(out, &p, t, "conclusion")) return false;
+  if (p.one == N_PHASES) return missing(t);
+  if (title_moves(t, "conclusion")) {
+    text_add(out, " throughout ");
+    title_phases(out, &p.one, 1);
+  }
+  return range_where(out, t, &p, p.one);
+}
+
 static bool make_constraints(struct text *out, const struct title *t) {
   struct title_parts p = {.detail = TITLE_NUMBERS, .one = N_PHASES, .several = true};
   if (!claim_get(t->c, "constraints")) return missing(t);
@@ -512,6 +565,7 @@ static maker *const makers[N_KINDS] = {
     [KIND_SEQUENCE] = make_sequence,
     [KIND_EXISTENCE] = make_existence,
     [KIND_CONSTRAINTS] = make_constraints,
+    [KIND_RANGE] = make_range,
     [KIND_LAW] = make_law,
     [KIND_SOLUTIONS] = make_solutions,
     [KIND_OUTSIDE] = make_none,

@@ -63,6 +63,8 @@ struct title_parts {
 };
 bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute);
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute);
+/* Whether the first item's statement speaks of the time t. */
+bool title_moves(const struct title *t, const char *attribute);
 /* An attribute that is an expression or a relation, as a reader writes it. */
 bool title_formula(struct text *out, const struct title *t, const char *attribute);
 /* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */

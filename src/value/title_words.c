@@ -368,6 +368,24 @@ bool title_parts_scan(struct title_parts *p, const struct title *t, const char *
   return true;
 }
 
+static bool has_time(const struct expr *e) {
+  if (e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0) return true;
+  for (int i = 0; i < e->n_args; i++)
+    if (has_time(e->args[i])) return true;
+  return false;
+}
+
+bool title_moves(const struct title *t, const char *attribute) {
+  char item[64];
+  struct part part;
+  const char *list = claim_get(t->c, attribute);
+  if (!list || !claim_next_item(item, sizeof item, list) || !read_part(&part, t, attribute, item)) return false;
+  const struct stmt *s = part.r->stmts[part.statement ? part.statement - 1 : 0];
+  for (int i = 0; i < s->n_sides; i++)
+    if (has_time(s->sides[i])) return true;
+  return false;
+}
+
 static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
                            enum title_detail detail) {
   const char *note = title_note(p->r, detail != TITLE_FORMULAS);

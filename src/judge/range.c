@@ -1,0 +1,294 @@
+/* For how long a phase a condition holds throughout it: the closed form of its margin (proof/exact_range.h) proves the
+   range for all parameters.  Beside that, over the pool of orbits, in balls: the margin is of that form, and the
+   condition holds along the whole phase just where the range says. */
+#include <math.h>
+#include <string.h>
+
+#include "judge.h"
+#include "num/calc.h"
+#include "proof/exact_range.h"
+#include "value/expression.h"
+#include "value/orbit_pool.h"
+
+enum { EACH = 6, FRACTIONS = 4 };
+
+struct range {
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+  struct conditions goal, premise;
+  struct expression part[N_RANGE_PARTS], length;
+  bool there[N_RANGE_PARTS];
+  struct range_form form;
+  bool uses_friction; /* the premise */
+  long same[2], other, open, beyond[2]; /* orbits where the condition fails, holds; beyond: of rate, x > 2 pi */
+  const char *where;                    /* the first of the others */
+};
+
+/* --- Reading --- */
+
+static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor", "even", "odd", "drift"};
+
+static bool read_parts(struct range *r) {
+  const char *section = claim_get(r->c, "section");
+  bool ok = expression_open(&r->length, r->view, name_time[r->goal.at[0].phase], section, r->j->d);
+  for (int i = 0; ok && i < N_RANGE_PARTS; i++) {
+    const char *formula = claim_get(r->c, part_attribute[i]);
+    if (!formula) continue;
+    r->there[i] = true;
+    ok = expression_open(&r->part[i], r->view, formula, section, r->j->d);
+    if (ok && r->part[i].n != 1) ok = claim_error(r->j, r->c, part_attribute[i], "one number is needed");
+    r->form.part[i] = &r->part[i].tape;
+  }
+  return ok;
+}
+
+static bool read_range(struct range *r) {
+  const char *from = claim_get(r->c, "from"), *rate = claim_get(r->c, "rate");
+  if (!conditions_read(&r->goal, r->j, r->c, "conclusion", r->view)) return false;
+  if (!conditions_read(&r->premise, r->j, r->c, "premises", r->view)) return false;
+  if (r->goal.n != 1 || r->premise.n > 1)
+    return claim_error(r->j, r->c, "conclusion", "one condition, with one premise or none");
+  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL,
+                                .from_end = from && strcmp(from, "end") == 0,
+                                .rate = rate && strcmp(rate, "yes") == 0};
+  if (from && !r->form.from_end) return claim_error(r->j, r->c, "from", "end, or nothing");
+  if (rate && !r->form.rate) return claim_error(r->j, r->c, "rate", "yes, or nothing");
+  return read_parts(r);
+}
+
+static void clear_range(struct range *r) {
+  for (int i = 0; i < N_RANGE_PARTS; i++)
+    if (r->there[i]) expression_close(&r->part[i]);
+  expression_close(&r->length);
+  conditions_clear(&r->premise);
+  conditions_clear(&r->goal);
+}
+
+/* --- One orbit in balls --- */
+
+/* The parts there, what is not given being 1 or 0, and the length of the phase behind them. */
+enum { LENGTH = N_RANGE_PARTS, N_NUMBERS };
+
+static bool numbers_at(arb_ptr v, struct range *r, const struct point *p) {
+  int s = expression_value(v + LENGTH, &r->length, p, FIRST_PREC, r->j->cache);
+  for (int i = 0; i < N_RANGE_PARTS; i++) {
+    arb_set_si(v + i, i <= RANGE_FACTOR);
+    if (r->there[i]) s |= expression_value(v + i, &r->part[i], p, FIRST_PREC, r->j->cache);
+  }
+  return s == SS_OK;
+}
+
+/* 2 (pi - arctan(odd/even)) - x, and 2 pi - x, of the whole phase. */
+static void distances(arb_t limit, arb_t turn, arb_srcptr v) {
+  arb_t x;
+  arb_init(x);
+  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
+  arb_const_pi(limit, FIRST_PREC);
+  arb_mul_2exp_si(turn, limit, 1);
+  arb_sub(turn, turn, x, FIRST_PREC);
+  arb_const_pi(limit, FIRST_PREC); /* pi - arctan(odd/even) = arg(-even + i odd), pi/2 without even */
+  if (!arb_is_zero(v + RANGE_EVEN)) {
+    arb_neg(limit, v + RANGE_EVEN);
+    arb_atan2(limit, v + RANGE_ODD, limit, FIRST_PREC);
+    arb_mul_2exp_si(limit, limit, 1);
+  }
+  arb_sub(limit, limit, x, FIRST_PREC);
+  arb_clear(x);
+}
+
+static truth sign(const arb_t x) {
+  return arb_is_nonnegative(x) ? TRUTH_TRUE : arb_is_negative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+/* What the range says of the phase; *beyond: nothing. */
+static truth expected(bool *beyond, struct range *r, arb_srcptr v, const struct point *p) {
+  double where;
+  arb_ptr w = _arb_vec_init(3);
+  truth holds = TRUTH_TRUE;
+  *beyond = false;
+  if (r->premise.n) holds = condition_holds(&where, w, &r->premise.at[0], p, FIRST_PREC, r->j->cache);
+  if (r->there[RANGE_ODD]) {
+    distances(w + 1, w + 2, v);
+    holds = truth_and(holds, sign(w + 1));
+    *beyond = r->form.rate && !arb_is_nonnegative(w + 2);
+  }
+  _arb_vec_clear(w, 3);
+  return holds;
+}
+
+/* The form at that fraction of the phase, without its level. */
+static void form_at(arb_t z, struct range *r, arb_srcptr v, const arb_t fraction) {
+  arb_ptr w = _arb_vec_init(4);
+  arb_ptr x = w, sine = w + 1, cosine = w + 2, one = w + 3;
+  arb_one(one);
+  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
+  if (r->goal.at[0].moving) arb_mul(x, x, fraction, FIRST_PREC);
+  arb_sin_cos(sine, cosine, x, FIRST_PREC);
+  arb_sub(cosine, one, cosine, FIRST_PREC);
+  arb_sub(x, x, sine, FIRST_PREC);
+  arb_mul(z, v + RANGE_EVEN, cosine, FIRST_PREC);
+  arb_addmul(z, v + RANGE_ODD, sine, FIRST_PREC);
+  arb_addmul(z, v + RANGE_DRIFT, x, FIRST_PREC);
+  arb_mul(z, z, v + RANGE_FACTOR, FIRST_PREC);
+  _arb_vec_clear(w, 4);
+}
+
+/* The tape's value with the time t at that fraction of the phase. */
+static bool margin_at(arb_t z, struct range *r, const struct condition *c, struct point *p, slong k) {
+  struct calc w = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct num_vec out = calc_vec(&w, 1);
+  bool known;
+  p->phase = r->goal.at[0].phase;
+  fmpq_set_si(&p->q[Q_S], k, FRACTIONS);
+  bool ok = tape_at_point(&out, &known, &c->s.tape, p, r->j->cache) == SS_OK && known;
+  arb_set(z, num_vec_at(&out, 0));
+  calc_clear(&w);
+  return ok;
+}
+
+/* The margin less the form: the same at two fractions of the phase, and zero without a premise. */
+static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
+  arb_ptr w = _arb_vec_init(4);
+  truth holds = TRUTH_TRUE;
+  for (slong k = 1; k <= 2 && holds == TRUTH_TRUE; k++) {
+    arb_set_si(w + 3, r->form.from_end ? FRACTIONS - k : k);
+    arb_mul_2exp_si(w + 3, w + 3, -2);
+    form_at(w + 2, r, v, w + 3);
+    if (!margin_at(w + k - 1, r, &r->goal.at[0], p, k)) holds = TRUTH_UNKNOWN;
+    arb_sub(w + k - 1, w + k - 1, w + 2, FIRST_PREC);
+  }
+  bool level = r->premise.n && !r->there[RANGE_ODD];
+  if (holds == TRUTH_TRUE && level) arb_sub(w, w, w + 1, FIRST_PREC);
+  if (holds == TRUTH_TRUE && !arb_contains_zero(w)) holds = TRUTH_FALSE;
+  _arb_vec_clear(w, 4);
+  return holds;
+}
+
+/* The static friction a little above (side 1) or below what the premise asks. */
+static void choose_friction(struct range *r, struct point *p, const struct dyn_orbit *o, int side) {
+  enum { GRID = 1024 };
+  struct sampled s[MAX_CONDITIONS];
+  for (int i = 0; i < 2; i++) fmpq_set_si(&p->q[Q_US1 + i], 1 << 20, 1);
+  if (!r->premise.n || conditions_sample(s, &r->premise, p, r->j->cache) != SS_OK) return;
+  for (int i = 0; i < 2; i++) {
+    if (!(s[0].slope[i] > 0.01)) continue;
+    double least = -s[0].least / s[0].slope[i] * fmpq_get_d(&p->q[Q_V]) + num_arb.get_d(i ? o->e2 : o->e1);
+    double k = ceil(least * (1 + (side ? 1 : -1) / 32.0) * GRID);
+    if (fabs(k) < 1e15) fmpq_set_si(&p->q[Q_US1 + i], (slong)k, GRID);
+  }
+}
+
+static void book(struct range *r, truth form, truth said, truth found, bool beyond, const struct point *p) {
+  bool differs = form == TRUTH_FALSE ||
+                 (!beyond && said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
+  if (differs) {
+    r->other++;
+    if (r->where) return;
+    struct text t;
+    text_init(&t);
+    point_print(&t, p);
+    r->where = result_take(r->j->out, &t);
+  } else if (form == TRUTH_UNKNOWN || said == TRUTH_UNKNOWN || found == TRUTH_UNKNOWN) {
+    r->open++;
+  } else {
+    ++*(beyond ? &r->beyond[found] : &r->same[found]);
+  }
+}
+
+/* Whether double precision sees it otherwise than the range says, or enough like it have not been tried. */
+static bool is_worth(struct range *r, truth said, bool beyond, const struct point *p) {
+  struct sampled s[MAX_CONDITIONS];
+  if (said == TRUTH_UNKNOWN || (beyond ? r->beyond : r->same)[said] < EACH) return true;
+  if (beyond || r->uses_friction) return false;
+  if (conditions_sample(s, &r->goal, p, r->j->cache) != SS_OK) return false;
+  return (s[0].least > 0) != (said == TRUTH_TRUE);
+}
+
+static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
+  struct point p;
+  double where;
+  bool beyond;
+  arb_ptr v = _arb_vec_init(N_NUMBERS + 1);
+  const struct dyn_orbit *o = &item->list.orbit[index];
+  point_init(&p);
+  pool_point(&p, item, index);
+  choose_friction(r, &p, o, side);
+  if (!o->grazing && numbers_at(v, r, &p)) {
+    truth said = expected(&beyond, r, v, &p);
+    if (is_worth(r, said, beyond, &p)) {
+      p.known = NULL; /* enclosed as narrowly as asked for */
+      truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
+      said = expected(&beyond, r, v, &p);
+      truth found = condition_holds(&where, v + N_NUMBERS, &r->goal.at[0], &p, FIRST_PREC, r->j->cache);
+      book(r, form, said, found, beyond, &p);
+    }
+  }
+  point_clear(&p);
+  _arb_vec_clear(v, N_NUMBERS + 1);
+}
+
+static void by_balls(struct range *r) {
+  const struct orbit_pool *pool = orbit_pool_get(r->j);
+  bool refute = r->j->effort == EFFORT_REFUTE;
+  for (size_t i = 0; i < pool->n && !(refute && r->other); i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++)
+      for (int side = 0; side < 1 + r->uses_friction; side++) try_orbit(r, pool->item[i], k, side);
+}
+
+/* --- The kind --- */
+
+static const char *describe(struct range *r) {
+  struct text t;
+  text_init(&t);
+  text_printf(&t,
+              "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
+              "%ld, open on %ld",
+              r->same[1], r->same[0], r->other, r->open);
+  if (r->beyond[0] + r->beyond[1])
+    text_printf(&t, "; where the phase takes more than 2 pi it holds on %ld and fails on %ld", r->beyond[1],
+                r->beyond[0]);
+  return result_take(r->j->out, &t);
+}
+
+static const char *proof_note(const struct range *r) {
+  if (!r->there[RANGE_ODD] && !r->there[RANGE_DRIFT])
+    return "on motions made from the first-order systems the margin is the premise's times a factor that is positive for all parameters";
+  if (!r->there[RANGE_ODD])
+    return "on motions made from the first-order systems the margin is the sum of a positive multiple of the "
+           "premise's (or nothing) and of what the claim's file gives as factor (even (1 - cos x) + drift (x - sin x)), which is positive for x > 0 "
+           "and zero for x = 0";
+  if (r->form.rate)
+    return "on motions made from the first-order systems the margin is zero at the end of the phase, and minus its rate "
+           "is factor (even (1 - cos x) + odd sin x), positive up to x = 2 (pi - arctan(odd/even)) and negative from "
+           "there to 2 pi";
+  return "on motions made from the first-order systems the margin is what the claim's file gives as factor (even (1 - "
+         "cos x) + odd sin x) = 2 factor sin(x/2) (even sin(x/2) + odd cos(x/2)), with signs for all parameters";
+}
+
+static void conclude(struct finding *f, struct range *r) {
+  struct route_result w = {"balls", outcome_of_counts(r->same[0] + r->same[1], r->other, r->open), true,
+                           r->same[0] + r->same[1] + r->other + r->open};
+  finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
+  bool proved = r->j->effort != EFFORT_REFUTE && exact_range(&r->goal.at[0], &r->form);
+  if (proved) {
+    struct evidence *e = finding_add(f, r->j->out);
+    e->route = "exact";
+    e->layer = layer_name[LAYER_CORRECTED];
+    e->result = "proved";
+    e->note = proof_note(r);
+  }
+  f->verdict = verdict_of(&w, 1, proved);
+}
+
+bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct range r = {.j = j, .c = c, .view = view};
+  bool ok = read_range(&r);
+  r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
+  if (ok) {
+    by_balls(&r);
+    conclude(f, &r);
+  }
+  clear_range(&r);
+  return ok && !j->d->set;
+}
