@@ -10,17 +10,16 @@
 #include "value/expression.h"
 #include "value/orbit_pool.h"
 
-enum { EACH = 6, FRACTIONS = 4 };
+enum { LENGTH = N_RANGE_PARTS, N_NUMBERS, EACH = 4, MOST = 100, FRACTIONS = 4 };
 
 struct range {
   struct judge *j;
   const struct claim *c;
   struct view view;
   struct conditions goal, premise;
-  struct expression part[N_RANGE_PARTS], length;
-  bool there[N_RANGE_PARTS];
+  struct expression parts; /* and, behind them, the length of the phase */
   struct range_form form;
-  bool uses_friction; /* the premise */
+  bool uses_friction;                   /* the premise */
   long same[2], other, open, beyond[2]; /* orbits where the condition fails, holds; beyond: of rate, x > 2 pi */
   const char *where;                    /* the first of the others */
 };
@@ -29,17 +28,21 @@ struct range {
 
 static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor", "even", "odd", "drift"};
 
+/* "[omega; 1; 0; omega*(z_10 - z_20); 0; t_d]" */
 static bool read_parts(struct range *r) {
-  const char *section = claim_get(r->c, "section");
-  bool ok = expression_open(&r->length, r->view, name_time[r->goal.at[0].phase], section, r->j->d);
-  for (int i = 0; ok && i < N_RANGE_PARTS; i++) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < N_RANGE_PARTS; i++) {
     const char *formula = claim_get(r->c, part_attribute[i]);
-    if (!formula) continue;
-    r->there[i] = true;
-    ok = expression_open(&r->part[i], r->view, formula, section, r->j->d);
-    if (ok && r->part[i].n != 1) ok = claim_error(r->j, r->c, part_attribute[i], "one number is needed");
-    r->form.part[i] = &r->part[i].tape;
+    r->form.there[i] = formula != NULL;
+    text_printf(&t, "%s%s; ", i ? "" : "[", formula ? formula : i <= RANGE_FACTOR ? "1" : "0");
   }
+  text_printf(&t, "%s]", name_time[r->goal.at[0].phase]);
+  bool ok = expression_open(&r->parts, r->view, text_str(&t), claim_get(r->c, "section"), r->j->d);
+  if (ok && r->parts.n != N_NUMBERS)
+    ok = claim_error(r->j, r->c, "kind", "frequency, factor, even, odd and drift are one number each");
+  r->form.parts = &r->parts.tape;
+  text_clear(&t);
   return ok;
 }
 
@@ -58,25 +61,15 @@ static bool read_range(struct range *r) {
 }
 
 static void clear_range(struct range *r) {
-  for (int i = 0; i < N_RANGE_PARTS; i++)
-    if (r->there[i]) expression_close(&r->part[i]);
-  expression_close(&r->length);
+  expression_close(&r->parts);
   conditions_clear(&r->premise);
   conditions_clear(&r->goal);
 }
 
 /* --- One orbit in balls --- */
 
-/* The parts there, what is not given being 1 or 0, and the length of the phase behind them. */
-enum { LENGTH = N_RANGE_PARTS, N_NUMBERS };
-
 static bool numbers_at(arb_ptr v, struct range *r, const struct point *p) {
-  int s = expression_value(v + LENGTH, &r->length, p, FIRST_PREC, r->j->cache);
-  for (int i = 0; i < N_RANGE_PARTS; i++) {
-    arb_set_si(v + i, i <= RANGE_FACTOR);
-    if (r->there[i]) s |= expression_value(v + i, &r->part[i], p, FIRST_PREC, r->j->cache);
-  }
-  return s == SS_OK;
+  return expression_value(v, &r->parts, p, FIRST_PREC, r->j->cache) == SS_OK;
 }
 
 /* 2 (pi - arctan(odd/even)) - x, and 2 pi - x, of the whole phase. */
@@ -108,7 +101,7 @@ static truth expected(bool *beyond, struct range *r, arb_srcptr v, const struct 
   truth holds = TRUTH_TRUE;
   *beyond = false;
   if (r->premise.n) holds = condition_holds(&where, w, &r->premise.at[0], p, FIRST_PREC, r->j->cache);
-  if (r->there[RANGE_ODD]) {
+  if (r->form.there[RANGE_ODD]) {
     distances(w + 1, w + 2, v);
     holds = truth_and(holds, sign(w + 1));
     *beyond = r->form.rate && !arb_is_nonnegative(w + 2);
@@ -158,7 +151,7 @@ static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
     if (!margin_at(w + k - 1, r, &r->goal.at[0], p, k)) holds = TRUTH_UNKNOWN;
     arb_sub(w + k - 1, w + k - 1, w + 2, FIRST_PREC);
   }
-  bool level = r->premise.n && !r->there[RANGE_ODD];
+  bool level = r->premise.n && !r->form.there[RANGE_ODD];
   if (holds == TRUTH_TRUE && level) arb_sub(w, w, w + 1, FIRST_PREC);
   if (holds == TRUTH_TRUE && !arb_contains_zero(w)) holds = TRUTH_FALSE;
   _arb_vec_clear(w, 4);
@@ -180,8 +173,7 @@ static void choose_friction(struct range *r, struct point *p, const struct dyn_o
 }
 
 static void book(struct range *r, truth form, truth said, truth found, bool beyond, const struct point *p) {
-  bool differs = form == TRUTH_FALSE ||
-                 (!beyond && said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
+  bool differs = form == TRUTH_FALSE || (!beyond && said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
   if (differs) {
     r->other++;
     if (r->where) return;
@@ -196,13 +188,9 @@ static void book(struct range *r, truth form, truth said, truth found, bool beyo
   }
 }
 
-/* Whether double precision sees it otherwise than the range says, or enough like it have not been tried. */
-static bool is_worth(struct range *r, truth said, bool beyond, const struct point *p) {
-  struct sampled s[MAX_CONDITIONS];
-  if (said == TRUTH_UNKNOWN || (beyond ? r->beyond : r->same)[said] < EACH) return true;
-  if (beyond || r->uses_friction) return false;
-  if (conditions_sample(s, &r->goal, p, r->j->cache) != SS_OK) return false;
-  return (s[0].least > 0) != (said == TRUTH_TRUE);
+/* Whether enough like it have been tried, where nothing else is wanted than evidence. */
+static bool is_enough(const struct range *r, truth said, bool beyond) {
+  return r->j->effort == EFFORT_FULL && said != TRUTH_UNKNOWN && (beyond ? r->beyond : r->same)[said] >= EACH;
 }
 
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
@@ -216,7 +204,7 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
   choose_friction(r, &p, o, side);
   if (!o->grazing && numbers_at(v, r, &p)) {
     truth said = expected(&beyond, r, v, &p);
-    if (is_worth(r, said, beyond, &p)) {
+    if (!is_enough(r, said, beyond)) {
       p.known = NULL; /* enclosed as narrowly as asked for */
       truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
       said = expected(&beyond, r, v, &p);
@@ -230,9 +218,9 @@ static void try_orbit(struct range *r, const struct pool_item *item, slong index
 
 static void by_balls(struct range *r) {
   const struct orbit_pool *pool = orbit_pool_get(r->j);
-  bool refute = r->j->effort == EFFORT_REFUTE;
-  for (size_t i = 0; i < pool->n && !(refute && r->other); i++)
-    for (slong k = 0; k < pool->item[i]->list.n; k++)
+  long tried = 0;
+  for (size_t i = 0; i < pool->n && tried < MOST && !(r->other && r->j->effort != EFFORT_FULL); i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++, tried++)
       for (int side = 0; side < 1 + r->uses_friction; side++) try_orbit(r, pool->item[i], k, side);
 }
 
@@ -241,10 +229,11 @@ static void by_balls(struct range *r) {
 static const char *describe(struct range *r) {
   struct text t;
   text_init(&t);
-  text_printf(&t,
-              "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
-              "%ld, open on %ld",
-              r->same[1], r->same[0], r->other, r->open);
+  text_printf(
+      &t,
+      "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
+      "%ld, open on %ld",
+      r->same[1], r->same[0], r->other, r->open);
   if (r->beyond[0] + r->beyond[1])
     text_printf(&t, "; where the phase takes more than 2 pi it holds on %ld and fails on %ld", r->beyond[1],
                 r->beyond[0]);
@@ -252,14 +241,17 @@ static const char *describe(struct range *r) {
 }
 
 static const char *proof_note(const struct range *r) {
-  if (!r->there[RANGE_ODD] && !r->there[RANGE_DRIFT])
-    return "on motions made from the first-order systems the margin is the premise's times a factor that is positive for all parameters";
-  if (!r->there[RANGE_ODD])
+  if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT])
+    return "on motions made from the first-order systems the margin is the premise's times a factor that is positive "
+           "for all parameters";
+  if (!r->form.there[RANGE_ODD])
     return "on motions made from the first-order systems the margin is the sum of a positive multiple of the "
-           "premise's (or nothing) and of what the claim's file gives as factor (even (1 - cos x) + drift (x - sin x)), which is positive for x > 0 "
+           "premise's (or nothing) and of what the claim's file gives as factor (even (1 - cos x) + drift (x - sin "
+           "x)), which is positive for x > 0 "
            "and zero for x = 0";
   if (r->form.rate)
-    return "on motions made from the first-order systems the margin is zero at the end of the phase, and minus its rate "
+    return "on motions made from the first-order systems the margin is zero at the end of the phase, and minus its "
+           "rate "
            "is factor (even (1 - cos x) + odd sin x), positive up to x = 2 (pi - arctan(odd/even)) and negative from "
            "there to 2 pi";
   return "on motions made from the first-order systems the margin is what the claim's file gives as factor (even (1 - "

@@ -19,11 +19,12 @@
 enum range_part { RANGE_FREQUENCY, RANGE_FACTOR, RANGE_EVEN, RANGE_ODD, RANGE_DRIFT, N_RANGE_PARTS };
 
 struct range_form {
-  const struct tape *part[N_RANGE_PARTS]; /* NULL: not there; the frequency and the factor are then 1 */
-  const struct condition *premise;        /* or NULL: the level or, with odd and without even, odd is its margin times
+  const struct tape *parts;        /* in their order; what else it gives is not read */
+  bool there[N_RANGE_PARTS];       /* else 1, of frequency and factor, or 0 */
+  const struct condition *premise; /* or NULL: the level or, with odd and without even, odd is its margin times
                                              what is positive on the whole domain */
-  bool from_end;                          /* x counts the time to the end of the phase */
-  bool rate;                              /* the form, with odd, is that of minus the margin's rate, and the margin is
+  bool from_end;                   /* x counts the time to the end of the phase */
+  bool rate;                       /* the form, with odd, is that of minus the margin's rate, and the margin is
                                              zero where the phase ends: then the limit holds for X <= 2 pi */
 };
 

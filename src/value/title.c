@@ -546,30 +546,14 @@ static bool make_none(struct text *out, const struct title *t) {
 }
 
 static maker *const makers[N_KINDS] = {
-    [KIND_DEFINITION] = make_definition,
-    [KIND_MATRIX] = make_matrix,
-    [KIND_IDENTITY] = make_identity,
-    [KIND_INEQUALITY] = make_inequality,
-    [KIND_SHARP] = make_sharp,
-    [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,
-    [KIND_CLOSURE] = make_closure,
-    [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_behaviour,
-    [KIND_ARGUMENT] = make_argument,
-    [KIND_NOTATION] = make_notation,
-    [KIND_SCALING] = make_scaling,
-    [KIND_REACH] = make_reach,
-    [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,
-    [KIND_SEQUENCE] = make_sequence,
-    [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints,
-    [KIND_RANGE] = make_range,
-    [KIND_LAW] = make_law,
-    [KIND_SOLUTIONS] = make_solutions,
-    [KIND_OUTSIDE] = make_none,
-    [KIND_REPORT] = make_report,
+    [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
+    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_law,
+    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_report,
 };
 
 static bool title_made(struct text *out, const struct title *t) {
