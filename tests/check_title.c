@@ -58,8 +58,16 @@ static const struct {
     {"eq-42", "P(lambda) = det(J - lambda I)"},
     {"eq-46", "z_0 = -(N_1 - I)^-1 N_2 z'_0 on periodic solutions"},
     {"eq-47", "H(t) is the propagator of the global slip phase"},
-    {"eq-53", "(53) is equivalent to e_1 - 2 u_r1 < z_10 - chi z_20, e_2 - 2 u_r2 < chi (z_20 - z_10) and z_10 - chi "
-              "z_20 = e_1 - V t_a (1 - chi)"},
+    {"eq-53", "(53) is equivalent to e_1 - 2 u_r1 < z_10 - chi z_20 and e_2 - 2 u_r2 < chi (z_20 - z_10), where z_10 - "
+              "chi z_20 = e_1 - V t_a (1 - chi)"},
+    {"text-h-rises", "h' > 0 is equivalent to chi (V - z_1') > 0 in the slip-stick phase, where z_2' = V"},
+    {"text-57-first-range",
+     "z_1' < V throughout the slip-stick phase exactly if t_b <= 2 (pi - arctan(e_1/((1 - chi) V)))"},
+    {"text-57-upper-range", "h < e_2 throughout the slip-stick phase, where t_b <= 2 pi, exactly if t_b <= 2 (pi - "
+                            "arctan(e_1/((1 - chi) V)))"},
+    {"text-58-upper-range", "h(t_a) < e_2 for every t_b > 0"},
+    {"text-59-second-range", "z_2' < V throughout the stick-slip phase exactly if z_20 < z_10 and omega t_d <= pi"},
+    {"text-52-first-range", "z_10 - chi z_20 < e_1 exactly if t_a > 0"},
     {"eq-54", "(54) follows from (53) on the example"},
     {"num-t_a", "t_a = 0.6784 on the example's orbit"},
     {"num-e1", "e_1 = 2.7844, the value of z_10 - chi z_20 + V t_a (1 - chi) at the printed numbers"},

@@ -71,8 +71,8 @@ extern const char *const fault_name[N_FAULTS];
     FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
     true, FAULT_ARGUMENT, 0, 0, 1)                                                                                     \
-  K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true,             \
-    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+  K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
+    true, FAULT_ARGUMENT, 0, 0, 1)                                                                                     \
   K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                      \
   K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0)
 

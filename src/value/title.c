@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* What is longer is said by number. */
-enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_STATED = 80 };
+enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_ARGUMENT = 160, MOST_STATED = 80 };
 
 typedef bool maker(struct text *out, const struct title *t);
 
@@ -198,6 +198,13 @@ static bool make_report(struct text *out, const struct title *t) {
 
 /* --- Arguments and how many equations there are --- */
 
+/* What holds whatever the other premises say is no part of an equivalence: "..., where z_10 - chi z_20 = ...". */
+static bool argue_where(struct text *out, struct title_parts *with, const struct title *t) {
+  text_add(out, ", where ");
+  with->items = TITLE_EQUATIONS;
+  return title_parts_write(out, with, t, "premises");
+}
+
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
   const char *over = claim_get(t->c, "over"), *premises = claim_get(t->c, "premises"),
@@ -218,6 +225,9 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
   else
     text_add(out, plural ? " hold" : " holds");
   size_t from = out->len;
+  bool apart =
+      both && title_has_items(t, "premises", TITLE_EQUATIONS) && title_has_items(t, "premises", TITLE_INEQUALITIES);
+  with.items = apart ? TITLE_INEQUALITIES : TITLE_ALL;
   if (premises && !title_parts_write(out, &with, t, "premises")) return false;
   bool same = premises && out->len - from == length && strncmp(text_str(out), text_str(out) + from, length) == 0;
   if (same && reasons == TITLE_FORMULAS) { /* the same formulas at two places of the paper */
@@ -230,7 +240,7 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
   }
   if (over && strcmp(over, "scene") == 0) text_add(out, " on the example");
   if (over && strcmp(over, "orbits") == 0) text_add(out, " on every orbit");
-  return true;
+  return !apart || argue_where(out, &with, t);
 }
 
 /* With as many formulas as there is room for. */
@@ -239,7 +249,7 @@ static bool make_argument(struct text *out, const struct title *t) {
   struct text title;
   text_init(&title);
   bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
-  for (int both = 0; ok && both < 2 && title.len > MOST_TITLE; both++) {
+  for (int both = 0; ok && both < 2 && title.len > MOST_ARGUMENT; both++) {
     text_reset(&title);
     ok = argue(&title, t, both ? TITLE_BRIEF : TITLE_FORMULAS, TITLE_BRIEF);
   }
