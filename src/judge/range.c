@@ -19,7 +19,8 @@ struct range {
   struct conditions goal, premise;
   struct expression parts; /* and, behind them, the length of the phase */
   struct range_form form;
-  bool uses_friction;                   /* the premise */
+  bool uses_friction; /* the premise */
+  bool proved;
   long same[2], other, open, beyond[2]; /* orbits where the condition fails, holds; beyond: of rate, x > 2 pi */
   const char *where;                    /* the first of the others */
 };
@@ -188,9 +189,9 @@ static void book(struct range *r, truth form, truth said, truth found, bool beyo
   }
 }
 
-/* Whether enough like it have been tried, where nothing else is wanted than evidence. */
+/* Whether enough like it have been tried, where there is a proof already. */
 static bool is_enough(const struct range *r, truth said, bool beyond) {
-  return r->j->effort == EFFORT_FULL && said != TRUTH_UNKNOWN && (beyond ? r->beyond : r->same)[said] >= EACH;
+  return r->proved && said != TRUTH_UNKNOWN && (beyond ? r->beyond : r->same)[said] >= EACH;
 }
 
 static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
@@ -262,15 +263,14 @@ static void conclude(struct finding *f, struct range *r) {
   struct route_result w = {"balls", outcome_of_counts(r->same[0] + r->same[1], r->other, r->open), true,
                            r->same[0] + r->same[1] + r->other + r->open};
   finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
-  bool proved = r->j->effort != EFFORT_REFUTE && exact_range(&r->goal.at[0], &r->form);
-  if (proved) {
+  if (r->proved) {
     struct evidence *e = finding_add(f, r->j->out);
     e->route = "exact";
     e->layer = layer_name[LAYER_CORRECTED];
     e->result = "proved";
     e->note = proof_note(r);
   }
-  f->verdict = verdict_of(&w, 1, proved);
+  f->verdict = verdict_of(&w, 1, r->proved);
 }
 
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
@@ -278,6 +278,7 @@ bool judge_range(struct finding *f, struct judge *j, const struct claim *c, stru
   bool ok = read_range(&r);
   r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
   if (ok) {
+    r.proved = j->effort != EFFORT_REFUTE && exact_range(&r.goal.at[0], &r.form);
     by_balls(&r);
     conclude(f, &r);
   }
