@@ -241,22 +241,48 @@ static const char *describe(struct range *r) {
   return result_take(r->j->out, &t);
 }
 
+static void add_part(struct text *t, size_t from, const char *formula, const char *of_x) {
+  if (formula) text_printf(t, "%s(%s)*%s", t->len > from ? " + " : "", formula, of_x);
+}
+
+/* "(chi)*((e_1)*(1 - cos(x)) + ...), x = (omega)*(the time to the end of the phase)" */
+static void form_text(struct text *t, const struct range *r) {
+  const char *factor = claim_get(r->c, "factor"), *frequency = claim_get(r->c, "frequency");
+  if (factor) text_printf(t, "(%s)*(", factor);
+  size_t from = t->len;
+  add_part(t, from, claim_get(r->c, "even"), "(1 - cos(x))");
+  add_part(t, from, claim_get(r->c, "odd"), "sin(x)");
+  add_part(t, from, claim_get(r->c, "drift"), "(x - sin(x))");
+  text_add(t, factor ? "), x being " : ", x being ");
+  if (frequency) text_printf(t, "(%s) times ", frequency);
+  text_add(t, !r->goal.at[0].moving ? "the length of the phase"
+              : r->form.from_end    ? "the time to the end of the phase"
+                                    : "the time since the phase began");
+}
+
+/* What was shown, on motions made from the first-order systems. */
 static const char *proof_note(const struct range *r) {
-  if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT])
-    return "on motions made from the first-order systems the margin is the premise's times a factor that is positive "
-           "for all parameters";
-  if (!r->form.there[RANGE_ODD])
-    return "on motions made from the first-order systems the margin is the sum of a positive multiple of the "
-           "premise's (or nothing) and of what the claim's file gives as factor (even (1 - cos x) + drift (x - sin "
-           "x)), which is positive for x > 0 "
-           "and zero for x = 0";
-  if (r->form.rate)
-    return "on motions made from the first-order systems the margin is zero at the end of the phase, and minus its "
-           "rate "
-           "is factor (even (1 - cos x) + odd sin x), positive up to x = 2 (pi - arctan(odd/even)) and negative from "
-           "there to 2 pi";
-  return "on motions made from the first-order systems the margin is what the claim's file gives as factor (even (1 - "
-         "cos x) + odd sin x) = 2 factor sin(x/2) (even sin(x/2) + odd cos(x/2)), with signs for all parameters";
+  struct text t;
+  text_init(&t);
+  text_add(&t, "on motions made from the first-order systems ");
+  if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
+    text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");
+  } else if (!r->form.there[RANGE_ODD]) {
+    text_add(&t, r->premise.n ? "the margin is a positive multiple of the premise's plus " : "the margin is ");
+    form_text(&t, r);
+    text_add(&t, ", which is zero for x = 0 and positive for x > 0");
+  } else {
+    text_add(&t,
+             r->form.rate ? "the margin is zero at the end of the phase, and minus its rate is " : "the margin is ");
+    form_text(&t, r);
+    if (r->form.there[RANGE_EVEN])
+      text_printf(
+          &t, "; by half angles that is positive up to x = 2*(pi - arctan((%s)/(%s))), and negative from there to 2*pi",
+          claim_get(r->c, "odd"), claim_get(r->c, "even"));
+    else
+      text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
+  }
+  return result_take(r->j->out, &t);
 }
 
 static void conclude(struct finding *f, struct range *r) {
