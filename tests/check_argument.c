@@ -614,6 +614,10 @@ END_TEST
 static const struct {
   const char *claim, *says;
 } hostile[] = {
+    {"  kind: range\n  even: V\n", "one condition"},
+    {"  kind: range\n  conclusion: eq-57\n", "one condition"},
+    {"  kind: range\n  conclusion: eq-57#1\n  even: [1, 2]\n", "does not fit"},
+    {"  kind: range\n  conclusion: eq-57#1\n  from: start\n", "end, or nothing"},
     {"  kind: argument\n  premises: eq-52\n", "conclusion is missing"},
     {"  kind: argument\n  conclusion: eq-999\n", "no such record"},
     {"  kind: argument\n  conclusion: eq-52#9\n", "no such statement or step"},
