@@ -167,11 +167,13 @@ static const char *from_rest(struct behaviour *b) {
   const char *note = "";
   size_t n = strcspn(text_str(&word), "ghcXx");
   if (n < word.len)
-    note = result_str(b->j->out, "; from rest with slack springs (simulate %s --start 0,0,0,0) the motion goes H%.*s",
-                      s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
+    note = result_str(
+        b->j->out, "; from rest with unstretched springs (simulate %s --start 0,0,0,0) the sequence of phases is H%.*s",
+        s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
   else
-    note =
-        result_str(b->j->out, "; from rest with slack springs and the data of the example no mass overruns the belt");
+    note = result_str(
+        b->j->out,
+        "; in the motion from rest with unstretched springs, for the data of the example, no mass overruns the belt");
   text_clear(&word);
   trajectory_clear(&t);
   return note;
@@ -186,8 +188,8 @@ bool behaviour_configurations(struct behaviour *b) {
   const char *note = result_str(
       b->j->out,
       "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
-      "mass becomes faster than the belt, where (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
-      "solutions %ld do%s",
+      "mass becomes faster than the belt, whereas (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
+      "solutions, %ld leave them%s",
       w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
@@ -196,10 +198,10 @@ bool behaviour_configurations(struct behaviour *b) {
   b->f->certificate = v.certificate;
   struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    all[r] =
-        behaviour_route(b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0),
-                        r == BY_INTEGRATION, v.rows[r] + v.bad[r], NULL,
-                        "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
+    all[r] = behaviour_route(
+        b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0), r == BY_INTEGRATION,
+        v.rows[r] + v.bad[r], NULL,
+        "at every instant examined these motions are in one of the nine configurations, with the forces of (2)");
   b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
                      "x'_i > V (slipping)";
   b->f->correction_verdict = verdict_of(all, N_MOTION_ROUTES, false);

@@ -6,6 +6,7 @@
 
 #include "friction.h"
 #include "value/expression.h"
+#include "value/title.h"
 #include "verdict.h"
 
 enum { N_SLIPS = 3, N_PAIRS = N_SLIPS * N_SLIPS };
@@ -255,12 +256,12 @@ bool behaviour_dimension(struct behaviour *b) {
     bool open = false;
     struct text note;
     text_init(&note);
-    text_add(&note, "the coordinates x_1, x_2, x'_1, x'_2 less the rank of the equations among the conditions of the "
-                    "phase; its inequalities are strict, and take away none:");
+    text_add(&note, "the number of coordinates x_1, x_2, x'_1, x'_2 less the rank of the equations among the "
+                    "conditions of the phase, whose inequalities are strict and do not reduce it:");
     for (int ph = 0; ph < N_PHASES; ph++) {
       int rank = rank_of_equations(&states, (enum phase)ph);
       open = open || rank < 0;
-      text_printf(&note, "%s %s %d", ph ? "," : "", phase_name[ph], N_STATE - rank);
+      text_printf(&note, "%s %d in the %s phase", ph ? "," : "", N_STATE - rank, phase_words[ph]);
       least = N_STATE - rank < least ? N_STATE - rank : least;
       most = N_STATE - rank > most ? N_STATE - rank : most;
     }

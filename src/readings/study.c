@@ -195,7 +195,7 @@ static void conclude_found(struct hunt *h) {
   }
   const char *s;
   if (!first)
-    s = result_str(h->out, "No reading of the %ld tried gives all printed numbers.", before);
+    s = result_str(h->out, "None of the %ld readings tried gives all the printed numbers.", before);
   else if (first->dropped == 0)
     s = result_str(
         h->out,
@@ -204,11 +204,16 @@ static void conclude_found(struct hunt *h) {
         strcmp(r->found[0].layer, layer_name[LAYER_PRINTED]) == 0 ? " with the matrices as printed" : "",
         first->reproduce, first->tried, inputs_of(h, &r->found[0]));
   else
-    s = result_str(
-        h->out,
-        "None of the %ld readings that drop fewer equations gives all printed numbers.  Of the %ld that drop %d, "
-        "%ld give%s all of them, %ld without rounding in between.",
-        before, first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
+    s = result_str(h->out,
+                   "A reading is one way in which the printed numbers could have been computed: some of them are taken "
+                   "as exact data, "
+                   "and the others follow from the equations, of which some may have been left out.  None of the %ld "
+                   "readings that "
+                   "leave out fewer than %d gives all the printed numbers.  Of the %ld that leave out %d, %ld give%s "
+                   "all of them, %ld "
+                   "without rounding of intermediate results.",
+                   before, first->dropped, first->tried, first->dropped, first->reproduce,
+                   first->reproduce == 1 ? "s" : "", first->unrounded);
   say(h, &r->conclusion, &r->n_conclusions, s);
 }
 
@@ -219,19 +224,21 @@ static void conclude_first(struct hunt *h) {
   const struct example_reading *f = &r->found[0];
   struct text t;
   text_init(&t);
-  text_printf(&t, "The first of them takes %s exactly and does not solve ", inputs_of(h, f));
+  text_printf(&t, "The reading with the fewest assumptions takes %s as exact data and does not satisfy ",
+              inputs_of(h, f));
   for (int i = 0; i < f->n_dropped; i++)
-    text_printf(&t, "%s%s, which it leaves off by %s", i ? "; " : "", f->dropped[i].equation, f->dropped[i].residual);
+    text_printf(&t, "%s%s, whose sides then differ by %s", i ? "; " : "", f->dropped[i].equation,
+                f->dropped[i].residual);
   text_add(&t, ".");
   if (f->n_shifts)
-    text_add(&t,
-             "  How far its results are from those of the whole procedure, and in brackets what the residual alone is "
-             "worth to first order:");
+    text_add(&t, "  Its results differ from those of the whole procedure by the following amounts, with the "
+                 "first-order effect of "
+                 "that difference alone in brackets:");
   for (int i = 0; i < f->n_shifts; i++)
     text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
-    text_printf(&t, "  To be sure of the printed digits, its inputs must be right to %d decimals.", f->decimals);
+    text_printf(&t, "  Its data determine the printed digits only if they are accurate to %d decimals.", f->decimals);
   say(h, &r->conclusion, &r->n_conclusions, result_take(h->out, &t));
 }
 
@@ -245,12 +252,12 @@ static void conclude_pairs(struct hunt *h) {
   }
   if (best)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(
-            h->out,
-            "With every equation solved and two printed numbers as exact inputs, %d of %d choices have a solution "
-            "near the printed numbers; the best (%s) gives %d of %d%s%s.",
-            solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and misses " : "",
-            best->missed));
+        result_str(h->out,
+                   "If every equation is satisfied and two of the printed numbers are taken as exact data, %d of the "
+                   "%d choices have a "
+                   "solution near the printed numbers; the best (%s) reproduces %d of %d%s%s.",
+                   solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and not " : "",
+                   best->missed));
 }
 
 static void conclude_rounding(struct hunt *h) {
@@ -269,14 +276,16 @@ static void conclude_rounding(struct hunt *h) {
   if (out.len)
     say(h, &r->conclusion, &r->n_conclusions,
         result_str(h->out,
-                   "The rounding of the inputs %s does not explain it: over everything that their printed digits stand "
-                   "for, these results stay away from what is printed: %s.",
+                   "The rounding of the data %s does not explain the differences: for all values that their printed "
+                   "digits allow, "
+                   "these results remain different from the printed ones: %s.",
                    r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(h->out,
-                   "Decimals of %s with which the whole procedure is sure of the printed digits of its results: %s.",
-                   r->procedure.inputs, text_str(&need)));
+        result_str(
+            h->out,
+            "Number of decimals of %s that determine the printed digits of the results of the whole procedure: %s.",
+            r->procedure.inputs, text_str(&need)));
   text_clear(&need);
   text_clear(&out);
 }

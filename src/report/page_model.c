@@ -1,5 +1,6 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
 #include "escape.h"
+#include "glossary.h"
 #include "html.h"
 #include "sections.h"
 
@@ -30,43 +31,12 @@ static void add_phases(const struct page *p) {
   page_end_table(p);
 }
 
-/* What the page says all the time and a reader of the paper has not met, or has met in another sense. */
 static void add_words(const struct page *p) {
-  static const struct {
-    const char *word, *meaning;
-  } words[] = {
-      {"claim",
-       "one thing that the paper says. (27) and eq-27 are its numbered equation, a letter tells apart what one "
-       "number says; num-... is a printed number, text-... a sentence, fig-... a figure"},
-      {"scene", "an example: values of the parameters, and what is printed for them"},
-      {"orbit",
-       "here: a periodic motion that goes through the four phases once, each ending at the first time at which "
-       "its condition is met"},
-      {"admissible", "an orbit that the masses can follow: every condition along it holds, for some static friction"},
-      {"tr J, criterion",
-       "$\\operatorname{tr} J$ is the trace of the Jacobian of one period, its only eigenvalue besides 0; "
-       "by the paper's criterion an orbit is conditionally stable where $|\\operatorname{tr} J| < 1$ and "
-       "unstable where not"},
-      {"propagator", "the matrix that carries the state over a phase of given length"},
-      {"printed, corrected", "the paper's own formulas, and the same with the errata of this project over them"},
-      {"route",
-       "one way to judge a thing, such as exact algebra, balls (numbers with proved error bounds), a matrix "
-       "exponential, finite differences (fd), integration of the equations of motion, or reading what is printed "
-       "(diagnostic)"},
-      {"residual", "by how much two routes differ, relative to the size of what they compute"},
-      {"trials, bits", "at how many points they were compared, and with how many binary digits"},
-      {"degree", "of a quantity, when all that is measured in one unit is multiplied by a number: the power of the "
-                 "number with which "
-                 "the quantity grows; only what has the same degree can be added or set equal"},
-      {"certificate",
-       "what anybody can recheck: exact parameters at which the two sides differ, or why a form cannot be "
-       "right"},
-      {"control", "a statement made wrong on purpose, to see whether the audit notices"}};
   text_add(p->out, "<h3 id=\"s-words\">Words used on this page</h3>\n<p>What the verdicts mean is said <a "
                    "href=\"#s-verdicts\">above</a>.</p>\n<dl>\n");
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-    text_printf(p->out, "<dt>%s</dt>\n<dd>", words[i].word);
-    html_text(p->out, words[i].meaning, NULL);
+  for (size_t i = 0; i < n_glossary; i++) {
+    text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
+    html_text(p->out, glossary[i].meaning, NULL);
     text_add(p->out, ".</dd>\n");
   }
   text_add(p->out, "</dl>\n");
