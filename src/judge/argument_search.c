@@ -246,13 +246,17 @@ static const char *certificate_text(struct argument *a, const struct point *p, c
   const char *when = c->moving ? result_str(a->j->out, " in the %s phase, after the fraction %.10g of it",
                                             phase_words[c->phase], d->where)
                                : "";
-  return result_str(a->j->out,
-                    "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s does not hold%s: "
-                    "the larger side "
-                    "less the smaller one would be %s",
-                    scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
-                    a->part[PREMISES].n ? "all the premises hold, but " : "", c->text, when,
-                    ball_text(a->j, d->value, 6));
+  arb_t short_by;
+  arb_init(short_by);
+  arb_neg(short_by, d->value);
+  const char *said =
+      result_str(a->j->out,
+                 "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is "
+                 "violated%s, by %s",
+                 scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
+                 a->part[PREMISES].n ? "all the premises hold, but " : "", c->text, when, ball_text(a->j, short_by, 6));
+  arb_clear(short_by);
+  return said;
 }
 
 static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,

@@ -193,7 +193,10 @@ static void conclude(struct behaviour *b, const struct found *t) {
           "R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if c_2^2 + c_3 > 0. Of "
           "the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
           t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
-          t->stable ? ", such as that for " : "", t->stable ? t->where : ""));
+          t->stable == 1 ? ", namely that for "
+          : t->stable    ? ", for example that for "
+                         : "",
+          t->stable ? t->where : ""));
   w[1] = behaviour_route(
       b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure,
       NULL,

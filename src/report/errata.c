@@ -150,10 +150,10 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
     text_printf(s->out, "The %zu point%s listed first %s results, in order of consequence. ", substance,
                 substance == 1 ? "" : "s", substance == 1 ? "affects" : "affect");
   if (slips) text_printf(s->out, "The %zu remarks and slips of notation that follow do not. ", slips);
-  text_add(s->out, "Numerical values and counterexamples are collected at the end. A periodic solution is called "
-                   "admissible if it satisfies (16) and the constraints of Appendix B for some static friction. The "
-                   "comparison was made with a machine conversion of the printed paper, to which a misprint of a "
-                   "single symbol may be due.\n");
+  text_add(
+      s->out,
+      "Numerical values and counterexamples are collected at the end. A machine conversion of the printed paper was "
+      "used; a misprint of a single symbol may be due to it.\n");
 }
 
 /* --- The numbers behind them --- */
@@ -188,7 +188,8 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
 static void add_bounds(const struct sheet *s, const struct audit_result *r) {
   const struct finding *f = audit_result_finding(r, "text-first-always");
   if (!f || !finding_fails(f) || !f->effect) return;
-  text_add(s->out, "The bounds in the table are those of (53), evaluated for either set of values. ");
+  text_add(s->out,
+           "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");
   sheet_sentence(s, f->effect);
   paragraph(s);
 }
@@ -320,6 +321,9 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
     if (r->roots[i].severity != SEVERITY_SUBSTANCE) continue;
     if (!any) {
       heading(s, "Effects and counterexamples");
+      text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for some "
+                       "static friction, so that the masses can follow it.");
+      paragraph(s);
       begin_items(s, false);
     }
     any = true;
