@@ -136,8 +136,8 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
   if (stable && !t->where) t->where = place;
   finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
                 result_str(b->j->out,
-                           "tr J passes through -1 within an interval of the last of %ld digits there%s, and on all "
-                           "of it c_2^2 + c_3 = %s: the orbit with |tr J| = 1 is %s; it is %s",
+                           "tr J passes through -1 there, in an interval whose ends agree to %ld digits%s, and on the "
+                           "whole of it c_2^2 + c_3 = %s: the orbit with |tr J| = 1 is %s; it is %s",
                            (long)q->digits, q->crosses ? " (proved in interval arithmetic)" : " (not proved)",
                            ball_text(b->j, q->third, 6),
                            stable     ? "stable"

@@ -180,10 +180,9 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
       b, ROUTE_DIFFERS,
       result_str(
           b->j->out,
-          "exact: z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is what (1) and (2) give in "
-          "%ld of the four configurations in which no mass is faster than the belt, and in %ld of the other "
-          "five%s",
-          n->inside[1], n->beyond[1],
+          "z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is exactly what (1) and (2) give in "
+          "%s of the four configurations in which no mass is faster than the belt, and in none of the other five%s",
+          n->inside[0] ? result_str(b->j->out, "%ld", n->inside[1]) : "each",
           twice
               ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, than "
                 "(3) says, in every state"

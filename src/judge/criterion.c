@@ -184,8 +184,8 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   text_printf(
       &note,
       "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees with the "
-      "criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; within 0.05 of -1 or 1 "
-      "are",
+      "criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; within 0.05 of -1 or "
+      "of 1 there are",
       t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
   for (int near = 0; near < N_NEAR; near++)
     for (int side = 0; side < N_SIDES; side++) {
@@ -212,7 +212,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
         where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
         t->moved_as_said + t->moved_against + t->moved_open, NULL,
         result_str(b->j->out,
-                   "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
+                   "motions under Coulomb's law from positions near admissible orbits agree with the criterion at %ld "
+                   "orbits and "
+                   "disagree at %ld",
                    t->moved_as_said, t->moved_against));
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;

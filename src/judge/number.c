@@ -112,7 +112,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
-/* The printed number as the rule reads it: "2, that is 2.0000", or "0.6784" where no digit is left out. */
+/* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
 static const char *as_given(const struct number_job *n) {
   struct text t;
   fmpz_t k;
@@ -122,8 +122,9 @@ static const char *as_given(const struct number_job *n) {
   if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
     fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
     fmpz_mul(k, k, fmpq_numref(&n->p->value));
-    text_add(&t, ", that is ");
+    text_add(&t, " (that is, ");
     decimal_text(&t, k, printed_decimals(n->p));
+    text_add_char(&t, ')');
   }
   fmpz_clear(k);
   return result_take(n->j->out, &t);
@@ -244,9 +245,10 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
       !found ? NULL
              : result_str(j->out,
                           "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of "
-                          "the last decimal below to one unit above) it lies between %s and %s, and %s the printed "
+                          "the last decimal below to one unit above) %s lies between %s and %s, and %s the printed "
                           "digits.",
-                          ball_text(j, lo, 6), ball_text(j, hi, 6), fit ? "some of them give" : "none of them gives");
+                          n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6),
+                          fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   arb_clear(hi);
   arb_clear(lo);

@@ -300,12 +300,12 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
   struct text note;
   text_init(&note);
-  if (t->trials == 0) text_add(&note, "the sides have a value at no point");
+  if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
     text_printf(&note, "the sides differ at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
   if (t->rejected)
-    text_printf(&note, "%s%ld further point%s left out, where a side has no value", note.len ? "; " : "", t->rejected,
-                t->rejected == 1 ? " was" : "s were");
+    text_printf(&note, "%s%ld further point%s could not be used", note.len ? "; " : "", t->rejected,
+                t->rejected == 1 ? "" : "s");
   if (note.len) e->note = result_take(out, &note);
 }
 
@@ -383,7 +383,7 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
     if (tr.outcome == OUTCOME_AGREES) text_add(&t, "For the data of the example the two sides are equal.");
     if (tr.outcome == OUTCOME_DIFFERS)
-      text_printf(&t, "For the data of the example %sthe left side is %s and the right side %s.",
+      text_printf(&t, "For the data of the example, %sthe left side is %s and the right side %s.",
                   entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
   if (t.len) f->effect = result_str(r->j->out, "%s", text_str(&t));

@@ -238,12 +238,12 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     open += closes == TRUTH_UNKNOWN;
   }
   struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
-  finding_add_route(
-      f, x->j->out, w, "model", -1, NULL,
-      result_str(x->j->out,
-                 "of the motions under Coulomb's law from the initial states of such solutions%s, %ld are periodic and "
-                 "%ld are not",
-                 constrained ? " that satisfy the constraints" : "", closed, parted));
+  finding_add_route(f, x->j->out, w, "model", -1, NULL,
+                    result_str(x->j->out,
+                               "among the motions under Coulomb's law from the initial states of such solutions%s, the "
+                               "number of periodic ones is "
+                               "%ld and that of the others %ld",
+                               constrained ? " that satisfy the constraints" : "", closed, parted));
   return w;
 }
 

@@ -148,29 +148,31 @@ static void describe_space(struct hunt *h, const char *layers) {
   const char *const sentences[] = {
       result_str(
           h->out,
-          "Eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) at the given chi, eta, V; six independent "
-          "equations: (12), (14) and four periodicity conditions, in %d selections: one by one as (16) and (18) "
-          "state them; with positions combined to the restoring forces; solved for z_0 by the positions (46) or by "
-          "the velocities of (44), with the rows of (45) as what makes the two agree.",
+          "There are eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) for given chi, eta and V, and six "
+          "independent equations: (12), (14) and four periodicity conditions.  The latter were taken in %d selections: "
+          "one by one as (16) and (18) state them; with the positions combined to the restoring forces; and solved for "
+          "z_0 by the positions (46) or by the velocities (second line of (44)), with the rows of (45) as the "
+          "conditions that the two agree.",
           forms_list(forms)),
-      "For every selection of equations that hold, every choice of inputs, exactly as printed, that leaves as many "
-      "unknowns as equations.  A set of equations that cannot determine its unknowns, whatever its coefficients, is "
-      "counted and left.",
-      "Numbers go from one formula into the next at full precision, as printed, or rounded to 3 or to 2 decimals "
-      "wherever that changes something; the bounds (53) are computed from what was carried.",
+      "For every selection of equations, every choice of printed numbers as exact data was tried that leaves as many "
+      "unknowns as equations.  Sets of equations that cannot determine their unknowns, whatever the coefficients, are "
+      "only counted.",
+      "Intermediate numbers were carried at full precision, as printed, or rounded to 3 or to 2 decimals wherever that "
+      "makes a difference; the bounds (53) are computed from the numbers carried.",
       layers,
       result_str(
           h->out,
-          "Solutions are looked for from the printed numbers by Newton's iteration, up to %d dropped equations, and "
-          "up to one more than the first number at which some reading gives everything.  Every number of a reading "
-          "that is reported is proved to lie in the bracket of the printed decimal, rounded or truncated, with as many "
-          "decimals "
-          "as the longest of the printed numbers has.",
+          "Solutions were sought by Newton's iteration from the printed numbers, with up to %d equations left out, and "
+          "with up to one more than the least number for which some reading gives all the printed numbers.  Every "
+          "number of a reading that is reported is proved to lie in the interval of the printed decimal, rounded or "
+          "truncated, with as many decimals as the longest of the printed numbers has.",
           MAX_DROPPED),
-      "Rank: fewest dropped equations; then fewest assumptions, one for each input that is not named as data, each "
-      "datum that is computed, each decimal by which a computed result is printed shorter than the longest (it must "
-      "be a zero by chance), a form of (18) that is not in the paper, rounding in between, each result that is cut "
-      "off where most are rounded or the other way round; then most digits of results."};
+      "The readings are ranked by the number of equations left out; then by the number of assumptions, one for each "
+      "of these: a printed number taken as data that the paper does not name as such, a datum that is computed, a "
+      "decimal by which a computed result is printed shorter than the longest (which must be zero by chance), a form "
+      "of "
+      "(18) that is not in the paper, rounding of intermediate results, a result that is truncated where most are "
+      "rounded or conversely; then by the number of digits reproduced."};
   for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);
 }
 
@@ -204,16 +206,18 @@ static void conclude_found(struct hunt *h) {
         strcmp(r->found[0].layer, layer_name[LAYER_PRINTED]) == 0 ? " with the matrices as printed" : "",
         first->reproduce, first->tried, inputs_of(h, &r->found[0]));
   else
-    s = result_str(h->out,
-                   "A reading is one way in which the printed numbers could have been computed: some of them are taken "
-                   "as exact data, "
-                   "and the others follow from the equations, of which some may have been left out.  None of the %ld "
-                   "readings that "
-                   "leave out fewer than %d gives all the printed numbers.  Of the %ld that leave out %d, %ld give%s "
-                   "all of them, %ld "
-                   "without rounding of intermediate results.",
-                   before, first->dropped, first->tried, first->dropped, first->reproduce,
-                   first->reproduce == 1 ? "s" : "", first->unrounded);
+    s = result_str(
+        h->out,
+        "A reading is one way in which the printed numbers could have been computed: some of them are taken as exact "
+        "data, and the others follow from the equations, of which some may have been left out.  None of the %ld "
+        "readings "
+        "%s gives all the printed numbers.  Of the %ld readings without %d of the equations, %ld give%s all of them, "
+        "%ld "
+        "without rounding of intermediate results.",
+        before,
+        first->dropped == 1 ? "that satisfy every equation"
+                            : result_str(h->out, "without fewer than %d of the equations", first->dropped),
+        first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
   say(h, &r->conclusion, &r->n_conclusions, s);
 }
 
@@ -335,12 +339,11 @@ const char *audit_readings(struct audit_result *out, const struct model *m, cons
     struct hunt h = {.out = out, .r = out->readings, .e = &e, .engine = {&corrected, &printed}, .n_engines = 1};
     if (same == TRUTH_FALSE) h.n_engines = 2;
     system_init(&h.own, &own, s, num_ctx_arb(FIRST_PREC));
-    describe_space(&h, same == TRUTH_FALSE ? "The matrices are the paper's, in the corrected and in the printed layer."
+    describe_space(&h, same == TRUTH_FALSE ? "The matrices are the paper's, both as corrected and as printed."
                        : same == TRUTH_TRUE
-                           ? "The matrices are the paper's, corrected; over the printed times the printed "
-                             "ones are the same, so that the layers cannot be told apart here."
-                           : "The matrices are the paper's, corrected; the printed ones cannot be "
-                             "evaluated.");
+                           ? "The matrices are the paper's, as corrected; for the printed times those as printed are "
+                             "the same."
+                           : "The matrices are the paper's, as corrected; those as printed cannot be evaluated.");
     hunt_run(&h);
     system_clear(&h.own);
   } else {

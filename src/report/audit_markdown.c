@@ -239,7 +239,7 @@ static void add_disagreeing_routes(struct text *out, const struct audit_result *
   add_route_pairs(out, r, true);
 }
 
-/* --- What falls with a failure, and what survives it --- */
+/* --- Consequences of a failure --- */
 
 static void add_ids(struct text *out, const char *label, const struct id_list *list) {
   for (int i = 0; i < list->n; i++)
@@ -333,7 +333,7 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", finding_unexpected);
-  add_section(out, r, "Refuted", finding_fails);
+  add_section(out, r, "Statements that do not hold as printed", finding_fails);
   add_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
   if (r->readings) report_readings_markdown(out, r->readings);
