@@ -132,8 +132,8 @@ static const char *table(struct constraints *x) {
   text_init(&t);
   text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", pool->orbits, pool->admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
-    text_printf(&t, "%s %ld violate %s, %ld of these no other condition", a ? ";" : "", n.broken[a], condition_words[a],
-                n.alone[a]);
+    text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);
+    if (n.broken[a]) text_printf(&t, ", %ld of these no other condition", n.alone[a]);
     const char *sep = ", and none without violating ";
     for (int b = 0; b < N_CONDITIONS; b++) {
       if (b == a || n.broken[a] == 0 || n.despite[a][b] > 0) continue;

@@ -329,10 +329,10 @@ void report_markdown(struct text *out, const struct audit_result *r) {
   add_roots(out, r);
   add_counts(out, r);
   add_decided(out, r);
-  add_words(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", finding_unexpected);
+  add_words(out, r);
   add_section(out, r, "Statements that do not hold as printed", finding_fails);
   add_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
