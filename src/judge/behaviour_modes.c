@@ -46,7 +46,7 @@ static void conclude_modes(struct behaviour *b, const struct route_result *proof
   text_printf(&note,
               "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher "
               "order), each "
-              "in one of the nine configurations at all %ld instants examined; numbers of motions with each phase:",
+              "in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
               w.motions, w.apart, s.rows[0] + s.bad[0]);
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "

@@ -50,18 +50,18 @@ void page_model(const struct page *p) {
       "block along (it sticks) until the springs pull harder than static friction, $u_{r1}$ or $u_{r2}$, can hold; "
       "then it slips against the smaller sliding friction, $u_{s1}$ or $u_{s2}$, until its velocity is the belt's "
       "again and friction can hold it.",
-      "Without dimensions, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
+      "In dimensionless time, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
       "$\\chi = "
       "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$: time is counted in units of "
       "$\\sqrt{\\frac{m_1}{k_1 + k_2}}$, forces are divided by $k_1 + k_2$, which makes lengths of them, and lengths "
-      "are in any one unit; so no number on this page names one. Measured from the equilibrium under both sliding "
-      "forces, positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ "
-      "matter."};
+      "are in any one unit, so that the numbers on this page have none. Positions measured from the equilibrium under "
+      "both sliding forces are $z_1, z_2$; of the friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ "
+      "enter."};
   static const char after[] =
       "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
-      "the state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: the small "
-      "distance of a motion beside it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
-      "$|\\operatorname{tr} J| < 1$ and grows where $|\\operatorname{tr} J| > 1$.";
+      "the state returns after all four. Its stability is determined by the Jacobian $J$ of one period: a small "
+      "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
+      "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
   page_begin_section(p, "model", "The system in half a page");
   page_belt(p);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
@@ -81,12 +81,13 @@ void page_limits(const struct page *p) {
   static const char *const limits[] = {
       "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
       "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
-      "What stands on the printed page: the text judged is a machine conversion of it, and a slip of one symbol can be "
-      "the conversion's.",
+      "What the printed page says: the text judged is a machine conversion of it, and a misprint of one symbol may be "
+      "due "
+      "to the conversion.",
       "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
       "beside each other in each claim.",
-      "What nobody registered as a claim: the table above holds all that was judged.",
-      "That something supported is proved: it agrees at the points tried, whose number stands with it.",
+      "What was not registered as a claim: the table above contains all that was judged.",
+      "That what is supported is true in general: it agrees at the points tried, whose number is given with it.",
       "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
       "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
       "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "
