@@ -239,7 +239,7 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
   if (!missing && !eigenvalues_as_said(&note, criterion, view))
     missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
   struct linearized l = {.proved = !missing};
-  l.note = missing ? result_str(j->out, "not proved: not shown is %s", missing) : result_take(j->out, &note);
+  l.note = missing ? result_str(j->out, "not proved, since it is not shown: %s", missing) : result_take(j->out, &note);
   text_clear(&note);
   return l;
 }

@@ -302,7 +302,7 @@ static bool make_defined(struct text *out, const struct title *t) {
   if (!list) return missing(t);
   text_add(out, "the quotients, roots and inverses in ");
   if (!numbers_of(out, t, list)) return false;
-  text_printf(out, " have a value %s",
+  text_printf(out, " are defined %s",
               over && strcmp(over, "parameters") == 0 ? "for all parameters"
               : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
                                                       : "on every admissible periodic solution");
@@ -482,7 +482,7 @@ static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
   if (stands_for) return make_symbols(out, stands_for);
   if (!title_formula(out, t, "reads")) return missing(t);
-  text_add(out, " can be read");
+  text_add(out, " is well formed");
   return true;
 }
 
@@ -499,9 +499,9 @@ static bool make_scaling(struct text *out, const struct title *t) {
   size_t len;
   for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len))
     text_add_n(title_list_next(&l), p, len);
-  text_printf(out, " keeps its form when all names with the beginning%s ", l.n > 1 ? "s" : "");
+  text_add(out, " is dimensionally homogeneous if the quantities whose symbols begin with ");
   title_list_write(out, &l);
-  text_add(out, " are multiplied by one number");
+  text_add(out, " have one dimension and all others none");
   title_list_clear(&l);
   return true;
 }
@@ -517,21 +517,23 @@ static const struct {
     {"closed-forms", NULL,
      "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
     {"configurations", NULL, "the four configurations of the paper partition the phase space"},
-    {"dimension", NULL, "the states of the phases fill {range} dimensions"},
+    {"dimension", NULL, "the phase space has {range} dimensions, depending on the phase"},
     {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
     {"switches", "slip to stick",
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
      "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass passes its static friction"},
+     "a transition from {transition} occurs where the force on a mass exceeds its static friction"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
     {"linearization", NULL,
-     "linearizing the phases alone, without what happens at the switches, gives wrong answers about stability"},
+     "linearizing within the phases alone, without regard to the switches, gives wrong results about stability"},
     {"equality", NULL, "periodic solutions on the boundary of the criterion, |tr(J)| = 1, are unstable"},
-    {"perturb", NULL, "of arbitrarily small perturbations of a stable orbit some stay near it and others do not"},
+    {"perturb", NULL,
+     "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "
+     "do not"},
     {"long-run", NULL, "what becomes of the printed initial state over many returns"},
     {"patching", NULL, "patched solutions of chains of three and four masses agree with direct integration"}};
 

@@ -12,8 +12,6 @@ struct title {
   struct diag *d;
 };
 
-/* "global stick", ... */
-extern const char *const phase_words[N_PHASES];
 /* "the global stick phase", "the slip-stick and global slip phases", "every phase"; of phases in the order given. */
 void title_phases(struct text *out, const enum phase *phase, int n);
 /* The phases of a list of letters with blanks or commas between. */
