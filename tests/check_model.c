@@ -391,7 +391,7 @@ START_TEST(folders_of_files) {
   diag_init(&d);
   ck_assert_msg(model_add_folder(&model, top, RANK_PAPER, &d), "%s", d.message);
   ck_assert_uint_eq(model.n_symbols, strlen(order));
-  for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1] < *model.symbols[i]);
+  for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1].name < *model.symbols[i].name);
   ck_assert(mkdir(scratch_path("3.eq"), 0755) == 0);
   model_clear(&model);
   model_init(&model);

@@ -82,6 +82,9 @@ struct expr {
   const struct expr *next; /* pool chain; meaningless elsewhere */
 };
 
+/* The name "pi", which is the number wherever nothing else is defined under it. */
+extern const char expr_pi[];
+
 enum stmt_kind { STMT_DEFINE, STMT_RELATION, STMT_ROOT, STMT_TRAJECTORY };
 enum relop { REL_EQ, REL_LT, REL_LE, REL_GT, REL_GE };
 

@@ -134,7 +134,7 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   text_reset(&b->field);
   exact_print_generators(&b->field, m.field);
   b->wants_modes = m.wants_modes;
-  b->independent = exact_independent(m.field);
+  b->independent = exact_independent(m.field) && !m.beyond;
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
   exact_clear(&d, m.field);
@@ -358,8 +358,9 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
             "phase"
       : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
                    "the phase"
-      : q->value ? "the paper's matrix and the model's, made from its first-order system, are equal"
-                 : "both sides, on motions made from the first-order systems, are equal",
+      : !j->model->system ? "both sides, as functions of the paper's own symbols, are equal"
+      : q->value          ? "the paper's matrix and the model's, made from its first-order system, are equal"
+                          : "both sides, on motions made from the first-order systems, are equal",
       p->by_law
           ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
           : "",

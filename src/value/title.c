@@ -88,8 +88,12 @@ static bool make_matrix(struct text *out, const struct title *t) {
   const char *value = claim_get(t->c, "value"), *what = NULL;
   enum phase phase = N_PHASES;
   const struct oracle *o = value ? oracle_find(value) : NULL;
-  if (o) what = oracle_what(&phase, o);
-  if (!what) return missing(t);
+  if (!value) return missing(t);
+  if (o && t->m->system) what = oracle_what(&phase, o);
+  if (!what) {
+    text_printf(out, "%s is the quantity of the system that the paper is about", value);
+    return true;
+  }
   text_printf(out, "%s is ", value);
   const char *slot = strstr(what, "%s");
   text_add_n(out, what, slot ? (size_t)(slot - what) : strlen(what));
