@@ -584,8 +584,9 @@ static const struct expr *read_factor(struct latex_reader *r) {
     if (power && exponent != -1) power->exponent = exponent;
     e = power;
   }
+  if (e && e->kind == EXPR_MATRIX && e->rows == 1 && accept_kind(r, TEX_PRIME)) e = node1(r, EXPR_TRANSPOSE, at, e);
   if (e && mark_in_hand(r)->kind == TEX_PRIME)
-    return latex_mistake(r, "what this prime means is not said: of rows the transpose is written ^t");
+    return latex_mistake(r, "what this prime means is not said: behind a row (a, b) it is the transpose");
   return e;
 }
 

@@ -106,21 +106,6 @@ static const char *copy(struct audit_result *out, const char *s) {
   return s ? result_str(out, "%s", s) : NULL;
 }
 
-bool judge_params(struct point *p, struct judge *j, const struct claim *c, const char *at) {
-  struct text packed;
-  struct diag d;
-  text_init(&packed);
-  diag_init(&d);
-  for (const char *s = at; s && *s && *s != ';'; s++)
-    if (*s != ' ') text_add_char(&packed, *s);
-  for (int q = Q_CHI; q <= Q_E2; q++) fmpq_zero(&p->q[q]);
-  bool ok = at && point_set(p, text_str(&packed), &d);
-  text_clear(&packed);
-  p->kind = POINT_ORBIT;
-  p->orbit = 0;
-  return ok || claim_error(j, c, "at", "exact chi, eta, V, e1 and e2 are needed, as in \"chi = 2/5, eta = 4, ...\"");
-}
-
 enum verdict claim_recorded(const struct claim *c, const struct scene *s) {
   const char *record = claim_get(c, "record"), *only = claim_get(c, "record-scene");
   return record && (!only || scene_is(s, only)) ? verdict_parse(record) : N_VERDICTS;

@@ -26,7 +26,6 @@ define eq-3e
   equation: 3
   tex: z = (z_1, z_2)'
   place: 3075-3086
-  reads: (z_1, z_2)' as (z_1, z_2)^t
   z(t) := transpose([z_1(t), z_2(t)])
 
 inequality eq-3d

@@ -56,7 +56,6 @@ define eq-25
   equation: 25
   tex: dZ_a = \begin{pmatrix} dz_a \\ dz'_a \end{pmatrix}, dz_a = \begin{pmatrix} x_a \\ y_a \end{pmatrix}, dz'_a = 0
   place: 8423-8462
-  reads: dz'_a = 0 as dz'_a = \begin{pmatrix} 0 \\ 0 \end{pmatrix}
   dZ_a := [dz_a; dz'_a]
   dz_a := [x_a; y_a]
   dz'_a := [0; 0]

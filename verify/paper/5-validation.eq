@@ -7,7 +7,6 @@ define eq-44
   place: 11310-11364
   reads: = \begin{pmatrix} N_1 & N_2 \\ N_3 & N_4 \end{pmatrix} as
     , N_1 = N_{1:2,1:2}, N_2 = N_{1:2,3:4}, N_3 = N_{3:4,1:2}, N_4 = N_{3:4,3:4}
-  reads: (V, V)' as (V, V)^t
   N := C(t_d)*H(t_c)*Gamma(t_b)*D(t_a)
   N_1 := N[1:2,1:2]
   N_2 := N[1:2,3:4]
