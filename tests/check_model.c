@@ -325,7 +325,8 @@ START_TEST(files_refused) {
       /* a misspelt attribute would silently put the record into no section */
       {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
                                              "tex place note reads replaces equals\n    sectoin: a\n    ^"},
-      {"symbol x\n  mean: a\n", "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note\n    mean: a\n    ^"},
+      {"symbol x\n  mean: a\n",
+       "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note domain\n    mean: a\n    ^"},
       {"equation: 1\ndefine d\n", "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper "
                                   "place text\n  equation: 1\n  ^"},
       {"define d\nx := 1\n",

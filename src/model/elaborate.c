@@ -325,6 +325,7 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
   case EXPR_COS:
   case EXPR_COT:
   case EXPR_SQRT:
+  case EXPR_EXP:
   case EXPR_ABS:
   case EXPR_ROUNDED:
   case EXPR_SINC:

@@ -89,6 +89,12 @@ static int b_sqrt(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+static int b_exp(void *z, const void *x, slong prec) {
+  if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
+  arb_exp(z, x, prec);
+  return held(z);
+}
+
 static int b_sin(void *z, const void *x, slong prec) {
   if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
   arb_sin(z, x, prec);

@@ -87,6 +87,12 @@ static int m_sqrt(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+static int m_exp(void *z, const void *x, slong prec) {
+  (void)prec;
+  mpfr_exp(z, x, MPFR_RNDN);
+  return held(z);
+}
+
 static bool too_far_out(mpfr_srcptr x) {
   return mpfr_regular_p(x) && mpfr_get_exp(x) > ARGUMENT_BITS;
 }
