@@ -215,6 +215,16 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
   return false;
 }
 
+/* Was the claim refuted because it cannot be read?  Then its damaged form says nothing. */
+static bool is_unreadable(const struct audit_result *out, const struct claim *c) {
+  for (size_t i = 0; i < out->n_findings; i++) {
+    const struct finding *f = &out->findings[i];
+    if (strcmp(f->id, c->id) == 0)
+      return claim_tried_at_points(c) && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
+  }
+  return false;
+}
+
 /* Of a control that says how near it is; where its claim is not tried at points, that is taken as said, and so it is
    where the program has made the damage itself. */
 static bool measure_near(const char **distance, struct judge *j, const struct claim *c, const struct claim *control) {
@@ -238,6 +248,11 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
   if (!k || !finding_describe(&f, j, &c)) return false;
+  if (is_unreadable(j->out, claim)) {
+    audit_leave_out(j->out, result_str(j->out, "control %s", control->id),
+                    "the paper's text that it damages cannot be read");
+    return true;
+  }
   const char *of = record_get(control->record, "of");
   bool correction = of && strcmp(of, "correction") == 0;
   if (of && !correction) return claim_error(j, control, "of", "\"correction\", or nothing");
