@@ -328,7 +328,7 @@ START_TEST(files_refused) {
       {"symbol x\n  mean: a\n",
        "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note domain\n    mean: a\n    ^"},
       {"equation: 1\ndefine d\n", "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper "
-                                  "place text\n  equation: 1\n  ^"},
+                                  "place text model\n  equation: 1\n  ^"},
       {"define d\nx := 1\n",
        "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
        "of record d\n  x := 1\n  ^"},

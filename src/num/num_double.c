@@ -102,7 +102,7 @@ static int d_sqrt(void *z, const void *x, slong prec) {
 
 static int d_exp(void *z, const void *x, slong prec) {
   (void)prec;
-  return held(z, exp(value(x)));
+  return held(z, fabs(value(x)) < ldexp(1, NUM_EXP_BITS) ? exp(value(x)) : (double)NAN);
 }
 
 static int d_sin(void *z, const void *x, slong prec) {
