@@ -182,20 +182,67 @@ START_TEST(what_follows_and_what_does_not) {
 }
 END_TEST
 
-/* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2 and (e1 - (z_1c - chi z_2c))/2 there. */
+/* --- Ranges --- */
+
+static const struct {
+  const char *what, *claim;
+  enum verdict want;
+} ranges[] = {
+    {"up to where the first mass would overrun the belt", "  conclusion: eq-57#1\n  even: (1 - chi)*V\n  odd: e_1\n",
+     VERDICT_PROVED},
+    {"not the parts of another motion", "  conclusion: eq-57#1\n  even: V\n  odd: e_1\n", VERDICT_REFUTED},
+    {"nor another frequency", "  conclusion: eq-57#1\n  frequency: 2\n  even: (1 - chi)*V\n  odd: e_1\n",
+     VERDICT_REFUTED},
+    {"a swing that may begin downwards needs its premise",
+     "  conclusion: eq-59#2\n  from: end\n  frequency: omega\n  odd: omega*(z_10 - z_20)\n", VERDICT_REFUTED},
+    {"one that leaves out equality has no proof",
+     "  conclusion: eq-57#2.1\n  premises: text-58-friction\n  factor: chi\n  even: e_1\n  drift: (1 - chi)*V\n",
+     VERDICT_UNKNOWN},
+    {"nor has one that takes it in at a single time", "  conclusion: eq-58#1.1 Gamma\n  premises: text-57-friction\n",
+     VERDICT_UNKNOWN},
+    {"a bound that is a little less, which no orbit shows", "  conclusion: eq-58#1.1 Gamma\n  premises: text-nearly\n",
+     VERDICT_UNKNOWN},
+    {"time runs from the other end", "  conclusion: eq-57#1\n  from: end\n  even: (1 - chi)*V\n  odd: e_1\n",
+     VERDICT_REFUTED},
+    {"a margin that is not zero at the end turns elsewhere",
+     "  conclusion: text-later Gamma\n  rate: yes\n  factor: chi\n  even: (1 - chi)*V\n  odd: e_1\n", VERDICT_UNKNOWN},
+};
+
+START_TEST(for_how_long_a_condition_holds) {
+  struct model m;
+  struct text t;
+  paper_model(&m, &(struct paper_layers){
+                      .overlay = scratch_put("overlay.eq",
+                                             "inequality text-nearly\n  section: appendix_b\n  u_r2 > (e_2 - "
+                                             "chi*(z_20 - z_10))/2 - 1e-9\n"
+                                             "inequality text-later\n  section: appendix_b\n  h(t) < e_2 + 1e-9\n"),
+                      .controls = true});
+  text_init(&t);
+  text_printf(&t, "claim own\n  section: appendix_a\n  title: of the test\n  kind: range\n%s", ranges[_i].claim);
+  enum verdict v = verdict_under(&m, text_str(&t));
+  ck_assert_msg(v == ranges[_i].want, "%s: %s", ranges[_i].what, verdict_name[v]);
+  text_clear(&t);
+  model_clear(&m);
+}
+END_TEST
+
+/* Rows of tests/oracle/argument.py: a scene, then e1, e2, V t_a (1 - chi)/2, (e1 - (z_1c - chi z_2c))/2 and
+   (e2 - chi (z_20 - z_10))/2 there. */
 static const struct {
   const char *q[N_DRAW];
-  double e1, e2, stick, late;
+  double e1, e2, stick, late, second;
 } certificates[] = {{{"3/64", "55/8", "3/4", "221/64", "269/32"},
                      0.12444089340845,
                      0.11157838365975,
                      0.1476106643216,
-                     0.217547533378131},
+                     0.217547533378131,
+                     0.0686823943690888},
                     {{"11/64", "83/16", "1", "193/32", "89/16"},
                      0.00571375410074917,
                      0.775012748955643,
                      0.429491811665637,
-                     0.874991864192924}};
+                     0.874991864192924,
+                     0.446981833305775}};
 
 static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, double u_r2) {
   static const int where[N_DRAW] = {Q_CHI, Q_ETA, Q_V, Q_TB, Q_TC};
@@ -206,7 +253,8 @@ static void point_of(struct point *p, const char *const q[N_DRAW], double u_r1, 
   for (int i = 0; i < 2; i++) fmpq_set_si(&p->q[Q_US1 + i], (slong)ldexp(u[i], 30), 1 << 30);
 }
 
-/* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59). */
+/* (53) fails with u_r1 between e1 and the bound of the oracle and holds beyond; likewise the lower bound of (59), and that of (57)
+   for u_r2; the bounds by the times are the same. */
 START_TEST(bounds_of_an_independent_program) {
   struct audit_result r;
   struct diag d;
@@ -215,20 +263,26 @@ START_TEST(bounds_of_an_independent_program) {
   struct conditions list = {.n = 0};
   diag_init(&d);
   audit_result_init(&r);
-  ck_assert(claims_add_file(&claims, scratch_put("own.claim", HEAD "  conclusion: eq-53#1, eq-59#1.1, eq-16b#1.1\n"),
-                            "claim", &d));
+  ck_assert(
+      claims_add_file(&claims,
+                      scratch_put("own.claim", HEAD "  conclusion: eq-53#1, eq-59#1.1, eq-16b#1.1, text-16-friction, "
+                                                    "eq-57#2.1, text-58-friction\n"),
+                      "claim", &d));
   struct view view = {&model, LAYER_CORRECTED, NULL, NULL};
   ck_assert_msg(conditions_read(&list, &j, &claims.claim[0], "conclusion", view), "%s", d.message);
-  ck_assert_int_eq(list.n, 3);
-  const double bound[3] = {certificates[_i].stick, certificates[_i].late, certificates[_i].late};
-  for (int k = 0; k < 3; k++)
+  enum { FIRST_MASS = 4, BOUNDS = 6 };
+  ck_assert_int_eq(list.n, BOUNDS);
+  const double late = certificates[_i].late, second = certificates[_i].second;
+  const double bound[BOUNDS] = {certificates[_i].stick, late, late, late, second, second};
+  for (int k = 0; k < BOUNDS; k++)
     for (int side = -1; side <= 1; side += 2) {
       struct point p;
       arb_t value;
       double where;
       arb_init(value);
-      ck_assert(bound[k] > certificates[_i].e1);
-      point_of(&p, certificates[_i].q, bound[k] + side * 1e-7, 10);
+      const double near = bound[k] + side * 1e-7;
+      ck_assert(k >= FIRST_MASS || bound[k] > certificates[_i].e1);
+      point_of(&p, certificates[_i].q, k < FIRST_MASS ? near : 10, k < FIRST_MASS ? 10 : near);
       truth holds = condition_holds(&where, value, &list.at[k], &p, FIRST_PREC, cache);
       ck_assert_msg(holds == (side > 0 ? TRUTH_TRUE : TRUTH_FALSE), "%s, %d: %d", list.at[k].text, side, (int)holds);
       point_clear(&p);
@@ -560,6 +614,10 @@ END_TEST
 static const struct {
   const char *claim, *says;
 } hostile[] = {
+    {"  kind: range\n  even: V\n", "one condition"},
+    {"  kind: range\n  conclusion: eq-57\n", "one condition"},
+    {"  kind: range\n  conclusion: eq-57#1\n  even: [1, 2]\n", "does not fit"},
+    {"  kind: range\n  conclusion: eq-57#1\n  from: start\n", "end, or nothing"},
     {"  kind: argument\n  premises: eq-52\n", "conclusion is missing"},
     {"  kind: argument\n  conclusion: eq-999\n", "no such record"},
     {"  kind: argument\n  conclusion: eq-52#9\n", "no such statement or step"},
@@ -660,6 +718,7 @@ Suite *argument_suite(void) {
 #define LOOP(test, table) tcase_add_loop_test(c, test, 0, (int)(sizeof table / sizeof *table))
   LOOP(what_follows_and_what_does_not, arguments);
   LOOP(what_a_list_of_constraints_says, lists);
+  LOOP(for_how_long_a_condition_holds, ranges);
   LOOP(bounds_of_an_independent_program, certificates);
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
   tcase_add_test(c, a_certificate_is_a_scene);

@@ -1778,7 +1778,8 @@ START_TEST(explain_shows_both_sides) {
   static const char *const types[] = {"double", "mpfr  ", "arb   "};
   struct job j;
   run_well(&j, "explain", "eq-10", "--at", "V=2,t=3", NULL);
-  ck_assert(strncmp(j.out, "eq-10: ", 7) == 0 && strstr(j.out, "conditional") && strstr(j.out, "V = 2, t = 3"));
+  ck_assert(strncmp(j.out, "eq-10, the claim: ", 18) == 0 && strstr(j.out, "conditional") &&
+            strstr(j.out, "V = 2, t = 3"));
   for (int i = 0; i < 3; i++) {
     char left[20], right[20];
     snprintf(left, sizeof left, "%s left ", types[i]);

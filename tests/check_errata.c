@@ -456,12 +456,12 @@ START_TEST(worst_first) {
                                       "4. **(53)",
                                       "## Remarks",
                                       "## Slips of notation",
-                                      "**(29), (30)**",
+                                      "**(29) and (30)**",
                                       "**(36)**",
                                       "## The numerical example",
                                       "| $t_{a} = 0.6784$ | $t_{a} = 0.5323$ |",
                                       "$M_{21}$ + $M_{22}$ = 0",
-                                      "velocity half of (44)",
+                                      "second line of (44)",
                                       "## What was compared"};
   const char *at = t.data;
   for (size_t i = 0; i < sizeof order / sizeof *order; i++) {

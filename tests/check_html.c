@@ -535,9 +535,9 @@ START_TEST(what_stands_where) {
                                       "1 results are not as recorded",
                                       "<h3>Not as recorded</h3>",
                                       "unknown, recorded as proved",
-                                      "<h3>Without a root on file</h3>",
+                                      "<h3>Other statements</h3>",
                                       "<article id=\"f-eq-2\">",
-                                      "proved under the condition V = 1",
+                                      "proved under the condition: V = 1",
                                       "<article id=\"f-text-4\">",
                                       "<h3>Undecided</h3>",
                                       "<article id=\"f-eq-3\">",
@@ -576,9 +576,9 @@ START_TEST(power_and_digits) {
   char *without = written(report_html, &r);
   r.mutation = &score;
   char *with = written(report_html, &r);
-  ck_assert(!strstr(without, "one symbol of a formula") && strstr(with, "1000 damages that change a meaning") &&
+  ck_assert(!strstr(without, "one symbol of a formula") && strstr(with, "1000 alterations that change a meaning") &&
             strstr(with, "<strong>850 were noticed"));
-  ck_assert(strstr(with, "Left out: 90 that") && strstr(with, "; 40 that") && strstr(with, "; 20 that only") &&
+  ck_assert(strstr(with, "Not counted are 90 that") && strstr(with, "; 40 that") && strstr(with, "; 20 that only") &&
             strstr(with, "and 70 of the corrections"));
   ck_assert(strstr(with, ">37 of 38<") && strstr(with, ">51 of 77<") && !strstr(with, ">8 of ") &&
             !strstr(with, ">0 of "));
@@ -604,8 +604,8 @@ START_TEST(claims_by_one_route) {
                                {"ctl-2", "two", VERDICT_REFUTED, true, NULL, NULL}};
   struct audit_result r = {.scene = "s", .findings = f, .n_findings = 4, .controls = c, .n_controls = 2};
   char *page = written(report_html, &r);
-  ck_assert(strstr(page, "Claims with a control of their own: 1 of 3."));
-  ck_assert(strstr(page, "or more: 1 of 3; by one alone 2: balls (<a href=\"#c-one\">"));
+  ck_assert(strstr(page, "1 of the 3 claims judged have a control of their own."));
+  ck_assert(strstr(page, "or more decided 1 of the 3 claims judged, and one alone 2: balls (<a href=\"#c-one\">"));
   ck_assert(strstr(page, "; exact (<a href=\"#c-three\"><code>three</code></a>).</li>"));
   free(page);
 }
@@ -643,7 +643,7 @@ START_TEST(what_is_asked_first) {
                                       "t = 7</annotation>",
                                       "THE NOTE",
                                       "<strong>Yes:</strong>",
-                                      "How do I recheck it?",
+                                      "How can this be rechecked?",
                                       "AGAIN 9",
                                       "explain eq-9 --at x=1/2,y=3</code>",
                                       "THE NOTE"};

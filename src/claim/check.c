@@ -22,7 +22,8 @@ static bool known_attribute(const char *key) {
                                       "sticks",       "breaks",         "place",        "few",
                                       "converse-of",  "repaired-as",    "of",           "near",
                                       "heading",      "count",          "every",        "kept",
-                                      "until"};
+                                      "until",        "even",           "odd",          "drift",
+                                      "factor",       "frequency",      "rate"};
   enum { N_KNOWN = sizeof known / sizeof *known };
   return word_find(key, known, N_KNOWN) < N_KNOWN;
 }

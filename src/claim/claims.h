@@ -61,6 +61,9 @@
                  at, vary: a family of orbits along which one of the divisors changes its sign
      unknowns, rank        (rank) of the statement's equations, and how many of them are functionally independent: the
                  rank of their derivative on an open and dense set
+     frequency, factor, even, odd, drift  (range) formulas of the closed form that the margin of the conclusion has, with
+                 premises (one, or none), from (end) and rate (yes) as proof/exact_range.h says; what is not given is 1,
+                 1, 0, 0, 0
      word, conditions      (sequence) phases of one period; inequalities along it
      given, through        (existence) "t_a = 0, t_b = 2" at the scene's chi, eta, V; the phases that lead back to the
                            start
@@ -90,7 +93,8 @@
 
    Kinds: definition, matrix, identity, inequality, sharp (each step of the statement's inequalities becomes
    an equality at one end of the phase that points name), index-range, number, closure, criterion, behaviour, argument,
-   notation, scaling, reach, rank, defined, sequence, existence, constraints, solutions, law, outside, report.
+   notation, scaling, reach, rank, defined, sequence, existence, constraints, solutions, range, law, outside,
+   report.
 
    What is not done.  Precision rises at a point only while it is undecided there.  A difference in balls decides a
    claim, yet its other points and routes are tried all the same, since the evidence says at how many points it differs

@@ -54,7 +54,7 @@ extern const char *const fault_name[N_FAULTS];
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_FORMULA, 0, 0, 1, true)       \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1, true)                      \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1, true)      \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
     0, true)                                                                                                           \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
@@ -67,12 +67,15 @@ extern const char *const fault_name[N_FAULTS];
   K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,     \
     FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1, true)         \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0,  \
+    1, true)                                                                                                           \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1, true)                      \
   K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true,               \
     FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
+    true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
+  K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
     true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
   K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1, true)                \
   K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0, false)

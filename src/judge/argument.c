@@ -44,8 +44,8 @@ static enum verdict judge_direction(struct finding *f, struct argument *a, struc
   argument_search(&t, a, proved);
   const char *note = t.certificate ? t.certificate
                                    : result_str(a->j->out,
-                                                "no counterexample on %ld orbits of the search on which the premises "
-                                                "hold; the nearest to one were decided",
+                                                "there is no counterexample among %ld periodic solutions on which the "
+                                                "premises hold; those nearest to one were decided rigorously",
                                                 a->tried);
   w[n++] = argument_add_route(f, a, "balls", t.decided[0], true, note);
   f->evidence[f->n_evidence - 1].worst = t.nearest;
@@ -86,12 +86,12 @@ static void describe_effect(struct finding *f, struct argument *a) {
   point_init(&p);
   if (nearest_orbit_point(&p, a->j->scene, a->j->cache)) {
     const struct dyn_orbit *o = &scene_orbits(a->j->scene, a->j->cache)->orbit[p.orbit];
-    f->effect =
-        result_str(a->j->out,
-                   "On the scene's orbit nearest to the printed numbers all inequalities together ask u_r1 > %s and "
-                   "u_r2 > %s, beside u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
-                   ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
-                   ball_text(a->j, o->e2, 6));
+    f->effect = result_str(
+        a->j->out,
+        "On the periodic solution nearest to the printed numbers all inequalities together require u_r1 > %s "
+        "and u_r2 > %s, in addition to u_r1 > e_1 = %s and u_r2 > e_2 = %s.",
+        ball_text(a->j, o->u_r1_min, 6), ball_text(a->j, o->u_r2_min, 6), ball_text(a->j, o->e1, 6),
+        ball_text(a->j, o->e2, 6));
   }
   point_clear(&p);
 }
@@ -108,7 +108,7 @@ static void describe_scene(struct finding *f, struct argument *a) {
     arb_init(d.value);
     p.orbit = i;
     argument_decide(&d, a, &p, NULL);
-    text_printf(&t, "%sorbit %ld of the scene: %s", i ? "; " : "", (long)i + 1,
+    text_printf(&t, "%son periodic solution %ld of the example: %s", i ? "; " : "", (long)i + 1,
                 d.conclusion == TRUTH_TRUE    ? "holds"
                 : d.conclusion == TRUTH_FALSE ? result_str(a->j->out, "%s fails", a->part[CONCLUSION].at[d.failed].text)
                                               : "undecided");
@@ -158,7 +158,7 @@ static bool judge_repair(struct finding *f, struct argument *a, struct view view
   text_init(&t);
   for (int k = 0; ok && k < more.n; k++) {
     if (more.at[k].equality || more.at[k].moving) continue; /* what every motion of the phase fulfils */
-    text_add(&t, t.len ? "; " : "besides the cited premises: ");
+    text_add(&t, t.len ? "; " : "with the further premise ");
     if (more.at[k].equation) text_printf(&t, "(%s) ", more.at[k].equation);
     text_add(&t, more.at[k].text);
   }

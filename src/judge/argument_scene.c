@@ -9,6 +9,7 @@
 #include "argument.h"
 #include "proof/exact_argument.h"
 #include "value/printed.h"
+#include "value/title.h"
 
 /* A little below what the premises ask of u_s1 and u_s2, on a grid; in double. */
 static void choose_corner(struct point *corner, struct argument *a) {
@@ -72,8 +73,8 @@ static bool prove_for_all(struct finding *f, struct argument *a, bool admissible
     e->result = "proved";
     const char *enclosed = result_str(
         a->j->out,
-        "the premises allow no u_s1 below %s and no u_s2 below %s; there %ld of the %d inequalities hold along "
-        "the whole phase, in enclosures, and their margins do not decrease with u_s1 or u_s2",
+        "the premises imply u_s1 >= %s and u_s2 >= %s; for these values %ld of the %d inequalities are proved in "
+        "interval arithmetic along the whole phase, and their margins do not decrease with u_s1 or u_s2",
         argument_rational(a, &corner.q[Q_US1]), argument_rational(a, &corner.q[Q_US2]), a->part[CONCLUSION].n - exact,
         a->part[CONCLUSION].n);
     e->note = exact
@@ -91,10 +92,10 @@ static const char *describe(struct argument *a, const struct argument_decision *
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
   if (d->premises != TRUTH_TRUE) return "the premises do not hold there";
   if (d->conclusion == TRUTH_FALSE)
-    return result_str(a->j->out, "%s fails at %.10g of phase %s: its margin is %s", c->text, d->where,
-                      phase_name[c->phase], ball_text(a->j, d->value, 6));
+    return result_str(a->j->out, "%s fails in the %s phase, after the fraction %.10g of it: its margin is %s", c->text,
+                      phase_words[c->phase], d->where, ball_text(a->j, d->value, 6));
   if (!a->uses_friction) return NULL;
-  return result_str(a->j->out, "with u_s1 = %s, u_s2 = %s, as small as the premises allow on a grid of 1/1024",
+  return result_str(a->j->out, "for u_s1 = %s and u_s2 = %s, the smallest multiples of 1/1024 that the premises allow",
                     argument_rational(a, &p->q[Q_US1]), argument_rational(a, &p->q[Q_US2]));
 }
 
@@ -112,7 +113,7 @@ static void judge_point(struct finding *f, struct argument *a, struct point *p) 
     decided[1][d.by_exponentials]++;
   }
   w[0] = argument_add_route(f, a, "balls", decided[0], true, describe(a, &d, p));
-  f->evidence[f->n_evidence - 1].worst = "the orbit nearest to the printed numbers, enclosed along the whole phase";
+  f->evidence[f->n_evidence - 1].worst = "the periodic solution nearest to the printed numbers, along the whole phase";
   w[1] = argument_add_route(f, a, "exponential", decided[1], false, NULL);
   bool all = !a->uses_friction;
   if (a->uses_friction && !a->free_friction && d.premises == TRUTH_TRUE && d.conclusion == TRUTH_TRUE &&

@@ -6,6 +6,7 @@
 
 #include "argument.h"
 #include "value/orbit_pool.h"
+#include "value/title.h"
 
 enum { STRATA = 5, MAX_TRIED = 12 };
 
@@ -242,13 +243,20 @@ static const char *scene_text(struct argument *a, const struct point *p, const c
 static const char *certificate_text(struct argument *a, const struct point *p, const struct dyn_orbit *o,
                                     const struct argument_decision *d) {
   const struct condition *c = &a->part[CONCLUSION].at[d->failed];
-  const char *when =
-      c->moving ? result_str(a->j->out, " after %.10g of the phase %s", d->where, phase_name[c->phase]) : "";
-  return result_str(
-      a->j->out,
-      "for %s (where e_1 = %s and e_2 = %s), on the periodic solution %ld, %s%s fails%s: its sides differ by %s",
-      scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8), (long)p->orbit + 1,
-      a->part[PREMISES].n ? "every cited condition holds and " : "", c->text, when, ball_text(a->j, d->value, 6));
+  const char *when = c->moving ? result_str(a->j->out, " in the %s phase, after the fraction %.10g of it",
+                                            phase_words[c->phase], d->where)
+                               : "";
+  arb_t short_by;
+  arb_init(short_by);
+  arb_neg(short_by, d->value);
+  const char *said =
+      result_str(a->j->out,
+                 "for %s (where e_1 = %s and e_2 = %s) there is a periodic solution on which %s%s is "
+                 "violated%s, by %s",
+                 scene_text(a, p, ", "), ball_text(a->j, o->e1, 8), ball_text(a->j, o->e2, 8),
+                 a->part[PREMISES].n ? "all the premises hold, but " : "", c->text, when, ball_text(a->j, short_by, 6));
+  arb_clear(short_by);
+  return said;
 }
 
 static void certify(struct argument_tally *t, struct argument *a, const struct point *p, const struct dyn_orbit *o,

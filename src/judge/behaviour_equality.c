@@ -136,9 +136,9 @@ static void add_flip(struct found *t, struct behaviour *b, const struct family *
   if (stable && !t->where) t->where = place;
   finding_state(b->f, b->j->out, "balls", "model", q->prec, 1, place,
                 result_str(b->j->out,
-                           "tr J passes -1 inside a bracket of %ld digits there%s, and over the whole of it c_2^2 + "
-                           "c_3 = %s: the orbit with |tr J| = 1 is %s; it is %s",
-                           (long)q->digits, q->crosses ? " (proved in balls)" : " (not proved)",
+                           "tr J passes through -1 there, in an interval whose ends agree to %ld digits%s, and on the "
+                           "whole of it c_2^2 + c_3 = %s: the orbit with |tr J| = 1 is %s; it is %s",
+                           (long)q->digits, q->crosses ? " (proved in interval arithmetic)" : " (not proved)",
                            ball_text(b->j, q->third, 6),
                            stable     ? "stable"
                            : unstable ? "unstable"
@@ -189,29 +189,34 @@ static void conclude(struct behaviour *b, const struct found *t) {
       t->where,
       result_str(
           b->j->out,
-          "at tr J = -1 the return map R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ... has R(R(r_0 + s)) = r_0 + s - "
-          "2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable when c_2^2 + c_3 > 0. Of %ld solutions with "
-          "tr J = -1 that were found, %ld %s stable%s%s",
+          "for tr J = -1 the return map of r = z_2 - z_1, R(r_0 + s) = r_0 - s + c_2 s^2 + c_3 s^3 + ..., satisfies "
+          "R(R(r_0 + s)) = r_0 + s - 2 (c_2^2 + c_3) s^3 + ..., so that the solution is stable if c_2^2 + c_3 > 0. Of "
+          "the %ld solutions with tr J = -1 that were found, %ld %s stable%s%s",
           t->stable + t->unstable + t->open, t->stable, t->stable == 1 ? "is" : "are",
-          t->stable ? ", for example at " : "", t->stable ? t->where : ""));
-  w[1] = behaviour_route(b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false,
-                         t->back + t->away + t->unsure, NULL,
-                         result_str(b->j->out,
-                                    "the return map in double there, whatever else the motion does, from 3%% of r_0 on "
-                                    "either side: %ld come back to "
-                                    "half of it, %ld leave to twice as far",
-                                    t->back, t->away));
+          t->stable == 1 ? ", namely that for "
+          : t->stable    ? ", for example that for "
+                         : "",
+          t->stable ? t->where : ""));
+  w[1] = behaviour_route(
+      b, "iteration", "model", outcome_of_counts(t->away, t->back, t->unsure), false, t->back + t->away + t->unsure,
+      NULL,
+      result_str(b->j->out,
+                 "iterations of the return map in double precision there, from a distance of 3%% of r_0 "
+                 "on either side: %ld return to half that distance, %ld depart to twice that "
+                 "distance",
+                 t->back, t->away));
   w[2] =
       behaviour_route(b, "integration", "model", outcome_of_counts(t->moved_away, t->moved_back, t->moved_unsure),
                       false, t->moved_back + t->moved_away + t->moved_unsure, NULL,
                       result_str(b->j->out,
-                                 "motions under Coulomb's law from x_2 moved by 1%% of r_0, over 200 returns: %ld come "
-                                 "nearer, %ld go farther",
+                                 "motions under Coulomb's law with x_2 displaced by 1%% of r_0, over 200 returns: %ld "
+                                 "approach the solution, %ld depart from it",
                                  t->moved_back, t->moved_away));
   b->f->verdict = verdict_of(w, 3, false);
   if (b->f->verdict == VERDICT_REFUTED)
-    b->f->effect = "only at |tr J| = 1 exactly, which linearization does not decide: \"Otherwise\" should read "
-                   "\"If |tr(J)| > 1\"";
+    b->f->effect =
+        "only the case |tr J| = 1, which linearization does not decide, is affected: \"Otherwise\" should read "
+        "\"If |tr(J)| > 1\"";
 }
 
 /* "at" and "vary" hold one entry for each family, separated by semicolons. */

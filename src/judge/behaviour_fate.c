@@ -8,6 +8,7 @@
 #include "friction.h"
 #include "judge.h"
 #include "value/coulomb_setup.h"
+#include "value/title.h"
 
 /* --- Perturbed motions --- */
 
@@ -137,8 +138,11 @@ static void say_table(struct behaviour *b, const struct table *t) {
   for (int ph = 0; ph < N_PHASES; ph++) {
     struct text line;
     text_init(&line);
-    text_printf(&line, "moved in phase %s (stay near, depart and come back, end elsewhere, stick together no more):",
-                phase_name[ph]);
+    text_printf(&line,
+                "perturbed in the %s phase (numbers of motions that stay near, depart and come back, end elsewhere, "
+                "never again "
+                "stick with both masses):",
+                phase_words[ph]);
     long trials = 0;
     for (int d = 0; d < 2 * N_STATE; d++) {
       const long *c = t->count[ph][d];
@@ -181,13 +185,18 @@ static void say_reach(struct behaviour *b, const struct orbit_motion *o) {
     int phase, coordinate;
     double part; /* of the phase */
     const char *words;
-  } places[] = {{PHASE_D, Z_2, 0, "x_2 at the start of D"}, {PHASE_GAMMA, DZ_1, 0.5, "x'_1 amid Gamma"},
-                {PHASE_H, DZ_1, 0.5, "x'_1 amid H"},        {PHASE_H, DZ_2, 0.5, "x'_2 amid H"},
-                {PHASE_C, DZ_2, 0.5, "x'_2 amid C"},        {PHASE_D, DZ_1, 0.5, "x'_1 amid D"}};
+  } places[] = {{PHASE_D, Z_2, 0, "x_2 at the start of the global stick phase"},
+                {PHASE_GAMMA, DZ_1, 0.5, "x'_1 in the middle of the slip-stick phase"},
+                {PHASE_H, DZ_1, 0.5, "x'_1 in the middle of the global slip phase"},
+                {PHASE_H, DZ_2, 0.5, "x'_2 in the middle of the global slip phase"},
+                {PHASE_C, DZ_2, 0.5, "x'_2 in the middle of the stick-slip phase"},
+                {PHASE_D, DZ_1, 0.5, "x'_1 in the middle of the global stick phase"}};
   struct text line;
   long trials = 0;
   text_init(&line);
-  text_add(&line, "the motion comes back when moved by as much as (in doublings of 1/1000; then what it ends on):");
+  text_add(&line, "the motion returns after perturbations of at most (from doubling 1/1000; in brackets the phases in "
+                  "which it ends "
+                  "after a larger one):");
   for (size_t i = 0; i < sizeof places / sizeof *places; i++) {
     struct motion at;
     double length = o->begin[places[i].phase + 1] - o->begin[places[i].phase];
@@ -234,8 +243,9 @@ static void scene_orbit_fates(struct behaviour *b) {
   struct text line;
   text_init(&line);
   text_printf(&line,
-              "the scene's own admissible orbit, which is unstable, moved by 0.01 in the middle of each phase in "
-              "each of eight directions; after %d returns the motion goes",
+              "the admissible orbit of the example, which is unstable, perturbed by 0.01 in the middle of each phase "
+              "in each of "
+              "eight directions: after %d returns the sequence of phases is",
               PERIODS);
   for (int k = 0; k < words; k++) text_printf(&line, "%s %s %ld times", k ? "," : "", word[k], count[k]);
   finding_state(b->f, b->j->out, "motion", "model", -1, trials, NULL, result_take(b->j->out, &line));
@@ -249,10 +259,13 @@ static void judge_table(struct route_result w[N_MOTION_ROUTES], struct behaviour
        all = near + open + t->total[FATE_BACK] + t->total[FATE_ELSEWHERE] + t->total[FATE_NO_STICK];
   const char *note = result_str(
       b->j->out,
-      "a stable admissible orbit, u_ri = %g times what it needs, moved by %s at %d moments of each phase: %ld motions "
-      "stay near and die out, %ld depart and come back, %ld end elsewhere, %ld never stick both again; %ld open. Of "
+      "a stable admissible orbit, with u_ri %g times the least possible, perturbed by %s at %d moments of each phase: "
+      "%ld "
+      "motions "
+      "stay near and approach it, %ld depart and come back, %ld end elsewhere, %ld never again stick with both masses; "
+      "%ld are undecided. Of "
       "the smallest perturbations, %ld free a sticking mass at once (slower than the belt while the force on it "
-      "exceeds the sliding friction): %ld of these depart; of the %ld others %ld",
+      "exceeds the sliding friction), and %ld of these depart; of the %ld others %ld do",
       friction, size_words[t->first], MOMENTS, near, t->total[FATE_BACK], t->total[FATE_ELSEWHERE],
       t->total[FATE_NO_STICK], open, t->smallest[1][0] + t->smallest[1][1], t->smallest[1][1],
       t->smallest[0][0] + t->smallest[0][1], t->smallest[0][1]);

@@ -61,11 +61,12 @@ static bool long_run_once(struct behaviour *b, double factor) {
   const char *where = result_str(b->j->out, "u_r1 = %.6f, u_r2 = %.6f", m.params[COULOMB_UR1], m.params[COULOMB_UR2]);
   const char *note =
       result_str(b->j->out,
-                 "from the printed start over %d returns to the global stick phase: %s; at the end %s%s%s; the "
-                 "closed forms %s",
-                 RETURNS, text_str(&folded), steady ? "it repeats " : "it has not settled on one piece",
+                 "from the printed initial state, over %d returns to the global stick phase, the sequence of phases is "
+                 "%s (D, G, H, C: global stick, slip-stick, global slip, stick-slip); at the end %s%s%s; the closed "
+                 "forms %s",
+                 RETURNS, text_str(&folded), steady ? "the motion repeats " : "the motion has not become periodic",
                  steady ? end : "", steady ? result_str(b->j->out, " with the period %.6f", period) : "",
-                 same ? "tell the same events" : "part from this by then");
+                 same ? "give the same events" : "have departed from this by then");
   finding_state(b->f, b->j->out, "integration", "model", -1, 1, where, note);
   text_clear(&folded);
   text_clear(&word);

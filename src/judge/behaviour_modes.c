@@ -44,8 +44,9 @@ static void conclude_modes(struct behaviour *b, const struct route_result *proof
   struct text note;
   text_init(&note);
   text_printf(&note,
-              "%ld motions from starts all over the phase space (%ld more left out: a flat contact), each in a "
-              "definite pair of modes at all %ld moments looked at; phases seen:",
+              "%ld motions from initial states all over the phase space (%ld more left out, with a contact of higher "
+              "order), each "
+              "in one of the nine configurations at all %ld instants examined; numbers of phases of each kind:",
               w.motions, w.apart, s.rows[0] + s.bad[0]);
   for (int i = 0; i < N_MODE_PAIRS; i++) text_printf(&note, " %c %ld", mode_letters[i], s.seen[i]);
   text_add(&note, " (D both stick, G g m_1 slips, C c m_2 slips, H h X x both slip; small letters: faster than the "
@@ -167,11 +168,13 @@ static const char *from_rest(struct behaviour *b) {
   const char *note = "";
   size_t n = strcspn(text_str(&word), "ghcXx");
   if (n < word.len)
-    note = result_str(b->j->out, "; from rest with slack springs (simulate %s --start 0,0,0,0) the motion goes H%.*s",
-                      s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
+    note = result_str(
+        b->j->out, "; from rest with unstretched springs (simulate %s --start 0,0,0,0) the sequence of phases is H%.*s",
+        s->name, (int)(n + 1 > 40 ? 40 : n + 1), text_str(&word));
   else
-    note =
-        result_str(b->j->out, "; from rest with slack springs and the data of the example no mass overruns the belt");
+    note = result_str(
+        b->j->out,
+        "; in the motion from rest with unstretched springs, for the data of the example, no mass overruns the belt");
   text_clear(&word);
   trajectory_clear(&t);
   return note;
@@ -186,9 +189,10 @@ bool behaviour_configurations(struct behaviour *b) {
   const char *note = result_str(
       b->j->out,
       "of %ld motions that start with both masses sticking, as in (11), %ld leave the four configurations, since a "
-      "mass becomes faster than the belt, where (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
-      "solutions %ld do%s",
-      w.motions, v.outside, orbits[0] + orbits[1], orbits[1], from_rest(b));
+      "mass becomes faster than the belt, whereas (3), (5) and (7) suppose z'_i < V; of %ld admissible periodic "
+      "solutions %s%s",
+      w.motions, v.outside, orbits[0] + orbits[1],
+      orbits[1] ? result_str(b->j->out, "%ld leave them", orbits[1]) : "none does", from_rest(b));
   enum route_outcome outcome[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++) outcome[r] = outcome_of_counts(v.inside, found, 0);
   behaviour_conclude(b, outcome, w.motions, found ? v.where : NULL, note, NULL);
@@ -196,10 +200,10 @@ bool behaviour_configurations(struct behaviour *b) {
   b->f->certificate = v.certificate;
   struct route_result all[N_MOTION_ROUTES];
   for (int r = 0; r < N_MOTION_ROUTES; r++)
-    all[r] =
-        behaviour_route(b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0),
-                        r == BY_INTEGRATION, v.rows[r] + v.bad[r], NULL,
-                        "every sample of these motions is in one of the nine pairs of modes, with the forces of (2)");
+    all[r] = behaviour_route(
+        b, motion_route_name[r], "correction", outcome_of_counts(v.rows[r], v.bad[r], 0), r == BY_INTEGRATION,
+        v.rows[r] + v.bad[r], NULL,
+        "at every instant examined these motions are in one of the nine configurations, with the forces of (2)");
   b->f->correction = "nine configurations: for each mass x'_i = V with a force of at most u_ri (sticking), x'_i < V or "
                      "x'_i > V (slipping)";
   b->f->correction_verdict = verdict_of(all, N_MOTION_ROUTES, false);

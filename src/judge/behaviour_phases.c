@@ -6,6 +6,7 @@
 
 #include "friction.h"
 #include "value/expression.h"
+#include "value/title.h"
 #include "verdict.h"
 
 enum { N_SLIPS = 3, N_PAIRS = N_SLIPS * N_SLIPS };
@@ -179,10 +180,9 @@ static void conclude_forms(struct behaviour *b, const struct described *n, bool 
       b, ROUTE_DIFFERS,
       result_str(
           b->j->out,
-          "exact: z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is what (1) and (2) give in "
-          "%ld of the four configurations in which no mass is faster than the belt, and in %ld of the other "
-          "five%s",
-          n->inside[1], n->beyond[1],
+          "z'' + K z = 0, with K, K_1 or K_2, z = x - d_0 and d_01, d_02 of (3), is exactly what (1) and (2) give in "
+          "%s of the four configurations in which no mass is faster than the belt, and in none of the other five%s",
+          n->inside[0] ? result_str(b->j->out, "%ld", n->inside[1]) : "each",
           twice
               ? ": a faster mass has the friction -u_si, and x''_1 is smaller by 2 u_s1, or x''_2 by 2 eta u_s2, than "
                 "(3) says, in every state"
@@ -255,12 +255,12 @@ bool behaviour_dimension(struct behaviour *b) {
     bool open = false;
     struct text note;
     text_init(&note);
-    text_add(&note, "the coordinates x_1, x_2, x'_1, x'_2 less the rank of the equations among the conditions of the "
-                    "phase; its inequalities are strict, and take away none:");
+    text_add(&note, "the number of coordinates x_1, x_2, x'_1, x'_2 less the rank of the equations among the "
+                    "conditions of the phase, whose inequalities are strict and do not reduce it:");
     for (int ph = 0; ph < N_PHASES; ph++) {
       int rank = rank_of_equations(&states, (enum phase)ph);
       open = open || rank < 0;
-      text_printf(&note, "%s %s %d", ph ? "," : "", phase_name[ph], N_STATE - rank);
+      text_printf(&note, "%s %d in the %s phase", ph ? "," : "", N_STATE - rank, phase_words[ph]);
       least = N_STATE - rank < least ? N_STATE - rank : least;
       most = N_STATE - rank > most ? N_STATE - rank : most;
     }

@@ -61,8 +61,8 @@ static void closure_by_times(struct finding *f, struct judge *j) {
       for (int i = 0; i < 2; i++) arb_sub(d + i, num_vec_at(&v.arc.z, 16 + i), num_vec_at(&v.arc.z, i), FIRST_PREC);
       finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed state and times, taken exactly",
                     result_str(j->out,
-                               "Over the printed times the motion ends at z_1, z_2 off its start by %s and %s, with "
-                               "velocities %s and %s.",
+                               "With the printed times the motion ends with z_1 and z_2 differing from their initial "
+                               "values by %s and %s, and with the velocities %s and %s.",
                                ball_text(j, d, 6), ball_text(j, d + 1, 6), ball_text(j, num_vec_at(&v.arc.z, 18), 8),
                                ball_text(j, num_vec_at(&v.arc.z, 19), 8)));
       _arb_vec_clear(d, 2);
@@ -87,9 +87,10 @@ static void closure_by_events(struct finding *f, struct judge *j, const struct p
   arb_ptr start = v, gap = v + 2, slope = v + 5, t = v + 7;
   for (int i = 0; i < 2; i++) arb_set_fmpq(start + i, &z[i]->value, FIRST_PREC);
   if (closing_gap(gap, slope, t, j, start) == SS_OK) {
-    finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed start, taken exactly",
-                  result_str(j->out, "From the printed start the phases last %s, %s, %s and %s.", ball_text(j, t, 8),
-                             ball_text(j, t + 1, 8), ball_text(j, t + 2, 8), ball_text(j, t + 3, 8)));
+    finding_state(f, j->out, "balls", "model", FIRST_PREC, 1, "the printed initial state, taken exactly",
+                  result_str(j->out, "From the printed initial state the phases have the durations %s, %s, %s and %s.",
+                             ball_text(j, t, 8), ball_text(j, t + 1, 8), ball_text(j, t + 2, 8),
+                             ball_text(j, t + 3, 8)));
     if (apart) certify_gap(f, j, z, gap);
     if (apart)
       f->effect = result_str(j->out,
@@ -128,13 +129,13 @@ bool judge_closure(struct finding *f, struct judge *j, const struct claim *c, st
   struct route_result w = {"balls", apart ? ROUTE_DIFFERS : ROUTE_UNDECIDED, true, 1};
   const char *note = NULL;
   if (s == SS_OK)
-    note = result_str(
-        j->out,
-        "For every initial state with the printed digits, z_2 - z_1 changes during one period by between %.3g "
-        "and %.3g%s",
-        bound(gap, true), bound(gap, false), apart ? ": none of them is periodic." : ".");
-  finding_add_route(f, j->out, w, "model", FIRST_PREC, "every start that the printed digits of z10 and z20 allow",
-                    note);
+    note = result_str(j->out,
+                      "For every initial state with the printed digits, z_2 - z_1 changes during one period by an "
+                      "amount between %.3g "
+                      "and %.3g%s",
+                      bound(gap, true), bound(gap, false), apart ? ", so that none of them is periodic." : ".");
+  finding_add_route(f, j->out, w, "model", FIRST_PREC,
+                    "all initial states that the printed digits of z10 and z20 allow", note);
   w.trials = s == SS_OK;
   closure_by_events(f, j, z, apart);
   closure_by_times(f, j);

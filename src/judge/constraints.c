@@ -27,6 +27,15 @@ struct constraints {
   long as_said, against, undecided; /* simulations */
 };
 
+/* In the order of COND_TA, ... */
+static const char *const condition_words[N_CONDITIONS] = {"t_a > 0",
+                                                          "z_1' < V in the slip-stick phase",
+                                                          "z_1' < V in the global slip phase",
+                                                          "z_2' < V in the global slip phase",
+                                                          "z_2' < V in the stick-slip phase",
+                                                          "z_1 - chi z_2 < e_1 in the stick-slip phase",
+                                                          "chi (z_2 - z_1) < e_2 in the global stick phase",
+                                                          "chi (z_2 - z_1) < e_2 in the slip-stick phase"};
 static const char *const least_attribute[2] = {"least-first", "least-second"};
 
 /* --- Balls --- */
@@ -121,14 +130,14 @@ static const char *table(struct constraints *x) {
     for (slong k = 0; k < pool->item[i]->list.n; k++) count_orbit(&n, pool->item[i]->list.orbit[k].holds);
   struct text t;
   text_init(&t);
-  text_printf(&t, "Of %ld orbits, %ld of them admissible", pool->orbits, pool->admissible);
+  text_printf(&t, "of %ld periodic solutions, %ld of them admissible,", pool->orbits, pool->admissible);
   for (int a = 0; a < N_CONDITIONS; a++) {
-    text_printf(&t, "%s %s is broken on %ld, alone on %ld", a ? ";" : ":", dyn_condition_id[a], n.broken[a],
-                n.alone[a]);
-    const char *sep = ", never without ";
+    text_printf(&t, "%s %ld violate %s", a ? ";" : "", n.broken[a], condition_words[a]);
+    if (n.broken[a]) text_printf(&t, ", %ld of these no other condition", n.alone[a]);
+    const char *sep = ", and none without violating ";
     for (int b = 0; b < N_CONDITIONS; b++) {
       if (b == a || n.broken[a] == 0 || n.despite[a][b] > 0) continue;
-      text_printf(&t, "%s%s", sep, dyn_condition_id[b]);
+      text_printf(&t, "%s%s", sep, condition_words[b]);
       sep = ", ";
     }
   }
@@ -247,7 +256,8 @@ static bool prove(struct finding *f, struct constraints *x) {
   e->layer = layer_name[LAYER_CORRECTED];
   e->result = "proved";
   e->note =
-      "each of the paper's constraints follows, on motions made from the first-order systems, from t_a > 0 and what "
+      "each of the paper's constraints follows, on motions computed from the first-order systems, from t_a > 0 and "
+      "what "
       "Coulomb's law (2) asks along the four phases, and each of these from the paper's constraints; u_ri + f_i, f_i "
       "being the force on mass i, is twice u_ri less its closed form where the mass begins to stick, and does not "
       "decrease while it sticks";
@@ -258,19 +268,21 @@ static void describe(struct finding *f, struct constraints *x) {
   struct route_result w[2];
   const char *note = result_str(
       x->j->out,
-      "the paper's constraints hold together just where the model's do on %ld orbits, differ on %ld, open on "
-      "%ld; the closed forms are the infima %ld times, are not %ld times, open %ld times",
+      "the paper's constraints hold together where those of the model do, and fail where these fail, on %ld orbits, "
+      "not "
+      "so on %ld, undecided on %ld; the closed forms of the least u_r1 and u_r2 are the infima %ld times, are not %ld "
+      "times, undecided %ld times",
       x->same, x->other, x->open, x->forms_same, x->forms_other, x->forms_open);
   w[0] = add(f, x, "balls", outcome_of_counts(x->same, x->other + x->forms_other, x->open + x->forms_open), true,
              x->same + x->other + x->open, note);
-  note = result_str(
-      x->j->out,
-      "one period under the Coulomb law, u_r 1/32 above or below the bounds: %ld end as the constraints say, "
-      "%ld otherwise, %ld undecided",
-      x->as_said, x->against, x->undecided);
+  note = result_str(x->j->out,
+                    "motions over one period under Coulomb's law, with u_r 1/32 above or below the bounds: %ld end as "
+                    "the constraints "
+                    "predict, %ld otherwise, %ld undecided",
+                    x->as_said, x->against, x->undecided);
   w[1] = add(f, x, "integration", outcome_of_counts(x->as_said, x->against, x->undecided), false,
              x->as_said + x->against + x->undecided, note);
-  finding_state(f, x->j->out, "balls", "model", 64, 1, "the pool of orbits", table(x));
+  finding_state(f, x->j->out, "balls", "model", 64, 1, NULL, table(x));
   f->verdict = verdict_of(w, x->j->effort == EFFORT_REFUTE ? 1 : 2,
                           (x->j->effort == EFFORT_FULL || x->j->effort == EFFORT_REFUTE) && prove(f, x));
 }

@@ -181,10 +181,12 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
   long good = t->as_said[INSIDE] + t->as_said[OUTSIDE], bad = t->against[INSIDE] + t->against[OUTSIDE];
   struct text note;
   text_init(&note);
-  text_printf(&note,
-              "the slope of the one-dimensional return map, by a difference over 2^-100 in 384 bits: as the criterion "
-              "says at %ld orbits with |slope| < 1 and %ld with |slope| > 1, against it at %ld; of them within 0.05",
-              t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
+  text_printf(
+      &note,
+      "the slope of the one-dimensional return map, by a difference quotient over 2^-100 in 384 bits, agrees with the "
+      "criterion at %ld orbits with |slope| < 1 and %ld with |slope| > 1, and disagrees at %ld; within 0.05 of -1 or "
+      "of 1 there are",
+      t->as_said[INSIDE], t->as_said[OUTSIDE], bad);
   for (int near = 0; near < N_NEAR; near++)
     for (int side = 0; side < N_SIDES; side++) {
       text_printf(&note, "%s %ld %s %s", near + side ? "," : "", t->near[near][side],
@@ -200,7 +202,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
         where_told(outcome_of_counts(t->fate_as_said, t->fate_against, t->fate_open), bad, t->not_iterated), false,
         t->fate_as_said + t->fate_against + t->fate_open, NULL,
         result_str(b->j->out,
-                   "iterates from beside the orbit come back or leave as said at %ld, not so at %ld, open at %ld",
+                   "iterates of the return map from near the orbit return or depart as the criterion says at %ld "
+                   "orbits, otherwise at "
+                   "%ld, undecided at %ld",
                    t->fate_as_said, t->fate_against, t->fate_open));
   if (tried_further)
     w[n++] = behaviour_route(
@@ -208,7 +212,9 @@ static void conclude(struct behaviour *b, const struct tried *t, const struct li
         where_told(outcome_of_counts(t->moved_as_said, t->moved_against, t->moved_open), bad, t->not_moved), false,
         t->moved_as_said + t->moved_against + t->moved_open, NULL,
         result_str(b->j->out,
-                   "motions under Coulomb's law from positions beside admissible orbits: as said at %ld, not so at %ld",
+                   "motions under Coulomb's law from positions near admissible orbits agree with the criterion at %ld "
+                   "orbits and "
+                   "disagree at %ld",
                    t->moved_as_said, t->moved_against));
   if (theorem->note) w[n] = add_theorem(b, theorem);
   n += theorem->proved;
@@ -291,8 +297,9 @@ static void state_orbit(struct finding *f, struct judge *j, const struct dyn_orb
   static const char *const said[] = {"unstable", "conditionally stable", "undecided"};
   const struct dyn_orbit *o = &list->orbit[i];
   finding_state(f, j->out, "balls", "model", FD_PREC, 1,
-                result_str(j->out, "orbit %ld of %ld found%s: t_a = %s, t_b = %s, t_c = %s, t_d = %s", (long)i + 1,
-                           (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+                result_str(j->out,
+                           "periodic solution %ld of the %ld found%s, with t_a = %s, t_b = %s, t_c = %s, t_d = %s",
+                           (long)i + 1, (long)list->n, which, ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
                            ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6)),
                 result_str(j->out, "tr J = %s: %s by the criterion; %s", ball_text(j, o->trace, 8), said[o->stable],
                            o->admissible == TRUTH_TRUE    ? "admissible"
@@ -318,7 +325,7 @@ bool judge_report(struct finding *f, struct judge *j, const struct claim *c, str
     int n;
     if (expression_at(tr, &n, v, trace, "stability", &p, FIRST_PREC, j->cache, j->d) == SS_OK) {
       finding_state(f, j->out, "balls", layer_name[layer], FIRST_PREC, 1, "the printed numbers, taken exactly",
-                    result_str(j->out, "J by the formulas of the paper has tr J = %s", ball_text(j, tr, 8)));
+                    result_str(j->out, "the formulas of the paper give tr J = %s", ball_text(j, tr, 8)));
     }
     _arb_vec_clear(tr, 16);
   }

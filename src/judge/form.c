@@ -46,7 +46,7 @@ static const char *range_fault(struct index_range *r, struct judge *j, const str
     for (int i = 0; i < (rec->stmts[k]->kind == STMT_RELATION ? rec->stmts[k]->n_sides : 1); i++)
       book_entries(r, rec->stmts[k]->sides[i]);
   if (r->outside.len)
-    fault = result_str(j->out, "%s used with an index outside %d..%d: %s", r->letter, r->low, r->high,
+    fault = result_str(j->out, "%s is used with an index outside %d..%d: %s", r->letter, r->low, r->high,
                        text_str(&r->outside));
   else if (r->low < 1 || r->high > r->size)
     fault = result_str(j->out, "%s has no index %d: it is a matrix of %d rows and columns", r->letter,
@@ -91,8 +91,8 @@ bool judge_index_range(struct finding *f, struct judge *j, const struct claim *c
     finding_state(f, j->out, "diagnostic", layer_name[LAYER_CORRECTED], -1, 1, NULL,
                   fault ? fault
                         : result_str(j->out,
-                                     "the smallest range that holds every index used, and the model's %s has all "
-                                     "its entries",
+                                     "this is the smallest range that contains every index used, and the model's "
+                                     "%s has all its entries",
                                      r.letter));
   }
   return true;

@@ -75,7 +75,7 @@ static bool try_inequalities(struct route_result *w, struct finding *f, struct j
       text_add(&step, r->stmts[i]->ops[k] == REL_LT ? " < " : r->stmts[i]->ops[k] == REL_GT ? " > " : " ? ");
       expr_print(&step, r->stmts[i]->sides[k + 1]);
       if (unbound) {
-        text_printf(&note, "%s: not tried, %s is not given. ", text_str(&step), unbound);
+        text_printf(&note, "%s was not tried, since %s is not given. ", text_str(&step), unbound);
         f->condition = "only for what does not contain u_r1 or u_r2, which are not given";
       } else {
         tried++;
@@ -106,7 +106,7 @@ bool judge_inequality(struct finding *f, struct judge *j, const struct claim *c,
   bool ok = true;
   if (printed_point(&printed, j->scene)) ok = try_inequalities(&w[n++], f, j, r, view, &printed, "the printed numbers");
   if (ok && nearest_orbit_point(&orbit, j->scene, j->cache))
-    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, "the orbit nearest to the printed numbers");
+    ok = try_inequalities(&w[n++], f, j, r, view, &orbit, "the periodic solution nearest to the printed numbers");
   if (ok && n == 0)
     finding_skip(f, j, "the scene prints no solution and has no orbit");
   else if (ok)

@@ -85,11 +85,9 @@ static void clashes(struct text *out, const struct use *u, int n) {
       if (same_symbol == same_meaning) continue;
       const char *sep = out->len ? "; " : "";
       if (same_symbol)
-        text_printf(out, "%s$%s$ stands for %s (%s) and for %s (%s)", sep, u[i].symbol, u[i].meaning, u[i].place,
-                    u[k].meaning, u[k].place);
+        text_printf(out, "%s$%s$ stands for %s and for %s", sep, u[i].symbol, u[i].meaning, u[k].meaning);
       else
-        text_printf(out, "%s%s is written $%s$ (%s) and $%s$ (%s)", sep, u[i].meaning, u[i].symbol, u[i].place,
-                    u[k].symbol, u[k].place);
+        text_printf(out, "%s%s is written $%s$ and $%s$", sep, u[i].meaning, u[i].symbol, u[k].symbol);
     }
 }
 

@@ -112,7 +112,7 @@ static void correct_number(struct finding *f, const struct number_job *n, const 
   arb_clear(units);
 }
 
-/* The printed number as the rule reads it: "2, that is 2.0000", or "0.6784" where no digit is left out. */
+/* The printed number as the rule reads it: "2 (that is, 2.0000)", or "0.6784" where no digit is left out. */
 static const char *as_given(const struct number_job *n) {
   struct text t;
   fmpz_t k;
@@ -122,8 +122,9 @@ static const char *as_given(const struct number_job *n) {
   if (!fmpq_equal(&n->p->digit, &n->p->unit)) {
     fmpz_divexact(k, fmpq_denref(&n->p->unit), fmpq_denref(&n->p->value));
     fmpz_mul(k, k, fmpq_numref(&n->p->value));
-    text_add(&t, ", that is ");
+    text_add(&t, " (that is, ");
     decimal_text(&t, k, printed_decimals(n->p));
+    text_add_char(&t, ')');
   }
   fmpz_clear(k);
   return result_take(n->j->out, &t);
@@ -138,14 +139,16 @@ static const char *unit_name(const struct number_job *n) {
   return result_str(n->j->out, "of the last of %ld decimals", (long)k);
 }
 
-/* "it is ..., which prints as 0.6784 when rounded" or "it is ..., printed is 0.6784, 3 units of the fourth decimal away". */
+/* "t_a = ..., which is printed as 0.6784 when rounded" or "t_a = ...; the printed 0.6784 differs from this by 3 units of
+   the fourth decimal". */
 static void add_value(struct text *note, const struct number_job *n, const arb_t x, slong digits, truth fits,
                       enum reading how) {
-  text_printf(note, "it is %s", ball_text(n->j, x, digits));
+  text_printf(note, "%s %s %s", n->p->name, n->relation, ball_text(n->j, x, digits));
   if (fits == TRUTH_TRUE)
-    text_printf(note, ", which prints as %s when %s.", n->p->decimal, reading_name[how]);
+    text_printf(note, ", which is printed as %s when %s.", n->p->decimal, reading_name[how]);
   else
-    text_printf(note, "; printed is %s, %s units %s away.", as_given(n), units_off(n->j, x, n->p), unit_name(n));
+    text_printf(note, "; the printed %s differs from this by %s units %s.", as_given(n), units_off(n->j, x, n->p),
+                unit_name(n));
 }
 
 /* The scene's data, the orbit, what is printed with its unit, and the value there. */
@@ -175,22 +178,23 @@ static struct route_result number_on_orbits(struct finding *f, const struct numb
     enum reading how;
     slong used = bits, nearest = p.orbit;
     t = printed_fits(x, n->p, &how);
-    where = result_str(j->out, "orbit %ld of %ld found", (long)p.orbit + 1, (long)scene_orbits(j->scene, j->cache)->n);
-    text_add(&note, "On the orbit nearest to the printed numbers ");
+    where = result_str(j->out, "periodic solution %ld of the %ld found", (long)p.orbit + 1,
+                       (long)scene_orbits(j->scene, j->cache)->n);
+    text_add(&note, "On the periodic solution nearest to the printed numbers ");
     add_value(&note, n, x, 10, t, how);
     if (t == TRUTH_FALSE) {
       correct_number(f, n, x);
       certify_number(f, n, &p, x);
     }
     if (t == TRUTH_FALSE)
-      f->effect = result_str(j->out, "printed %s, computed %s: off by %s units %s", as_given(n), ball_text(j, x, 10),
-                             units_off(j, x, n->p), unit_name(n));
+      f->effect = result_str(j->out, "the printed value is %s, the computed one %s; they differ by %s units %s",
+                             as_given(n), ball_text(j, x, 10), units_off(j, x, n->p), unit_name(n));
     for (p.orbit = 0; p.orbit < scene_orbits(j->scene, j->cache)->n; p.orbit++)
       if (p.orbit != nearest && number_at(x, &bits, n, &p) == SS_OK)
-        text_printf(&note, " On orbit %ld it is %s.", (long)p.orbit + 1, ball_text(j, x, 6));
+        text_printf(&note, " On periodic solution %ld it is %s.", (long)p.orbit + 1, ball_text(j, x, 6));
     bits = used;
   } else {
-    text_add(&note, "no orbit was found, or the quantity could not be evaluated on it");
+    text_add(&note, "no periodic solution was found, or the quantity could not be evaluated on it");
   }
   struct route_result w = {"balls", outcome_of_truth(t), true, where != NULL};
   finding_add_route(f, j->out, w, "corrected", bits, where, result_take(j->out, &note));
@@ -240,10 +244,11 @@ static void number_rescue(struct finding *f, const struct number_job *n) {
   const char *note =
       !found ? NULL
              : result_str(j->out,
-                          "At the corners of what the printed digits of e1 and e2 allow (from half a unit below to one "
-                          "unit above) it runs from %s to %s: %s.",
-                          ball_text(j, lo, 6), ball_text(j, hi, 6),
-                          fit ? "some corner gives the printed digits" : "no corner gives the printed digits");
+                          "With the extreme values of e_1 and e_2 that their printed digits allow (from half a unit of "
+                          "the last decimal below to one unit above) %s lies between %s and %s, and %s the printed "
+                          "digits.",
+                          n->p->name, ball_text(j, lo, 6), ball_text(j, hi, 6),
+                          fit ? "some of them give" : "none of them gives");
   finding_state(f, j->out, "balls", "corrected", bits, found, NULL, note);
   arb_clear(hi);
   arb_clear(lo);

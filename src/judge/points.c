@@ -173,14 +173,14 @@ static struct trial try_route(struct point_trials *r, struct tally *t, const str
 
 static const char *entry_name(struct audit_result *out, const struct sentence *s, slong entry) {
   const char *place = entry_place(out, s->n, s->cols, entry);
-  return *place ? result_str(out, "entry %s: ", place) : "";
+  return *place ? result_str(out, "in entry %s ", place) : "";
 }
 
 /* The first failure of a route. */
 static void book_failure(struct point_trials *r, struct tally *t, const struct trial *tr, const char *where) {
   struct audit_result *out = r->j->out;
-  t->certificate = result_str(out, "%s%s on the left, %s on the right, at %s", entry_name(out, &t->sentence, tr->entry),
-                              tr->lhs, tr->rhs, where);
+  t->certificate = result_str(out, "%sthe left side is %s and the right side %s, at %s",
+                              entry_name(out, &t->sentence, tr->entry), tr->lhs, tr->rhs, where);
   t->certified[0] = (struct named_value){"entry", entry_place(out, t->sentence.n, t->sentence.cols, tr->entry)};
   t->certified[1] = (struct named_value){"left", result_str(out, "%s", tr->lhs)};
   t->certified[2] = (struct named_value){"right", result_str(out, "%s", tr->rhs)};
@@ -309,11 +309,11 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
     e->residual = is_double ? (t->differs ? "above 1e-5" : "below 1e-9") : order_of_magnitude(out, t->worst_log);
   struct text note;
   text_init(&note);
-  if (t->trials == 0) text_add(&note, "no accepted point");
+  if (t->trials == 0) text_add(&note, "no point could be used");
   if (t->differs && t->certificate && !is_double)
-    text_printf(&note, "differs at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
+    text_printf(&note, "the sides differ at %ld of %ld points; %s", t->differs, t->trials, t->certificate);
   if (t->rejected)
-    text_printf(&note, "%s%ld further point%s not accepted", note.len ? "; " : "", t->rejected,
+    text_printf(&note, "%s%ld further point%s could not be used", note.len ? "; " : "", t->rejected,
                 t->rejected == 1 ? "" : "s");
   if (note.len) e->note = result_take(out, &note);
 }
@@ -398,19 +398,15 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   text_init(&t);
   point_init(&p);
   struct tally *first = &r->tally[0];
-  const char *size = order_of_magnitude(r->j->out, first->worst_log);
-  text_printf(&t, "At the points tried the two sides differ by less than %s, relative to their size. ",
-              strcmp(size, "1e0") == 0 ? "1" : size);
   bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
-    if (tr.outcome == OUTCOME_AGREES) text_add(&t, "At the scene's own parameters they agree. ");
+    if (tr.outcome == OUTCOME_AGREES) text_add(&t, "For the data of the example the two sides are equal.");
     if (tr.outcome == OUTCOME_DIFFERS)
-      text_printf(&t, "At the scene's own parameters: %s%s against %s. ",
+      text_printf(&t, "For the data of the example, %sthe left side is %s and the right side %s.",
                   entry_name(r->j->out, &first->sentence, tr.entry), tr.lhs, tr.rhs);
   }
-  while (t.len && t.data[t.len - 1] == ' ') t.data[--t.len] = '\0';
-  f->effect = result_str(r->j->out, "%s", text_str(&t));
+  if (t.len) f->effect = result_str(r->j->out, "%s", text_str(&t));
   point_clear(&p);
   text_clear(&t);
 }

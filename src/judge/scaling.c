@@ -206,18 +206,17 @@ static void check_all(struct text *faults, long *checked, struct judge *j, struc
   }
 }
 
-/* Of the prefixes "F_ u_": every F_... or u_... has the unit. */
+/* Of the prefixes "F_ u_": F_... and u_... have the same dimension. */
 static const char *names_with_unit(struct judge *j, const char *prefixes) {
   struct text t;
   text_init(&t);
-  text_add(&t, "every ");
   for (const char *c = prefixes; *c; c++) {
     if (*c == ' ')
-      text_add(&t, "... or ");
+      text_add(&t, "... and ");
     else
       text_add_char(&t, *c);
   }
-  const char *said = result_str(j->out, "%s... has the unit", text_str(&t));
+  const char *said = result_str(j->out, "%s... have the same dimension", text_str(&t));
   text_clear(&t);
   return said;
 }
@@ -281,15 +280,15 @@ bool judge_scaling(struct finding *f, struct judge *j, const struct claim *c, st
     finding_add_route(f, j->out, w, own ? "own text printed, the rest corrected" : layer_name[LAYER_CORRECTED], -1,
                       NULL,
                       faults.len ? result_str(j->out, "%s", text_str(&faults))
-                      : only     ? "the record is homogeneous"
-                                 : "every record is homogeneous");
+                      : only     ? "the formula is homogeneous"
+                                 : "every formula is homogeneous");
     if (own && faults.len)
       certificate_add(&f->certificate, j->out, "degrees", result_str(j->out, "%s", text_str(&faults)));
     if (own || corrected_alone)
       f->verdict = verdict_of(&w, 1, true);
     else if (f->verdict == VERDICT_REFUTED) {
-      f->correction = repaired ? names_with_unit(j, repaired)
-                               : "the same formulas with the corrections that this report has for them";
+      f->correction =
+          repaired ? names_with_unit(j, repaired) : "the same formulas with the corrections proposed in this report";
       f->correction_verdict = verdict_of(&w, 1, true);
     }
     if (f->verdict != VERDICT_REFUTED) break;

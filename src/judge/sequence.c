@@ -103,7 +103,10 @@ bool judge_sequence(struct finding *f, struct judge *j, const struct claim *c, s
     w[0] = add(f, j, "balls", balls, true, list.n, note);
     bool done = j->effort != EFFORT_REFUTE && simulated_word(&got, j->scene, p.orbit);
     bool same = done && strcmp(text_str(&got), letters) == 0;
-    note = done ? result_str(j->out, "phases of one period: %s", text_str(&got))
+    note = done ? result_str(
+                      j->out,
+                      "the phases of one period are %s (D, G, H, C: global stick, slip-stick, global slip, stick-slip)",
+                      text_str(&got))
                 : "the simulation did not come to its end";
     w[1] = add(f, j, "integration", !done ? ROUTE_UNDECIDED : same ? ROUTE_AGREES : ROUTE_DIFFERS, false, 1, note);
     /* a motion whose conditions all hold has the phases of the model's word; another word is refuted by the
@@ -179,12 +182,13 @@ static struct route_result add_returns(struct finding *f, struct judge *j, const
   for (slong i = 0; i < list->n; i++) back[returns(j, &list->orbit[i], through, n, closed)]++;
   const struct dyn_orbit *o = list->n ? &list->orbit[0] : NULL;
   const char *note =
-      o ? result_str(j->out,
-                     "%ld found at the scene's chi, eta, V, %sproved to exist; the state returns on %ld of %ld; "
-                     "%s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
-                     (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
-                     list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
-                     ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
+      o ? result_str(
+              j->out,
+              "%ld found for chi, eta and V of the example, %sproved to exist; the state returns for %ld of %ld; "
+              "%s t_a = %s, t_b = %s, t_c = %s, t_d = %s, e1 = %s, e2 = %s",
+              (long)list->n, list->n == 1 ? "" : "each ", back[TRUTH_TRUE], (long)list->n,
+              list->n == 1 ? "it has" : "the first has", ball_text(j, o->t[0], 6), ball_text(j, o->t[1], 6),
+              ball_text(j, o->t[2], 6), ball_text(j, o->t[3], 6), ball_text(j, o->e1, 6), ball_text(j, o->e2, 6))
         : "none was found; the search is not exhaustive";
   enum route_outcome outcome = outcome_of_counts(back[TRUTH_TRUE], back[TRUTH_FALSE], back[TRUTH_UNKNOWN] + !o);
   return add(f, j, closed ? "balls" : "exponential", outcome, closed, list->n, note);
@@ -223,7 +227,8 @@ bool judge_outside(struct finding *f, struct judge *j, const struct claim *c, st
   (void)view;
   const char *why = claim_get(c, "needs");
   if (!why) return claim_error(j, c, "kind", "the attribute needs is missing");
-  struct route_result w = add(f, j, "reading", ROUTE_UNDECIDED, false, 0, result_str(j->out, "needs %s", why));
+  struct route_result w =
+      add(f, j, "reading", ROUTE_UNDECIDED, false, 0, result_str(j->out, "this would require %s", why));
   f->verdict = verdict_of(&w, 1, false);
   return true;
 }

@@ -149,7 +149,7 @@ static enum route_outcome outcome_of(const struct solutions *x, bool constrained
 
 static void name_constraint(struct text *out, const struct condition *k) {
   if (k->moving)
-    text_printf(out, "%s in phase %s", k->text, phase_name[k->phase]);
+    text_printf(out, "%s in the %s phase", k->text, phase_words[k->phase]);
   else
     text_add(out, k->text);
 }
@@ -180,7 +180,7 @@ static void add_broken(struct text *t, const struct solutions *x, slong i) {
 static const char *listed(struct solutions *x) {
   struct text t;
   text_init(&t);
-  text_add(&t, "(t_a, t_b, t_c, t_d), and which of the constraints it violates:");
+  text_add(&t, "values of (t_a, t_b, t_c, t_d) and the constraints that are violated:");
   for (slong i = 0; i < x->list.n && i < MOST_LISTED; i++) {
     text_add(&t, i ? "; (" : " (");
     add_times(&t, x->j, &x->list.orbit[i]);
@@ -192,28 +192,28 @@ static const char *listed(struct solutions *x) {
 }
 
 /* Where one solution is regular and t_c has no bound, the angles of phase H come back near to where they are. */
-static const char *const recurrence = "; without a bound of t_c there are infinitely many: at each of these the "
-                                      "Jacobian is regular, the equations contain t_c "
-                                      "only in the angles omega_1 t_c and omega_2 t_c, and by Dirichlet's theorem on "
-                                      "simultaneous approximation both return "
-                                      "arbitrarily closely to their values at arbitrarily large t_c";
+static const char *const recurrence = "; if t_c is not bounded there are infinitely many, since the Jacobian is "
+                                      "regular at each of these, the equations contain t_c only in the angles "
+                                      "omega_1 t_c and omega_2 t_c, and by Dirichlet's theorem on simultaneous "
+                                      "approximation both return arbitrarily closely to their values at arbitrarily "
+                                      "large t_c";
 
 static const char *summed_up(struct solutions *x) {
   struct tally all = tally_of(x, false), held = tally_of(x, true);
-  const char *complete = x->list.complete ? "and proved to be all there are"
+  const char *complete = x->list.complete ? "and there are proved to be no others"
                                           : result_str(x->j->out, "perhaps not all: %s", dyn_gap_text[x->list.gap]);
   if (x->kept)
     return result_str(
         x->j->out,
-        "%ld periodic orbits, each proved to exist, %s that have first roots; the equations hold on %ld, the "
-        "constraints on %ld",
+        "%ld periodic solutions, each proved to exist, %s in which each phase ends at the first possible time; the "
+        "equations hold for %ld of them, the constraints for %ld",
         all.all, complete, x->n_solve, held.all - held.open);
   long first = 0;
   for (slong i = 0; i < x->list.n; i++) first += first_events(&x->list.orbit[i]) == TRUTH_TRUE;
   return result_str(
       x->j->out,
-      "%ld solutions with t_c up to %s, each proved to be the only one near it, %s; the equations hold on %ld; "
-      "t_b, t_c and t_d are first roots on %ld, the constraints hold on %ld%s",
+      "%ld solutions with t_c up to %s, each proved to be locally unique, %s; the equations hold for %ld of them; "
+      "t_b, t_c and t_d are the first roots for %ld, and the constraints hold for %ld%s",
       all.all, claim_get(x->c, "until"), complete, x->n_solve, first, held.all - held.open,
       x->asked == ASKED_COUNT && all.all ? recurrence : "");
 }
@@ -238,12 +238,12 @@ static struct route_result integrate(struct finding *f, struct solutions *x, boo
     open += closes == TRUTH_UNKNOWN;
   }
   struct route_result w = {"integration", outcome_of_counts(closed, parted, open), false, closed + parted + open};
-  finding_add_route(
-      f, x->j->out, w, "model", -1, NULL,
-      result_str(x->j->out,
-                 "motions under Coulomb's law from the start of such solutions%s: %ld close after one period, "
-                 "%ld do not",
-                 constrained ? " that satisfy the constraints" : "", closed, parted));
+  finding_add_route(f, x->j->out, w, "model", -1, NULL,
+                    result_str(x->j->out,
+                               "among the motions under Coulomb's law from the initial states of such solutions%s, the "
+                               "number of periodic ones is "
+                               "%ld and that of the others %ld",
+                               constrained ? " that satisfy the constraints" : "", closed, parted));
   return w;
 }
 
@@ -263,11 +263,11 @@ static void judge_constrained(struct finding *f, struct solutions *x) {
   struct tally t = tally_of(x, true);
   w[n++] = add_balls(
       f, x, true,
-      result_str(x->j->out, "%s hold on %ld of these solutions%s", named, t.all - t.open,
+      result_str(x->j->out, "%s hold for %ld of these solutions%s", named, t.all - t.open,
                  x->asked == ASKED_COUNT ? ""
                  : x->asked == ASKED_FIRST
-                     ? result_str(x->j->out, "; t_b, t_c and t_d are first roots on %ld of these", t.good)
-                     : result_str(x->j->out, "; every condition of the model holds on %ld of these", t.good)));
+                     ? result_str(x->j->out, "; t_b, t_c and t_d are the first roots for %ld of those", t.good)
+                     : result_str(x->j->out, "; every condition of the model holds for %ld of those", t.good)));
   if (x->asked == ASKED_MOTION) w[n++] = integrate(f, x, true);
   f->verdict = verdict_under_condition(f->verdict, verdict_of(w, n, true));
   if (f->verdict != VERDICT_CONDITIONAL) return;

@@ -216,10 +216,16 @@ static bool near(const struct fact *goal, const struct term *const t[], int n) {
 
 static void describe(struct text *out, const struct fact *goal, const struct term *const t[], int n,
                      const struct proof *p) {
-  text_printf(out, "%s%s: its margin is", out->len ? ". " : "", goal->text);
-  for (int i = 0; i < n; i++)
-    text_printf(out, "%s (%s) * margin of [%s]", i ? " +" : "", factor_text[t[i]->factor],
-                p->positive[t[i]->fact].text);
+  text_printf(out, "%sthe margin of %s is", out->len ? "; " : "", goal->text);
+  for (int i = 0; i < n; i++) {
+    const char *factor = factor_text[t[i]->factor];
+    text_add(out, i ? " plus " : " ");
+    if (strchr(factor, ' '))
+      text_printf(out, "(%s) times ", factor);
+    else if (strcmp(factor, "1") != 0)
+      text_printf(out, "%s times ", factor);
+    text_printf(out, "that of %s", p->positive[t[i]->fact].text);
+  }
 }
 
 /* One to three terms that add up to the goal. */

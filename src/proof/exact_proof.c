@@ -359,16 +359,17 @@ static void are_the_models(struct exact_proof *p, struct judge *j, const struct 
 static const char *describe(struct judge *j, const struct exact_proof *p, const struct exact_question *q,
                             int unknowns) {
   return result_str(
-      j->out, "%s%s in Q(%s)%s; the largest polynomial has %ld term%s",
+      j->out, "%s%s in the field Q(%s)%s; the largest polynomial has %ld term%s",
       p->by_factors
-          ? "the sides of each step, on motions made from the first-order systems, are equal or, where one is to be "
+          ? "the sides of each step, on motions computed from the first-order systems, are equal or, where one is to "
+            "be "
             "the smaller, differ by a product of powers of chi, eta, V, 1 - chi and the times to the ends of the "
             "phase"
-      : q->sharp ? "the sides of each step, on motions made from the first-order systems, are equal at one end of "
+      : q->sharp ? "the sides of each step, on motions computed from the first-order systems, are equal at one end of "
                    "the phase"
       : !j->model->system ? "both sides, as functions of the paper's own symbols, are equal"
-      : q->value          ? "the paper's matrix and the model's, made from its first-order system, are equal"
-                          : "both sides, on motions made from the first-order systems, are equal",
+      : q->value          ? "the paper's matrix and the model's, computed from its first-order system, are equal"
+                          : "both sides, on motions computed from the first-order systems, are equal",
       p->by_law
           ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
           : "",

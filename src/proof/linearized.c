@@ -156,15 +156,45 @@ static bool says_inside(const struct sentence *s, const struct exact_vec *sides,
   return yes;
 }
 
+/* |x| < y as -y < x < y. */
+struct unfolded {
+  struct statement_record record;
+  struct stmt stmt;
+  const struct stmt *stmts[1];
+  struct expr minus;
+  const struct expr *side[3];
+  enum relop op[2];
+};
+
+/* The record itself where it is no such relation. */
+static const struct statement_record *without_modulus(struct unfolded *u, const struct statement_record *r) {
+  const struct stmt *st = r->stmts[0];
+  if (r->n_stmts != 1 || st->kind != STMT_RELATION || st->n_sides != 2 || st->ops[0] != REL_LT ||
+      st->sides[0]->kind != EXPR_ABS)
+    return r;
+  *u = (struct unfolded){.record = *r, .stmt = *st, .op = {REL_LT, REL_LT}};
+  u->minus = (struct expr){.kind = EXPR_NEG, .n_args = 1, .args = &u->side[2], .span = st->sides[1]->span};
+  u->side[0] = &u->minus;
+  u->side[1] = st->sides[0]->args[0];
+  u->side[2] = st->sides[1];
+  u->stmt.n_sides = 3;
+  u->stmt.sides = u->side;
+  u->stmt.ops = u->op;
+  u->stmts[0] = &u->stmt;
+  u->record.stmts = u->stmts;
+  return &u->record;
+}
+
 static bool eigenvalues_as_said(struct text *note, const struct statement_record *r, struct view view) {
   struct override o[N_PHASES];
+  struct unfolded u;
   struct sentence s;
   struct diag d;
   struct matrix trace, det;
   struct tape t = {.n = 0};
   diag_init(&d);
   int n = factors(o);
-  bool ok = sentence_from_relations(&s, view, r, o, n, &d) && s.n == 2 &&
+  bool ok = sentence_from_relations(&s, view, without_modulus(&u, r), o, n, &d) && s.n == 2 &&
             elaborate_text(&trace, &s.el, "tr(J)", "tr(J)", "stability", &d) &&
             elaborate_text(&det, &s.el, "det(J)", "det(J)", "stability", &d);
   if (ok) ok = elaboration_tape(&t, &s.el, (const struct expr *const[]){trace.e[0], det.e[0]}, 2, &d);
@@ -209,7 +239,7 @@ struct linearized linearized_stability(struct judge *j, const struct statement_r
   if (!missing && !eigenvalues_as_said(&note, criterion, view))
     missing = "that the eigenvalues of J are 0 and tr J and that the inequalities say |tr J| < 1";
   struct linearized l = {.proved = !missing};
-  l.note = missing ? result_str(j->out, "not proved: not shown is %s", missing) : result_take(j->out, &note);
+  l.note = missing ? result_str(j->out, "not proved, since it is not shown: %s", missing) : result_take(j->out, &note);
   text_clear(&note);
   return l;
 }

@@ -11,24 +11,24 @@ static const struct reading_number *number_in(const struct example_reading *r, c
   return NULL;
 }
 
-/* "with t_b = 2, t_c = 1.5, t_d = 2.34 as exact inputs, solving all equations but (45), row 2: ..." */
+/* "takes t_b = 2, t_c = 1.5, t_d = 2.34 as exact data and satisfies all equations except (45), row 2: ..." */
 static void add_assumptions(struct text *t, const struct example_reading *r) {
-  text_add(t, "with ");
+  text_add(t, "takes ");
   for (int i = 0; i < r->n_inputs; i++) text_printf(t, "%s%s", i ? ", " : "", r->inputs[i]);
-  text_printf(t, "%s as exact inputs, solving all equations", r->n_inputs ? "" : "nothing");
-  for (int i = 0; i < r->n_dropped; i++) text_printf(t, "%s %s", i ? ";" : " but", r->dropped[i].equation);
+  text_printf(t, "%s as exact data and satisfies all equations", r->n_inputs ? "" : "nothing");
+  for (int i = 0; i < r->n_dropped; i++) text_printf(t, "%s %s", i ? ";" : " except", r->dropped[i].equation);
 }
 
 static const char *explanation(struct audit_result *out, const struct example_reading *r,
                                const struct reading_number *n) {
   struct text t;
   text_init(&t);
-  text_add(&t, "The explanation of all printed numbers that assumes least, ");
+  text_add(&t, "The explanation of all printed numbers with the fewest assumptions ");
   add_assumptions(&t, r);
   if (strcmp(n->how, "input") == 0)
-    text_printf(&t, ", takes %s = %s as an input, exactly, not as a result.", n->name, n->printed);
+    text_printf(&t, "; in it %s = %s is one of the data, not a result.", n->name, n->printed);
   else
-    text_printf(&t, ", gives %s, which prints as %s when %s.", n->value, n->printed, n->how);
+    text_printf(&t, "; it gives %s, which is printed as %s when %s.", n->value, n->printed, n->how);
   return result_take(out, &t);
 }
 

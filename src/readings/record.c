@@ -15,7 +15,7 @@ static const char *digits_of(struct audit_result *out, const arb_t x, slong n) {
   arb_get_mag(size, x);
   bool tiny = arb_contains_zero(x) && !mag_is_zero(size) && mag_cmp_2exp_si(size, -64) < 0;
   mag_clear(size);
-  if (tiny) return "0 +/- 2^-64";
+  if (tiny) return "0";
   struct text t;
   text_init(&t);
   if (num_print(&t, x, n) != SS_OK) num_print_ball(&t, x, n);
@@ -49,7 +49,7 @@ static const char *equation_text(struct audit_result *out, int eq, const struct 
   if (!row || (form->held & whole) != whole || whole >> eq & 1 || !(form->held & twin(eq)))
     return result_str(out, "%s", equations[eq].text);
   int i = (eq - EQ_F1) % 2 + 1;
-  return result_str(out, "(45), row %d: M_%d1 + M_%d2 = 0 (the two ways to z_%d0 agree)", i, i, i, i);
+  return result_str(out, "(45), row %d: M_%d1 + M_%d2 = 0 (the two values of z_%d0 agree)", i, i, i, i);
 }
 
 static void describe_equations(struct example_reading *r, struct audit_result *out, const struct candidate *c,
@@ -134,15 +134,14 @@ static void describe_assumptions(struct example_reading *r, struct audit_result 
   unsigned inputs = ~c->unknown & ((1U << N_X) - 1), beyond = inputs & ~e->data, computed = c->unknown & e->data;
   struct text t;
   text_init(&t);
-  if (beyond) text_printf(&t, "inputs that are not named as data: %s; ", names(out, beyond, ""));
-  if (computed) text_printf(&t, "named as data but computed: %s; ", names(out, computed, ""));
+  if (beyond) text_printf(&t, "data that the paper does not name as such: %s; ", names(out, beyond, ""));
+  if (computed) text_printf(&t, "named as data in the paper, but computed: %s; ", names(out, computed, ""));
   if (c->assumed[ASSUME_ZEROS])
-    text_printf(&t, "zeros by chance, that results printed shorter than others leave out: %d; ",
-                c->assumed[ASSUME_ZEROS]);
+    text_printf(&t, "last digits that are zero by chance and not printed: %d; ", c->assumed[ASSUME_ZEROS]);
   if (c->assumed[ASSUME_FORM]) text_add(&t, "a form of (18) that is not in the paper; ");
-  if (c->assumed[ASSUME_CARRY]) text_add(&t, "rounding between formulas; ");
+  if (c->assumed[ASSUME_CARRY]) text_add(&t, "rounding of intermediate results; ");
   if (c->assumed[ASSUME_MIXED])
-    text_printf(&t, "results cut off where most are rounded, or the other way round: %d; ", c->assumed[ASSUME_MIXED]);
+    text_printf(&t, "results truncated where most are rounded, or conversely: %d; ", c->assumed[ASSUME_MIXED]);
   if (t.len) t.data[t.len -= 2] = '\0';
   r->assumed = result_str(out, "%s", t.len ? text_str(&t) : "nothing");
   for (int i = 0; i < N_ASSUMPTIONS; i++) r->assumptions += c->assumed[i];

@@ -148,29 +148,31 @@ static void describe_space(struct hunt *h, const char *layers) {
   const char *const sentences[] = {
       result_str(
           h->out,
-          "Eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) at the given chi, eta, V; six independent "
-          "equations: (12), (14) and four periodicity conditions, in %d selections: one by one as (16) and (18) "
-          "state them; with positions combined to the restoring forces; solved for z_0 by the positions (46) or by "
-          "the velocities of (44), with the rows of (45) as what makes the two agree.",
+          "There are eight quantities (z10, z20, t_a, t_b, t_c, t_d, e1, e2) for given chi, eta and V, and six "
+          "independent equations: (12), (14) and four periodicity conditions.  The latter were taken in %d selections: "
+          "one by one as (16) and (18) state them; with the positions combined to the restoring forces; and solved for "
+          "z_0 by the positions (46) or by the velocities (second line of (44)), with the rows of (45) as the "
+          "conditions that the two agree.",
           forms_list(forms)),
-      "For every selection of equations that hold, every choice of inputs, exactly as printed, that leaves as many "
-      "unknowns as equations.  A set of equations that cannot determine its unknowns, whatever its coefficients, is "
-      "counted and left.",
-      "Numbers go from one formula into the next at full precision, as printed, or rounded to 3 or to 2 decimals "
-      "wherever that changes something; the bounds (53) are computed from what was carried.",
+      "For every selection of equations, every choice of printed numbers as exact data was tried that leaves as many "
+      "unknowns as equations.  Sets of equations that cannot determine their unknowns, whatever the coefficients, are "
+      "only counted.",
+      "Intermediate numbers were carried at full precision, as printed, or rounded to 3 or to 2 decimals wherever that "
+      "makes a difference; the bounds (53) are computed from the numbers carried.",
       layers,
       result_str(
           h->out,
-          "Solutions are looked for from the printed numbers by Newton's iteration, up to %d dropped equations, and "
-          "up to one more than the first number at which some reading gives everything.  Every number of a reading "
-          "that is reported is proved to lie in the bracket of the printed decimal, rounded or truncated, with as many "
-          "decimals "
-          "as the longest of the printed numbers has.",
+          "Solutions were sought by Newton's iteration from the printed numbers, with up to %d equations left out, and "
+          "with up to one more than the least number for which some reading gives all the printed numbers.  Every "
+          "number of a reading that is reported is proved to lie in the interval of the printed decimal, rounded or "
+          "truncated, with as many decimals as the longest of the printed numbers has.",
           MAX_DROPPED),
-      "Rank: fewest dropped equations; then fewest assumptions, one for each input that is not named as data, each "
-      "datum that is computed, each decimal by which a computed result is printed shorter than the longest (it must "
-      "be a zero by chance), a form of (18) that is not in the paper, rounding in between, each result that is cut "
-      "off where most are rounded or the other way round; then most digits of results."};
+      "The readings are ranked by the number of equations left out; then by the number of assumptions, one for each "
+      "of these: a printed number taken as data that the paper does not name as such, a datum that is computed, a "
+      "decimal by which a computed result is printed shorter than the longest (which must be zero by chance), a form "
+      "of "
+      "(18) that is not in the paper, rounding of intermediate results, a result that is truncated where most are "
+      "rounded or conversely; then by the number of digits reproduced."};
   for (size_t i = 0; i < sizeof sentences / sizeof *sentences; i++) say(h, &r->space, &r->n_space, sentences[i]);
 }
 
@@ -195,7 +197,7 @@ static void conclude_found(struct hunt *h) {
   }
   const char *s;
   if (!first)
-    s = result_str(h->out, "No reading of the %ld tried gives all printed numbers.", before);
+    s = result_str(h->out, "None of the %ld readings tried gives all the printed numbers.", before);
   else if (first->dropped == 0)
     s = result_str(
         h->out,
@@ -206,9 +208,16 @@ static void conclude_found(struct hunt *h) {
   else
     s = result_str(
         h->out,
-        "None of the %ld readings that drop fewer equations gives all printed numbers.  Of the %ld that drop %d, "
-        "%ld give%s all of them, %ld without rounding in between.",
-        before, first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
+        "A reading is one way in which the printed numbers could have been computed: some of them are taken as exact "
+        "data, and the others follow from the equations, of which some may have been left out.  None of the %ld "
+        "readings "
+        "%s gives all the printed numbers.  Of the %ld readings without %d of the equations, %ld give%s all of them, "
+        "%ld "
+        "without rounding of intermediate results.",
+        before,
+        first->dropped == 1 ? "that satisfy every equation"
+                            : result_str(h->out, "without fewer than %d of the equations", first->dropped),
+        first->tried, first->dropped, first->reproduce, first->reproduce == 1 ? "s" : "", first->unrounded);
   say(h, &r->conclusion, &r->n_conclusions, s);
 }
 
@@ -219,19 +228,21 @@ static void conclude_first(struct hunt *h) {
   const struct example_reading *f = &r->found[0];
   struct text t;
   text_init(&t);
-  text_printf(&t, "The first of them takes %s exactly and does not solve ", inputs_of(h, f));
+  text_printf(&t, "The reading with the fewest assumptions takes %s as exact data and does not satisfy ",
+              inputs_of(h, f));
   for (int i = 0; i < f->n_dropped; i++)
-    text_printf(&t, "%s%s, which it leaves off by %s", i ? "; " : "", f->dropped[i].equation, f->dropped[i].residual);
+    text_printf(&t, "%s%s, whose sides then differ by %s", i ? "; " : "", f->dropped[i].equation,
+                f->dropped[i].residual);
   text_add(&t, ".");
   if (f->n_shifts)
-    text_add(&t,
-             "  How far its results are from those of the whole procedure, and in brackets what the residual alone is "
-             "worth to first order:");
+    text_add(&t, "  Its results differ from those of the whole procedure by the following amounts, with the "
+                 "first-order effect of "
+                 "that difference alone in brackets:");
   for (int i = 0; i < f->n_shifts; i++)
     text_printf(&t, "%s %s %s (%s)", i ? "," : "", f->shift[i].of, f->shift[i].actual, f->shift[i].predicted);
   if (f->n_shifts) text_add(&t, ".");
   if (f->decimals >= 0)
-    text_printf(&t, "  To be sure of the printed digits, its inputs must be right to %d decimals.", f->decimals);
+    text_printf(&t, "  Its data determine the printed digits only if they are accurate to %d decimals.", f->decimals);
   say(h, &r->conclusion, &r->n_conclusions, result_take(h->out, &t));
 }
 
@@ -245,12 +256,12 @@ static void conclude_pairs(struct hunt *h) {
   }
   if (best)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(
-            h->out,
-            "With every equation solved and two printed numbers as exact inputs, %d of %d choices have a solution "
-            "near the printed numbers; the best (%s) gives %d of %d%s%s.",
-            solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and misses " : "",
-            best->missed));
+        result_str(h->out,
+                   "If every equation is satisfied and two of the printed numbers are taken as exact data, %d of the "
+                   "%d choices have a "
+                   "solution near the printed numbers; the best (%s) reproduces %d of %d%s%s.",
+                   solved, r->n_pairs, best->inputs, best->n_given, best->n_numbers, *best->missed ? " and not " : "",
+                   best->missed));
 }
 
 static void conclude_rounding(struct hunt *h) {
@@ -269,14 +280,16 @@ static void conclude_rounding(struct hunt *h) {
   if (out.len)
     say(h, &r->conclusion, &r->n_conclusions,
         result_str(h->out,
-                   "The rounding of the inputs %s does not explain it: over everything that their printed digits stand "
-                   "for, these results stay away from what is printed: %s.",
+                   "The rounding of the data %s does not explain the differences: for all values that their printed "
+                   "digits allow, "
+                   "these results remain different from the printed ones: %s.",
                    r->procedure.inputs, text_str(&out)));
   if (r->procedure.n_outputs)
     say(h, &r->conclusion, &r->n_conclusions,
-        result_str(h->out,
-                   "Decimals of %s with which the whole procedure is sure of the printed digits of its results: %s.",
-                   r->procedure.inputs, text_str(&need)));
+        result_str(
+            h->out,
+            "Number of decimals of %s that determine the printed digits of the results of the whole procedure: %s.",
+            r->procedure.inputs, text_str(&need)));
   text_clear(&need);
   text_clear(&out);
 }
@@ -326,12 +339,11 @@ const char *audit_readings(struct audit_result *out, const struct model *m, cons
     struct hunt h = {.out = out, .r = out->readings, .e = &e, .engine = {&corrected, &printed}, .n_engines = 1};
     if (same == TRUTH_FALSE) h.n_engines = 2;
     system_init(&h.own, &own, s, num_ctx_arb(FIRST_PREC));
-    describe_space(&h, same == TRUTH_FALSE ? "The matrices are the paper's, in the corrected and in the printed layer."
+    describe_space(&h, same == TRUTH_FALSE ? "The matrices are the paper's, both as corrected and as printed."
                        : same == TRUTH_TRUE
-                           ? "The matrices are the paper's, corrected; over the printed times the printed "
-                             "ones are the same, so that the layers cannot be told apart here."
-                           : "The matrices are the paper's, corrected; the printed ones cannot be "
-                             "evaluated.");
+                           ? "The matrices are the paper's, as corrected; for the printed times those as printed are "
+                             "the same."
+                           : "The matrices are the paper's, as corrected; those as printed cannot be evaluated.");
     hunt_run(&h);
     system_clear(&h.own);
   } else {

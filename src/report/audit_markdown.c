@@ -3,6 +3,7 @@
 
 #include "escape.h"
 #include "finding.h"
+#include "glossary.h"
 #include "report.h"
 #include "sheet.h"
 
@@ -26,9 +27,26 @@ static void add_decided(struct text *out, const struct audit_result *r) {
   if (asserted > 0)
     text_printf(
         out,
-        "Of the %ld statements of the paper that assert something %ld (%ld %%) are decided: proved, conditional "
-        "or refuted.\n\n",
+        "Of the %ld statements of the paper that assert something, %ld (%ld %%) have been decided, that is proved, "
+        "refuted, or proved under a condition.\n\n",
         asserted, decided, 100 * decided / asserted);
+}
+
+/* What a reader of the paper has not met; and what the quotations were compared with. */
+static void add_words(struct text *out, const struct audit_result *r) {
+  const struct sheet s = {out, false};
+  text_add(out, "## Words used in this report\n\n");
+  for (size_t i = 0; i < n_glossary; i++) {
+    text_printf(out, "- %s: ", glossary[i].word);
+    sheet_text(&s, glossary[i].meaning);
+    text_add(out, ".\n");
+  }
+  text_add_char(out, '\n');
+  if (r->paper_text)
+    text_printf(out,
+                "Digest of the quoted text of the paper, token by token: `%s` (`stickslip quotes FILE` compares "
+                "it with a copy).\n\n",
+                r->paper_text);
 }
 
 /* What is wrong, in order of consequence; slips of notation are a list behind it. */
@@ -49,18 +67,19 @@ static void add_roots(struct text *out, const struct audit_result *r) {
     sheet_text(&s, root->wrong);
     text_add(out, " *It should read:* ");
     sheet_text(&s, root->correct);
+    if (out->data[out->len - 1] != '.') text_add_char(out, '.');
     if (root->severity == SEVERITY_SUBSTANCE) {
       text_add(out, " *Consequence:* ");
       sheet_text(&s, root->consequence);
     }
-    for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (", root->claims[k]);
+    for (int k = 0; k < root->n_claims; k++) text_printf(out, "%s%s", k ? ", " : " (Evidence: ", root->claims[k]);
     text_add(out, ")\n");
   }
   if (r->n_roots) text_add_char(out, '\n');
 }
 
 static void add_finding(struct text *out, const struct finding *f) {
-  text_printf(out, "### %s: %s\n\n", f->id, f->title);
+  text_printf(out, "### %s: %s%s\n\n", f->id, failure_heading(f), f->title);
   if (f->quote) text_printf(out, "- paper: %s\n", f->quote);
   if (f->printed) text_printf(out, "- as read: $%s$\n", f->printed);
   text_printf(out, "- verdict: **%s**%s%s%s%s\n", verdict_name[f->verdict], f->fault ? ", fault: " : "",
@@ -118,10 +137,12 @@ static void add_overview(struct text *out, const struct audit_result *r) {
 
 static void add_controls(struct text *out, const struct audit_result *r) {
   if (r->n_controls == 0) return;
-  text_printf(out,
-              "## Controls\n\nWrong on purpose; %zu of %zu noticed.\n\n| control | damages | verdict | by |\n| --- | "
-              "--- | --- | --- |\n",
-              controls_noticed(r), r->n_controls);
+  text_printf(
+      out,
+      "## Controls\n\nStatements made wrong on purpose, of which %zu of %zu were noticed.\n\n| control | claim that it "
+      "alters | verdict | size of the alteration |\n| --- | "
+      "--- | --- | --- |\n",
+      controls_noticed(r), r->n_controls);
   for (size_t i = 0; i < r->n_controls; i++)
     text_printf(out, "| %s | %s | %s | %s |\n", r->controls[i].id, r->controls[i].claim,
                 verdict_name[r->controls[i].verdict], r->controls[i].distance ? r->controls[i].distance : "");
@@ -137,7 +158,7 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
     if (disagreeing && p->within) continue;
     if (strcmp(quantity, p->quantity) != 0)
       text_printf(out,
-                  "%s%c%s:\n\n| routes | both rest on | comparisons | held to | largest disagreement | seen at |\n"
+                  "%s%c%s:\n\n| routes | both use | comparisons | tolerance | largest disagreement | at |\n"
                   "| --- | --- | ---: | --- | --- | --- |\n",
                   *quantity ? "\n" : "", p->quantity[0] - 'a' + 'A', p->quantity + 1);
     quantity = p->quantity;
@@ -150,14 +171,14 @@ static void add_route_pairs(struct text *out, const struct audit_result *r, bool
 }
 
 static void add_routes(struct text *out, const struct audit_result *r) {
-  text_add(out, "## What the routes share\n\n");
+  text_add(out, "## What the routes have in common\n\n");
   if (r->n_pairs)
     text_add(out,
-             "Every two routes to a quantity, at fixed random points and on orbits: what both use, themselves or in "
-             "locating the events, besides the equations of motion and the point, and the largest disagreement seen, "
-             "relative to max(1, "
-             "largest entry). Differences are held to their own estimate of their error where that is larger. Figures "
-             "of routes in double precision are in run.json.\n\n");
+             "Any two routes to the same quantity are compared at fixed random points and on orbits. The table shows "
+             "what both use, in the computation or in locating the events, besides the equations of motion and the "
+             "point, and the largest disagreement relative to max(1, largest entry). Finite differences are compared "
+             "to within their own estimate of error where that is larger. The disagreements of routes in double "
+             "precision are given in run.json.\n\n");
   add_route_pairs(out, r, false);
   for (int i = 0; i < r->n_independence; i++) text_printf(out, "- %s\n", r->independence[i]);
   text_add_char(out, '\n');
@@ -165,7 +186,8 @@ static void add_routes(struct text *out, const struct audit_result *r) {
 
 static void add_long_run_rows(struct text *out, const struct audit_result *r, bool failing) {
   text_add(out,
-           "| orbit | tr J | periods run | 2^-52 becomes 1e-6 after | routes leave MPFR so | a displacement grows so |"
+           "| orbit | tr J | periods run | an error of 2^-52 reaches 1e-6 after | departure from MPFR as predicted | "
+           "displacement as predicted |"
            "\n| --- | ---: | ---: | --- | --- | --- |\n");
   for (size_t i = 0; i < r->n_long_runs; i++) {
     const struct long_result *l = &r->long_runs[i];
@@ -178,20 +200,24 @@ static void add_long_run_rows(struct text *out, const struct audit_result *r, bo
 
 static void add_long_runs(struct text *out, const struct audit_result *r) {
   if (r->n_long_runs == 0) return;
-  text_add(out,
-           "## Long runs\n\nGSL's integration and the closed forms, both in double precision, beside the closed "
-           "forms in MPFR, from one start on the orbit under Coulomb's law. Where |tr J| > 1 both must leave MPFR at "
-           "that rate a period, where |tr J| < 1 keep their positions within 1e-9 of it, relative to the state; and a "
-           "displacement of one route from the "
-           "other must grow or shrink at that rate. Rates are held to a tenth of log |tr J|; the measured ones, and "
-           "where the routes part by 1e-6, are in run.json. `stickslip simulate SCENE --compare` shows a run.\n\n");
+  text_add(
+      out,
+      "## Long runs\n\nNumerical integration by GSL and the closed forms, both in double precision, are compared with "
+      "the closed forms in multiple precision (MPFR), from the same initial state on the orbit, under Coulomb's "
+      "law. Where |tr J| > 1 both must depart from the latter by that factor each period; where |tr J| < 1 their "
+      "positions must stay within 1e-9 of it, relative to the state; and a displacement between two of them must "
+      "grow or shrink by that factor. The rates are required to agree to a tenth of log |tr J|; the measured "
+      "ones, and the times at which the runs differ by 1e-6, are given in run.json. `stickslip simulate SCENE "
+      "--compare` shows a run.\n\n");
   add_long_run_rows(out, r, false);
 }
 
 static void add_precision(struct text *out, const struct audit_result *r) {
   if (r->n_precision)
-    text_add(out, "## Precision\n\nHow often the first precision in balls was enough; else it was raised.\n\n"
-                  "| tried | times | enough |\n| --- | ---: | ---: |\n");
+    text_add(out,
+             "## Precision\n\nHow often the first precision in interval arithmetic was sufficient; otherwise it was "
+             "raised.\n\n"
+             "| computation | times | sufficient |\n| --- | ---: | ---: |\n");
   for (size_t i = 0; i < r->n_precision; i++)
     text_printf(out, "| %s | %ld | %ld |\n", r->precision[i].what, r->precision[i].tried, r->precision[i].enough);
   if (r->n_precision) text_add_char(out, '\n');
@@ -213,7 +239,7 @@ static void add_disagreeing_routes(struct text *out, const struct audit_result *
   add_route_pairs(out, r, true);
 }
 
-/* --- What falls with a failure, and what survives it --- */
+/* --- Consequences of a failure --- */
 
 static void add_ids(struct text *out, const char *label, const struct id_list *list) {
   for (int i = 0; i < list->n; i++)
@@ -240,13 +266,18 @@ static bool all_same(const struct consequence *q) {
   return q->n_derived > 0;
 }
 
+/* Whether nothing else is touched by the failure. */
+static bool is_idle(const struct consequence *q) {
+  return all_same(q) && !q->falls.n && !q->survives.n && !q->open.n;
+}
+
 static void add_changes(const struct sheet *s, const struct consequence *q) {
   bool any = false;
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
     if (!any)
-      text_add(s->out, "\n| derived | | size | entry | with the printed form | corrected | where |\n"
+      text_add(s->out, "\n| result | | relative difference | entry | as printed | corrected | at |\n"
                        "| --- | --- | --- | --- | --- | --- | --- |\n");
     any = true;
     text_add(s->out, "| ");
@@ -261,40 +292,48 @@ static void add_changes(const struct sheet *s, const struct consequence *q) {
 static void add_consequences(struct text *out, const struct audit_result *r) {
   struct sheet s = {out, false};
   if (r->n_consequences == 0) return;
-  text_add(out, "## What falls with a failure\n\nEverything is corrected but the failed formula, which is read as "
-                "printed. A result with the same formula in both readings cannot change.\n\n");
+  text_add(
+      out,
+      "## Consequences of each error\n\nIn each case the formula in question is taken as printed and all others as "
+      "corrected. A result whose formula does not contain it cannot change.\n\n");
   for (size_t i = 0; i < r->n_consequences; i++) {
     const struct consequence *q = &r->consequences[i];
-    text_printf(out, "### with %s\n\n", q->failure);
-    add_ids(out, "- fails: ", &q->falls);
-    add_ids(out, "- rests on it and holds: ", &q->survives);
-    add_ids(out, "- rests on it, undecided: ", &q->open);
-    add_kept(&s, q, CHANGE_AGREES, "- keeps its value: ");
-    add_kept(&s, q, CHANGE_UNDECIDED, "- undecided: ");
-    add_kept(&s, q, CHANGE_UNDEFINED, "- cannot be evaluated: ");
+    if (is_idle(q)) continue;
+    text_printf(out, "### %s\n\n", q->failure);
+    add_ids(out, "- statements that no longer hold: ", &q->falls);
+    add_ids(out, "- statements that use it and still hold: ", &q->survives);
+    add_ids(out, "- statements that use it, undecided: ", &q->open);
+    add_kept(&s, q, CHANGE_AGREES, "- results that are unchanged: ");
+    add_kept(&s, q, CHANGE_UNDECIDED, "- results left undecided: ");
+    add_kept(&s, q, CHANGE_UNDEFINED, "- results that cannot be evaluated: ");
     if (all_same(q))
-      text_printf(out, "- same formula: all %d derived results\n", q->n_derived);
+      text_printf(out, "- results that do not contain it: all %d\n", q->n_derived);
     else
-      add_kept(&s, q, CHANGE_SAME_FORMULA, "- same formula: ");
+      add_kept(&s, q, CHANGE_SAME_FORMULA, "- results that do not contain it: ");
     add_changes(&s, q);
     text_add_char(out, '\n');
   }
+  const char *sep = "Without any consequence for other statements or results: ";
+  for (size_t i = 0; i < r->n_consequences; i++) {
+    if (!is_idle(&r->consequences[i])) continue;
+    text_printf(out, "%s%s", sep, r->consequences[i].failure);
+    sep = ", ";
+  }
+  if (*sep == ',') text_add(out, ".\n\n");
 }
 
 /* --- The whole --- */
 
 void report_markdown(struct text *out, const struct audit_result *r) {
-  text_printf(out, "# Audit: %s\n\n%s\n\n", r->scene, r->title);
-  if (r->paper_text)
-    text_printf(out, "The paper's text that is quoted, as its tokens: `%s` (`stickslip quotes FILE`).\n\n",
-                r->paper_text);
+  text_printf(out, "# Audit: %s\n\nData: %s.\n\n", r->scene, r->title);
   add_roots(out, r);
   add_counts(out, r);
   add_decided(out, r);
   add_disagreeing_routes(out, r);
   add_disagreeing_long_runs(out, r);
   add_section(out, r, "Not as recorded", finding_unexpected);
-  add_section(out, r, "Refuted", finding_fails);
+  add_words(out, r);
+  add_section(out, r, "Statements that do not hold as printed", finding_fails);
   add_consequences(out, r);
   add_section(out, r, "Undecided", is_unknown);
   if (r->readings) report_readings_markdown(out, r->readings);

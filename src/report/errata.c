@@ -74,13 +74,22 @@ static void sheet_sentence(const struct sheet *s, const char *text) {
 
 /* --- The first two pages --- */
 
+/* Whether the text, or the formula that it is, stands in the other. */
+static bool is_part_of(const char *quote, const char *other) {
+  size_t n = strlen(quote);
+  if (n && quote[n - 1] == '$') n--;
+  for (; *other; other++)
+    if (strncmp(other, quote, n) == 0) return true;
+  return false;
+}
+
 /* The text of the paper that the root is about, each piece once. */
 static void add_printed(const struct sheet *s, const struct audit_result *r, const struct root_cause *root) {
   const char *last = "";
   for (int i = 0; i < root->n_claims; i++) {
     const struct finding *f = audit_result_finding(r, root->claims[i]);
     const char *quote = f && f->of == OF_PAPER ? finding_quote(f) : NULL;
-    if (!quote || strstr(last, quote) || failure_is_number(f)) continue;
+    if (!quote || is_part_of(quote, last) || failure_is_number(f)) continue;
     if (!*last)
       label(s, root->severity, "Printed");
     else
@@ -138,12 +147,13 @@ static void add_opening(const struct sheet *s, const struct audit_result *r) {
   text_add(s->out, "The formulas and conclusions of the paper were compared with the equations of motion (1) and "
                    "Coulomb's law (2), by exact algebra and by computations with rigorous error bounds. ");
   if (substance)
-    text_printf(s->out, "The %zu point%s below %s results, in order of consequence. ", substance,
+    text_printf(s->out, "The %zu point%s listed first %s results, in order of consequence. ", substance,
                 substance == 1 ? "" : "s", substance == 1 ? "affects" : "affect");
-  if (slips) text_printf(s->out, "The %zu remarks and slips of notation after them do not. ", slips);
-  text_add(s->out,
-           "The numbers and counterexamples stand at the end. A machine conversion of the printed paper was read; "
-           "a misprint of a single symbol may be due to the conversion.\n");
+  if (slips) text_printf(s->out, "The %zu remarks and slips of notation that follow do not. ", slips);
+  text_add(
+      s->out,
+      "Numerical values and counterexamples are collected at the end. A machine conversion of the printed paper was "
+      "used; a misprint of a single symbol may be due to it.\n");
 }
 
 /* --- The numbers behind them --- */
@@ -164,14 +174,24 @@ static bool add_numbers(const struct sheet *s, const struct audit_result *r) {
     if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any) {
       heading(s, "The numerical example");
-      text_add(s->out, s->tex ? "\\begin{tabular}{@{}ll@{}}\nprinted & periodic solution nearest to it \\\\ \\hline\n"
-                              : "| printed | periodic solution nearest to it |\n| --- | --- |\n");
+      text_add(s->out, s->tex ? "\\begin{tabular}{@{}ll@{}}\nprinted & nearest periodic solution \\\\ \\hline\n"
+                              : "| printed | nearest periodic solution |\n| --- | --- |\n");
     }
     any = true;
     add_number(s, f);
   }
   if (any) text_add(s->out, s->tex ? "\\end{tabular}\n\n" : "\n");
   return any;
+}
+
+/* The table has the bounds of (53), which are not all that is needed. */
+static void add_bounds(const struct sheet *s, const struct audit_result *r) {
+  const struct finding *f = audit_result_finding(r, "text-first-always");
+  if (!f || !finding_fails(f) || !f->effect) return;
+  text_add(s->out,
+           "The bounds in the table are those of (53), for either set of values; they are not all that is required. ");
+  sheet_sentence(s, f->effect);
+  paragraph(s);
 }
 
 static bool any_begins(const char *const *list, int n, const char *with) {
@@ -206,15 +226,16 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
   if (!r->readings || !r->readings->n_found) return;
   const struct example_reading *f = &r->readings->found[0];
   if (!f->n_dropped || f->n_given < f->n_numbers) return;
-  text_printf(s->out, "All %d printed numbers, those of $e_1$ and $e_2$ included, result to every printed digit when ",
+  text_printf(s->out, "All %d printed numbers, including $e_1$ and $e_2$, are reproduced to every printed digit if ",
               f->n_numbers);
   add_list(s, f->inputs, f->n_inputs);
-  text_add(s->out, " are taken as exact data and the others are computed from these. ");
-  text_add(s->out, f->n_dropped == 1 ? "One equation does not hold then: " : "Then these do not hold: ");
+  text_add(s->out, " are taken as exact data and the others are computed from them. ");
+  text_add(s->out, f->n_dropped == 1 ? "One equation is then not satisfied: "
+                                     : "The following equations are then not satisfied: ");
   for (int i = 0; i < f->n_dropped; i++) {
     text_add(s->out, i ? "; " : "");
     add_equation(s, f->dropped[i].equation);
-    text_add(s->out, ", whose sides differ by ");
+    text_add(s->out, ", where the difference of the two sides is ");
     sheet_prose(s, f->dropped[i].residual);
   }
   text_add(s->out, ". ");
@@ -222,12 +243,10 @@ static void add_origin(const struct sheet *s, const struct audit_result *r) {
        velocities = any_begins(f->solved, f->n_solved, "(44), velocities");
   if (velocities && !positions)
     sheet_text(
-        s, "The initial positions are those of the velocity half of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, and not those of "
-           "(46), with which they disagree.");
+        s, "The initial positions are those of the second line of (44), $z_0=-N_3^{-1}(N_4-I)z'_0$, which differ from "
+           "those of (46).");
   else if (positions && !velocities)
-    sheet_text(s,
-               "The initial positions are those of (46), and not those of the velocity half of (44), with which they "
-               "disagree.");
+    sheet_text(s, "The initial positions are those of (46), which differ from those of the second line of (44).");
   paragraph(s);
 }
 
@@ -245,7 +264,7 @@ static void add_place(const struct sheet *s, const char *where) {
   text_init(&t);
   text_add_n(&t, where, orbit ? (size_t)(orbit - where) : strlen(where));
   sheet_prose(s, text_str(&t));
-  if (orbit) text_printf(s->out, " (periodic solution %s by increasing $z_{10}$)", orbit + strlen(", orbit "));
+  if (orbit) text_printf(s->out, " (periodic solution %s in order of increasing $z_{10}$)", orbit + strlen(", orbit "));
   stop(s);
   text_clear(&t);
 }
@@ -256,9 +275,9 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
   for (int i = 0; i < q->n_derived; i++) {
     const struct derived *d = &q->derived[i];
     if (d->change != CHANGE_CHANGES) continue;
-    text_add(s->out, last ? ", " : "");
+    text_add(s->out, last ? ", and " : "As printed, ");
+    if (d->entry) text_printf(s->out, "the entry %s of ", d->entry);
     sheet_math(s, d->latex);
-    if (d->entry) text_printf(s->out, " (entry %s)", d->entry);
     text_add(s->out, " is ");
     sheet_prose(s, d->printed);
     text_add(s->out, " instead of ");
@@ -266,7 +285,7 @@ static void add_derived(const struct sheet *s, const struct consequence *q) {
     last = d;
   }
   if (!last) return;
-  text_add(s->out, " at ");
+  text_add(s->out, " for ");
   add_place(s, last->where);
 }
 
@@ -302,6 +321,9 @@ static void add_evidences(const struct sheet *s, const struct audit_result *r) {
     if (r->roots[i].severity != SEVERITY_SUBSTANCE) continue;
     if (!any) {
       heading(s, "Effects and counterexamples");
+      text_add(s->out, "A periodic solution is called admissible if every condition of the motion holds on it for some "
+                       "static friction, so that the masses can follow it.");
+      paragraph(s);
       begin_items(s, false);
     }
     any = true;
@@ -315,19 +337,19 @@ static void add_closing(const struct sheet *s, const struct audit_result *r) {
   heading(s, "What was compared");
   text_printf(
       s->out,
-      "Of the %ld statements of the paper that were examined %ld are proved, %ld do not hold as printed, %ld agree at "
-      "every point tried without a proof, and %ld are definitions",
-      total, count[VERDICT_PROVED], count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_SUPPORTED],
-      count[VERDICT_DEFINITION]);
-  if (count[VERDICT_UNKNOWN])
-    text_printf(s->out, "; %ld %s undecided", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
+      "Of the %ld statements of the paper that were examined, %ld have been proved, %ld do not hold as printed, "
+      "and %ld are definitions",
+      total, count[VERDICT_PROVED], count[VERDICT_REFUTED] + count[VERDICT_CONDITIONAL], count[VERDICT_DEFINITION]);
+  if (count[VERDICT_SUPPORTED])
+    text_printf(s->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_UNKNOWN]) text_printf(s->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
   text_add(s->out,
-           ". The corrected formulas were checked in the same way as the printed ones. This sheet was written by ");
+           ". The corrected formulas were checked in the same way as the printed ones. This sheet was generated by ");
   struct text command;
   text_init(&command);
   text_printf(&command, "stickslip verify %s", r->scene);
   sheet_code(s, text_str(&command));
-  text_add(s->out, ", whose report holds all the evidence.\n");
+  text_add(s->out, ", whose report contains the evidence.\n");
   text_clear(&command);
 }
 
@@ -339,6 +361,7 @@ static void write_sheet(const struct sheet *s, const struct audit_result *r) {
   add_roots(s, r, SEVERITY_NOTATION, "Slips of notation", false);
   new_page(s);
   if (add_numbers(s, r)) {
+    add_bounds(s, r);
     add_closure(s, r);
     add_origin(s, r);
   }

@@ -74,7 +74,6 @@ static void add_tex(struct text *out, char c) {
                {'<', "$<$"},
                {'>', "$>$"},
                {'|', "$\\vert$"},
-               {'"', "''"},
                {'`', "{}`{}"},
                {'-', "-{}"},
                {'[', "{[}"},
@@ -105,6 +104,12 @@ static bool is_minus(const char *text, size_t len, size_t i) {
          (i == 0 || strchr(" (=", text[i - 1]));
 }
 
+/* A quotation mark opens behind a blank or a bracket. */
+static void add_quotation_mark(struct text *out) {
+  bool opens = out->len == 0 || strchr(" \n({", out->data[out->len - 1]);
+  text_add(out, opens ? "``" : "''");
+}
+
 void escape_tex(struct text *out, const char *s, size_t len) {
   for (size_t i = 0; i < len; i++) {
     if ((unsigned char)s[i] >= 0x80)
@@ -113,6 +118,8 @@ void escape_tex(struct text *out, const char *s, size_t len) {
       text_add_char(out, ' ');
     else if (is_minus(s, len, i))
       text_add(out, "$-$");
+    else if (s[i] == '"')
+      add_quotation_mark(out);
     else
       add_tex(out, s[i]);
   }

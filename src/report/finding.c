@@ -32,13 +32,18 @@ bool finding_states(const struct finding *f) {
 const char *failure_words(const struct finding *f) {
   static const struct {
     const char *fault, *words;
-  } of[] = {{"notation", "a slip of notation; read literally, the sentence does not hold"},
+  } of[] = {{"notation", "a slip of notation; taken literally, the statement does not hold"},
             {"formula", "the formula is not what the equations of motion give"},
-            {"number", "not what the paper's own equations give for its data"},
-            {"argument", "the conclusion does not follow"}};
+            {"number", "the paper's own equations give another value for its data"},
+            {"argument", "the assertion does not hold in general"}};
   for (size_t i = 0; f->fault && i < sizeof of / sizeof *of; i++)
     if (strcmp(of[i].fault, f->fault) == 0) return of[i].words;
   return "it does not hold";
+}
+
+const char *failure_heading(const struct finding *f) {
+  if (!finding_fails(f)) return "";
+  return f->verdict == VERDICT_CONDITIONAL ? "it does not hold in general that " : "it does not hold that ";
 }
 
 bool finding_restricts(const struct finding *o, const struct finding *f) {

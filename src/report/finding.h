@@ -27,6 +27,8 @@ const char *finding_recheck(const struct finding *f);
 const struct evidence *failure_evidence(const struct finding *f);
 /* The failure before this one that the same correction mends; NULL when there is none. */
 const struct finding *failure_mended_with(const struct audit_result *r, const struct finding *f);
+/* Before what the claim says: that it does not hold, or not in general; empty where it holds. */
+const char *failure_heading(const struct finding *f);
 /* The class of the fault in plain words. */
 const char *failure_words(const struct finding *f);
 /* Whether it is a printed number with the value it should have. */

@@ -29,14 +29,12 @@ static void add_opening(const struct page *p) {
            "connected by "
            "springs and driven by a belt through dry friction. Its statements are compared here with the equations of "
            "motion (1) and Coulomb's law (2): by exact algebra, by computations with rigorous error bounds, and by "
-           "numerical integration. Numbers refer to ");
-  html_text(p->out, p->r->title, NULL);
-  text_add(p->out, p->r->title ? " (scene " : "scene ");
-  html_code(p->out, p->r->scene);
-  text_add(p->out, p->r->title ? ")." : ".");
+           "numerical integration. Numerical values refer to ");
+  html_text(p->out, p->r->title ? p->r->title : p->r->scene, NULL);
+  html_stop(p->out);
   text_add(
       p->out,
-      " See also <a href=\"#s-model\">the system in half a page</a> and <a href=\"#s-words\">the words used here</a>.");
+      " The <a href=\"#s-model\">system</a> and the <a href=\"#s-words\">words used here</a> are explained below.");
   text_add(p->out, "</p>\n<nav aria-label=\"Sections\"><ul>\n"
                    "<li><a href=\"#s-verdict\">Verdict</a></li>\n"
                    "<li><a href=\"#s-model\">The system in half a page</a></li>\n"

@@ -114,7 +114,7 @@ static void add_fault(const struct page *p, const struct finding *f) {
   begin_row(p, "What is wrong");
   text_add(p->out, failure_words(f));
   if (f->condition) {
-    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition " : "; condition: ");
+    text_add(p->out, f->verdict == VERDICT_CONDITIONAL ? "; proved under the condition: " : "; condition: ");
     html_text(p->out, f->condition, NULL);
   }
   html_stop(p->out);
@@ -212,12 +212,12 @@ static void add_consequence(const struct page *p, const struct consequence *q) {
   begin_row(p, "What depends on it");
   size_t before = p->out->len;
   add_changed(p, q);
-  add_derived(p, q, CHANGE_UNDEFINED, "<p>Has no meaning with it: ");
-  add_derived(p, q, CHANGE_AGREES, "<p>Keeps its value at every point tried: ");
+  add_derived(p, q, CHANGE_UNDEFINED, "<p>Meaningless with the printed formula: ");
+  add_derived(p, q, CHANGE_AGREES, "<p>Unchanged at every point tried: ");
   add_derived(p, q, CHANGE_UNDECIDED, "<p>Undecided: ");
-  add_ids(p, &q->falls, "<p>Fails with it as printed: ");
-  add_ids(p, &q->survives, "<p>Rests on it and holds all the same: ");
-  add_ids(p, &q->open, "<p>Could not be told: ");
+  add_ids(p, &q->falls, "<p>Statements that no longer hold with the printed formula: ");
+  add_ids(p, &q->survives, "<p>Statements that use it and still hold: ");
+  add_ids(p, &q->open, "<p>Undecided statements: ");
   if (p->out->len == before) text_add(p->out, "No result that the paper derives changes.");
   end_row(p);
 }
@@ -244,7 +244,7 @@ static void begin_finding(const struct page *p, const struct finding *f) {
   html_anchor(p->out, "f-", f->id);
   text_add(p->out, "\">\n<h4>");
   page_row(p, f->id);
-  text_add(p->out, ": ");
+  text_printf(p->out, ": %s", failure_heading(f));
   html_text(p->out, f->title, NULL);
   text_add_char(p->out, ' ');
   page_verdict(p, f->verdict);
@@ -261,9 +261,9 @@ static void add_failure(const struct page *p, const struct finding *f) {
   const struct finding *first = failure_mended_with(p->r, f);
   begin_finding(p, f);
   if (first) {
-    text_add(p->out, "<p>The same correction as that of ");
+    text_add(p->out, "<p>The correction of ");
     page_claim(p, first->id);
-    text_add(p->out, " mends it.</p>\n");
+    text_add(p->out, " corrects this as well.</p>\n");
   } else {
     add_texts(p, f);
   }
@@ -281,8 +281,9 @@ static void add_failure(const struct page *p, const struct finding *f) {
 
 /* --- The printed numbers in a table --- */
 
-static const struct column numbers[] = {{"claim", false},   {"the paper prints", false},   {"nearest solution", false},
-                                        {"how far", false}, {"what depends on it", false}, {"recheck", false}};
+static const struct column numbers[] = {
+    {"claim", false},      {"the paper prints", false},   {"nearest periodic solution", false},
+    {"difference", false}, {"what depends on it", false}, {"recheck", false}};
 
 static void add_number(const struct page *p, const struct finding *f) {
   const struct consequence *q = audit_result_consequence(p->r, f->id);
@@ -323,8 +324,8 @@ static void add_numbers(const struct page *p) {
     const struct finding *f = &p->r->findings[i];
     if (!finding_fails(f) || !failure_is_number(f)) continue;
     if (!any) {
-      page_begin_table(p, "numbers stack", "Printed numbers and those of the orbit nearest to them", numbers,
-                       sizeof numbers / sizeof *numbers);
+      page_begin_table(p, "numbers stack", "Printed numbers, and those of the periodic solution nearest to them",
+                       numbers, sizeof numbers / sizeof *numbers);
     }
     any = true;
     add_number(p, f);
@@ -355,7 +356,7 @@ static void add_root(const struct page *p, const struct root_cause *root) {
     const struct finding *f = &p->r->findings[i];
     if (!finding_fails(f) || root_of(p, f) != root) continue;
     if (!any) {
-      text_add(p->out, root ? "<h3>" : "<h3>Without a root on file</h3>\n");
+      text_add(p->out, root ? "<h3>" : "<h3>Other statements</h3>\n");
       if (root) {
         html_text(p->out, root->where, NULL);
         text_add(p->out, ": ");
@@ -421,12 +422,12 @@ void page_failures(const struct page *p) {
   page_begin_section(p, "failures", "What needs attention");
   text_add(
       p->out,
-      "<p>In order of consequence. Each statement was judged as printed, with the corrected form of everything else "
-      "that it uses, "
-      "so that one slip is counted once. Examples are at exact parameters, where anybody can evaluate both sides. Of "
-      "a formula, the left side is what the paper prints and the right side what the equations of motion give; of an "
-      "equation, they are its own two sides. What differs between the printed and the corrected text is "
-      "<mark>marked</mark>. Route, trials, bits and other words are <a href=\"#s-words\">said above</a>.</p>\n");
+      "<p>The statements that do not hold are listed in order of consequence. Each was judged as printed, with the "
+      "corrected form of everything else that it uses, so that one error is counted once. The examples have exact "
+      "parameters, at which anybody can evaluate both sides. For a formula, the left side is what the paper prints "
+      "and the right side what the equations of motion give; for an equation, they are its own two sides. Differences "
+      "between the printed and the corrected text are <mark>marked</mark>. Route, trials, bits and other words are <a "
+      "href=\"#s-words\">explained above</a>.</p>\n");
   add_unexpected(p);
   for (size_t i = 0; i < p->r->n_roots; i++) add_root(p, &p->r->roots[i]);
   add_root(p, NULL);

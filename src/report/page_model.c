@@ -1,5 +1,6 @@
 /* For a reader who has not seen the paper: the system in half a page; and what the audit takes as given. */
 #include "escape.h"
+#include "glossary.h"
 #include "html.h"
 #include "sections.h"
 
@@ -30,43 +31,12 @@ static void add_phases(const struct page *p) {
   page_end_table(p);
 }
 
-/* What the page says all the time and a reader of the paper has not met, or has met in another sense. */
 static void add_words(const struct page *p) {
-  static const struct {
-    const char *word, *meaning;
-  } words[] = {
-      {"claim",
-       "one thing that the paper says. (27) and eq-27 are its numbered equation, a letter tells apart what one "
-       "number says; num-... is a printed number, text-... a sentence, fig-... a figure"},
-      {"scene", "an example: values of the parameters, and what is printed for them"},
-      {"orbit",
-       "here: a periodic motion that goes through the four phases once, each ending at the first time at which "
-       "its condition is met"},
-      {"admissible", "an orbit that the masses can follow: every condition along it holds, for some static friction"},
-      {"tr J, criterion",
-       "$\\operatorname{tr} J$ is the trace of the Jacobian of one period, its only eigenvalue besides 0; "
-       "by the paper's criterion an orbit is conditionally stable where $|\\operatorname{tr} J| < 1$ and "
-       "unstable where not"},
-      {"propagator", "the matrix that carries the state over a phase of given length"},
-      {"printed, corrected", "the paper's own formulas, and the same with the errata of this project over them"},
-      {"route",
-       "one way to judge a thing, such as exact algebra, balls (numbers with proved error bounds), a matrix "
-       "exponential, finite differences (fd), integration of the equations of motion, or reading what is printed "
-       "(diagnostic)"},
-      {"residual", "by how much two routes differ, relative to the size of what they compute"},
-      {"trials, bits", "at how many points they were compared, and with how many binary digits"},
-      {"degree", "of a quantity, when all that is measured in one unit is multiplied by a number: the power of the "
-                 "number with which "
-                 "the quantity grows; only what has the same degree can be added or set equal"},
-      {"certificate",
-       "what anybody can recheck: exact parameters at which the two sides differ, or why a form cannot be "
-       "right"},
-      {"control", "a statement made wrong on purpose, to see whether the audit notices"}};
   text_add(p->out, "<h3 id=\"s-words\">Words used on this page</h3>\n<p>What the verdicts mean is said <a "
                    "href=\"#s-verdicts\">above</a>.</p>\n<dl>\n");
-  for (size_t i = 0; i < sizeof words / sizeof *words; i++) {
-    text_printf(p->out, "<dt>%s</dt>\n<dd>", words[i].word);
-    html_text(p->out, words[i].meaning, NULL);
+  for (size_t i = 0; i < n_glossary; i++) {
+    text_printf(p->out, "<dt>%s</dt>\n<dd>", glossary[i].word);
+    html_text(p->out, glossary[i].meaning, NULL);
     text_add(p->out, ".</dd>\n");
   }
   text_add(p->out, "</dl>\n");
@@ -80,18 +50,18 @@ void page_model(const struct page *p) {
       "block along (it sticks) until the springs pull harder than static friction, $u_{r1}$ or $u_{r2}$, can hold; "
       "then it slips against the smaller sliding friction, $u_{s1}$ or $u_{s2}$, until its velocity is the belt's "
       "again and friction can hold it.",
-      "Without dimensions, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
+      "In dimensionless time, $x_1'' + x_1 - \\chi x_2 = u_1$ and $x_2'' + \\chi \\eta (x_2 - x_1) = \\eta u_2$, where "
       "$\\chi = "
       "\\frac{k_2}{k_1 + k_2}$ and $\\eta = \\frac{m_1}{m_2}$: time is counted in units of "
       "$\\sqrt{\\frac{m_1}{k_1 + k_2}}$, forces are divided by $k_1 + k_2$, which makes lengths of them, and lengths "
-      "are in any one unit; so no number on this page names one. Measured from the equilibrium under both sliding "
-      "forces, positions are $z_1, z_2$, and of friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ "
-      "matter."};
+      "are in any one unit, so that the numbers on this page have none. Positions measured from the equilibrium under "
+      "both sliding forces are $z_1, z_2$; of the friction only $e_1 = u_{r1} - u_{s1}$ and $e_2 = u_{r2} - u_{s2}$ "
+      "enter."};
   static const char after[] =
       "In each phase a matrix carries the state $Z = (z_1, z_2, z'_1, z'_2)$ to its end; the motion is periodic when "
-      "the state returns after all four. Whether it is stable is told by the Jacobian $J$ of one period: the small "
-      "distance of a motion beside it is multiplied by $\\operatorname{tr} J$ each period, so that it shrinks where "
-      "$|\\operatorname{tr} J| < 1$ and grows where $|\\operatorname{tr} J| > 1$.";
+      "the state returns after all four. Its stability is determined by the Jacobian $J$ of one period: a small "
+      "deviation is multiplied by $\\operatorname{tr} J$ in each period, so that it decreases if "
+      "$|\\operatorname{tr} J| < 1$ and grows if $|\\operatorname{tr} J| > 1$.";
   page_begin_section(p, "model", "The system in half a page");
   page_belt(p);
   for (size_t i = 0; i < sizeof before / sizeof *before; i++) {
@@ -111,12 +81,13 @@ void page_limits(const struct page *p) {
   static const char *const limits[] = {
       "Whether the model describes a machine: linear springs, a belt that keeps its velocity, and Coulomb's law with "
       "constant coefficients are the paper's assumptions, and the equations of motion (1) and (2) are taken as given.",
-      "What stands on the printed page: the text judged is a machine conversion of it, and a slip of one symbol can be "
-      "the conversion's.",
+      "What the printed page says: the text judged is a machine conversion of it, and a misprint of one symbol may be "
+      "due "
+      "to the conversion.",
       "That the formulas were transcribed rightly: compare the paper's text with the formula as read, which stand "
       "beside each other in each claim.",
-      "What nobody registered as a claim: the table above holds all that was judged.",
-      "That something supported is proved: it agrees at the points tried, whose number stands with it.",
+      "What was not registered as a claim: the table above contains all that was judged.",
+      "That what is supported is true in general: it agrees at the points tried, whose number is given with it.",
       "That the software beneath is right: FLINT with Arb and Calcium (exact numbers, enclosures), MPFR "
       "(multiprecision), GSL (integration, matrix exponential and eigenvalues in double), the C compiler and its "
       "library; which versions served is in <code>run.json</code>, which each run writes beside this page. The suite's "

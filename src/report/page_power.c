@@ -43,7 +43,7 @@ static void add_controls(const struct page *p) {
   if (r->n_controls)
     text_printf(p->out,
                 "<li>Of %zu <a href=\"#s-controls\">controls</a>, statements made wrong on purpose, <strong>%zu were "
-                "noticed</strong> in this run. Claims with a control of their own: %zu of %zu.</li>\n",
+                "noticed</strong> in this run; %zu of the %zu claims judged have a control of their own.</li>\n",
                 r->n_controls, controls_noticed(r), damaged, judged);
   else
     text_add(p->out, "<li>No statements made wrong on purpose were tried in this run.</li>\n");
@@ -66,8 +66,10 @@ static void add_alone(const struct page *p) {
     judged += is_judged(&r->findings[i]);
     alone += next_alone(r, i, NULL) == i;
   }
-  text_printf(p->out, "<li>Claims judged by two <a href=\"#s-routes\">routes</a> or more: %zu of %zu; by one alone %zu",
-              judged - alone, judged, alone);
+  text_printf(
+      p->out,
+      "<li>Two <a href=\"#s-routes\">routes</a> or more decided %zu of the %zu claims judged, and one alone %zu",
+      judged - alone, judged, alone);
   const char *sep = ": ";
   for (size_t i = next_alone(r, 0, NULL); i < r->n_findings; i = next_alone(r, i + 1, NULL)) {
     const char *route = only_route(&r->findings[i]);
@@ -91,18 +93,19 @@ static void add_mutation(const struct page *p) {
   if (!s) return;
   text_printf(
       p->out,
-      "<li>Damages: in every way, one symbol of a formula was changed, and one thing of what stands beside the "
+      "<li>As a test, one symbol of a formula was altered in every way, and one item of what stands beside the "
       "formulas "
-      "as a tired transcriber would (TeX, quotations, printed numbers, the lines of claims and controls, titles). Of "
-      "<strong>%ld damages that change a meaning</strong>, %ld of them of formulas, <strong>%ld were noticed</strong>: "
-      "<a href=\"../mutation/mutation.md\">by class, with the others</a>. Left out: %ld that are proved, or known by a "
-      "rule, to mean the same; %ld that make no difference on any motion",
+      "as by a mistake of transcription (TeX, quotations, printed numbers, the lines of claims and controls, titles). "
+      "Of <strong>%ld alterations that change a meaning</strong>, %ld of them in formulas, <strong>%ld were "
+      "noticed</strong> (<a href=\"../mutation/mutation.md\">table by class</a>). Not counted are %ld that are proved, "
+      "or known by a rule, to mean the same; %ld that make no difference on any motion",
       s->counted, s->formulas, s->noticed, s->equivalent, s->on_motions);
   if (s->needs_text) text_printf(p->out, "; %ld that only the paper's text can tell", s->needs_text);
-  text_printf(p->out,
-              "; and %ld of the corrections, which are not the paper's and have rows of their own. By <code>stickslip "
-              "mutate --count all</code>.</li>\n",
-              s->errata);
+  text_printf(
+      p->out,
+      "; and %ld of the corrections, which are not the paper's and are counted separately. The test is repeated by "
+      "<code>stickslip mutate --count all</code>.</li>\n",
+      s->errata);
 }
 
 static void add_pairs(const struct page *p) {
@@ -112,8 +115,8 @@ static void add_pairs(const struct page *p) {
   if (!r->n_pairs) return;
   text_printf(
       p->out,
-      "<li>Of %zu pairs of <a href=\"#s-routes\">routes</a>, ways to compute one quantity, %zu agree within the "
-      "accuracy that they state.</li>\n",
+      "<li>Of %zu pairs of <a href=\"#s-routes\">routes</a> to the same quantity, %zu agree within their stated "
+      "accuracy.</li>\n",
       r->n_pairs, within);
 }
 
@@ -121,7 +124,7 @@ void page_power(const struct page *p) {
   long unexpected = audit_result_unexpected(p->r);
   size_t recorded = 0;
   for (size_t i = 0; i < p->r->n_findings; i++) recorded += p->r->findings[i].recorded != N_VERDICTS;
-  text_add(p->out, "<h3>How sure can one be?</h3>\n<ul>\n");
+  text_add(p->out, "<h3>How reliable is the audit?</h3>\n<ul>\n");
   add_controls(p);
   add_mutation(p);
   add_alone(p);
@@ -129,12 +132,12 @@ void page_power(const struct page *p) {
   if (unexpected)
     text_printf(p->out, "<li><strong>%ld results are not as recorded.</strong></li>\n", unexpected);
   else if (recorded == p->r->n_findings)
-    text_add(p->out,
-             "<li>Every verdict is the one expected: the one noted beside the claim when it was written down.</li>\n");
+    text_add(p->out, "<li>Every verdict is the one on record for the claim.</li>\n");
   else
-    text_printf(p->out,
-                "<li>%zu of the %zu verdicts are noted beside their claims, and come out as noted; the others have no "
-                "record in this scene.</li>\n",
-                recorded, p->r->n_findings);
-  text_add(p->out, "<li>What the audit cannot show stands <a href=\"#s-limits\">at the end</a>.</li>\n</ul>\n");
+    text_printf(
+        p->out,
+        "<li>%zu of the %zu verdicts are on record, and come out as recorded; the others have no record for these "
+        "data.</li>\n",
+        recorded, p->r->n_findings);
+  text_add(p->out, "<li>What the audit cannot show is said <a href=\"#s-limits\">at the end</a>.</li>\n</ul>\n");
 }

@@ -8,15 +8,16 @@
 #include "sections.h"
 
 static const char *const meaning[N_VERDICTS] = {
-    [VERDICT_PROVED] = "an exact identity, or enclosures that settle the claim on its whole domain",
-    [VERDICT_CONDITIONAL] = "refuted on the domain, proved under the condition named",
-    [VERDICT_SUPPORTED] = ("agrees at every point tried, by at least two <a href=\"#s-routes\">routes</a> that do not "
-                           "share their reasoning; not a proof"),
+    [VERDICT_PROVED] = "by exact algebra, or by rigorous error bounds on the whole domain",
+    [VERDICT_CONDITIONAL] = "does not hold in general, proved under the condition named",
+    [VERDICT_SUPPORTED] =
+        ("confirmed at every point tried, by at least two independent <a href=\"#s-routes\">routes</a>; not a "
+         "proof"),
     [VERDICT_REFUTED] =
         "does not hold as printed; a certificate says where the two sides differ, or why the form cannot be right",
-    [VERDICT_UNKNOWN] = "undecided; the claim says why",
-    [VERDICT_SKIPPED] = "not possible in this scene, with the reason; never a success",
-    [VERDICT_DEFINITION] = "asserts nothing"};
+    [VERDICT_UNKNOWN] = "undecided, for the reason given with the claim",
+    [VERDICT_SKIPPED] = "cannot be judged with these data, for the reason given",
+    [VERDICT_DEFINITION] = "asserts nothing that could be judged"};
 
 static void add_counts(const struct page *p, const long count[N_VERDICTS], const long checks[N_VERDICTS]) {
   text_add(p->out, "<table class=\"counts\" id=\"s-verdicts\">\n<caption>The verdicts, and what each word "
@@ -97,16 +98,15 @@ static void add_stability(const struct page *p, const struct finding *f) {
   add_meant(p, f);
   html_text(
       p->out,
-      "Each period multiplies a small distance from a periodic motion by $|\\operatorname{tr} J|$: below 1 it is "
-      "stable, above 1 unstable. The paper does not apply this criterion to its example. Its data have these periodic "
-      "solutions:",
+      "In each period a small distance from the periodic motion is multiplied by $|\\operatorname{tr} J|$; the motion "
+      "is stable if this is less than 1 and unstable if it is greater. The paper does not apply its criterion to the "
+      "example. For the data of the example the following was found:",
       NULL);
   page_statements(p, f, "states");
-  html_text(
-      p->out,
-      "Admissible: the two masses can follow it; not admissible: it solves the equations and breaks a condition of "
-      "the motion.",
-      NULL);
+  html_text(p->out,
+            "A solution is called admissible if the two masses can follow it, and not admissible if it satisfies the "
+            "equations but violates a condition of the motion.",
+            NULL);
   const struct finding *later = audit_result_finding(p->r, "text-long-run");
   if (!later) return;
   text_add(p->out, " See also ");
@@ -176,19 +176,19 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
   const char *note = failure_evidence(f)->note;
   struct text point;
   text_init(&point);
-  text_add(p->out, "<li>One claim, by the command that stands with it, for ");
+  text_add(p->out, "<li>One statement, by the command that is given with it; for ");
   page_claim(p, f->id);
-  text_add_char(p->out, ' ');
+  text_add(p->out, " this is ");
   html_code(p->out, finding_recheck(f));
-  text_add(p->out, "; with <code>--out DIR</code> its report goes to that folder and this one stays.</li>\n");
+  text_add(p->out, ". With <code>--out DIR</code> the report is written to that folder.</li>\n");
   if (point_of(&point, note)) {
-    text_add(p->out, "<li>Both sides of it as numbers, there or wherever you like: <code>stickslip explain ");
+    text_add(p->out, "<li>Both sides as numbers, at this or at other parameters: <code>stickslip explain ");
     escape_html(p->out, f->id);
     text_add(p->out, " --at ");
     escape_html(p->out, text_str(&point));
     text_add(p->out, "</code>.</li>\n");
   }
-  text_add(p->out, "<li>By hand: evaluate both sides at the exact parameters that a certificate names");
+  text_add(p->out, "<li>By hand: evaluate both sides at the exact parameters of a certificate");
   if (note) {
     text_add(p->out, ". For ");
     page_claim(p, f->id);
@@ -205,12 +205,12 @@ static void add_recheck_one(const struct page *p, const struct finding *f) {
 static void add_recheck(const struct page *p) {
   const struct finding *f = example(p);
   text_add(p->out,
-           "<dt>How do I recheck it?</dt>\n<dd><p>In a copy of the project; its program is "
-           "<code>build/stickslip</code> there, called <code>stickslip</code> on this page.</p>\n<ul>\n"
-           "<li>All of it: <code>make deps verify</code> installs what is needed, builds the program and repeats "
-           "the audit; once built, <code>stickslip verify ");
+           "<dt>How can this be rechecked?</dt>\n<dd><p>The program, called <code>stickslip</code> on this page, is "
+           "<code>build/stickslip</code> in a copy of the project.</p>\n<ul>\n"
+           "<li>The whole audit: <code>make deps verify</code> installs what is needed, builds the program and "
+           "repeats the audit; once built, <code>stickslip verify ");
   escape_html(p->out, p->r->scene);
-  text_add(p->out, "</code> does.</li>\n");
+  text_add(p->out, "</code> repeats it.</li>\n");
   if (f) add_recheck_one(p, f);
   text_add(p->out, "</ul></dd>\n");
 }
@@ -241,15 +241,15 @@ static void add_lead(const struct page *p, const long count[N_VERDICTS], long to
   text_printf(p->out,
               "<p class=\"lead\"><strong>%zu point%s that affect%s results</strong> %s to be corrected in the paper",
               substance, substance == 1 ? "" : "s", substance == 1 ? "s" : "", substance == 1 ? "has" : "have");
-  if (slips) text_printf(p->out, ", besides %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
-  text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld are proved", asserted,
-              count[VERDICT_PROVED]);
+  if (slips) text_printf(p->out, "; there are also %zu remark%s and slips of notation", slips, slips == 1 ? "" : "s");
+  text_printf(p->out, ".</p>\n<p>Of the %ld statements of the paper that assert something, %ld have been proved",
+              asserted, count[VERDICT_PROVED]);
   text_printf(p->out, " and %ld do not hold as printed", wrong);
-  if (asserted > 0) text_printf(p->out, "; %ld %% are thus decided", 100 * decided / asserted);
-  text_printf(p->out, ". %ld agree at every point tried, without a proof", count[VERDICT_SUPPORTED]);
-  if (count[VERDICT_UNKNOWN])
-    text_printf(p->out, ", and %ld %s open", count[VERDICT_UNKNOWN], count[VERDICT_UNKNOWN] == 1 ? "is" : "are");
-  if (count[VERDICT_SKIPPED]) text_printf(p->out, ", and %ld cannot be judged here", count[VERDICT_SKIPPED]);
+  if (asserted > 0) text_printf(p->out, ", so that %ld %% are decided", 100 * decided / asserted);
+  if (count[VERDICT_SUPPORTED])
+    text_printf(p->out, "; %ld could be confirmed only numerically", count[VERDICT_SUPPORTED]);
+  if (count[VERDICT_UNKNOWN]) text_printf(p->out, "; %ld could not be decided", count[VERDICT_UNKNOWN]);
+  if (count[VERDICT_SKIPPED]) text_printf(p->out, "; %ld cannot be judged with these data", count[VERDICT_SKIPPED]);
   text_add(p->out, ".</p>\n");
 }
 

@@ -42,21 +42,22 @@ static void add_slope_table(struct text *out, const struct reading_slope *s, int
 static void add_dropped(struct text *out, const struct example_reading *r) {
   if (r->n_dropped == 0) text_add(out, "nothing");
   for (int i = 0; i < r->n_dropped; i++)
-    text_printf(out, "%s%s, off by %s", i ? "; " : "", r->dropped[i].equation, r->dropped[i].residual);
+    text_printf(out, "%s%s, with a difference of the sides of %s", i ? "; " : "", r->dropped[i].equation,
+                r->dropped[i].residual);
 }
 
 static void add_reading(struct text *out, const struct example_reading *r) {
-  text_add(out, "- inputs: ");
+  text_add(out, "- exact data: ");
   add_strings(out, r->inputs, r->n_inputs, "none");
-  text_add(out, "\n- dropped: ");
+  text_add(out, "\n- equations left out: ");
   add_dropped(out, r);
-  text_add(out, "\n- solved: ");
+  text_add(out, "\n- equations satisfied: ");
   add_strings(out, r->solved, r->n_solved, "nothing");
   text_printf(out,
-              "\n- %d assumption%s: %s\n- matrices of the %s layer%s; numbers carried: %s; digits of results: %d\n\n"
-              "| number | printed | under this reading | |\n| --- | ---: | ---: | --- |\n",
+              "\n- %d assumption%s: %s\n- matrices as %s%s; intermediate numbers: %s; digits reproduced: %d\n\n"
+              "| number | printed | in this reading | |\n| --- | ---: | ---: | --- |\n",
               r->assumptions, r->assumptions == 1 ? "" : "s", r->assumed, r->layer,
-              r->confirmed ? ", and the suite's own model gives the same" : "", r->carry, r->digits);
+              r->confirmed ? ", with the same result by the independent model" : "", r->carry, r->digits);
   for (int i = 0; i < r->n_numbers; i++)
     text_printf(out, "| %s | %s | %s | %s |\n", r->number[i].name, r->number[i].printed, r->number[i].value,
                 r->number[i].how);
@@ -73,10 +74,10 @@ static void add_off(struct text *out, const struct example_reading *r) {
 /* The first in full, the others in a line. */
 static void add_readings(struct text *out, const char *heading, const struct example_reading *r, int n) {
   if (n == 0) return;
-  text_printf(out, "### %s\n\nThe first in rank:\n\n", heading);
+  text_printf(out, "### %s\n\nThe first of them:\n\n", heading);
   add_reading(out, &r[0]);
   if (n == 1) return;
-  text_add(out, "| rank | inputs | dropped | numbers carried | assumptions | digits |\n"
+  text_add(out, "| rank | exact data | equations left out | intermediate numbers | assumptions | digits |\n"
                 "| ---: | --- | --- | --- | ---: | ---: |\n");
   for (int i = 0; i < n; i++) {
     text_printf(out, "| %d | ", i + 1);
@@ -90,9 +91,10 @@ static void add_readings(struct text *out, const char *heading, const struct exa
 }
 
 static void add_levels(struct text *out, const struct readings *r) {
-  text_add(out, "| equations dropped | readings | of them not determined | give everything printed | without rounding "
-                "in between | "
-                "undecided |\n| ---: | ---: | ---: | ---: | ---: | ---: |\n");
+  text_add(
+      out,
+      "| equations left out | readings | not determined | give all printed numbers | without intermediate rounding | "
+      "undecided |\n| ---: | ---: | ---: | ---: | ---: | ---: |\n");
   for (int i = 0; i < r->n_levels; i++)
     text_printf(out, "| %d | %ld | %ld | %ld | %ld | %ld |\n", r->level[i].dropped, r->level[i].tried,
                 r->level[i].undetermined, r->level[i].reproduce, r->level[i].unrounded, r->level[i].open);
@@ -101,11 +103,12 @@ static void add_levels(struct text *out, const struct readings *r) {
 
 static void add_procedure(struct text *out, const struct readings_procedure *p) {
   if (p->n_outputs == 0) return;
-  text_printf(out,
-              "### The whole procedure, from %s\n\n"
-              "| result | printed | value | over the digits of the inputs | fits somewhere | decimals of the inputs "
-              "needed |\n| --- | ---: | ---: | --- | --- | ---: |\n",
-              p->inputs);
+  text_printf(
+      out,
+      "### The whole procedure, from %s\n\n"
+      "| result | printed | value | for all data with the printed digits | agrees somewhere | decimals of the data "
+      "needed |\n| --- | ---: | ---: | --- | --- | ---: |\n",
+      p->inputs);
   for (int i = 0; i < p->n_outputs; i++) {
     const struct procedure_output *o = &p->output[i];
     text_printf(out, "| %s | %s | %s | %s to %s | %s | ", o->name, o->printed, o->value, o->low ? o->low : "?",
@@ -120,8 +123,11 @@ static void add_procedure(struct text *out, const struct readings_procedure *p) 
 }
 
 static void add_pairs(struct text *out, const struct readings *r) {
-  text_add(out, "### Nothing dropped, two numbers exactly as printed\n\n| inputs | printed numbers given | missed |\n"
-                "| --- | ---: | --- |\n");
+  text_add(
+      out,
+      "### All equations satisfied, two numbers exactly as printed\n\n| exact data | printed numbers reproduced | not "
+      "reproduced |\n"
+      "| --- | ---: | --- |\n");
   for (int i = 0; i < r->n_pairs; i++) {
     const struct readings_pair *p = &r->pair[i];
     text_printf(out, "| %s | %d of %d | %s |\n", p->inputs, p->n_given, p->n_numbers,
@@ -141,7 +147,7 @@ void report_readings_markdown(struct text *out, const struct readings *r) {
   add_readings(out, "Readings that miss one printed number", r->near, r->n_near);
   add_procedure(out, &r->procedure);
   add_pairs(out, r);
-  text_add(out, "What was searched:\n\n");
+  text_add(out, "The search:\n\n");
   for (int i = 0; i < r->n_space; i++) text_printf(out, "- %s\n", r->space[i]);
   text_add(out, "\n");
 }

@@ -311,9 +311,9 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
     enum change change;
     const char *words;
   } rows[] = {
-      {CHANGE_CHANGES, q->solved ? "On that solution these have other values too: " : "Derived results that change: "},
-      {CHANGE_AGREES, "Derived results that keep their value at every point tried: "},
-      {CHANGE_UNDEFINED, "Derived results that cannot be read: "},
+      {CHANGE_CHANGES, q->solved ? "On that solution the following change as well: " : "Derived results that change: "},
+      {CHANGE_AGREES, "Derived results that are unchanged at every point tried: "},
+      {CHANGE_UNDEFINED, "Derived results that become meaningless: "},
       {CHANGE_UNDECIDED, "Derived results left undecided: "}};
   bool proved = true;
   for (int i = 0; i < q->n_derived; i++)
@@ -324,7 +324,7 @@ static void describe_derived(struct finding *f, const struct consequence *q, str
   if (f->effect) text_add(&t, f->effect);
   for (size_t k = 0; k < sizeof rows / sizeof *rows; k++) {
     const char *words =
-        rows[k].change == CHANGE_AGREES && proved ? "Derived results proved to keep their value: " : rows[k].words;
+        rows[k].change == CHANGE_AGREES && proved ? "Derived results proved to be unchanged: " : rows[k].words;
     const char *sep = words;
     for (int i = 0; i < q->n_derived; i++) {
       const struct derived *d = &q->derived[i];

@@ -125,7 +125,7 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
   for (size_t i = 0; ok && i < r.n_findings; i++)
     if (strcmp(r.findings[i].id, id) == 0) f = &r.findings[i];
   if (f) {
-    text_printf(out, "%s: %s\n", f->id, f->title);
+    text_printf(out, "%s, the claim: %s\n", f->id, f->title);
     add_line(out, "equation", f->equation);
     add_line(out, "section", f->section);
     add_line(out, "paper", f->quote);

@@ -188,13 +188,17 @@ double log2_upper(const arb_t x) {
   return r;
 }
 
+/* Ten digits; what cannot be told from zero in twenty is zero in ten. */
 static void describe(char *out, size_t size, const struct num_vec *v, slong i) {
   arb_t x;
   arb_init(x);
   struct text t;
   text_init(&t);
   v->ctx.type->get_arb(x, num_vec_at(v, i));
-  if (num_print(&t, x, 10) != SS_OK) num_print_ball(&t, x, 10);
+  if (arb_contains_zero(x) && log2_upper(x) < -64)
+    text_add(&t, "0");
+  else if (num_print(&t, x, 10) != SS_OK)
+    num_print_ball(&t, x, 10);
   snprintf(out, size, "%s", text_str(&t));
   text_clear(&t);
   arb_clear(x);

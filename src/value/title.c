@@ -7,7 +7,7 @@
 #include <string.h>
 
 /* What is longer is said by number. */
-enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_STATED = 80 };
+enum { MOST_FORMULA = 110, MOST_TITLE = 150, MOST_ARGUMENT = 160, MOST_STATED = 80 };
 
 typedef bool maker(struct text *out, const struct title *t);
 
@@ -212,6 +212,13 @@ static bool make_report(struct text *out, const struct title *t) {
 
 /* --- Arguments and how many equations there are --- */
 
+/* What holds whatever the other premises say is no part of an equivalence: "..., where z_10 - chi z_20 = ...". */
+static bool argue_where(struct text *out, struct title_parts *with, const struct title *t) {
+  text_add(out, ", where ");
+  with->items = TITLE_EQUATIONS;
+  return title_parts_write(out, with, t, "premises");
+}
+
 static bool argue(struct text *out, const struct title *t, enum title_detail conclusions, enum title_detail reasons) {
   struct title_parts conclusion = {.detail = conclusions, .one = N_PHASES};
   const char *over = claim_get(t->c, "over"), *premises = claim_get(t->c, "premises"),
@@ -232,6 +239,9 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
   else
     text_add(out, plural ? " hold" : " holds");
   size_t from = out->len;
+  bool apart =
+      both && title_has_items(t, "premises", TITLE_EQUATIONS) && title_has_items(t, "premises", TITLE_INEQUALITIES);
+  with.items = apart ? TITLE_INEQUALITIES : TITLE_ALL;
   if (premises && !title_parts_write(out, &with, t, "premises")) return false;
   bool same = premises && out->len - from == length && strncmp(text_str(out), text_str(out) + from, length) == 0;
   if (same && reasons == TITLE_FORMULAS) { /* the same formulas at two places of the paper */
@@ -244,7 +254,7 @@ static bool argue(struct text *out, const struct title *t, enum title_detail con
   }
   if (over && strcmp(over, "scene") == 0) text_add(out, " on the example");
   if (over && strcmp(over, "orbits") == 0) text_add(out, " on every orbit");
-  return true;
+  return !apart || argue_where(out, &with, t);
 }
 
 /* With as many formulas as there is room for. */
@@ -253,7 +263,7 @@ static bool make_argument(struct text *out, const struct title *t) {
   struct text title;
   text_init(&title);
   bool ok = argue(&title, t, TITLE_FORMULAS, TITLE_FORMULAS);
-  for (int both = 0; ok && both < 2 && title.len > MOST_TITLE; both++) {
+  for (int both = 0; ok && both < 2 && title.len > MOST_ARGUMENT; both++) {
     text_reset(&title);
     ok = argue(&title, t, both ? TITLE_BRIEF : TITLE_FORMULAS, TITLE_BRIEF);
   }
@@ -306,7 +316,7 @@ static bool make_defined(struct text *out, const struct title *t) {
   if (!list) return missing(t);
   text_add(out, "the quotients, roots and inverses in ");
   if (!numbers_of(out, t, list)) return false;
-  text_printf(out, " have a value %s",
+  text_printf(out, " are defined %s",
               over && strcmp(over, "parameters") == 0 ? "for all parameters"
               : over && strcmp(over, "orbits") == 0   ? "on every periodic solution"
                                                       : "on every admissible periodic solution");
@@ -321,6 +331,59 @@ static bool make_reach(struct text *out, const struct title *t) {
   text_add(out, " contain none of ");
   title_listed(out, absent, ',');
   return true;
+}
+
+/* "omega t_d" */
+static bool range_angle(struct text *out, const struct title *t, enum phase ph) {
+  const char *frequency = claim_get(t->c, "frequency");
+  if (frequency && !title_formula(out, t, "frequency")) return false;
+  text_printf(out, "%s%s", frequency ? " " : "", name_time[ph]);
+  return true;
+}
+
+/* " <= 2 (pi - arctan(odd/(even)))" */
+static bool range_limit(struct text *out, const struct title *t) {
+  if (!claim_get(t->c, "even")) {
+    text_add(out, " <= pi");
+    return true;
+  }
+  text_add(out, " <= 2 (pi - arctan(");
+  if (!title_formula(out, t, "odd")) return false;
+  text_add(out, "/(");
+  if (!title_formula(out, t, "even")) return false;
+  text_add(out, ")))");
+  return true;
+}
+
+/* Where the condition holds: the premise, and up to which length of the phase. */
+static bool range_where(struct text *out, const struct title *t, struct title_parts *p, enum phase ph) {
+  bool limited = claim_get(t->c, "odd") != NULL, premise = claim_get(t->c, "premises") != NULL;
+  if (!limited && !premise) {
+    text_printf(out, " for every %s > 0", name_time[ph]);
+    return true;
+  }
+  if (claim_get(t->c, "rate")) {
+    text_add(out, ", where ");
+    if (!range_angle(out, t, ph)) return false;
+    text_add(out, " <= 2 pi,");
+  }
+  text_add(out, " exactly if ");
+  if (premise && !title_parts_write(out, p, t, "premises")) return false;
+  if (!limited) return true;
+  text_add(out, premise ? " and " : "");
+  return range_angle(out, t, ph) && range_limit(out, t);
+}
+
+static bool make_range(struct text *out, const struct title *t) {
+  struct title_parts p = {.one = N_PHASES};
+  if (!claim_get(t->c, "conclusion")) return missing(t);
+  if (!title_parts_scan(&p, t, "conclusion") || !title_parts_write(out, &p, t, "conclusion")) return false;
+  if (p.one == N_PHASES) return missing(t);
+  if (title_moves(t, "conclusion")) {
+    text_add(out, " throughout ");
+    title_phases(out, &p.one, 1);
+  }
+  return range_where(out, t, &p, p.one);
 }
 
 static bool make_constraints(struct text *out, const struct title *t) {
@@ -433,7 +496,7 @@ static bool make_notation(struct text *out, const struct title *t) {
   const char *stands_for = claim_get(t->c, "stands-for");
   if (stands_for) return make_symbols(out, stands_for);
   if (!title_formula(out, t, "reads")) return missing(t);
-  text_add(out, " can be read");
+  text_add(out, " is well formed");
   return true;
 }
 
@@ -450,9 +513,9 @@ static bool make_scaling(struct text *out, const struct title *t) {
   size_t len;
   for (const char *p = list_item(&len, scaled); p; p = list_item(&len, p + len))
     text_add_n(title_list_next(&l), p, len);
-  text_printf(out, " keeps its form when all names with the beginning%s ", l.n > 1 ? "s" : "");
+  text_add(out, " is dimensionally homogeneous if the quantities whose symbols begin with ");
   title_list_write(out, &l);
-  text_add(out, " are multiplied by one number");
+  text_add(out, " have one dimension and all others none");
   title_list_clear(&l);
   return true;
 }
@@ -468,21 +531,23 @@ static const struct {
     {"closed-forms", NULL,
      "every motion is given, in each of its phases, by the closed forms of (3), (4), (6), (8) and (10)"},
     {"configurations", NULL, "the four configurations of the paper partition the phase space"},
-    {"dimension", NULL, "the states of the phases fill {range} dimensions"},
+    {"dimension", NULL, "the phase space has {range} dimensions, depending on the phase"},
     {"linear", NULL, "within each configuration the equations of motion are linear, with constant coefficients"},
     {"switches", "slip to stick",
      "a transition from {transition} occurs where a mass reaches the belt's velocity and the force on it is smaller "
      "than its static friction"},
     {"switches", "stick to slip",
-     "a transition from {transition} occurs where the force on a mass passes its static friction"},
+     "a transition from {transition} occurs where the force on a mass exceeds its static friction"},
     {"jumps", NULL, "friction forces and accelerations jump at the switches, positions and velocities do not"},
     {"small", NULL, "after a small change of the positions in the global stick phase both masses still stick"},
     {"fixed-points", NULL,
      "the start of an admissible orbit is a fixed point of the map from one period to the next under Coulomb's law"},
     {"linearization", NULL,
-     "linearizing the phases alone, without what happens at the switches, gives wrong answers about stability"},
+     "linearizing within the phases alone, without regard to the switches, gives wrong results about stability"},
     {"equality", NULL, "periodic solutions on the boundary of the criterion, |tr(J)| = 1, are unstable"},
-    {"perturb", NULL, "of arbitrarily small perturbations of a stable orbit some stay near it and others do not"},
+    {"perturb", NULL,
+     "of the motions that result from arbitrarily small perturbations of a stable orbit some stay near it and others "
+     "do not"},
     {"long-run", NULL, "what becomes of the printed initial state over many returns"},
     {"patching", NULL, "patched solutions of chains of three and four masses agree with direct integration"}};
 
@@ -507,29 +572,14 @@ static bool make_none(struct text *out, const struct title *t) {
 }
 
 static maker *const makers[N_KINDS] = {
-    [KIND_DEFINITION] = make_definition,
-    [KIND_MATRIX] = make_matrix,
-    [KIND_IDENTITY] = make_identity,
-    [KIND_INEQUALITY] = make_inequality,
-    [KIND_SHARP] = make_sharp,
-    [KIND_INDEX_RANGE] = make_index_range,
-    [KIND_NUMBER] = make_number,
-    [KIND_CLOSURE] = make_closure,
-    [KIND_CRITERION] = make_criterion,
-    [KIND_BEHAVIOUR] = make_behaviour,
-    [KIND_ARGUMENT] = make_argument,
-    [KIND_NOTATION] = make_notation,
-    [KIND_SCALING] = make_scaling,
-    [KIND_REACH] = make_reach,
-    [KIND_RANK] = make_rank,
-    [KIND_DEFINED] = make_defined,
-    [KIND_SEQUENCE] = make_sequence,
-    [KIND_EXISTENCE] = make_existence,
-    [KIND_CONSTRAINTS] = make_constraints,
-    [KIND_LAW] = make_law,
-    [KIND_SOLUTIONS] = make_solutions,
-    [KIND_OUTSIDE] = make_none,
-    [KIND_REPORT] = make_report,
+    [KIND_DEFINITION] = make_definition,   [KIND_MATRIX] = make_matrix,     [KIND_IDENTITY] = make_identity,
+    [KIND_INEQUALITY] = make_inequality,   [KIND_SHARP] = make_sharp,       [KIND_INDEX_RANGE] = make_index_range,
+    [KIND_NUMBER] = make_number,           [KIND_CLOSURE] = make_closure,   [KIND_CRITERION] = make_criterion,
+    [KIND_BEHAVIOUR] = make_behaviour,     [KIND_ARGUMENT] = make_argument, [KIND_NOTATION] = make_notation,
+    [KIND_SCALING] = make_scaling,         [KIND_REACH] = make_reach,       [KIND_RANK] = make_rank,
+    [KIND_DEFINED] = make_defined,         [KIND_SEQUENCE] = make_sequence, [KIND_EXISTENCE] = make_existence,
+    [KIND_CONSTRAINTS] = make_constraints, [KIND_RANGE] = make_range,       [KIND_LAW] = make_law,
+    [KIND_SOLUTIONS] = make_solutions,     [KIND_OUTSIDE] = make_none,      [KIND_REPORT] = make_report,
 };
 
 static bool title_made(struct text *out, const struct title *t) {

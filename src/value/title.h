@@ -15,7 +15,10 @@
 
 #include "claim/claims.h"
 #include "model/model.h"
+#include "motion/dynamics.h"
 
+/* What the paper calls the phases: "global stick", ... */
+extern const char *const phase_words[N_PHASES];
 /* Appends the title.  false with d set where the title is at fault, or is not given and cannot be made. */
 bool claim_title(struct text *out, const struct model *m, const struct claim *c, struct diag *d);
 /* Appends the records that an attribute of the claim lists as its title would say them, by number wherever there is one:

@@ -12,8 +12,6 @@ struct title {
   struct diag *d;
 };
 
-/* "global stick", ... */
-extern const char *const phase_words[N_PHASES];
 /* "the global stick phase", "the slip-stick and global slip phases", "every phase"; of phases in the order given. */
 void title_phases(struct text *out, const enum phase *phase, int n);
 /* The phases of a list of letters with blanks or commas between. */
@@ -53,6 +51,8 @@ const char *title_note(const struct statement_record *r, bool brief);
 void title_name(struct text *out, const struct title *t, const struct statement_record *r, bool brief);
 /* Items as formulas; by number where a formula is no shorter; by number wherever there is one. */
 enum title_detail { TITLE_FORMULAS, TITLE_BRIEF, TITLE_NUMBERS };
+/* Which items are written: all, or those that are equations alone, or those that are not. */
+enum title_items { TITLE_ALL, TITLE_EQUATIONS, TITLE_INEQUALITIES };
 /* Items "eq-59#1.2, eq-56 D" of an attribute, each once.  Scanned, over one attribute or two: one is the phase of those
    that are written as formulas, where all have the same, and is left to be said behind them.  false with t->d set when
    there is no such record. */
@@ -60,9 +60,14 @@ struct title_parts {
   enum title_detail detail;
   enum phase one;
   bool several; /* phases: each formula says its own */
+  enum title_items items;
 };
+/* Are there such items? */
+bool title_has_items(const struct title *t, const char *attribute, enum title_items items);
 bool title_parts_scan(struct title_parts *p, const struct title *t, const char *attribute);
 bool title_parts_write(struct text *out, struct title_parts *p, const struct title *t, const char *attribute);
+/* Whether the first item's statement speaks of the time t. */
+bool title_moves(const struct title *t, const char *attribute);
 /* An attribute that is an expression or a relation, as a reader writes it. */
 bool title_formula(struct text *out, const struct title *t, const char *attribute);
 /* " in the global slip phase of every admissible orbit", from points; "" where nothing is to be said. */

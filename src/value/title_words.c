@@ -368,6 +368,46 @@ bool title_parts_scan(struct title_parts *p, const struct title *t, const char *
   return true;
 }
 
+/* All that the item states are equations. */
+static bool is_equation(const struct part *p) {
+  bool all = true;
+  for (int k = 0; k < p->r->n_stmts; k++)
+    if (p->statement == 0 || k == p->statement - 1) all = all && !is_inequality(p->r->stmts[k]);
+  return all;
+}
+
+static bool is_wanted(const struct part *p, enum title_items items) {
+  return items == TITLE_ALL || is_equation(p) == (items == TITLE_EQUATIONS);
+}
+
+bool title_has_items(const struct title *t, const char *attribute, enum title_items items) {
+  char item[64];
+  bool found = false;
+  for (const char *at = claim_get(t->c, attribute); at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
+    struct part part = parse_part(t, item);
+    found = found || (part_is_there(&part) && is_wanted(&part, items));
+  }
+  return found;
+}
+
+static bool has_time(const struct expr *e) {
+  if (e->kind == EXPR_CALL && e->args[0]->kind == EXPR_SYM && strcmp(e->args[0]->name, "t") == 0) return true;
+  for (int i = 0; i < e->n_args; i++)
+    if (has_time(e->args[i])) return true;
+  return false;
+}
+
+bool title_moves(const struct title *t, const char *attribute) {
+  char item[64];
+  struct part part;
+  const char *list = claim_get(t->c, attribute);
+  if (!list || !claim_next_item(item, sizeof item, list) || !read_part(&part, t, attribute, item)) return false;
+  const struct stmt *s = part.r->stmts[part.statement ? part.statement - 1 : 0];
+  for (int i = 0; i < s->n_sides; i++)
+    if (has_time(s->sides[i])) return true;
+  return false;
+}
+
 static void write_numbered(struct text *out, const struct title *t, const struct part *p, const char *list,
                            enum title_detail detail) {
   const char *note = title_note(p->r, detail != TITLE_FORMULAS);
@@ -393,6 +433,7 @@ bool title_parts_write(struct text *out, struct title_parts *p, const struct tit
   for (const char *at = list; ok && at && (at = claim_next_item(item, sizeof item, at)) != NULL;) {
     struct part part;
     if (!(ok = read_part(&part, t, attribute, item))) break;
+    if (!is_wanted(&part, p->items)) continue;
     bool numbered = is_numbered(t, &part, list, p->detail);
     bool with_phase = !numbered && p->several && part.phase != N_PHASES;
     if (is_spread(&part, numbered, with_phase)) {

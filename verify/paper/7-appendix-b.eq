@@ -140,17 +140,36 @@ equation text-start-w
   note: (55) at t = 0
   z_10 - chi*z_20 = e_1 - V*t_a*(1 - chi)
 
-# The constraints in closed form: where each begins to fail.
+# The constraints in closed form; the ranges that follow stand in verify/claims/7-ranges.claim.
 equation text-57-range
-  note: the first inequality of (57): with s = t - t_a it holds up to s = 2 (pi - arctan(e_1/((1 - chi) V))), and so do h' > 0 and,
-    where chi (z_20 - z_10) < e_2, (58)
+  note: the first inequality of (57)
   V - z_1'(t) = (1 - chi)*V*(1 - cos(t - t_a)) + e_1*sin(t - t_a)
 
 equation text-59-range
   section: appendix_a
-  note: the second inequality of (59): it holds up to the first zero, where the phase ends, just where z'_2c < V, that is where
-    z_20 < z_10
+  note: the second inequality of (59), from the state at the start of its interval
   V - z_2'(t) = (V - z'_2c)*cos(omega*(t - t_a - t_b - t_c)) + omega*(z_2c - z_1c)*sin(omega*(t - t_a - t_b - t_c))
+
+inequality text-57-friction
+  note: what the lower bound of (57) asks of u_r2, inside its interval
+  u_r2 >= chi*((1 - chi)*V*(t_b - sin(t_b)) + e_1*(1 - cos(t_b)))/2
+
+inequality text-58-friction
+  note: and what (58) and (52) ask
+  u_r2 > chi*((1 - chi)*V*(t_b - sin(t_b)) + e_1*(1 - cos(t_b)))/2
+
+inequality text-16-friction
+  section: appendix_a
+  note: what (16) asks of u_r1
+  u_r1 > ((1 - chi)*V*(t_a + t_d) + chi*(z_10 - z_20)*(1 - cos(omega*t_d)))/2
+
+inequality text-second-behind
+  note: the second mass is behind while both stick
+  z_20 < z_10
+
+inequality text-behind-range
+  note: the same by t_b
+  e_2 < chi*((1 - chi)*V*(t_b - sin(t_b)) + e_1*(1 - cos(t_b)))
 
 # The same conditions in other words, against which the list is held.
 inequality text-order

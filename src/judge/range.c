@@ -1,0 +1,313 @@
+/* For how long a phase a condition holds throughout it: the closed form of its margin (proof/exact_range.h) proves the
+   range for all parameters.  Beside that, over the pool of orbits, in balls: the margin is of that form, and the
+   condition holds along the whole phase just where the range says. */
+#include <math.h>
+#include <string.h>
+
+#include "judge.h"
+#include "num/calc.h"
+#include "proof/exact_range.h"
+#include "value/expression.h"
+#include "value/orbit_pool.h"
+
+enum { LENGTH = N_RANGE_PARTS, N_NUMBERS, EACH = 4, MOST = 100, FRACTIONS = 4 };
+
+struct range {
+  struct judge *j;
+  const struct claim *c;
+  struct view view;
+  struct conditions goal, premise;
+  struct expression parts; /* and, behind them, the length of the phase */
+  struct range_form form;
+  bool uses_friction; /* the premise */
+  bool proved;
+  long same[2], other, open, beyond[2]; /* orbits where the condition fails, holds; beyond: of rate, x > 2 pi */
+  const char *where;                    /* the first of the others */
+};
+
+/* --- Reading --- */
+
+static const char *const part_attribute[N_RANGE_PARTS] = {"frequency", "factor", "even", "odd", "drift"};
+
+/* "[omega; 1; 0; omega*(z_10 - z_20); 0; t_d]" */
+static bool read_parts(struct range *r) {
+  struct text t;
+  text_init(&t);
+  for (int i = 0; i < N_RANGE_PARTS; i++) {
+    const char *formula = claim_get(r->c, part_attribute[i]);
+    r->form.there[i] = formula != NULL;
+    text_printf(&t, "%s%s; ", i ? "" : "[", formula ? formula : i <= RANGE_FACTOR ? "1" : "0");
+  }
+  text_printf(&t, "%s]", name_time[r->goal.at[0].phase]);
+  bool ok = expression_open(&r->parts, r->view, text_str(&t), claim_get(r->c, "section"), r->j->d);
+  if (ok && r->parts.n != N_NUMBERS)
+    ok = claim_error(r->j, r->c, "kind", "frequency, factor, even, odd and drift are one number each");
+  r->form.parts = &r->parts.tape;
+  text_clear(&t);
+  return ok;
+}
+
+static bool read_range(struct range *r) {
+  const char *from = claim_get(r->c, "from"), *rate = claim_get(r->c, "rate");
+  if (!conditions_read(&r->goal, r->j, r->c, "conclusion", r->view)) return false;
+  if (!conditions_read(&r->premise, r->j, r->c, "premises", r->view)) return false;
+  if (r->goal.n != 1 || r->premise.n > 1)
+    return claim_error(r->j, r->c, "conclusion", "one condition, with one premise or none");
+  r->form = (struct range_form){.premise = r->premise.n ? &r->premise.at[0] : NULL,
+                                .from_end = from && strcmp(from, "end") == 0,
+                                .rate = rate && strcmp(rate, "yes") == 0};
+  if (from && !r->form.from_end) return claim_error(r->j, r->c, "from", "end, or nothing");
+  if (rate && !r->form.rate) return claim_error(r->j, r->c, "rate", "yes, or nothing");
+  return read_parts(r);
+}
+
+static void clear_range(struct range *r) {
+  expression_close(&r->parts);
+  conditions_clear(&r->premise);
+  conditions_clear(&r->goal);
+}
+
+/* --- One orbit in balls --- */
+
+static bool numbers_at(arb_ptr v, struct range *r, const struct point *p) {
+  return expression_value(v, &r->parts, p, FIRST_PREC, r->j->cache) == SS_OK;
+}
+
+/* 2 (pi - arctan(odd/even)) - x, and 2 pi - x, of the whole phase. */
+static void distances(arb_t limit, arb_t turn, arb_srcptr v) {
+  arb_t x;
+  arb_init(x);
+  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
+  arb_const_pi(limit, FIRST_PREC);
+  arb_mul_2exp_si(turn, limit, 1);
+  arb_sub(turn, turn, x, FIRST_PREC);
+  arb_const_pi(limit, FIRST_PREC); /* pi - arctan(odd/even) = arg(-even + i odd), pi/2 without even */
+  if (!arb_is_zero(v + RANGE_EVEN)) {
+    arb_neg(limit, v + RANGE_EVEN);
+    arb_atan2(limit, v + RANGE_ODD, limit, FIRST_PREC);
+    arb_mul_2exp_si(limit, limit, 1);
+  }
+  arb_sub(limit, limit, x, FIRST_PREC);
+  arb_clear(x);
+}
+
+static truth sign(const arb_t x) {
+  return arb_is_nonnegative(x) ? TRUTH_TRUE : arb_is_negative(x) ? TRUTH_FALSE : TRUTH_UNKNOWN;
+}
+
+/* What the range says of the phase; *beyond: nothing. */
+static truth expected(bool *beyond, struct range *r, arb_srcptr v, const struct point *p) {
+  double where;
+  arb_ptr w = _arb_vec_init(3);
+  truth holds = TRUTH_TRUE;
+  *beyond = false;
+  if (r->premise.n) holds = condition_holds(&where, w, &r->premise.at[0], p, FIRST_PREC, r->j->cache);
+  if (r->form.there[RANGE_ODD]) {
+    distances(w + 1, w + 2, v);
+    holds = truth_and(holds, sign(w + 1));
+    *beyond = r->form.rate && !arb_is_nonnegative(w + 2);
+  }
+  _arb_vec_clear(w, 3);
+  return holds;
+}
+
+/* The form at that fraction of the phase, without its level. */
+static void form_at(arb_t z, struct range *r, arb_srcptr v, const arb_t fraction) {
+  arb_ptr w = _arb_vec_init(4);
+  arb_ptr x = w, sine = w + 1, cosine = w + 2, one = w + 3;
+  arb_one(one);
+  arb_mul(x, v + RANGE_FREQUENCY, v + LENGTH, FIRST_PREC);
+  if (r->goal.at[0].moving) arb_mul(x, x, fraction, FIRST_PREC);
+  arb_sin_cos(sine, cosine, x, FIRST_PREC);
+  arb_sub(cosine, one, cosine, FIRST_PREC);
+  arb_sub(x, x, sine, FIRST_PREC);
+  arb_mul(z, v + RANGE_EVEN, cosine, FIRST_PREC);
+  arb_addmul(z, v + RANGE_ODD, sine, FIRST_PREC);
+  arb_addmul(z, v + RANGE_DRIFT, x, FIRST_PREC);
+  arb_mul(z, z, v + RANGE_FACTOR, FIRST_PREC);
+  _arb_vec_clear(w, 4);
+}
+
+/* The tape's value with the time t at that fraction of the phase. */
+static bool margin_at(arb_t z, struct range *r, const struct condition *c, struct point *p, slong k) {
+  struct calc w = calc_begin(num_ctx_arb(FIRST_PREC));
+  struct num_vec out = calc_vec(&w, 1);
+  bool known;
+  p->phase = r->goal.at[0].phase;
+  fmpq_set_si(&p->q[Q_S], k, FRACTIONS);
+  bool ok = tape_at_point(&out, &known, &c->s.tape, p, r->j->cache) == SS_OK && known;
+  arb_set(z, num_vec_at(&out, 0));
+  calc_clear(&w);
+  return ok;
+}
+
+/* The margin less the form: the same at two fractions of the phase, and zero without a premise. */
+static truth is_of_form(struct range *r, arb_srcptr v, struct point *p) {
+  arb_ptr w = _arb_vec_init(4);
+  truth holds = TRUTH_TRUE;
+  for (slong k = 1; k <= 2 && holds == TRUTH_TRUE; k++) {
+    arb_set_si(w + 3, r->form.from_end ? FRACTIONS - k : k);
+    arb_mul_2exp_si(w + 3, w + 3, -2);
+    form_at(w + 2, r, v, w + 3);
+    if (!margin_at(w + k - 1, r, &r->goal.at[0], p, k)) holds = TRUTH_UNKNOWN;
+    arb_sub(w + k - 1, w + k - 1, w + 2, FIRST_PREC);
+  }
+  bool level = r->premise.n && !r->form.there[RANGE_ODD];
+  if (holds == TRUTH_TRUE && level) arb_sub(w, w, w + 1, FIRST_PREC);
+  if (holds == TRUTH_TRUE && !arb_contains_zero(w)) holds = TRUTH_FALSE;
+  _arb_vec_clear(w, 4);
+  return holds;
+}
+
+/* The static friction a little above (side 1) or below what the premise asks. */
+static void choose_friction(struct range *r, struct point *p, const struct dyn_orbit *o, int side) {
+  enum { GRID = 1024 };
+  struct sampled s[MAX_CONDITIONS];
+  for (int i = 0; i < 2; i++) fmpq_set_si(&p->q[Q_US1 + i], 1 << 20, 1);
+  if (!r->premise.n || conditions_sample(s, &r->premise, p, r->j->cache) != SS_OK) return;
+  for (int i = 0; i < 2; i++) {
+    if (!(s[0].slope[i] > 0.01)) continue;
+    double least = -s[0].least / s[0].slope[i] * fmpq_get_d(&p->q[Q_V]) + num_arb.get_d(i ? o->e2 : o->e1);
+    double k = ceil(least * (1 + (side ? 1 : -1) / 32.0) * GRID);
+    if (fabs(k) < 1e15) fmpq_set_si(&p->q[Q_US1 + i], (slong)k, GRID);
+  }
+}
+
+static void book(struct range *r, truth form, truth said, truth found, bool beyond, const struct point *p) {
+  bool differs = form == TRUTH_FALSE || (!beyond && said != TRUTH_UNKNOWN && found != TRUTH_UNKNOWN && said != found);
+  if (differs) {
+    r->other++;
+    if (r->where) return;
+    struct text t;
+    text_init(&t);
+    point_print(&t, p);
+    r->where = result_take(r->j->out, &t);
+  } else if (form == TRUTH_UNKNOWN || said == TRUTH_UNKNOWN || found == TRUTH_UNKNOWN) {
+    r->open++;
+  } else {
+    ++*(beyond ? &r->beyond[found] : &r->same[found]);
+  }
+}
+
+/* Whether enough like it have been tried, where there is a proof already. */
+static bool is_enough(const struct range *r, truth said, bool beyond) {
+  return r->proved && said != TRUTH_UNKNOWN && (beyond ? r->beyond : r->same)[said] >= EACH;
+}
+
+static void try_orbit(struct range *r, const struct pool_item *item, slong index, int side) {
+  struct point p;
+  double where;
+  bool beyond;
+  arb_ptr v = _arb_vec_init(N_NUMBERS + 1);
+  const struct dyn_orbit *o = &item->list.orbit[index];
+  point_init(&p);
+  pool_point(&p, item, index);
+  choose_friction(r, &p, o, side);
+  if (!o->grazing && numbers_at(v, r, &p)) {
+    truth said = expected(&beyond, r, v, &p);
+    if (!is_enough(r, said, beyond)) {
+      p.known = NULL; /* enclosed as narrowly as asked for */
+      truth form = r->form.rate ? TRUTH_TRUE : numbers_at(v, r, &p) ? is_of_form(r, v, &p) : TRUTH_UNKNOWN;
+      said = expected(&beyond, r, v, &p);
+      truth found = condition_holds(&where, v + N_NUMBERS, &r->goal.at[0], &p, FIRST_PREC, r->j->cache);
+      book(r, form, said, found, beyond, &p);
+    }
+  }
+  point_clear(&p);
+  _arb_vec_clear(v, N_NUMBERS + 1);
+}
+
+static void by_balls(struct range *r) {
+  const struct orbit_pool *pool = orbit_pool_get(r->j);
+  long tried = 0;
+  for (size_t i = 0; i < pool->n && tried < MOST && !(r->other && r->j->effort != EFFORT_FULL); i++)
+    for (slong k = 0; k < pool->item[i]->list.n; k++, tried++)
+      for (int side = 0; side < 1 + r->uses_friction; side++) try_orbit(r, pool->item[i], k, side);
+}
+
+/* --- The kind --- */
+
+static const char *describe(struct range *r) {
+  struct text t;
+  text_init(&t);
+  text_printf(
+      &t,
+      "along the whole phase the condition holds on %ld orbits and fails on %ld as the range says, otherwise on "
+      "%ld, open on %ld",
+      r->same[1], r->same[0], r->other, r->open);
+  if (r->beyond[0] + r->beyond[1])
+    text_printf(&t, "; where the phase takes more than 2 pi it holds on %ld and fails on %ld", r->beyond[1],
+                r->beyond[0]);
+  return result_take(r->j->out, &t);
+}
+
+static void add_part(struct text *t, size_t from, const char *formula, const char *of_x) {
+  if (formula) text_printf(t, "%s(%s)*%s", t->len > from ? " + " : "", formula, of_x);
+}
+
+/* "(chi)*((e_1)*(1 - cos(x)) + ...), x = (omega)*(the time to the end of the phase)" */
+static void form_text(struct text *t, const struct range *r) {
+  const char *factor = claim_get(r->c, "factor"), *frequency = claim_get(r->c, "frequency");
+  if (factor) text_printf(t, "(%s)*(", factor);
+  size_t from = t->len;
+  add_part(t, from, claim_get(r->c, "even"), "(1 - cos(x))");
+  add_part(t, from, claim_get(r->c, "odd"), "sin(x)");
+  add_part(t, from, claim_get(r->c, "drift"), "(x - sin(x))");
+  text_add(t, factor ? "), x being " : ", x being ");
+  if (frequency) text_printf(t, "(%s) times ", frequency);
+  text_add(t, !r->goal.at[0].moving ? "the length of the phase"
+              : r->form.from_end    ? "the time to the end of the phase"
+                                    : "the time since the phase began");
+}
+
+/* What was shown, on motions made from the first-order systems. */
+static const char *proof_note(const struct range *r) {
+  struct text t;
+  text_init(&t);
+  text_add(&t, "on motions made from the first-order systems ");
+  if (!r->form.there[RANGE_ODD] && !r->form.there[RANGE_DRIFT]) {
+    text_add(&t, "the margin is the premise's times a factor that is positive for all parameters");
+  } else if (!r->form.there[RANGE_ODD]) {
+    text_add(&t, r->premise.n ? "the margin is a positive multiple of the premise's plus " : "the margin is ");
+    form_text(&t, r);
+    text_add(&t, ", which is zero for x = 0 and positive for x > 0");
+  } else {
+    text_add(&t,
+             r->form.rate ? "the margin is zero at the end of the phase, and minus its rate is " : "the margin is ");
+    form_text(&t, r);
+    if (r->form.there[RANGE_EVEN])
+      text_printf(
+          &t, "; by half angles that is positive up to x = 2*(pi - arctan((%s)/(%s))), and negative from there to 2*pi",
+          claim_get(r->c, "odd"), claim_get(r->c, "even"));
+    else
+      text_add(&t, "; the sine is positive up to pi, and negative from there to 2*pi");
+  }
+  return result_take(r->j->out, &t);
+}
+
+static void conclude(struct finding *f, struct range *r) {
+  struct route_result w = {"balls", outcome_of_counts(r->same[0] + r->same[1], r->other, r->open), true,
+                           r->same[0] + r->same[1] + r->other + r->open};
+  finding_add_route(f, r->j->out, w, layer_name[LAYER_CORRECTED], FIRST_PREC, r->where, describe(r));
+  if (r->proved) {
+    struct evidence *e = finding_add(f, r->j->out);
+    e->route = "exact";
+    e->layer = layer_name[LAYER_CORRECTED];
+    e->result = "proved";
+    e->note = proof_note(r);
+  }
+  f->verdict = verdict_of(&w, 1, r->proved);
+}
+
+bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  struct range r = {.j = j, .c = c, .view = view};
+  bool ok = read_range(&r);
+  r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
+  if (ok) {
+    r.proved = j->effort != EFFORT_REFUTE && exact_range(&r.goal.at[0], &r.form);
+    by_balls(&r);
+    conclude(f, &r);
+  }
+  clear_range(&r);
+  return ok && !j->d->set;
+}

@@ -1,0 +1,155 @@
+/* Ranges of conditions by exact algebra, see exact_range.h. */
+#include "exact_range.h"
+
+#include "exact_argument.h"
+#include "exact_motion_impl.h"
+#include "num/calc.h"
+
+/* --- Signs --- */
+
+/* A product of what is positive on the whole domain, sqrt(chi*eta) among it, and of the fact (or NULL). */
+static bool is_product(struct exact_motion *m, val x, val fact) {
+  struct calc c = exact_calc(m->field);
+  struct num_vec positive = calc_vec(&c, EXACT_POSITIVE + 1);
+  int n = exact_motion_positive(&positive, m);
+  val stiff = calc_mul(&c, at(&m->params, P_CHI), at(&m->params, P_ETA));
+  c.status |= exact_sqrt(at(&positive, n), m->field, stiff);
+  val rest = fact ? calc_div(&c, x, fact) : x;
+  bool yes = n > 0 && c.status == SS_OK && exact_product_sign(rest, at(&positive, 0), n + 1) > 0;
+  calc_clear(&c);
+  return yes;
+}
+
+/* Positive for all parameters, e_1 > 0 among them. */
+static bool is_positive(struct exact_motion *m, val x) {
+  struct calc c = exact_calc(m->field);
+  element *e1 = calc_new(&c);
+  c.status |= exact_motion_bind(e1, m->field, "e_1", m);
+  bool yes = is_product(m, x, NULL) || (c.status == SS_OK && is_product(m, x, e1));
+  calc_clear(&c);
+  return yes;
+}
+
+/* --- The form --- */
+
+/* On one motion: the margin or minus its rate, the parts, the premise's margin, and x with its sine and cosine. */
+struct on_motion {
+  struct exact_motion m;
+  struct calc c;
+  val margin, part[N_RANGE_PARTS], premise, x, sine, cosine;
+};
+
+static val tape_value(struct on_motion *s, const struct tape *t) {
+  element *z = calc_new(&s->c);
+  if (!exact_margin(z, &s->m, t)) s->c.status |= SS_UNABLE;
+  return z;
+}
+
+static void angle(val *x, val *sine, val *cosine, struct on_motion *s, const char *time) {
+  element *u = calc_new(&s->c), *a = calc_new(&s->c), *b = calc_new(&s->c);
+  s->c.status |= exact_symbol(u, s->m.field, time);
+  *x = calc_mul(&s->c, s->part[RANGE_FREQUENCY], u);
+  if (s->c.status == SS_OK) s->c.status |= exact_sin_cos(a, b, s->m.field, *x);
+  *sine = a;
+  *cosine = b;
+}
+
+static void take_angle(struct on_motion *s, const struct condition *goal, bool from_end) {
+  struct calc *c = &s->c;
+  val x, sine, cosine;
+  angle(&s->x, &s->sine, &s->cosine, s, goal->moving && !from_end ? "tau" : name_time[goal->phase]);
+  if (!goal->moving || !from_end) return;
+  angle(&x, &sine, &cosine, s, "tau");
+  val all_sine = s->sine, all_cosine = s->cosine;
+  s->x = calc_sub(c, s->x, x);
+  s->sine = calc_sub(c, calc_mul(c, all_sine, cosine), calc_mul(c, all_cosine, sine));
+  s->cosine = calc_add(c, calc_mul(c, all_cosine, cosine), calc_mul(c, all_sine, sine));
+}
+
+static void take_parts(struct on_motion *s, const struct tape *t) {
+  struct exact_vec v;
+  s->c.status |= exact_eval(&v, s->m.field, t);
+  for (int i = 0; i < N_RANGE_PARTS; i++) {
+    element *z = calc_new(&s->c);
+    if (s->c.status == SS_OK) num_exact.set(z, &v.x[i]);
+    s->part[i] = z;
+  }
+  exact_vec_clear(&v);
+}
+
+static void take_values(struct on_motion *s, const struct condition *goal, const struct range_form *form) {
+  s->margin = tape_value(s, &goal->s.tape);
+  if (form->rate) {
+    element *rate = calc_new(&s->c);
+    if (s->c.status == SS_OK) s->c.status |= exact_derivative(rate, s->m.field, s->margin, "tau");
+    s->margin = calc_neg(&s->c, rate);
+  }
+  take_parts(s, form->parts);
+  s->premise = form->premise ? tape_value(s, &form->premise->s.tape) : NULL;
+  take_angle(s, goal, form->from_end);
+}
+
+/* The margin less what swings with x. */
+static val level_of(struct on_motion *s) {
+  struct calc *c = &s->c;
+  val even = calc_mul(c, s->part[RANGE_EVEN], calc_sub(c, calc_d(c, 1), s->cosine));
+  val odd = calc_mul(c, s->part[RANGE_ODD], s->sine);
+  val drift = calc_mul(c, s->part[RANGE_DRIFT], calc_sub(c, s->x, s->sine));
+  val sum = calc_add(c, even, calc_add(c, odd, drift));
+  return calc_sub(c, s->margin, calc_mul(c, s->part[RANGE_FACTOR], sum));
+}
+
+static bool swings(struct on_motion *s, const struct range_form *form, val level) {
+  if (form->there[RANGE_DRIFT] || !exact_is_zero(s->m.field, level)) return false;
+  if (form->premise && (form->there[RANGE_EVEN] || !form->premise->strict)) return false;
+  return form->premise ? is_product(&s->m, s->part[RANGE_ODD], s->premise)
+                       : is_positive(&s->m, s->part[RANGE_ODD]) &&
+                             (!form->there[RANGE_EVEN] || is_positive(&s->m, s->part[RANGE_EVEN]));
+}
+
+/* Where the form has no part but the level the premise says just what the condition says; beside parts that are zero at
+   the end of an open interval, and positive inside, the level may be zero. */
+static bool stays(struct on_motion *s, const struct condition *goal, const struct range_form *form, val level) {
+  bool grows = form->there[RANGE_DRIFT];
+  if (form->there[RANGE_EVEN] && !grows) return false;
+  for (int i = RANGE_EVEN; i < N_RANGE_PARTS; i++)
+    if (form->there[i] && !is_positive(&s->m, s->part[i])) return false;
+  if (!form->premise) return grows && exact_is_zero(s->m.field, level);
+  return is_product(&s->m, level, s->premise) &&
+         (grows ? goal->moving && !form->premise->strict : form->premise->strict);
+}
+
+static bool holds_on(const struct condition *goal, const struct range_form *form, int anchor) {
+  struct on_motion s = {.margin = NULL};
+  exact_orbit_init(&s.m, goal->phase, anchor, TIME_INSIDE, false);
+  s.c = exact_calc(s.m.field);
+  take_values(&s, goal, form);
+  val level = level_of(&s);
+  bool ok = s.c.status == SS_OK && is_product(&s.m, s.part[RANGE_FREQUENCY], NULL) &&
+            is_product(&s.m, s.part[RANGE_FACTOR], NULL);
+  ok = ok && (form->there[RANGE_ODD] ? swings(&s, form, level) : stays(&s, goal, form, level));
+  calc_clear(&s.c);
+  exact_motion_clear(&s.m);
+  return ok;
+}
+
+static bool ends_at_zero(const struct condition *goal, int anchor) {
+  struct exact_motion m;
+  exact_orbit_init(&m, goal->phase, anchor, TIME_END, false);
+  struct calc c = exact_calc(m.field);
+  element *margin = calc_new(&c);
+  bool zero = exact_margin(margin, &m, &goal->s.tape) && exact_is_zero(m.field, margin);
+  calc_clear(&c);
+  exact_motion_clear(&m);
+  return zero;
+}
+
+bool exact_range(const struct condition *goal, const struct range_form *form) {
+  bool ok = false, ends = !form->rate;
+  if (goal->equality || !goal->strict || (form->rate && !(goal->moving && form->there[RANGE_ODD]))) return false;
+  for (int anchor = 4; anchor >= ANCHOR_BACK; anchor--) {
+    ok = ok || holds_on(goal, form, anchor);
+    ends = ends || ends_at_zero(goal, anchor);
+  }
+  return ok && ends;
+}
