@@ -1150,8 +1150,7 @@ END_TEST
 START_TEST(what_cannot_be_read_is_a_fault_of_notation) {
   static const struct {
     const char *overlay, *outcome;
-  } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := stranger*[-1, 1]\n", "stranger"},
-               {"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
+  } cases[] = {{"define user\n  section: stability\n  equation: 27\n  J_a := [1, 2; 3, 4]\n", "2x2"},
                {"define user\n  section: stability\n  equation: 27\n  J_a := [-1, 1]*[1, 2]\n", "1x2 and 1x2"}};
   for (size_t i = 0; i < sizeof cases / sizeof *cases; i++) {
     struct audit_result r;

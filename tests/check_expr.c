@@ -106,10 +106,10 @@ static struct expr *power(const struct expr *a, int n) {
 
 /* The tree in a notation of the test's own: (+ a (* b c)), every node spelt out. */
 static void spell(struct text *out, const struct expr *e) {
-  static const char *const names[] = {"num",     "sym",       "call",        "neg",    "+",     "-",    "*",
-                                      "/",       "^",         "sin",         "cos",    "cot",   "sqrt", "abs",
-                                      "rounded", "sinc",      "stumpff",     "hypot",  "paren", "inv",  "det",
-                                      "tr",      "transpose", "first_order", "matrix", "index"};
+  static const char *const names[] = {"num", "sym",     "call",      "neg",         "+",      "-",     "*",
+                                      "/",   "^",       "sin",       "cos",         "cot",    "sqrt",  "exp",
+                                      "abs", "rounded", "sinc",      "stumpff",     "hypot",  "paren", "inv",
+                                      "det", "tr",      "transpose", "first_order", "matrix", "index"};
   if (e->kind == EXPR_NUM || e->kind == EXPR_SYM) {
     text_add(out, e->name);
     return;
@@ -576,8 +576,9 @@ static struct expr *random_matrix(int depth) {
 }
 
 static struct expr *random_primary(int depth) {
-  static const enum expr_kind functions[] = {EXPR_SIN, EXPR_COS, EXPR_COT,       EXPR_SQRT, EXPR_ABS,     EXPR_INV,
-                                             EXPR_DET, EXPR_TR,  EXPR_TRANSPOSE, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED};
+  static const enum expr_kind functions[] = {EXPR_SIN,     EXPR_COS,     EXPR_COT, EXPR_SQRT,      EXPR_ABS,
+                                             EXPR_INV,     EXPR_DET,     EXPR_TR,  EXPR_TRANSPOSE, EXPR_SINC,
+                                             EXPR_STUMPFF, EXPR_ROUNDED, EXPR_EXP};
   if (depth <= 0) return random_leaf();
   switch (below(6)) {
   case 0:
@@ -589,7 +590,7 @@ static struct expr *random_primary(int depth) {
       e->args[1] = random_sum(depth - 1);
       return e;
     }
-    return one(functions[below(12)], random_sum(depth - 1));
+    return one(functions[below(13)], random_sum(depth - 1));
   case 2:
     return random_matrix(depth - 1);
   case 3: {
@@ -713,13 +714,13 @@ START_TEST(test_same) {
 END_TEST
 
 static const struct expr *random_scalar(int depth) {
-  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN,  EXPR_COS,     EXPR_COT,    EXPR_SQRT,
-                                         EXPR_ABS, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED};
+  static const enum expr_kind unary[] = {EXPR_NEG, EXPR_SIN,  EXPR_COS,     EXPR_COT,     EXPR_SQRT,
+                                         EXPR_ABS, EXPR_SINC, EXPR_STUMPFF, EXPR_ROUNDED, EXPR_EXP};
   static const enum expr_kind binary[] = {EXPR_ADD, EXPR_SUB, EXPR_MUL, EXPR_DIV, EXPR_HYPOT};
   if (depth <= 0) return below(3) ? expr_sym(&pool, below(2) ? "x" : "y") : expr_num(&pool, random_numbers[below(7)]);
   switch (below(8)) {
   case 0:
-    return expr_op1(&pool, unary[below(9)], random_scalar(depth - 1));
+    return expr_op1(&pool, unary[below(10)], random_scalar(depth - 1));
   case 1:
     return expr_op1(&pool, EXPR_NEG, random_scalar(depth - 1));
   case 2:
@@ -1155,6 +1156,8 @@ static long double node_value(const struct expr *e, long double a, long double b
     return cosl(a) / sinl(a);
   case EXPR_SQRT:
     return a > 0 ? sqrtl(a) : NAN; /* not differentiable at 0 */
+  case EXPR_EXP:
+    return expl(a);
   case EXPR_ABS:
     return a == 0 ? NAN : fabsl(a);
   case EXPR_ROUNDED:

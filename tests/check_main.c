@@ -35,6 +35,7 @@ int main(void) {
   srunner_add_suite(r, law_suite());
   srunner_add_suite(r, title_suite());
   srunner_add_suite(r, rules_suite());
+  srunner_add_suite(r, another_suite());
   srunner_add_suite(r, readings_suite());
   srunner_add_suite(r, jacobian_suite());
   srunner_add_suite(r, behaviour_suite());

@@ -325,9 +325,10 @@ START_TEST(files_refused) {
       /* a misspelt attribute would silently put the record into no section */
       {"define d\n  sectoin: a\n  x := 1\n", "f1.eq:2:3: error: unknown attribute \"sectoin\"; one of section equation "
                                              "tex place note reads replaces equals\n    sectoin: a\n    ^"},
-      {"symbol x\n  mean: a\n", "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note\n    mean: a\n    ^"},
+      {"symbol x\n  mean: a\n",
+       "f1.eq:2:3: error: unknown attribute \"mean\"; one of means note domain\n    mean: a\n    ^"},
       {"equation: 1\ndefine d\n", "f1.eq:1:1: error: unknown attribute \"equation\"; one of section title note paper "
-                                  "place text\n  equation: 1\n  ^"},
+                                  "place text model\n  equation: 1\n  ^"},
       {"define d\nx := 1\n",
        "f1.eq:2:1: error: a line in the first column must be a head \"kind id\"; indent the fields "
        "of record d\n  x := 1\n  ^"},
@@ -391,7 +392,7 @@ START_TEST(folders_of_files) {
   diag_init(&d);
   ck_assert_msg(model_add_folder(&model, top, RANK_PAPER, &d), "%s", d.message);
   ck_assert_uint_eq(model.n_symbols, strlen(order));
-  for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1] < *model.symbols[i]);
+  for (size_t i = 1; i < model.n_symbols; i++) ck_assert(*model.symbols[i - 1].name < *model.symbols[i].name);
   ck_assert(mkdir(scratch_path("3.eq"), 0755) == 0);
   model_clear(&model);
   model_init(&model);

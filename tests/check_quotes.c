@@ -243,7 +243,7 @@ START_TEST(differences_are_told) {
       {"note.md", "s/1 + t$/1 - t/", 1, "  quoted: \\det D(t) = 1 >>+<< t\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, " grows: \\det D(t) = 1 >>-<< t\n          at "},
       {"note.md", "s/1 + t$/1 - t/", 1, "note.md:10\n"},
-      {"note.md", "s/1 + t$/1 - t/", 1, "paper/note.eq:21: eq-2 tex: not at token 179\n"},
+      {"note.md", "s/1 + t$/1 - t/", 1, "paper/note.eq:22: eq-2 tex: not at token 179\n"},
       {"note.md", "s/1 + t$/1 - t/", 1, "quotations: 5 of 7 found"},
       {"note.md", "s/1 + t$/1 - t/", 1, ", another than the one on file (sha256 "},
       {"note.md", "12d;s/1 + t$/1 +/", 1, "t) = 1 + >>nothing more<<\n"},

@@ -253,7 +253,7 @@ START_TEST(bash_completes) {
   static const struct {
     const char *line, *words;
   } cases[] = {{"ver", "verify\n"},
-               {"s", "simulate\nstability\nsweep\n"},
+               {"s", "simulate\nstability\nsweep\nsystem\n"},
                {"orbit --b", "--basin\n"},
                {"verify --o", "--only\n--out\n--overlay\n"},
                {"orbit near-f", "near-flip\nnear-fold\n"},

@@ -25,6 +25,7 @@ Suite *argument_suite(void);
 Suite *law_suite(void);
 Suite *title_suite(void);
 Suite *rules_suite(void);
+Suite *another_suite(void);
 Suite *readings_suite(void);
 Suite *jacobian_suite(void);
 Suite *behaviour_suite(void);

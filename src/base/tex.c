@@ -78,6 +78,7 @@ const struct tex_word *tex_word(const char *name, size_t len) {
       {"cos", TEX_ROLE_FUNCTION, 0, false, "cos"},
       {"tan", TEX_ROLE_FUNCTION, 0, false, "tan"},
       {"cot", TEX_ROLE_FUNCTION, 0, false, "cot"},
+      {"exp", TEX_ROLE_FUNCTION, 0, false, "exp"},
       {"det", TEX_ROLE_FUNCTION, 0, false, "det"},
       {"dots", TEX_ROLE_ORDINARY, 0, false, "\xe2\x80\xa6"},
       {"ldots", TEX_ROLE_ORDINARY, 0, false, "\xe2\x80\xa6"},

@@ -99,7 +99,7 @@ const char *text_str(const struct text *t) {
 }
 
 void diag_init(struct diag *d) {
-  *d = (struct diag){false, ""};
+  *d = (struct diag){.set = false};
 }
 
 /* Cuts a message that had to be truncated at a character boundary, so that it stays UTF-8. */
@@ -205,6 +205,8 @@ void source_place(size_t *line, size_t *column, const struct source *s, size_t o
 void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
   if (!d || d->set) return;
   if (offset > s->len) offset = s->len;
+  d->src = s;
+  d->at = offset;
   size_t line, begin, end;
   line_of(&line, &begin, s, offset);
   end = begin;

@@ -61,6 +61,9 @@ struct source {
    most 999 bytes of UTF-8 without control characters, no trailing newline.  What is longer loses its middle. */
 struct diag {
   bool set;
+  bool undeclared; /* the mistake is a name that no file declares */
+  const void *src; /* diag_at: the source, to be told from others and not to be read; NULL without a place */
+  size_t at;       /* the offset in it */
   char message[1000];
 };
 

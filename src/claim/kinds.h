@@ -10,6 +10,7 @@
                       asks for half as many; 0: its judge has its own
      routes           the fewest routes, balls among them, that are independent by the table of record/routes.h
      controls         the fewest controls on file where there is a claim of the kind
+     of model         it is always about the model's system; the others are about what their points are
 
    The judge of a row is a function of judge/judge.h, which alone looks at that column. */
 #ifndef STICKSLIP_KINDS_H
@@ -34,48 +35,50 @@ enum asked { ASKED_EARLY, ASKED_LATE, ASKED_NEVER };
 enum fault { FAULT_NOTATION, FAULT_FORMULA, FAULT_NUMBER, FAULT_ARGUMENT, N_FAULTS, FAULT_BY_EDIT };
 extern const char *const fault_name[N_FAULTS];
 
-/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls, fault, points, routes, controls) */
+/* K(name, word in files, judge, tried at points, asked, of scene, parts, balls, fault, points, routes, controls,
+     of model) */
 #define CLAIM_KINDS(K)                                                                                                 \
-  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 0)          \
+  K(DEFINITION, "definition", judge_definition, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 0, false)   \
   K(MATRIX, "matrix", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, 2,  \
-    1)                                                                                                                 \
+    1, true)                                                                                                           \
   K(IDENTITY, "identity", judge_points, true, ASKED_EARLY, false, NEEDS_SCENE | NEEDS_ALGEBRA, true, FAULT_BY_EDIT, 6, \
-    2, 1)                                                                                                              \
-  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1)              \
+    2, 1, false)                                                                                                       \
+  K(SHARP, "sharp", judge_sharp, false, ASKED_EARLY, false, NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 6, 0, 1, true)        \
   K(INEQUALITY, "inequality", judge_inequality, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true,            \
-    FAULT_NUMBER, 0, 0, 1)                                                                                             \
-  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1)       \
-  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, 1) \
+    FAULT_NUMBER, 0, 0, 1, true)                                                                                       \
+  K(INDEX_RANGE, "index-range", judge_index_range, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1, true) \
+  K(NUMBER, "number", judge_number, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, 1, \
+    true)                                                                                                              \
   K(CLOSURE, "closure", judge_closure, false, ASKED_EARLY, true, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0, \
-    1)                                                                                                                 \
+    1, true)                                                                                                           \
   K(CRITERION, "criterion", judge_criterion, false, ASKED_LATE, false,                                                 \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_FORMULA, 0, 0, 1)             \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_FORMULA, 0, 0, 1, true)       \
   K(BEHAVIOUR, "behaviour", judge_behaviour, false, ASKED_NEVER, false,                                                \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1)            \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1, true)      \
   K(REPORT, "report", judge_report, false, ASKED_NEVER, false, NEEDS_PHASES | NEEDS_SCENE, true, FAULT_NUMBER, 0, 0,   \
-    0)                                                                                                                 \
+    0, true)                                                                                                           \
   K(ARGUMENT, "argument", judge_argument, false, ASKED_LATE, false,                                                    \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1)              \
-  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1)                \
-  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1)                     \
-  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1)                          \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0, 1, true)        \
+  K(NOTATION, "notation", judge_notation, false, ASKED_EARLY, false, 0, false, FAULT_NOTATION, 0, 0, 1, false)         \
+  K(SCALING, "scaling", judge_scaling, false, ASKED_LATE, false, 0, false, FAULT_BY_EDIT, 0, 0, 1, false)              \
+  K(REACH, "reach", judge_reach, false, ASKED_LATE, false, 0, false, FAULT_ARGUMENT, 0, 0, 1, false)                   \
   K(RANK, "rank", judge_rank, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,              \
-    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(DEFINED, "defined", judge_defined, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_ALGEBRA, true,     \
-    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(CONSTRAINTS, "constraints", judge_constraints, false, ASKED_LATE, false,                                           \
     NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_POOL | NEEDS_MOTION | NEEDS_ALGEBRA, true, FAULT_ARGUMENT, 0, 0,  \
-    1)                                                                                                                 \
+    1, true)                                                                                                           \
   K(SEQUENCE, "sequence", judge_sequence, false, ASKED_LATE, true,                                                     \
-    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1)                            \
+    NEEDS_PHASES | NEEDS_SCENE | NEEDS_OTHER | NEEDS_MOTION, true, FAULT_ARGUMENT, 0, 0, 1, true)                      \
   K(EXISTENCE, "existence", judge_existence, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_SCENE, true,               \
-    FAULT_ARGUMENT, 0, 0, 1)                                                                                           \
+    FAULT_ARGUMENT, 0, 0, 1, true)                                                                                     \
   K(SOLUTIONS, "solutions", judge_solutions, false, ASKED_NEVER, true, NEEDS_PHASES | NEEDS_OTHER | NEEDS_MOTION,      \
-    true, FAULT_ARGUMENT, 0, 0, 1)                                                                                     \
+    true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
   K(RANGE, "range", judge_range, false, ASKED_LATE, false, NEEDS_PHASES | NEEDS_OTHER | NEEDS_POOL | NEEDS_ALGEBRA,    \
-    true, FAULT_ARGUMENT, 0, 0, 1)                                                                                     \
-  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1)                      \
-  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0)
+    true, FAULT_ARGUMENT, 0, 0, 1, true)                                                                               \
+  K(LAW, "law", judge_law, false, ASKED_EARLY, false, NEEDS_MOTION, true, FAULT_FORMULA, 0, 0, 1, true)                \
+  K(OUTSIDE, "outside", judge_outside, false, ASKED_NEVER, false, 0, false, FAULT_ARGUMENT, 0, 0, 0, false)
 
 enum kind {
 #define KIND_ENUM(name, ...) KIND_##name,
@@ -93,6 +96,7 @@ struct claim_kind {
   bool balls;
   enum fault fault;
   int points, routes, controls;
+  bool of_model;
 };
 extern const struct claim_kind claim_kinds[N_KINDS];
 

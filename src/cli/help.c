@@ -118,10 +118,9 @@ static void overview(void) {
   text_init(&out);
   text_init(&line);
   text_add(&out, "stickslip " SS_VERSION ": audits a paper on stick-slip orbits of two masses on a belt\n"
-                 "usage: stickslip COMMAND [OPERAND...] [OPTION...] | stickslip --version\n");
+                 "usage: stickslip COMMAND [OPERAND...] [OPTION...] | COMMAND --help | --version\n");
   for (int i = 0; i < n_commands; i++)
     text_printf(&out, "  %-10s %s\n", command_table[i].name, command_table[i].purpose);
-  text_add(&out, "stickslip COMMAND --help says all of a command.\n");
   text_add(&line, "exit status:");
   for (int i = 0; i < N_STATUSES; i++)
     text_printf(&line, "%s %d %s", i ? ";" : "", statuses[i].number, statuses[i].brief);

@@ -160,6 +160,8 @@ static const struct expr *diff_unary(struct expr_pool *p, const struct expr *e, 
     return negated(p, expr_op2(p, EXPR_DIV, da, expr_pow(p, expr_op1(p, EXPR_SIN, a), 2)));
   case EXPR_SQRT:
     return expr_op2(p, EXPR_DIV, da, mul(p, expr_int(p, 2), e));
+  case EXPR_EXP:
+    return mul(p, e, da);
   case EXPR_ABS: /* none at 0 */
     return mul(p, expr_op2(p, EXPR_DIV, a, e), da);
   case EXPR_ROUNDED:

@@ -23,7 +23,7 @@
                  | "first_order" "(" sum ";" name ("," name)* ")"
      matrix     := "[" sum ("," sum)* (";" sum ("," sum)*)* "]"
 
-   sin cos cot sqrt abs sinc stumpff rounded inv det tr transpose are functions of one argument, hypot(a, b) of two;
+   sin cos cot sqrt exp abs sinc stumpff rounded inv det tr transpose are functions of one argument, hypot(a, b) of two;
    they take no prime; the paper's |x| is abs(x).  sinc, stumpff, hypot are those of ops.def: with them formulas keep
    their digits. rounded(x) is x, of which a type that rounds has the nearest number or next to it, however x would come
    out (tape.h); of a matrix, entry by entry. first_order(f; x, y) is f to the first order in the named symbols
@@ -50,6 +50,7 @@ enum expr_kind {
   EXPR_COS,
   EXPR_COT,
   EXPR_SQRT,
+  EXPR_EXP,
   EXPR_ABS,
   EXPR_ROUNDED,
   EXPR_SINC,
@@ -81,6 +82,9 @@ struct expr {
   struct span span;        /* trees: place in the source; scalars: empty */
   const struct expr *next; /* pool chain; meaningless elsewhere */
 };
+
+/* The name "pi", which is the number wherever nothing else is defined under it. */
+extern const char expr_pi[];
 
 enum stmt_kind { STMT_DEFINE, STMT_RELATION, STMT_ROOT, STMT_TRAJECTORY };
 enum relop { REL_EQ, REL_LT, REL_LE, REL_GT, REL_GE };

@@ -27,6 +27,7 @@ struct token lex_token(const struct source *src, size_t from, size_t end, struct
   F(EXPR_STUMPFF, "stumpff")                                                                                           \
   F(EXPR_HYPOT, "hypot")                                                                                               \
   F(EXPR_ROUNDED, "rounded")                                                                                           \
+  F(EXPR_EXP, "exp")                                                                                                   \
   F(EXPR_SQRT, "sqrt")                                                                                                 \
   F(EXPR_ABS, "abs")                                                                                                   \
   F(EXPR_INV, "inv")                                                                                                   \

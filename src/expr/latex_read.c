@@ -532,8 +532,17 @@ static const struct expr *read_function(struct latex_reader *r) {
 
 /* --- Factors, products, sums --- */
 
+/* e^{x}, where e is no name of the paper's. */
+static const struct expr *read_exponential(struct latex_reader *r) {
+  size_t at = r->at;
+  r->at += 2;
+  return node1(r, EXPR_EXP, at, read_group(r, latex_sum));
+}
+
 static const struct expr *read_primary(struct latex_reader *r) {
   const struct mark *m = mark_in_hand(r);
+  bool raised = r->at + 2 < r->end && m[1].kind == TEX_RAISED && m[2].kind == TEX_OPEN;
+  if (m->kind == TEX_LETTER && *m->s == 'e' && raised && kind_of(r, "e") == LATEX_UNKNOWN) return read_exponential(r);
   if (m->kind == TEX_DIGIT) return read_number(r);
   if (mark_is_sign(m, '(')) return read_parentheses(r);
   if (mark_is_sign(m, '[')) return read_first_order(r);

@@ -78,6 +78,8 @@ static const struct expr *intern(struct expr_pool *p, const struct expr *key) {
   return e;
 }
 
+const char expr_pi[] = "pi";
+
 const struct expr *expr_num(struct expr_pool *p, const char *decimal) {
   return intern(p, &(struct expr){.kind = EXPR_NUM, .name = decimal});
 }

@@ -42,6 +42,18 @@ static void certify_pass(struct certificate *c, struct judge *j, const struct po
   values_clear(&v);
 }
 
+/* The paper's own symbols. */
+static void certify_own(struct certificate *c, struct judge *j, const struct point *p) {
+  fmpq_t x;
+  fmpq_init(x);
+  for (size_t i = 0; p->paper && i < p->paper->n_symbols; i++) {
+    if (!p->paper->symbols[i].has_domain) continue;
+    point_own_value(x, p, &p->paper->symbols[i]);
+    certify_exact(c, j, p->paper->symbols[i].name, x);
+  }
+  fmpq_clear(x);
+}
+
 void certify_point(struct certificate *c, struct judge *j, const struct point *p) {
   static const struct {
     const char *name;
@@ -50,7 +62,8 @@ void certify_point(struct certificate *c, struct judge *j, const struct point *p
   } of[] = {{"chi", Q_CHI, 15},  {"eta", Q_ETA, 15},  {"V", Q_V, 15},   {"e_1", Q_E1, 12},  {"e_2", Q_E2, 12},
             {"t", Q_T, 3},       {"z_1", Q_Z1, 2},    {"z_2", Q_Z2, 2}, {"z_1'", Q_DZ1, 2}, {"z_2'", Q_DZ2, 2},
             {"u_s1", Q_US1, 12}, {"u_s2", Q_US2, 12}, {"x", Q_X, 12},   {"y", Q_Y, 12}};
-  for (size_t i = 0; i < sizeof of / sizeof *of; i++)
+  certify_own(c, j, p);
+  for (size_t i = 0; point_of_model(p) && i < sizeof of / sizeof *of; i++)
     if (of[i].kinds >> p->kind & 1U) certify_exact(c, j, of[i].name, &p->q[of[i].q]);
   if (p->kind == POINT_ARC || p->kind == POINT_ORBIT) certify_pass(c, j, p);
 }

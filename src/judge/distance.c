@@ -53,6 +53,7 @@ bool control_distance(double *log_distance, struct judge *j, const struct claim 
   sampler_init(&sampler, c->id, spec[0].kind, spec[0].phase, NULL);
   sampler.admissible = spec[0].admissible;
   sampler.realistic = spec[0].realistic;
+  sampler.paper = spec[0].paper;
   point_init(&p);
   for (int i = 0; made[0] && made[1] && q.s[0].n == q.s[1].n && !found && i < DRAWS; i++) {
     sampler_next(&p, &sampler);

@@ -9,6 +9,7 @@
 #include "judge.h"
 #include "proof/exact_proof.h"
 #include "record/routes.h"
+#include "value/oracle.h"
 #include "value/orbit_pool.h"
 #include "value/title.h"
 
@@ -16,9 +17,42 @@
 static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
 #undef JUDGE
 
-kind_fn judge_of(const struct claim *c) {
-  enum kind kind = claim_kind(c);
-  return kind < N_KINDS ? judges[kind] : NULL;
+/* --- What a claim is about --- */
+
+/* Are all its points values of parameters, which the paper's own symbols are? */
+static bool at_own_symbols(struct judge *j, const struct claim *c) {
+  enum { MOST = 8 };
+  struct point_spec spec[MOST];
+  int n = claim_points_asked(c) ? claim_points(spec, MOST, j, c) : 0;
+  bool own = n > 0;
+  for (int i = 0; i < n; i++) own = own && spec[i].kind == POINT_PARAMS;
+  return own;
+}
+
+/* Why the program can compute nothing of what the claim is about; NULL where it can. */
+static const char *beyond(struct judge *j, const struct claim *c) {
+  const char *value = claim_kind(c) == KIND_MATRIX ? claim_get(c, "value") : NULL;
+  if (!j->model->system && claim_kind_of(c)->of_model)
+    return "it is about the system that the program has a model of, and no file of the paper says \"model: two masses "
+           "on a "
+           "belt\"";
+  if (!j->model->system && claim_tried_at_points(c) && !at_own_symbols(j, c) && !j->d->set)
+    return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
+           "\"points: "
+           "params N\" are values of the paper's own symbols";
+  if (!value || oracle_find(value)) return NULL;
+  return result_str(j->out, "the model has no quantity named %s", value);
+}
+
+/* A claim about what the program does not know is unknown, once it can be read. */
+bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
+  const char *why = beyond(j, c);
+  if (j->d->set) return false;
+  if (!why) return judges[claim_kind(c)](f, j, c, view);
+  if (claim_tried_at_points(c) && !sentence_reads(view, c, j->d)) return false;
+  f->verdict = VERDICT_UNKNOWN;
+  finding_state(f, j->out, "none", layer_name[view.layer], -1, 0, NULL, why);
+  return true;
 }
 
 /* --- Corrections --- */
@@ -32,7 +66,7 @@ static bool judge_correction(struct finding *f, struct judge *j, const struct cl
     struct finding again = *f;
     again.evidence = NULL;
     again.n_evidence = 0;
-    ok = judge_of(c)(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
+    ok = judge_subject(&again, j, c, (struct view){j->model, LAYER_CORRECTED, NULL, NULL});
     f->correction = result_str(j->out, "%s", text_str(&t));
     f->correction_verdict = again.verdict;
     erratum_typeset(f, j, c);
@@ -103,20 +137,25 @@ bool finding_describe(struct finding *f, struct judge *j, const struct claim *c)
   return true;
 }
 
-/* Does the diagnostic point into a file that counts as the paper's text? */
+/* Does the diagnostic point at what the paper prints: a formula beside which its TeX stands, which says the same
+   (model_check_tex), or one that is laid over the paper as if it were printed so? */
 static bool about_paper(const struct judge *j) {
   for (size_t i = 0; i < j->model->n_records; i++) {
     const struct statement_record *r = &j->model->records[i];
-    size_t n = strlen(r->src->name);
-    if (r->rank <= RANK_USER && strncmp(j->d->message, r->src->name, n) == 0 && j->d->message[n] == ':') return true;
+    const struct record *k = r->record;
+    bool printed = r->rank == RANK_USER || (r->rank == RANK_PAPER && *r->tex);
+    bool inside = j->d->src == r->src && k->n_fields > 0 && j->d->at >= k->kind.begin &&
+                  j->d->at <= k->fields[k->n_fields - 1].value.end;
+    if (printed && inside) return true;
   }
   return false;
 }
 
-/* A sentence that cannot be read (an undefined symbol, a wrong shape) is refuted by the diagnostic itself; one that the
-   claim, a control or an erratum spoils is an error of ours. */
+/* A sentence that cannot be read (matrices that do not fit) is refuted by the diagnostic itself, where that is the
+   paper's doing.  What the claim, a control or an erratum spoils is an error of ours, and so is a name that no file
+   declares: that the paper says nowhere what it means is for a claim of kind notation to say. */
 static bool notation_fault(struct finding *f, struct judge *j) {
-  if (j->claim_at_fault || !about_paper(j)) return false;
+  if (j->claim_at_fault || j->d->undeclared || !about_paper(j)) return false;
   struct route_result w = {"diagnostic", ROUTE_DIFFERS, true, 1};
   finding_add_route(f, j->out, w, "own text printed, the rest corrected", -1, NULL,
                     result_str(j->out, "%s", j->d->message));
@@ -129,7 +168,7 @@ static bool notation_fault(struct finding *f, struct judge *j) {
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
   if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
-  return finding_describe(f, j, c) && (judge_of(c)(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+  return finding_describe(f, j, c) && (judge_subject(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
 }
 
 /* The findings after the one at `at` are those of its restrictions. */
@@ -176,6 +215,16 @@ static bool is_found(const struct audit_result *out, const char *id, enum verdic
   return false;
 }
 
+/* Was the claim refuted because it cannot be read?  Then its damaged form says nothing. */
+static bool is_unreadable(const struct audit_result *out, const struct claim *c) {
+  for (size_t i = 0; i < out->n_findings; i++) {
+    const struct finding *f = &out->findings[i];
+    if (strcmp(f->id, c->id) == 0)
+      return claim_tried_at_points(c) && f->n_evidence > 0 && strcmp(f->evidence[0].route, "diagnostic") == 0;
+  }
+  return false;
+}
+
 /* Of a control that says how near it is; where its claim is not tried at points, that is taken as said, and so it is
    where the program has made the damage itself. */
 static bool measure_near(const char **distance, struct judge *j, const struct claim *c, const struct claim *control) {
@@ -199,6 +248,11 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   const struct claim_kind *k = claim_kind_of(&c);
   struct finding f;
   if (!k || !finding_describe(&f, j, &c)) return false;
+  if (is_unreadable(j->out, claim)) {
+    audit_leave_out(j->out, result_str(j->out, "control %s", control->id),
+                    "the paper's text that it damages cannot be read");
+    return true;
+  }
   const char *of = record_get(control->record, "of");
   bool correction = of && strcmp(of, "correction") == 0;
   if (of && !correction) return claim_error(j, control, "of", "\"correction\", or nothing");
@@ -206,7 +260,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   if (correction) view = claim_view(j->model, &c);
   struct audit_result *out = j->out;
   j->effort = record_get(control->record, "near") ? EFFORT_REFUTE : EFFORT_VERDICT; /* decided where balls are */
-  bool readable = judge_of(&c)(&f, j, &c, view);
+  bool readable = judge_subject(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {
     if (!notation_fault(&f, j)) return false;

@@ -22,8 +22,9 @@ void keep_asked_routes(struct finding *f, struct judge *j, const struct claim *c
 #define JUDGE(name, word, fn, ...) bool fn(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 CLAIM_KINDS(JUDGE)
 #undef JUDGE
-/* That of the claim's kind; NULL when there is none. */
-kind_fn judge_of(const struct claim *c);
+/* That of the claim's kind, which there is; or, where the program can compute nothing of what the claim is about (a paper
+   about another system, a quantity that the model lacks), the verdict unknown with the reason. */
+bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, struct view view);
 
 /* Another finding of the same claim under a restriction that was found to hold, or that is on record. */
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted);

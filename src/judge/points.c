@@ -54,6 +54,7 @@ struct point_trials {
   int n_specs;
   struct exact_proof proof;
   bool proof_tried;
+  const char *lacks;    /* a name of the sentence that has no value at any point; NULL: none was met */
   struct point example; /* the first point at which the sentence fails, else the last accepted */
   bool have_example;
 };
@@ -98,7 +99,7 @@ static bool read_routes(struct point_trials *r) {
     const struct route *found = NULL;
     for (size_t i = 1; i < sizeof routes / sizeof *routes; i++)
       if (strcmp(routes[i].name, item) == 0) found = &routes[i];
-    if (found && !route_is_asked(r->j->scene, item)) continue;
+    if (found && (!route_is_asked(r->j->scene, item) || !r->j->model->system)) continue;
     if (!found || r->n_routes == MAX_ROUTES)
       return claim_error(r->j, r->c, "routes", "not a route of this kind of claim");
     r->tally[r->n_routes++] = (struct tally){.route = found};
@@ -188,6 +189,10 @@ static void book_failure(struct point_trials *r, struct tally *t, const struct t
 /* Books a trial; false when the claim itself cannot be evaluated. */
 static bool book(struct point_trials *r, struct tally *t, const struct trial *tr, const struct point *p) {
   struct audit_result *out = r->j->out;
+  if (tr->outcome == OUTCOME_UNBOUND && !(r->j->model->system && values_names(tr->unbound))) {
+    r->lacks = result_str(out, "%s", tr->unbound);
+    return true;
+  }
   if (tr->outcome == OUTCOME_UNBOUND) {
     char what[128];
     snprintf(what, sizeof what, "%s has no value at such points", tr->unbound);
@@ -233,6 +238,8 @@ static bool try_point(bool *accepted, struct point_trials *r, const struct point
     r->example.admissible = p->admissible;
     r->example.realistic = p->realistic;
     r->example.orbit = p->orbit;
+    r->example.paper = p->paper;
+    r->example.draw = p->draw;
     r->have_example = true;
   }
   return true;
@@ -252,6 +259,7 @@ static long points_wanted(struct point_trials *r, const struct point_spec *spec,
 
 /* Nothing that further points could say is asked for. */
 static bool enough(const struct point_trials *r) {
+  if (r->lacks) return true;
   enum effort effort = r->j->effort;
   bool settled = effort != EFFORT_FULL && r->tally[0].differs > 0;
   for (int i = 1; i < r->n_routes && effort == EFFORT_VERDICT; i++) /* the others must not agree everywhere */
@@ -265,6 +273,7 @@ static bool try_spec(struct point_trials *r, const struct point_spec *spec) {
   char seed[128];
   snprintf(seed, sizeof seed, "%s%s", r->c->id, r->restriction ? r->restriction->text : "");
   sampler_init(&s, seed, spec->kind, spec->phase, r->restriction);
+  s.paper = spec->paper;
   const char *perturbation = claim_get(r->c, "perturbation");
   s.admissible = spec->admissible;
   s.realistic = spec->realistic;
@@ -311,6 +320,15 @@ static void add_evidence(struct finding *f, struct point_trials *r, const struct
 
 static void conclude(struct finding *f, struct point_trials *r) {
   struct route_result w[MAX_ROUTES];
+  if (r->lacks) {
+    f->verdict = VERDICT_UNKNOWN;
+    finding_state(f, r->j->out, "none", layer_of(r), -1, 0, NULL,
+                  result_str(r->j->out,
+                             "%s has no value: the model has no quantity of that name, and no \"domain:\" says "
+                             "which numbers it may be",
+                             r->lacks));
+    return;
+  }
   for (int i = 0; i < r->n_routes; i++) {
     const struct tally *t = &r->tally[i];
     w[i] = (struct route_result){t->route->name, outcome_of_counts(t->agrees, t->differs, t->undecided), i == 0,
@@ -358,6 +376,8 @@ bool scene_point(struct point *out, const struct point *p, const struct scene *s
   out->admissible = p->admissible;
   out->realistic = p->realistic;
   out->orbit = 0;
+  out->paper = p->paper;
+  out->draw = p->draw;
   for (int i = 0; i < N_Q; i++) fmpq_set(&out->q[i], &p->q[i]);
   for (int k = 0; k < N_SCENE_PARAMS; k++)
     if (s->given[k]) fmpq_set(&out->q[Q_CHI + k], &s->value[k]);
@@ -378,7 +398,7 @@ static void describe_effect(struct finding *f, struct point_trials *r) {
   text_init(&t);
   point_init(&p);
   struct tally *first = &r->tally[0];
-  bool have = scene_point(&p, &r->example, r->j->scene, r->j->cache);
+  bool have = r->j->model->system && scene_point(&p, &r->example, r->j->scene, r->j->cache);
   if (have) {
     struct trial tr = sentence_try_balls(&first->sentence, &p, VARIANT_CLOSED, r->j->cache);
     if (tr.outcome == OUTCOME_AGREES) text_add(&t, "For the data of the example the two sides are equal.");
@@ -447,7 +467,7 @@ static enum verdict recorded_restriction(const char **id, struct judge *j, const
 }
 
 bool judge_restrictions(struct judge *j, const struct claim *c, struct view view, const struct finding *refuted) {
-  for (int i = 0; i < n_restrictions; i++) {
+  for (int i = 0; j->model->system && i < n_restrictions; i++) {
     struct point_trials r;
     struct finding f = *refuted;
     f.evidence = NULL;

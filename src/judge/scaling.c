@@ -132,8 +132,8 @@ static bool degree_of_form(struct degree *d, struct scaling *s, const struct exp
   if (!degree_of(d, s, e->args[0])) return false;
   if (e->kind == EXPR_POW) d->twice *= e->exponent;
   if (e->kind == EXPR_SQRT) d->twice /= 2;
-  bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_SINC ||
-                  e->kind == EXPR_STUMPFF;
+  bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_EXP ||
+                  e->kind == EXPR_SINC || e->kind == EXPR_STUMPFF;
   if (function || e->kind == EXPR_CALL) {
     if (!d->any && d->twice) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
     *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 2 : 0};

@@ -127,6 +127,7 @@ static bool define(size_t *index, struct elaboration *el, const struct definitio
 }
 
 static bool undefined(const struct expr *e, const struct scope *sc, struct diag *d) {
+  if (d && !d->set) d->undeclared = true;
   diag_at(d, sc->src, e->span.begin, "undefined symbol %s; define it or declare \"symbol %s\"", e->name, e->name);
   return false;
 }
@@ -159,7 +160,7 @@ static bool eval_symbol(struct matrix *out, struct elaboration *el, const struct
   const struct definition *def;
   if (!look_up(&def, el, e, sc, d)) return false;
   if (!def) {
-    if (!model_is_symbol(el->view.model, e->name)) return undefined(e, sc, d);
+    if (!model_is_symbol(el->view.model, e->name) && strcmp(e->name, expr_pi) != 0) return undefined(e, sc, d);
     *out = matrix_scalar(el, expr_sym(&el->pool, e->name));
     return true;
   }
@@ -233,7 +234,7 @@ static bool eval_call(struct matrix *out, struct elaboration *el, const struct e
 static const char *small_symbol(struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
   struct matrix m;
   if (!eval(&m, el, e, sc, d)) return NULL;
-  if (matrix_is_scalar(&m) && m.e[0]->kind == EXPR_SYM) {
+  if (matrix_is_scalar(&m) && m.e[0]->kind == EXPR_SYM && strcmp(m.e[0]->name, expr_pi) != 0) {
     const char *name = m.e[0]->name;
     bool inside = false;
     for (size_t r = 0; r < el->n_roots; r++)
@@ -324,6 +325,7 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
   case EXPR_COS:
   case EXPR_COT:
   case EXPR_SQRT:
+  case EXPR_EXP:
   case EXPR_ABS:
   case EXPR_ROUNDED:
   case EXPR_SINC:

@@ -1,7 +1,7 @@
 /* Equation files in memory: definitions and statement records with their rank, and who sees which of them.
    Nothing is replaced when an overlay is loaded; a view decides at each look-up, so that one model serves the printed
    text, the corrected text, and every mixture that a claim needs. */
-#include "model.h"
+#include "symbol.h"
 
 #include <stdlib.h>
 #include <string.h>
@@ -24,14 +24,20 @@ void model_clear(struct model *m) {
   free(m->ranks);
   free(m->defs);
   free(m->records);
-  free(m->symbols);
+  symbols_clear(m->symbols, m->n_symbols);
   arena_clear(&m->arena);
 }
 
 bool model_is_symbol(const struct model *m, const char *name) {
   for (size_t i = 0; i < m->n_symbols; i++)
-    if (strcmp(m->symbols[i], name) == 0) return true;
+    if (strcmp(m->symbols[i].name, name) == 0) return true;
   return false;
+}
+
+const struct symbol *model_own_symbol(const struct model *m, const char *name) {
+  for (size_t i = 0; m->n_own && i < m->n_symbols; i++)
+    if (strcmp(m->symbols[i].name, name) == 0) return m->symbols[i].has_domain ? &m->symbols[i] : NULL;
+  return NULL;
 }
 
 static const char *or_empty(const char *s) {
@@ -114,20 +120,27 @@ static bool check_attributes(const struct record_file *f, const struct record *r
 
 static bool load_symbol(struct model *m, const struct record_file *f, const struct record *r, enum rank rank,
                         struct diag *d) {
-  static const char *const known[] = {"means", "note"};
+  static const char *const known[] = {"means", "note", "domain"};
   if (!check_attributes(f, r, known, sizeof known / sizeof *known, d)) return false;
   for (size_t k = 0; k < r->n_fields; k++)
     if (!r->fields[k].attribute) {
       diag_at(d, &f->src, r->fields[k].value.begin, "a symbol has attributes only (means: ...)");
       return false;
     }
+  if (strcmp(r->id_name, expr_pi) == 0) {
+    diag_at(d, &f->src, r->id.begin, "pi is the number and is not declared; a quantity needs another name");
+    return false;
+  }
   if (model_is_symbol(m, r->id_name)) {
     if (rank != RANK_PAPER) return true;
     diag_at(d, &f->src, r->id.begin, "symbol %s is declared twice", r->id_name);
     return false;
   }
   m->symbols = ss_grow(m->symbols, m->n_symbols, &m->cap_symbols, sizeof *m->symbols);
-  m->symbols[m->n_symbols++] = r->id_name;
+  struct symbol *s = &m->symbols[m->n_symbols++];
+  symbol_init(s, r, &f->src);
+  if (!symbol_read_domain(s, d)) return false;
+  m->n_own += s->has_domain;
   return true;
 }
 
@@ -197,7 +210,10 @@ static bool load_fact(const char **fact, const char *what, const struct record_f
   return true;
 }
 
-/* Whose formulas these are, and the text that they are quoted from. */
+/* What the program has a model of. */
+static const char two_masses[] = "two masses on a belt";
+
+/* Whose formulas these are, the text that they are quoted from, and the system that they are about. */
 static bool load_title(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   const struct record *top = &f->records[0];
   bool ok = true;
@@ -205,6 +221,13 @@ static bool load_title(struct model *m, const struct record_file *f, enum rank r
     const struct field *fd = &top->fields[k];
     if (!fd->attribute) continue;
     if (strcmp(fd->key_name, "paper") == 0) ok = load_fact(&m->paper, "title", f, fd, rank, d);
+    if (strcmp(fd->key_name, "model") == 0) {
+      ok = load_fact(&m->system, "model", f, fd, rank, d);
+      if (!ok || strcmp(fd->text, two_masses) == 0) continue;
+      diag_at(d, &f->src, fd->value.begin,
+              "the program has one model, \"%s\"; without this line its names are the paper's", two_masses);
+      ok = false;
+    }
     if (strcmp(fd->key_name, "text") != 0) continue;
     ok = load_fact(&m->paper_text, "text", f, fd, rank, d);
     if (!ok || is_digest(fd->text)) continue;
@@ -216,7 +239,7 @@ static bool load_title(struct model *m, const struct record_file *f, enum rank r
 
 static bool load_records(struct model *m, const struct record_file *f, enum rank rank, struct diag *d) {
   static const char *const kinds[] = {"define", "equation", "inequality", "relation"};
-  static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text"};
+  static const char *const attributes[] = {"section", "title", "note", "paper", "place", "text", "model"};
   const struct record *top = &f->records[0];
   if (!check_attributes(f, top, attributes, sizeof attributes / sizeof *attributes, d) || !load_title(m, f, rank, d))
     return false;

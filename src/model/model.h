@@ -2,9 +2,11 @@
 
    An equation file is a record file (record.h).  Record 0 may carry "section: NAME" for the records that follow it in
    the file; names are scoped by section, since the paper uses some letters twice.  In one of the paper's own files it
-   may carry "paper: TITLE" and "text: sha256 ...", the digest of the text that is quoted (quote/quote.h).  Records:
+   may carry "paper: TITLE", "text: sha256 ...", the digest of the text that is quoted (quote/quote.h), and "model: two
+   masses on a belt": then, and only then, its names are those of the program's own model.  Records:
 
-     symbol NAME        a free quantity; "means: text" says what it is
+     symbol NAME        a free quantity; "means: text" says what it is; "domain: 0 < NAME < 1", or "domain: real", says
+                        which numbers it may be: a symbol of the paper's own, to which points give a value
      define ID          statements "name := expr", "name(t) := expr", "name = expr" and "root name: ..."
      equation ID        statements lhs = rhs
      inequality ID      chains lhs < mid < rhs, perhaps "for t in (a, b)"
@@ -63,12 +65,25 @@ struct model_use {
   bool *def, *record;
 };
 
+/* A free quantity.  Without a domain it has no value but what the model has for its name. */
+struct symbol {
+  const char *name;
+  const struct record *record;
+  const struct source *src;
+  bool has_domain;
+  struct {
+    bool bounded, closed;
+    fmpq_t at;
+  } low, high; /* of the domain; low < high */
+};
+
 enum { MODEL_BUCKETS = 256 };
 
 struct model {
   struct arena arena;
   const char *paper;      /* the paper's title; NULL where its files say none */
   const char *paper_text; /* the digest of its text; NULL likewise */
+  const char *system;     /* what it is about, of which the program has a model; NULL where its files say nothing */
   struct record_file **files;
   enum rank *ranks; /* of the files */
   size_t n_files, cap_files, cap_ranks;
@@ -79,10 +94,10 @@ struct model {
   } bucket[MODEL_BUCKETS]; /* definitions by name, each in the order of the files; counted from 1 */
   struct statement_record *records;
   size_t n_records, cap_records;
-  const char **symbols;
-  size_t n_symbols, cap_symbols;
-  struct model_use *use; /* NULL: nobody asks */
-  bool stable;           /* the corrected layer is read as the stable one */
+  struct symbol *symbols;
+  size_t n_symbols, cap_symbols, n_own; /* n_own: with a domain */
+  struct model_use *use;                /* NULL: nobody asks */
+  bool stable;                          /* the corrected layer is read as the stable one */
 };
 
 void model_init(struct model *m);
@@ -114,6 +129,10 @@ struct view {
 /* The definition of a name seen from a section, or NULL with d set (undefined, or ambiguous between sections). */
 const struct definition *view_lookup(const struct view *v, const char *name, const char *section, struct diag *d);
 bool model_is_symbol(const struct model *m, const char *name);
+/* The symbol of that name whose domain is declared; NULL when there is none. */
+const struct symbol *model_own_symbol(const struct model *m, const char *name);
+/* Is the number in the symbol's domain? */
+bool symbol_holds(const struct symbol *s, const fmpq_t x);
 /* Whether the definition belongs to the view's layer (a higher rank may still hide it). */
 bool view_sees(const struct view *v, const struct definition *def);
 /* The record of that id under the view, or NULL. */

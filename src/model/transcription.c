@@ -19,7 +19,7 @@ static enum latex_name kind_of_name(const void *context, const char *name) {
   diag_init(&ambiguous);
   const struct definition *def = view_lookup(&from->view, name, from->section, &ambiguous);
   if (def && (def->stmt->param || def->stmt->kind == STMT_TRAJECTORY)) return LATEX_FUNCTION;
-  return def || model_is_symbol(from->view.model, name) ? LATEX_VALUE : LATEX_UNKNOWN;
+  return def || model_is_symbol(from->view.model, name) || strcmp(name, expr_pi) == 0 ? LATEX_VALUE : LATEX_UNKNOWN;
 }
 
 /* --- Readings --- */

@@ -123,6 +123,16 @@ static int d_sqrt(void *z, const void *x, slong prec) {
   return status;
 }
 
+static int d_exp(void *z, const void *x, slong prec) {
+  arb_t slope;
+  arb_init(slope);
+  int status = num_arb.exp(&at(z)->v, &in(x)->v, prec);
+  arb_set(slope, &at(z)->v);
+  status = chain(z, x, slope, status, prec);
+  arb_clear(slope);
+  return status;
+}
+
 static int d_sin_cos(void *s, void *c, const void *x, slong prec) {
   arb_t minus;
   struct dual *sine = s, *cosine = c;

@@ -58,6 +58,7 @@ struct num_type {
   int (*sin_cos)(void *s, void *c, const void *x, slong prec); /* s and c distinct */
   int (*pow_si)(void *z, const void *x, slong n, slong prec);  /* 0^0 = 1; negative n of zero is SS_DOMAIN */
   int (*pi)(void *z, slong prec);
+#define NUM_EXP_BITS 29 /* exp is SS_UNABLE, in every type, where its argument is 2^29 or more in size */
 
   /* Comparisons of the represented values; for balls TRUTH_TRUE and TRUTH_FALSE are proofs.  NaN: TRUTH_UNKNOWN. */
   truth (*is_zero)(const void *x);

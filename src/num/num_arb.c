@@ -89,6 +89,17 @@ static int b_sqrt(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+static int b_exp(void *z, const void *x, slong prec) {
+  mag_t size;
+  mag_init(size);
+  arb_get_mag(size, x);
+  bool large = mag_cmp_2exp_si(size, NUM_EXP_BITS) >= 0;
+  mag_clear(size);
+  if (!arb_is_finite(x) || large) return failed(z, SS_UNABLE);
+  arb_exp(z, x, prec);
+  return held(z);
+}
+
 static int b_sin(void *z, const void *x, slong prec) {
   if (!arb_is_finite(x)) return failed(z, SS_UNABLE);
   arb_sin(z, x, prec);

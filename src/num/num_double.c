@@ -100,6 +100,11 @@ static int d_sqrt(void *z, const void *x, slong prec) {
   return value(x) < 0 ? undefined(z) : held(z, sqrt(value(x)));
 }
 
+static int d_exp(void *z, const void *x, slong prec) {
+  (void)prec;
+  return held(z, fabs(value(x)) < ldexp(1, NUM_EXP_BITS) ? exp(value(x)) : (double)NAN);
+}
+
 static int d_sin(void *z, const void *x, slong prec) {
   (void)prec;
   return held(z, sin(value(x)));

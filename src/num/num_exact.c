@@ -196,6 +196,7 @@ const struct num_type num_exact = {
     .neg = e_neg,
     .abs = e_unary,
     .sqrt = e_unary,
+    .exp = e_unary,
     .sin = e_unary,
     .cos = e_unary,
     .cot = e_unary,

@@ -87,6 +87,13 @@ static int m_sqrt(void *z, const void *x, slong prec) {
   return held(z);
 }
 
+static int m_exp(void *z, const void *x, slong prec) {
+  (void)prec;
+  if (mpfr_regular_p((mpfr_srcptr)x) && mpfr_get_exp((mpfr_srcptr)x) > NUM_EXP_BITS) return failed(z, SS_UNABLE);
+  mpfr_exp(z, x, MPFR_RNDN);
+  return held(z);
+}
+
 static bool too_far_out(mpfr_srcptr x) {
   return mpfr_regular_p(x) && mpfr_get_exp(x) > ARGUMENT_BITS;
 }

@@ -69,11 +69,11 @@ struct lexicon *lexicon_new(const struct model *m, const char *section) {
   struct elaboration el;
   elaboration_init(&el, v, NULL, 0);
   for (size_t i = 0; i < m->n_symbols; i++)
-    add_word(
-        l, (struct edit_word){.name = m->symbols[i],
-                              .rows = 1,
-                              .cols = 1,
-                              .plain = !strpbrk(m->symbols[i], "_'") && stands_in_section(m, section, m->symbols[i])});
+    add_word(l, (struct edit_word){.name = m->symbols[i].name,
+                                   .rows = 1,
+                                   .cols = 1,
+                                   .plain = !strpbrk(m->symbols[i].name, "_'") &&
+                                            stands_in_section(m, section, m->symbols[i].name)});
   for (size_t i = 0; i < m->n_defs; i++) {
     struct diag d;
     diag_init(&d);

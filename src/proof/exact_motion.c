@@ -172,6 +172,12 @@ int exact_motion_bind(element *z, struct exact_field *f, const char *name, void 
   static const char *const free_names[] = {"u_s1", "u_s2", "lambda"};
   struct exact_motion *m = motion;
   int index, status, param = word_find(name, name_param, N_PARAMS);
+  bool own = m->paper && model_own_symbol(m->paper, name);
+  if (own || strcmp(name, expr_pi) == 0) {
+    m->beyond = true;
+    return exact_symbol(z, f, name);
+  }
+  if (m->bare) return motion_unknown(m, name);
   if (param < N_PARAMS) return bind_param(z, m, param);
   if (word_find(name, free_names, 3) < 3) return exact_symbol(z, f, name);
   if (strcmp(name, "t") == 0) return time_now(z, m);
@@ -241,9 +247,21 @@ static void note_reads(struct exact_motion *m, const struct tape *t) {
   }
 }
 
+/* Those of the paper's own symbols that are never negative: their roots are known again. */
+static void take_own(struct exact_motion *m, const struct model *paper) {
+  vec_init(&m->own, (slong)paper->n_own);
+  for (size_t i = 0; i < paper->n_symbols; i++) {
+    const struct symbol *s = &paper->symbols[i];
+    bool positive = s->has_domain && s->low.bounded && fmpq_sgn(s->low.at) >= 0;
+    if (positive && exact_symbol(at(&m->own, m->n_own), m->field, s->name) == SS_OK) m->n_own++;
+  }
+  exact_field_positive(m->field, at(&m->own, 0), m->n_own);
+}
+
 void exact_motion_init(struct exact_motion *m, const struct exact_attempt *a, const struct point_spec *spec,
                        bool finite, const struct restriction *restriction, const struct tape *reads) {
   exact_motion_begin(m, a, spec, finite, restriction);
   exact_field_bind(m->field, exact_motion_bind, m);
+  if (spec->paper && spec->paper->n_own) take_own(m, spec->paper);
   note_reads(m, reads);
 }

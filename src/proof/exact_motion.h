@@ -40,6 +40,11 @@ struct exact_motion {
   bool finite;                /* perturbations are differences of two motions */
   bool admissible, realistic; /* it breaks no condition of (2); and u_r1, u_r2 are what it asks */
   const struct restriction *restriction;
+  const struct model *paper; /* whose own symbols are free; NULL: none is */
+  bool bare;                 /* a paper about another system: names are its own symbols' or nothing's */
+  bool beyond;        /* one of those symbols, or pi, was asked for: free, but for what is not known of it here */
+  struct num_vec own; /* those of its symbols that are never negative, n_own of them */
+  int n_own;
   int first_state, first_tangent; /* the earliest that the sentence reads */
   struct num_vec frequency;       /* two, with modes */
   struct num_vec params;          /* N_PARAMS; e_1 and e_2 as far as no state decides them */

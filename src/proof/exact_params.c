@@ -118,7 +118,9 @@ void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, c
                              .finite = finite,
                              .admissible = spec->admissible,
                              .realistic = spec->realistic,
-                             .restriction = restriction};
+                             .restriction = restriction,
+                             .paper = spec->paper,
+                             .bare = spec->paper && !spec->paper->system};
   m->field = exact_field_new(NULL, 0);
   exact_field_limit(m->field, TERMS);
   vec_init(&m->frequency, 2);
@@ -126,10 +128,11 @@ void exact_motion_begin(struct exact_motion *m, const struct exact_attempt *a, c
   vec_init(&m->state, 20);
   vec_init(&m->tangent, 20);
   vec_init(&m->shift, 4);
-  m->state_status = take_params(m);
+  if (!m->bare) m->state_status = take_params(m);
 }
 
 void exact_motion_clear(struct exact_motion *m) {
+  if (m->own.len) num_vec_clear(&m->own);
   num_vec_clear(&m->shift);
   num_vec_clear(&m->tangent);
   num_vec_clear(&m->state);

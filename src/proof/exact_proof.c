@@ -26,7 +26,7 @@ struct job {
   struct exact_attempt by[MAX_ENTRIES];
   slong largest;
   char unbound[64];
-  bool wants_modes, undefined, uses_matrices, independent;
+  bool wants_modes, undefined, uses_matrices, independent, beyond;
   bool by_law; /* (2) was made use of */
   struct text field, witness;
   const struct restriction *holds_at; /* of restrictions[], where all differences vanish */
@@ -134,7 +134,8 @@ static void try_attempt(struct job *b, const struct exact_attempt *a) {
   text_reset(&b->field);
   exact_print_generators(&b->field, m.field);
   b->wants_modes = m.wants_modes;
-  b->independent = exact_independent(m.field);
+  b->independent = exact_independent(m.field) && !m.beyond;
+  b->beyond = b->beyond || m.beyond;
   b->uses_matrices = b->uses_matrices || m.used_matrix;
   memcpy(b->unbound, m.unbound, sizeof b->unbound);
   exact_clear(&d, m.field);
@@ -158,6 +159,12 @@ static bool has_tangents(const struct tape *t) {
 static bool reads_last_state(const struct tape *t) {
   for (slong i = 0; i < t->n_inputs; i++)
     if (strncmp(t->inputs[i], "S_c[", 4) == 0) return true;
+  return false;
+}
+
+static bool has_exponential(const struct tape *t) {
+  for (slong i = 0; i < t->n; i++)
+    if (t->code[i].op == TAPE_exp) return true;
   return false;
 }
 
@@ -285,6 +292,7 @@ static void prove_spec(struct exact_proof *p, struct job *b) {
   if (b->largest > p->largest) p->largest = b->largest;
   p->uses_matrices = p->uses_matrices || b->uses_matrices;
   p->by_law = p->by_law || b->by_law;
+  p->beyond = p->beyond || b->beyond || has_exponential(&b->s->tape);
   if (all_done(b)) {
     p->field = result_str(b->j->out, "%s", text_str(&b->field));
   } else {
@@ -359,8 +367,9 @@ static const char *describe(struct judge *j, const struct exact_proof *p, const 
             "phase"
       : q->sharp ? "the sides of each step, on motions computed from the first-order systems, are equal at one end of "
                    "the phase"
-      : q->value ? "the paper's matrix and the model's, computed from its first-order system, are equal"
-                 : "both sides, on motions computed from the first-order systems, are equal",
+      : !j->model->system ? "both sides, as functions of the paper's own symbols, are equal"
+      : q->value          ? "the paper's matrix and the model's, computed from its first-order system, are equal"
+                          : "both sides, on motions computed from the first-order systems, are equal",
       p->by_law
           ? ", by 1, 2, 1/2 or chi times what Coulomb's law (2) asks of a mass in that phase, or by the sum of both,"
           : "",

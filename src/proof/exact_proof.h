@@ -34,6 +34,7 @@ struct exact_proof {
   const struct restriction *holds_at; /* under which every difference vanishes, by its factors; or NULL */
   const char *field;
   slong largest;
+  bool beyond;                         /* with symbols of the paper's own, pi or exponentials */
   bool uses_matrices, by_factors;      /* by_factors: of inequalities */
   bool by_law;                         /* and by what (2) asks of a mass */
   struct exact_part part[EXACT_PARTS]; /* a proof is all of them */

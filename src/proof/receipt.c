@@ -234,6 +234,11 @@ static bool equality_receipt(struct text *out, struct judge *j, const struct cla
   }
   bool ok = p.proved;
   if (!ok) diag_set(j->d, "error: %.200s is not proved by exact algebra: %s", id, p.why_not);
+  if (ok && p.beyond) {
+    diag_set(j->d, "error: %.200s has symbols of the paper's own, pi or exponentials, of which receipts know nothing",
+             id);
+    ok = false;
+  }
   ok = ok && add_head(out, j, c, id, corrected);
   if (ok) add_system(out);
   return ok && add_parts(out, &p, view, r, j->d);

@@ -62,7 +62,9 @@ bool audit_explain(struct text *out, const struct model *m, const struct claims 
                    const char *id, const char *at, bool tape, struct diag *d);
 
 /* Reads a file as what its suffix says, .eq (over the paper's files), .claim or .scene, and checks all that can be
-   checked without judging: syntax, names, shapes, attributes. */
+   checked without judging: syntax, names, shapes, attributes.  What it is read with is the data folder that it stands
+   in, by itself or in its paper/, claims/, controls/ or scenes/; else `data`, but for an equation file that bears the
+   title of another paper, which is read alone. */
 bool audit_check_file(const char *path, const char *data, struct diag *d);
 
 #endif

@@ -4,10 +4,65 @@
 #include "value/title.h"
 #include <stdlib.h>
 #include <string.h>
+#include <unistd.h>
 
 static bool has_suffix(const char *path, const char *suffix) {
   size_t n = strlen(path), k = strlen(suffix);
   return n > k && strcmp(path + n - k, suffix) == 0;
+}
+
+/* --- Whose file it is --- */
+
+static bool holds_paper(const char *folder) {
+  struct text path;
+  struct arena a;
+  struct diag none;
+  size_t n = 0;
+  text_init(&path);
+  arena_init(&a);
+  diag_init(&none);
+  text_printf(&path, "%s/paper", folder);
+  free(folder_files(&n, text_str(&path), ".eq", &a, &none));
+  arena_clear(&a);
+  text_clear(&path);
+  return n > 0;
+}
+
+/* The folder part of a path, "." without one. */
+static void folder_of(struct text *out, const char *path) {
+  const char *slash = strrchr(path, '/');
+  text_reset(out);
+  text_add_n(out, slash ? path : ".", slash && slash > path ? (size_t)(slash - path) : 1);
+}
+
+/* The data folder that a file stands in, itself or in its paper/, claims/, controls/ or scenes/; false: in none. */
+static bool data_around(struct text *out, const char *path) {
+  static const char *const parts[] = {"paper", "claims", "controls", "scenes"};
+  char here[4096];
+  struct text folder;
+  text_init(&folder);
+  if (strchr(path, '/') || !getcwd(here, sizeof here))
+    folder_of(&folder, path);
+  else
+    text_add(&folder, here);
+  if (word_find(path_base(text_str(&folder)), parts, 4) < 4)
+    folder_of(out, text_str(&folder));
+  else
+    text_printf(out, "%s", text_str(&folder));
+  text_clear(&folder);
+  return holds_paper(text_str(out));
+}
+
+/* --- Equations --- */
+
+/* The title that an equation file gives its paper, or NULL; the file is to be cleared. */
+static const char *title_in(struct record_file *f, const char *path) {
+  struct source src;
+  struct diag later;
+  diag_init(&later);
+  *f = (struct record_file){.n_records = 0};
+  if (!source_read(&src, path, MAX_CLAIM_FILE, &later)) return NULL;
+  return record_file_parse(f, src, &later) ? record_get(&f->records[0], "paper") : NULL;
 }
 
 /* Each record of a file of controls is seen alone, as in an audit. */
@@ -19,28 +74,57 @@ static bool check_controls(const struct model *m, struct diag *d) {
   return ok;
 }
 
+static bool check_read(struct model *m, enum rank rank, struct diag *d) {
+  return model_check_tex(m, rank, d) && view_check((struct view){m, LAYER_PRINTED, NULL, NULL}, d);
+}
+
+/* A file that bears the title of another paper than the data folder's is all that is known of that paper. */
+static bool check_alone(bool *alone, const char *path, const char *folder, struct diag *d) {
+  struct model m;
+  struct record_file f;
+  const char *title = title_in(&f, path);
+  model_init(&m);
+  bool ok = !title || model_add_folder(&m, folder, RANK_PAPER, d);
+  *alone = ok && title && !(m.paper && strcmp(m.paper, title) == 0);
+  model_clear(&m);
+  record_file_clear(&f);
+  if (!*alone) return ok;
+  model_init(&m);
+  ok = model_add_file(&m, path, RANK_PAPER, d) && check_read(&m, RANK_PAPER, d);
+  model_clear(&m);
+  return ok;
+}
+
 /* An equation file is read over the paper's own, so that it may use their names.  A file of controls damages one name
    several times over; its records bear ids that begin with ctl-. */
-static bool check_equations(const char *path, const char *data, struct diag *d) {
+static bool check_over(const char *path, const char *folder, struct diag *d) {
   struct model m;
-  struct text folder;
-  text_init(&folder);
-  text_printf(&folder, "%s/paper", data);
   model_init(&m);
-  bool ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_CONTROL, d);
+  bool ok = model_add_folder(&m, folder, RANK_PAPER, d) && model_add_file(&m, path, RANK_CONTROL, d);
   const struct record_file *f = ok ? m.files[m.n_files - 1] : NULL;
   bool controls = f && f->n_records > 1 && strncmp(f->records[1].id_name, "ctl-", 4) == 0;
   if (ok && controls) ok = check_controls(&m, d);
   model_clear(&m);
   if (ok && !controls) {
     model_init(&m);
-    ok = model_add_folder(&m, text_str(&folder), RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
-         model_check_tex(&m, RANK_USER, d) && view_check((struct view){&m, LAYER_PRINTED, NULL, NULL}, d);
+    ok = model_add_folder(&m, folder, RANK_PAPER, d) && model_add_file(&m, path, RANK_USER, d) &&
+         check_read(&m, RANK_USER, d);
     model_clear(&m);
   }
+  return ok;
+}
+
+static bool check_equations(const char *path, const char *data, struct diag *d) {
+  struct text folder;
+  bool alone;
+  text_init(&folder);
+  text_printf(&folder, "%s/paper", data);
+  bool ok = check_alone(&alone, path, text_str(&folder), d) && (alone || check_over(path, text_str(&folder), d));
   text_clear(&folder);
   return ok;
 }
+
+/* --- Claims, statements, roots, scenes --- */
 
 static bool has_file(const struct claims *c, const char *path) {
   for (size_t i = 0; i < c->n_files; i++)
@@ -152,7 +236,7 @@ static bool check_system(const char *path, struct diag *d) {
   return ok;
 }
 
-bool audit_check_file(const char *path, const char *data, struct diag *d) {
+static bool check_by_suffix(const char *path, const char *data, struct diag *d) {
   if (has_suffix(path, ".eq")) return check_equations(path, data, d);
   if (has_suffix(path, ".claim")) return check_claims(path, data, d);
   if (has_suffix(path, ".scene")) return check_scene(path, data, d);
@@ -162,4 +246,13 @@ bool audit_check_file(const char *path, const char *data, struct diag *d) {
   diag_set(d, "%s: error: not a kind of file that can be checked; .eq, .claim, .scene, .system, .statements or .roots",
            path);
   return false;
+}
+
+bool audit_check_file(const char *path, const char *data, struct diag *d) {
+  struct text around;
+  text_init(&around);
+  bool stands = data_around(&around, path);
+  bool ok = check_by_suffix(path, stands ? text_str(&around) : data, d);
+  text_clear(&around);
+  return ok;
 }

@@ -259,8 +259,7 @@ static enum verdict judge_again(struct judge *j, const struct claim *c, const ch
   struct judge again = *j;
   again.d = &d;
   again.effort = EFFORT_DIFFERENCE;
-  kind_fn judge = judge_of(c);
-  bool readable = judge && judge(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
+  bool readable = claim_kind_of(c) && judge_subject(&f, &again, c, (struct view){j->model, LAYER_CORRECTED, own, NULL});
   bool differs = f.n_evidence && strcmp(f.evidence[0].route, "balls") == 0 && f.evidence[0].trials > 0 &&
                  strcmp(f.evidence[0].result, "differs") == 0;
   return !readable || differs ? VERDICT_REFUTED : f.verdict;
@@ -366,7 +365,7 @@ static void consequence_of(struct judge *j, struct memory *m, struct finding *fi
   }
   free(f.result);
   judge_downstream(&q, m, &f, at);
-  q.solved = number ? NULL : readings_as_printed(j, claim_own(c));
+  q.solved = number || !j->model->system ? NULL : readings_as_printed(j, claim_own(c));
   if (q.solved) finding->effect = q.solved;
   describe_derived(finding, &q, out);
   out->consequences = ss_grow(out->consequences, out->n_consequences, &out->cap_consequences, sizeof q);

@@ -84,6 +84,7 @@ static bool explain_point(struct text *out, struct judge *j, const struct claim 
   sampler_init(&sampler, c->id, spec[0].kind == POINT_ARC ? POINT_ORBIT : spec[0].kind, spec[0].phase, NULL);
   const char *perturbation = claim_get(c, "perturbation");
   sampler.finite = perturbation && strcmp(perturbation, "finite") == 0;
+  sampler.paper = spec[0].paper;
   sampler_next(&drawn, &sampler);
   bool ok = sentence_from_claim(&s, view, c, NULL, 0, j->d);
   scene_point(&p, &drawn, j->scene, j->cache);

@@ -242,7 +242,7 @@ bool audit_plan(struct audit_plan *p, const struct model *m, const struct claims
   arena_init(&p->arena);
   audit_result_init(&nothing);
   bool ok = run_check_selection(m, claims, opt, scene, d), box = scene_is_box(scene);
-  if (ok) pieces_first(&first, claims, scene, opt);
+  if (ok) pieces_first(&first, m, claims, scene, opt);
   ok = ok && pieces_controls(&beside, claims, controls, scene, opt, d);
   struct planner pl = {.out = p, .opt = opt, .controls = &beside, .box = box};
   if (ok) {

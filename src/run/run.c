@@ -58,7 +58,7 @@ static bool wants_readings(const struct claim *c) {
   return kind && (strcmp(kind, "number") == 0 || strcmp(kind, "closure") == 0);
 }
 
-void pieces_first(struct pieces *p, const struct claims *claims, const struct scene *s,
+void pieces_first(struct pieces *p, const struct model *m, const struct claims *claims, const struct scene *s,
                   const struct audit_options *opt) {
   bool readings = false;
   for (size_t i = 0; i < claims->n; i++) {
@@ -67,12 +67,12 @@ void pieces_first(struct pieces *p, const struct claims *claims, const struct sc
     readings = readings || wants_readings(c);
     add_piece(p, PIECE_CLAIM, c->id)->claim = c;
   }
-  if (run_is_whole(opt, s)) {
+  if (run_is_whole(opt, s) && m->system) {
     add_piece(p, PIECE_LONG_RUNS, "long-runs");
     add_piece(p, PIECE_ROUTES, "routes");
     add_piece(p, PIECE_TABLES, "tables");
   }
-  if (opt->readings && readings) add_piece(p, PIECE_READINGS, "readings");
+  if (opt->readings && readings && m->system) add_piece(p, PIECE_READINGS, "readings");
   if (s->asked.values.n) add_piece(p, PIECE_VALUES, "values");
 }
 
@@ -387,7 +387,7 @@ bool audit_run(struct audit_result *out, const struct model *m, const struct cla
   out->title = scene->title ? result_str(out, "%s", scene->title) : NULL;
   out->jobs = opt->jobs > 1 ? opt->jobs : 1;
   routes_describe(out);
-  pieces_first(&first, claims, scene, opt);
+  pieces_first(&first, m, claims, scene, opt);
   bool ok =
       pieces_controls(&second, claims, controls, scene, opt, d) && run_pieces(out, &r, &first, &second, &touched, d);
   if (ok) roots_attach(out, opt->statements, opt->roots);

@@ -33,8 +33,8 @@ struct pieces {
 
 bool run_check_selection(const struct model *m, const struct claims *claims, const struct audit_options *opt,
                          const struct scene *s, struct diag *d);
-/* What can be done before any claim is judged: claims, studies, readings. */
-void pieces_first(struct pieces *p, const struct claims *claims, const struct scene *s,
+/* What can be done before any claim is judged: claims and, for a paper about the model's system, studies, readings. */
+void pieces_first(struct pieces *p, const struct model *m, const struct claims *claims, const struct scene *s,
                   const struct audit_options *opt);
 /* The controls beside the selected claims; false with d set when one names no claim. */
 bool pieces_controls(struct pieces *p, const struct claims *claims, const struct claims *controls,

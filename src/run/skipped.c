@@ -78,8 +78,9 @@ void skipped_describe(struct audit_result *out, const struct claims *claims, con
     audit_leave_out(out, result_str(out, "%zu controls", unused), "the claims that they stand beside are not selected");
   if (count(first, PIECE_ROUTES) == 0)
     audit_leave_out(out, "the study of the routes, the long runs and the pictures of the orbit",
-                    opt->n_only ? "made by the whole audit, not with --only"
-                                : "the scene asks for less than everything");
+                    run_is_whole(opt, s) ? "no file of the paper says \"model: two masses on a belt\""
+                    : opt->n_only        ? "made by the whole audit, not with --only"
+                                         : "the scene asks for less than everything");
   if (opt->readings && count(first, PIECE_READINGS) == 0)
     audit_leave_out(out, "readings of the printed numbers", "no claim about printed numbers is selected");
   skip_routes(out, s);

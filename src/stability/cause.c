@@ -110,6 +110,9 @@ static void partial(arb_t z, const struct digits_bench *w, slong i, slong k) {
   case TAPE_abs:
     arb_set_si(z, arb_is_negative(value(w, in->a)) ? -1 : 1);
     break;
+  case TAPE_exp:
+    arb_set(z, value(w, i));
+    break;
   case TAPE_sqrt:
     arb_mul_2exp_si(z, value(w, i), 1);
     arb_inv(z, z, prec);

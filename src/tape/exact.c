@@ -58,6 +58,8 @@ static int run(const struct tape *t, slong i, fmpz_mpoly_q_struct *reg, struct e
     return exact_circular(z, f, in->op, a);
   case TAPE_sqrt:
     return exact_sqrt(z, f, a);
+  case TAPE_exp:
+    return exact_exp(z, f, a);
   case TAPE_abs:
     return exact_abs(z, f, a);
   case TAPE_sinc:

@@ -1,5 +1,5 @@
 /* The derivative of an element by a free symbol: the chain rule over the generators.  The symbol's own generator has
-   the rate 1, sin u has cos u u' and cos u has -sin u u'.  A root that depends on the symbol is refused. */
+   the rate 1, sin u has cos u u', cos u has -sin u u' and exp u has exp u u'.  A root that depends on the symbol is refused. */
 #include <string.h>
 
 #include "exact_impl.h"
@@ -20,7 +20,7 @@ static void partial(fmpz_mpoly_q_struct *z, const fmpz_mpoly_q_struct *x, slong 
   fmpz_mpoly_clear(a, ring());
 }
 
-/* How generator i changes with the symbol: cos u u' and -sin u u'. */
+/* How generator i changes with the symbol: cos u u', -sin u u' and exp u u'. */
 static int generator_rate(fmpz_mpoly_q_struct *z, struct exact_field *f, slong i, const char *name) {
   const struct generator *g = &f->gen[i];
   fmpz_mpoly_q_zero(z, ring());
@@ -31,9 +31,18 @@ static int generator_rate(fmpz_mpoly_q_struct *z, struct exact_field *f, slong i
   int s = SS_OK;
   for (slong k = 0; s == SS_OK && k < g->n_args; k++) {
     s = exact_derivative(z, f, &g->args[k], name);
-    if (s == SS_OK && !exact_is_zero(f, z) && g->op != TAPE_sin && g->op != TAPE_cos) s = SS_UNABLE;
+    if (s == SS_OK && !exact_is_zero(f, z) && g->op != TAPE_sin && g->op != TAPE_cos && g->op != TAPE_exp)
+      s = SS_UNABLE;
   }
   if (s != SS_OK || exact_is_zero(f, z)) return s;
+  if (g->op == TAPE_exp) {
+    fmpz_mpoly_q_struct itself;
+    exact_init(&itself, f);
+    s = exact_set_generator(&itself, i);
+    if (s == SS_OK) s = exact_apply(num_exact.mul, z, f, z, &itself);
+    exact_clear(&itself, f);
+    return s;
+  }
   fmpz_mpoly_q_struct sine, cosine;
   exact_init(&sine, f);
   exact_init(&cosine, f);

@@ -61,6 +61,10 @@ int exact_circular(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op o
 /* TAPE_sinc, sin x/x, or TAPE_stumpff, (x - sin x)/x^3. */
 int exact_over_angle(fmpz_mpoly_q_struct *z, struct exact_field *f, enum tape_op op, const fmpz_mpoly_q_struct *x);
 
+/* --- exact_exp.c --- */
+
+int exact_exp(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x);
+
 /* --- exact_root.c --- */
 
 int exact_hypot(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x,

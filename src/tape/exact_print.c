@@ -29,6 +29,7 @@ static void print_generator(struct text *out, const struct exact_field *f, slong
                 : g->op == TAPE_cos  ? "cos("
                 : g->op == TAPE_sqrt ? "sqrt("
                 : g->op == TAPE_abs  ? "abs("
+                : g->op == TAPE_exp  ? "exp("
                                      : "root(");
   for (slong k = 0; k < g->n_args; k++) {
     if (k) text_add(out, "; ");

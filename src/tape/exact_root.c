@@ -17,8 +17,8 @@ static const fmpz_mpoly_q_struct *known_square_root(const struct exact_field *f,
   return found;
 }
 
-/* sqrt(p/n) = sqrt(p n)/n for an integer n > 0. */
-static int root_over_integer(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+/* sqrt(p/n) = sqrt(p n)/n for n > 0, an integer or a product of elements that are positive. */
+static int root_over(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   fmpz_mpoly_q_struct n, product;
   exact_init(&n, f);
   exact_init(&product, f);
@@ -32,13 +32,24 @@ static int root_over_integer(fmpz_mpoly_q_struct *z, struct exact_field *f, cons
   return s;
 }
 
+/* Is the denominator known to be positive? */
+static bool is_positive(const struct exact_field *f, const fmpz_mpoly_q_struct *x) {
+  if (fmpz_mpoly_is_fmpz(&x->den, ring())) return true;
+  fmpz_mpoly_q_struct den;
+  exact_init(&den, f);
+  fmpz_mpoly_set(&den.num, &x->den, ring());
+  bool positive = exact_product_sign(&den, f->positive, f->n_positive) > 0;
+  exact_clear(&den, f);
+  return positive;
+}
+
 int exact_sqrt(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_struct *x) {
   const fmpz_mpoly_q_struct *known = known_square_root(f, x);
   if (known) {
     fmpz_mpoly_q_set(z, known, ring());
     return SS_OK;
   }
-  if (fmpz_mpoly_is_fmpz(&x->den, ring()) && !fmpz_mpoly_is_one(&x->den, ring())) return root_over_integer(z, f, x);
+  if (!fmpz_mpoly_is_one(&x->den, ring()) && is_positive(f, x)) return root_over(z, f, x);
   slong i = exact_generator(f, TAPE_sqrt, NULL, x, 1, 0);
   if (i >= 0 && !f->gen[i].squared && fmpz_mpoly_is_one(&x->den, ring())) {
     f->gen[i].squared = true;
@@ -74,6 +85,12 @@ int exact_abs(fmpz_mpoly_q_struct *z, struct exact_field *f, const fmpz_mpoly_q_
   int s = exact_apply(num_exact.mul, &arg, f, &arg, &den);
   if (s == SS_OK) s = exact_apply(num_exact.mul, &den, f, &den, &den);
   if (s == SS_OK) exact_take_sign(&arg, &arg);
+  if (s == SS_OK && exact_product_sign(&arg, f->positive, f->n_positive) > 0) {
+    s = exact_apply(num_exact.div, z, f, &arg, &den);
+    exact_clear(&arg, f);
+    exact_clear(&den, f);
+    return s;
+  }
   slong i = s == SS_OK ? exact_generator(f, TAPE_abs, NULL, &arg, 1, 0) : -1;
   if (i >= 0 && !f->gen[i].squared) {
     f->gen[i].squared = true;

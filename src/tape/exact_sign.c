@@ -82,7 +82,7 @@ bool exact_independent(const struct exact_field *f) {
   int roots = 0;
   for (slong i = 0; i < f->n; i++) {
     const struct generator *g = &f->gen[i];
-    if (g->op == TAPE_ROOT || g->op == TAPE_abs) return false;
+    if (g->op == TAPE_ROOT || g->op == TAPE_abs || g->op == TAPE_exp) return false;
     if (g->op == TAPE_sqrt && (roots++ || !g->squared || fmpz_mpoly_is_square(g->square, ring()))) return false;
     if (g->op != TAPE_sin) continue;
     if (!is_monomial(&g->args[0])) return false;

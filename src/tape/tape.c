@@ -118,6 +118,8 @@ static enum tape_op op_of(enum expr_kind k) {
     return TAPE_cot;
   case EXPR_SQRT:
     return TAPE_sqrt;
+  case EXPR_EXP:
+    return TAPE_exp;
   case EXPR_ABS:
     return TAPE_abs;
   case EXPR_ROUNDED:

@@ -16,6 +16,26 @@ void point_clear(struct point *p) {
   for (int i = 0; i < N_Q; i++) fmpq_clear(&p->q[i]);
 }
 
+bool point_of_model(const struct point *p) {
+  return !p->paper || p->paper->system;
+}
+
+/* The values of the paper's own symbols. */
+static const char *print_own(struct text *out, const char *sep, const struct point *p) {
+  fmpq_t z;
+  fmpq_init(z);
+  for (size_t i = 0; p->paper && p->paper->n_own && i < p->paper->n_symbols; i++) {
+    const struct symbol *s = &p->paper->symbols[i];
+    if (!s->has_domain) continue;
+    point_own_value(z, p, s);
+    text_printf(out, "%s%s = ", sep, s->name);
+    num_print_q(out, z);
+    sep = ", ";
+  }
+  fmpq_clear(z);
+  return sep;
+}
+
 void point_print(struct text *out, const struct point *p) {
   static const struct {
     const char *name;
@@ -26,7 +46,8 @@ void point_print(struct text *out, const struct point *p) {
                {"t_d", Q_TD, 80},     {"t", Q_T, 3},        {"z_10", Q_Z1, 84},  {"z_20", Q_Z2, 84},
                {"z'_10", Q_DZ1, 64},  {"z'_20", Q_DZ2, 64}, {"z_1(0)", Q_Z1, 2}, {"z_2(0)", Q_Z2, 2},
                {"z_1'(0)", Q_DZ1, 2}, {"z_2'(0)", Q_DZ2, 2}};
-  const char *sep = "";
+  const char *sep = print_own(out, "", p);
+  if (!point_of_model(p)) return;
   bool of_scene = p->kind == POINT_ORBIT && p->scene;
   for (int k = KEY_CHI; of_scene && k <= KEY_TD; k++) {
     if (!p->scene->given[k]) continue;

@@ -3,6 +3,7 @@
 #define STICKSLIP_POINT_H
 
 #include "base/random.h"
+#include "model/model.h"
 #include "motion/dynamics.h"
 #include "scene/scene.h"
 
@@ -54,10 +55,18 @@ struct point {
   fmpq q[N_Q];
   slong orbit;                   /* POINT_ORBIT, POINT_GIVEN: index in the list of its parameters */
   const struct dyn_orbit *known; /* POINT_GIVEN: that orbit at hand, or NULL to find it through the cache */
+  const struct model
+      *paper; /* whose own symbols have values there, drawn by this number; NULL: the model's alone have */
+  uint64_t draw;
   const struct scene *scene; /* POINT_ORBIT: whose orbits are meant, which need not give e1 and e2; NULL: those of q */
 };
 
 void point_init(struct point *p);
+/* Whether the point is one of the model's, where names are worth what the model says: without a paper, or with one that
+   is about its system.  Elsewhere the paper's own symbols alone have values. */
+bool point_of_model(const struct point *p);
+/* What one of the paper's own symbols is worth there, a number of its domain. */
+void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s);
 void point_clear(struct point *p);
 /* "chi = 3/4, eta = 2, ..." with what matters for its kind. */
 void point_print(struct text *out, const struct point *p);
@@ -111,6 +120,7 @@ struct sampler {
   enum phase phase;
   bool admissible, realistic, finite;
   const struct restriction *restriction;
+  const struct model *paper; /* whose own symbols have values at the points; NULL after sampler_init */
 };
 void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
                   const struct restriction *restriction);

@@ -44,5 +44,6 @@ int claim_points(struct point_spec *spec, int max, struct judge *j, const struct
          claim_error(j, c, "points",
                      "points read \"params N\", \"flow PHASE N\", \"arcs [PHASE] N\", \"orbits [PHASE] N\" "
                      "or \"admissible [PHASE] N\"");
+  for (int i = 0; ok && i < n; i++) spec[i].paper = j->model;
   return ok ? n : -1;
 }

@@ -10,6 +10,28 @@ static void draw(fmpq *q, uint64_t *state, slong lo, slong hi, ulong den) {
   fmpq_set_si(q, k, den);
 }
 
+/* Small fractions: of the way between two bounds, or the distance from one of them or, where there is none, from 0.
+   A bound that belongs to the domain is drawn too. */
+void point_own_value(fmpq_t z, const struct point *p, const struct symbol *s) {
+  enum { PARTS = 64, UNIT = 16, MOST = 128 };
+  uint64_t state = p->draw ^ random_seed(s->name);
+  bool low = s->low.bounded, high = s->high.bounded;
+  if (low && high) {
+    fmpq_t span;
+    fmpq_init(span);
+    fmpq_sub(span, s->high.at, s->low.at);
+    draw(z, &state, !s->low.closed, PARTS - !s->high.closed, PARTS);
+    fmpq_mul(z, z, span);
+    fmpq_clear(span);
+  } else if (low || high) {
+    draw(z, &state, !(low ? s->low.closed : s->high.closed), MOST, UNIT);
+    if (high) fmpq_neg(z, z);
+  } else {
+    draw(z, &state, -MOST, MOST, UNIT);
+  }
+  if (low || high) fmpq_add(z, z, low ? s->low.at : s->high.at);
+}
+
 void sampler_init(struct sampler *s, const char *id, enum point_kind kind, enum phase phase,
                   const struct restriction *restriction) {
   *s = (struct sampler){.state = random_seed(id), .kind = kind, .phase = phase, .restriction = restriction};
@@ -64,6 +86,8 @@ void sampler_next(struct point *p, struct sampler *s) {
   p->admissible = s->admissible;
   p->realistic = s->realistic;
   p->scene = NULL;
+  p->paper = s->paper;
+  p->draw = s->state;
   uint64_t *st = &s->state;
   if (s->kind == POINT_ORBIT) {
     /* all claims draw their parameter sets from one pool, so that an orbit is searched once */

@@ -101,6 +101,33 @@ const struct statement_record *claim_record(struct view v, const struct claim *c
   return NULL;
 }
 
+/* Does the paper define what a value such as K or H(t) names? */
+static bool defines_value(const struct view *v, const char *value, const char *section) {
+  char name[64];
+  struct diag ambiguous;
+  diag_init(&ambiguous);
+  snprintf(name, sizeof name, "%.*s", (int)strcspn(value, "("), value);
+  return view_lookup(v, name, section, &ambiguous) || ambiguous.set;
+}
+
+bool sentence_reads(struct view v, const struct claim *c, struct diag *d) {
+  const char *value = claim_get(c, "value"), *section = claim_get(c, "section");
+  struct sentence s;
+  struct elaboration el;
+  struct matrix m;
+  bool ok;
+  if (!section) section = "";
+  if (claim_get(c, "statement") || !value || !defines_value(&v, value, section)) {
+    ok = sentence_from_claim(&s, v, c, NULL, 0, d);
+    sentence_clear(&s);
+    return ok;
+  }
+  elaboration_init(&el, v, NULL, 0);
+  ok = elaborate_text(&m, &el, value, value, section, d);
+  elaboration_clear(&el);
+  return ok;
+}
+
 static bool claim_value_known(const struct claim *c, const char *value, struct diag *d) {
   if (value && oracle_find(value)) return true;
   if (value)

@@ -32,6 +32,8 @@ bool sentence_from_relations(struct sentence *s, struct view v, const struct sta
 /* What a matrix or identity claim says: by its statement or its value. */
 bool sentence_from_claim(struct sentence *s, struct view v, const struct claim *c, const struct override *overrides,
                          int n_overrides, struct diag *d);
+/* Whether it can be read, though nothing may be known of its value; false with d set. */
+bool sentence_reads(struct view v, const struct claim *c, struct diag *d);
 void sentence_clear(struct sentence *s);
 /* Both sides (s->n each, in the context of lhs and rhs). */
 int sentence_values(struct num_vec *lhs, struct num_vec *rhs, struct sentence *s, const struct point *p,
@@ -76,6 +78,7 @@ struct point_spec {
   enum phase phase;
   bool admissible, realistic;
   long n;
+  const struct model *paper; /* whose own symbols have values there; NULL: the model's names alone have */
 };
 /* Reads the claim's points into at most max specs; the number of them, or -1 with j->d set. */
 int claim_points(struct point_spec *spec, int max, struct judge *j, const struct claim *c);

@@ -73,17 +73,25 @@ int springs_square_of_omega_3(void *z, struct values *v) {
   return evaluate(z, v, square_of_omega_3);
 }
 
+static const struct row {
+  const char *name;
+  val (*value)(struct calc *, struct values *);
+} table[] = {{"u_1", first_friction}, {"u_2", second_friction}, {"F_1", first_force}, {"F_2", second_force},
+             {"k_1", first_spring},   {"k_2", second_spring},   {"m_1", first_mass},  {"m_2", second_mass},
+             {"omega_3", time_scale}, {"t_prime", old_time}};
+
+static const struct row *row_of(const char *name) {
+  for (size_t i = 0; i < sizeof table / sizeof *table; i++)
+    if (strcmp(table[i].name, name) == 0) return &table[i];
+  return NULL;
+}
+
+bool springs_names(const char *name) {
+  return row_of(name) != NULL;
+}
+
 bool springs_bind(int *status, void *z, struct values *v, const char *name) {
-  static const struct {
-    const char *name;
-    val (*value)(struct calc *, struct values *);
-  } table[] = {{"u_1", first_friction}, {"u_2", second_friction}, {"F_1", first_force}, {"F_2", second_force},
-               {"k_1", first_spring},   {"k_2", second_spring},   {"m_1", first_mass},  {"m_2", second_mass},
-               {"omega_3", time_scale}, {"t_prime", old_time}};
-  for (size_t i = 0; v->point->kind == POINT_FLOW && i < sizeof table / sizeof *table; i++)
-    if (strcmp(table[i].name, name) == 0) {
-      *status = evaluate(z, v, table[i].value);
-      return true;
-    }
-  return false;
+  const struct row *r = v->point->kind == POINT_FLOW ? row_of(name) : NULL;
+  if (r) *status = evaluate(z, v, r->value);
+  return r != NULL;
 }

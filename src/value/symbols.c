@@ -121,9 +121,36 @@ static int bind_entry(void *z, bool *known, struct values *v, const char *name, 
   return m->status;
 }
 
+static int bind_own(void *z, struct values *v, const struct symbol *own) {
+  fmpq_t x;
+  fmpq_init(x);
+  point_own_value(x, v->point, own);
+  int s = v->ctx.type->set_q(z, x, v->ctx.prec);
+  fmpq_clear(x);
+  return s;
+}
+
+bool values_names(const char *name) {
+  static const char *const more[] = {"u_s1", "u_s2", "u_r1", "u_r2", "x", "y", "lambda", "t", "z_100", "z_200"};
+  enum { N_MORE = sizeof more / sizeof *more };
+  int index, component, primes;
+  bool in_x;
+  const char *argument;
+  return word_find(name, name_param, N_PARAMS) < N_PARAMS || word_find(name, more, N_MORE) < N_MORE ||
+         name_of_arc(name) >= 0 || name_of_tangent(name, &index) || springs_names(name) ||
+         name_of_motion(name, &in_x, &component, &primes, &argument) || strchr(name, '[');
+}
+
 int values_bind(void *z, bool *known, struct values *v, const char *name) {
   const struct num_type *t = v->ctx.type;
   *known = true;
+  if (strcmp(name, expr_pi) == 0) return t->pi(z, v->ctx.prec);
+  const struct symbol *own = v->point->paper ? model_own_symbol(v->point->paper, name) : NULL;
+  if (own) return bind_own(z, v, own);
+  if (!point_of_model(v->point)) {
+    *known = false;
+    return SS_UNABLE;
+  }
   int status = strcmp(name, "t") == 0 ? values_time(v) : SS_OK;
   const void *p = exact_symbol(v, name);
   if (!p && has_arc(v)) p = arc_symbol(v, name);

@@ -39,6 +39,10 @@ void values_clear(struct values *v);
 int values_propagator(struct num_vec *out, struct values *v, enum phase ph);
 /* The value of a free symbol of a tape.  SS_UNABLE with *known = false for a name that has none at such a point. */
 int values_bind(void *z, bool *known, struct values *v, const char *name);
+/* Whether the model has a quantity of that name, at points of some kind. */
+bool values_names(const char *name);
+/* Whether springs_bind has. */
+bool springs_names(const char *name);
 /* The blocks behind (1), for motions of one phase: u_1, F_1, k_1, m_1, omega_3, ...; false for other names. */
 bool springs_bind(int *status, void *z, struct values *v, const char *name);
 int springs_square_of_omega_3(void *z, struct values *v);

@@ -3,6 +3,7 @@
 # velocity there; x_a, u_b, ... are the first-order perturbations of (21)-(41).
 paper: Analytical investigation of periodic solutions for a coupled oscillator with dry friction
 place: 2-79
+model: two masses on a belt
 text: sha256 843a63168c06b344dcb4caa15bf79f0d490fe8048cc8bac571711feaa7cceec7
 
 symbol chi

@@ -1,6 +1,7 @@
 # A paper of two equations about the same oscillator: both masses stick, and the volume of the states is kept.
 paper: A note on two equations of the oscillator
 place: 2-35
+model: two masses on a belt
 text: sha256 22dd2151620d09a431a71f9c1ac91defd7c28bb4b20a9f124ff29d3a9133301b
 section: note
 
