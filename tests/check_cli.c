@@ -1848,7 +1848,7 @@ START_TEST(help_fits_a_screen) {
   struct rows r;
   run_well(&j, "--help", NULL);
   lines_fit("--help", j.out, 24);
-  ck_assert(mentions(j.out, "stickslip COMMAND --help") && mentions(j.out, "0 as recorded"));
+  ck_assert(mentions(j.out, "COMMAND --help") && mentions(j.out, "0 as recorded"));
   for (int i = 0; i < 3; i++) {
     run_well(&other, asked[i], NULL);
     ck_assert_str_eq(other.out, j.out);

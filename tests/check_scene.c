@@ -908,7 +908,8 @@ START_TEST(keys_act_where_they_say) {
       const struct altered *c = &changes[i];
       struct lines l = c->key == KEY_SYSTEM ? (struct lines){{NULL}} : full; /* it stands in place of the parameters */
       struct text after;
-      if (idle[i] || acts[c->key][first] || (uses[u].word && c->key == KEY_WORD))
+      bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
+      if (idle[i] || spoilt || acts[c->key][first] || (uses[u].word && c->key == KEY_WORD))
         continue; /* nothing more to learn of it */
       text_init(&after);
       l.of[c->key] = c->value;
