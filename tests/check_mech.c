@@ -502,10 +502,13 @@ Suite *mech_suite(void) {
   suite_add_tcase(s, c);
   c = tcase_create("orbits");
   tcase_add_test(c, the_papers_orbits_on_every_scene);
-  tcase_add_loop_test(c, the_papers_orbits_at_random_data, 0, 200);
   tcase_add_test(c, orbits_of_three_masses_recomputed);
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
+  suite_add_tcase(s, c);
+  c = tcase_create("random orbits");
+  tcase_set_tags(c, "long");
+  tcase_add_loop_test(c, the_papers_orbits_at_random_data, 0, 200);
   suite_add_tcase(s, c);
   c = tcase_create("files");
   tcase_add_unchecked_fixture(c, scratch_open, scratch_close);
