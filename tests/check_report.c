@@ -83,8 +83,8 @@ static bool audit(struct audit_result *r, const char *name, const char *const *o
   diag_init(&d);
   audit_result_init(r);
   struct audit_options opt = {.only = only, .n_only = n_only, .readings = n_only == 0, .jobs = 2};
-  bool ok = scene_load_box(&s, name, "verify", &d);
-  if (ok && !scene_papers_word(&s, &d)) { /* of another word nothing is claimed */
+  bool ok = scene_load_with(&s, name, "verify", NULL, SCENE_OF_ANY_SYSTEM, &d);
+  if (ok && (s.system || !scene_papers_word(&s, &d))) { /* of another system or word nothing is claimed */
     scene_clear(&s);
     return false;
   }

@@ -739,6 +739,9 @@ struct lines {
   const char *of[N_SCENE_KEYS];
 };
 
+/* A scene of a system file, which stands in place of the parameters. */
+static const struct lines alone = {{[KEY_TITLE] = "as it was"}};
+
 static const struct lines full = {{[KEY_CHI] = "0.8",
                                    [KEY_ETA] = "1",
                                    [KEY_V] = "1",
@@ -906,7 +909,7 @@ START_TEST(keys_act_where_they_say) {
     try_idle(idle, &uses[u], text_str(&before));
     for (int i = 0; i < N_CHANGES; i++) {
       const struct altered *c = &changes[i];
-      struct lines l = c->key == KEY_SYSTEM ? (struct lines){{NULL}} : full; /* it stands in place of the parameters */
+      struct lines l = c->key == KEY_SYSTEM ? alone : full;
       struct text after;
       bool spoilt = c->key == KEY_SYSTEM && status != 0; /* what is refused anyhow tells nothing */
       if (idle[i] || spoilt || acts[c->key][first] || (uses[u].word && c->key == KEY_WORD))

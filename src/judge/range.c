@@ -300,11 +300,12 @@ static void conclude(struct finding *f, struct range *r) {
 }
 
 bool judge_range(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
-  struct range r = {.j = j, .c = c, .view = view};
+  struct model plain;
+  struct range r = {.j = j, .c = c, .view = view_without_stable(&view, &plain)};
   bool ok = read_range(&r);
   r.uses_friction = ok && r.premise.n && (r.premise.at[0].friction[0] || r.premise.at[0].friction[1]);
   if (ok) {
-    r.proved = j->effort != EFFORT_REFUTE && exact_range(&r.goal.at[0], &r.form);
+    r.proved = exact_range(&r.goal.at[0], &r.form);
     by_balls(&r);
     conclude(f, &r);
   }

@@ -52,7 +52,7 @@ void maker_exchange(struct maker *k, const struct exchange *table, size_t n) {
 static char other_index(char c) {
   static const char pairs[] = "abcdfcijrski";
   const char *p = c ? strchr(pairs, c) : NULL;
-  if (char_is_digit(c)) return c == '1' ? '2' : c == '2' ? '1' : (char)('0' + (c - '0' + 1) % 10);
+  if (char_is_digit(c)) return (char)(c == '1' ? '2' : c == '2' ? '1' : '0' + (c - '0' + 1) % 10);
   return p ? pairs[(p - pairs) ^ 1] : '\0';
 }
 
