@@ -163,7 +163,7 @@ static const struct {
      VERDICT_UNKNOWN},
     {"closed forms", LAW, "closed-forms", VERDICT_CONDITIONAL},
     {"an equilibrium that cannot be read",
-     LAW "define own-d\n  section: prediction\n  d_02 := no_such_name + u_s9[1,2]\n", "closed-forms", VERDICT_REFUTED},
+     LAW "define own-d\n  section: prediction\n  d_02 := chi[1,2]\n", "closed-forms", VERDICT_REFUTED},
     {"closed forms of another system", SLIPS STICKS BREAKS MOVES("u_1", "u_2"), "closed-forms", VERDICT_REFUTED},
     {"a patched solution", LAW, "fixed-points\n" STATES("eq-7b"), VERDICT_PROVED},
     {"without the limits of a mass that sticks", LAW, "fixed-points\n" STATES("eq-7b#2"), VERDICT_SUPPORTED},

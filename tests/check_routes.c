@@ -215,7 +215,7 @@ END_TEST
 
 START_TEST(a_paper_that_cannot_be_read_is_left_out) {
   struct audit_result r;
-  scratch_put("one.eq", "symbol chi\n");
+  scratch_put("one.eq", "model: two masses on a belt\nsymbol chi\n");
   study(&r, &(struct paper_layers){.paper = scratch_path(""), .errata = ""});
   for (size_t i = 0; i < r.n_pairs; i++) ck_assert(!concerns(&r.pairs[i], "paper"));
   ck_assert_uint_eq(r.n_pairs, 6 + 6 + 6);

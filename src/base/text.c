@@ -202,6 +202,10 @@ void source_place(size_t *line, size_t *column, const struct source *s, size_t o
   *column = count_characters(s->text + begin, offset - begin) + 1;
 }
 
+void diag_beyond(struct diag *d) {
+  if (d && !d->set) d->beyond = true;
+}
+
 void diag_at(struct diag *d, const struct source *s, size_t offset, const char *fmt, ...) {
   if (!d || d->set) return;
   if (offset > s->len) offset = s->len;

@@ -62,12 +62,15 @@ struct source {
 struct diag {
   bool set;
   bool undeclared; /* the mistake is a name that no file declares */
+  bool beyond;     /* no mistake: what stands there is more than the program reads */
   const void *src; /* diag_at: the source, to be told from others and not to be read; NULL without a place */
   size_t at;       /* the offset in it */
   char message[1000];
 };
 
 void diag_init(struct diag *d);
+/* Before an error is recorded: nothing is wrong with what it points at, it is only more than the program reads. */
+void diag_beyond(struct diag *d);
 /* Records an error; later ones are ignored, since the first is the cause.  d may be NULL. */
 void diag_set(struct diag *d, const char *fmt, ...) SS_PRINTF(2, 3);
 /* The same with "name:line:column: error: " before it and the source line with a caret below.

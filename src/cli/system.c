@@ -28,11 +28,10 @@ int run_system(const struct options *o, const char *data) {
 
 static const char not_complete[] = "orbits are those that simulated motions come near; there may be others";
 
-static void violation(struct text *out, const struct mech_orbit *o, const struct mech *m, const struct mech_fact *f) {
+static void violation(struct text *out, const struct mech *m, const struct mech_fact *f) {
   text_printf(out, "%d-", f->phase + 1);
   if (f->rule != MECH_LENGTH) text_printf(out, "%s-", m->mass[f->mass].name);
   text_add(out, mech_rule_name[f->rule]);
-  (void)o;
 }
 
 static void number_json(struct json *j, const char *key, arb_srcptr x, slong digits) {
@@ -101,7 +100,7 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_reset(&t);
-    violation(&t, o, m, &o->fact[i]);
+    violation(&t, m, &o->fact[i]);
     json_string(j, NULL, text_str(&t));
   }
   json_end_array(j);
@@ -170,7 +169,7 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
   for (int i = 0; i < o->n_facts; i++) {
     if (o->fact[i].holds != TRUTH_FALSE) continue;
     text_add(out, "  breaks       ");
-    violation(out, o, m, &o->fact[i]);
+    violation(out, m, &o->fact[i]);
     text_add_char(out, '\n');
   }
 }
@@ -178,8 +177,8 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
 static void orbits_text(struct text *out, const struct mech_orbits *list, const struct mech *m, const struct scene *s,
                         slong digits) {
   text_printf(out, "%s: %d orbit%s of the system %s found\n", s->name, list->n, list->n == 1 ? "" : "s", s->system);
-  text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration)\n", not_complete,
-              list->simulations, list->candidates);
+  text_printf(out, "not proved complete: %s (%d motions, %d starts of Newton's iteration, %d without an orbit)\n",
+              not_complete, list->simulations, list->candidates, list->failed);
   for (int i = 0; i < list->n; i++) {
     text_printf(out, "orbit %d: ", i + 1);
     orbit_text(out, &list->orbit[i], m, digits);

@@ -12,6 +12,7 @@
 #include "value/oracle.h"
 #include "value/orbit_pool.h"
 #include "value/title.h"
+#include "value/values.h"
 
 #define JUDGE(name, word, fn, ...) fn,
 static const kind_fn judges[N_KINDS] = {CLAIM_KINDS(JUDGE)};
@@ -38,16 +39,28 @@ static const char *beyond(struct judge *j, const struct claim *c) {
            "belt\"";
   if (!j->model->system && claim_tried_at_points(c) && !at_own_symbols(j, c) && !j->d->set)
     return "its points are motions of two masses on a belt, and no file of the paper says that it is about them; "
-           "\"points: "
-           "params N\" are values of the paper's own symbols";
+           "\"points: params N\" are values of the paper's own symbols";
   if (!value || oracle_find(value)) return NULL;
   return result_str(j->out, "the model has no quantity named %s", value);
+}
+
+/* What the model gives a value has no domain of the file's; an error. */
+static bool names_stay_the_models(struct judge *j) {
+  for (size_t i = 0; j->model->system && i < j->model->n_symbols; i++) {
+    const struct symbol *s = &j->model->symbols[i];
+    if (!s->has_domain || !values_names(s->name)) continue;
+    diag_at(j->d, s->src, s->record->id.begin, "%s is the model's, which gives it its domain; leave the line out",
+            s->name);
+    j->claim_at_fault = true;
+    return false;
+  }
+  return true;
 }
 
 /* A claim about what the program does not know is unknown, once it can be read. */
 bool judge_subject(struct finding *f, struct judge *j, const struct claim *c, struct view view) {
   const char *why = beyond(j, c);
-  if (j->d->set) return false;
+  if (j->d->set || !names_stay_the_models(j)) return false;
   if (!why) return judges[claim_kind(c)](f, j, c, view);
   if (claim_tried_at_points(c) && !sentence_reads(view, c, j->d)) return false;
   f->verdict = VERDICT_UNKNOWN;
@@ -151,6 +164,15 @@ static bool about_paper(const struct judge *j) {
   return false;
 }
 
+/* What the program does not read is unknown. */
+static bool not_read(struct finding *f, struct judge *j) {
+  if (!j->d->beyond || j->claim_at_fault) return false;
+  f->verdict = VERDICT_UNKNOWN;
+  finding_state(f, j->out, "none", layer_name[LAYER_PRINTED], -1, 0, NULL, result_str(j->out, "%s", j->d->message));
+  diag_init(j->d);
+  return true;
+}
+
 /* A sentence that cannot be read (matrices that do not fit) is refuted by the diagnostic itself, where that is the
    paper's doing.  What the claim, a control or an erratum spoils is an error of ours, and so is a name that no file
    declares: that the paper says nowhere what it means is for a claim of kind notation to say. */
@@ -168,7 +190,8 @@ static bool notation_fault(struct finding *f, struct judge *j) {
 bool judge_verdict(struct finding *f, struct judge *j, const struct claim *c) {
   const struct claim_kind *kind = claim_kind_of(c);
   if (!kind) return claim_error(j, c, "kind", "unknown kind of claim");
-  return finding_describe(f, j, c) && (judge_subject(f, j, c, claim_view(j->model, c)) || notation_fault(f, j));
+  return finding_describe(f, j, c) &&
+         (judge_subject(f, j, c, claim_view(j->model, c)) || not_read(f, j) || notation_fault(f, j));
 }
 
 /* The findings after the one at `at` are those of its restrictions. */

@@ -10,10 +10,10 @@
 
 enum { UNITS_OF_DEGREE = 4, UNITS_OF_READING = 100 }; /* of work: a node, a record elaborated */
 
-/* Twice the degree; any: of a literal zero. */
+/* A degree, of roots of roots a dyadic fraction and exact so; any: of a literal zero. */
 struct degree {
   bool any;
-  int twice;
+  double of;
 };
 
 /* A scalar is shared by all that contain it: its degree is kept. */
@@ -72,9 +72,8 @@ static bool complain(struct scaling *s, const char *what, const struct expr *a, 
   text_init(&y);
   expr_print(&x, a);
   if (b) expr_print(&y, b);
-  text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", 0.5 * da.twice,
-              what);
-  if (b) text_printf(s->fault, " %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", 0.5 * db.twice);
+  text_printf(s->fault, "%.*s%s (degree %g) is %s", CLIP, text_str(&x), x.len > CLIP ? "..." : "", da.of, what);
+  if (b) text_printf(s->fault, " %.*s%s (degree %g)", CLIP, text_str(&y), y.len > CLIP ? "..." : "", db.of);
   text_clear(&y);
   text_clear(&x);
   return false;
@@ -84,7 +83,7 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
 
 /* A root has degree 0 when all coefficients share theirs. */
 static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct expr *e) {
-  *d = (struct degree){false, starts(e->name, s->scaled) ? 2 : 0};
+  *d = (struct degree){false, starts(e->name, s->scaled) ? 1 : 0};
   for (size_t i = 0; i < s->el->n_roots; i++) {
     const struct tape_root *r = &s->el->roots[i];
     if (strcmp(r->name, e->name) != 0) continue;
@@ -92,7 +91,7 @@ static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct e
     struct degree first = {true, 0}, next;
     for (int k = 0; k < r->n_coeff; k++) {
       if (!degree_of(&next, s, r->coeff[k])) return false;
-      if (!first.any && !next.any && first.twice != next.twice)
+      if (!first.any && !next.any && first.of != next.of)
         return complain(s, "a coefficient beside", r->coeff[0], first, r->coeff[k], next);
       if (first.any) first = next;
     }
@@ -103,16 +102,22 @@ static bool degree_of_symbol(struct degree *d, struct scaling *s, const struct e
 static bool degree_of_sum(struct degree *d, struct scaling *s, const struct expr *e) {
   struct degree a, b;
   if (!degree_of(&a, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
-  if (!a.any && !b.any && a.twice != b.twice) return complain(s, "added to", e->args[0], a, e->args[1], b);
+  if (!a.any && !b.any && a.of != b.of) return complain(s, "added to", e->args[0], a, e->args[1], b);
   *d = a.any ? b : a;
   return true;
+}
+
+/* 0, 0.0, 0e5 */
+static bool is_zero(const char *decimal) {
+  size_t n = strspn(decimal, "0.");
+  return decimal[n] == '\0' || decimal[n] == 'e' || decimal[n] == 'E';
 }
 
 static bool degree_of_form(struct degree *d, struct scaling *s, const struct expr *e) {
   struct degree b = {false, 0};
   switch (e->kind) {
   case EXPR_NUM:
-    *d = (struct degree){strcmp(e->name, "0") == 0, 0};
+    *d = (struct degree){is_zero(e->name), 0};
     return true;
   case EXPR_SYM:
     return degree_of_symbol(d, s, e);
@@ -124,19 +129,19 @@ static bool degree_of_form(struct degree *d, struct scaling *s, const struct exp
   case EXPR_DIV:
     if (!degree_of(d, s, e->args[0]) || !degree_of(&b, s, e->args[1])) return false;
     d->any = d->any || (e->kind == EXPR_MUL && b.any);
-    d->twice += e->kind == EXPR_MUL ? b.twice : -b.twice;
+    d->of += e->kind == EXPR_MUL ? b.of : -b.of;
     return true;
   default:
     break;
   }
   if (!degree_of(d, s, e->args[0])) return false;
-  if (e->kind == EXPR_POW) d->twice *= e->exponent;
-  if (e->kind == EXPR_SQRT) d->twice /= 2;
+  if (e->kind == EXPR_POW) d->of *= e->exponent;
+  if (e->kind == EXPR_SQRT) d->of /= 2;
   bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_EXP ||
                   e->kind == EXPR_SINC || e->kind == EXPR_STUMPFF;
   if (function || e->kind == EXPR_CALL) {
-    if (!d->any && d->twice) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
-    *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 2 : 0};
+    if (!d->any && d->of) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
+    *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 1 : 0};
   }
   return true;
 }
@@ -157,7 +162,7 @@ static bool degree_of(struct degree *d, struct scaling *s, const struct expr *e)
 static bool check_pair(struct scaling *s, const struct expr *a, const struct expr *b) {
   struct degree da, db = {true, 0};
   if (!degree_of(&da, s, a) || (b && !degree_of(&db, s, b))) return false;
-  if (b && !da.any && !db.any && da.twice != db.twice) return complain(s, "set equal to", a, da, b, db);
+  if (b && !da.any && !db.any && da.of != db.of) return complain(s, "set equal to", a, da, b, db);
   return true;
 }
 

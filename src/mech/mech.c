@@ -207,6 +207,12 @@ static const char *wrong_with_order(const struct mech_word *w, int k) {
   return mech_event(&end, from, to) < 0 ? "one mass changes its mode at a time" : NULL;
 }
 
+bool mech_word_good(const struct mech_word *w) {
+  bool good = true;
+  for (int k = 0; k < w->n; k++) good = good && !wrong_with_order(w, k);
+  return good;
+}
+
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m) {
   size_t place[MECH_PHASES];
   w->n = 0;

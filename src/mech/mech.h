@@ -68,8 +68,10 @@ struct mech_word {
   char phase[MECH_PHASES][MECH_MASSES + 1];
 };
 /* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that equals
-   the next one, two masses that change at once, a change that the law forbids. */
+   the next one, two masses that change at once. */
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m);
+/* Whether each phase differs from the next by one mass. */
+bool mech_word_good(const struct mech_word *w);
 void mech_word_print(struct text *out, const struct mech_word *w);
 /* The word turned to begin with its phase number by; out may be in. */
 void mech_word_turn(struct mech_word *out, const struct mech_word *in, int by);

@@ -162,7 +162,7 @@ static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr 
 }
 
 static void conclude(struct mech_orbit *o) {
-  bool settled = o->stable != TRUTH_UNKNOWN;
+  bool settled = true;
   o->own = o->admissible = TRUTH_TRUE;
   for (int i = 0; i < o->n_facts; i++) {
     const struct mech_fact *f = &o->fact[i];
@@ -170,7 +170,8 @@ static void conclude(struct mech_orbit *o) {
     o->admissible = truth_and(o->admissible, f->holds);
     settled = settled && f->holds != TRUTH_UNKNOWN;
   }
-  o->certified = settled;
+  if (o->own != TRUTH_TRUE) o->stable = TRUTH_UNKNOWN; /* its return map is that of other phases */
+  o->certified = settled && o->stable != TRUTH_UNKNOWN;
 }
 
 /* The word turned so that the fewest coordinates are free; *by: how far. */

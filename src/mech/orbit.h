@@ -44,7 +44,7 @@ struct mech_orbit {
   int n_facts;
   truth own;        /* every phase has a positive length and ends with its first event */
   truth admissible; /* all facts: Coulomb's law */
-  truth stable;     /* every multiplier below 1 in modulus */
+  truth stable;     /* every multiplier below 1 in modulus; of an orbit of its own word, else unknown */
   bool certified;   /* existence, uniqueness in a box, every fact and the stability are settled */
 };
 

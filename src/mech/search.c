@@ -8,7 +8,7 @@
 #include "orbit.h"
 #include "walk.h"
 
-enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4 };
+enum { SIMULATIONS = 24, MOMENTS = 240, KEPT = 4, MOST_CANDIDATES = 60 };
 static const double near = 0.2, periods = 300; /* relative distance of the ends; of the slowest mass alone */
 
 /* A stretch of a motion from an event to another one with the same phase behind it. */
@@ -62,7 +62,7 @@ static bool make_stretch(struct stretch *out, const struct mech_motion *x, int i
     mech_word_turn(&turned, &w, l);
     if (k % l == 0 && memcmp(turned.phase, w.phase, (size_t)k * sizeof *w.phase) == 0) return false;
   }
-  if (wanted && !mech_word_same(&by, wanted, &w)) return false;
+  if (!mech_word_good(&w) || (wanted && !mech_word_same(&by, wanted, &w))) return false;
   *out = (struct stretch){.word = w, .gap = gap_between(a[0].z, a[k].z, n)};
   for (int l = 0; l < k; l++) out->t[l] = a[l + 1].t - a[l].t;
   memcpy(out->z, a[0].z, sizeof out->z);
@@ -106,17 +106,28 @@ static double slowest(const struct mech *m) {
 
 /* --- Orbits --- */
 
-/* Of the same word, with enclosures of all lengths that meet: boxes with one solution each, of which both hold it. */
+/* Of the same word, with enclosures of all lengths and states that meet. */
 static bool is_known(const struct mech_orbits *list, const struct mech_orbit *o) {
   for (int i = 0; i < list->n; i++) {
     const struct mech_orbit *a = &list->orbit[i];
     int by;
     if (!mech_word_same(&by, &a->word, &o->word)) continue;
     bool same = true;
-    for (int k = 0; k < a->word.n; k++) same = same && arb_overlaps(a->t + k, o->t + (k + by) % a->word.n);
+    for (int k = 0; k < a->word.n; k++) {
+      int l = (k + by) % a->word.n;
+      same = same && arb_overlaps(a->t + k, o->t + l);
+      for (int c = 0; c < 2 * a->n; c++)
+        same = same && arb_overlaps(a->state + k * 2 * a->n + c, o->state + l * 2 * a->n + c);
+    }
     if (same) return true;
   }
   return false;
+}
+
+/* Those that return most nearly first. */
+static int by_gap(const void *x, const void *y) {
+  const struct stretch *a = x, *b = y;
+  return (a->gap > b->gap) - (a->gap < b->gap);
 }
 
 static int by_period(const void *x, const void *y) {
@@ -137,7 +148,8 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     list->simulations++;
     mech_motion_clear(&x);
   }
-  for (int i = 0; i < found.n; i++) {
+  if (found.n > 1) qsort(found.at, (size_t)found.n, sizeof *found.at, by_gap);
+  for (int i = 0; i < found.n && i < MOST_CANDIDATES; i++) {
     struct mech_orbit o;
     const struct stretch *s = &found.at[i];
     list->candidates++;

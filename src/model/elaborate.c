@@ -32,6 +32,7 @@ static bool eval(struct matrix *out, struct elaboration *el, const struct expr *
 
 static bool is_small(const struct elaboration *el, const struct expr *e, const struct scope *sc, struct diag *d) {
   if (el->pool.n <= MAX_SCALARS) return true;
+  diag_beyond(d);
   diag_at(d, sc->src, e->span.begin, "a formula of more than %d scalars when its definitions are put in", MAX_SCALARS);
   return false;
 }
@@ -354,6 +355,7 @@ static bool apply(struct matrix *m, struct elaboration *el, const struct expr *e
 static bool eval(struct matrix *out, struct elaboration *el, const struct expr *e, const struct scope *sc,
                  struct diag *d) {
   if (el->depth >= MAX_DEPTH) {
+    diag_beyond(d);
     diag_at(d, sc->src, e->span.begin, "definitions and brackets nested more than %d levels deep", MAX_DEPTH);
     return false;
   }

@@ -18,6 +18,13 @@ bool form_mistake(const struct scope *sc, const struct expr *e, struct diag *d, 
   return false;
 }
 
+/* The same of what has a meaning, but none that is read here. */
+static bool form_beyond(const struct scope *sc, const struct expr *e, struct diag *d, const char *what,
+                        const struct matrix *a, const struct matrix *b) {
+  diag_beyond(d);
+  return form_mistake(sc, e, d, what, a, b);
+}
+
 struct matrix matrix_new(struct elaboration *el, int rows, int cols) {
   size_t n = (size_t)rows * (size_t)cols;
   return (struct matrix){rows, cols, arena_alloc(&el->pool.arena, n * sizeof(struct expr *))};
@@ -73,7 +80,7 @@ bool matrix_product(struct matrix *m, const struct matrix *second, struct elabor
                     const struct scope *sc, struct diag *d) {
   struct matrix a = *m, b = *second;
   if (a.cols == b.rows && !(matrix_is_scalar(&a) && matrix_is_scalar(&b))) {
-    if (a.rows > MAX_ENTRIES / b.cols) return form_mistake(sc, e, d, "a matrix of more than 4096 entries", &a, &b);
+    if (a.rows > MAX_ENTRIES / b.cols) return form_beyond(sc, e, d, "a matrix of more than 4096 entries", &a, &b);
     *m = matrix_new(el, a.rows, b.cols);
     for (int i = 0; i < a.rows; i++)
       for (int j = 0; j < b.cols; j++) m->e[i * b.cols + j] = dot(el, &a, &b, i, j);
@@ -145,7 +152,7 @@ bool matrix_square(struct matrix *m, struct elaboration *el, const struct expr *
     *m = matrix_scalar(el, sum);
     return true;
   }
-  if (a.rows > MAX_INVERSE) return form_mistake(sc, e, d, "inv and det reach up to 4x4", &a, NULL);
+  if (a.rows > MAX_INVERSE) return form_beyond(sc, e, d, "inv and det reach up to 4x4", &a, NULL);
   *m = e->kind == EXPR_DET ? matrix_scalar(el, determinant(el, &a)) : inverse(el, &a);
   return true;
 }
@@ -182,8 +189,10 @@ bool matrix_index(struct matrix *m, struct elaboration *el, const struct expr *e
 bool matrix_entrywise(struct matrix *m, struct elaboration *el, const struct expr *e, const struct scope *sc,
                       struct diag *d) {
   struct matrix a = *m;
-  if (e->kind != EXPR_NEG && e->kind != EXPR_ROUNDED && !matrix_is_scalar(&a))
-    return form_mistake(sc, e, d, "a scalar is needed here", &a, NULL);
+  bool of_scalars = e->kind != EXPR_NEG && e->kind != EXPR_ROUNDED && !matrix_is_scalar(&a);
+  if (of_scalars && e->kind != EXPR_ABS && a.rows == a.cols) /* functions of square matrices */
+    return form_beyond(sc, e, d, "powers, roots and functions are read of scalars alone", &a, NULL);
+  if (of_scalars) return form_mistake(sc, e, d, "a scalar is needed here", &a, NULL);
   *m = matrix_new(el, a.rows, a.cols);
   for (int i = 0; i < matrix_entries(&a); i++)
     m->e[i] = e->kind == EXPR_POW ? expr_pow(&el->pool, a.e[i], e->exponent) : expr_op1(&el->pool, e->kind, a.e[i]);
@@ -241,7 +250,7 @@ bool matrix_of_blocks(struct matrix *out, const struct matrix *block, struct ela
   int rows = 0, cols = 0;
   for (int i = 0; i < e->rows; i++) rows += height[i];
   for (int j = 0; j < e->cols; j++) cols += width[j];
-  if ((long)rows * cols > MAX_ENTRIES) return form_mistake(sc, e, d, "a matrix of more than 4096 entries", NULL, NULL);
+  if ((long)rows * cols > MAX_ENTRIES) return form_beyond(sc, e, d, "a matrix of more than 4096 entries", NULL, NULL);
   *out = matrix_zeros(el, rows, cols);
   int top = 0;
   for (int i = 0; i < e->rows; top += height[i++]) {

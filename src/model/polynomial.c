@@ -116,6 +116,7 @@ bool elaboration_add_root(struct elaboration *el, const struct definition *def, 
   struct poly p;
   if (!to_poly(&p, &job, poly) || p.degree < 1) {
     size_t where = def->stmt->sides[0]->span.begin;
+    diag_beyond(d);
     if (job.too_large)
       diag_at(d, def->src, where, "the polynomial in %s is too large", def->name);
     else

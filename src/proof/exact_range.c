@@ -146,7 +146,8 @@ static bool ends_at_zero(const struct condition *goal, int anchor) {
 
 bool exact_range(const struct condition *goal, const struct range_form *form) {
   bool ok = false, ends = !form->rate;
-  if (goal->equality || !goal->strict || (form->rate && !(goal->moving && form->there[RANGE_ODD]))) return false;
+  if (goal->equality || !goal->strict || (form->there[RANGE_ODD] && !goal->moving)) return false;
+  if (form->rate && (form->from_end || !form->there[RANGE_ODD])) return false;
   for (int anchor = 4; anchor >= ANCHOR_BACK; anchor--) {
     ok = ok || holds_on(goal, form, anchor);
     ends = ends || ends_at_zero(goal, anchor);

@@ -187,7 +187,7 @@ def check(system, orbit):
                 out.append(f"multiplier {mp.nstr(z, 12)}: differences give {mp.nstr(near, 12)}")
             mine.remove(near)
         inside = all(abs(mp.mpc(m["re"], m["im"])) < 1 for m in orbit["multipliers"])
-        if orbit["stable"] is not inside:
+        if orbit["stable"] is not None and orbit["stable"] is not inside:
             out.append("stable is not what the multipliers say")
     return out
 
