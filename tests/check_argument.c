@@ -449,7 +449,9 @@ START_TEST(formulas_without_a_degree) {
       {"define user\n  section: prediction\n  D(t) := [I, t*I; 0, I]\n", "eq-40 eq-40b eq-40c "},
       {"equation user\n  section: periodic\n  z_10 = t_a\n", "eq-10b eq-40 eq-40b eq-40c user "},
       {"equation user\n  section: periodic\n  sin(z_10) = 1\n", "eq-10b eq-40 eq-40b eq-40c user "},
-      {"equation user\n  section: periodic\n  z_10^2/z_20 = sqrt(V^2)*abs(t) + 0\n", "eq-10b eq-40 eq-40b eq-40c "}};
+      {"equation user\n  section: periodic\n  z_10^2/z_20 = sqrt(V^2)*abs(t) + 0\n", "eq-10b eq-40 eq-40b eq-40c "},
+      {"equation user\n  section: periodic\n  sqrt(sqrt(z_10))^4 + 0.0 = z_20\n", "eq-10b eq-40 eq-40b eq-40c "},
+      {"equation user\n  section: periodic\n  sqrt(sqrt(z_10)) = 1\n", "eq-10b eq-40 eq-40b eq-40c user "}};
   struct text got;
   text_init(&got);
   faults_of(&got, cases[_i].overlay);
@@ -723,7 +725,7 @@ Suite *argument_suite(void) {
   tcase_add_test(c, conditions_are_the_margins_of_the_orbit);
   tcase_add_test(c, a_certificate_is_a_scene);
   LOOP(symbols_and_readings, symbols);
-  tcase_add_loop_test(c, formulas_without_a_degree, 0, 5);
+  tcase_add_loop_test(c, formulas_without_a_degree, 0, 7);
   LOOP(units_of_one_record, units);
   tcase_add_loop_test(c, ranks_by_hand, 0, 13);
   tcase_add_loop_test(c, values_of_formulas, 0, 15);

@@ -286,7 +286,7 @@ bool judge_control(struct judge *j, const struct claim *control, const struct cl
   bool readable = judge_subject(&f, j, &c, view);
   j->effort = EFFORT_FULL;
   if (!readable) {
-    if (!notation_fault(&f, j)) return false;
+    if (!not_read(&f, j) && !notation_fault(&f, j)) return false;
     audit_leave_out(out, result_str(out, "control %s", control->id), "the paper's text that it damages cannot be read");
     return true;
   }
