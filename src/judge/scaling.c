@@ -140,7 +140,7 @@ static bool degree_of_form(struct degree *d, struct scaling *s, const struct exp
   bool function = e->kind == EXPR_SIN || e->kind == EXPR_COS || e->kind == EXPR_COT || e->kind == EXPR_EXP ||
                   e->kind == EXPR_SINC || e->kind == EXPR_STUMPFF;
   if (function || e->kind == EXPR_CALL) {
-    if (!d->any && d->of) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
+    if (!d->any && d->of != 0) return complain(s, "the argument of a function", e->args[0], *d, NULL, *d);
     *d = (struct degree){false, e->kind == EXPR_CALL && starts(e->name, s->scaled) ? 1 : 0};
   }
   return true;
