@@ -34,14 +34,6 @@ static void violation(struct text *out, const struct mech *m, const struct mech_
   text_add(out, mech_rule_name[f->rule]);
 }
 
-static void number_json(struct json *j, const char *key, arb_srcptr x, slong digits) {
-  struct text t;
-  text_init(&t);
-  print_known(&t, x, digits);
-  json_string(j, key, text_str(&t));
-  text_clear(&t);
-}
-
 static void multipliers_json(struct json *j, const struct mech_orbit *o, slong digits) {
   if (!o->multipliers) {
     json_null(j, "multipliers");
@@ -50,8 +42,8 @@ static void multipliers_json(struct json *j, const struct mech_orbit *o, slong d
   json_array(j, "multipliers");
   for (int i = 0; i < o->n_free; i++) {
     json_object(j, NULL);
-    number_json(j, "re", acb_realref(o->multiplier + i), digits);
-    number_json(j, "im", acb_imagref(o->multiplier + i), digits);
+    json_number(j, "re", acb_realref(o->multiplier + i), digits);
+    json_number(j, "im", acb_imagref(o->multiplier + i), digits);
     json_end_object(j);
   }
   json_end_array(j);
@@ -61,7 +53,7 @@ static void states_json(struct json *j, const struct mech_orbit *o, slong digits
   json_array(j, "states");
   for (int k = 0; k < o->word.n; k++) {
     json_array(j, NULL);
-    for (int i = 0; i < 2 * o->n; i++) number_json(j, NULL, o->state + k * 2 * o->n + i, digits);
+    for (int i = 0; i < 2 * o->n; i++) json_number(j, NULL, o->state + k * 2 * o->n + i, digits);
     json_end_array(j);
   }
   json_end_array(j);
@@ -89,10 +81,10 @@ static void orbit_json(struct json *j, const struct mech_orbit *o, const struct 
   for (int k = 0; k < o->word.n; k++) json_string(j, NULL, o->word.phase[k]);
   json_end_array(j);
   json_array(j, "times");
-  for (int k = 0; k < o->word.n; k++) number_json(j, NULL, o->t + k, digits);
+  for (int k = 0; k < o->word.n; k++) json_number(j, NULL, o->t + k, digits);
   json_end_array(j);
   states_json(j, o, digits);
-  number_json(j, "period", o->period, digits);
+  json_number(j, "period", o->period, digits);
   multipliers_json(j, o, digits);
   json_truth(j, "stable", o->stable);
   json_truth(j, "admissible", o->admissible);

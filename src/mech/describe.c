@@ -4,7 +4,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "num/flint_more.h"
+#include "orbit.h"
 
 struct printer {
   struct text *out;
@@ -171,16 +171,14 @@ static void add_modes(const struct printer *p) {
   char phase[MECH_MASSES + 1] = "";
   for (int i = 0; i < m->n; i++) phase[i] = '.';
   fmpq_mat_t rate;
-  acb_mat_t a, right;
+  arb_mat_t a, states;
   fmpq_mat_init(rate, side + 1, side + 1);
-  acb_mat_init(a, side, side);
-  acb_mat_init(right, side, side);
-  acb_ptr z = _acb_vec_init(side), near = _acb_vec_init(side);
+  arb_mat_init(a, side + 1, side + 1);
+  acb_ptr z = _acb_vec_init(side);
   mech_rate(rate, m, phase);
-  for (slong i = 0; i < side; i++)
-    for (slong j = 0; j < side; j++) acb_set_fmpq(acb_mat_entry(a, i, j), fmpq_mat_entry(rate, i, j), prec);
-  acb_mat_approx_eig_qr(near, NULL, right, a, NULL, 0, prec);
-  bool ok = acb_mat_eig_simple(z, NULL, NULL, a, near, right, prec) || acb_mat_eig_multiple(z, a, near, right, prec);
+  arb_mat_set_fmpq_mat(a, rate, prec);
+  arb_mat_window_init(states, a, 0, 0, side, side);
+  bool ok = mech_eigenvalues(z, states, prec);
   heading(p, m->n_dampers > 0 ? "Eigenvalues while every mass slips or is free"
                               : "Natural frequencies while every mass slips or is free");
   begin_line(p, "");
@@ -194,10 +192,9 @@ static void add_modes(const struct printer *p) {
   }
   if (!ok) text_add(p->out, p->latex ? "\\text{not told apart}" : "not told apart");
   end_line(p);
-  _acb_vec_clear(near, side);
   _acb_vec_clear(z, side);
-  acb_mat_clear(right);
-  acb_mat_clear(a);
+  arb_mat_window_clear(states);
+  arb_mat_clear(a);
   fmpq_mat_clear(rate);
 }
 

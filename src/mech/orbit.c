@@ -93,7 +93,7 @@ static void make_real(acb_ptr z, slong n) {
   acb_clear(mirrored);
 }
 
-static bool eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
+bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec) {
   slong n = arb_mat_nrows(a);
   acb_mat_t c, right;
   acb_mat_init(c, n, n);
@@ -157,7 +157,7 @@ static void describe(struct mech_orbit *o, struct mech_equations *e, arb_srcptr 
     arb_add(o->period, o->period, x + k, e->prec);
     for (int i = 0; i < 2 * o->n; i++) arb_set(o->state + k * 2 * o->n + i, arb_mat_entry(e->state[k], i, 0));
   }
-  o->multipliers = return_jacobian(o->jacobian, e) && eigenvalues(o->multiplier, o->jacobian, e->prec);
+  o->multipliers = return_jacobian(o->jacobian, e) && mech_eigenvalues(o->multiplier, o->jacobian, e->prec);
   o->stable = o->multipliers ? all_inside(o->multiplier, o->n_free) : TRUTH_UNKNOWN;
 }
 

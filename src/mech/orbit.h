@@ -55,6 +55,8 @@ int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
 void mech_orbit_clear(struct mech_orbit *o);
+/* The eigenvalues of a real square matrix, by decreasing modulus; false when they cannot be enclosed. */
+bool mech_eigenvalues(acb_ptr z, const arb_mat_t a, slong prec);
 
 struct mech_orbits {
   struct mech_orbit *orbit;

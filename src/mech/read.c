@@ -69,9 +69,7 @@ static bool evaluate(fmpq_t z, struct reader *r, const struct expr *e) {
 static bool read_parameter(struct reader *r, const struct field *f) {
   const struct stmt *s = stmt_parse(&r->arena, r->src, f->value, r->d);
   if (!s) return false;
-  if (s->kind != STMT_RELATION || s->n_sides != 2 || s->ops[0] != REL_EQ || s->range_var ||
-      s->sides[0]->kind != EXPR_SYM)
-    return wrong(r, f->value.begin, "a parameter is written NAME = VALUE");
+  if (!constant_is_given(s)) return wrong(r, f->value.begin, "a parameter is written NAME = VALUE");
   for (size_t i = 0; i < r->n_parameters; i++)
     if (strcmp(r->parameter[i].name, s->sides[0]->name) == 0)
       return wrong(r, f->value.begin, "this parameter is given twice");
@@ -108,16 +106,22 @@ static const char *const of_mass[] = {"inertia", "sliding", "static", "surface",
                          *const of_spring[] = {"between", "stiffness", NULL},
                          *const of_damper[] = {"between", "constant", NULL};
 
+static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
+  struct text known;
+  text_init(&known);
+  for (int k = 0; keys[k]; k++) text_printf(&known, "%s%s", k ? ", " : "", keys[k]);
+  diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "a %s has the lines %s only", of->kind_name,
+          text_str(&known));
+  text_clear(&known);
+  return false;
+}
+
 static bool known_fields(struct reader *r, const struct record *of, const char *const *keys) {
   for (size_t i = 0; i < of->n_fields; i++) {
     const struct field *f = &of->fields[i];
     int k = 0;
     while (f->attribute && keys[k] && strcmp(keys[k], f->key_name) != 0) k++;
-    if (!f->attribute || !keys[k]) {
-      diag_at(r->d, r->src, f->attribute ? f->key.begin : f->value.begin, "a %s has the lines %s, %s%s%s only",
-              of->kind_name, keys[0], keys[1], keys[2] ? ", static, " : "", keys[2] ? "surface" : "");
-      return false;
-    }
+    if (!f->attribute || !keys[k]) return unknown_field(r, of, f, keys);
     if (record_field(of, f->key_name) != f) return wrong(r, f->key.begin, "this line is given twice");
   }
   return true;

@@ -23,7 +23,8 @@ struct walk {
   double look, z[STATE];
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
-  double stride[SIDE * SIDE]; /* exp(A look) of the present phase */
+  double rate[SIDE * SIDE];   /* A of the present phase */
+  double stride[SIDE * SIDE]; /* exp(A look) */
   gsl_odeiv2_system system;
   gsl_odeiv2_driver *driver;
 };
@@ -47,14 +48,9 @@ static int right_side(double t, const double z[], double dz[], void *self) {
 
 /* exp(A h). */
 static bool exponential(double *out, const struct walk *w, double h) {
-  int n = w->n, side = 2 * n + 1;
-  fmpq_mat_t rate;
+  int side = 2 * w->n + 1;
   double a[SIDE * SIDE];
-  fmpq_mat_init(rate, side, side);
-  mech_rate(rate, w->m, w->phase);
-  for (int i = 0; i < side; i++)
-    for (int j = 0; j < side; j++) a[i * side + j] = h * fmpq_get_d(fmpq_mat_entry(rate, i, j));
-  fmpq_mat_clear(rate);
+  for (int i = 0; i < side * side; i++) a[i] = h * w->rate[i];
   gsl_matrix_view in = gsl_matrix_view_array(a, (size_t)side, (size_t)side);
   gsl_matrix_view to = gsl_matrix_view_array(out, (size_t)side, (size_t)side);
   gsl_linalg_exponential_ss(&in.matrix, &to.matrix, GSL_PREC_DOUBLE);
@@ -133,7 +129,15 @@ static void change(struct walk *w, int i) {
 }
 
 static bool begin(struct walk *w) {
-  return w->route != MECH_PATCHED || exponential(w->stride, w, w->look);
+  int side = 2 * w->n + 1;
+  fmpq_mat_t rate;
+  if (w->route != MECH_PATCHED) return true;
+  fmpq_mat_init(rate, side, side);
+  mech_rate(rate, w->m, w->phase);
+  for (int i = 0; i < side; i++)
+    for (int j = 0; j < side; j++) w->rate[i * side + j] = fmpq_get_d(fmpq_mat_entry(rate, i, j));
+  fmpq_mat_clear(rate);
+  return exponential(w->stride, w, w->look);
 }
 
 static void note(struct mech_motion *out, const struct walk *w, double t, int mass) {
