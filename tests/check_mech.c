@@ -23,6 +23,16 @@ static void finish(struct mech *m) {
   ck_assert_msg(mech_finish(m, &why, &name), "%s: %s", name, why);
 }
 
+static struct mech file;
+
+static void read_text(const char *text) {
+  struct source src;
+  struct diag d;
+  diag_init(&d);
+  source_from_string(&src, "a.system", text);
+  ck_assert_msg(mech_read(&file, src, &d), "%s", d.message);
+}
+
 /* --- Motions --- */
 
 static double dyadic(fmpq_t z, struct rng *r, slong low, slong high) {
@@ -153,6 +163,24 @@ START_TEST(longer_chains_are_those_of_tiny_steps) {
     mech_motion_clear(&z);
   }
   mech_clear(&m);
+}
+END_TEST
+
+/* x'' + x = cos(theta), theta' = 1/2, from rest: (cos(theta) - cos(theta_0) cos(t) + sin(theta_0)/2 sin(t)) 4/3 by hand. */
+START_TEST(a_load_in_closed_form) {
+  const double angle = 0.3, t = 7.25;
+  const double start[] = {0, 0, cos(angle), sin(angle)};
+  read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+            "load p\n  on: m\n  frequency: 1/2\n  cosine: 1/3\nload q\n  on: m\n  frequency: 1/2\n  cosine: 2/3\n");
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, t, 10), SS_OK);
+    ck_assert_double_eq_tol(z.z[0], 4.0 / 3 * (cos(angle + t / 2) - cos(angle) * cos(t) + sin(angle) / 2 * sin(t)),
+                            1e-11);
+    ck_assert_double_eq_tol(z.z[3], sin(angle + t / 2), 1e-11);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
 }
 END_TEST
 
@@ -289,23 +317,15 @@ START_TEST(the_papers_orbits_at_random_data) {
 END_TEST
 
 /* By a program that has nothing in common with src/mech. */
-START_TEST(orbits_of_three_masses_recomputed) {
+static const char *const scenes_of_systems[] = {"chain3", "den-hartog", "driven"};
+START_TEST(orbits_recomputed) {
   int status;
-  char *out = shell_output(&status, "%s tests/oracle/systems.py %s chain3 2>&1", python(), program());
+  char *out =
+      shell_output(&status, "%s tests/oracle/systems.py %s %s 2>&1", python(), program(), scenes_of_systems[_i]);
   ck_assert_msg(status == 0, "%s", out);
   free(out);
 }
 END_TEST
-
-static struct mech file;
-
-static void read_text(const char *text) {
-  struct source src;
-  struct diag d;
-  diag_init(&d);
-  source_from_string(&src, "a.system", text);
-  ck_assert_msg(mech_read(&file, src, &d), "%s", d.message);
-}
 
 /* One mass: the time of each phase in closed form.  With k = m = V = 1, s = 1 and r = 2 it sticks for 2 (r - s)/(k V) = 2
    and slips for 2 pi - 2 atan((r - s)/V) = 3 pi/2, from x = 2 to x = 0 or so. */
@@ -383,12 +403,19 @@ static const struct {
     {MASS("m") "spring k\n  stiffness: 1\n", "6:1: error: what it is between is missing"},
     {MASS("m") "spring k\n  between: ground, m\n  stiffness: 0\n", "6:1: error: k: a stiffness"},
     {MASS("m") "damper k\n  between: ground, m\n  constant: -1\n" WALL, "a damper's constant, is positive"},
+    {"load p\n  on: m\n" MASS("m") WALL, "2:7: error: there is no mass m above this line"},
+    {MASS("m") WALL "load p\n  frequency: 1\n", "9:1: error: the mass that it acts on is missing"},
+    {MASS("m") WALL "load p\n  on: m\n  cosine: 1\n", "load p needs a line \"frequency: VALUE\""},
+    {MASS("m") WALL "load p\n  on: m\n  frequency: 0\n  cosine: 1\n", "9:1: error: p: a frequency is positive"},
+    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n", "9:1: error: p: a load without any force"},
+    {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n  sine: 1\nload q\n  on: m\n  frequency: 2\n  sine: 1\n",
+     "13:1: error: q: all loads have one frequency"},
     {"colour: red\n" MASS("m") WALL, "1:1: error: before the first record stand the title"},
     {"k = 1\nk = 2\n" MASS("m") WALL, "2:1: error: this parameter is given twice"},
     {"k = j\nj = 2\n" MASS("m") WALL, "1:5: error: unknown name j"},
     {"k > 2\n" MASS("m") WALL, "1:1: error: a parameter is written NAME = VALUE"},
     {"mass abcdefghijklmnopqrstuvwxyzabcdef\n  inertia: 1\n", "1:6: error: a name of more than 31 characters"},
-    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring and damper"},
+    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring, damper and load"},
 };
 
 START_TEST(files_that_are_refused) {
@@ -500,11 +527,12 @@ Suite *mech_suite(void) {
   TCase *c = tcase_create("motions");
   tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
   tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
+  tcase_add_test(c, a_load_in_closed_form);
   tcase_add_test(c, motions_outside_the_domain);
   suite_add_tcase(s, c);
   c = tcase_create("orbits");
   tcase_add_test(c, the_papers_orbits_on_every_scene);
-  tcase_add_test(c, orbits_of_three_masses_recomputed);
+  tcase_add_loop_test(c, orbits_recomputed, 0, COUNT(scenes_of_systems));
   tcase_add_test(c, one_mass_in_closed_form);
   tcase_add_test(c, static_equal_to_sliding);
   suite_add_tcase(s, c);

@@ -2,7 +2,8 @@
 
    Unknown are the lengths t_1 ... t_K of the phases and the coordinates of the state at the entry of the first phase that
    are free there: not the velocity of a sticking mass or of the one that has just changed, nor the position of one that has
-   just broken loose, since its force is at the limit.  The equations are the K events and the return of those coordinates.
+   just broken loose, since its force is at the limit; with loads their angle theta is one more.  The equations are the K
+   events and the return of those coordinates, that of the angle after a given number of turns.
    A word is turned so that they are fewest.
 
    What is proved: by Krawczyk's operator in balls that a box holds exactly one solution; along each phase, by Taylor's
@@ -33,13 +34,14 @@ struct mech_fact {
 };
 
 struct mech_orbit {
-  struct mech_word word;                /* turned so that the free coordinates are fewest */
-  int n, n_free, free[2 * MECH_MASSES]; /* masses; places in x_1 ... x_n, x_1' ... x_n' */
-  arb_ptr t, state;                     /* word.n lengths; 2n coordinates at the entry of each phase */
-  arb_t period;
-  arb_mat_t jacobian; /* of the first return of the free coordinates */
-  acb_ptr multiplier; /* its eigenvalues, by decreasing modulus; n_free */
-  bool multipliers;   /* they are enclosed */
+  struct mech_word word;                    /* turned so that the free coordinates are fewest */
+  int n, states, n_free, free[MECH_STATES]; /* masses; see mech.h; places in x_1 ... x_n, x_1' ... x_n', theta */
+  arb_ptr t, state;                         /* word.n lengths; the states at the entry of each phase */
+  arb_t period, angle;                      /* theta at the entry of the first phase; 0 without loads */
+  slong turns;                              /* of theta in a period */
+  arb_mat_t jacobian;                       /* of the first return of the free coordinates */
+  acb_ptr multiplier;                       /* its eigenvalues, by decreasing modulus; n_free */
+  bool multipliers;                         /* they are enclosed */
   struct mech_fact *fact;
   int n_facts;
   truth own;        /* every phase has a positive length and ends with its first event */
@@ -49,8 +51,8 @@ struct mech_orbit {
 };
 
 /* How many coordinates are free at the entry of the first phase of a word, and which. */
-int mech_free(int free[2 * MECH_MASSES], const struct mech *m, const struct mech_word *w);
-/* The orbit near the lengths t and the state z (2n numbers) at the entry of the word's first phase, to prec bits where its
+int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_word *w);
+/* The orbit near the lengths t and the state z (m->states numbers) at the entry of the word's first phase, to prec bits where its
    conditioning allows.  SS_UNABLE: none is proved there, and the orbit needs no clearing. */
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec);
