@@ -15,7 +15,7 @@
                  quarter above what they ask), "patched [PHASE] N" (any state, carried by the linear systems of the four
                  phases over any times, and any perturbations), joined by ","; the time t lies in that phase
      perturbation  finite: dZ_0, dZ_a, ... are differences of two motions; else the first order of them
-     routes      what is asked besides balls: taylor gsl ode newton saltation fd exponential oracle; without points or
+     routes      what is asked besides balls: taylor gsl ode newton saltation system fd exponential oracle; without points or
                  routes those of kinds.h
      oracle      (route oracle) names whose paper formulas are replaced by the model's matrices
      number, from, formula             (number) the printed number, where its value comes from

@@ -132,7 +132,8 @@ static truth all_inside(acb_srcptr z, int n) {
 /* --- An orbit --- */
 
 static void orbit_init(struct mech_orbit *o, const struct mech *m, const struct mech_word *w) {
-  *o = (struct mech_orbit){.word = *w, .n = m->n, .states = m->states, .multipliers = false};
+  *o = (struct mech_orbit){
+      .word = *w, .n = m->n, .states = m->states, .own = TRUTH_UNKNOWN, .admissible = TRUTH_UNKNOWN};
   o->n_free = mech_free(o->free, m, w);
   o->t = _arb_vec_init(w->n);
   o->state = _arb_vec_init((slong)w->n * m->states);
@@ -179,20 +180,18 @@ static void conclude(struct mech_orbit *o) {
   o->certified = settled && o->stable != TRUTH_UNKNOWN;
 }
 
-/* The word turned so that the fewest coordinates are free; *by: how far. */
-static void turn_best(struct mech_word *out, int *by, const struct mech *m, const struct mech_word *w) {
-  int free[MECH_STATES], least = mech_free(free, m, w);
-  *by = 0;
-  *out = *w;
+/* How far the word is turned so that the fewest coordinates are free. */
+static int best_turn(const struct mech *m, const struct mech_word *w) {
+  int free[MECH_STATES], least = mech_free(free, m, w), by = 0;
   for (int k = 1; k < w->n; k++) {
     struct mech_word turned;
     mech_word_turn(&turned, w, k);
     int n = mech_free(free, m, &turned);
     if (n >= least) continue;
     least = n;
-    *by = k;
-    *out = turned;
+    by = k;
   }
+  return by;
 }
 
 /* The state at the entry of phase `by`, in double precision: by the flow of the phases before. */
@@ -222,6 +221,15 @@ static void carry(double *z, const struct mech *m, const struct mech_word *w, co
   fmpq_mat_clear(rate);
 }
 
+void mech_word_best(struct mech_word *w, double *t, double *z, const struct mech *m) {
+  double lengths[MECH_PHASES];
+  int by = best_turn(m, w);
+  carry(z, m, w, t, by);
+  memcpy(lengths, t, (size_t)w->n * sizeof *t);
+  for (int k = 0; k < w->n; k++) t[k] = lengths[(k + by) % w->n];
+  mech_word_turn(w, w, by);
+}
+
 /* How often the loads turn in about the sum of the lengths. */
 static slong turns_in(const struct mech *m, const double *t, int n) {
   double sum = 0;
@@ -231,30 +239,36 @@ static slong turns_in(const struct mech *m, const double *t, int n) {
 
 int mech_orbit_near(struct mech_orbit *o, const struct mech *m, const struct mech_word *w, const double *t,
                     const double *z, slong prec) {
-  struct mech_word best;
   struct mech_equations e;
   struct num_vec x;
-  double at[MECH_STATES];
-  int by;
-  turn_best(&best, &by, m, w);
-  memcpy(at, z, (size_t)m->states * sizeof *z);
-  carry(at, m, w, t, by);
-  mech_equations_init(&e, m, &best, turns_in(m, t, best.n), prec);
-  int status = best.n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
-  num_vec_init(&x, best.n + e.n_free, num_ctx_arb(prec));
-  for (int k = 0; k < best.n; k++) arb_set_d(num_vec_at(&x, k), t[(k + by) % best.n]);
+  mech_equations_init(&e, m, w, turns_in(m, t, w->n), prec);
+  int status = w->n + e.n_free <= SOLVE_MOST && (e.turns > 0 || !m->n_loads) ? SS_OK : SS_UNABLE;
+  num_vec_init(&x, w->n + e.n_free, num_ctx_arb(prec));
+  for (int k = 0; k < w->n; k++) arb_set_d(num_vec_at(&x, k), t[k]);
   for (int l = 0; l < e.n_free; l++)
-    arb_set_d(num_vec_at(&x, best.n + l), e.free[l] < 2 * m->n ? at[e.free[l]] : atan2(at[2 * m->n + 1], at[2 * m->n]));
+    arb_set_d(num_vec_at(&x, w->n + l), e.free[l] < 2 * m->n ? z[e.free[l]] : atan2(z[2 * m->n + 1], z[2 * m->n]));
   for (slong i = 0; i < x.len; i++)
     if (!arb_is_finite(num_vec_at(&x, i))) status = SS_UNABLE;
   if (!status) status = enclose(&x, &e);
   if (!status) {
-    orbit_init(o, m, &best);
+    orbit_init(o, m, w);
     describe(o, &e, num_vec_at(&x, 0));
-    mech_judge(o, &e);
-    conclude(o);
   }
   num_vec_clear(&x);
   mech_equations_clear(&e);
   return status;
+}
+
+void mech_orbit_judge(struct mech_orbit *o, const struct mech *m, slong prec) {
+  struct mech_equations e;
+  arb_ptr x = _arb_vec_init(o->word.n + o->n_free);
+  mech_equations_init(&e, m, &o->word, o->turns, prec);
+  _arb_vec_set(x, o->t, o->word.n);
+  for (int l = 0; l < o->n_free; l++)
+    arb_set(x + o->word.n + l, o->free[l] < 2 * o->n ? o->state + o->free[l] : o->angle);
+  mech_equations_at(&e, x);
+  mech_judge(o, &e);
+  conclude(o);
+  mech_equations_clear(&e);
+  _arb_vec_clear(x, o->word.n + o->n_free);
 }

@@ -162,8 +162,9 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
   if (found.n > 1) qsort(found.at, (size_t)found.n, sizeof *found.at, by_gap);
   for (int i = 0; i < found.n && i < MOST_CANDIDATES; i++) {
     struct mech_orbit o;
-    const struct stretch *s = &found.at[i];
+    struct stretch *s = &found.at[i];
     list->candidates++;
+    mech_word_best(&s->word, s->t, s->z, m);
     if (mech_orbit_near(&o, m, &s->word, s->t, s->z, prec) != SS_OK) {
       list->failed++;
       continue;
@@ -172,6 +173,7 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
       mech_orbit_clear(&o);
       continue;
     }
+    mech_orbit_judge(&o, m, prec);
     list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
     list->orbit[list->n++] = o;
   }
