@@ -298,7 +298,7 @@ START_TEST(the_papers_orbits_at_random_data) {
 END_TEST
 
 /* By a program that has nothing in common with src/mech. */
-static const char *const scenes_of_systems[] = {"chain3", "den-hartog", "driven"};
+static const char *const scenes_of_systems[] = {"chain3", "chain4", "den-hartog", "driven"};
 START_TEST(orbits_recomputed) {
   int status;
   char *out =
@@ -314,7 +314,7 @@ START_TEST(one_mass_in_closed_form) {
   struct mech_orbits list;
   read_text("mass m\n  inertia: 1\n  sliding: 1\n  static: 2\n  surface: 1\n"
             "spring k\n  between: ground, m\n  stiffness: 1\n");
-  mech_orbits_find(&list, &file, NULL, 128);
+  mech_orbits_find(&list, &file, NULL, false, 128);
   ck_assert_int_eq(list.n, 1);
   const struct mech_orbit *o = &list.orbit[0];
   arb_t want;
@@ -342,7 +342,7 @@ START_TEST(static_equal_to_sliding) {
   read_text("mass m1\n  inertia: 1\n  sliding: 1\n  static: 3\n  surface: 1\n"
             "mass m2\n  inertia: 1\n  sliding: 1\n  static: 1\n  surface: 1\n"
             "spring a\n  between: ground, m1\n  stiffness: 1/5\nspring b\n  between: m1, m2\n  stiffness: 4/5\n");
-  mech_orbits_find(&list, &file, NULL, 128);
+  mech_orbits_find(&list, &file, NULL, false, 128);
   for (int i = 0; i < list.n; i++)
     for (int k = 0; k < list.orbit[i].word.n; k++) {
       const struct mech_orbit *o = &list.orbit[i];

@@ -201,7 +201,7 @@ int run_system_orbit(const struct options *o, const struct scene *s, const char 
   if (ok) {
     struct text out;
     text_init(&out);
-    mech_orbits_find(&list, &m, w.n ? &w : NULL, word_bits(digits) + 64);
+    mech_orbits_find(&list, &m, w.n ? &w : NULL, false, word_bits(digits) + 64);
     (option(o, OPT_JSON) ? orbits_json : orbits_text)(&out, &list, &m, s, digits);
     if (option(o, OPT_JSON))
       fputs(text_str(&out), stdout);

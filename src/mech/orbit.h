@@ -73,8 +73,8 @@ struct mech_orbits {
 };
 /* Orbits that simulated motions come near, by increasing period; of one word, or of all when w is NULL.  Motions from
    random starts (a fixed sequence) are searched for stretches that nearly return; unstable orbits are met only as motions
-   pass them.  None found is no proof. */
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec);
+   pass them.  None found is no proof.  any: the first motion that leads to an orbit is the last one. */
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec);
 void mech_orbits_clear(struct mech_orbits *list);
 
 #endif

@@ -146,23 +146,12 @@ static int by_period(const void *x, const void *y) {
   return arf_cmp(arb_midref(a->period), arb_midref(b->period));
 }
 
-void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, slong prec) {
-  struct stretches found = {.n = 0};
-  uint64_t stream = random_seed("motions of a system");
-  *list = (struct mech_orbits){.n = 0};
-  for (int i = 0; i < SIMULATIONS; i++) {
-    struct mech_motion x;
-    double z[MECH_STATES];
-    random_start(z, m, &stream);
-    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
-    if (status == SS_OK) look_through(&found, &x, w, m);
-    list->simulations++;
-    mech_motion_clear(&x);
-  }
-  if (found.n > 1) qsort(found.at, (size_t)found.n, sizeof *found.at, by_gap);
-  for (int i = 0; i < found.n && i < MOST_CANDIDATES; i++) {
+/* Newton's iteration from what was found. */
+static void solve(struct mech_orbits *list, struct stretches *found, const struct mech *m, slong prec) {
+  if (found->n > 1) qsort(found->at, (size_t)found->n, sizeof *found->at, by_gap);
+  for (int i = 0; i < found->n && i < MOST_CANDIDATES; i++) {
     struct mech_orbit o;
-    struct stretch *s = &found.at[i];
+    struct stretch *s = &found->at[i];
     list->candidates++;
     mech_word_best(&s->word, s->t, s->z, m);
     if (mech_orbit_near(&o, m, &s->word, s->t, s->z, prec) != SS_OK) {
@@ -176,6 +165,22 @@ void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const stru
     mech_orbit_judge(&o, m, prec);
     list->orbit = ss_realloc(list->orbit, (size_t)(list->n + 1) * sizeof *list->orbit);
     list->orbit[list->n++] = o;
+  }
+}
+
+void mech_orbits_find(struct mech_orbits *list, const struct mech *m, const struct mech_word *w, bool any, slong prec) {
+  struct stretches found = {.n = 0};
+  uint64_t stream = random_seed("motions of a system");
+  *list = (struct mech_orbits){.n = 0};
+  while (list->simulations < SIMULATIONS && list->n == 0) {
+    struct mech_motion x;
+    double z[MECH_STATES];
+    random_start(z, m, &stream);
+    int status = mech_simulate(&x, MECH_PATCHED, m, z, fmin(1e6, periods / slowest(m)), MOMENTS);
+    if (status == SS_OK) look_through(&found, &x, w, m);
+    mech_motion_clear(&x);
+    if (++list->simulations == SIMULATIONS || any) solve(list, &found, m, prec);
+    if (any) found.n = 0;
   }
   if (list->n > 1) qsort(list->orbit, (size_t)list->n, sizeof *list->orbit, by_period);
   free(found.at);
