@@ -185,6 +185,27 @@ START_TEST(a_load_in_closed_form) {
 }
 END_TEST
 
+/* x'' + x = 0 for x <= 0, from x = -1 at rest: rebounds at pi/2 and 3 pi/2, each of which halves the amplitude. */
+START_TEST(rebounds_in_closed_form) {
+  const double start[] = {-1, 0}, beyond[] = {0.1, 0};
+  read_text("mass m\n  inertia: 1\nspring k\n  between: ground, m\n  stiffness: 1\n"
+            "obstacle o\n  stops: m\n  above: 0\n  restitution: 1/2\n");
+  for (int route = 0; route < N_MECH_ROUTES; route++) {
+    struct mech_motion z;
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, start, 2 * acos(-1), 10), SS_OK);
+    ck_assert_int_eq(z.n_moments, 3);
+    ck_assert_double_eq_tol(z.moment[2].t, 1.5 * acos(-1), 1e-11);
+    ck_assert_str_eq(z.moment[2].phase, ".>1");
+    ck_assert_double_eq_tol(z.z[0], -0.25, 1e-11);
+    ck_assert_double_eq_tol(z.z[1], 0, 1e-11);
+    mech_motion_clear(&z);
+    ck_assert_int_eq(mech_simulate(&z, (enum mech_route)route, &file, beyond, 1, 10), SS_DOMAIN);
+    mech_motion_clear(&z);
+  }
+  mech_clear(&file);
+}
+END_TEST
+
 START_TEST(motions_outside_the_domain) {
   struct rng r = {7};
   struct mech m;
@@ -298,7 +319,7 @@ START_TEST(the_papers_orbits_at_random_data) {
 END_TEST
 
 /* By a program that has nothing in common with src/mech. */
-static const char *const scenes_of_systems[] = {"chain3", "chain4", "den-hartog", "driven"};
+static const char *const scenes_of_systems[] = {"chain3", "chain4", "den-hartog", "driven", "beside-wall"};
 START_TEST(orbits_recomputed) {
   int status;
   char *out =
@@ -356,8 +377,9 @@ END_TEST
 
 /* --- Files and words --- */
 
-#define MASS(name) "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
-#define WALL       "spring k\n  between: ground, m\n  stiffness: 1\n"
+#define MASS(name)           "mass " name "\n  inertia: 1\n  sliding: 1/2\n  static: 1\n  surface: 1\n"
+#define STOP(name, place, e) "obstacle " name "\n  stops: m\n  " place "\n  restitution: " e "\n"
+#define WALL                 "spring k\n  between: ground, m\n  stiffness: 1\n"
 static const struct {
   const char *file, *says;
 } refused[] = {
@@ -385,18 +407,27 @@ static const struct {
     {MASS("m") "spring k\n  between: ground, m\n  stiffness: 0\n", "6:1: error: k: a stiffness"},
     {MASS("m") "damper k\n  between: ground, m\n  constant: -1\n" WALL, "a damper's constant, is positive"},
     {"load p\n  on: m\n" MASS("m") WALL, "2:7: error: there is no mass m above this line"},
-    {MASS("m") WALL "load p\n  frequency: 1\n", "9:1: error: the mass that it acts on is missing"},
+    {MASS("m") WALL "load p\n  frequency: 1\n", "9:1: error: the mass is missing: \"on: m1\""},
     {MASS("m") WALL "load p\n  on: m\n  cosine: 1\n", "load p needs a line \"frequency: VALUE\""},
     {MASS("m") WALL "load p\n  on: m\n  frequency: 0\n  cosine: 1\n", "9:1: error: p: a frequency is positive"},
     {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n", "9:1: error: p: a load without any force"},
     {MASS("m") WALL "load p\n  on: m\n  frequency: 1\n  sine: 1\nload q\n  on: m\n  frequency: 2\n  sine: 1\n",
      "13:1: error: q: all loads have one frequency"},
+    {MASS("m") WALL "obstacle o\n  above: 1\n", "9:1: error: the mass is missing: \"stops: m1\""},
+    {MASS("m") WALL "obstacle o\n  stops: m\n  restitution: 1\n",
+     "9:1: error: an obstacle has one line \"above: VALUE\""},
+    {MASS("m") WALL "obstacle o\n  stops: m\n  above: 1\n", "obstacle o needs a line \"restitution: VALUE\""},
+    {MASS("m") WALL STOP("o", "above: 1", "0"), "9:1: error: o: a restitution is above 0 and at most 1"},
+    {MASS("m") WALL STOP("o", "above: 1", "3/2"), "9:1: error: o: a restitution is above 0 and at most 1"},
+    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "above: 2", "1"),
+     "13:1: error: this mass has an obstacle at that"},
+    {MASS("m") WALL STOP("o", "above: 1", "1") STOP("p", "below: 2", "1"), "9:1: error: o: it leaves no room"},
     {"colour: red\n" MASS("m") WALL, "1:1: error: before the first record stand the title"},
     {"k = 1\nk = 2\n" MASS("m") WALL, "2:1: error: this parameter is given twice"},
     {"k = j\nj = 2\n" MASS("m") WALL, "1:5: error: unknown name j"},
     {"k > 2\n" MASS("m") WALL, "1:1: error: a parameter is written NAME = VALUE"},
     {"mass abcdefghijklmnopqrstuvwxyzabcdef\n  inertia: 1\n", "1:6: error: a name of more than 31 characters"},
-    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring, damper and load"},
+    {"wheel w\n  inertia: 1\n", "1:1: error: a system is made of the records mass, spring, damper, load and obstacle"},
 };
 
 START_TEST(files_that_are_refused) {
@@ -428,7 +459,7 @@ static const struct {
   const char *word, *why;
   size_t at;
 } words[] = {
-    {"", "a word has at least two phases", 0},
+    {"", "a word has at least one phase", 0},
     {"ss", "a phase is followed by another one", 0},
     {"ss -s ss- s-", "a phase has one letter for each mass", 6},
     {"ss -x", "a mass sticks (s), slips slower (-)", 3},
@@ -436,6 +467,15 @@ static const struct {
     {"ss -s -s s-", "a phase is followed by another one", 3},
     {"ss -- s-", "one mass changes its mode at a time", 0},
     {"ss -s -- s-", NULL, 0},
+    {"-->2", NULL, 0},
+    {"s- -- -->2", NULL, 0},
+    {"-->2 --", "a phase is followed by another one", 0},
+    {"-->1 --", "there is no obstacle at that side of this mass", 0},
+    {"--<2 --", "there is no obstacle at that side of this mass", 0},
+    {"-->3 --", "a rebound is written behind the letters", 0},
+    {"--> --", "a rebound is written behind the letters", 0},
+    {"-->2x --", "a rebound is written behind the letters", 0},
+    {"ss>2 --", "one mass changes its mode at a time", 0},
 };
 
 START_TEST(words_of_two_masses) {
@@ -443,7 +483,8 @@ START_TEST(words_of_two_masses) {
   const char *why;
   size_t at;
   read_text(MASS("m") MASS("n") "spring k\n  between: ground, m\n  stiffness: 1\n"
-                                "spring l\n  between: m, n\n  stiffness: 1\n");
+                                "spring l\n  between: m, n\n  stiffness: 1\n"
+                                "obstacle o\n  stops: n\n  above: 1\n  restitution: 1\n");
   bool ok = mech_word_parse(&w, &at, &why, words[_i].word, &file);
   ck_assert_int_eq(ok, words[_i].why == NULL);
   if (!ok) ck_assert_msg(strstr(why, words[_i].why) && at == words[_i].at, "%zu: %s", at, why);
@@ -457,11 +498,13 @@ START_TEST(a_system_in_formulas) {
   text_init(&t);
   read_text("c = 1\nmass m\n  inertia: 1\nmass n\n  inertia: 2\n  sliding: 1/2\n  static: 3\n  surface: -1\n"
             "spring k\n  between: ground, m\n  stiffness: 2*c\nspring l\n  between: n, m\n  stiffness: c\n"
-            "spring o\n  between: n, ground\n  stiffness: 4\ndamper d\n  between: m, ground\n  constant: c\n");
+            "spring o\n  between: n, ground\n  stiffness: 4\nobstacle w\n  stops: m\n  below: -5/2\n  restitution: "
+            "1/4\ndamper d\n  between: m, ground\n  constant: c\n");
   mech_describe(&t, &file, false, 6);
-  static const char *const lines[] = {
-      "x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'", "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
-      "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "Eigenvalues while every mass slips or is free"};
+  static const char *const lines[] = {"x_1'' = -f_1, f_1 = 3 x_1 - x_2 + x_1'",
+                                      "2 x_2'' = u_2 - f_2, f_2 = -x_1 + 5 x_2",
+                                      "|u_2| <= 3, u_2 = +-1/2; |f_2| = 3, x_2' = -1", "x_1 >= -5/2, x_1' -> -1/4 x_1'",
+                                      "Eigenvalues while every mass slips or is free"};
   for (size_t i = 0; i < sizeof lines / sizeof *lines; i++)
     ck_assert_msg(strstr(text_str(&t), lines[i]) != NULL, "%s is not in\n%s", lines[i], text_str(&t));
   text_reset(&t);
@@ -509,6 +552,7 @@ Suite *mech_suite(void) {
   tcase_add_loop_test(c, a_chain_of_two_moves_as_the_papers_system, 0, 40);
   tcase_add_loop_test(c, longer_chains_are_those_of_tiny_steps, 0, 9);
   tcase_add_test(c, a_load_in_closed_form);
+  tcase_add_test(c, rebounds_in_closed_form);
   tcase_add_test(c, motions_outside_the_domain);
   suite_add_tcase(s, c);
   c = tcase_create("orbits");

@@ -147,7 +147,7 @@ static void orbit_text(struct text *out, const struct mech_orbit *o, const struc
                            *const allowed[] = {"not admissible", "admissible", "admissibility undecided"};
   text_printf(out, "%s, %s\n", fate[o->stable], allowed[o->admissible]);
   for (int k = 0; k < o->word.n; k++) {
-    char name[MECH_MASSES + 16];
+    char name[MECH_PHASE + 16];
     snprintf(name, sizeof name, "t_%d %s", k + 1, o->word.phase[k]);
     add_line(out, name, o->t + k, digits);
   }

@@ -163,6 +163,32 @@ static void add_frictions(const struct printer *p) {
   }
 }
 
+/* x_1 <= 2, x_1' -> -1/2 x_1' */
+static void add_stop(const struct printer *p, int i, bool above) {
+  const struct mech_stop *stop = &p->m->mass[i].stop[above];
+  begin_line(p, stop->name);
+  add_state(p, i);
+  text_add(p->out, p->latex ? above ? " \\le " : " \\ge " : above ? " <= " : " >= ");
+  num_print_q(p->out, stop->position);
+  text_add(p->out, p->latex ? ", \\quad " : ", ");
+  add_state(p, p->m->n + i);
+  text_add(p->out, p->latex ? " \\to -" : " -> -");
+  add_factor(p, stop->restitution);
+  add_state(p, p->m->n + i);
+  end_line(p);
+}
+
+static void add_obstacles(const struct printer *p) {
+  bool any = false;
+  for (int i = 0; i < p->m->n; i++)
+    for (int s = 0; s < 2; s++) {
+      if (!p->m->mass[i].stop[s].given) continue;
+      if (!any) heading(p, "Obstacles, and what a rebound does");
+      any = true;
+      add_stop(p, i, s);
+    }
+}
+
 static int by_imaginary(const void *a, const void *b) {
   int c = arf_cmp(arb_midref(acb_imagref((acb_srcptr)a)), arb_midref(acb_imagref((acb_srcptr)b)));
   return c ? c : arf_cmp(arb_midref(acb_realref((acb_srcptr)a)), arb_midref(acb_realref((acb_srcptr)b)));
@@ -220,6 +246,7 @@ void mech_describe(struct text *out, const struct mech *m, bool latex, slong dig
                 m->n_dampers == 1 ? "" : "s", m->n_loads, m->n_loads == 1 ? "" : "s");
   add_forces(&p);
   add_frictions(&p);
+  add_obstacles(&p);
   add_modes(&p);
   if (latex) text_add(out, "\\end{aligned}\n");
 }

@@ -13,8 +13,11 @@ static void make_entry(fmpq_mat_t entry, const struct mech *m, const struct mech
   for (int l = 0; l < n_plain; l++) fmpq_one(fmpq_mat_entry(entry, free[l], l));
   for (int l = 0; l <= m->states - 2 * n; l++) fmpq_one(fmpq_mat_entry(entry, 2 * n + l, n_plain + l));
   for (int i = 0; i < n; i++)
-    if (w->phase[0][i] == 's' || i == changed) fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
-  if (end == MECH_REACHES) return;
+    if (w->phase[0][i] == 's' || (i == changed && !mech_is_hit(end)))
+      fmpq_set(fmpq_mat_entry(entry, n + i, one), m->mass[i].surface);
+  if (mech_is_hit(end))
+    fmpq_set(fmpq_mat_entry(entry, changed, one), m->mass[changed].stop[end == MECH_HITS_ABOVE].position);
+  if (end == MECH_REACHES || mech_is_hit(end)) return;
   /* the position of the mass that broke loose, from its force */
   fmpq_mat_t row, at;
   fmpq_mat_init(row, 1, m->states + 1);
@@ -37,7 +40,7 @@ int mech_free(int free[MECH_STATES], const struct mech *m, const struct mech_wor
   for (int i = 0; i < n; i++)
     if (i != changed || end == MECH_REACHES) free[count++] = i;
   for (int i = 0; i < n; i++)
-    if (i != changed && w->phase[0][i] != 's') free[count++] = n + i;
+    if ((i != changed || mech_is_hit(end)) && w->phase[0][i] != 's') free[count++] = n + i;
   if (m->n_loads) free[count++] = 2 * n;
   return count;
 }
@@ -61,6 +64,10 @@ void mech_equations_init(struct mech_equations *e, const struct mech *m, const s
     arb_mat_set_fmpq_mat(e->rate[k], rate, prec);
     mech_condition(row, m, mass, w->phase[k][mass], end);
     arb_mat_set_fmpq_mat(e->event[k], row, prec);
+    e->hit[k] = mech_is_hit(end) ? mass : -1;
+    arb_init(e->rebound[k]);
+    arb_set_fmpq(e->rebound[k], m->mass[mass].stop[end == MECH_HITS_ABOVE].restitution, prec);
+    arb_neg(e->rebound[k], e->rebound[k]);
   }
   make_entry(entry, m, w, e->free, (int)n_plain);
   arb_mat_init(e->entry, e->side, columns);
@@ -78,6 +85,7 @@ void mech_equations_clear(struct mech_equations *e) {
   for (int k = 0; k < e->w->n; k++) {
     arb_mat_clear(e->rate[k]);
     arb_mat_clear(e->event[k]);
+    arb_clear(e->rebound[k]);
   }
   for (int k = 0; k <= e->w->n; k++) arb_mat_clear(e->state[k]);
   arb_mat_clear(e->entry);
@@ -142,6 +150,15 @@ static void meet(struct mech_equations *e, int k) {
             e->side, e->prec);
 }
 
+/* The mass that has reached an obstacle rebounds. */
+static void rebound(struct mech_equations *e, int k) {
+  int at = e->m->n + e->hit[k];
+  if (e->hit[k] < 0) return;
+  arb_mul(arb_mat_entry(e->state[k + 1], at, 0), arb_mat_entry(e->state[k + 1], at, 0), e->rebound[k], e->prec);
+  for (slong l = 0; l < arb_mat_ncols(e->change); l++)
+    arb_mul(arb_mat_entry(e->change, at, l), arb_mat_entry(e->change, at, l), e->rebound[k], e->prec);
+}
+
 /* The angle returns: Omega times the period is that many turns. */
 static void turn(struct mech_equations *e, int row, arb_srcptr x) {
   arb_ptr value = arb_mat_entry(e->value, row, 0);
@@ -161,6 +178,7 @@ void mech_equations_at(struct mech_equations *e, arb_srcptr x) {
   for (int k = 0; k < phases; k++) {
     pass(e, k, x + k);
     meet(e, k);
+    rebound(e, k);
   }
   for (int l = 0; l < e->n_free; l++) {
     int at = e->free[l], row = phases + l;

@@ -9,6 +9,8 @@ struct mech_equations {
   const struct mech *m;
   const struct mech_word *w;
   int side, n_free, free[MECH_STATES]; /* side = states + 1 */
+  int hit[MECH_PHASES];                /* the mass that rebounds at the end of a phase, or -1 */
+  arb_t rebound[MECH_PHASES];          /* what its velocity is multiplied by */
   slong turns;                         /* of the loads in a period */
   slong prec;
   arb_mat_t rate[MECH_PHASES], event[MECH_PHASES]; /* A of each phase; the row that is zero at its end */

@@ -3,7 +3,7 @@
    A condition is g(s) = c y(s) < 0 with y' = A y.  On a step from a of length h, with Y an enclosure of y there,
        g(a + s) = c y(a) + s c A y(a) + s^2/2 c A^2 Y,       g'(a + s) = c A y(a) + s c A^2 Y,
    and g is negative on the step where the first is, or where g is exactly zero at one end and g' has one sign: at the start
-   of a phase for the mass that has just begun to slip (there g' is zero, too, where its static limit is its sliding
+   of a phase for the mass that has just rebounded or begun to slip (there g' is zero, too, where its static limit is its sliding
    friction, and g'' decides), at the end for the event.  A step on which some condition is open is halved; after
    20000 steps of a phase its conditions are left undecided. */
 #include <stdlib.h>
@@ -13,7 +13,7 @@
 #include "base/work.h"
 #include "equations.h"
 
-enum { FINEST = 40, MOST_STEPS = 20000, FACTS_OF_MASS = 2, UNITS_OF_STEP = 4 };
+enum { FINEST = 40, MOST_STEPS = 20000, FACTS_OF_MASS = 4, UNITS_OF_STEP = 4 };
 
 /* A condition under way. */
 struct watch {
@@ -193,8 +193,10 @@ static void add_watch(struct march *m, struct mech_orbit *o, int mass, enum mech
   watch->fact = add_fact(o, m->phase, mass, rule);
   watch->open = true;
   watch->fact->ends = mech_event(&at_end, now, w->phase[(m->phase + 1) % w->n]) == mass && at_end == end;
-  bool begins = mech_event(&at_start, before, now) == mass && end == MECH_REACHES;
-  bool touching = at_start != MECH_REACHES && fmpq_equal(of->mass[mass].limit, of->mass[mass].sliding);
+  bool begins =
+      mech_event(&at_start, before, now) == mass && (mech_is_hit(at_start) ? end == at_start : end == MECH_REACHES);
+  bool loose = at_start == MECH_BREAKS_SLOWER || at_start == MECH_BREAKS_FASTER;
+  bool touching = loose && fmpq_equal(of->mass[mass].limit, of->mass[mass].sliding);
   watch->zeros = begins ? 1 + touching : 0;
   fmpq_mat_init(rate, m->e->side, m->e->side);
   fmpq_mat_init(row, 1, m->e->side);
@@ -218,6 +220,8 @@ static void add_watches(struct march *m, struct mech_orbit *o) {
     } else if (phase[i] != '.') {
       add_watch(m, o, i, phase[i] == '-' ? MECH_SLOWER : MECH_FASTER, MECH_REACHES);
     }
+    for (int s = 0; s < 2; s++)
+      if (m->e->m->mass[i].stop[s].given) add_watch(m, o, i, MECH_CLEAR, s ? MECH_HITS_ABOVE : MECH_HITS_BELOW);
   }
 }
 
@@ -226,7 +230,7 @@ static void judge_passing(struct mech_orbit *o, const struct mech_equations *e, 
   const char *now = e->w->phase[phase], *next = e->w->phase[(phase + 1) % e->w->n];
   enum mech_end end;
   int mass = mech_event(&end, now, next);
-  if (now[mass] == 's' || next[mass] == 's') return;
+  if (mech_is_hit(end) || now[mass] == 's' || next[mass] == 's') return;
   fmpq_mat_t row;
   arb_mat_t c;
   arb_t g;

@@ -25,6 +25,10 @@ void mech_clear(struct mech *m) {
     fmpq_clear(m->mass[i].sliding);
     fmpq_clear(m->mass[i].limit);
     fmpq_clear(m->mass[i].surface);
+    for (int s = 0; s < 2; s++) {
+      fmpq_clear(m->mass[i].stop[s].position);
+      fmpq_clear(m->mass[i].stop[s].restitution);
+    }
   }
   links_clear(m->spring, m->n_springs);
   links_clear(m->damper, m->n_dampers);
@@ -56,6 +60,10 @@ struct mech_mass *mech_add_mass(struct mech *m, const char *name) {
   fmpq_init(mass->sliding);
   fmpq_init(mass->limit);
   fmpq_init(mass->surface);
+  for (int s = 0; s < 2; s++) {
+    fmpq_init(mass->stop[s].position);
+    fmpq_init(mass->stop[s].restitution);
+  }
   return mass;
 }
 
@@ -81,6 +89,13 @@ struct mech_load *mech_add_load(struct mech *m, const char *name) {
   fmpq_init(load->cosine);
   fmpq_init(load->sine);
   return load;
+}
+
+struct mech_stop *mech_add_stop(struct mech_mass *mass, bool above, const char *name) {
+  struct mech_stop *stop = &mass->stop[above];
+  stop->given = true;
+  set_name(stop->name, name);
+  return stop;
 }
 
 /* --- K, C and P --- */
@@ -138,6 +153,19 @@ static const char *wrong_with_mass(const struct mech_mass *mass) {
   return fmpq_sgn(mass->limit) > 0 ? NULL : "friction without any force: leave its lines out";
 }
 
+static const char *wrong_with_stops(const struct mech_mass *mass, const char **name) {
+  for (int s = 0; s < 2; s++) {
+    const struct mech_stop *stop = &mass->stop[s];
+    if (!stop->given) continue;
+    *name = stop->name;
+    if (fmpq_sgn(stop->restitution) <= 0 || fmpq_cmp_si(stop->restitution, 1) > 0)
+      return "a restitution is above 0 and at most 1; a mass that comes to rest at an obstacle is not modelled";
+    if (s && mass->stop[0].given && fmpq_cmp(mass->stop[0].position, stop->position) >= 0)
+      return "it leaves no room between it and the obstacle below";
+  }
+  return NULL;
+}
+
 static const char *wrong_with_link(const struct mech_link *link) {
   if (link->end[0] == link->end[1]) return "it ties something to itself";
   return fmpq_sgn(link->size) > 0 ? NULL : "a stiffness, and a damper's constant, is positive";
@@ -153,7 +181,10 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
   *why = m->n ? NULL : "a system has at least one mass";
   *name = "";
   for (int i = 0; !*why && i < m->n; i++)
-    if ((*why = wrong_with_mass(&m->mass[i]))) *name = m->mass[i].name;
+    if ((*why = wrong_with_mass(&m->mass[i])))
+      *name = m->mass[i].name;
+    else
+      *why = wrong_with_stops(&m->mass[i], name);
   for (int l = 0; !*why && l < m->n_springs + m->n_dampers; l++) {
     const struct mech_link *link = l < m->n_springs ? &m->spring[l] : &m->damper[l - m->n_springs];
     if ((*why = wrong_with_link(link))) *name = link->name;
@@ -173,6 +204,8 @@ bool mech_finish(struct mech *m, const char **why, const char **name) {
 }
 
 /* --- A phase --- */
+
+static const char marks[] = "<>"; /* of rebounds */
 
 /* row += sign f_i */
 static void add_force(fmpq *row, const struct mech *m, int i, int sign) {
@@ -208,7 +241,11 @@ void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase) {
 void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end) {
   fmpq *c = fmpq_mat_entry(row, 0, 0), *constant = c + m->states;
   fmpq_mat_zero(row);
-  if (end == MECH_REACHES) {
+  if (mech_is_hit(end)) {
+    fmpq_set_si(c + mass, end == MECH_HITS_ABOVE ? 1 : -1, 1);
+    fmpq_set(constant, m->mass[mass].stop[end == MECH_HITS_ABOVE].position);
+    if (end == MECH_HITS_ABOVE) fmpq_neg(constant, constant);
+  } else if (end == MECH_REACHES) {
     fmpq_set_si(c + m->n + mass, mode == '-' ? 1 : -1, 1);
     fmpq_set(constant, m->mass[mass].surface);
     if (mode == '-') fmpq_neg(constant, constant);
@@ -218,35 +255,51 @@ void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, e
   }
 }
 
+bool mech_is_hit(enum mech_end end) {
+  return end == MECH_HITS_BELOW || end == MECH_HITS_ABOVE;
+}
+
 int mech_event(enum mech_end *end, const char *from, const char *to) {
-  int mass = -1;
-  for (int i = 0; from[i]; i++) {
-    if (from[i] == to[i]) continue;
+  size_t letters = strcspn(to, marks);
+  int mass = to[letters] ? atoi(to + letters + 1) - 1 : -1;
+  for (int i = 0; i < (int)letters; i++) {
+    if (from[i] == to[i] || i == mass) continue;
     if (mass >= 0) return -1;
     mass = i;
   }
-  if (mass >= 0) *end = from[mass] != 's' ? MECH_REACHES : to[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER;
+  if (to[letters])
+    *end = to[letters] == '<' ? MECH_HITS_BELOW : MECH_HITS_ABOVE;
+  else if (mass >= 0)
+    *end = from[mass] != 's' ? MECH_REACHES : to[mass] == '-' ? MECH_BREAKS_SLOWER : MECH_BREAKS_FASTER;
   return mass;
 }
 
 /* --- Words --- */
 
 static const char *wrong_with_phase(const char *s, size_t len, const struct mech *m) {
-  if (len != (size_t)m->n) return "a phase has one letter for each mass";
+  size_t letters = strcspn(s, marks) < len ? strcspn(s, marks) : len;
+  if (letters != (size_t)m->n) return "a phase has one letter for each mass";
   for (int i = 0; i < m->n; i++) {
     if (!strchr("s-+.", s[i]))
       return "a mass sticks (s), slips slower (-) or faster (+) than its surface, or is free (.)";
     if ((s[i] == '.') == m->mass[i].rubbed)
       return m->mass[i].rubbed ? "a mass that a surface rubs is not free (.)" : "a mass that nothing rubs is free (.)";
   }
+  if (letters == len) return NULL;
+  int mass = atoi(s + letters + 1);
+  size_t digits = strspn(s + letters + 1, "0123456789");
+  if (len > MECH_PHASE || digits == 0 || letters + 1 + digits != len || mass < 1 || mass > m->n)
+    return "a rebound is written behind the letters of its phase, <1 or >1 with the number of the mass";
+  if (!m->mass[mass - 1].stop[s[letters] == '>'].given) return "there is no obstacle at that side of this mass";
   return NULL;
 }
 
 static const char *wrong_with_order(const struct mech_word *w, int k) {
   enum mech_end end;
   const char *from = w->phase[k], *to = w->phase[(k + 1) % w->n];
-  if (w->n < 2 || strcmp(from, to) == 0) return "a phase is followed by another one";
-  return mech_event(&end, from, to) < 0 ? "one mass changes its mode at a time" : NULL;
+  if (mech_event(&end, from, to) >= 0) return NULL;
+  return strncmp(from, to, strcspn(to, marks)) == 0 ? "a phase is followed by another one"
+                                                    : "one mass changes its mode at a time";
 }
 
 bool mech_word_good(const struct mech_word *w) {
@@ -259,7 +312,7 @@ bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const ch
   size_t place[MECH_PHASES];
   w->n = 0;
   *at = 0;
-  *why = "a word has at least two phases";
+  *why = "a word has at least one phase";
   for (const char *p = text + strspn(text, " "); *p; p += strspn(p, " ")) {
     size_t len = strcspn(p, " ");
     *at = (size_t)(p - text);

@@ -1,5 +1,5 @@
 /* Masses in a row of their own each, springs and dampers between any two of them or to the ground, surfaces that rub,
-   harmonic loads:
+   harmonic loads, rigid obstacles:
 
      m_i x_i'' = u_i - f_i          f = K x + C x' - P (cos theta, sin theta)          theta' = Omega
 
@@ -11,8 +11,10 @@
      '+' faster    x_i' > V_i, u_i = -s_i
      '.' free      u_i = 0
 
-   A phase is a letter for each mass, "s-" the first of two sticking and the second slower than its surface; a word is a
-   cyclic sequence of phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster
+   An obstacle keeps x_i <= X or x_i >= X; a mass that reaches it rebounds, x_i' becomes -e x_i', 0 < e <= 1.
+
+   A phase is a letter for each mass, "s-" the first of two sticking and the second slower than its surface; one that
+   begins with a rebound of the second mass ends in >2 (x_2 <= X) or <2 (x_2 >= X).  A word is a cyclic sequence of phases.  A sticking mass breaks loose at f_i = r_i to the slower side, at f_i = -r_i to the faster
    one; a slipping one that reaches V_i sticks where |f_i| < r_i and passes through elsewhere.
 
    Within a phase the state y = (x_1 ... x_n, x_1' ... x_n', 1), with cos theta, sin theta before the 1 where there are
@@ -26,11 +28,25 @@
 #include "base/text.h"
 #include "num/num.h"
 
-enum { MECH_MASSES = 24, MECH_STATES = 2 * MECH_MASSES + 2, MECH_LINKS = 600, MECH_NAME = 32, MECH_PHASES = 48 };
+enum {
+  MECH_PHASE = 24 + 4,
+  MECH_MASSES = 24,
+  MECH_STATES = 2 * MECH_MASSES + 2,
+  MECH_LINKS = 600,
+  MECH_NAME = 32,
+  MECH_PHASES = 48
+};
 
+/* An obstacle; where it is not given, none. */
+struct mech_stop {
+  bool given;
+  char name[MECH_NAME];
+  fmpq_t position, restitution;
+};
 struct mech_mass {
   char name[MECH_NAME];
   bool rubbed;
+  struct mech_stop stop[2];                /* x >= its position, x <= its position */
   fmpq_t inertia, sliding, limit, surface; /* m_i, s_i, r_i, V_i */
 };
 /* A spring or a damper; an end of -1 is the ground. */
@@ -63,6 +79,8 @@ struct mech_mass *mech_add_mass(struct mech *m, const char *name);
 struct mech_link *mech_add_link(struct mech *m, bool spring, const char *name);
 /* A load more, zero, on the first mass. */
 struct mech_load *mech_add_load(struct mech *m, const char *name);
+/* An obstacle for a mass, which has none on that side. */
+struct mech_stop *mech_add_stop(struct mech_mass *mass, bool above, const char *name);
 /* Makes K, C and P.  What is physically wrong is said in why (a mass that is not positive, a static limit below the sliding
    friction, masses that no chain of springs ties to the ground, ...), with the mass or link it is about in *name. */
 bool mech_finish(struct mech *m, const char **why, const char **name);
@@ -76,10 +94,10 @@ bool mech_read(struct mech *m, struct source src, struct diag *d);
 
 struct mech_word {
   int n;
-  char phase[MECH_PHASES][MECH_MASSES + 1];
+  char phase[MECH_PHASES][MECH_PHASE + 1];
 };
 /* "ss -s -- s-"; false with *why set, and *at to the offset of what is wrong: no phase of this system, a phase that equals
-   the next one, two masses that change at once. */
+   the next one, two masses that change at once, a rebound where there is no obstacle. */
 bool mech_word_parse(struct mech_word *w, size_t *at, const char **why, const char *text, const struct mech *m);
 /* Whether each phase differs from the next by one mass. */
 bool mech_word_good(const struct mech_word *w);
@@ -91,15 +109,18 @@ bool mech_word_same(int *by, const struct mech_word *a, const struct mech_word *
 
 /* A of a phase, a square matrix of side states + 1. */
 void mech_rate(fmpq_mat_t a, const struct mech *m, const char *phase);
-/* What ends a mode of a mass. */
+/* What ends a phase, at a mass. */
 enum mech_end {
   MECH_BREAKS_SLOWER, /* sticking: f_i - r_i */
   MECH_BREAKS_FASTER, /* sticking: -f_i - r_i */
-  MECH_REACHES        /* slipping: x_i' - V_i where slower, V_i - x_i' where faster */
+  MECH_REACHES,       /* slipping: x_i' - V_i where slower, V_i - x_i' where faster */
+  MECH_HITS_BELOW,    /* X - x_i */
+  MECH_HITS_ABOVE     /* x_i - X */
 };
+bool mech_is_hit(enum mech_end end);
 /* The row c of length states + 1 with c y < 0 while the mass goes on in that mode. */
 void mech_condition(fmpq_mat_t row, const struct mech *m, int mass, char mode, enum mech_end end);
-/* The mass that changes between two phases, and what ends its mode; -1 when none or more than one does. */
+/* The mass that changes or rebounds between two phases, and how; -1 when none or more than one does. */
 int mech_event(enum mech_end *end, const char *from, const char *to);
 
 #endif

@@ -12,7 +12,8 @@
 
 enum { MOST_STEPS = 60 };
 
-const char *const mech_rule_name[MECH_BEYOND + 1] = {"length", "slower", "faster", "break", "break_low", "beyond"};
+const char *const mech_rule_name[MECH_BEYOND + 1] = {"length",    "slower",   "faster", "break",
+                                                     "break_low", "obstacle", "beyond"};
 
 /* --- Existence and uniqueness --- */
 
@@ -213,6 +214,14 @@ static void carry(double *z, const struct mech *m, const struct mech_word *w, co
     arb_mat_scalar_mul_arb(flow, flow, length, 64);
     arb_mat_exp(flow, flow, 64);
     arb_mat_mul(y, flow, y, 64);
+    enum mech_end end;
+    int mass = mech_event(&end, w->phase[k], w->phase[(k + 1) % w->n]);
+    if (mech_is_hit(end)) {
+      arb_ptr v = arb_mat_entry(y, m->n + mass, 0);
+      arb_set_fmpq(length, m->mass[mass].stop[end == MECH_HITS_ABOVE].restitution, 64);
+      arb_mul(v, v, length, 64);
+      arb_neg(v, v);
+    }
     arb_clear(length);
   }
   for (int i = 0; i < states; i++) z[i] = arf_get_d(arb_midref(arb_mat_entry(y, i, 0)), ARF_RND_NEAR);

@@ -19,10 +19,15 @@
        frequency: 3/2
        cosine: 1
        sine: 0
+     obstacle o
+       stops: m1
+       above: 2
+       restitution: 1/2
 
    Lines NAME = VALUE before the first record are parameters, free in name; a value is a constant expression
    (expr/constant.h) and may use the parameters above it.  A mass is free of friction without the last three lines; a load
-   is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where not given. */
+   is cosine cos(frequency t) + sine sin(frequency t), the two amplitudes 0 where not given; an obstacle stands above
+   its mass, x <= 2, or below it. */
 #include <stdlib.h>
 #include <string.h>
 
@@ -111,6 +116,7 @@ static bool need_value(fmpq_t z, struct reader *r, const struct record *of, cons
 static const char *const of_mass[] = {"inertia", "sliding", "static", "surface", NULL},
                          *const of_spring[] = {"between", "stiffness", NULL},
                          *const of_damper[] = {"between", "constant", NULL},
+                         *const of_obstacle[] = {"stops", "above", "below", "restitution", NULL},
                          *const of_load[] = {"on", "frequency", "cosine", "sine", NULL};
 
 static bool unknown_field(struct reader *r, const struct record *of, const struct field *f, const char *const *keys) {
@@ -185,12 +191,37 @@ static bool read_link(struct reader *r, const struct record *of, bool spring) {
   return read_ends(link, r, of) && need_value(link->size, r, of, spring ? "stiffness" : "constant");
 }
 
+/* The mass that an attribute names; NULL with d set. */
+static struct mech_mass *read_name(int *at, struct reader *r, const struct record *of, const char *key) {
+  const struct field *f = record_field(of, key);
+  if (!f) {
+    diag_at(r->d, r->src, of->kind.begin, "the mass is missing: \"%s: m1\"", key);
+    return NULL;
+  }
+  *at = mass_named(r->m, f->text, strlen(f->text));
+  if (*at < r->m->n) return &r->m->mass[*at];
+  no_mass(r, f, f->text, strlen(f->text));
+  return NULL;
+}
+
+static bool read_obstacle(struct reader *r, const struct record *of) {
+  int at;
+  if (!known_fields(r, of, of_obstacle)) return false;
+  struct mech_mass *mass = read_name(&at, r, of, "stops");
+  if (!mass) return false;
+  bool above = record_field(of, "above") != NULL;
+  if (above == (record_field(of, "below") != NULL))
+    return wrong(r, of->kind.begin, "an obstacle has one line \"above: VALUE\" or \"below: VALUE\"");
+  if (mass->stop[above].given) return wrong(r, of->kind.begin, "this mass has an obstacle at that side");
+  struct mech_stop *stop = mech_add_stop(mass, above, of->id_name);
+  return need_value(stop->position, r, of, above ? "above" : "below") &&
+         need_value(stop->restitution, r, of, "restitution");
+}
+
 static bool read_load(struct reader *r, const struct record *of) {
   if (!known_fields(r, of, of_load)) return false;
-  const struct field *on = record_field(of, "on");
-  if (!on) return wrong(r, of->kind.begin, "the mass that it acts on is missing: \"on: m1\"");
-  int i = mass_named(r->m, on->text, strlen(on->text));
-  if (i == r->m->n) return no_mass(r, on, on->text, strlen(on->text));
+  int i;
+  if (!read_name(&i, r, of, "on")) return false;
   struct mech_load *load = mech_add_load(r->m, of->id_name);
   if (!load) return wrong(r, of->kind.begin, "a system has at most 600 loads");
   load->mass = i;
@@ -205,7 +236,8 @@ static bool read_record(struct reader *r, const struct record *of) {
   if (strcmp(of->kind_name, "spring") == 0) return read_link(r, of, true);
   if (strcmp(of->kind_name, "damper") == 0) return read_link(r, of, false);
   if (strcmp(of->kind_name, "load") == 0) return read_load(r, of);
-  return wrong(r, of->kind.begin, "a system is made of the records mass, spring, damper and load");
+  if (strcmp(of->kind_name, "obstacle") == 0) return read_obstacle(r, of);
+  return wrong(r, of->kind.begin, "a system is made of the records mass, spring, damper, load and obstacle");
 }
 
 static bool read_head(struct reader *r, const struct record *head) {

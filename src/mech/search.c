@@ -35,6 +35,8 @@ static void random_start(double *z, const struct mech *m, uint64_t *stream) {
            force = mass->rubbed ? fmpq_get_d(mass->limit) : 1;
     for (int j = 0; j < 2; j++) force += fabs(fmpq_get_d(fmpq_mat_entry(m->loading, i, j)));
     z[i] = uniform(stream) * 2 * force / stiffness;
+    if (mass->stop[0].given) z[i] = fmax(z[i], fmpq_get_d(mass->stop[0].position));
+    if (mass->stop[1].given) z[i] = fmin(z[i], fmpq_get_d(mass->stop[1].position));
     z[m->n + i] = fmpq_get_d(mass->surface) * (random_next(stream) % 2 ? 1 : uniform(stream));
   }
   if (m->n_loads) {
@@ -98,7 +100,7 @@ static void keep(struct stretches *list, const struct stretch *s) {
 static void look_through(struct stretches *list, const struct mech_motion *x, const struct mech_word *wanted,
                          const struct mech *m) {
   for (int i = x->n_moments / 4 + 1; i < x->n_moments; i++)
-    for (int k = 2; k <= MECH_PHASES && i + k < x->n_moments; k++) {
+    for (int k = 1; k <= MECH_PHASES && i + k < x->n_moments; k++) {
       struct stretch s;
       if (strcmp(x->moment[i].phase, x->moment[i + k].phase) != 0 || x->moment[i].mass != x->moment[i + k].mass)
         continue;

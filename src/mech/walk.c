@@ -5,6 +5,7 @@
 #include <gsl/gsl_linalg.h>
 #include <gsl/gsl_odeiv2.h>
 #include <math.h>
+#include <stdio.h>
 #include <string.h>
 
 #include "base/arena.h"
@@ -14,15 +15,19 @@
 enum { SIDE = MECH_STATES + 1 };
 enum { UNITS_OF_LOOK = 15, HALVINGS = 200 }; /* of work; of the search for a root */
 
+/* What a mass may meet: the end of its mode; an obstacle below, above. */
+enum meeting { OWN, BELOW, ABOVE, N_MEETINGS };
+
 struct walk {
   const struct mech *m;
   enum mech_route route;
   int n, states;
-  char phase[MECH_MASSES + 1];
-  int fresh; /* the mass that has just begun to slip from its surface, or -1: its condition starts at zero */
+  char phase[MECH_PHASE + 1];
+  int fresh;               /* the mass that has just begun to slip or rebounded, or -1: its condition starts at zero */
+  enum meeting fresh_part; /* which */
   double look, z[MECH_STATES];
   double stiffness[MECH_MASSES * MECH_MASSES], damping[MECH_MASSES * MECH_MASSES];
-  double loading[2 * MECH_MASSES], frequency;
+  double loading[2 * MECH_MASSES], frequency, stop[MECH_MASSES][2], restitution[MECH_MASSES][2];
   double inertia[MECH_MASSES], sliding[MECH_MASSES], limit[MECH_MASSES], surface[MECH_MASSES];
   double rate[SIDE * SIDE];   /* A of the present phase */
   double stride[SIDE * SIDE]; /* exp(A look) */
@@ -88,20 +93,22 @@ static bool carry(double *to, struct walk *w, double h) {
 }
 
 /* Negative while mass i goes on as it does. */
-static double condition(const struct walk *w, const double *z, int i) {
+static double condition(const struct walk *w, const double *z, int i, enum meeting part) {
+  if (part != OWN && !w->m->mass[i].stop[part == ABOVE].given) return -1;
+  if (part != OWN) return part == ABOVE ? z[i] - w->stop[i][1] : w->stop[i][0] - z[i];
   double lead = z[w->n + i] - w->surface[i];
   if (w->phase[i] == '.') return -1;
   if (w->phase[i] == 's') return fabs(force(w, z, i)) - w->limit[i];
   return w->phase[i] == '-' ? lead : -lead;
 }
 
-/* The first root of mass i's condition, which changes sign within (0, h]: regula falsi of Illinois. */
-static bool locate(double *s, struct walk *w, int i, double h, double at_end) {
-  double a = 0, b = h, fa = condition(w, w->z, i), fb = at_end, z[MECH_STATES];
-  if (i == w->fresh || fa > 0) { /* it leaves zero: begin where it is well below */
+/* The first root of a condition of mass i, which changes sign within (0, h]: regula falsi of Illinois. */
+static bool locate(double *s, struct walk *w, int i, enum meeting part, double h, double at_end) {
+  double a = 0, b = h, fa = condition(w, w->z, i, part), fb = at_end, z[MECH_STATES];
+  if ((i == w->fresh && part == w->fresh_part) || fa > 0) { /* it leaves zero: begin where it is well below */
     for (a = h / 2; a > 1e-9 * h; a /= 2) {
       if (!carry(z, w, a)) return false;
-      fa = condition(w, z, i);
+      fa = condition(w, z, i, part);
       if (fa < 0) break;
     }
   }
@@ -109,7 +116,7 @@ static bool locate(double *s, struct walk *w, int i, double h, double at_end) {
     double mid = a + (b - a) * fa / (fa - fb);
     if (!(mid > a && mid < b)) mid = 0.5 * (a + b);
     if (!carry(z, w, mid)) return false;
-    double f = condition(w, z, i);
+    double f = condition(w, z, i, part);
     if (f < 0) {
       a = mid;
       fa = f;
@@ -126,12 +133,22 @@ static bool locate(double *s, struct walk *w, int i, double h, double at_end) {
 }
 
 /* The law for the mass that has the event, which is at its surface's velocity or at its limit. */
-static void change(struct walk *w, int i) {
+static void change(struct walk *w, int i, enum meeting part) {
+  memset(w->phase + w->n, 0, sizeof w->phase - (size_t)w->n); /* no mark of an earlier rebound */
+  w->fresh = i;
+  w->fresh_part = part;
+  if (part != OWN) {
+    w->z[i] = w->stop[i][part == ABOVE];
+    w->z[w->n + i] *= -w->restitution[i][part == ABOVE];
+    if (w->phase[i] != '.') w->phase[i] = w->z[w->n + i] < w->surface[i] ? '-' : '+';
+    snprintf(w->phase + w->n, sizeof w->phase - (size_t)w->n, "%c%d", part == ABOVE ? '>' : '<', i + 1);
+    return;
+  }
   double f = force(w, w->z, i);
   bool loose = w->phase[i] == 's', holds = fabs(f) < w->limit[i];
   w->z[w->n + i] = w->surface[i];
   w->phase[i] = !loose && holds ? 's' : f > 0 ? '-' : '+';
-  w->fresh = w->phase[i] == 's' ? -1 : i;
+  if (w->phase[i] == 's') w->fresh = -1;
 }
 
 static bool begin(struct walk *w) {
@@ -156,24 +173,26 @@ static void note(struct mech_motion *out, const struct walk *w, double t, int ma
 /* One look ahead: to the first event in it, or to its end. */
 static int advance(double *gone, struct walk *w, struct mech_motion *out, double t, double h) {
   double z[MECH_STATES], first = h;
-  int mass = -1;
+  int event = -1; /* a mass and what it meets */
   if (!carry(z, w, h)) return SS_UNABLE;
-  for (int i = 0; i < w->n; i++) {
-    double s, at_end = condition(w, z, i);
+  for (int k = 0; k < N_MEETINGS * w->n; k++) {
+    int i = k / N_MEETINGS;
+    enum meeting part = (enum meeting)(k % N_MEETINGS);
+    double s, at_end = condition(w, z, i, part);
     if (at_end < 0) continue;
-    if (!locate(&s, w, i, h, at_end)) return SS_UNABLE;
-    if (s < first || mass < 0) {
+    if (!locate(&s, w, i, part, h, at_end)) return SS_UNABLE;
+    if (s < first || event < 0) {
       first = s;
-      mass = i;
+      event = k;
     }
   }
-  if (mass >= 0 && !carry(z, w, first)) return SS_UNABLE;
+  if (event >= 0 && !carry(z, w, first)) return SS_UNABLE;
   memcpy(w->z, z, sizeof w->z);
   w->fresh = -1;
   *gone = first;
-  if (mass < 0) return SS_OK;
-  change(w, mass);
-  note(out, w, t + first, mass);
+  if (event < 0) return SS_OK;
+  change(w, event / N_MEETINGS, (enum meeting)(event % N_MEETINGS));
+  note(out, w, t + first, event / N_MEETINGS);
   return begin(w) ? SS_OK : SS_UNABLE;
 }
 
@@ -188,6 +207,10 @@ static void take_system(struct walk *w) {
       w->damping[i * w->n + j] = fmpq_get_d(fmpq_mat_entry(m->damping, i, j));
     }
     for (int j = 0; j < 2; j++) w->loading[2 * i + j] = fmpq_get_d(fmpq_mat_entry(m->loading, i, j));
+    for (int k = 0; k < 2; k++) {
+      w->stop[i][k] = fmpq_get_d(m->mass[i].stop[k].position);
+      w->restitution[i][k] = fmpq_get_d(m->mass[i].stop[k].restitution);
+    }
     w->inertia[i] = fmpq_get_d(m->mass[i].inertia);
     w->sliding[i] = fmpq_get_d(m->mass[i].sliding);
     w->limit[i] = fmpq_get_d(m->mass[i].limit);
@@ -215,6 +238,8 @@ static void take_start(struct walk *w, const double *start) {
 static bool in_domain(const struct walk *w, const double *start, double duration) {
   bool ok = duration >= 0 && duration <= 1e6 && isfinite(w->look) && w->look > 0;
   for (int i = 0; i < w->states; i++) ok = ok && isfinite(start[i]);
+  for (int k = 0; ok && k < N_MEETINGS * w->n; k++)
+    ok = k % N_MEETINGS == OWN || condition(w, start, k / N_MEETINGS, (enum meeting)(k % N_MEETINGS)) <= 0;
   return ok;
 }
 

@@ -14,7 +14,7 @@ enum mech_route { MECH_PATCHED, MECH_INTEGRATED, N_MECH_ROUTES };
 struct mech_moment {
   double t;
   int mass; /* that has changed; -1 at the start */
-  char phase[MECH_MASSES + 1];
+  char phase[MECH_PHASE + 1];
   double z[MECH_STATES]; /* y without its last element, see mech.h */
 };
 struct mech_motion {
@@ -23,7 +23,7 @@ struct mech_motion {
   double z[MECH_STATES]; /* at the end */
 };
 /* start: n positions, n velocities, with loads the cosine and sine of their angle; finite.  Ends at the time `duration` or after the event that makes `most` moments.
-   SS_DOMAIN for a duration above 10^6 or a number that is not finite, SS_UNABLE when the integrator fails or an exponential
+   SS_DOMAIN for a duration above 10^6, a number that is not finite, or a start beyond an obstacle, SS_UNABLE when the integrator fails or an exponential
    cannot be held. */
 int mech_simulate(struct mech_motion *out, enum mech_route route, const struct mech *m, const double *start,
                   double duration, int most);

@@ -1,9 +1,9 @@
 """systems.py PROGRAM SCENE [SCENE...]: every orbit that `PROGRAM orbit SCENE --json` gives of a system file, recomputed.
 
 It reads the system file itself and knows nothing of the program but its JSON: from the equations of motion
-m x'' = u - K x - C x' + loads it carries each state through its phase in 40 digits (matrix exponential by mpmath) and holds the
-next state against it; looks at the event and at the law at 60 times of each phase; and makes the multipliers from central
-differences of the first return.  Prints what it found; status 1 where something disagrees.
+m x'' = u - K x - C x' + loads, and the rebounds from obstacles, it carries each state through its phase in 40 digits (matrix
+exponential by mpmath) and holds the next state against it; looks at the event and at the law at 60 times of each phase; and makes
+the multipliers from central differences of the first return.  Prints what it found; status 1 where something disagrees.
 """
 import json
 import re
@@ -24,8 +24,8 @@ def value(text, names):
 
 
 def read(path):
-    """Masses, the matrices K and C, and the loads."""
-    names, masses, links, loads, here = {}, {}, [], [], None
+    """Masses, the matrices K and C, the loads and the obstacles."""
+    names, masses, links, loads, stops, here = {}, {}, [], [], [], None
     for line in open(path, encoding="utf-8"):
         line = line.split("#")[0].rstrip()
         if not line.strip():
@@ -41,10 +41,10 @@ def read(path):
                 if head[0] == "mass":
                     masses[head[1]] = here
                 else:
-                    (loads if head[0] == "load" else links).append(here)
+                    {"load": loads, "obstacle": stops}.get(head[0], links).append(here)
             continue
         key, text = line.strip().split(":", 1)
-        here[key] = text.strip() if key in ("between", "on") else value(text, names)
+        here[key] = text.strip() if key in ("between", "on", "stops") else value(text, names)
     order = list(masses)
     n = len(order)
     k, c = ([[Fraction(0)] * n for _ in range(n)] for _ in range(2))
@@ -58,7 +58,9 @@ def read(path):
                     matrix[i][j] += size if i == j else -size
     for load in loads:
         load["on"] = order.index(load["on"])
-    return [masses[name] for name in order], k, c, loads
+    for stop in stops:
+        stop["stops"] = order.index(stop["stops"])
+    return [masses[name] for name in order], k, c, loads, stops
 
 
 def mpf(q):
@@ -67,7 +69,7 @@ def mpf(q):
 
 class System:
     def __init__(self, path):
-        self.mass, self.k, self.c, self.loads = read(path)
+        self.mass, self.k, self.c, self.loads, self.stops = read(path)
         self.n = len(self.mass)
         self.omega = mpf(self.loads[0]["frequency"]) if self.loads else None
         self.states = 2 * self.n + 2 * bool(self.loads)
@@ -102,8 +104,19 @@ class System:
         out = mp.expm(self.rate(phase) * t) * mp.matrix(list(y) + [1])
         return [out[i] for i in range(self.states)]
 
+    def hit(self, after):
+        """The obstacle that a phase begins with a rebound from."""
+        if not after[self.n:]:
+            return None
+        side = {"<": "below", ">": "above"}[after[self.n]]
+        (stop,) = [s for s in self.stops if s["stops"] == int(after[self.n + 1:]) - 1 and side in s]
+        return stop
+
     def event(self, phase, after, y):
         """What is zero where the first phase gives way to the second, and its mass."""
+        stop = self.hit(after)
+        if stop:
+            return y[stop["stops"]] - mpf(stop.get("above", stop.get("below"))), stop["stops"]
         (i,) = [i for i in range(self.n) if phase[i] != after[i]]
         m = self.mass[i]
         if phase[i] != "s":
@@ -121,6 +134,10 @@ class System:
                   else lead < slack if phase[i] == "-" else lead > -slack)
             if not ok:
                 out.append(i)
+        for stop in self.stops:
+            x = y[stop["stops"]]
+            if x > mpf(stop.get("above", mp.inf)) + slack or x < mpf(stop.get("below", -mp.inf)) - slack:
+                out.append(stop["stops"])
         return out
 
     def to_event(self, phase, after, y, t):
@@ -129,24 +146,37 @@ class System:
             a = self.rate(phase)
             dz = [x for x in a * mp.matrix(list(z) + [1])][:self.states]
             f, i = self.event(phase, after, z)
-            slope = dz[self.n + i] if phase[i] != "s" else self.force(dz, i)
+            slope = dz[i] if self.hit(after) else dz[self.n + i] if phase[i] != "s" else self.force(dz, i)
             t -= f / slope
             if abs(f / slope) < mp.mpf(10) ** -38:
                 break
         return self.carry(phase, y, t)
 
+    def switched(self, phase, after, y):
+        """The state behind an event at which the state is y."""
+        y, stop = list(y), self.hit(after)
+        if stop:
+            y[self.n + stop["stops"]] *= -mpf(stop["restitution"])
+        else:
+            (i,) = [i for i in range(self.n) if phase[i] != after[i]]
+            y[self.n + i] = mpf(self.mass[i]["surface"])
+        return y
+
     def first_return(self, word, times, y):
         for k, phase in enumerate(word):
             after = word[(k + 1) % len(word)]
             y = self.to_event(phase, after, y, times[k])
-            (i,) = [i for i in range(self.n) if phase[i] != after[i]]
-            if after[i] != phase[i]:
-                y[self.n + i] = mpf(self.mass[i]["surface"])
+            y = self.switched(phase, after, y)
         return y
 
     def free(self, word):
         """Coordinates of the start that can be varied (2n: the loads' angle), and the one that follows from the others, if any."""
         before, now, n = word[-1], word[0], self.n
+        stop = self.hit(now)
+        if stop:
+            i = stop["stops"]
+            return ([j for j in range(n) if j != i] + [n + j for j in range(n) if now[j] != "s"] + [2 * n] * bool(self.loads),
+                    None, 0)
         (i,) = [i for i in range(n) if before[i] != now[i]]
         loose = i if before[i] == "s" else None
         return ([j for j in range(n) if j != loose] + [n + j for j in range(n) if j != i and now[j] != "s"]
@@ -198,7 +228,7 @@ def check(system, orbit):
     for k, phase in enumerate(word):
         after, then = word[(k + 1) % len(word)], states[(k + 1) % len(word)]
         end = system.carry(phase, states[k], times[k])
-        off = max(abs(a - b) for a, b in zip(end, then))
+        off = max(abs(a - b) for a, b in zip(system.switched(phase, after, end), then))
         f, _ = system.event(phase, after, end)
         if off > CLOSE or abs(f) > CLOSE:
             out.append(f"phase {k + 1}: ends {mp.nstr(off, 3)} beside the next state, event {mp.nstr(f, 3)}")
