@@ -263,6 +263,14 @@ equation eq-36d
   place: 9679-9704
   [x_c; y_c; v_c] = J_c*[x_b; u_b]
 
+define text-36-rest
+  note: J_c without its terms in ktilde_1, ktilde_2 and ktilde_3
+  H_c := [H_11 + H_12, H_13; H_21 + H_22, H_23; H_41 + H_42, H_21]
+
+equation text-36-cancels
+  note: J_f takes the terms that H_c lacks to zero
+  J_f*J_c = J_f*H_c
+
 equation eq-37
   equation: 37
   tex: Z(t) = C(t - t_a - dt_a - t_b - dt_b - t_c - dt_c)(Z_c + dZ_c)
