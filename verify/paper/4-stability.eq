@@ -263,13 +263,9 @@ equation eq-36d
   place: 9679-9704
   [x_c; y_c; v_c] = J_c*[x_b; u_b]
 
-define text-36-rest
-  note: J_c without its terms in ktilde_1, ktilde_2 and ktilde_3
-  H_c := [H_11 + H_12, H_13; H_21 + H_22, H_23; H_41 + H_42, H_21]
-
 equation text-36-cancels
-  note: J_f takes the terms that H_c lacks to zero
-  J_f*J_c = J_f*H_c
+  note: ktilde_1, ktilde_2 and ktilde_3 are V, z'_2c and the third entry over z_1c - chi*z_2c
+  J_f*[0; z'_2c; chi*eta*(z_1c - z_2c)] = -J_f*[V; 0; 0]
 
 equation eq-37
   equation: 37
